@@ -21,11 +21,15 @@ struct Count {
   int misses = 0;
 };
 
+/// Whether the result is the published value but for rounding.
+bool is_same(const project::Comparison& c) { return std::abs(c.deviation) <= 1e-12; }
+
 /// A part of the value; where it is zero, or has a tolerance in its own unit, the difference.
 std::string deviation_of(const project::Comparison& c) {
   const project::Expectation& e = *c.expectation;
   if (std::isnan(c.deviation)) return "not available";
   const bool absolute = e.within_si || e.is.si == 0.0;
+  if (is_same(c)) return format_quantity(0.0, absolute ? e.unit : "%", 2);
   return absolute ? format_quantity(c.ours - e.is.si, e.unit, 2) : format_quantity(c.deviation, "%", 2);
 }
 
@@ -36,8 +40,9 @@ void show(const project::Project& project, const std::vector<project::Comparison
   for (const project::Comparison& c : all) {
     const project::Expectation& e = *c.expectation;
     const int digits = e.digits ? std::max(*e.digits, 6) : 6;
-    rows.push_back({c.holds ? "  ok" : "  MISS", e.text, e.is_text, format_quantity(c.ours, e.unit, digits),
-                    deviation_of(c), e.source + (e.note.empty() ? "" : "; " + e.note)});
+    rows.push_back({c.holds ? "  ok" : "  MISS", e.text, e.is_text,
+                    format_quantity(is_same(c) ? e.is.si : c.ours, e.unit, digits), deviation_of(c),
+                    e.source + (e.note.empty() ? "" : "; " + e.note)});
   }
   std::cout << terminal::columns(rows) << "\n";
 }

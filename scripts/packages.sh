@@ -31,6 +31,7 @@ python_packages="python3-dev python3-numpy pybind11-dev"  # LOADPATH_PYTHON
 hdf5_packages="libhdf5-dev"  # LOADPATH_HDF5
 binding_test_packages="python3-h5py"
 count_packages="valgrind"
+width_packages="qemu-user"
 latex_packages="texlive-latex-base texlive-latex-recommended texlive-pictures lmodern poppler-utils"  # for tests of .tex reports; without them these are skipped
 schema_packages="python3-jsonschema"  # for tests/schema.py; without it its test is skipped
 extension_packages="nodejs npm"  # for scripts/extension.sh; without them its test is skipped

@@ -1,5 +1,7 @@
 #include "calculators/machine/energy_of_turning.hpp"
 
+#include "lib/numerics/magnitude.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,8 +43,9 @@ class Piece {
 };
 
 void take(TurningEnergy& energy, double E, double phi) {
-  if (E < energy.low) energy.low = E, energy.low_phi = phi;
-  if (E > energy.high) energy.high = E, energy.high_phi = phi;
+  if (numerics::exceeds(energy.low, E)) energy.low_phi = phi;
+  if (numerics::exceeds(E, energy.high)) energy.high_phi = phi;
+  energy.low = std::min(energy.low, E), energy.high = std::max(energy.high, E);
 }
 
 /// Calls `then` with each sample and the next, of the last with the first a period later.
@@ -81,8 +84,10 @@ TurningEnergy turning_energy(const std::function<Sample(std::size_t)>& sample, s
     E += piece.work();
     if (!last) take(energy, E, b.phi);
   });
-  constexpr double even = 1e-12;  // of the largest moment over the period: below, the moment is constant
-  if (energy.high - energy.low <= even * energy.peak * period) energy.low = energy.high = 0.0;
+  // The work begins and ends at zero; below this share of the largest moment over the period it is rounding.
+  const double rounding = 1e-12 * energy.peak * period;
+  if (energy.low >= -rounding) energy.low = 0.0, energy.low_phi = sample(0).phi;
+  if (energy.high <= rounding) energy.high = 0.0, energy.high_phi = sample(0).phi;
   return energy;
 }
 

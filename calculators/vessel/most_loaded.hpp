@@ -1,6 +1,7 @@
 // The place of a shell where something is largest.
 #pragma once
 
+#include "lib/numerics/magnitude.hpp"
 #include "lib/numerics/peak.hpp"
 
 #include <cmath>
@@ -21,7 +22,7 @@ Peak largest_over(const Shape& shape, const Function& f) {
   for (std::size_t i = 0; i < count; ++i) {
     const Peak here{shape.place(i), f(shape.place(i))};
     if (std::isnan(here.f)) return here;
-    if (here.f > best.f) best = here;
+    if (numerics::exceeds(here.f, best.f)) best = here;
   }
   if constexpr (requires { Shape::continuous; }) {
     constexpr double worth = 0.99, flat = 1e-12;  // of the largest: a lower peak stays lower; no peak, but rounding

@@ -1,5 +1,7 @@
 #include "lib/account/mode.hpp"
 
+#include "lib/numerics/magnitude.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cstddef>
@@ -70,7 +72,7 @@ Modes strictly(Modes modes) {
 Modes in_order(Modes modes) {
   std::stable_sort(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) {
     if (a.state != b.state) return place(a.state) < place(b.state);
-    return a.utilisation.value_or(-1.0) > b.utilisation.value_or(-1.0);
+    return numerics::exceeds(a.utilisation.value_or(-1.0), b.utilisation.value_or(-1.0));
   });
   return modes;
 }

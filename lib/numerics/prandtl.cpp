@@ -1,5 +1,7 @@
 #include "lib/numerics/prandtl.hpp"
 
+#include "lib/numerics/magnitude.hpp"
+
 #include <boost/container/static_vector.hpp>
 
 #include <algorithm>
@@ -184,7 +186,8 @@ TorsionFunction torsion_function(std::span<const Contour> contours, std::size_t 
     const Element& e = elements[i];
     found.I_t -= equations.right[i] * integral_of_square(e) / 2.0;
     const double stress = std::abs(equations.right[i] - e.from.x * e.out.x - e.from.y * e.out.y);
-    if (stress > found.stress) found.stress = stress, found.at = frame.out(middle_of(e));
+    if (exceeds(stress, found.stress)) found.at = frame.out(middle_of(e));
+    found.stress = std::max(found.stress, stress);
   }
   found.stress *= frame.size;
   found.I_t *= frame.size * frame.size * frame.size * frame.size;

@@ -1,10 +1,12 @@
 #include "lib/project/modes.hpp"
 
+#include "lib/numerics/magnitude.hpp"
 #include "lib/project/accept.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace loadpath::project {
@@ -13,12 +15,24 @@ using account::State;
 
 namespace {
 
-/// The row that decides: of the worst ones the most utilised.
-const account::Verdict& governing(const std::vector<const account::Verdict*>& rows) {
-  return **std::max_element(rows.begin(), rows.end(), [](const auto* a, const auto* b) {
+/// The row or mode that decides: of the worst ones the most utilised, of those alike the first.
+template <class Row>
+const Row& governing(const std::vector<const Row*>& rows) {
+  return **std::max_element(rows.begin(), rows.end(), [](const Row* a, const Row* b) {
     if (a->state != b->state) return rank(a->state) < rank(b->state);
-    return a->utilisation.value_or(-1.0) < b->utilisation.value_or(-1.0);
+    return numerics::exceeds(b->utilisation.value_or(-1.0), a->utilisation.value_or(-1.0));
   });
+}
+
+/// Their largest utilisation, to the last bit.
+template <class Row>
+std::optional<double> utilisation_of(const std::vector<const Row*>& rows) {
+  const State state = governing(rows).state;
+  std::optional<double> most;
+  for (const Row* row : rows) {
+    if (row->state == state) most = std::max(most, row->utilisation);
+  }
+  return most;
 }
 
 /// What is said of a mode that nothing was held against.
@@ -126,14 +140,11 @@ std::vector<const account::Mode*> judges_of(const ModeInfo& left, const Step& pa
 
 /// As the worst of its judges came out.
 void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges) {
-  const account::Mode& worst = **std::max_element(judges.begin(), judges.end(), [](const auto* a, const auto* b) {
-    if (a->state != b->state) return rank(a->state) < rank(b->state);
-    return a->utilisation.value_or(-1.0) < b->utilisation.value_or(-1.0);
-  });
+  const account::Mode& worst = governing(judges);
   // A judge that sees nothing of the service does not take back what the part has seen.
   const bool weaker = mode.state != State::open && worst.state == State::open;
   if (!weaker) mode.state = worst.state;
-  mode.utilisation = worst.utilisation;
+  mode.utilisation = utilisation_of(judges);
   mode.wants.clear();
   mode.governs.clear();
   mode.note = say("by {1}.{2}: {3}", worst.step, worst.id, reason(worst));
@@ -204,7 +215,7 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
                       step.left_of_loads(), info.id);
   } else {
     mode.governs = governing(rows).symbol;
-    mode.utilisation = governing(rows).utilisation;
+    mode.utilisation = utilisation_of(rows);
     mode.note = governing(rows).note;
   }
   accept(step.input(), mode);

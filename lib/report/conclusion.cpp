@@ -1,5 +1,6 @@
 #include "lib/report/conclusion.hpp"
 
+#include "lib/numerics/magnitude.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -21,7 +22,7 @@ Message tally(const Modes& modes) {
 
 const Mode* most_utilised(const Modes& modes) {
   const auto highest = std::max_element(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) {
-    return a.utilisation.value_or(-1.0) < b.utilisation.value_or(-1.0);
+    return numerics::exceeds(b.utilisation.value_or(-1.0), a.utilisation.value_or(-1.0));
   });
   return highest != modes.end() && highest->utilisation ? &*highest : nullptr;
 }

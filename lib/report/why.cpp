@@ -1,5 +1,6 @@
 #include "lib/report/why.hpp"
 
+#include "lib/numerics/magnitude.hpp"
 #include "lib/report/conclusion.hpp"
 
 #include <algorithm>
@@ -187,7 +188,7 @@ std::optional<account::Mode> deciding(const account::Modes& modes) {
   const auto badness = [](const account::Mode& m) { return m.state == account::State::open ? -1 : rank(m.state); };
   const auto worst = std::max_element(modes.begin(), modes.end(), [&](const account::Mode& a, const account::Mode& b) {
     if (a.state != b.state) return badness(a) < badness(b);
-    return a.utilisation.value_or(-1.0) < b.utilisation.value_or(-1.0);
+    return numerics::exceeds(b.utilisation.value_or(-1.0), a.utilisation.value_or(-1.0));
   });
   return worst == modes.end() ? std::nullopt : std::optional(*worst);
 }

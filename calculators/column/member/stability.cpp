@@ -1,5 +1,7 @@
 #include "calculators/column/member/stability.hpp"
 
+#include "lib/numerics/magnitude.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -189,7 +191,7 @@ Shape buckled_shape(const Bar& bar, double u) {
   double largest = 0.0;
   for (std::size_t node = 0; node <= last; ++node) {
     shape.w.push_back(mode[2 * node]);
-    if (std::abs(mode[2 * node]) > std::abs(largest)) largest = mode[2 * node];
+    if (numerics::exceeds(std::abs(mode[2 * node]), std::abs(largest))) largest = mode[2 * node];
   }
   for (double& w : shape.w) w /= largest;
   return shape;

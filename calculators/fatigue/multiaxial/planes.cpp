@@ -158,8 +158,9 @@ OnPlane on_plane(const StressPath& path, const Normal& normal) {
 
 WorstPlane worst_plane(const StressPath& path, double k) {
   const OnPlane first = searched(path, k, 0.0), second = searched(path, k, step / 2.0);
-  const double a = value_of(first, k), b = value_of(second, k);
-  return {is_worse(second, first, k) ? second : first, std::max(a, b) > 0.0 ? std::abs(a - b) / std::max(a, b) : 0.0};
+  constexpr double rounding = 1e-11;
+  const double a = value_of(first, k), b = value_of(second, k), most = std::max(a, b), apart = std::abs(a - b);
+  return {is_worse(second, first, k) ? second : first, apart > rounding * most ? apart / most : 0.0};
 }
 
 WorstPlane plane_of_most_shear(const StressPath& path, double mu) {

@@ -3,6 +3,7 @@
 #include "calculators/mechanism/accuracy/checks.hpp"
 #include "calculators/mechanism/accuracy/tolerances.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
+#include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
 #include <array>
@@ -140,7 +141,7 @@ Cell largest_part(const Errors& errors, const OutputError& error) {
   for (std::size_t k = 0; k < error.shares.size(); ++k) {
     const double part = std::abs(error.shares[k]);
     sum += part;
-    if (part > most) most = part, which = k;
+    if (numerics::exceeds(part, most)) most = part, which = k;
   }
   if (which == errors.names.size() || !(sum > 0.0)) return std::string("–");
   return say("{1}, {2} %", errors.names[which], std::to_string(std::lround(100.0 * most / sum)));

@@ -1,6 +1,7 @@
 // Hodographs of joint forces: the end of the force over the cycle, on either part and in fixed axes.
 #include "calculators/mechanism/results/aspect.hpp"
 #include "lib/mechanism/model/frames.hpp"
+#include "lib/numerics/magnitude.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ Loaded loaded(const Cycle& cycle, std::size_t joint) {
   for (std::size_t k = 0; k < cycle.positions.size(); ++k) {
     if (!cycle.has_forces(k)) continue;
     const double size = mechanism::length(cycle.positions[k].reactions[joint].force);
-    if (size > l.most) l.most = size, l.governing = k;
+    if (numerics::exceeds(size, l.most)) l.most = size, l.governing = k;
   }
   return l;
 }

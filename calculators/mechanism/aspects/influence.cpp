@@ -3,6 +3,7 @@
 #include "calculators/mechanism/results/governing.hpp"
 #include "lib/mechanism/accuracy/sensitivity.hpp"
 #include "lib/mechanism/studies/causes.hpp"
+#include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
 #include <array>
@@ -178,13 +179,7 @@ struct Change {
   double by = 0.0;  // of the effort
 };
 
-/// To nine digits: changes that differ by rounding alone are as large as each other.
-double size_of(const Change& change) {
-  constexpr int bits = 30;
-  int exponent = 0;
-  const double mantissa = std::frexp(std::abs(change.by), &exponent);
-  return std::ldexp(std::round(std::ldexp(mantissa, bits)), exponent - bits);
-}
+double size_of(const Change& change) { return numerics::nine_digits(std::abs(change.by)); }
 
 std::vector<Change> changes_of(const mechanism::Model& model, const Position& at, bool statics) {
   mechanism::Sensitivity sensitivity(model);

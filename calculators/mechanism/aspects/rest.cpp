@@ -4,6 +4,7 @@
 #include "calculators/mechanism/cycle/ranges.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "lib/mechanism/model/vec.hpp"
+#include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
 #include <array>
@@ -177,7 +178,7 @@ class StandingTable {
       const double here = cycle_.standing[k].*effort;
       if (std::isnan(here)) continue;
       const double best = at ? cycle_.standing[*at].*effort : here;
-      if (!at || (largest ? here > best : here < best)) at = k;
+      if (!at || (largest ? numerics::exceeds(here, best) : numerics::exceeds(best, here))) at = k;
     }
     if (!at) return;
     const Quantity value{cycle_.standing[*at].*effort, unit_};

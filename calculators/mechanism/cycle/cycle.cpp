@@ -4,6 +4,7 @@
 #include "calculators/mechanism/cycle/schedule.hpp"
 #include "calculators/mechanism/words/law.hpp"
 #include "lib/mechanism/model/spring.hpp"
+#include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -38,10 +39,9 @@ void prove(mechanism::Prover& prover, const CycleTask& task, std::span<const Dri
            Cycle& cycle) {
   cycle.proofs[k] = prover.prove(drives, task.statics, cycle.positions[k]);
   const double condition = cycle.proofs[k].condition;
-  if (std::isfinite(condition) && condition > cycle.worst_condition) {
-    cycle.worst_condition = condition;
-    cycle.worst_at = k;
-  }
+  if (!std::isfinite(condition)) return;
+  if (numerics::exceeds(condition, cycle.worst_condition)) cycle.worst_at = k;
+  cycle.worst_condition = std::max(cycle.worst_condition, condition);
 }
 
 /// Solves the positions from the first on, or from the last back, until one does not close; that one is left open.

@@ -99,7 +99,7 @@ std::optional<std::size_t> worst_position(const Cycle& cycle, Measure measure) {
     if (!cycle.has_forces(k)) continue;
     const double here = measure(cycle.proofs[k]);
     if (std::isnan(here)) return k;
-    if (!worst || here > measure(cycle.proofs[*worst])) worst = k;
+    if (!worst || numerics::exceeds(here, measure(cycle.proofs[*worst]))) worst = k;
   }
   return worst;
 }

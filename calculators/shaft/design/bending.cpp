@@ -1,6 +1,7 @@
 #include "calculators/shaft/design/bending.hpp"
 
 #include "calculators/shaft/design/turn.hpp"
+#include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -254,7 +255,7 @@ std::size_t most_bent(const Input& in, const Elastic& elastic) {
   double largest = -1.0;
   for (std::size_t i = 0; varies(in) && i < positions_of(in); ++i) {
     const double M = loaded_at(in, elastic, i).largest_moment();
-    if (M > largest) largest = M, most = i;
+    if (numerics::exceeds(M, largest)) largest = M, most = i;
   }
   return most;
 }

@@ -5,6 +5,7 @@
 #include "calculators/fatigue/mean_stress.hpp"
 #include "calculators/fatigue/peterson.hpp"
 #include "calculators/shaft/design/schools.hpp"
+#include "lib/numerics/magnitude.hpp"
 
 #include <cmath>
 #include <limits>
@@ -266,7 +267,7 @@ class Rating {
       Safety s = prepared;
       if (in_.method >= School::din743) rate(swings, s, quiet);
       tire(in_, stresses_of(p_, there_, swings, quiet), s, quiet);
-      if (!(s.u_D <= most)) most = s.u_D, found = &swings;
+      if (std::isnan(s.u_D) || numerics::exceeds(s.u_D, most)) most = s.u_D, found = &swings;
     }
     return *found;
   }

@@ -2,6 +2,7 @@
 // what the weakest of them feels.
 #include "calculators/shaft/design/turn.hpp"
 #include "calculators/shaft/design/whirl.hpp"
+#include "lib/numerics/magnitude.hpp"
 #include "lib/text/issue.hpp"
 
 #include <algorithm>
@@ -74,8 +75,8 @@ draw::Plot elastic_line(const Loaded& loaded) {
 /// The section that governs, as its line is called: "yield: pulley".
 template <class Elements, class Use>
 draw::Shaft::Place governing(const char* what, const Elements& all, const Use& use) {
-  const auto most =
-      std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return use(a) < use(b); });
+  const auto most = std::max_element(all.begin(), all.end(),
+                                     [&](const auto& a, const auto& b) { return numerics::exceeds(use(b), use(a)); });
   std::string name(most->name.view());
   if (name.empty()) name = std::to_string(most - all.begin() + 1);
   std::replace(name.begin(), name.end(), '_', ' ');  // else it would be typeset as a symbol
@@ -132,8 +133,9 @@ std::vector<draw::Figure> Design::figures(const Input& in, const Result& r) {
                  : "The shaft with its torques and bearings, its diagrams in both planes, and the sections that govern";
   std::vector<draw::Figure> all{{"shaft", caption, std::move(shaft)}};
   if (auto whirl = campbell(in, *elastic, r)) all.push_back(*std::move(whirl));
-  const auto weakest = std::max_element(r.safeties.begin(), r.safeties.end(),
-                                        [](const Safety& a, const Safety& b) { return a.u_D < b.u_D; });
+  const auto weakest = std::max_element(r.safeties.begin(), r.safeties.end(), [](const Safety& a, const Safety& b) {
+    return numerics::exceeds(b.u_D, a.u_D);
+  });
   if (varies(in) && weakest != r.safeties.end()) {
     const Section& p = r.sections[static_cast<std::size_t>(weakest - r.safeties.begin())];
     if (p.M > 0.0 * N_m.one) all.push_back(over_turn(in, *elastic, p, weakest->theta));

@@ -2,6 +2,7 @@
 
 #include "calculators/shaft/design/fatigue.hpp"
 #include "calculators/shaft/design/turn.hpp"
+#include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -23,7 +24,7 @@ Length place_of_most(const Stations& stations, const Turn& turn, std::size_t pie
     for (const std::size_t node : {s, s + 1}) {
       const Felt& felt = turn.felt(node, turn.most_bent());
       const double M = std::hypot(felt.M_x, felt.M_y);
-      if (M > largest) largest = M, most = node;
+      if (numerics::exceeds(M, largest)) largest = M, most = node;
     }
   }
   return from_si<Length>(stations.x[most]);
@@ -138,8 +139,8 @@ Section section_at(const Input& in, const Place& place, const Felt& felt, double
 /// The element with the largest utilisation.
 template <class Elements, class Use>
 std::size_t governing(const Elements& all, const Use& use) {
-  const auto found =
-      std::max_element(all.begin(), all.end(), [&](const auto& a, const auto& b) { return use(a) < use(b); });
+  const auto found = std::max_element(all.begin(), all.end(),
+                                      [&](const auto& a, const auto& b) { return numerics::exceeds(use(b), use(a)); });
   return static_cast<std::size_t>(found - all.begin());
 }
 
@@ -182,7 +183,7 @@ class Judging {
     for (std::size_t i = 0; turn_.varies() && i < turn_.positions(); ++i) {
       const Felt& felt = turn_.felt(changes_[k].node, i);
       const Stress sigma_v = section_at(in_, place(k), felt, unset<double>, quiet).sigma_v;
-      if (sigma_v > most) most = sigma_v, worst = i;
+      if (numerics::exceeds(in_si(sigma_v), in_si(most))) most = sigma_v, worst = i;
     }
     return worst;
   }

@@ -1,6 +1,7 @@
 #include "calculators/shaft/design/torsion.hpp"
 
 #include "calculators/shaft/design/turn.hpp"
+#include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
 #include <array>
@@ -136,8 +137,9 @@ void judge_torsion(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(r.n)) return;
   NoTrace quiet;
   for_each_order(in, [&](const Order& order) { r.harmonics.push_back(harmonic_of(in, *swing, order, r, quiet)); });
-  const auto worst = std::max_element(r.harmonics.begin(), r.harmonics.end(),
-                                      [](const Harmonic& a, const Harmonic& b) { return a.u_h < b.u_h; });
+  const auto worst = std::max_element(r.harmonics.begin(), r.harmonics.end(), [](const Harmonic& a, const Harmonic& b) {
+    return numerics::exceeds(b.u_h, a.u_h);
+  });
   [[maybe_unused]] const auto here = trace.scope("harmonics", static_cast<std::size_t>(worst - r.harmonics.begin()));
   harmonic_of(in, *swing, {worst->name, worst->h}, r, trace);
 }

@@ -1,5 +1,7 @@
 #include "calculators/shaft/design/turn.hpp"
 
+#include "lib/numerics/magnitude.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -161,7 +163,7 @@ Turn::Turn(const Input& in, std::size_t nodes)
 void Turn::take(const Loaded& loaded) {
   for (std::size_t n = 0; n < nodes_; ++n) felt_.push_back(loaded.felt(n));
   const double M = loaded.largest_moment();
-  if (M > largest_) largest_ = M, most_bent_ = felt_.size() / nodes_ - 1;
+  if (numerics::exceeds(M, largest_)) largest_ = M, most_bent_ = felt_.size() / nodes_ - 1;
 }
 
 double Turn::moment(std::size_t node, std::size_t position, double theta) const {
@@ -194,7 +196,8 @@ std::vector<Swings> Turn::swings(std::size_t node, double r_T) const {
     const auto M = extremes(positions_, [&](std::size_t i) { return along_x[i] * c + along_y[i] * s; });
     swing.M = between(from_si<Moment>(M.first), from_si<Moment>(M.second));
   }
-  std::stable_sort(all.begin(), all.end(), [](const Swings& a, const Swings& b) { return a.M.a > b.M.a; });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Swings& a, const Swings& b) { return numerics::exceeds(in_si(a.M.a), in_si(b.M.a)); });
   std::vector<Swings> front;
   for (const Swings& s : all) {
     if (front.empty() || abs(s.M.m) > abs(front.back().M.m) + finest * (s.M.a + abs(s.M.m))) front.push_back(s);

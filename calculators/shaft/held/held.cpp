@@ -2,6 +2,7 @@
 
 #include "calculators/shaft/held/bar.hpp"
 #include "lib/calculator/calculator_of.hpp"
+#include "lib/numerics/magnitude.hpp"
 
 #include <cmath>
 
@@ -87,11 +88,11 @@ void along(const Slices& slices, const Yields& yields, Result& r, Tracer& trace)
 template <class Function>
 Length worst_place(const Function& f, Length l, bool cone) {
   constexpr int parts = 32, halvings = 40;
-  Length best = f(l) > f(0.0 * l) ? l : 0.0 * l;
+  Length best = numerics::exceeds(in_si(f(l)), in_si(f(0.0 * l))) ? l : 0.0 * l;
   if (!cone) return best;
   for (int i = 1; i < parts; ++i) {
     const Length x = l * (static_cast<double>(i) / parts);
-    if (f(x) > f(best)) best = x;
+    if (numerics::exceeds(in_si(f(x)), in_si(f(best)))) best = x;
   }
   Length step = l / parts;
   for (int i = 0; i < halvings; ++i, step /= 2.0) {
@@ -128,7 +129,7 @@ Worst worst_of(const Input& in, const Slices& slices, const Result& r, const Sle
       return in_si(abs(M) / stiffness_at(in, s, x) * ring_of(in, s, {sleeve, {}}, x).d / 2.0);
     };
     const Length x = worst_place(strain, s.l, is_cone(in.segments[s.segment]));
-    if (strain(x) > worst.strain) worst = {i, x, strain(x)};
+    if (numerics::exceeds(strain(x), worst.strain)) worst = {i, x, strain(x)};
   }
   return worst;
 }

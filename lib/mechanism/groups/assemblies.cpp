@@ -145,7 +145,7 @@ class Search {
     };
     if (std::ranges::any_of(all, is_same)) return;
     const double angle = angle_of(positions_.link(first_link(plan_, group)).turned);
-    closed.angle = angle < 0.0 ? angle + whole_turn : angle;
+    closed.angle = angle < -same ? angle + whole_turn : angle;  // zero but for rounding is not a whole turn
     all.push_back(std::move(closed));
   }
 

@@ -3,6 +3,7 @@
 
 #include "lib/account/state.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,8 @@ inline double farthest_from(const Range& bounds, std::span<const double> si) {
     const bool from_zero = bounds.low == 0.0 && x >= 0.0 && !std::isinf(bounds.high);
     return std::max(from_zero ? -infinity : bounds.low - x, x - bounds.high);
   };
-  return *std::max_element(si.begin(), si.end(), [&](double a, double b) { return distance(a) < distance(b); });
+  return *std::max_element(si.begin(), si.end(),
+                           [&](double a, double b) { return numerics::exceeds(distance(b), distance(a)); });
 }
 
 }  // namespace loadpath::project

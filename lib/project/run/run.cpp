@@ -1,5 +1,7 @@
 #include "lib/project/run/run.hpp"
 
+#include "lib/numerics/magnitude.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -251,7 +253,7 @@ std::size_t Run::governing_position() const {
   for (const Column& column : columns_) {
     if (column.field->role != Role::check || !is_asked(*column.field) || column.field->is_beside) continue;
     for (std::size_t i = 0; i < column.si.size(); ++i) {
-      if (column.si[i] > most) {
+      if (numerics::exceeds(column.si[i], most)) {
         most = column.si[i];
         best = i;
       }

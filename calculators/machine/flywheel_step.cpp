@@ -35,7 +35,7 @@ void FlywheelStep::take_series(const project::Declared& declared, std::vector<Is
   const Axis* const axis = project::check_operands(alone, name(), true, declared, issues);
   if (axis == nullptr && issues.size() == before)
     issues.push_back(project::issue_at(input(), "M", say("this is one value, and no moment over a cycle"), hint));
-  moment_ = std::move(alone.operands.front());
+  reading.whole = std::move(alone.operands);
   data_of(own()).M = 0.0 * N_m;  // given, for the rules; its values come when the project is solved
 }
 
@@ -85,8 +85,9 @@ bool FlywheelStep::fill(const Value& series, const project::Known& known, std::v
 }
 
 void FlywheelStep::solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) {
-  if (!moment_) return CalculatorStep::solve(known, wanted, issues);
-  const auto series = project::evaluate_operand(*moment_, name(), known, issues);
+  if (input().reading.whole.empty()) return CalculatorStep::solve(known, wanted, issues);
+  const project::Operand& moment = input().reading.whole.front();
+  const auto series = project::evaluate_operand(moment, name(), known, issues);
   if (!series || !fill(*series, known, issues)) return;
   CalculatorStep::solve(known, wanted, issues);
   // The samples have taken both in, so that the calculator alone depends on neither.
@@ -97,7 +98,7 @@ void FlywheelStep::solve(const project::Known& known, const project::Wanted& wan
   for (account::Entry& entry : own_account().inputs) {
     if (entry.path != "M") continue;
     entry.value = *series;
-    entry.origin = {say("= {1}", moment_->text), {}, false};
+    entry.origin = {say("= {1}", moment.text), {}, false};
   }
 }
 

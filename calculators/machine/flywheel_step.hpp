@@ -4,7 +4,6 @@
 #include "lib/project/run/calculator_step.hpp"
 
 #include <memory>
-#include <optional>
 
 namespace loadpath::machine {
 
@@ -23,8 +22,6 @@ class FlywheelStep : public project::CalculatorStep {
   bool fill(const Value& series, const project::Known& known, std::vector<Issue>& issues);
   /// Of an input that is typed, or an expression.
   [[nodiscard]] double number(const char* key, double typed, const project::Known& known) const;
-
-  std::optional<project::Operand> moment_;
 };
 
 std::unique_ptr<project::Step> make_flywheel_step(project::StepInput&& input);

@@ -252,8 +252,7 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
   add_faults(choose_assembly(in_, structure_, model), issues);
   if (issues.size() != before) return;
   const bool redundant = !structure_.redundant.empty();
-  if (axis_ != nullptr && axis_->quantity == "crank angle" && in_si(in_.crank.acceleration) == 0.0)
-    axis_->speed = std::abs(in_si(in_.crank.speed));
+  set_axis_speed();
   const Cycle proved = solve_cycle(in_, model, redundant, axis_.get());
   const mechanism::Model released = redundant ? determinate(model, proved) : mechanism::Model();
   const Cycle shown = redundant ? without_what_is_not_unique(proved) : Cycle();
@@ -268,10 +267,16 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
   ordinary_for_ = wanted;
 }
 
+/// A step may be solved again: a crank that gains speed has not the constant one of the point before.
+void MechanismStep::set_axis_speed() {
+  if (axis_ == nullptr || axis_->quantity != "crank angle") return;
+  axis_->speed = in_si(in_.crank.acceleration) == 0.0 ? std::abs(in_si(in_.crank.speed)) : 0.0;
+}
+
 bool MechanismStep::solve_ordinary(const mechanism::Model& model, const project::Wanted& wanted) {
   const bool is_same = wanted.taken == ordinary_for_.taken && wanted.compared == ordinary_for_.compared;
   if (wanted.words || ordinary_ == nullptr || !is_same) return false;
-  if (in_si(in_.crank.acceleration) == 0.0) axis_->speed = std::abs(in_si(in_.crank.speed));
+  set_axis_speed();
   std::vector<Issue> found;
   return in_order(in_.crank) && check_values(model, found) && ordinary_->solve(in_, model, *axis_, own_account());
 }

@@ -51,6 +51,7 @@ class MechanismStep : public project::Step {
   void complete();
   [[nodiscard]] account::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
   void fill_inputs();
+  void set_axis_speed();
   /// A mechanism like the one before, of which numbers alone are wanted; false where it is to be solved whole.
   bool solve_ordinary(const mechanism::Model& model, const project::Wanted& wanted);
   [[nodiscard]] std::set<std::string> asked(const project::Wanted& wanted) const;

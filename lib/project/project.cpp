@@ -105,8 +105,10 @@ std::set<std::string> compared_series(const Project& project) {
 /// What the steps refer to, and what loads a part beside it.
 std::set<std::string> taken_series(const Project& project) {
   std::set<std::string> taken(project.references.begin(), project.references.end());
-  for (const std::string& path : project.references) {
-    for (std::string& companion : companions_of(project, path)) taken.insert(std::move(companion));
+  for (const auto& step : project.steps) {
+    for_each_loading_reference(step->input().reading, [&](const std::string& path) {
+      for (std::string& companion : companions_of(project, path)) taken.insert(std::move(companion));
+    });
   }
   return taken;
 }
@@ -128,7 +130,7 @@ void find_varying_loads(Project& project, const Declared& declared) {
     if (std::any_of(operands.begin(), operands.end(),
                     [&](const Operand& o) { return comes_from_turning(o, declared); }))
       step.set_load_varies(true);
-    for_each_reference(step.input().reading, [&](const std::string& path) {
+    for_each_loading_reference(step.input().reading, [&](const std::string& path) {
       const Step* const source = project.find(split_step(path).first);
       if (source == nullptr) return;
       const auto signature = declared(path);

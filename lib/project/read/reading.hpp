@@ -83,6 +83,7 @@ struct Reading {
   Record record;
   Record parameters;  // of the template that laid the record out; without type where there is none
   std::vector<Operand> operands;
+  std::vector<Operand> whole;  // of one value in the record, which the step makes itself of all positions of a series
   std::vector<Taken> taken;
   std::vector<Taken> records;    // that are among the operands and the words now, field by field
   std::vector<Lacking> lacking;  // that a record may fill, which is known when all steps are read
@@ -101,13 +102,22 @@ std::optional<std::string> lone_reference(const toml::Tree& tree);
 /// That a field has no value.
 Issue missing_field(const Lacking& lacking, const std::string& prefix);
 
-/// Every path of other steps that the reading refers to.
+/// Every path of other steps that the reading refers to position by position: what comes along with it loads the part.
 template <class Visit>
-void for_each_reference(const Reading& reading, const Visit& visit) {
+void for_each_loading_reference(const Reading& reading, const Visit& visit) {
   for (const Operand& operand : reading.operands) {
     for (const auto& reference : operand.expression.references()) visit(reference.path);
   }
   for (const Taken& taken : reading.taken) visit(taken.source);
+}
+
+/// Every path of other steps that the reading refers to.
+template <class Visit>
+void for_each_reference(const Reading& reading, const Visit& visit) {
+  for_each_loading_reference(reading, visit);
+  for (const Operand& operand : reading.whole) {
+    for (const auto& reference : operand.expression.references()) visit(reference.path);
+  }
 }
 
 /// Reads `table` into a fresh record, or into one that `from` lays out: an element that is there already takes what

@@ -203,6 +203,26 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
   }
 
+  TEST_CASE("a flywheel takes the moment of each point, whole") {
+    const std::string cranks =
+        "speed = [\"45 rad/s\", \"30 rad/s\"], acceleration = [\"0 rad/s^2\", \"100 rad/s^2\"], start = \"-60 deg\", "
+        "positions = 72";
+    const auto wheel = [](const std::string& omega) {
+      return "[wheel]\ncalculator = \"machine.flywheel\"\nM = \"=lever.drive.M\"\nomega = " + omega +
+             "\ndelta = 0.02\n";
+    };
+    const std::string machine = lever(cranks, pins, "\"20 kg\"");
+    const Compared as_crank = compare(machine + wheel("\"=lever.crank.speed\""), {"J = wheel.J_F"});
+    CHECK(as_crank.points == 36);
+    CHECK(as_crank.refused == 0);
+    CHECK(as_crank.differ == 0);
+    // At 30 rad/s it would turn at another speed than the crank, where that speed is constant.
+    const Compared beside =
+        compare(machine + crankshaft + wheel("\"45 rad/s\""), {"J = wheel.J_F", "d = crankshaft.d"});
+    CHECK(beside.refused == 9);
+    CHECK(beside.differ == 0);
+  }
+
   TEST_CASE("speeds, one of them backward") {
     const std::string speeds =
         "speed = [\"45 rad/s\", \"-30 rad/s\", \"5 rad/s\"], start = \"-60 deg\", positions = 72";

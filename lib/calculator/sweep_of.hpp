@@ -26,10 +26,10 @@
 
 namespace loadpath::detail {
 
-/// A record per point: whatever is given, lists too. Not LOADPATH_SWEEP: what costs time is inside of `evaluate`, and
-/// each calculator would be compiled three times over.
+/// A record per point: whatever is given, lists too.
 template <class C>
-void sweep_points(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out, std::size_t count) {
+LOADPATH_SWEEP void sweep_points(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
+                                 std::size_t count) {
   NoTrace trace;
   char* const base = static_cast<char*>(input);
   for (std::size_t i = 0; i < count; ++i) {

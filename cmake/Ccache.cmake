@@ -1,6 +1,6 @@
-# Where ccache is installed, what was compiled before is taken from it, from other clones too: their paths are relative to
-# the sources. What ccache cannot see of a precompiled header does not matter here: nothing uses __DATE__ or __TIME__, and no
-# macro changes the meaning of a precompiled header.
+# Where ccache is installed, what was compiled before is taken from it. Precompiled headers hold the path of the sources, so
+# a clone in another folder has them compiled once more. What ccache cannot see of a precompiled header does not matter here:
+# nothing uses __DATE__ or __TIME__, and no macro changes the meaning of a precompiled header.
 find_program(LOADPATH_CCACHE ccache)
 mark_as_advanced(LOADPATH_CCACHE)
 if(LOADPATH_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)

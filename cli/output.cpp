@@ -227,7 +227,7 @@ bool put(const std::vector<File>& files, const std::vector<std::string>& prints,
   for (const std::string& path : prints) {
     std::error_code error;
     if (fs::is_other(path, error)) {
-      std::cerr << "loadpath: '" << path << "' is a device or a pipe, and the browser prints to a file\n";
+      std::cerr << "loadpath: '" << path << "' is a device or a pipe, and a PDF needs a file\n";
       return false;
     }
     if (!print_to_pdf(report::html(document), staged.aside(path), scratch)) {

@@ -356,7 +356,8 @@ int Sweeping::run() {
   reports.reports = options_.reports;
   if (!can_write(reports) || !can_place(options_.csv) || !can_place(options_.hdf5)) return wrong_input;
   if (!options_.hdf5.empty() && fs::is_other(options_.hdf5))
-    return refuse("'" + options_.hdf5 + "' is a device or a pipe, and HDF5 needs a file", "write --csv there");
+    return refuse("'" + options_.hdf5 + "' is a device or a pipe, and HDF5 needs a file",
+                  "name a file, or use --csv, which writes through pipes");
   if (takes_standard_output(reports)) return refuse("a report of a sweep is a file: --report FILE.html");
   if (!toml::read_file(options_.file, text_)) return refuse("cannot read '" + options_.file + "'");
   if (!prepare()) return wrong_input;

@@ -13,9 +13,9 @@ struct FolderStatus {
   std::string project;       // the name of its file
   std::uint64_t points = 0;  // of the whole sweep
   std::uint64_t first = 0;   // of this folder
-  std::uint64_t end = 0;     // behind its last point
+  std::uint64_t end = 0;     // one past its last point
   std::uint64_t solved = 0;  // points on the disk, from the first
-  Message at_work;           // who writes there now; empty: nobody
+  Message at_work;           // which process is writing to it; empty: none
 
   [[nodiscard]] bool is_done() const { return first + solved == end; }
   [[nodiscard]] bool is_share() const { return first != 0 || end != points; }

@@ -1,5 +1,6 @@
 // Of random shafts whose diameters are found together: none can be a size smaller beside the others as they are, and
 // what it is said to fail is what it fails.
+#include "lib/numerics/magnitude.hpp"
 #include "lib/project/run/providers.hpp"
 #include "tests/lib/project/solved.hpp"
 
@@ -112,11 +113,13 @@ bool is_unsound(const Shaft& shaft, const std::vector<double>& d, std::size_t pi
   return (piece > 0 && beside(piece - 1)) || (piece + 1 < shaft.count() && beside(piece + 1));
 }
 
-/// The check that is beyond 1 most: "safeties[3].u_D".
+/// The check that is beyond 1 most: "safeties[3].u_D"; of equal ones the first, as everywhere.
 std::string worst(const Solved& solved) {
   const account::Mode* most = nullptr;
   for (const account::Mode& mode : solved.all) {
-    if (mode.state == State::fail && (most == nullptr || mode.utilisation > most->utilisation)) most = &mode;
+    if (mode.state != State::fail) continue;
+    if (most == nullptr || numerics::exceeds(mode.utilisation.value_or(-1.0), most->utilisation.value_or(-1.0)))
+      most = &mode;
   }
   return most == nullptr ? "" : most->governs;
 }

@@ -1,5 +1,6 @@
 // The search for a size or a row: the first, from small to large, with which the step passes; and of a load or a length
 // the largest.
+#include "lib/numerics/magnitude.hpp"
 #include "lib/project/run/run.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/table/tables.hpp"
@@ -138,7 +139,7 @@ Message Run::fault_of_lists(double most) {
     for_each_leaf(result_, [&](const std::string& path, const Leaf& leaf) {
       const bool listed = path.find('.') != std::string::npos;
       if (!listed || leaf.field->role != Role::check || !is_held_against(*leaf.field, true)) return;
-      if (!(leaf.get() > most)) return;
+      if (!numerics::exceeds(leaf.get(), most)) return;
       most = leaf.get();
       worst = say("{1} = {2}", path, format_number(most, 4));
     });
@@ -159,7 +160,7 @@ Message Run::fault_of_candidate() {
   for (const FieldInfo& f : calculator_.result->fields) {
     if (f.role != Role::check || !is_asked(f) || f.is_beside) continue;
     const double largest = evaluated(f);
-    if (!(largest > most)) continue;
+    if (!numerics::exceeds(largest, most)) continue;
     worst = &f;
     most = largest;
   }

@@ -52,13 +52,13 @@ class Outline : public Notation {
   static bool shorter(std::string_view a, std::string_view b) { return a.size() < b.size(); }
 };
 
-const Outline notation;
+const Outline outline;
 
 }  // namespace
 
 std::size_t breadth(const Node& tree, const Substituted& substituted, const Known& known) {
   std::size_t widest = 0;
-  for (const std::string& term : print_terms(notation, tree, substituted, known)) {
+  for (const std::string& term : print_terms(outline, tree, substituted, known)) {
     widest = std::max(widest, term.size());
   }
   return widest;

@@ -131,17 +131,17 @@ class MathML : public Notation {
   }
 };
 
-const MathML notation;
+const MathML mathml_notation;
 
 }  // namespace
 
-std::string symbol_mathml(std::string_view name) { return notation.symbol(symbol(name), {}); }
+std::string symbol_mathml(std::string_view name) { return mathml_notation.symbol(symbol(name), {}); }
 std::string mathml(const Node& tree, const Substituted& substituted, const Known& known) {
-  return print(notation, tree, substituted, known);
+  return print(mathml_notation, tree, substituted, known);
 }
 std::vector<std::string> mathml_terms(const Node& tree, const Substituted& substituted, const Known& known) {
-  return print_terms(notation, tree, substituted, known);
+  return print_terms(mathml_notation, tree, substituted, known);
 }
-std::string quantity_mathml(const Written& value) { return print_quantity(notation, value); }
+std::string quantity_mathml(const Written& value) { return print_quantity(mathml_notation, value); }
 
 }  // namespace loadpath::formula

@@ -41,9 +41,10 @@ std::size_t member_sign(std::string_view text) {
 }
 
 /// Operators from the weakest to the strongest; a comparison does not chain.
-using Level = std::array<std::string_view, 6>;
-constexpr std::array<Level, 5> levels = {Level{"||"}, Level{"&&"}, Level{"<=", ">=", "==", "!=", "<", ">"},
-                                         Level{"+", "-"}, Level{"*", "/"}};
+using Operators = std::array<std::string_view, 6>;
+constexpr std::array<Operators, 5> levels = {Operators{"||"}, Operators{"&&"},
+                                             Operators{"<=", ">=", "==", "!=", "<", ">"}, Operators{"+", "-"},
+                                             Operators{"*", "/"}};
 constexpr std::size_t comparison = 2;
 
 class Parser {
@@ -104,9 +105,9 @@ class Parser {
     const std::size_t type = word.text.rfind("::");
     if (type != std::string::npos) word.text.replace(0, type, choice.text);
   }
-  std::string_view take_operator(const Level& level) {
+  std::string_view take_operator(const Operators& operators) {
     skip_blanks();
-    for (const std::string_view op : level) {
+    for (const std::string_view op : operators) {
       if (op.empty() || !rest_.starts_with(op)) continue;
       if (op == "-" && rest_.starts_with("--")) return {};  // C++ reads -- as one operator
       rest_.remove_prefix(op.size());

@@ -77,14 +77,14 @@ class Plain : public Notation {
   }
 };
 
-const Plain notation;
+const Plain plain_notation;
 
 }  // namespace
 
-std::string symbol_plain(std::string_view name) { return notation.symbol(symbol(name), {}); }
+std::string symbol_plain(std::string_view name) { return plain_notation.symbol(symbol(name), {}); }
 std::string plain(const Node& tree, const Substituted& substituted, const Known& known) {
-  return print(notation, tree, substituted, known);
+  return print(plain_notation, tree, substituted, known);
 }
-std::string quantity_plain(const Written& value) { return print_quantity(notation, value); }
+std::string quantity_plain(const Written& value) { return print_quantity(plain_notation, value); }
 
 }  // namespace loadpath::formula

@@ -11,7 +11,7 @@ namespace loadpath {
 namespace {
 
 constexpr double poor_growth = 64.0;  // of a row over its pivot
-constexpr double rounding = 1e-13;
+constexpr double negligible_pivot = 1e-13;
 
 }  // namespace
 
@@ -55,7 +55,7 @@ SparseLu::Pivots SparseLu::refactor(std::span<const double> values) {
     subtract_upper(step);
     const double pivot = work_[step];
     work_[step] = 0.0;
-    if (!(std::abs(pivot) > rounding * largest)) {
+    if (!(std::abs(pivot) > negligible_pivot * largest)) {
       std::ranges::fill(work_, 0.0);
       return Pivots::vanished;
     }

@@ -91,22 +91,24 @@ struct Single {
   double (*read)(const Balanced&);
   bool needs_place = false;
 };
-constexpr const char* where = "with counterweights";
+constexpr const char* with_counterweights = "with counterweights";
 constexpr std::array frame_rows{
-    Single{declare("frame.F_rms", "shaking force, root mean square over the turn", N, where, {.detail = true}),
+    Single{declare("frame.F_rms", "shaking force, root mean square over the turn", N, with_counterweights,
+                   {.detail = true}),
            [](const Balanced& b) { return b.before.rms_force; }},
-    Single{declare("frame.F_peak", "its largest magnitude", N, where, {.detail = true}),
+    Single{declare("frame.F_peak", "its largest magnitude", N, with_counterweights, {.detail = true}),
            [](const Balanced& b) { return b.before.peak_force; }},
-    Single{declare("frame.F_rms_balanced", "what the counterweights leave of it, root mean square", N, where,
-                   {.detail = true}),
+    Single{declare("frame.F_rms_balanced", "what the counterweights leave of it, root mean square", N,
+                   with_counterweights, {.detail = true}),
            [](const Balanced& b) { return b.after.rms_force; }},
-    Single{declare("frame.F_peak_balanced", "the largest magnitude that they leave", N, where, {.detail = true}),
-           [](const Balanced& b) { return b.after.peak_force; }},
-    Single{declare("frame.M_peak_balanced", "largest shaking moment with them, about the global origin", N_m, where,
+    Single{declare("frame.F_peak_balanced", "the largest magnitude that they leave", N, with_counterweights,
                    {.detail = true}),
+           [](const Balanced& b) { return b.after.peak_force; }},
+    Single{declare("frame.M_peak_balanced", "largest shaking moment with them, about the global origin", N_m,
+                   with_counterweights, {.detail = true}),
            [](const Balanced& b) { return b.after.peak_moment; }, true}};
 constexpr Declaration left_over =
-    declare("frame.F_balanced", "shaking force with the counterweights", N, where, {.detail = true});
+    declare("frame.F_balanced", "shaking force with the counterweights", N, with_counterweights, {.detail = true});
 
 struct OfWeight {
   Declaration what;
@@ -163,7 +165,7 @@ Table shaking_table(const Mechanism::Input& in, const Balanced& balanced) {
 }
 
 /// Counterweights that say too little, or where there is nothing to balance.
-void check_names(NameFaults& faults) {
+void check_names_of_balance(NameFaults& faults) {
   const Mechanism::Input& in = faults.input();
   if (in.counterweights.empty()) return;
   if (in.analysis == Mechanism::Analysis::statics)
@@ -231,7 +233,7 @@ void add_weight(const planar::Counterweight& wanted, std::size_t index, std::vec
   }
 }
 
-void add(const Mechanism::Input& in, const mechanism::Model&, std::vector<Output>& out) {
+void add_balance(const Mechanism::Input& in, const mechanism::Model&, std::vector<Output>& out) {
   if (in.counterweights.empty()) return;
   for (std::size_t n = 0; n < in.counterweights.size(); ++n) add_weight(in.counterweights[n], n, out);
   for (const Single& row : frame_rows) {
@@ -252,13 +254,13 @@ void add(const Mechanism::Input& in, const mechanism::Model&, std::vector<Output
   };
 }
 
-void list(std::vector<ResultPattern>& patterns) {
+void list_balance(std::vector<ResultPattern>& patterns) {
   for (const OfWeight& row : weight_rows) patterns.push_back(row.what.pattern);
   for (const Single& row : frame_rows) patterns.push_back(row.what.pattern);
   patterns.push_back(left_over.pattern);
 }
 
-void show(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
+void show_balance(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
   const auto& balanced = solved.found.of<Balanced>();
   if (balanced.weights.empty()) return;
   blocks.emplace_back(weight_table(solved.in, balanced));
@@ -267,7 +269,10 @@ void show(const Solved& solved, const Results&, std::vector<account::Block>& blo
 
 }  // namespace
 
-constinit const Aspect aspects::balance{
-    .check_names = &check_names, .list = &list, .add_outputs = &add, .find = &find, .show = &show};
+constinit const Aspect aspects::balance{.check_names = &check_names_of_balance,
+                                        .list = &list_balance,
+                                        .add_outputs = &add_balance,
+                                        .find = &find,
+                                        .show = &show_balance};
 
 }  // namespace loadpath::planar

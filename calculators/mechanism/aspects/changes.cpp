@@ -48,7 +48,7 @@ void add_iterated(const mechanism::Model& model, const Cycle& cycle, const Kinem
 
 /// Said only where a group passes to another of its assemblies, and no joint that holds too much keeps it from that: at
 /// the change point the drive alone does not tell which way the mechanism goes on.
-void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+void judge_changes(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   if (solved.axis == nullptr || !solved.cycle.unique.empty()) return;
   std::vector<Message> found;
   add_dyads(solved.model, solved.cycle, *solved.axis, found);
@@ -67,6 +67,6 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 }  // namespace
 
-constinit const Aspect aspects::changes_of_assembly{.judge = &judge};
+constinit const Aspect aspects::changes_of_assembly{.judge = &judge_changes};
 
 }  // namespace loadpath::planar

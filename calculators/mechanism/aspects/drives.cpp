@@ -40,15 +40,15 @@ constexpr std::array drive_rows{
         {.kind = Kind::cylinder_force, .tabled = Tabled::always, .is_load = true},
         [](const Driven& d, const Position& p) { return p.effort[d.index]; }, &Driven::is_linear)};
 
-void list(std::vector<ResultPattern>& patterns) { list_patterns(drive_rows, patterns); }
+void list_drives(std::vector<ResultPattern>& patterns) { list_patterns(drive_rows, patterns); }
 
-void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
+void add_drives(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
   for (std::size_t d = 0; d < model.drivers.size(); ++d)
     add_outputs(Driven{model.drivers[d].name, d, model.drivers[d]}, drive_rows, out);
 }
 
 }  // namespace
 
-constinit const Aspect aspects::drives{.list = &list, .add_outputs = &add, .reads_forces_alone = true};
+constinit const Aspect aspects::drives{.list = &list_drives, .add_outputs = &add_drives, .reads_forces_alone = true};
 
 }  // namespace loadpath::planar

@@ -57,7 +57,7 @@ constexpr Declaration back =
             ratio, where, {.kind = Kind::efficiency_back, .tabled = Tabled::always});
 
 /// Of a mechanism with a crank and friction or useful loads. Where it is not defined there is a reason.
-void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
+void add_efficiency(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
   const bool friction =
       std::any_of(model.joints.begin(), model.joints.end(), [](const auto& j) { return j.friction.any(); });
   const bool use = std::any_of(in.loads.begin(), in.loads.end(),
@@ -76,7 +76,7 @@ void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<
   add_one(back, &Efficiency::back, &Efficiency::why_not_back);
 }
 
-void list(std::vector<ResultPattern>& patterns) {
+void list_efficiency(std::vector<ResultPattern>& patterns) {
   patterns.push_back(forward.pattern);
   patterns.push_back(back.pattern);
 }
@@ -100,7 +100,7 @@ void add_losses(const Results& results, account::Table& table) {
 }
 
 /// Nothing for a mechanism without friction and useful loads, or without a whole turn: no mean says anything then.
-void show(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
+void show_efficiency(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
   const account::Entry* const power = results.find(Kind::drive_power);
   const account::Entry* const friction = results.find(Kind::friction_power);
   const account::Entry* const use = results.find(Kind::useful_power);
@@ -130,8 +130,9 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 }  // namespace
 
 /// The table stands before what is said of rest, the results stand behind it.
-constinit const Aspect aspects::power{.show = &show};
+constinit const Aspect aspects::power{.show = &show_efficiency};
 
-constinit const Aspect aspects::efficiency{.list = &list, .add_outputs = &add, .citations = cited};
+constinit const Aspect aspects::efficiency{
+    .list = &list_efficiency, .add_outputs = &add_efficiency, .citations = cited};
 
 }  // namespace loadpath::planar

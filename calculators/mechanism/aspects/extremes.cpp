@@ -72,7 +72,7 @@ Table position_table(const Results& results) {
   return table;
 }
 
-void show(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
+void show_extremes(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
   if (solved.axis == nullptr) {
     blocks.emplace_back(position_table(results));
     return;
@@ -83,6 +83,6 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 }  // namespace
 
-constinit const Aspect aspects::extremes{.show = &show};
+constinit const Aspect aspects::extremes{.show = &show_extremes};
 
 }  // namespace loadpath::planar

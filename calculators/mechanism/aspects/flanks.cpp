@@ -44,7 +44,7 @@ std::string changes_of_flank(const Value& series, const Axis& axis) {
 }
 
 /// Of gears and racks over a cycle.
-void show(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
+void show_flanks(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
   if (solved.axis == nullptr) return;
   account::Table table{say("Loaded flanks of teeth"), {say("joint"), say("the flank changes at")}, {}};
   for (const auto& line : results) {
@@ -57,6 +57,6 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 }  // namespace
 
-constinit const Aspect aspects::flanks{.show = &show};
+constinit const Aspect aspects::flanks{.show = &show_flanks};
 
 }  // namespace loadpath::planar

@@ -130,7 +130,7 @@ class Drawing {
 };
 
 /// Joints that do not exist or are named twice.
-void check_names(NameFaults& faults) {
+void check_names_of_hodographs(NameFaults& faults) {
   const auto& wanted = faults.input().hodographs;
   for (std::size_t n = 0; n < wanted.size(); ++n) {
     const std::string path = "hodographs[" + std::to_string(n + 1) + "]";
@@ -142,7 +142,7 @@ void check_names(NameFaults& faults) {
 }
 
 /// What is to be said of those that the project names and that have none.
-void show(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
+void show_hodographs(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
   const Cycle& cycle = solved.cycle;
   const auto add = [&](Message text) {
     blocks.emplace_back(account::Paragraph{std::move(text), account::Paragraph::Tone::note});
@@ -169,6 +169,7 @@ void draw_all(const Solved& solved, const Results&, std::vector<draw::Figure>& f
 
 }  // namespace
 
-constinit const Aspect aspects::hodographs{.check_names = &check_names, .show = &show, .draw = &draw_all};
+constinit const Aspect aspects::hodographs{
+    .check_names = &check_names_of_hodographs, .show = &show_hodographs, .draw = &draw_all};
 
 }  // namespace loadpath::planar

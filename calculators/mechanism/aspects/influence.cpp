@@ -220,7 +220,7 @@ void add_changes(const mechanism::Model& model, const Position& at, bool statics
 
 /// Every reaction and effort split by cause, and the change of the drive by the dimensions and masses that change it
 /// most. None where the position has no forces.
-void show(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
+void show_influence(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
   const Cycle& cycle = solved.cycle;
   const std::size_t governing = governing_position(cycle, results);
   if (governing >= cycle.positions.size() || !cycle.has_forces(governing)) return;
@@ -234,6 +234,6 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 }  // namespace
 
-constinit const Aspect aspects::influence{.show = &show};
+constinit const Aspect aspects::influence{.show = &show_influence};
 
 }  // namespace loadpath::planar

@@ -123,7 +123,7 @@ void add_ranges(const mechanism::Model& model, std::vector<Output>& out) {
   }
 }
 
-void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
+void add_kinematics(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
   for (const mechanism::Joint& joint : model.joints) {
     if (is_guided(joint)) add_outputs(Guide{joint.name, joint}, guide_rows, out);
   }
@@ -138,7 +138,7 @@ void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<
   if (!axis_name(in).empty() && !has_law(in)) add_ranges(model, out);
 }
 
-void list(std::vector<ResultPattern>& patterns) {
+void list_kinematics(std::vector<ResultPattern>& patterns) {
   list_patterns(guide_rows, patterns);
   patterns.push_back(gamma.pattern);
   list_patterns(turned_link_rows, patterns);
@@ -149,6 +149,6 @@ void list(std::vector<ResultPattern>& patterns) {
 
 }  // namespace
 
-constinit const Aspect aspects::kinematics{.list = &list, .add_outputs = &add};
+constinit const Aspect aspects::kinematics{.list = &list_kinematics, .add_outputs = &add_kinematics};
 
 }  // namespace loadpath::planar

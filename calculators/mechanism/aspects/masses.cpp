@@ -34,7 +34,7 @@ void check_points(const planar::Link& link, NameFaults& faults) {
                say("a mass is reduced to two different points, and both are '{1}'", text(link.mass_points.first)));
 }
 
-void check_names(NameFaults& faults) {
+void check_names_of_masses(NameFaults& faults) {
   for (const planar::Link& link : faults.input().links) check_points(link, faults);
 }
 
@@ -86,6 +86,6 @@ void show_input(const Mechanism::Input& in, std::vector<account::Block>& blocks)
 }  // namespace
 
 constinit const Aspect aspects::masses{
-    .check_names = &check_names, .check_values = &check_values, .show_input = &show_input};
+    .check_names = &check_names_of_masses, .check_values = &check_values, .show_input = &show_input};
 
 }  // namespace loadpath::planar

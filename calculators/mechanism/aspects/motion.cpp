@@ -157,7 +157,7 @@ void add_centres(const mechanism::Model& model, const mechanism::Position& deriv
   blocks.emplace_back(std::move(table));
 }
 
-void show(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
+void show_motion(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
   const Cycle& cycle = solved.cycle;
   const Kinematics& kinematics = solved.kinematics;
   const auto closed = std::find(cycle.closed.begin(), cycle.closed.end(), true);
@@ -174,6 +174,6 @@ void show(const Solved& solved, const Results& results, std::vector<account::Blo
 
 }  // namespace
 
-constinit const Aspect aspects::motion{.show = &show};
+constinit const Aspect aspects::motion{.show = &show_motion};
 
 }  // namespace loadpath::planar

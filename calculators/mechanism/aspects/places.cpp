@@ -51,18 +51,18 @@ constexpr std::array point_rows{
     row<MovingPoint>("points.NAME.a_y", "acceleration along y", m_per_s2, {.detail = true},
                      [](const MovingPoint&, const PointMotion& m) { return m.acceleration.y; })};
 
-void list(std::vector<ResultPattern>& patterns) {
+void list_places(std::vector<ResultPattern>& patterns) {
   list_patterns(link_rows, patterns);
   list_patterns(point_rows, patterns);
 }
 
-void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
+void add_places(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
   for (std::size_t k = 0; k < model.links.size(); ++k) add_outputs(MovingLink{model.links[k].name, k}, link_rows, out);
   for (const TracedPoint& point : traced_points(in)) add_outputs(MovingPoint{point.name, point}, point_rows, out);
 }
 
 }  // namespace
 
-constinit const Aspect aspects::places{.list = &list, .add_outputs = &add};
+constinit const Aspect aspects::places{.list = &list_places, .add_outputs = &add_places};
 
 }  // namespace loadpath::planar

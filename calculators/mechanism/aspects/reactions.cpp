@@ -37,15 +37,16 @@ constexpr std::array joint_rows{
         [](const Jointed& j, const Position& p) { return -p.reactions[j.index].couple; }, &Jointed::holds_angle,
         "prismatic and rigid joints")};
 
-void list(std::vector<ResultPattern>& patterns) { list_patterns(joint_rows, patterns); }
+void list_reactions(std::vector<ResultPattern>& patterns) { list_patterns(joint_rows, patterns); }
 
-void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
+void add_reactions(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
   for (std::size_t j = 0; j < model.joints.size(); ++j)
     add_outputs(Jointed{model.joints[j].name, j, model.joints[j].kind}, joint_rows, out);
 }
 
 }  // namespace
 
-constinit const Aspect aspects::reactions{.list = &list, .add_outputs = &add, .reads_forces_alone = true};
+constinit const Aspect aspects::reactions{
+    .list = &list_reactions, .add_outputs = &add_reactions, .reads_forces_alone = true};
 
 }  // namespace loadpath::planar

@@ -218,7 +218,7 @@ void add_difference(const std::string& place, const std::string& what, const std
   table.rows.push_back({place, what, Quantity{band.least, unit}, Quantity{band.most, unit}});
 }
 
-void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
+void add_rest(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
   if (!has_dry_friction(model) || model.drivers.empty()) return;
   if (model.drivers.size() == 1) add_standing(model.drivers[0], out);
   for (std::size_t d = 0; d < model.drivers.size(); ++d) {
@@ -233,7 +233,7 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
   }
 }
 
-void list(std::vector<ResultPattern>& patterns) {
+void list_rest(std::vector<ResultPattern>& patterns) {
   for (const Standing& row : standing_rows) {
     patterns.push_back(row.crank.pattern);
     patterns.push_back(row.cylinder.pattern);
@@ -279,7 +279,7 @@ void check(const Mechanism::Input& in, const mechanism::Model& model, std::vecto
   append(check_rest(in, model), faults);
 }
 
-void show(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
+void show_rest(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
   if (auto standing = standing_table(solved.model, solved.cycle, solved.axis))
     blocks.emplace_back(std::move(*standing));
   if (auto resting = dead_point_table(solved.model, solved.cycle, solved.axis))
@@ -288,6 +288,7 @@ void show(const Solved& solved, const Results&, std::vector<account::Block>& blo
 
 }  // namespace
 
-constinit const Aspect aspects::rest{.check_values = &check, .list = &list, .add_outputs = &add, .show = &show};
+constinit const Aspect aspects::rest{
+    .check_values = &check, .list = &list_rest, .add_outputs = &add_rest, .show = &show_rest};
 
 }  // namespace loadpath::planar

@@ -48,7 +48,7 @@ constexpr std::array turning_rows{
 constexpr Declaration speed = declare("shafts.NAME.n", "speed of the shaft, counter-clockwise positive", rpm,
                                       "revolute joints of driven links with the ground, at constant speed");
 
-void list(std::vector<ResultPattern>& patterns) {
+void list_shafts(std::vector<ResultPattern>& patterns) {
   list_patterns(turning_rows, patterns);
   patterns.push_back(speed.pattern);
 }
@@ -66,7 +66,7 @@ Output::Values speed_of(const Solved& solved, std::size_t link) {
   return {{first}};
 }
 
-void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
+void add_shafts(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const mechanism::Joint& joint = model.joints[k];
     const bool first = joint.j == ground;
@@ -89,6 +89,6 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 
 }  // namespace
 
-constinit const Aspect aspects::shafts{.list = &list, .add_outputs = &add};
+constinit const Aspect aspects::shafts{.list = &list_shafts, .add_outputs = &add_shafts};
 
 }  // namespace loadpath::planar

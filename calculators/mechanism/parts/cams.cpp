@@ -47,9 +47,9 @@ std::string angle_text(const mechanism::Joint& joint, double parameter) {
   return format_quantity(cam_angle(*joint.profile, parameter), "deg", 4);
 }
 
-void list(std::vector<ResultPattern>& patterns) { list_patterns(cam_rows, patterns); }
+void list_cams(std::vector<ResultPattern>& patterns) { list_patterns(cam_rows, patterns); }
 
-void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
+void add_cams(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
   const auto kept = std::make_shared<const mechanism::Model>(model);
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     if (model.joints[k].kind == JointKind::cam) add_outputs(Cam{model.joints[k].name, k, kept}, cam_rows, out);
@@ -57,7 +57,7 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 }
 
 /// That the profile can be made, and the roller reaches all of it.
-void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+void judge_cams(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   for (const mechanism::Joint& joint : solved.given.joints) {
     if (joint.kind != JointKind::cam) continue;
     const mechanism::Bends bends = mechanism::bends_of(*joint.profile);
@@ -112,6 +112,7 @@ constexpr std::array cited{
 
 }  // namespace
 
-constinit const Aspect aspects::cams{.list = &list, .add_outputs = &add, .judge = &judge, .citations = cited};
+constinit const Aspect aspects::cams{
+    .list = &list_cams, .add_outputs = &add_cams, .judge = &judge_cams, .citations = cited};
 
 }  // namespace loadpath::planar

@@ -75,14 +75,14 @@ constexpr std::array rubbing_rows{row<Rubbing>(
     [](const Rubbing& r, const Position& p) { return loss_of(*r.model, r.index, p); }, nullptr,
     "joints with friction")};
 
-void list(std::vector<ResultPattern>& patterns) {
+void list_contacts(std::vector<ResultPattern>& patterns) {
   list_patterns(guide_rows, patterns);
   list_wheel_patterns(patterns);
   list_patterns(rubbing_rows, patterns);
 }
 
 /// Joint by joint, so that what a joint gives stands together.
-void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
+void add_contacts(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
   const auto kept = std::make_shared<const mechanism::Model>(model);
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const mechanism::Joint& joint = model.joints[k];
@@ -94,6 +94,6 @@ void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Out
 
 }  // namespace
 
-constinit const Aspect aspects::contacts{.list = &list, .add_outputs = &add};
+constinit const Aspect aspects::contacts{.list = &list_contacts, .add_outputs = &add_contacts};
 
 }  // namespace loadpath::planar

@@ -60,7 +60,7 @@ Output::Values stroke_of(const Ram& ram, const Solved& solved) {
   return {{most - least}};
 }
 
-void list(std::vector<ResultPattern>& patterns) {
+void list_cylinders(std::vector<ResultPattern>& patterns) {
   list_patterns(ram_rows, patterns);
   patterns.push_back(stroke.pattern);
 }
@@ -79,7 +79,7 @@ Ram ram_of(const Mechanism::Input& in, const mechanism::Model& model, const Mech
   return ram;
 }
 
-void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
+void add_cylinders(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
   for (const Mechanism::Actuator& actuator : in.actuators) {
     const Ram ram = ram_of(in, model, actuator);
     if (!ram.driven) add_outputs(ram, pushed_rows, out);
@@ -93,6 +93,7 @@ void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<
 
 }  // namespace
 
-constinit const Aspect aspects::cylinders{.check_names = &check_cylinders, .list = &list, .add_outputs = &add};
+constinit const Aspect aspects::cylinders{
+    .check_names = &check_cylinders, .list = &list_cylinders, .add_outputs = &add_cylinders};
 
 }  // namespace loadpath::planar

@@ -108,9 +108,9 @@ constexpr std::array machine_rows{
                  {.kind = Kind::useful_power, .tabled = Tabled::always, .loads_crank = true}, &use, &Machine::has_use,
                  "with useful loads")};
 
-void list(std::vector<ResultPattern>& patterns) { list_patterns(machine_rows, patterns); }
+void list_machine(std::vector<ResultPattern>& patterns) { list_patterns(machine_rows, patterns); }
 
-void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
+void add_machine(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
   const auto kept = std::make_shared<const mechanism::Model>(model);
   const bool statics = in.analysis == Mechanism::Analysis::statics;
   Machine machine{"",     kept, {}, std::make_shared<mechanism::Reduction>(*kept), !in.crank.joint.empty() && !statics,
@@ -123,6 +123,6 @@ void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<
 
 }  // namespace
 
-constinit const Aspect aspects::machine{.list = &list, .add_outputs = &add};
+constinit const Aspect aspects::machine{.list = &list_machine, .add_outputs = &add_machine};
 
 }  // namespace loadpath::planar

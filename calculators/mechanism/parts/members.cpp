@@ -90,12 +90,12 @@ constexpr Declaration length =
     declare("links.NAME.length", "distance of its joints that are farthest apart", mm,
             "links with two joints in different places, or with one joint and another point");
 
-void list(std::vector<ResultPattern>& patterns) {
+void list_members(std::vector<ResultPattern>& patterns) {
   list_patterns(bar_rows, patterns);
   patterns.push_back(length.pattern);
 }
 
-void add(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
+void add_members(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
   const auto kept = std::make_shared<const mechanism::Model>(model);
   const bool statics = in.analysis == Mechanism::Analysis::statics;
   for (std::size_t k = 0; k < model.links.size(); ++k) {
@@ -126,6 +126,6 @@ void check(const Mechanism::Input& in, const mechanism::Model& model, std::vecto
 
 }  // namespace
 
-constinit const Aspect aspects::members{.check_values = &check, .list = &list, .add_outputs = &add};
+constinit const Aspect aspects::members{.check_values = &check, .list = &list_members, .add_outputs = &add_members};
 
 }  // namespace loadpath::planar

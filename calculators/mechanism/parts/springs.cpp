@@ -33,14 +33,14 @@ constexpr std::array spring_rows{
         [](const Elastic& e, const Position& p) { return spring_now(e.spring, p).effort; }, &Elastic::turns,
         "springs that turn")};
 
-void list(std::vector<ResultPattern>& patterns) { list_patterns(spring_rows, patterns); }
+void list_springs(std::vector<ResultPattern>& patterns) { list_patterns(spring_rows, patterns); }
 
-void add(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
+void add_springs(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
   for (const mechanism::Spring& spring : model.springs) add_outputs(Elastic{spring.name, spring}, spring_rows, out);
 }
 
 }  // namespace
 
-constinit const Aspect aspects::springs{.list = &list, .add_outputs = &add};
+constinit const Aspect aspects::springs{.list = &list_springs, .add_outputs = &add_springs};
 
 }  // namespace loadpath::planar

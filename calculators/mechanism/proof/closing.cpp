@@ -149,7 +149,7 @@ void add_jamming(const std::string& step, const Mechanism::Input& in, const mech
   verdicts.push_back(std::move(v));
 }
 
-void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+void judge_closing(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   const Cycle& cycle = solved.proved;
   verdicts.push_back(closing(solved.step, solved.in, cycle, solved.axis));
   add_jamming(solved.step, solved.in, solved.given, cycle, solved.axis, verdicts);
@@ -161,6 +161,6 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 }  // namespace
 
-constinit const Aspect aspects::closing{.judge = &judge};
+constinit const Aspect aspects::closing{.judge = &judge_closing};
 
 }  // namespace loadpath::planar

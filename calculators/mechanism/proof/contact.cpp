@@ -34,7 +34,7 @@ double pressing(const mechanism::Model& model, const mechanism::Position& at, st
   return side * mechanism::dot(at.reactions[k].force, place.rows[1].e);
 }
 
-void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+void judge_contact(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   const mechanism::Model& model = solved.given;
   const Cycle& cycle = solved.proved;
   for (std::size_t n = 0; n < model.joints.size(); ++n) {
@@ -62,6 +62,6 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 }  // namespace
 
-constinit const Aspect aspects::contact{.judge = &judge};
+constinit const Aspect aspects::contact{.judge = &judge_contact};
 
 }  // namespace loadpath::planar

@@ -24,7 +24,7 @@ std::vector<bool> beyond(const Solved& solved, const CourseNow& course) {
   return outside;
 }
 
-void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+void judge_courses(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   for (const Course& given : solved.in.courses) {
     const bool by_points = !given.over_time.empty() || !given.over_stroke.empty();
     if (!given.share_of_phi.empty() && (has_law(solved.in) || solved.axis == nullptr))
@@ -46,6 +46,6 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 }  // namespace
 
-constinit const Aspect aspects::courses{.judge = &judge};
+constinit const Aspect aspects::courses{.judge = &judge_courses};
 
 }  // namespace loadpath::planar

@@ -155,7 +155,7 @@ std::vector<account::Verdict> methods(const std::string& step, const Mechanism::
   return verdicts;
 }
 
-void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+void judge_equations(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   const Mechanism::Input& in = solved.in;
   const Cycle& cycle = solved.proved;
   Leftovers left;
@@ -179,6 +179,6 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 }  // namespace
 
-constinit const Aspect aspects::equations{.judge = &judge};
+constinit const Aspect aspects::equations{.judge = &judge_equations};
 
 }  // namespace loadpath::planar

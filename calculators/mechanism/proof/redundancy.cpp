@@ -11,7 +11,7 @@ namespace loadpath::planar {
 namespace {
 
 /// A line for each set of joints that hold a freedom too many.
-void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+void judge_redundancy(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   for (const auto& [joints, freedoms] : mechanism::shared_freedoms(solved.structure)) {
     verdicts.push_back({.step = solved.step,
                         .symbol = "determinate",
@@ -38,7 +38,7 @@ account::Table uniqueness_table(const mechanism::Model& model, const Cycle& cycl
   return table;
 }
 
-void show(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
+void show_redundancy(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
   if (!solved.cycle.unique.empty()) blocks.emplace_back(uniqueness_table(solved.model, solved.cycle));
 }
 
@@ -47,6 +47,6 @@ constexpr std::array cited{Citation{
 
 }  // namespace
 
-constinit const Aspect aspects::redundancy{.judge = &judge, .show = &show, .citations = cited};
+constinit const Aspect aspects::redundancy{.judge = &judge_redundancy, .show = &show_redundancy, .citations = cited};
 
 }  // namespace loadpath::planar

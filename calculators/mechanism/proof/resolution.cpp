@@ -139,7 +139,7 @@ std::optional<account::Verdict> hidden_corner(const Solved& solved) {
                           more_positions(solved, there.reaction, shown.reaction.force, "N"));
 }
 
-void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+void judge_resolution(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   if (solved.axis == nullptr || !is_whole_turn(solved.in) || !solved.in.cylinders.empty()) return;
   if (auto hidden = hidden_corner(solved)) {
     verdicts.push_back(std::move(*hidden));
@@ -155,6 +155,6 @@ void judge(const Solved& solved, std::vector<account::Verdict>& verdicts) {
 
 }  // namespace
 
-constinit const Aspect aspects::resolution{.judge = &judge};
+constinit const Aspect aspects::resolution{.judge = &judge_resolution};
 
 }  // namespace loadpath::planar

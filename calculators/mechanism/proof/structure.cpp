@@ -88,13 +88,13 @@ Table determinacy_table(const mechanism::Model& model, const mechanism::Structur
   return table;
 }
 
-void show(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
+void show_structure(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
   blocks.emplace_back(structure_table(solved.model, !solved.cycle.unique.empty()));
   blocks.emplace_back(determinacy_table(solved.model, solved.structure, solved.cycle, solved.axis));
 }
 
 }  // namespace
 
-constinit const Aspect aspects::structure{.show = &show};
+constinit const Aspect aspects::structure{.show = &show_structure};
 
 }  // namespace loadpath::planar

@@ -1,6 +1,7 @@
 // What can be wrong with the profile of a cam: fields, values, and what touches it.
 #include "calculators/mechanism/words/names.hpp"
 #include "calculators/mechanism/words/profiles.hpp"
+#include "lib/mechanism/model/whole_turn.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -13,8 +14,6 @@ namespace loadpath::planar {
 namespace {
 
 using Shape = CamProfile::Shape;
-
-constexpr double whole_turn = 2.0 * pi;
 
 using planar::path_of;
 

@@ -1,6 +1,7 @@
 #include "calculators/mechanism/words/profiles.hpp"
 
 #include "calculators/mechanism/words/names.hpp"
+#include "lib/mechanism/model/whole_turn.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -12,8 +13,6 @@ namespace {
 
 using Shape = CamProfile::Shape;
 using mechanism::Vec;
-
-constexpr double whole_turn = 2.0 * pi;
 
 mechanism::LiftLaw law_of(CamProfile::Law law) {
   switch (law) {

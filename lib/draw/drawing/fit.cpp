@@ -15,7 +15,7 @@ using Side = Drawing::Side;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double title_height = 20.0, scale_height = 24.0, note_height = 16.0;
-constexpr double edge = 10.0;  // of the page around all
+constexpr double edge_of_page = 10.0;  // around all
 constexpr double force_reach = 62.0;
 
 bool has(const Drawing::Value& value) { return drawable(value.si); }
@@ -109,7 +109,7 @@ std::vector<Row> rows_of(const View& view, double scale) {
 
 Margins margins_of(const View& view, const std::vector<Row>& rows) {
   const bool named = !view.names.empty() || !view.forces.empty() || !view.turns.empty();
-  const double around = named && !view.window ? view.room : edge;
+  const double around = named && !view.window ? view.room : edge_of_page;
   Margins m{around, around, around, around};
   for (const Row& row : rows) {
     const auto& l = view.lengths[row.length];

@@ -5,12 +5,12 @@
 namespace loadpath::draw {
 namespace {
 
-constexpr double half = 13.0;  // of the ground
+constexpr double half_ground = 13.0;  // of the ground
 constexpr double depth = 15.0, gap = 4.0;
 
 /// Hatched ground across `into`, its surface through the point.
 void ground(Canvas& canvas, Point at, Point into) {
-  const Point side = half * across(into);
+  const Point side = half_ground * across(into);
   canvas.line("outline", at + side, at - side);
   hatch(canvas, at + side, at - side);
 }
@@ -37,7 +37,7 @@ void sleeve(Canvas& canvas, Point at, Point into) {
 /// A plate on two wheels.
 void plate(Canvas& canvas, Point at, Point into) {
   constexpr double wheel = 2.6;
-  const Point side = half * across(into), below = (1.2 + wheel) * into;
+  const Point side = half_ground * across(into), below = (1.2 + wheel) * into;
   canvas.line("bar", at + side, at - side);
   for (const double share : {0.6, -0.6}) canvas.circle("pin", at + share * side + below, wheel);
   ground(canvas, at + 2.0 * below, into);

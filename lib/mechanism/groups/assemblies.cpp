@@ -4,16 +4,15 @@
 #include "lib/mechanism/groups/closing.hpp"
 #include "lib/mechanism/groups/plan.hpp"
 #include "lib/mechanism/groups/positions.hpp"
+#include "lib/mechanism/model/whole_turn.hpp"
 #include "lib/mechanism/whole/system.hpp"
 
 #include <algorithm>
 #include <cstdint>
-#include <numbers>
 
 namespace loadpath::mechanism {
 namespace {
 
-constexpr double whole_turn = 2.0 * std::numbers::pi;
 // Of the mechanism's size, and of a unit vector: assemblies that differ by less are one.
 constexpr double same = 1e-6;
 constexpr int starts = 200;

@@ -3,10 +3,10 @@
 
 #include "lib/mechanism/groups/chain_state.hpp"
 #include "lib/mechanism/model/position.hpp"
+#include "lib/mechanism/model/whole_turn.hpp"
 
 #include <cmath>
 #include <cstddef>
-#include <numbers>
 #include <span>
 
 namespace loadpath::mechanism {
@@ -52,7 +52,6 @@ Pose acceleration_of(const Chain& chain, const ChainState<Count>& now, std::size
 /// Goes on from the poses before: of the angles that differ by whole turns it takes the one next to that.
 template <std::size_t Count>
 void follow_poses(const Chain& chain, const ChainState<Count>& now, std::size_t lane, std::span<Pose> poses) {
-  constexpr double whole_turn = 2.0 * std::numbers::pi;
   const auto set_place = [&](std::size_t link) {
     const Vec at = place_of(chain, now, link, lane);
     poses[link].x = at.x;

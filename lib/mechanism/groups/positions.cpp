@@ -1,14 +1,13 @@
 #include "lib/mechanism/groups/positions.hpp"
 
+#include "lib/mechanism/model/whole_turn.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace loadpath::mechanism {
 namespace {
-
-constexpr double whole_turn = 2.0 * std::numbers::pi;
 
 double side(double value) { return value < 0.0 ? -1.0 : 1.0; }
 

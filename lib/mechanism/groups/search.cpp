@@ -1,8 +1,8 @@
 // How the groups are closed when all their assemblies are sought: on a given side, or from anywhere.
 #include "lib/mechanism/groups/positions.hpp"
+#include "lib/mechanism/model/whole_turn.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace loadpath::mechanism {
 
@@ -30,7 +30,6 @@ bool GroupPositions::close_on_side(std::size_t g, double branch) {
 
 // The two links of a slide keep their angle, which counts whole turns too; a jump to the other side may lose them.
 void GroupPositions::unwind(const GroupPlan& group) {
-  constexpr double whole_turn = 2.0 * std::numbers::pi;
   const Cut& cut = plan_.cuts[group.first_cut];
   const bool turns_i = plan_.tree[group.mover_i].kind == TreeJoint::Kind::turn;
   const double turns = std::round((links_[cut.i].phi - links_[cut.j].phi - cut.shape.angle) / whole_turn);

@@ -1,5 +1,6 @@
 #include "lib/mechanism/model/lift.hpp"
 
+#include "lib/mechanism/model/whole_turn.hpp"
 #include "lib/numerics/dual.hpp"
 
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace {
 
 using std::cos, std::sin;
 using std::numbers::pi;
-
-constexpr double whole_turn = 2.0 * pi;
 
 /// The first half of the law, x up to 1/2.
 template <class Scalar>

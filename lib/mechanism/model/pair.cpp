@@ -1,17 +1,15 @@
 #include "lib/mechanism/model/pair.hpp"
 
 #include "lib/mechanism/model/cam.hpp"
+#include "lib/mechanism/model/whole_turn.hpp"
 #include "lib/numerics/dual.hpp"
 
 #include <cmath>
-#include <numbers>
 
 namespace loadpath::mechanism {
 namespace {
 
 using std::atan2, std::copysign, std::round, std::sqrt;
-
-constexpr double whole_turn = 2.0 * std::numbers::pi;
 
 template <class Scalar>
 bool is_joint(const BasicPairShape<Scalar>& shape, JointKind kind) {

@@ -1,18 +1,16 @@
 #include "lib/mechanism/model/profile.hpp"
 
+#include "lib/mechanism/model/whole_turn.hpp"
 #include "lib/numerics/dual.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 namespace loadpath::mechanism {
 namespace {
 
 using std::cos, std::sin, std::sqrt;
-
-constexpr double whole_turn = 2.0 * std::numbers::pi;
 
 double sign_of(CamSense sense) { return sense == CamSense::counter_clockwise ? -1.0 : 1.0; }
 

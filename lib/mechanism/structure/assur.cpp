@@ -11,7 +11,7 @@
 namespace loadpath::mechanism {
 namespace {
 
-constexpr std::size_t freedoms = 3;  // of a link in the plane
+constexpr std::size_t freedoms_of_link = 3;  // of a link in the plane
 constexpr int nobody = -2;
 
 /// One constraint equation and the links in it. `ground` where there is none.
@@ -52,7 +52,7 @@ class Assignment {
       if (link == ground || visited_[static_cast<std::size_t>(link)]) continue;
       const auto k = static_cast<std::size_t>(link);
       visited_[k] = true;
-      if (held_[k].size() < freedoms) {
+      if (held_[k].size() < freedoms_of_link) {
         held_[k].push_back(e);
         equations_[e].holds = link;
         return true;

@@ -14,7 +14,7 @@ namespace {
 
 using toml::Tree;
 
-constexpr std::uintmax_t largest = 16'000'000;  // bytes
+constexpr std::uintmax_t largest_file = 16'000'000;  // bytes
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view blank = " \t\r";
@@ -149,7 +149,7 @@ Outcome<Tree> read_rows_file(const Tree& tree) {
   std::error_code error;
   std::string text;
   const bool there = std::filesystem::is_regular_file(path, error);
-  if (there && std::filesystem::file_size(path, error) > largest)
+  if (there && std::filesystem::file_size(path, error) > largest_file)
     return fault(say("'{1}' is no list of rows", named.text), say("at most 16 MB"));
   if (!there || !toml::read_file(path.string(), text))
     return fault(say("there is no file '{1}' that can be read", path.string()),

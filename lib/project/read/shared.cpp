@@ -14,14 +14,14 @@ namespace {
 
 using toml::Tree;
 
-constexpr std::string_view prefix = "values.";
+constexpr std::string_view shared_prefix = "values.";
 constexpr std::size_t most_in_place = 1'000'000;  // values and tables that stand in the place of a name
 constexpr std::size_t deepest = 32;               // values that refer to one another
 
 /// "=values.n": "n"; empty where the text is none that stands alone.
 std::string name_of_reference(const Tree& tree) {
   const auto path = lone_reference(tree);
-  return path && path->starts_with(prefix) ? path->substr(prefix.size()) : "";
+  return path && path->starts_with(shared_prefix) ? path->substr(shared_prefix.size()) : "";
 }
 
 /// The value of a text or number that an expression may hold; without unit none of an angle is meant.
@@ -143,7 +143,7 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
   found->second.is_used = true;
   Tree value = in_place(found->second.tree, issues);
   open_.erase(name);
-  value.shared = std::string(prefix) + name;
+  value.shared = std::string(shared_prefix) + name;
   return value;
 }
 

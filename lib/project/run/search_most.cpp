@@ -9,7 +9,7 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double step = 1.25;         // between the values that are tried first
+constexpr double growth = 1.25;       // between the values that are tried first
 constexpr double least_share = 1e-9;  // of the largest one
 constexpr int digits = 4;             // of what is found
 
@@ -41,10 +41,10 @@ void Run::search_most(const Search& wanted, std::vector<Issue>& issues) {
   double low = most * least_share;
   leaf.set(low);  // a load is what asks for its checks
   if (!is_any_asked()) return issues.push_back(aimless(wanted));
-  while (low < most && !passes_with(leaf, low)) low *= step;
+  while (low < most && !passes_with(leaf, low)) low *= growth;
   if (low >= most) return tell_none(wanted, most * least_share, issues);
-  double high = low * step;
-  for (; high < most && passes_with(leaf, high); high *= step) low = high;
+  double high = low * growth;
+  for (; high < most && passes_with(leaf, high); high *= growth) low = high;
   if (high >= most) {
     return issues.push_back(issue_at(step_.input(), wanted.path,
                                      say("'{1}' has no largest value: it passes up to {2}", wanted.path,

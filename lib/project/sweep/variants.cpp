@@ -3,17 +3,15 @@
 #include "lib/project/modes.hpp"
 #include "lib/project/sweep/points/alone.hpp"
 #include "lib/project/sweep/points/column_step.hpp"
+#include "lib/sweep/nan.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 
 namespace loadpath::project {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::vector<SweptResult> columns_of(Project& project, const std::vector<std::string>& results) {
   std::vector<SweptResult> columns;

@@ -1,17 +1,15 @@
 #include "lib/sweep/statistics/covariances.hpp"
 
 #include "lib/sweep/columns.hpp"
+#include "lib/sweep/nan.hpp"
 #include "lib/sweep/statistics/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace loadpath::sweep {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 LOADPATH_COLUMNS double sum_from(double from, const double* x, std::size_t n) {
   Lanes sum{};

@@ -1,17 +1,15 @@
 #include "lib/sweep/statistics/moments.hpp"
 
 #include "lib/sweep/columns.hpp"
+#include "lib/sweep/nan.hpp"
 #include "lib/sweep/statistics/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace loadpath::sweep {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 struct Powers {
   double square, cube, fourth;

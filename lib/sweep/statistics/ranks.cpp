@@ -1,3 +1,4 @@
+#include "lib/sweep/nan.hpp"
 #include "lib/sweep/statistics/sketch.hpp"
 
 #include <algorithm>
@@ -7,8 +8,6 @@
 namespace loadpath::sweep {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// The share t of the way from a to b, and never beyond.
 double between(double a, double b, double t) { return std::clamp(a + (b - a) * t, a, b); }

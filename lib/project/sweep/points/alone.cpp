@@ -1,15 +1,13 @@
 #include "lib/project/sweep/points/alone.hpp"
 
 #include "lib/project/run/calculator_step.hpp"
+#include "lib/sweep/nan.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace loadpath::project {
 
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 /// Whether all that it takes of others are numbers, and no factor that decides what may be combined.
 bool takes_numbers(const Step& step) {

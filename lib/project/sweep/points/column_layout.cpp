@@ -3,6 +3,7 @@
 #include "lib/project/modes.hpp"
 #include "lib/project/run/row_state.hpp"
 #include "lib/project/sweep/points/column_parts.hpp"
+#include "lib/sweep/nan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@ namespace loadpath::project {
 namespace {
 
 using account::State;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 std::string head_of(std::string_view path) { return std::string(path.substr(0, path.find_first_of(".["))); }
 

@@ -1,18 +1,14 @@
 // A size that is searched for in a stock, at every point: the smallest with which every check passes.
 #include "lib/project/run/row_state.hpp"
 #include "lib/project/sweep/points/column_parts.hpp"
+#include "lib/sweep/nan.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace loadpath::project {
 
-namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 /// False where it is no search for one size.
 bool ColumnStep::Parts::add_search() {

@@ -2,6 +2,7 @@
 
 #include "lib/project/run/row_state.hpp"
 #include "lib/project/sweep/points/column_parts.hpp"
+#include "lib/sweep/nan.hpp"
 #include "lib/sweep/statistics/lanes.hpp"
 
 #include <algorithm>
@@ -9,11 +10,7 @@
 
 namespace loadpath::project {
 
-namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 void ColumnStep::Parts::feed(PointColumns& points) {
   in.clear();

@@ -2,6 +2,7 @@
 
 #include "lib/project/run/row_state.hpp"
 #include "lib/sweep/columns.hpp"
+#include "lib/sweep/nan.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +13,6 @@ namespace loadpath::project {
 namespace {
 
 using account::State;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 constexpr double number(State state) { return static_cast<double>(static_cast<int>(state)); }
 constexpr double pass = number(State::pass), accepted = number(State::accepted), open = number(State::open),

@@ -1,15 +1,12 @@
 #include "lib/project/sweep/points/point_columns.hpp"
 
+#include "lib/sweep/nan.hpp"
+
 #include <algorithm>
-#include <limits>
 
 namespace loadpath::project {
 
-namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-}  // namespace
+namespace {}  // namespace
 
 const double* PointColumns::of(const std::string& path) {
   const auto known = values.find(path);

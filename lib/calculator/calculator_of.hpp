@@ -7,11 +7,12 @@
 //     static constexpr std::array rules{Rule<Input>{...}...};
 //     static constexpr std::array modes{Mode<Input>{...}...};  // in which its part can fail
 //     template <class Tracer> static Result evaluate(const Input&, Tracer&);   // defined in the source
-//     static constexpr std::array forms{Form{"T, tau_adm"}};   // that sweeps are compiled for
-//     (lib/calculator/form.hpp) static constexpr bool takes_series = false;              // where it decides on one
-//     thing for all its loads static constexpr bool turns = true;                      // of a part that turns static
-//     constexpr auto sized = "pieces";                  // a list whose sizes are found together; with arrange,
-//                                                              // raise and unsound (lib/calculator/sizing.hpp)
+//     static constexpr std::array forms{Form{"T, tau_adm"}};   // that sweeps are compiled for (form.hpp)
+//     static constexpr bool is_large = true;                   // too long to compile inlined in its sweeps
+//     static constexpr bool takes_series = false;              // where it decides on one thing for all its loads
+//     static constexpr bool turns = true;                      // of a part that turns
+//     static constexpr auto sized = "pieces";                  // a list whose sizes are found together; with
+//                                                              // arrange, raise and unsound (sizing.hpp)
 //     static constexpr std::array meanings{Meaning{...}...};   // what its values are, where others are like them
 //     static std::vector<draw::Figure> figures(const Input&, const Result&);
 //   };

@@ -28,8 +28,7 @@ namespace loadpath::detail {
 
 /// A record per point: whatever is given, lists too.
 template <class C>
-LOADPATH_SWEEP void sweep_points(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
-                                 std::size_t count) {
+void sweep_records(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out, std::size_t count) {
   NoTrace trace;
   char* const base = static_cast<char*>(input);
   for (std::size_t i = 0; i < count; ++i) {
@@ -37,6 +36,23 @@ LOADPATH_SWEEP void sweep_points(void* input, std::span<const InputColumn> in, s
     const typename C::Result result = C::evaluate(*static_cast<const typename C::Input*>(input), trace);
     const char* const values = reinterpret_cast<const char*>(&result);
     for (const ResultColumn& column : out) std::memcpy(column.si + i, values + column.offset, sizeof(double));
+  }
+}
+
+/// The same, inlined whole.
+template <class C>
+LOADPATH_SWEEP void sweep_inlined(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
+                                  std::size_t count) {
+  sweep_records<C>(input, in, out, count);
+}
+
+/// Serves every input.
+template <class C>
+constexpr SweepLoop general_loop() {
+  if constexpr (requires { C::is_large; }) {
+    return &sweep_records<C>;
+  } else {
+    return &sweep_inlined<C>;
   }
 }
 
@@ -122,7 +138,7 @@ void sweep_form(void* input, std::span<const InputColumn> in, std::span<const Re
     const std::span columns = std::span(rest).first(in.size());
     const std::span wanted = std::span(found).first(out.size());
     if (any_missing(columns, n)) {
-      sweep_points<C>(input, columns, wanted, n);
+      general_loop<C>()(input, columns, wanted, n);
       continue;
     }
     std::array<const double*, inputs> sources;
@@ -143,7 +159,7 @@ void sweep_form(void* input, std::span<const InputColumn> in, std::span<const Re
 /// The first form that serves, else what serves every input.
 template <class C>
 SweepLoop loop_of(const void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out) {
-  SweepLoop loop = &sweep_points<C>;
+  SweepLoop loop = general_loop<C>();
   if constexpr (requires { C::forms; }) {
     const auto& base = *static_cast<const typename C::Input*>(input);
     [&]<std::size_t... which>(std::index_sequence<which...>) {

@@ -40,7 +40,7 @@ read_sources() {
 }
 
 mkdir -p build/tidy
-whole="^$PWD/(lib|calculators|cli|api|build/tidy/calculators)/"
+whole="^$PWD/(lib|calculators|cli|api|build/tidy/(lib|calculators|cli))/"
 case "${1:-}" in
   "") batches=ON pattern=$whole ;;
   --changed)

@@ -56,6 +56,37 @@ void remove_leftovers(const fs::path& target) {
   }
 }
 
+/// Where a path leads to, through links, also to a file that is not there yet.
+struct Target {
+  fs::path path;
+  int descriptor = -1;  // of one of the program's open files, as /dev/stdout names it
+};
+
+Target target_of(fs::path path) {
+  constexpr int most_links = 40;  // as for the system
+  std::error_code error;
+  for (int links = 0; links < most_links; ++links) {
+    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+    if (fs::equivalent(folder, "/proc/self/fd", error)) return {path, std::atoi(path.filename().c_str())};
+    if (!fs::is_symlink(path, error)) break;
+    path = folder / fs::read_symlink(path, error);
+  }
+  return {path};
+}
+
+/// Whether it takes what is written as it comes, so that there is nothing old to keep: a device, a pipe, an open file.
+bool is_stream(const Target& target) {
+  std::error_code error;
+  return target.descriptor >= 0 || fs::is_other(target.path, error);
+}
+
+/// A descriptor by which a stream is written to, an open file from where the program is in it; -1 with errno.
+int open_stream(const Target& target) {
+  if (target.descriptor == STDOUT_FILENO) std::cout.flush();
+  if (target.descriptor >= 0) return ::fcntl(target.descriptor, F_DUPFD_CLOEXEC, 0);
+  return ::open(target.path.c_str(), O_WRONLY | O_CLOEXEC);
+}
+
 bool cannot_write(const fs::path& path, int error) {
   std::cerr << "loadpath: cannot write '" << path.string() << "': " << std::strerror(error) << "\n";
   return false;
@@ -167,13 +198,14 @@ void Scratch::remove_all() {
 }
 
 bool Staged::add(const fs::path& path, const std::string& text) {
-  std::error_code error;
-  if (fs::is_other(path, error)) {  // a device or a pipe: there is nothing old to keep
+  const Target target = target_of(path);
+  if (is_stream(target)) {
     files_.push_back({{}, path, text});
     return true;
   }
+  std::error_code error;
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
-  const fs::path beside = place_beside(path);
+  const fs::path beside = place_beside(target.path);
   const int file = scratch_.create(beside);
   if (file < 0) return cannot_write(path, errno);
   const int why = write_whole(file, text) ? 0 : errno;
@@ -181,10 +213,7 @@ bool Staged::add(const fs::path& path, const std::string& text) {
   return later == 0 || cannot_write(path, why == 0 ? later : why);
 }
 
-fs::path Staged::place_beside(const fs::path& path) {
-  std::error_code error;
-  const fs::path named = fs::is_symlink(path, error) ? fs::weakly_canonical(path, error) : path;
-  const fs::path target = error || named.empty() ? path : named;
+fs::path Staged::place_beside(const fs::path& target) {
   const std::string number = std::to_string(getpid()) + "-" + std::to_string(files_.size() + 1);
   const fs::path beside = target.parent_path() / ("." + target.filename().string() + "." + number + part);
   remove_leftovers(target);
@@ -193,11 +222,18 @@ fs::path Staged::place_beside(const fs::path& path) {
 }
 
 fs::path Staged::aside(const fs::path& path) {
-  std::error_code error;
-  if (fs::is_other(path, error)) return path;
-  fs::path beside = place_beside(path);
+  const Target target = target_of(path);
+  if (is_stream(target)) return path;
+  fs::path beside = place_beside(target.path);
   scratch_.add(beside);
   return beside;
+}
+
+std::FILE* Staged::open(const fs::path& path) {
+  const Target target = target_of(path);
+  if (!is_stream(target)) return std::fopen(aside(path).c_str(), "wb");
+  const int descriptor = open_stream(target);
+  return descriptor < 0 ? nullptr : ::fdopen(descriptor, "wb");
 }
 
 bool Staged::finish() {
@@ -207,9 +243,8 @@ bool Staged::finish() {
   return true;
 }
 
-/// To a device or a pipe.
 int Staged::send(const File& file) {
-  const int target = ::open(file.path.c_str(), O_WRONLY | O_CLOEXEC);
+  const int target = open_stream(target_of(file.path));
   if (target < 0) return errno;
   const int why = write_whole(target, file.text) ? 0 : errno;
   return ::close(target) == 0 || why != 0 ? why : errno;

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <mutex>
 #include <string>
@@ -58,20 +59,22 @@ class Staged {
 
   /// Writes the text beside the path. False, with a word on standard error, where that is not possible.
   bool add(const std::filesystem::path& path, const std::string& text);
-  /// A path beside it to be written to; `finish` moves it. A device or a pipe itself: there is nothing old to keep.
+  /// A path beside it to be written to; `finish` moves it. A device, a pipe or an open file itself.
   std::filesystem::path aside(const std::filesystem::path& path);
+  /// The same, open to be written to; null with errno where that is not possible.
+  std::FILE* open(const std::filesystem::path& path);
   /// Puts every file in its place. False, with a word, where one cannot be put there.
   bool finish();
 
  private:
   struct File {
-    std::filesystem::path aside, path;  // aside: empty for a device or a pipe
-    std::string text;                   // for these
+    std::filesystem::path aside, path;  // aside: empty where the text is sent
+    std::string text;                   // then
   };
   static int send(const File& file);
   int put(const File& file);
-  /// Where the file is written first, in the folder that it will stand in.
-  std::filesystem::path place_beside(const std::filesystem::path& path);
+  /// Where a file is written first, in the folder that it will stand in.
+  std::filesystem::path place_beside(const std::filesystem::path& target);
 
   Scratch& scratch_;
   std::vector<File> files_;

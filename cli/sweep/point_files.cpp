@@ -22,7 +22,7 @@ bool PointFiles::open(const exports::StoredSweep& sweep) {
     hdf5_ = std::move(*file);
   }
   if (options_.csv.empty()) return true;
-  csv_.reset(std::fopen(staged_.aside(options_.csv).c_str(), "wb"));
+  csv_.reset(staged_.open(options_.csv));
   return csv_ ? write(exports::csv_head(plan_)) : unwritten(options_.csv);
 }
 

@@ -89,6 +89,30 @@ TEST_SUITE("cli outputs") {
     CHECK(contains(desk.get("real.md"), "# a.toml"));
   }
 
+  TEST_CASE("a link to a file that is not there yet makes it") {
+    const Desk desk;
+    desk.put("a.toml", axle);
+    fs::create_symlink("real.md", desk.folder() / "second.md");
+    fs::create_symlink("second.md", desk.folder() / "first.md");
+    CHECK(desk.run({"run", "a.toml", "--quiet", "--report", "first.md"}).code == 0);
+    CHECK(fs::is_symlink(desk.folder() / "first.md"));
+    CHECK(fs::is_symlink(desk.folder() / "second.md"));
+    CHECK(contains(desk.get("real.md"), "# a.toml"));
+  }
+
+  TEST_CASE("an open file goes on where it is, by whichever name") {
+    const Desk desk;
+    desk.put("s.toml", two_axles);
+    const std::string table = desk.shell("loadpath sweep s.toml --quiet --csv out.csv; cat out.csv").out;
+    CHECK(contains(table, "T"));
+    for (const std::string name : {"/dev/stdout", "/dev/fd/1", "/proc/self/fd/1"}) {
+      CAPTURE(name);
+      const Ran ran = desk.shell("(echo before; loadpath sweep s.toml --quiet --csv " + name +
+                                 "; echo after) > all.txt; cat all.txt");
+      CHECK_MESSAGE(ran.out == "before\n" + table + "after\n", ran.error);
+    }
+  }
+
   TEST_CASE("standard output that cannot be written is a fault") {
     const Desk desk;
     desk.put("a.toml", axle);

@@ -29,7 +29,7 @@ bool is_built() {
 Ran shell(const Desk& desk, const std::string& line) {
   const std::string as_any_user = "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1; ";
   const std::string ranks =
-      "ranks() { count=$1; shift; timeout -k 1 60 mpirun --oversubscribe -n $count sh -c "
+      "ranks() { count=$1; shift; timeout -k 1 300 mpirun --oversubscribe -n $count sh -c "
       "'echo $$ > rank.$OMPI_COMM_WORLD_RANK; exec \"$@\"' sh '" +
       mpi_program().string() + "' \"$@\"; }; ";
   return desk.shell(as_any_user + ranks + line);
@@ -111,13 +111,15 @@ G = 8)";
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
-    const Ran ran = shell(desk,
-                          "ranks 3 sweep a.toml --samples 100000 --out by --save-every 0 & "
-                          "while [ ! -e by/state ]; do sleep 0.02; done; sleep 0.3; "
-                          "kill -STOP $(cat rank.2); sleep 4; kill -CONT $(cat rank.2); wait $!");
-    CHECK_MESSAGE(ran.code == 0, ran.error);
-    CHECK_MESSAGE(contains(ran.error, "loadpath: waits for rank 2 on "), ran.error);
-    CHECK(contains(ran.error, ": points "));
+    const Ran ran = shell(desk, "ranks 3 sweep a.toml --samples 100000 --out by --save-every 0 2> told & at=$!; " +
+                                    until_solved("by") +
+                                    "kill -STOP $(cat rank.2); "
+                                    "until grep -q 'waits for rank' told || ! kill -0 $at; do sleep 0.05; done; "
+                                    "kill -CONT $(cat rank.2); wait $at");
+    const std::string told = desk.get("told");
+    CHECK_MESSAGE(ran.code == 0, told);
+    CHECK_MESSAGE(contains(told, "loadpath: waits for rank 2 on "), told);
+    CHECK(contains(told, ": points "));
   }
 
   TEST_CASE("more ranks than blocks, and a folder that goes on by other ranks") {
@@ -169,10 +171,9 @@ G = 8)";
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
-    const Ran ran = shell(desk,
-                          "ranks 3 sweep a.toml --samples 100000000 --no-columns --out by --save-every 0.1 --quiet & "
-                          "while [ ! -e by/state ]; do sleep 0.02; done; sleep 1; "
-                          "kill -INT $(ps -o ppid= -p $(cat rank.0)); wait $!");
+    const Ran ran = shell(
+        desk, "ranks 3 sweep a.toml --samples 100000000 --no-columns --out by --save-every 0.1 --quiet & at=$!; " +
+                  until_solved("by") + "kill -INT $(ps -o ppid= -p $(cat rank.0)); wait $at");
     CHECK(ran.code != 0);
     CHECK_MESSAGE(contains(ran.error, "--out by --resume goes on"), ran.error);
     CHECK(!contains(ran.error, "stopped at 0 points"));
@@ -182,11 +183,9 @@ G = 8)";
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
-    const Ran ran =
-        shell(desk,
-              "ranks 3 sweep a.toml --samples 100000000 --no-columns --out by --save-every 0.1 --quiet & "
-              "until loadpath sweep --status by 2>/dev/null | grep -q '^solved   0 to'; do sleep 0.05; done; "
-              "kill -9 $(cat rank.2); wait $!");
+    const Ran ran = shell(
+        desk, "ranks 3 sweep a.toml --samples 100000000 --no-columns --out by --save-every 0.1 --quiet & at=$!; " +
+                  until_solved("by") + "kill -9 $(cat rank.2); wait $at");
     CHECK(ran.code != 0);
     const Ran status = desk.run({"sweep", "--status", "by"});
     CHECK(status.code == 1);

@@ -94,7 +94,7 @@ TEST_SUITE("sweep command" * by_case) {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
     const Ran ran = desk.shell("'" LOADPATH_PROGRAM
-                               "' sweep a.toml --samples 10000000 --out part --save-every 0 --no-columns --quiet & "
+                               "' sweep a.toml --samples 10000000 --out part --save-every 0.05 --no-columns --quiet & "
                                "at=$!; " +
                                until_solved("part") + "kill -INT $at; wait $at");
     CHECK(ran.code == 130);

@@ -135,7 +135,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
   TEST_CASE("a column that is damaged while the sweep stands still is found before it goes on") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);
-    const Ran ran = shell(desk, "$P sweep a.toml --samples 3000000 --quiet --out s --save-every 0 & at=$!; " +
+    const Ran ran = shell(desk, "$P sweep a.toml --samples 3000000 --quiet --out s --save-every 0.05 & at=$!; " +
                                     until_solved("s") + "kill -INT $at; wait $at");
     CHECK(ran.code == 130);
     REQUIRE(fs::file_size(desk.folder() / "s/columns/3-tau.npy") > 2000);
@@ -148,7 +148,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     desk.put("a.toml", swept_shaft);
     REQUIRE(sweep(desk, "whole", {"--samples", "300000"}).code == 0);
     const Ran ran =
-        shell(desk, "$P sweep a.toml --samples 300000 --quiet --out part --csv all.csv --save-every 0 & at=$!; " +
+        shell(desk, "$P sweep a.toml --samples 300000 --quiet --out part --csv all.csv --save-every 0.05 & at=$!; " +
                         until_solved("part") + "kill -INT $at; wait $at");
     CHECK(ran.code == 130);
     CHECK(contains(ran.error, "stopped at "));
@@ -166,9 +166,10 @@ TEST_SUITE("folders of sweeps" * by_case) {
                        "'" LOADPATH_ROOT
                        "/examples/slotted-lever/project.toml' > a.toml; grep -q 'count = 200000' a.toml")
                 .code == 0);
-    const Ran ran = shell(desk, "$P sweep a.toml --quiet --out part --save-every 0 & at=$!; " + until_solved("part") +
-                                    "kill -TERM $at; "
-                                    "timeout 300 tail --pid=$at -f /dev/null || exit 99; wait $at");
+    const Ran ran = shell(desk,
+                          "$P sweep a.toml --quiet --out part --save-every 1000 & at=$!; "
+                          "while [ ! -e part/state ]; do sleep 0.02; done; sleep 1; kill -TERM $at; "
+                          "timeout 300 tail --pid=$at -f /dev/null || exit 99; wait $at");
     CHECK(ran.code == 130);
     CHECK_MESSAGE(contains(ran.error, "--out part --resume goes on"), ran.error);
   }

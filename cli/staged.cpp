@@ -56,14 +56,14 @@ void remove_leftovers(const fs::path& target) {
   }
 }
 
-/// Where a path leads to, through links, also to a file that is not there yet.
+/// What a path names after symbolic links are followed; the file need not exist.
 struct Target {
   fs::path path;
-  int descriptor = -1;  // of one of the program's open files, as /dev/stdout names it
+  int descriptor = -1;  // of an open file of this process, as named by /dev/stdout
 };
 
 Target target_of(fs::path path) {
-  constexpr int most_links = 40;  // as for the system
+  constexpr int most_links = 40;  // the limit of Linux
   std::error_code error;
   for (int links = 0; links < most_links; ++links) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -74,13 +74,13 @@ Target target_of(fs::path path) {
   return {path};
 }
 
-/// Whether it takes what is written as it comes, so that there is nothing old to keep: a device, a pipe, an open file.
+/// A device, a pipe or an open file: written directly, never replaced.
 bool is_stream(const Target& target) {
   std::error_code error;
   return target.descriptor >= 0 || fs::is_other(target.path, error);
 }
 
-/// A descriptor by which a stream is written to, an open file from where the program is in it; -1 with errno.
+/// A descriptor for writing to a stream, for an open file at its current position; -1 with errno.
 int open_stream(const Target& target) {
   if (target.descriptor == STDOUT_FILENO) std::cout.flush();
   if (target.descriptor >= 0) return ::fcntl(target.descriptor, F_DUPFD_CLOEXEC, 0);

@@ -59,17 +59,18 @@ class Staged {
 
   /// Writes the text beside the path. False, with a word on standard error, where that is not possible.
   bool add(const std::filesystem::path& path, const std::string& text);
-  /// A path beside it to be written to; `finish` moves it. A device, a pipe or an open file itself.
+  /// A temporary path in the same folder, which `finish` renames. For a device, a pipe or an open file it is the path
+  /// itself.
   std::filesystem::path aside(const std::filesystem::path& path);
-  /// The same, open to be written to; null with errno where that is not possible.
+  /// The same, opened for writing; null with errno if that fails.
   std::FILE* open(const std::filesystem::path& path);
   /// Puts every file in its place. False, with a word, where one cannot be put there.
   bool finish();
 
  private:
   struct File {
-    std::filesystem::path aside, path;  // aside: empty where the text is sent
-    std::string text;                   // then
+    std::filesystem::path aside, path;  // aside: empty for a stream
+    std::string text;                   // for a stream
   };
   static int send(const File& file);
   int put(const File& file);

@@ -1,11 +1,11 @@
-# Sources that are compiled together, for most of the time of a source goes into what it has in common with others: all in
-# less than half the time, a change in that of its batch. A source that has options of its own is compiled alone.
+# Unity builds: several sources are compiled as one translation unit, because most of the time goes into headers and templates
+# that they share. A full build takes half the time; after a change the whole batch is compiled again.
 
-# loadpath_batches(target SOURCES...): compiles the sources of a folder together, eight at a time. What a source keeps to
-# itself has a name that no other source of its folder has.
-function(loadpath_batches target)
+# loadpath_group_by_folder(SOURCES...): sets folders, the identifiers of the folders of these sources, and for each of them
+# sources_of_<id>.
+macro(loadpath_group_by_folder)
   set(folders "")
-  foreach(source IN LISTS ARGN)
+  foreach(source ${ARGN})
     cmake_path(GET source PARENT_PATH folder)
     cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
     string(MAKE_C_IDENTIFIER ${folder} id)
@@ -13,6 +13,12 @@ function(loadpath_batches target)
     list(APPEND sources_of_${id} ${source})
   endforeach()
   list(REMOVE_DUPLICATES folders)
+endmacro()
+
+# loadpath_batches(target SOURCES...): batches of up to eight sources of one folder. Names in unnamed namespaces must differ
+# within a folder.
+function(loadpath_batches target)
+  loadpath_group_by_folder(${ARGN})
   foreach(id IN LISTS folders)
     list(LENGTH sources_of_${id} count)
     math(EXPR batches "(${count} + 7) / 8")
@@ -26,8 +32,8 @@ function(loadpath_batches target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# loadpath_batches_across(target SOURCES...): compiles sources of different folders together, four at a time: the first of
-# each, the second of each, and so on. What a source keeps to itself stands in the namespace of its folder.
+# loadpath_batches_across(target SOURCES...): batches of up to four sources of different folders: the first of each, the second
+# of each, and so on. Each folder has a namespace of its own, so names in unnamed namespaces may repeat.
 function(loadpath_batches_across target)
   foreach(source IN LISTS ARGN)
     file(RELATIVE_PATH name ${CMAKE_CURRENT_SOURCE_DIR} ${source})
@@ -42,32 +48,28 @@ function(loadpath_batches_across target)
   set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
 endfunction()
 
-# loadpath_alone(SOURCES...): in no batch, for they read a header, or have a name, that others of their folder must not see.
+# loadpath_alone(SOURCES...): excluded from batches, because a name or a header of theirs conflicts with another source.
 function(loadpath_alone)
   set_source_files_properties(${ARGN} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 
-# loadpath_batches_of_tests(result SOURCES...): sets result to sources that compile those of a folder together, six at a
-# time: first the headers of all, then each in a namespace of its own, for tests use the same names for what they keep to
-# themselves. What adds to another namespace, defines macros, or has options of its own is compiled alone.
+# loadpath_batches_of_tests(result SOURCES...): sets result to generated sources that include up to six tests of a folder: all
+# their headers first, then each test in a namespace of its own, so that local names may repeat. A test that reopens another
+# namespace, defines macros or has compile options of its own is listed unchanged.
 function(loadpath_batches_of_tests result)
   set(compiled "")
-  set(folders "")
+  set(batched "")
   foreach(source IN LISTS ARGN)
     file(STRINGS ${source} unfit REGEX "^namespace [a-z]|^template (<>|[^<])|^#(define|if)|^[a-z][A-Za-z:<>*& ]* ((loadpath::)?tests?::[a-z_]+\\(|operator new)")
     get_source_file_property(skipped ${source} SKIP_PRECOMPILE_HEADERS)
     get_source_file_property(defined ${source} COMPILE_DEFINITIONS)
     if(unfit OR skipped OR defined)
       list(APPEND compiled ${source})
-      continue()
+    else()
+      list(APPEND batched ${source})
     endif()
-    cmake_path(GET source PARENT_PATH folder)
-    cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${PROJECT_SOURCE_DIR})
-    string(MAKE_C_IDENTIFIER ${folder} id)
-    list(APPEND folders ${id})
-    list(APPEND sources_of_${id} ${source})
   endforeach()
-  list(REMOVE_DUPLICATES folders)
+  loadpath_group_by_folder(${batched})
   foreach(id IN LISTS folders)
     set(number 0)
     while(sources_of_${id})

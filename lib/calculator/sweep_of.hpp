@@ -39,14 +39,14 @@ void sweep_records(void* input, std::span<const InputColumn> in, std::span<const
   }
 }
 
-/// The same, inlined whole.
+/// The same with `evaluate` and all that it calls inlined.
 template <class C>
 LOADPATH_SWEEP void sweep_inlined(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
                                   std::size_t count) {
   sweep_records<C>(input, in, out, count);
 }
 
-/// Serves every input.
+/// The loop for any set of inputs.
 template <class C>
 constexpr SweepLoop general_loop() {
   if constexpr (requires { C::is_large; }) {

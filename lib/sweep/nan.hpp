@@ -1,4 +1,4 @@
-// What stands in a column where a point has no value.
+// The value of a missing result in a column of a sweep.
 #pragma once
 
 #include <limits>

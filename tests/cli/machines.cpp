@@ -111,15 +111,15 @@ G = 8)";
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
-    const Ran ran = shell(desk, "ranks 3 sweep a.toml --samples 100000 --out by --save-every 0 2> told & at=$!; " +
+    const Ran ran = shell(desk, "ranks 3 sweep a.toml --samples 100000 --out by --save-every 0 2> errors & at=$!; " +
                                     until_solved("by") +
                                     "kill -STOP $(cat rank.2); "
-                                    "until grep -q 'waits for rank' told || ! kill -0 $at; do sleep 0.05; done; "
+                                    "until grep -q 'waits for rank' errors || ! kill -0 $at; do sleep 0.05; done; "
                                     "kill -CONT $(cat rank.2); wait $at");
-    const std::string told = desk.get("told");
-    CHECK_MESSAGE(ran.code == 0, told);
-    CHECK_MESSAGE(contains(told, "loadpath: waits for rank 2 on "), told);
-    CHECK(contains(told, ": points "));
+    const std::string errors = desk.get("errors");
+    CHECK_MESSAGE(ran.code == 0, errors);
+    CHECK_MESSAGE(contains(errors, "loadpath: waits for rank 2 on "), errors);
+    CHECK(contains(errors, ": points "));
   }
 
   TEST_CASE("more ranks than blocks, and a folder that goes on by other ranks") {

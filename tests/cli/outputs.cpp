@@ -89,7 +89,7 @@ TEST_SUITE("cli outputs") {
     CHECK(contains(desk.get("real.md"), "# a.toml"));
   }
 
-  TEST_CASE("a link to a file that is not there yet makes it") {
+  TEST_CASE("a dangling link is followed, and its target is created") {
     const Desk desk;
     desk.put("a.toml", axle);
     fs::create_symlink("real.md", desk.folder() / "second.md");
@@ -100,7 +100,7 @@ TEST_SUITE("cli outputs") {
     CHECK(contains(desk.get("real.md"), "# a.toml"));
   }
 
-  TEST_CASE("an open file goes on where it is, by whichever name") {
+  TEST_CASE("output to an open file is written at its current position") {
     const Desk desk;
     desk.put("s.toml", two_axles);
     const std::string table = desk.shell("loadpath sweep s.toml --quiet --csv out.csv; cat out.csv").out;

@@ -37,7 +37,7 @@ std::chrono::microseconds duration_of(const Action& action) {
   return std::chrono::duration_cast<std::chrono::microseconds>(std::chrono::steady_clock::now() - begun);
 }
 
-/// A line of the shell that waits until a folder holds solved points, or the process $at has ended.
+/// Shell commands that wait until a folder holds solved points or process $at has ended.
 inline std::string until_solved(const std::string& folder) {
   return "until loadpath sweep --status " + folder +
          " 2>/dev/null | grep -q '^solved   0 to' || ! kill -0 $at; do sleep 0.02; done; ";

@@ -8,8 +8,6 @@
 
 namespace loadpath::project {
 
-namespace {}  // namespace
-
 /// False where it is no search for one size.
 bool ColumnStep::Parts::add_search() {
   const auto& searches = step.searches();

@@ -10,8 +10,6 @@
 
 namespace loadpath::project {
 
-namespace {}  // namespace
-
 void ColumnStep::Parts::feed(PointColumns& points) {
   in.clear();
   for (Fed& input : fed) {

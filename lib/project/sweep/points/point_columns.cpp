@@ -6,8 +6,6 @@
 
 namespace loadpath::project {
 
-namespace {}  // namespace
-
 const double* PointColumns::of(const std::string& path) {
   const auto known = values.find(path);
   if (known != values.end()) return known->second.data();

@@ -67,7 +67,8 @@ Target target_of(fs::path path) {
   std::error_code error;
   for (int links = 0; links < most_links; ++links) {
     const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    if (fs::equivalent(folder, "/proc/self/fd", error)) return {path, std::atoi(path.filename().c_str())};
+    if (fs::equivalent(folder, "/proc/self/fd", error) && fs::exists(fs::symlink_status(path, error)))
+      return {path, std::atoi(path.filename().c_str())};
     if (!fs::is_symlink(path, error)) break;
     path = folder / fs::read_symlink(path, error);
   }

@@ -205,6 +205,7 @@ bool Staged::add(const fs::path& path, const std::string& text) {
     return true;
   }
   std::error_code error;
+  if (fs::is_symlink(target.path, error)) return cannot_write(path, ELOOP);
   if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
   const fs::path beside = place_beside(target.path);
   const int file = scratch_.create(beside);

@@ -100,6 +100,17 @@ TEST_SUITE("cli outputs") {
     CHECK(contains(desk.get("real.md"), "# a.toml"));
   }
 
+  TEST_CASE("a loop of links is no place for an output") {
+    const Desk desk;
+    desk.put("a.toml", axle);
+    fs::create_symlink("b.md", desk.folder() / "a.md");
+    fs::create_symlink("a.md", desk.folder() / "b.md");
+    const Ran ran = desk.run({"run", "a.toml", "--quiet", "--report", "a.md"});
+    CHECK(ran.code == 2);
+    CHECK(contains(ran.error, "cannot write 'a.md': Too many levels of symbolic links"));
+    CHECK(fs::is_symlink(desk.folder() / "a.md"));
+  }
+
   TEST_CASE("output to an open file is written at its current position") {
     const Desk desk;
     desk.put("s.toml", two_axles);

@@ -51,7 +51,7 @@ s_0 = 2
     Name name;
     double q = unset<double>, k = 1.0;
     AngularSpeed n = unset<AngularSpeed>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Block::name, "name", "name of the block"}.may_be_missing(),
         Field{&Block::q, "q", ratio, "share of the time; all shares sum to 1"}.within(0, 1).positive(),
         Field{&Block::k, "k", ratio, "its loads over F_r and F_a"}.at_least(0).usually(0, 10),
@@ -84,7 +84,7 @@ s_0 = 2
   static Applies runs(const Input& in);
   static Applies runs_at_an_angle(const Input& in);
   static Applies has_axial_bound(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       RecordField<Input>{"load", "a bearing of a shaft, whole: load = \"=shaft.bearings.left\""},
       Choice{&Input::kind, "kind", "kind of the bearing; must be stated"},
       Field{&Input::C, "C", kN, "basic dynamic load rating, of the maker's table"}.positive().usually(0.05, 1e5),
@@ -156,13 +156,13 @@ s_0 = 2
     double e = unset<double>, Y = unset<double>;
     Force P = unset<Force>;
     double D = unset<double>;
-    static constexpr std::tuple fields{NameField{&Stage::name, "name", "name of the block"},
-                                       Field{&Stage::q, "q", ratio, "share of the time"},
-                                       Field{&Stage::n, "n", rpm, "speed"},
-                                       Field{&Stage::e, "e", ratio, "F_a/F_r beyond which the axial load counts"},
-                                       Field{&Stage::Y, "Y", ratio, "axial factor"},
-                                       Field{&Stage::P, "P", kN, "equivalent dynamic load"}.holding("K_A"),
-                                       Field{&Stage::D, "D", ratio, "its share of the fatigue"}};
+    static constexpr Fields fields{NameField{&Stage::name, "name", "name of the block"},
+                                   Field{&Stage::q, "q", ratio, "share of the time"},
+                                   Field{&Stage::n, "n", rpm, "speed"},
+                                   Field{&Stage::e, "e", ratio, "F_a/F_r beyond which the axial load counts"},
+                                   Field{&Stage::Y, "Y", ratio, "axial factor"},
+                                   Field{&Stage::P, "P", kN, "equivalent dynamic load"}.holding("K_A"),
+                                   Field{&Stage::D, "D", ratio, "its share of the fatigue"}};
   };
 
   struct Result {
@@ -176,7 +176,7 @@ s_0 = 2
     double u_a = unset<double>, x_i = unset<double>;
     List<Stage, most_blocks> blocks;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::p, "p", ratio, "life exponent: 3 of balls, 10/3 of rollers"},
       Field{&Result::x_f, "x_f", ratio, "f_0 F_a/C_0, up to the end of the table of e and Y"}
           .limit(0, 6.89 * (1.0 + 1e-9), "f_0")

@@ -58,7 +58,7 @@ pulleys = [
     Side side = Side::inside;
     Power P = unset<Power>;
     double along = unset<double>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Pulley::name, "name", "name of the pulley"}.may_be_missing(),
         Field{&Pulley::x, "x", mm, "place of its axis"},
         Field{&Pulley::y, "y", mm, "place of its axis"},
@@ -81,7 +81,7 @@ pulleys = [
     LineDensity q = 0.0 * kg_per_m;
     Force S_0 = unset<Force>, S_adm = unset<Force>;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       ListField{&Input::pulleys, "pulleys", "pulleys in the order in which the belt runs; the first one drives"},
       Choice{&Input::turns, "turns", "sense of rotation of the first pulley"}.may_be_missing(),
       Field{&Input::L, "L", mm, "length of the belt, where one pulley moves"}.positive().may_be_missing(),
@@ -108,7 +108,7 @@ pulleys = [
     Moment T = unset<Moment>;
     Force S = unset<Force>, R_x = unset<Force>, R_y = unset<Force>, R = unset<Force>;
     double mu_req = unset<double>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&PulleyResult::name, "name", "pulley"},
         Field{&PulleyResult::x, "x", mm, "place of its axis"},
         Field{&PulleyResult::y, "y", mm, "place of its axis"},
@@ -132,7 +132,7 @@ pulleys = [
     double u_S = unset<double>, u_T = unset<double>;
     List<PulleyResult, most_pulleys> pulleys;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::L, "L", mm, "length of the belt"},
       Field{&Result::s, "s", mm, "way of the pulley that moves, positive in its direction"},
       Field{&Result::v, "v", m_per_s, "speed of the belt"},

@@ -68,7 +68,7 @@ E_b = "40 MPa"
     Force S_0 = unset<Force>;
     Tensioning tensioning = Tensioning::fixed;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::P, "P", kW, "power at the driving pulley, the mean over the cycle"}
           .load()
           .positive()
@@ -128,7 +128,7 @@ E_b = "40 MPa"
     Length g_x = unset<Length>;
     Speed v_range = unset<Speed>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::i, "i", ratio, "transmission ratio n_1/n_2 with slip"},
       Field{&Result::n_2, "n_2", rpm, "speed of the driven pulley"},
       Field{&Result::v, "v", m_per_s, "speed of the belt"},

@@ -71,7 +71,7 @@ L = "2650 mm"
     double mu = unset<double>;
     Speed v_rim_adm = from_si<Speed>(35.0);
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       RecordField<Input>{"drive", "a drive that belt.v_sizing has picked, whole: drive = \"=pick.best\""},
       Choice{&Input::basis, "basis", "system of ratings and factors; must be stated"},
       NameField{&Input::section, "section", "section of the belt: A, SPB"},
@@ -136,7 +136,7 @@ L = "2650 mm"
     double x_d = unset<double>, x_n = unset<double>, x_L = unset<double>, x_alpha = unset<double>;
     double x_v = unset<double>, x_z = unset<double>, off_d = unset<double>, off_L = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::i, "i", ratio, "transmission ratio n_1/n_2 with slip"},
       Field{&Result::n_2, "n_2", rpm, "speed of the driven pulley"},
       Field{&Result::n_k, "n_k", rpm, "speed of the smaller pulley, without slip"},

@@ -12,24 +12,24 @@ namespace {
 struct WrapRow {
   static constexpr auto group = "v_belt_wrap";
   double alpha = unset<double>, c_alpha = unset<double>;
-  static constexpr std::tuple fields{Field{&WrapRow::alpha, "alpha", deg, "wrap"},
-                                     Field{&WrapRow::c_alpha, "c_alpha", ratio, "wrap factor"}};
+  static constexpr Fields fields{Field{&WrapRow::alpha, "alpha", deg, "wrap"},
+                                 Field{&WrapRow::c_alpha, "c_alpha", ratio, "wrap factor"}};
 };
 
 struct CountRow {
   static constexpr auto group = "v_belt_count";
   double z = unset<double>, low = unset<double>, high = unset<double>;
-  static constexpr std::tuple fields{Field{&CountRow::z, "z", ratio, "number of belts"},
-                                     Field{&CountRow::low, called("C_K_low"), ratio, "low end"},
-                                     Field{&CountRow::high, called("C_K_high"), ratio, "high end"}};
+  static constexpr Fields fields{Field{&CountRow::z, "z", ratio, "number of belts"},
+                                 Field{&CountRow::low, called("C_K_low"), ratio, "low end"},
+                                 Field{&CountRow::high, called("C_K_high"), ratio, "high end"}};
 };
 
 struct ServiceRow {
   static constexpr auto group = "v_belt_service";
   double c_10 = unset<double>, c_16 = unset<double>, c_24 = unset<double>;
-  static constexpr std::tuple fields{Field{&ServiceRow::c_10, "c_10", ratio, "up to 10 h a day"},
-                                     Field{&ServiceRow::c_16, "c_16", ratio, "up to 16 h a day"},
-                                     Field{&ServiceRow::c_24, "c_24", ratio, "more than 16 h a day"}};
+  static constexpr Fields fields{Field{&ServiceRow::c_10, "c_10", ratio, "up to 10 h a day"},
+                                 Field{&ServiceRow::c_16, "c_16", ratio, "up to 16 h a day"},
+                                 Field{&ServiceRow::c_24, "c_24", ratio, "more than 16 h a day"}};
 };
 
 constexpr std::string_view prefix_of(Basis basis) { return basis == Basis::iso ? "iso " : "optibelt "; }

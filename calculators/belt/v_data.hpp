@@ -37,43 +37,43 @@ struct VRow {
   Force C_0 = from_si<Force>(0.0);
   Time L_h = unset<Time>;
 
-  static constexpr std::tuple fields{Field{&VRow::C_1, "C_1", ratio, "constant of the rated power"},
-                                     Field{&VRow::C_2, "C_2", ratio, "constant of the rated power"},
-                                     Field{&VRow::C_3, "C_3", ratio, "constant of the rated power"},
-                                     Field{&VRow::C_4, "C_4", ratio, "constant of the rated power"},
-                                     Field{&VRow::a_1, "a_1", ratio, "increment by the ratio"},
-                                     Field{&VRow::b_1, "b_1", ratio, "increment by the ratio"},
-                                     Field{&VRow::a_2, "a_2", ratio, "increment by the ratio"},
-                                     Field{&VRow::b_2, "b_2", ratio, "increment by the ratio"},
-                                     Field{&VRow::a_3, "a_3", ratio, "increment by the ratio"},
-                                     Field{&VRow::b_3, "b_3", ratio, "increment by the ratio"},
-                                     Field{&VRow::a_4, "a_4", ratio, "increment by the ratio"},
-                                     Field{&VRow::b_4, "b_4", ratio, "increment by the ratio"},
-                                     Field{&VRow::d_low, "d_low", mm, "smallest rated diameter"},
-                                     Field{&VRow::d_high, "d_high", mm, "largest rated diameter"},
-                                     Field{&VRow::d_least, "d_least", mm, "smallest recommended diameter"},
-                                     Field{&VRow::n_low, "n_low", rpm, "lowest rated speed"},
-                                     Field{&VRow::n_high, "n_high", rpm, "highest rated speed"},
-                                     Field{&VRow::m, "m", kg_per_m, "mass per length of one belt"},
-                                     Field{&VRow::w_d, "w_d", mm, "datum width"},
-                                     Field{&VRow::h_a, "h_a", mm, "height of the groove above the datum diameter"},
-                                     Field{&VRow::e, "e", mm, "pitch of the grooves"},
-                                     Field{&VRow::f, "f", mm, "from the last groove to the edge"},
-                                     Field{&VRow::d_phi, "d_phi", mm, "largest diameter with the groove angle phi_1"},
-                                     Field{&VRow::phi_1, "phi_1", deg, "groove angle of small pulleys"},
-                                     Field{&VRow::phi_2, "phi_2", deg, "groove angle of large pulleys"},
-                                     Field{&VRow::v_max, "v_max", m_per_s, "largest speed"},
-                                     Field{&VRow::f_B_max, "f_B_max", Hz, "largest bending frequency"},
-                                     Field{&VRow::C_0, "C_0", N, "stiffness of the belt against the test force"},
-                                     Field{&VRow::L_h, "L_h", hour, "life that the rating holds for"}};
+  static constexpr Fields fields{Field{&VRow::C_1, "C_1", ratio, "constant of the rated power"},
+                                 Field{&VRow::C_2, "C_2", ratio, "constant of the rated power"},
+                                 Field{&VRow::C_3, "C_3", ratio, "constant of the rated power"},
+                                 Field{&VRow::C_4, "C_4", ratio, "constant of the rated power"},
+                                 Field{&VRow::a_1, "a_1", ratio, "increment by the ratio"},
+                                 Field{&VRow::b_1, "b_1", ratio, "increment by the ratio"},
+                                 Field{&VRow::a_2, "a_2", ratio, "increment by the ratio"},
+                                 Field{&VRow::b_2, "b_2", ratio, "increment by the ratio"},
+                                 Field{&VRow::a_3, "a_3", ratio, "increment by the ratio"},
+                                 Field{&VRow::b_3, "b_3", ratio, "increment by the ratio"},
+                                 Field{&VRow::a_4, "a_4", ratio, "increment by the ratio"},
+                                 Field{&VRow::b_4, "b_4", ratio, "increment by the ratio"},
+                                 Field{&VRow::d_low, "d_low", mm, "smallest rated diameter"},
+                                 Field{&VRow::d_high, "d_high", mm, "largest rated diameter"},
+                                 Field{&VRow::d_least, "d_least", mm, "smallest recommended diameter"},
+                                 Field{&VRow::n_low, "n_low", rpm, "lowest rated speed"},
+                                 Field{&VRow::n_high, "n_high", rpm, "highest rated speed"},
+                                 Field{&VRow::m, "m", kg_per_m, "mass per length of one belt"},
+                                 Field{&VRow::w_d, "w_d", mm, "datum width"},
+                                 Field{&VRow::h_a, "h_a", mm, "height of the groove above the datum diameter"},
+                                 Field{&VRow::e, "e", mm, "pitch of the grooves"},
+                                 Field{&VRow::f, "f", mm, "from the last groove to the edge"},
+                                 Field{&VRow::d_phi, "d_phi", mm, "largest diameter with the groove angle phi_1"},
+                                 Field{&VRow::phi_1, "phi_1", deg, "groove angle of small pulleys"},
+                                 Field{&VRow::phi_2, "phi_2", deg, "groove angle of large pulleys"},
+                                 Field{&VRow::v_max, "v_max", m_per_s, "largest speed"},
+                                 Field{&VRow::f_B_max, "f_B_max", Hz, "largest bending frequency"},
+                                 Field{&VRow::C_0, "C_0", N, "stiffness of the belt against the test force"},
+                                 Field{&VRow::L_h, "L_h", hour, "life that the rating holds for"}};
 };
 
 struct VLengthRow {
   static constexpr auto group = "v_belt_length";
   Length L = unset<Length>;
   double c_L = unset<double>;
-  static constexpr std::tuple fields{Field{&VLengthRow::L, "L", mm, "datum length"},
-                                     Field{&VLengthRow::c_L, "c_L", ratio, "length factor"}};
+  static constexpr Fields fields{Field{&VLengthRow::L, "L", mm, "datum length"},
+                                 Field{&VLengthRow::c_L, "c_L", ratio, "length factor"}};
 };
 
 /// A row of v_belt with the lengths that are made, ascending.

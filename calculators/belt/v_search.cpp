@@ -29,7 +29,7 @@ void take(const F& field, const V::Result& r, bool grip_asked, Lack& lack) {
 
 Lack lack_of(const V::Result& r, bool grip_asked) {
   Lack lack;
-  std::apply([&](const auto&... field) { (take(field, r, grip_asked, lack), ...); }, V::results);
+  loadpath::apply([&](const auto&... field) { (take(field, r, grip_asked, lack), ...); }, V::results);
   return lack;
 }
 

@@ -55,7 +55,7 @@ a_set = "600 mm"
     Speed v_rim_adm = from_si<Speed>(35.0);
     Rank rank = Rank::pulleys;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Choice{&Input::basis, "basis", "system of ratings and factors; must be stated"},
       NameField{&Input::section, "section", "only this section"}.may_be_missing(),
       Choice{&Input::belt_class, "belt_class", "class of the belt; goes with the basis iso"}.may_be_missing(),
@@ -100,7 +100,7 @@ a_set = "600 mm"
     Force R_new = unset<Force>;
     double u_P = unset<double>, excess = unset<double>;
     Merit merit = Merit::none;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         Choice{&Candidate::section, "section", "section of the belts"},
         Field{&Candidate::d_1, "d_1", mm, "driving pulley"},
         Field{&Candidate::d_2, "d_2", mm, "driven pulley"},
@@ -136,7 +136,7 @@ a_set = "600 mm"
     Drive best;
     Candidates candidates;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::tried, "tried", ratio, "drives that meet speed and centre distance"},
       Field{&Result::too_weak, "too_weak", ratio, "of them, those that need too many belts"},
       Field{&Result::outside, "outside", ratio, "of them, those that fail another check or limit"},

@@ -80,7 +80,7 @@ P_R = "5.5 kW"
   static Applies runs_loaded(const Input& in) {
     return loaded(in) == Applies::yes ? shown_by(is_set(in.n_1)) : Applies::no;
   }
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::p, "p", mm, "pitch of the chain"}.positive().usually(4, 120).from("chain", "p"),
       Field{&Input::p_t, "p_t", mm, "distance of two strands"}.positive().from("chain", "p_t"),
       Field{&Input::A, "A", mm2, "bearing area of a joint: pin diameter times width of the inner link, one strand"}
@@ -148,7 +148,7 @@ P_R = "5.5 kW"
     Power P_c = unset<Power>;
     double u_p = unset<double>, u_S = unset<double>, u_P = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::i, "i", ratio, "ratio n_1/n_2: the text allows 7, at most 10"}.limit(0.1, 10),
       Field{&Result::n_2, "n_2", rpm, "mean speed of the driven sprocket"},
       Field{&Result::d_1, "d_1", mm, "pitch circle of the driving sprocket"},

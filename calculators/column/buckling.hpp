@@ -15,7 +15,7 @@
 #include "calculators/column/member/rules.hpp"
 #include "calculators/column/member/section.hpp"
 #include "lib/calculator/form.hpp"
-#include "lib/calculator/rules.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -50,8 +50,8 @@ n_st = 3
 )";
 
   struct Input : Member, Section {};
-  static constexpr auto inputs = std::tuple_cat(held_inputs<Input>(), section_inputs<Input>(), material_inputs<Input>(),
-                                                derived_section_inputs<Input>(), method_inputs<Input>());
+  static constexpr auto inputs = join(held_inputs<Input>(), section_inputs<Input>(), material_inputs<Input>(),
+                                      derived_section_inputs<Input>(), method_inputs<Input>());
 
   using Result = MemberResult;
   static constexpr auto results = member_results<Result>();
@@ -64,7 +64,7 @@ n_st = 3
   static FieldFault missing_for_method(const Input& in);
   static Outline outline_of(const Input& in);
 
-  static constexpr auto rules = join<Input>(
+  static constexpr auto rules = join(
       held_rules<Input>(), section_rules<Input, &section_given, &section_missing, &radii_fit>(),
       std::array{
           Rule<Input>{&extreme_fibre_known, "e_y, e_z, c_y, c_z, h, b, d, kind",

@@ -45,7 +45,7 @@ end_2 = "pinned"
 
   struct Support {
     Length x = unset<Length>;
-    static constexpr std::tuple fields{Field{&Support::x, "x", mm, "place from the first end"}.positive()};
+    static constexpr Fields fields{Field{&Support::x, "x", mm, "place from the first end"}.positive()};
   };
 
   struct Input {
@@ -59,7 +59,7 @@ end_2 = "pinned"
     Frame frame = Frame::braced;
     List<Support, most_supports> supports;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::l, "l", mm, "length between the ends"}.positive().usually(10, 1e5),
       Field{&Input::E, "E", GPa, "modulus of elasticity, with springs"}.positive().usually(1, 500).from("material",
                                                                                                         "E"),
@@ -93,7 +93,7 @@ end_2 = "pinned"
     Length s = unset<Length>;
     Force N_cr = unset<Force>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::kappa_1, "kappa_1", ratio, "spring against turning over E I/l, first end"}.where_it_applies(),
       Field{&Result::kappa_2, "kappa_2", ratio, "spring against turning over E I/l, second end"}.where_it_applies(),
       Field{&Result::mu_1, "mu_1", ratio, "spring across the bar over E I/l^3, first end"}.where_it_applies(),

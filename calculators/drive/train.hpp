@@ -65,7 +65,7 @@ stages = [
 
     [[nodiscard]] bool has_teeth() const { return z_1 > 0 && z_2 > 0; }
 
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Stage::name, "name", "name of the stage"}.may_be_missing(),
         Choice{&Stage::kind, "kind", "kind of drive"},
         Field{&Stage::i, "i", ratio,
@@ -107,7 +107,7 @@ stages = [
   static FieldFault wrong_slip(const Input& in);
   static bool members_differ(const Input& in);
   static FieldFault same_member(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::P, "P", kW, "power that enters, with n_1"}.load().positive().may_be_missing(),
       Field{&Input::T_1, "T_1", N_m, "torque that enters, in place of P"}.load().positive().may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the first shaft"}.positive().may_be_missing(),
@@ -118,7 +118,7 @@ stages = [
     EtaRange range = EtaRange::none;
     Moment T_h = unset<Moment>;
     Power P_loss = unset<Power>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         Field{&StageResult::i, "i", ratio, "ratio, negative where the sense of rotation changes"},
         Field{&StageResult::eta, "eta", ratio, "efficiency"},
         Field{&StageResult::eta_low, "eta_low", ratio, "lowest usual efficiency of such a stage"},
@@ -132,7 +132,7 @@ stages = [
     Moment T = unset<Moment>;
     Power P = unset<Power>;
     Force F_in = unset<Force>, F_out = unset<Force>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         Field{&Shaft::n, "n", rpm, "speed, signed"},
         Field{&Shaft::T, "T", N_m, "torque that it carries, signed"}.load().with("F_in, F_out"),
         Field{&Shaft::P, "P", kW, "power"},
@@ -148,7 +148,7 @@ stages = [
     List<StageResult, most_stages> stages;
     List<Shaft, most_stages + 1> shafts;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::i, "i", ratio, "ratio of the train, negative where the last shaft turns the other way"},
       Field{&Result::eta, "eta", ratio, "efficiency of the train"},
       Choice{&Result::works, "works", "what the train does to the speed"},

@@ -35,7 +35,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
     Mass mass = unset<Mass>;
     Length R_1 = unset<Length>, R_2 = unset<Length>;
     AngularSpeed omega_1 = 0.0 * rad_per_s, omega_2 = unset<AngularSpeed>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Part::name, "name", "name of the part"}.may_be_missing(),
         Field{&Part::J_1, "J_1", kg_m2, "moment of inertia before"}.positive().may_be_missing(),
         Field{&Part::J_2, "J_2", kg_m2, "moment of inertia after; as before where missing"}.positive().may_be_missing(),
@@ -57,7 +57,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
     Moment M = 0.0 * N_m;
     Time t = unset<Time>;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       ListField{&Input::parts, "parts", "parts on the axis; those without omega_2 turn together afterwards"},
       Field{&Input::M, "M", N_m, "constant external moment about the axis, signed: negative brakes what turns forwards"}
           .load(),
@@ -69,11 +69,11 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
     Name name;
     MassMoment J_1 = unset<MassMoment>, J_2 = unset<MassMoment>;
     AngularSpeed omega_2 = unset<AngularSpeed>, n_2 = unset<AngularSpeed>;
-    static constexpr std::tuple fields{NameField{&After::name, "name", "name of the part"},
-                                       Field{&After::J_1, "J_1", kg_m2, "moment of inertia before"},
-                                       Field{&After::J_2, "J_2", kg_m2, "moment of inertia after"},
-                                       Field{&After::omega_2, "omega_2", rad_per_s, "angular speed after"},
-                                       Field{&After::n_2, "n_2", rpm, "angular speed after, in turns per minute"}};
+    static constexpr Fields fields{NameField{&After::name, "name", "name of the part"},
+                                   Field{&After::J_1, "J_1", kg_m2, "moment of inertia before"},
+                                   Field{&After::J_2, "J_2", kg_m2, "moment of inertia after"},
+                                   Field{&After::omega_2, "omega_2", rad_per_s, "angular speed after"},
+                                   Field{&After::n_2, "n_2", rpm, "angular speed after, in turns per minute"}};
   };
 
   struct Result {
@@ -84,7 +84,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
     Moment E_1 = unset<Moment>, E_2 = unset<Moment>, Delta_E = unset<Moment>;
     List<After, most_parts> after;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::K_1, "K_1", kg_m2_per_s, "angular momentum before"},
       Field{&Result::K_2, "K_2", kg_m2_per_s, "angular momentum after"},
       Field{&Result::K_k, "K_k", kg_m2_per_s, "angular momentum after of the parts whose speed is given"},

@@ -45,7 +45,7 @@ t_2 = "1.9 s"
     Force F_x = 0.0 * N, F_y = 0.0 * N, F_z = 0.0 * N;
     Time t_1 = unset<Time>, t_2 = unset<Time>;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
       FormulaField{&Input::x, "x", "coordinate as a formula of the time t: \"3 m*sin(pi*t/(1 s))\""},
       FormulaField{&Input::y, "y", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
@@ -67,7 +67,7 @@ t_2 = "1.9 s"
     Force R_max = unset<Force>;
     Time t_max = unset<Time>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::a_x, "a_x", m_per_s2, "acceleration along x"},
       Field{&Result::a_y, "a_y", m_per_s2, "acceleration along y"},
       Field{&Result::a_z, "a_z", m_per_s2, "acceleration along z"},
@@ -94,7 +94,7 @@ t_2 = "1.9 s"
   static bool laws_are_smooth(const Input& in);
   static FieldFault gap(const Input& in);
   static constexpr bool turns = true;
-  static constexpr std::array rules = join<Input>(
+  static constexpr std::array rules = join(
       std::array{Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault}},
       motion::range_rules<Input>(),
       std::array{

@@ -41,7 +41,7 @@ v_1x = "-1 m/s"
     Time t_1 = 0.0 * sec, t_2 = unset<Time>;
     Speed v_1x = 0.0 * m_per_s, v_1y = 0.0 * m_per_s;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
       FormulaField{&Input::F_x, "F_x", "force along x as a formula of the time t: \"500 N*sin(pi*t/(20 ms))\""}.load(),
       FormulaField{&Input::F_y, "F_y", "force along y as a formula of the time t; none where missing"}
@@ -59,20 +59,20 @@ v_1x = "-1 m/s"
     Speed v_2x = unset<Speed>, v_2y = unset<Speed>, v_2 = unset<Speed>;
     Moment A = unset<Moment>;
   };
-  static constexpr std::tuple results{Field{&Result::I_x, "I_x", N_s, "impulse along x"},
-                                      Field{&Result::I_y, "I_y", N_s, "impulse along y"},
-                                      Field{&Result::I, "I", N_s, "impulse"},
-                                      Field{&Result::F_mx, "F_mx", N, "mean force along x"}.load().with("F_my"),
-                                      Field{&Result::F_my, "F_my", N, "mean force along y"}.load().with("F_mx"),
-                                      Field{&Result::F_m, "F_m", N, "mean force"}.load(),
-                                      Field{&Result::q_1x, "q_1x", kg_m_per_s, "momentum along x before"},
-                                      Field{&Result::q_1y, "q_1y", kg_m_per_s, "momentum along y before"},
-                                      Field{&Result::q_2x, "q_2x", kg_m_per_s, "momentum along x after"},
-                                      Field{&Result::q_2y, "q_2y", kg_m_per_s, "momentum along y after"},
-                                      Field{&Result::v_2x, "v_2x", m_per_s, "velocity along x after"},
-                                      Field{&Result::v_2y, "v_2y", m_per_s, "velocity along y after"},
-                                      Field{&Result::v_2, "v_2", m_per_s, "speed after"},
-                                      Field{&Result::A, "A", J, "work of the force: the change of the kinetic energy"}};
+  static constexpr Fields results{Field{&Result::I_x, "I_x", N_s, "impulse along x"},
+                                  Field{&Result::I_y, "I_y", N_s, "impulse along y"},
+                                  Field{&Result::I, "I", N_s, "impulse"},
+                                  Field{&Result::F_mx, "F_mx", N, "mean force along x"}.load().with("F_my"),
+                                  Field{&Result::F_my, "F_my", N, "mean force along y"}.load().with("F_mx"),
+                                  Field{&Result::F_m, "F_m", N, "mean force"}.load(),
+                                  Field{&Result::q_1x, "q_1x", kg_m_per_s, "momentum along x before"},
+                                  Field{&Result::q_1y, "q_1y", kg_m_per_s, "momentum along y before"},
+                                  Field{&Result::q_2x, "q_2x", kg_m_per_s, "momentum along x after"},
+                                  Field{&Result::q_2y, "q_2y", kg_m_per_s, "momentum along y after"},
+                                  Field{&Result::v_2x, "v_2x", m_per_s, "velocity along x after"},
+                                  Field{&Result::v_2y, "v_2y", m_per_s, "velocity along y after"},
+                                  Field{&Result::v_2, "v_2", m_per_s, "speed after"},
+                                  Field{&Result::A, "A", J, "work of the force: the change of the kinetic energy"}};
 
   static bool laws_read(const Input& in);
   static FieldFault law_fault(const Input& in);

@@ -44,7 +44,7 @@ wheels = [
     Name name;
     Mass mass = unset<Mass>;
     double i = 1.0, alpha = pi / 2.0, mu = 0.0;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Weight::name, "name", "name of the body"}.may_be_missing(),
         Field{&Weight::mass, called("m"), kg, "mass"}.load().positive().usually(1e-6, 1e7),
         Field{&Weight::i, "i", ratio, "its path over the path s, positive downwards"},
@@ -57,7 +57,7 @@ wheels = [
     Length r = unset<Length>;
     double i = 1.0;
     Moment M_f = 0.0 * N_m, M_d = 0.0 * N_m;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Wheel::name, "name", "name of the wheel"}.may_be_missing(),
         Field{&Wheel::J, "J", kg_m2, "moment of inertia about its axis"}.at_least(0),
         Field{&Wheel::r, "r", mm, "radius that the thread runs at"}.positive().usually(1, 1e5),
@@ -74,7 +74,7 @@ wheels = [
     List<Wheel, most_parts> wheels;
     Acceleration g = usual_gravity;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::s, "s", m, "path that the motion is followed over"}.positive().usually(1e-3, 1e4),
       Field{&Input::v_0, "v_0", m_per_s, "speed of the coordinate at the start"}.at_least(0),
       ListField{&Input::weights, "weights", "bodies that go up and down, or along tracks"}.may_be_missing(),
@@ -86,21 +86,21 @@ wheels = [
     Speed v = unset<Speed>;
     Moment E = unset<Moment>;
     Force T = unset<Force>;
-    static constexpr std::tuple fields{NameField{&WeightState::name, "name", "name of the body"},
-                                       Field{&WeightState::v, "v", m_per_s, "speed at the end, positive downwards"},
-                                       Field{&WeightState::E, "E", J, "kinetic energy at the end"},
-                                       Field{&WeightState::T, "T", N, "force of the threads on it, upwards"}.load()};
+    static constexpr Fields fields{NameField{&WeightState::name, "name", "name of the body"},
+                                   Field{&WeightState::v, "v", m_per_s, "speed at the end, positive downwards"},
+                                   Field{&WeightState::E, "E", J, "kinetic energy at the end"},
+                                   Field{&WeightState::T, "T", N, "force of the threads on it, upwards"}.load()};
   };
   struct WheelState {
     Name name;
     AngularSpeed omega = unset<AngularSpeed>, n = unset<AngularSpeed>;
     Moment E = unset<Moment>;
     Power P = unset<Power>;
-    static constexpr std::tuple fields{NameField{&WheelState::name, "name", "name of the wheel"},
-                                       Field{&WheelState::omega, "omega", rad_per_s, "angular speed at the end"},
-                                       Field{&WheelState::n, "n", rpm, "the same in turns per minute"},
-                                       Field{&WheelState::E, "E", J, "kinetic energy at the end"},
-                                       Field{&WheelState::P, "P", W, "power of the driving moment at the end"}};
+    static constexpr Fields fields{NameField{&WheelState::name, "name", "name of the wheel"},
+                                   Field{&WheelState::omega, "omega", rad_per_s, "angular speed at the end"},
+                                   Field{&WheelState::n, "n", rpm, "the same in turns per minute"},
+                                   Field{&WheelState::E, "E", J, "kinetic energy at the end"},
+                                   Field{&WheelState::P, "P", W, "power of the driving moment at the end"}};
   };
 
   struct Result {
@@ -117,7 +117,7 @@ wheels = [
     List<WeightState, most_parts> weight_states;
     List<WheelState, most_parts> wheel_states;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::m_red, "m_red", kg, "mass reduced to the path s"},
       Field{&Result::F_G, "F_G", N, "weights reduced to the path s"},
       Field{&Result::F_d, "F_d", N, "driving moments reduced to the path s"},

@@ -36,7 +36,7 @@ bodies = [
     Name name;
     Mass mass = unset<Mass>;
     Length x = 0.0 * m, y = 0.0 * m, s = 0.0 * m;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Body::name, "name", "name of the body"}.may_be_missing(),
         Field{&Body::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e7),
         Field{&Body::x, "x", loadpath::m, "place of its centre of mass before, x"},
@@ -48,15 +48,15 @@ bodies = [
   struct Input {
     List<Body, most_bodies> bodies;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       ListField{&Input::bodies, "bodies", "the bodies, first the carrier that the others move on"}};
 
   struct After {
     Name name;
     Length Delta_x = unset<Length>, x_2 = unset<Length>;
-    static constexpr std::tuple fields{NameField{&After::name, "name", "name of the body"},
-                                       Field{&After::Delta_x, "Delta_x", loadpath::m, "displacement of the body"},
-                                       Field{&After::x_2, "x_2", loadpath::m, "place after, x"}};
+    static constexpr Fields fields{NameField{&After::name, "name", "name of the body"},
+                                   Field{&After::Delta_x, "Delta_x", loadpath::m, "displacement of the body"},
+                                   Field{&After::x_2, "x_2", loadpath::m, "place after, x"}};
   };
 
   struct Result {
@@ -64,7 +64,7 @@ bodies = [
     Length x_C = unset<Length>, y_C = unset<Length>, Delta_x = unset<Length>;
     List<After, most_bodies> after;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::M, "M", kg, "mass of the system"},
       Field{&Result::x_C, "x_C", loadpath::m, "centre of mass, x: before and after"},
       Field{&Result::y_C, "y_C", loadpath::m, "centre of mass, y"},

@@ -35,7 +35,7 @@ bodies = [
     Name name;
     Mass mass = unset<Mass>;
     Speed v_1 = 0.0 * m_per_s, v_2 = unset<Speed>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Body::name, "name", "name of the body"}.may_be_missing(),
         Field{&Body::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e7),
         Field{&Body::v_1, "v_1", m_per_s, "velocity before"},
@@ -48,7 +48,7 @@ bodies = [
     Momentum S = 0.0 * N_s;
     double e = unset<double>;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       ListField{&Input::bodies, "bodies", "the bodies of the system; those without v_2 move on together"},
       Field{&Input::S, "S", N_s, "impulse of the external forces along the line (braking, ground)"},
       Field{&Input::e, "e", ratio, "coefficient of restitution of the impact of two bodies: 0 plastic, 1 elastic"}
@@ -59,9 +59,9 @@ bodies = [
     Name name;
     Speed v_2 = unset<Speed>;
     Momentum I = unset<Momentum>;
-    static constexpr std::tuple fields{NameField{&After::name, "name", "name of the body"},
-                                       Field{&After::v_2, "v_2", m_per_s, "velocity after"},
-                                       Field{&After::I, "I", N_s, "impulse on the body"}};
+    static constexpr Fields fields{NameField{&After::name, "name", "name of the body"},
+                                   Field{&After::v_2, "v_2", m_per_s, "velocity after"},
+                                   Field{&After::I, "I", N_s, "impulse on the body"}};
   };
 
   struct Result {
@@ -72,7 +72,7 @@ bodies = [
     Moment E_1 = unset<Moment>, E_2 = unset<Moment>, Delta_E = unset<Moment>;
     List<After, most_bodies> after;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::M, "M", kg, "mass of the system"},
       Field{&Result::Q_1, "Q_1", kg_m_per_s, "momentum before"},
       Field{&Result::Q_2, "Q_2", kg_m_per_s, "momentum after"},

@@ -38,7 +38,7 @@ theta = "30 deg"
     Length L_req = unset<Length>;
     Acceleration g = usual_gravity;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::V_0, "V_0", m_per_s, "speed of the throw"}.positive().usually(0.01, 1000),
       Field{&Input::theta, "theta", deg, "angle of the throw above the horizontal"}.within(-90, 90),
       Field{&Input::h, "h", m, "height of the throw above the landing, negative where it lands higher"},
@@ -58,7 +58,7 @@ theta = "30 deg"
     double theta_flat = unset<double>, theta_steep = unset<double>;
     double u_h = unset<double>, u_L = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::V_x, "V_x", m_per_s, "horizontal speed, all the time"},
       Field{&Result::V_z, "V_z", m_per_s, "vertical speed of the throw"},
       Field{&Result::t_H, "t_H", sec, "time to the highest point; 0 where it is thrown level or downwards"},

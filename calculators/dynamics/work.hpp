@@ -43,7 +43,7 @@ mu = 0.1
     Length z_1 = unset<Length>, z_2 = unset<Length>;
     Acceleration g = usual_gravity;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
       Field{&Input::s, "s", m, "length of the path"}.positive().usually(1e-6, 1e6),
       Field{&Input::alpha, "alpha", deg, "slope of the path, positive where it rises"}.within(-90, 90),
@@ -65,7 +65,7 @@ mu = 0.1
     Length s_stop = unset<Length>;
     double u_s = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::R, "R", N, "force of the plane on the body"}.load(),
       Field{&Result::T, "T", N, "friction"},
       Field{&Result::A_G, "A_G", J, "work of the weight"},

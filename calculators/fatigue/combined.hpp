@@ -17,7 +17,6 @@
 #include "lib/text/issue.hpp"
 
 #include <array>
-#include <tuple>
 
 namespace loadpath::fatigue {
 
@@ -60,7 +59,7 @@ S_F = 1.5
     double S_D = unset<double>, S_F = unset<double>;
   };
   static bool varies(const Input& in) { return in.sigma_a > 0.0 * MPa || in.tau_a > 0.0 * MPa; }
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::sigma_m, "sigma_m", MPa, "mean normal stress, signed; compression is no help"}.load(),
       Field{&Input::sigma_a, "sigma_a", MPa, "amplitude of the normal stress"}.load().at_least(0),
       Field{&Input::tau_m, "tau_m", MPa, "mean shear stress"}.load(),
@@ -100,7 +99,7 @@ S_F = 1.5
     double u_D = unset<double>, x_v = unset<double>, x_B = unset<double>, u_y = unset<double>, u_F = unset<double>;
     double x_E = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::n_sigma, "n_sigma", ratio, "Serensen's safety in normal stresses; none without them"},
       Field{&Result::n_tau, "n_tau", ratio, "Serensen's safety in shear; none without it"},
       Field{&Result::n_Serensen, "n_Serensen", ratio, "safety by Serensen"},

@@ -13,6 +13,7 @@
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/form.hpp"
 #include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -42,9 +43,8 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
 
   struct Other : Given {
     Name name;
-    static constexpr std::tuple fields =
-        std::tuple_cat(std::tuple{NameField<Other>{&Other::name, "name", "name of the cycle"}.may_be_missing()},
-                       given_fields<Other>());
+    static constexpr Fields fields = join(
+        Fields{NameField<Other>{&Other::name, "name", "name of the cycle"}.may_be_missing()}, given_fields<Other>());
   };
   static constexpr std::size_t most_others = 16;
 
@@ -60,40 +60,39 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static FieldFault miscount(const Input& in);
   static FieldFault objectionable(const Input& in);
   static Applies varies(const Input& in);
-  static constexpr std::tuple inputs = std::tuple_cat(
-      std::tuple{RecordField<Input>{"cycle", "the largest stress of a part, whole: cycle = \"=shaft.cycle\""}},
+  static constexpr Fields inputs = join(
+      Fields{RecordField<Input>{"cycle", "the largest stress of a part, whole: cycle = \"=shaft.cycle\""}},
       given_fields<Input>(),
-      std::tuple{
-          Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
-          Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, to check the largest stress"}
-              .positive()
-              .usually(50, 2500)
-              .from("material", "R_e", "d_h"),
-          diameter_at_heat_treatment(&Input::d_h),
-          Field<Input, double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
-              .at_least(1)
-              .usually(1, 6)
-              .may_be_missing()
-              .factor(),
-          Field<Input, Stress>{&Input::sigma_D, "sigma_D", MPa,
-                               "fatigue limit of the part, r = -1, as nominal stress: of fatigue.endurance"}
-              .positive()
-              .usually(5, 1500)
-              .may_be_missing(),
-          Field<Input, double>{&Input::S_D, "S_D", ratio, "safety against the fatigue limit"}
-              .at_least(1)
-              .usually(1, 6)
-              .may_be_missing()
-              .factor(),
-          ListField<Input, List<Other, most_others>>{&Input::others, "others", "cycles that are compared with it"}
-              .may_be_missing()});
+      Fields{Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
+             Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, to check the largest stress"}
+                 .positive()
+                 .usually(50, 2500)
+                 .from("material", "R_e", "d_h"),
+             diameter_at_heat_treatment(&Input::d_h),
+             Field<Input, double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
+                 .at_least(1)
+                 .usually(1, 6)
+                 .may_be_missing()
+                 .factor(),
+             Field<Input, Stress>{&Input::sigma_D, "sigma_D", MPa,
+                                  "fatigue limit of the part, r = -1, as nominal stress: of fatigue.endurance"}
+                 .positive()
+                 .usually(5, 1500)
+                 .may_be_missing(),
+             Field<Input, double>{&Input::S_D, "S_D", ratio, "safety against the fatigue limit"}
+                 .at_least(1)
+                 .usually(1, 6)
+                 .may_be_missing()
+                 .factor(),
+             ListField<Input, List<Other, most_others>>{&Input::others, "others", "cycles that are compared with it"}
+                 .may_be_missing()});
 
   struct Compared : Characteristics {
     Name name;
     Similar similar = Similar::no;
-    static constexpr std::tuple fields = std::tuple_cat(
-        std::tuple{NameField<Compared>{&Compared::name, "name", "name of the cycle"}}, cycle_fields<Compared>(),
-        std::tuple{Choice<Compared, Similar>{&Compared::similar, "similar", "of one ratio with the first cycle"}});
+    static constexpr Fields fields =
+        join(Fields{NameField<Compared>{&Compared::name, "name", "name of the cycle"}}, cycle_fields<Compared>(),
+             Fields{Choice<Compared, Similar>{&Compared::similar, "similar", "of one ratio with the first cycle"}});
   };
 
   struct Result : Characteristics {
@@ -101,9 +100,9 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
     WholeCycle cycle;
     List<Compared, most_others> others;
   };
-  static constexpr std::tuple results = std::tuple_cat(
+  static constexpr Fields results = join(
       cycle_fields<Result>(),
-      std::tuple{
+      Fields{
           Field<Result, double>{&Result::u_y, "u_y", ratio, "yielding: largest stress over the yield strength"}.check(
               "R_e"),
           Field<Result, double>{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),

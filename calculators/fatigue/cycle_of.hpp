@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <tuple>
 
 namespace loadpath::fatigue {
 
@@ -24,18 +23,17 @@ enum class Kind { symmetric, above, below, constant, alternating, tensile, compr
 
 template <class Owner>
 constexpr auto given_fields() {
-  return std::tuple{
-      Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "largest stress of the cycle, signed"}
-          .load()
-          .may_be_missing(),
-      Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"}
-          .load()
-          .may_be_missing(),
-      Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"}.load().may_be_missing(),
-      Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"}.load().at_least(0).may_be_missing(),
-      Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; may be inf"}
-          .may_be_infinite()
-          .may_be_missing()};
+  return Fields{Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "largest stress of the cycle, signed"}
+                    .load()
+                    .may_be_missing(),
+                Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"}
+                    .load()
+                    .may_be_missing(),
+                Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"}.load().may_be_missing(),
+                Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"}.load().at_least(0).may_be_missing(),
+                Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; may be inf"}
+                    .may_be_infinite()
+                    .may_be_missing()};
 }
 
 /// A cycle as it was found; r is infinite where sigma_max is zero.
@@ -47,7 +45,7 @@ struct Characteristics {
 
 template <class Owner>
 constexpr auto cycle_fields() {
-  return std::tuple{
+  return Fields{
       Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "largest stress of the cycle, signed"},
       Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"},
       Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"},

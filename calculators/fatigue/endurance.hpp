@@ -21,7 +21,6 @@
 #include "lib/text/issue.hpp"
 
 #include <array>
-#include <tuple>
 
 namespace loadpath::fatigue {
 
@@ -96,7 +95,7 @@ R_z = "6.3 um"
   };
   static bool rule_fits(const Input& in);
   static FieldFault misfit(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h, d"),
       modulus_of_material(&Input::E),
       Choice{&Input::group, "group", "group of materials"},
@@ -154,7 +153,7 @@ R_z = "6.3 um"
     double x_d = unset<double>, x_n = unset<double>, x_r = unset<double>, x_Rz = unset<double>, x_T = unset<double>;
     double x_E = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::sigma_m1, "sigma_m1", MPa, "fatigue limit of the smooth specimen; shear in torsion"},
       Field{&Result::sigma_low, "sigma_low", MPa, "lower end of the rule's band"},
       Field{&Result::sigma_high, "sigma_high", MPa, "upper end of the rule's band"},

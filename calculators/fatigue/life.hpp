@@ -16,6 +16,7 @@
 #include "calculators/load/steel.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -82,10 +83,10 @@ S_F = 1.5
 
   template <class Quantity>
   using F = Field<Input, Quantity>;
-  static constexpr std::tuple inputs = std::tuple_cat(
-      std::tuple{RecordField<Input>{"cycle", "the cycle of a part, whole: cycle = \"=rod.cycle\" of a fatigue.cycle"}},
+  static constexpr Fields inputs = join(
+      Fields{RecordField<Input>{"cycle", "the cycle of a part, whole: cycle = \"=rod.cycle\" of a fatigue.cycle"}},
       given_fields<Input>(),
-      std::tuple{
+      Fields{
           Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
           F<Stress>{&Input::sigma_D, "sigma_D", MPa,
                     "fatigue limit of the part, r = -1, as nominal stress: of fatigue.endurance"}
@@ -159,7 +160,7 @@ S_F = 1.5
     Name name;
     Stress sigma_m = unset<Stress>, sigma_ar = unset<Stress>, sigma_A = unset<Stress>;
     double n = unset<double>, n_m = unset<double>, N = unset<double>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Row::name, "name", "the rule"},
         Field{&Row::sigma_m, "sigma_m", MPa, "mean stress, as the rule counts it"},
         Field{&Row::sigma_ar, "sigma_ar", MPa, "amplitude of symmetric cycles that does the same"},
@@ -180,9 +181,9 @@ S_F = 1.5
     double x_E = unset<double>;
     List<Row, choices_of(MeanRule{}).size()> rules;
   };
-  static constexpr std::tuple results = std::tuple_cat(
+  static constexpr Fields results = join(
       cycle_fields<Result>(),
-      std::tuple{
+      Fields{
           Field{&Result::u_y, "u_y", ratio, "yielding: largest stress over the yield strength"}
               .check()
               .where_it_applies(),

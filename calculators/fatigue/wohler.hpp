@@ -14,7 +14,6 @@
 #include "lib/figure/figure.hpp"
 
 #include <array>
-#include <tuple>
 #include <vector>
 
 namespace loadpath::fatigue {
@@ -48,7 +47,7 @@ S = "350 MPa"
     Stress S = unset<Stress>;
     double N = unset<double>;
     End end = End::failure;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         Field{&Test::S, "S", MPa, "stress that was set"}.positive(),
         Field{&Test::N, "N", ratio, "cycles to failure, or to the end of the test"}.at_least(1).usually(1, 1e11),
         Choice{&Test::end, "end", "how the test ended"}.may_be_missing()};
@@ -64,7 +63,7 @@ S = "350 MPa"
   static bool spread(const Input& in);
   static bool limit_is_below(const Input& in);
   static Applies has_knee(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       ListField{&Input::tests, "tests", "test points: stress, cycles, \"failure\" or \"runout\""}.as_arrays(),
       Field{&Input::P_s, "P_s", ratio, "probability of survival of the line for design, with 50 % confidence"}.within(
           0.5, 0.999),
@@ -83,7 +82,7 @@ S = "350 MPa"
     Stress S_0 = unset<Stress>;
     double x_S = unset<double>, x_N = unset<double>, x_0 = unset<double>, x_D = unset<double>, P_f = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::n, "n", ratio, "failures in the regression"},
       Field{&Result::A, "A", ratio, "lg N at S = 1 MPa on the line of 50 % survival"},
       Field{&Result::B, "B", ratio, "slope of lg N over lg S, negative"},

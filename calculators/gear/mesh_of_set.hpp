@@ -5,8 +5,6 @@
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/drive_units.hpp"
 
-#include <tuple>
-
 namespace loadpath::gear {
 
 /// As it runs where the carrier stands still: gear 1 is the sun, or the planet inside the ring. Of the planet that
@@ -21,7 +19,7 @@ struct MeshOfSet {
   AngularSpeed n_1 = unset<AngularSpeed>;
   Idler idler = Idler::gear_2;
 
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Choice{&MeshOfSet::mesh, "mesh", "what gear 1 meshes with"},
       Field{&MeshOfSet::z_1, "z_1", ratio, "teeth of gear 1"},
       Field{&MeshOfSet::z_2, "z_2", ratio, "teeth of gear 2"},

@@ -90,7 +90,7 @@ sigma_adm_2 = "200 MPa"
   static bool is_wide(const Input& in) {
     return is_set(in.b) ? in.b > widest * in.m_n : is_set(in.psi_m) && in.psi_m > widest;
   }
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       RecordField<Input>{"pair", "a mesh of a planetary set, whole: pair = \"=set.sun_mesh\""},
       Choice{&Input::mesh, "mesh", "what gear 1 meshes with"}.may_be_missing(),
       Count{&Input::z_1, "z_1", 5, 2000, "teeth of gear 1, the wheel or pinion"},

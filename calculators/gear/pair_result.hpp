@@ -5,8 +5,6 @@
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/drive_units.hpp"
 
-#include <tuple>
-
 namespace loadpath::gear {
 
 inline constexpr double most_shift = 3.0;  // of a wheel, in normal modules
@@ -42,7 +40,7 @@ struct PairResult {
   double u_F1 = unset<double>, u_F2 = unset<double>;
 };
 
-inline constexpr std::tuple pair_results{
+inline constexpr Fields pair_results{
     Field{&PairResult::u, "u", ratio, "gear ratio z_2/z_1"},
     Field{&PairResult::alpha_t, "alpha_t", deg, "transverse pressure angle"},
     Field{&PairResult::m_t, "m_t", mm, "transverse module"},

@@ -68,7 +68,7 @@ h_ar = 0.9
   static bool evenly_spaced(const Input& in) { return Whole(in.z_s + ring_teeth(in)) % static_cast<int>(in.N_p) == 0; }
   static bool speeds_determined(const Input& in);
   static FieldFault wrong_speeds(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Count{&Input::z_s, "z_s", 5, 1000, "teeth of the sun"},
       Count{&Input::z_p, "z_p", 5, 1000, "teeth of a planet"},
       Count{&Input::z_r, "z_r", 10, 3000, "teeth of the ring; missing: z_s + 2 z_p"}.may_be_missing(),
@@ -117,7 +117,7 @@ h_ar = 0.9
     double x_free = unset<double>, h_clear = unset<double>, c_a = unset<double>, s_a = unset<double>;
     MeshOfSet sun_mesh, ring_mesh;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::z_r, "z_r", ratio, "teeth of the ring"},
       Field{&Result::i_0, "i_0", ratio, "basic ratio, sun over ring with the carrier at rest"},
       Field{&Result::n_s, "n_s", rpm, "speed of the sun"},

@@ -12,6 +12,7 @@
 
 #include "calculators/column/buckling.hpp"
 #include "calculators/load/stress_cycle.hpp"
+#include "lib/calculator/join.hpp"
 
 namespace loadpath::link {
 
@@ -20,7 +21,7 @@ struct LinkCycle {
   Stresses stress = Stresses::normal;
   Stress sigma_max = unset<Stress>;
 
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Choice{&LinkCycle::stress, "stress", "what varies"},
       Field{&LinkCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, by its size"}.load()};
 };
@@ -61,24 +62,24 @@ S = 1.5
     Area A_v = unset<Area>;
     double S = unset<double>;
   };
-  static constexpr auto inputs = std::tuple_cat(
+  static constexpr auto inputs = join(
       column::held_inputs<Input>(),
-      std::tuple{Field<Input, Force>{&Input::V, "V", kN, "shear force, in the plane of motion; its size counts"}.load(),
-                 Field<Input, Moment>{&Input::M_b, "M_b", N_m,
-                                      "bending moment about y, in the plane of motion; its size counts"}
-                     .load()},
+      Fields{Field<Input, Force>{&Input::V, "V", kN, "shear force, in the plane of motion; its size counts"}.load(),
+             Field<Input, Moment>{&Input::M_b, "M_b", N_m,
+                                  "bending moment about y, in the plane of motion; its size counts"}
+                 .load()},
       column::section_inputs<Input>(),
-      std::tuple{Field<Input, Area>{&Input::A_v, "A_v", mm2,
-                                    "area that carries the shear evenly; of a round bar, a tube or a rectangle known"}
-                     .positive()
-                     .may_be_missing()},
+      Fields{Field<Input, Area>{&Input::A_v, "A_v", mm2,
+                                "area that carries the shear evenly; of a round bar, a tube or a rectangle known"}
+                 .positive()
+                 .may_be_missing()},
       column::strength_inputs<Input>(), column::tetmajer_inputs<Input>(), column::derived_section_inputs<Input>(),
       column::method_choice<Input>(), column::code_inputs<Input>(),
-      std::tuple{Field<Input, double>{&Input::S, "S", ratio, "safety against yield under N, V and M_b"}
-                     .at_least(1)
-                     .usually(1.1, 6)
-                     .may_be_missing()
-                     .factor()});
+      Fields{Field<Input, double>{&Input::S, "S", ratio, "safety against yield under N, V and M_b"}
+                 .at_least(1)
+                 .usually(1.1, 6)
+                 .may_be_missing()
+                 .factor()});
 
   struct Result : column::MemberResult {
     Stress sigma_N = unset<Stress>, sigma_M = unset<Stress>, sigma_o = unset<Stress>, sigma_u = unset<Stress>,
@@ -87,38 +88,37 @@ S = 1.5
     double chi_t = unset<double>, u_t = unset<double>;
     LinkCycle cycle;
   };
-  static constexpr auto results = std::tuple_cat(
-      std::tuple{
-          Field<Result, Stress>{&Result::sigma_N, "sigma_N", MPa, "stress of the normal force, tension positive"},
-          Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "stress of the moment at the extreme fibre"},
-          Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "fibre that a positive moment pulls"},
-          Field<Result, Stress>{&Result::sigma_u, "sigma_u", MPa, "fibre that it presses"},
-          Field<Result, Stress>{&Result::tau, "tau", MPa, "largest shear stress"},
-          Field<Result, double>{&Result::k, "k", ratio, "how much compression raises the moment at its safety"}},
+  static constexpr auto results = join(
+      Fields{Field<Result, Stress>{&Result::sigma_N, "sigma_N", MPa, "stress of the normal force, tension positive"},
+             Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "stress of the moment at the extreme fibre"},
+             Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "fibre that a positive moment pulls"},
+             Field<Result, Stress>{&Result::sigma_u, "sigma_u", MPa, "fibre that it presses"},
+             Field<Result, Stress>{&Result::tau, "tau", MPa, "largest shear stress"},
+             Field<Result, double>{&Result::k, "k", ratio, "how much compression raises the moment at its safety"}},
       column::slenderness_results<Result>(), column::stress_results<Result>(),
-      std::tuple{
+      Fields{
           Field<Result, double>{&Result::u_y, "u_y", ratio, "yield of the extreme fibre, with its safety"}.check("S"),
           Field<Result, double>{&Result::u_Q, "u_Q", ratio, "yield in the neutral axis, with its safety"}
               .check("S")
               .where_it_applies()},
       column::buckling_check<Result>(),
-      std::tuple{Field<Result, double>{&Result::u_p, "u_p", ratio,
-                                       "buckling with bending in the plane: force over the one that the secant formula "
-                                       "allows; 0 in tension"}
-                     .check("n_st, gamma_M1, Omega_c"),
-                 Field<Result, double>{&Result::u_i, "u_i", ratio,
-                                       "buckling about the weaker axis and bending, summed; 0 in tension"}
-                     .check("n_st, gamma_M1, Omega_c"),
-                 Field<Result, double>{&Result::chi_t, "chi_t", ratio,
-                                       "what tilting sideways leaves of the moment, of a rectangle on edge"},
-                 Field<Result, double>{&Result::u_t, "u_t", ratio,
-                                       "lateral-torsional buckling of a rectangle on edge, with buckling"}
-                     .check("S, n_st, gamma_M1, Omega_c")
-                     .where_it_applies()},
+      Fields{Field<Result, double>{&Result::u_p, "u_p", ratio,
+                                   "buckling with bending in the plane: force over the one that the secant formula "
+                                   "allows; 0 in tension"}
+                 .check("n_st, gamma_M1, Omega_c"),
+             Field<Result, double>{&Result::u_i, "u_i", ratio,
+                                   "buckling about the weaker axis and bending, summed; 0 in tension"}
+                 .check("n_st, gamma_M1, Omega_c"),
+             Field<Result, double>{&Result::chi_t, "chi_t", ratio,
+                                   "what tilting sideways leaves of the moment, of a rectangle on edge"},
+             Field<Result, double>{&Result::u_t, "u_t", ratio,
+                                   "lateral-torsional buckling of a rectangle on edge, with buckling"}
+                 .check("S, n_st, gamma_M1, Omega_c")
+                 .where_it_applies()},
       column::slenderness_limits<Result>(), column::wall_limits<Result>(),
-      std::tuple{Group<Result, LinkCycle>{&Result::cycle, "cycle",
-                                          "largest nominal stress of the link, for fatigue.cycle: cycle"}
-                     .handed_over()},
+      Fields{Group<Result, LinkCycle>{&Result::cycle, "cycle",
+                                      "largest nominal stress of the link, for fatigue.cycle: cycle"}
+                 .handed_over()},
       column::side_by_side<Result>());
 
   static bool force_given(const Input& in);
@@ -130,7 +130,7 @@ S = 1.5
   static bool stands_on_edge(const Input& in);
   static Applies twisting_when_bent(const Input& in);
 
-  static constexpr auto rules = join<Input>(
+  static constexpr auto rules = join(
       column::held_rules<Input>(),
       column::section_rules<Input, &column::Buckling::section_given, &column::Buckling::section_missing,
                             &column::Buckling::radii_fit>(),

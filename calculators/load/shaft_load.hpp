@@ -6,8 +6,6 @@
 #include "lib/quantity/drive_units.hpp"
 #include "lib/quantity/units.hpp"
 
-#include <tuple>
-
 namespace loadpath {
 
 /// A design load: the nominal one times the service factor of who gives it, which is so in all of its parts. Its frame
@@ -22,7 +20,7 @@ struct ShaftLoad {
   Length d_w = unset<Length>, x_w = unset<Length>;
   AngularSpeed n = unset<AngularSpeed>;
 
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&ShaftLoad::T, "T", N_m, "torque, with the service factor"}.load().with("F|F_x|F_y, F_z").holding("K_A"),
       Field{&ShaftLoad::F, "F", N, "transverse force: F_x with F_y"}.load().with("T, F_z").holding("K_A"),
       Field{&ShaftLoad::F_x, "F_x", N, "force along x: positive draws the shaft to its mate"}

@@ -6,7 +6,6 @@
 #include "lib/quantity/units.hpp"
 
 #include <array>
-#include <tuple>
 
 namespace loadpath {
 
@@ -22,7 +21,7 @@ struct StressCycle {
   Stresses stress = Stresses::normal;
   Stress sigma_max = unset<Stress>;
 
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Choice{&StressCycle::stress, "stress", "what varies"},
       Field{&StressCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, with the service factor"}
           .load()
@@ -34,7 +33,7 @@ struct WholeCycle {
   Stresses stress = Stresses::normal;
   Stress sigma_max = unset<Stress>, sigma_min = unset<Stress>;
 
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Choice{&WholeCycle::stress, "stress", "what varies"},
       Field{&WholeCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, signed"}.load(),
       Field{&WholeCycle::sigma_min, "sigma_min", MPa, "least nominal stress, signed"}.load()};

@@ -45,8 +45,8 @@ delta = 0.01
   struct Point {
     double phi = unset<double>;
     Moment M = unset<Moment>;
-    static constexpr std::tuple fields{Field{&Point::phi, "phi", deg, "angle, not falling from one to the next"},
-                                       Field{&Point::M, "M", N_m, "moment; straight to the next point"}.load()};
+    static constexpr Fields fields{Field{&Point::phi, "phi", deg, "angle, not falling from one to the next"},
+                                   Field{&Point::M, "M", N_m, "moment; straight to the next point"}.load()};
   };
   static constexpr std::size_t most_points = 72;
   static constexpr std::size_t most_samples = 1440;
@@ -70,7 +70,7 @@ delta = 0.01
     Speed v_adm = unset<Speed>;
     Samples series;  // of M, filled by the step; no field of its own
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::M, "M", N_m, "moment over a cycle, a series: \"=press.drive.M\""}.load().may_be_missing(),
       FormulaField{&Input::M_of_phi, "M_of_phi", "moment as a formula of the angle phi, in place of the series"}
           .load()
@@ -113,7 +113,7 @@ delta = 0.01
     Speed v_rim = unset<Speed>;
     double u_delta = unset<double>, u_P = unset<double>, u_v = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::M_m, "M_m", N_m, "mean moment over the angle"},
       Field{&Result::M_peak, "M_peak", N_m, "largest magnitude of the moment; of a series, of its positions"}.load(),
       Field{&Result::A, "A", J, "work over the period"},

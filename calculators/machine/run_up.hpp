@@ -41,7 +41,7 @@ n_2 = "1400 rpm"
     Name name;
     MassMoment inertia = unset<MassMoment>;
     double u = 1.0;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Part::name, "name", "name of the part"}.may_be_missing(),
         Field{&Part::inertia, called("J"), kg_m2, "moment of inertia about its own axis"}.positive(),
         Field{&Part::u, "u", ratio, "its speed over that of the motor"}};
@@ -49,8 +49,8 @@ n_2 = "1400 rpm"
   struct Point {
     AngularSpeed n = unset<AngularSpeed>;
     Moment M = unset<Moment>;
-    static constexpr std::tuple fields{Field{&Point::n, "n", rpm, "speed, rising from one to the next"},
-                                       Field{&Point::M, "M", N_m, "moment at the motor's shaft"}};
+    static constexpr Fields fields{Field{&Point::n, "n", rpm, "speed, rising from one to the next"},
+                                   Field{&Point::M, "M", N_m, "moment at the motor's shaft"}};
   };
   static constexpr std::size_t most_parts = 16, most_points = 48;
   using Points = List<Point, most_points>;
@@ -61,7 +61,7 @@ n_2 = "1400 rpm"
     AngularSpeed n_1 = 0.0 * rad_per_s, n_2 = unset<AngularSpeed>;
     Time t_adm = unset<Time>;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       ListField{&Input::parts, "parts", "what is accelerated, with its speed over that of the motor"},
       ListField{&Input::motor, "motor", "moment of the motor over the speed, of a brake negative: [[n, M], ...]"}
           .as_arrays(),
@@ -81,7 +81,7 @@ n_2 = "1400 rpm"
     Moment Delta_E = unset<Moment>, A_M = unset<Moment>, A_L = unset<Moment>;
     double u_M = unset<double>, u_t = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::J_red, "J_red", kg_m2, "moment of inertia reduced to the motor's shaft"},
       Field{&Result::M_start, "M_start", N_m, "accelerating moment at the start, signed"},
       Field{&Result::M_end, "M_end", N_m, "accelerating moment at the end, signed"},

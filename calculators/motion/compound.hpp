@@ -48,7 +48,7 @@ phi = "60 deg"
     Speed v_Ax = 0.0 * m_per_s, v_Ay = 0.0 * m_per_s;
     Acceleration a_Ax = 0.0 * m_per_s2, a_Ay = 0.0 * m_per_s2;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::xi, "xi", m, "place of the point in the frame, along xi from its origin A"},
       Field{&Input::eta, "eta", m, "place of the point in the frame, along eta"},
       Field{&Input::v_xi, "v_xi", m_per_s, "relative velocity along xi"},
@@ -77,7 +77,7 @@ phi = "60 deg"
     Speed v_x = unset<Speed>, v_y = unset<Speed>;
     Acceleration a_x = unset<Acceleration>, a_y = unset<Acceleration>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::v_r, "v_r", m_per_s, "relative speed"},
       Field{&Result::v_e, "v_e", m_per_s, "transport speed: of the point of the frame under the moving one"},
       Field{&Result::v, "v", m_per_s, "absolute speed"},

@@ -44,15 +44,14 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
 
   struct Place {
     Length x = unset<Length>, y = unset<Length>;
-    static constexpr std::tuple fields{Field{&Place::x, "x", m, "coordinate x"}.may_be_missing(),
-                                       Field{&Place::y, "y", m, "coordinate y"}.may_be_missing()};
+    static constexpr Fields fields{Field{&Place::x, "x", m, "coordinate x"}.may_be_missing(),
+                                   Field{&Place::y, "y", m, "coordinate y"}.may_be_missing()};
   };
   struct Point {
     Name name;
     Length x = unset<Length>, y = unset<Length>;
-    static constexpr std::tuple fields{NameField{&Point::name, "name", "name of the point"}.may_be_missing(),
-                                       Field{&Point::x, "x", m, "coordinate x"},
-                                       Field{&Point::y, "y", m, "coordinate y"}};
+    static constexpr Fields fields{NameField{&Point::name, "name", "name of the point"}.may_be_missing(),
+                                   Field{&Point::x, "x", m, "coordinate x"}, Field{&Point::y, "y", m, "coordinate y"}};
   };
   static constexpr std::size_t most_points = 16;
 
@@ -69,7 +68,7 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
     double alpha_aB = unset<double>;
     List<Point, most_points> points;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Group{&Input::A, "A", "place of A: [x, y]"}.as_array(),
       Group{&Input::B, "B", "place of B: [x, y]"}.as_array().may_be_missing(),
       Field{&Input::v_A, "v_A", m_per_s, "velocity of A along alpha_A, signed"},
@@ -97,16 +96,16 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
     Speed v_x = unset<Speed>, v_y = unset<Speed>, v = unset<Speed>;
     double gamma = unset<double>;
     Acceleration a_x = unset<Acceleration>, a_y = unset<Acceleration>, a = unset<Acceleration>;
-    static constexpr std::tuple fields{NameField{&PointState::name, "name", "name of the point"},
-                                       Field{&PointState::x, "x", m, "coordinate x"},
-                                       Field{&PointState::y, "y", m, "coordinate y"},
-                                       Field{&PointState::v_x, "v_x", m_per_s, "velocity along x"},
-                                       Field{&PointState::v_y, "v_y", m_per_s, "velocity along y"},
-                                       Field{&PointState::v, "v", m_per_s, "speed"},
-                                       Field{&PointState::gamma, "gamma", deg, "direction of the velocity, from x"},
-                                       Field{&PointState::a_x, "a_x", m_per_s2, "acceleration along x"},
-                                       Field{&PointState::a_y, "a_y", m_per_s2, "acceleration along y"},
-                                       Field{&PointState::a, "a", m_per_s2, "acceleration"}};
+    static constexpr Fields fields{NameField{&PointState::name, "name", "name of the point"},
+                                   Field{&PointState::x, "x", m, "coordinate x"},
+                                   Field{&PointState::y, "y", m, "coordinate y"},
+                                   Field{&PointState::v_x, "v_x", m_per_s, "velocity along x"},
+                                   Field{&PointState::v_y, "v_y", m_per_s, "velocity along y"},
+                                   Field{&PointState::v, "v", m_per_s, "speed"},
+                                   Field{&PointState::gamma, "gamma", deg, "direction of the velocity, from x"},
+                                   Field{&PointState::a_x, "a_x", m_per_s2, "acceleration along x"},
+                                   Field{&PointState::a_y, "a_y", m_per_s2, "acceleration along y"},
+                                   Field{&PointState::a, "a", m_per_s2, "acceleration"}};
   };
 
   struct Result {
@@ -122,7 +121,7 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
     Length x_Q = unset<Length>, y_Q = unset<Length>;
     List<PointState, most_points + 2> states;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Choice{&Result::found, "found", "what the angular speed follows from"},
       Choice{&Result::kind, "kind", "what the body does at this instant"},
       Field{&Result::AB, "AB", m, "distance of A and B"},

@@ -43,7 +43,7 @@ t_2 = "2 s"
 
   struct Instant {
     Time t = unset<Time>;
-    static constexpr std::tuple fields{Field{&Instant::t, "t", sec, "a time"}};
+    static constexpr Fields fields{Field{&Instant::t, "t", sec, "a time"}};
   };
   static constexpr std::size_t most_states = 61;
 
@@ -54,7 +54,7 @@ t_2 = "2 s"
     Whole rows = 13;
     List<Instant, most_states> times;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       FormulaField{&Input::x, "x", "coordinate as a formula of the time t: \"3 m*sin(pi*t/(1 s))\""},
       FormulaField{&Input::y, "y", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
       FormulaField{&Input::z, "z", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
@@ -73,15 +73,15 @@ t_2 = "2 s"
     Speed v = unset<Speed>;
     Acceleration a_tau = unset<Acceleration>, a_n = unset<Acceleration>, a = unset<Acceleration>;
     Length rho = unset<Length>;
-    static constexpr std::tuple fields{Field{&State::t, "t", sec, "time"},
-                                       Field{&State::x, "x", m, "coordinate x"},
-                                       Field{&State::y, "y", m, "coordinate y"},
-                                       Field{&State::z, "z", m, "coordinate z"},
-                                       Field{&State::v, "v", m_per_s, "speed"},
-                                       Field{&State::a_tau, "a_tau", m_per_s2, "tangential acceleration"},
-                                       Field{&State::a_n, "a_n", m_per_s2, "normal acceleration"},
-                                       Field{&State::a, "a", m_per_s2, "acceleration"},
-                                       Field{&State::rho, "rho", m, "radius of curvature"}};
+    static constexpr Fields fields{Field{&State::t, "t", sec, "time"},
+                                   Field{&State::x, "x", m, "coordinate x"},
+                                   Field{&State::y, "y", m, "coordinate y"},
+                                   Field{&State::z, "z", m, "coordinate z"},
+                                   Field{&State::v, "v", m_per_s, "speed"},
+                                   Field{&State::a_tau, "a_tau", m_per_s2, "tangential acceleration"},
+                                   Field{&State::a_n, "a_n", m_per_s2, "normal acceleration"},
+                                   Field{&State::a, "a", m_per_s2, "acceleration"},
+                                   Field{&State::rho, "rho", m, "radius of curvature"}};
   };
 
   struct Result {
@@ -98,7 +98,7 @@ t_2 = "2 s"
     Acceleration a_max = unset<Acceleration>;
     List<State, most_states> states;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::x_M, "x_M", m, "coordinate x at the time t"},
       Field{&Result::y_M, "y_M", m, "coordinate y at the time t"},
       Field{&Result::z_M, "z_M", m, "coordinate z at the time t"},
@@ -128,7 +128,7 @@ t_2 = "2 s"
   static FieldFault law_fault(const Input& in);
   static bool laws_are_smooth(const Input& in);
   static FieldFault gap(const Input& in);
-  static constexpr std::array rules = join<Input>(
+  static constexpr std::array rules = join(
       std::array{Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault}},
       range_rules<Input>(),
       std::array{Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2, times",

@@ -46,7 +46,7 @@ t_2 = "2 s"
     double phi_M = 0.0;
     Time t_1 = unset<Time>, t_2 = unset<Time>;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       FormulaField{&Input::phi, "phi", "angle as a formula of the time t: \"90 deg*(t/(1 s))^2\""},
       Field{&Input::t, "t", sec, "time that the state is worked out for"},
       Field{&Input::R, "R", mm, "distance of the point from the axis"}.at_least(0).usually(0.1, 1e5).may_be_missing(),
@@ -68,7 +68,7 @@ t_2 = "2 s"
     Speed v_x = unset<Speed>, v_y = unset<Speed>;
     Acceleration a_x = unset<Acceleration>, a_y = unset<Acceleration>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::phi_t, "phi_t", deg, "angle at the time t"},
       Field{&Result::omega, "omega", rad_per_s, "angular speed, signed"},
       Field{&Result::n, "n", rpm, "angular speed in turns per minute, signed"},
@@ -94,7 +94,7 @@ t_2 = "2 s"
   static bool law_is_smooth(const Input& in);
   static FieldFault gap(const Input& in);
   static constexpr bool turns = true;
-  static constexpr std::array rules = join<Input>(
+  static constexpr std::array rules = join(
       std::array{Rule<Input>{&law_reads, "phi", "phi must be an angle as a formula of t", &law_fault}},
       range_rules<Input>(),
       std::array{Rule<Input>{&law_is_smooth, "phi, t, t_1, t_2", "the law must have a value at these times", &gap}});

@@ -53,7 +53,7 @@ tau_adm_1 = "40 MPa"
   static Applies varies(const Input& in);
   static Applies may_vary(const Input& in);
   static Applies shaft_varies(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
       Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
@@ -93,7 +93,7 @@ tau_adm_1 = "40 MPa"
     double u_tau = unset<double>, u_1 = unset<double>, u_2 = unset<double>, u_t = unset<double>, x_d = unset<double>;
     double x_E = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::T_d, "T_d", N_m, "torque that counts: with the service factor"}.holding("K_A"),
       Field{&Result::tau, "tau", MPa, "mean shear stress of the pin"}.holding("K_A"),
       Field{&Result::p_1, "p_1", MPa, "largest pressure in the shaft, at its surface"}.holding("K_A"),

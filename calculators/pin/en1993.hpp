@@ -65,7 +65,7 @@ e_c2 = "35 mm"
   };
   static Applies loaded(const Input& in);
   static Applies replaced(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       RecordField<Input>{"load", "the joint of a mechanism, whole: load = \"=press.joints.B\""},
       Field{&Input::F, "F", kN, "characteristic force of the middle plate on the pin; its size counts"}.load(),
       Field{&Input::gamma_F, "gamma_F", ratio, "from F to the design force; 1 where it is one already"}
@@ -119,7 +119,7 @@ e_c2 = "35 mm"
     double u_a1 = unset<double>, u_c1 = unset<double>, u_a2 = unset<double>, u_c2 = unset<double>;
     double u_ms = unset<double>, u_s1 = unset<double>, u_s2 = unset<double>, u_h1 = unset<double>, u_h2 = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::F_Ed, "F_Ed", kN, "design force"}.holding("gamma_F"),
       Field{&Result::M_Ed, "M_Ed", N_m, "design moment of the pin"}.holding("gamma_F"),
       Field{&Result::F_vRd, "F_vRd", kN, "shear resistance of the pin, of one section"},

@@ -26,7 +26,7 @@ struct LugLoad {
   Force F = unset<Force>;
   Length d = unset<Length>, t = unset<Length>;
 
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&LugLoad::F, "F", N, "force of the pin on it, with the service factor"}.load().holding("K_A"),
       Field{&LugLoad::d, "d", mm, "diameter of the pin"}, Field{&LugLoad::t, "t", mm, "thickness"}};
 };
@@ -81,7 +81,7 @@ p_adm_2 = "100 MPa"
   static Applies bored(const Input& in);
   static Applies forked(const Input& in);
   static Applies in_wall(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       RecordField<Input>{"load", "the joint of a mechanism, whole: load = \"=press.joints.B\""},
       Field{&Input::F, "F", N, "force on the pin, across it; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F: what it does not contain, once"}
@@ -140,7 +140,7 @@ p_adm_2 = "100 MPa"
            u_pv = unset<double>, x_E = unset<double>;
     LugLoad eye, cheek;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::F_d, "F_d", N, "force that counts: with the service factor"}.holding("K_A"),
       Field{&Result::M_b, "M_b", N_m, "largest bending moment of the pin"}.holding("K_A"),
       Field{&Result::sigma_b, "sigma_b", MPa, "bending stress"}.holding("K_A"),

@@ -49,7 +49,7 @@ p_adm = "80 MPa"
   };
   static Applies loaded(const Input& in);
   static Applies varies(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       RecordField<Input>{"load", "eye or cheek of a pin, whole: load = \"=pin.eye\""},
       Field{&Input::F, "F", N, "force of the pin on the eye, along its axis; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F: what it does not contain, once"}
@@ -87,7 +87,7 @@ p_adm = "80 MPa"
     double u_n = unset<double>, u_s = unset<double>, u_p = unset<double>, x_b = unset<double>, x_a = unset<double>;
     StressCycle cycle;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::F_d, "F_d", N, "force that counts: with the service factor"}.holding("K_A"),
       Field{&Result::sigma_n, "sigma_n", MPa, "nominal stress of the net section beside the bore"}.holding("K_A"),
       Field{&Result::tau_s, "tau_s", MPa, "shear stress of the two planes from bore to crown"}.holding("K_A"),

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "calculators/section/properties/outline.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/text/issue.hpp"
 
@@ -52,7 +53,7 @@ parts = [
     Length y = from_si<Length>(0.0), z = from_si<Length>(0.0);
     double angle = 0.0;
     As as = As::full;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Part::name, "name", "name of the part"}.may_be_missing(),
         FormulaField{&Part::section, "section", "row of the section tables, in place of a shape: IPE 200"}
             .may_be_missing(),
@@ -83,7 +84,7 @@ parts = [
   static FieldFault overlapping(const Input& in);
   static bool all_touch(const Input& in);
   static FieldFault apart(const Input& in);
-  static constexpr std::tuple inputs{ListField{&Input::parts, "parts", "what the section is put together from"}};
+  static constexpr Fields inputs{ListField{&Input::parts, "parts", "what the section is put together from"}};
 
   /// A part at its place: about its own centroid, in the axes of the whole.
   struct Placed {
@@ -91,19 +92,19 @@ parts = [
     Area A = unset<Area>;
     Length y_S = unset<Length>, z_S = unset<Length>;
     SecondMoment I_y = unset<SecondMoment>, I_z = unset<SecondMoment>, I_yz = unset<SecondMoment>;
-    static constexpr std::tuple fields{NameField{&Placed::name, "name", "name of the part"},
-                                       Field{&Placed::A, "A", mm2, "area, negative where cut out"},
-                                       Field{&Placed::y_S, "y_S", mm, "centroid, to the right"},
-                                       Field{&Placed::z_S, "z_S", mm, "centroid, upwards"},
-                                       Field{&Placed::I_y, "I_y", mm4, "second moment about its own centroid"},
-                                       Field{&Placed::I_z, "I_z", mm4, "second moment about its own centroid"},
-                                       Field{&Placed::I_yz, "I_yz", mm4, "product of area about its own centroid"}};
+    static constexpr Fields fields{NameField{&Placed::name, "name", "name of the part"},
+                                   Field{&Placed::A, "A", mm2, "area, negative where cut out"},
+                                   Field{&Placed::y_S, "y_S", mm, "centroid, to the right"},
+                                   Field{&Placed::z_S, "z_S", mm, "centroid, upwards"},
+                                   Field{&Placed::I_y, "I_y", mm4, "second moment about its own centroid"},
+                                   Field{&Placed::I_z, "I_z", mm4, "second moment about its own centroid"},
+                                   Field{&Placed::I_yz, "I_yz", mm4, "product of area about its own centroid"}};
   };
   struct Result : Properties {
     List<Placed, 20> parts;
   };
-  static constexpr auto results = std::tuple_cat(
-      property_fields<Result>(), std::tuple{ListField{&Result::parts, "parts", "the parts at their places"}});
+  static constexpr auto results =
+      join(property_fields<Result>(), Fields{ListField{&Result::parts, "parts", "the parts at their places"}});
   static constexpr std::array rules{
       Rule<Input>{&parts_are_whole, "parts", "a part lacks what its shape needs", &incomplete},
       Rule<Input>{&is_full, "parts",

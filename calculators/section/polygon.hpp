@@ -32,12 +32,12 @@ holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]]
 
   struct Corner {
     Length y = unset<Length>, z = unset<Length>;
-    static constexpr std::tuple fields{Field{&Corner::y, "y", mm, "to the right"}.within(-1e6, 1e6),
-                                       Field{&Corner::z, "z", mm, "upwards"}.within(-1e6, 1e6)};
+    static constexpr Fields fields{Field{&Corner::y, "y", mm, "to the right"}.within(-1e6, 1e6),
+                                   Field{&Corner::z, "z", mm, "upwards"}.within(-1e6, 1e6)};
   };
   struct Hole {
     List<Corner, 32> points;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         ListField{&Hole::points, "points", "corners of the hole, in order around it"}.as_arrays()};
   };
   struct Input {
@@ -49,7 +49,7 @@ holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]]
   static FieldFault crossing(const Input& in);
   static bool holes_are_inside(const Input& in);
   static FieldFault hole_outside(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       ListField{&Input::points, "points", "corners of the contour, in order around it"}.as_arrays(),
       ListField{&Input::holes, "holes", "what is cut out"}.may_be_missing()};
 

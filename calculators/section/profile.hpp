@@ -21,7 +21,7 @@ struct Profile {
   SectionModulus W_y = unset<SectionModulus>, W_z = unset<SectionModulus>, W_t = unset<SectionModulus>;
   Length i_y = unset<Length>, i_z = unset<Length>, i_min = unset<Length>;
 
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&Profile::h, "h", mm, "depth; outer diameter of round tubes"},
       Field{&Profile::b, "b", mm, "width"},
       Field{&Profile::t_w, "t_w", mm, "thickness of the web; wall of tubes, leg of angles"},

@@ -51,7 +51,7 @@ n = "1500 rpm"
   static Applies loaded(const Input& in);
   static Applies turns_round(const Input& in);
   static Applies varies(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::F_a, "F_a", N, "force along the shaft against the ring; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F_a: what it does not contain, once"}
           .positive()
@@ -98,7 +98,7 @@ n = "1500 rpm"
     double u_N = unset<double>, u_R = unset<double>, u_n = unset<double>, x_w = unset<double>, x_t = unset<double>;
     RingNotch notch;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::F_d, "F_d", N, "force that counts: with the service factor"}.holding("K_A"),
       Field{&Result::t, "t", mm, "depth of the groove"},
       Field{&Result::F_N, "F_N", N, "what the groove bears until it yields"},

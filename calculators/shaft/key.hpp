@@ -11,8 +11,8 @@
 #include "calculators/shaft/parts/pieces.hpp"
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
-#include "lib/calculator/rules.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 
@@ -62,9 +62,9 @@ R_e_k = "420 MPa"
     double f_W = unset<double>;
   };
   static bool sizes_given(const Input& in);
-  static constexpr std::tuple inputs = std::tuple_cat(
+  static constexpr Fields inputs = join(
       torque_inputs<Input>(),
-      std::tuple{
+      Fields{
           Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(6, 500),
           Field{&Input::b, "b", mm, "width of the key"}.positive().from("key", "b"),
           Field{&Input::h, "h", mm, "height of the key"}.positive().from("key", "h"),
@@ -130,7 +130,7 @@ R_e_k = "420 MPa"
     double u_n = unset<double>, x_l = unset<double>, x_d = unset<double>, x_h = unset<double>;
     KeyNotch notch;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::T_eq, "T_eq", N_m, "torque that counts: with the service factor, or that of the shock"}.holding(
           "K_A"),
       Field{&Result::F_t, "F_t", N, "force at the surface of the shaft"}.holding("K_A"),

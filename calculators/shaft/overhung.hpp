@@ -55,7 +55,7 @@ tau_adm = "30 MPa"
   static constexpr Applies loaded(const Input& in) {
     return where(abs(in.F) > 0.0 * N.one || abs(in.T) > 0.0 * N_m.one);
   }
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
       Field{&Input::F, "F", N, "transverse force on the overhang"}.load(),
       Field{&Input::a, "a", mm, "overhang: from the force to the middle of the bearing"}.at_least(0).usually(1, 1e4),
@@ -84,7 +84,7 @@ tau_adm = "30 MPa"
     Stress sigma_M = unset<Stress>, sigma_T = unset<Stress>, tau_Q = unset<Stress>;
     double u_v = unset<double>, u_Q = unset<double>, u_tau = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::M_b, "M_b", N_m, "bending moment at the bearing"}.holding("K_A"),
       Field{&Result::M_t, "M_t", N_m, "design torque"}.holding("K_A"),
       Field{&Result::M_v, "M_v", N_m, "equivalent moment"}.holding("K_A"),

@@ -75,7 +75,7 @@ dT_adm = "250 K"
   static Length least_usable(const Input& in);
   static FieldFault nothing_left(const Input& in);
   static Applies loaded(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
       Field{&Input::T, "T", N_m, "torque"}.load(),
       Field{&Input::F_z, "F_z", N, "force along the shaft at the same time"}.load().may_be_missing(),
@@ -143,7 +143,7 @@ dT_adm = "250 K"
     double u_s = unset<double>, u_1 = unset<double>, u_2 = unset<double>, u_F = unset<double>, u_A = unset<double>;
     double x_l = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::Q_1, "Q_1", ratio, "bore of the shaft over the fit"},
       Field{&Result::Q_2, "Q_2", ratio, "fit over the outer diameter of the hub"},
       Field{&Result::U_T, "U_T", um, "interference that is lost in service; negative: gained"},

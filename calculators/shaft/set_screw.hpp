@@ -52,7 +52,7 @@ S = 2
     double S = unset<double>;
   };
   static Applies loaded(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       RecordField<Input>{"load", "what belt, chain or drive sits on it, whole: load = \"=belts.shaft_2\""},
       Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
       Field{&Input::F_a, "F_a", N, "force along the shaft; its size counts"}.load(),
@@ -83,7 +83,7 @@ S = 2
     Moment T_h = unset<Moment>;
     double u = unset<double>, u_S = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::F_t, "F_t", N, "force around the shaft at its surface"}.holding("K_A"),
       Field{&Result::F, "F", N, "that and the force along the shaft together"}.holding("K_A"),
       Field{&Result::F_zul, "F_zul", N, "what the screws hold"},

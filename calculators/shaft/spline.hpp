@@ -11,8 +11,8 @@
 #include "calculators/shaft/parts/pieces.hpp"
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
-#include "lib/calculator/rules.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 
@@ -63,9 +63,9 @@ R_e_2 = "300 MPa"
   };
   static Applies slides(const Input& in);
   static Applies bears_evenly(const Input& in);
-  static constexpr std::tuple inputs = std::tuple_cat(
+  static constexpr Fields inputs = join(
       torque_inputs<Input>(),
-      std::tuple{
+      Fields{
           Field{&Input::z, "z", ratio, "teeth of the spline"}.within(3, 500).from("spline", "z"),
           Field{&Input::d_1, "d_1", mm,
                 "inner diameter of the flanks that bear; of an involute one the hub's tip diameter"}
@@ -140,7 +140,7 @@ R_e_2 = "300 MPa"
     double u_t = unset<double>, x_l = unset<double>;
     SplineNotch notch;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::T_eq, "T_eq", N_m, "torque that counts: with the service factor, or that of the shock"}.holding(
           "K_A"),
       Field{&Result::d_m, "d_m", mm, "mean diameter of the flanks"},

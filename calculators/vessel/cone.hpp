@@ -8,6 +8,7 @@
 
 #include "calculators/vessel/assess.hpp"
 #include "calculators/vessel/modes.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -40,24 +41,23 @@ sigma_adm = "120 MPa"
     Length R = unset<Length>;
     double alpha = unset<double>;
   };
-  static constexpr std::tuple inputs = std::tuple_cat(
-      std::tuple{
-          Field<Input, Length>{&Input::R, "R", mm, "radius of the large end, to the surface that `measured` says"}
-              .positive()
-              .usually(5, 50000),
-          Field<Input, double>{&Input::alpha, "alpha", deg, "half the angle of the point"}.within(1, 80).usually(5,
-                                                                                                                 60)},
+  static constexpr Fields inputs = join(
+      Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the large end, to the surface that `measured` says"}
+                 .positive()
+                 .usually(5, 50000),
+             Field<Input, double>{&Input::alpha, "alpha", deg, "half the angle of the point"}.within(1, 80).usually(
+                 5, 60)},
       wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid's surface above the point"));
 
   struct Result : WallResult {
     Length R_m = unset<Length>, r = unset<Length>;
   };
-  static constexpr std::tuple results =
-      std::tuple_cat(wall_results<Result>(),
-                     std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall at the large end"},
-                                Field{&Result::r, "r", mm, "mean radius at the governing place"}});
+  static constexpr Fields results =
+      join(wall_results<Result>(),
+           Fields{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall at the large end"},
+                  Field{&Result::r, "r", mm, "mean radius at the governing place"}});
 
-  static constexpr std::array rules = join<Input>(
+  static constexpr std::array rules = join(
       wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= in.R / std::tan(in.alpha); },
                              "h_l, R, alpha", "the liquid stands above the large end of the cone"},

@@ -8,6 +8,7 @@
 #include "calculators/vessel/lame.hpp"
 #include "calculators/vessel/modes.hpp"
 #include "lib/calculator/form.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -45,14 +46,14 @@ sigma_adm = "140 MPa"
     Area A_r = unset<Area>;
     Length l_r = unset<Length>;
   };
-  static constexpr std::tuple inputs = std::tuple_cat(
-      std::tuple{
+  static constexpr Fields inputs = join(
+      Fields{
           Field<Input, Length>{&Input::R, "R", mm, "radius of the cylinder, to the surface that `measured` says"}
               .positive()
               .usually(5, 50000),
           Choice<Input, Ends>{&Input::ends, "ends", "what takes the pressure at the ends and across"}.may_be_missing()},
       wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid's surface above the lowest place of the wall"),
-      std::tuple{
+      Fields{
           Choice<Input, Support>{&Input::support, "support", "where a cylinder with liquid is held"}.may_be_missing(),
           Field<Input, Area>{&Input::A_r, "A_r", mm2, "area of the section of one ring"}.positive().may_be_missing(),
           Field<Input, Length>{&Input::l_r, "l_r", mm, "distance of the rings"}.positive().may_be_missing()});
@@ -61,19 +62,18 @@ sigma_adm = "140 MPa"
     Length R_m = unset<Length>, delta_o = unset<Length>, delta_M = unset<Length>, a_r = unset<Length>;
     double w_r = unset<double>;
   };
-  static constexpr std::tuple results = std::tuple_cat(
+  static constexpr Fields results = join(
       wall_results<Result>(),
-      std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
-                 Field{&Result::delta_o, "delta_o", mm, "carrying thickness by the hoop stress alone, pR/sigma"},
-                 Field{&Result::delta_M, "delta_M", mm, "carrying thickness by the meridional stress alone, pR/2sigma"},
-                 Field{&Result::a_r, "a_r", mm, "section of the rings per length of the vessel"}},
+      Fields{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
+             Field{&Result::delta_o, "delta_o", mm, "carrying thickness by the hoop stress alone, pR/sigma"},
+             Field{&Result::delta_M, "delta_M", mm, "carrying thickness by the meridional stress alone, pR/2sigma"},
+             Field{&Result::a_r, "a_r", mm, "section of the rings per length of the vessel"}},
       lame_results<Result>(),
-      std::tuple{
-          Field{&Result::w_r, "w_r", ratio, "rings: distance over the length of wall that works with them"}.limit(
-              0, 1, "l_r")});
+      Fields{Field{&Result::w_r, "w_r", ratio, "rings: distance over the length of wall that works with them"}.limit(
+          0, 1, "l_r")});
 
   static constexpr std::array rules =
-      join<Input>(wall_rules<Input>(), liquid_rules<Input>(),
+      join(wall_rules<Input>(), liquid_rules<Input>(),
                   std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
                                          "rings need both the area A_r of their section and their distance l_r"},
                              Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },

@@ -7,6 +7,7 @@
 
 #include "calculators/vessel/assess.hpp"
 #include "calculators/vessel/modes.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -36,12 +37,12 @@ sigma_adm = "140 MPa"
   struct Input : WallInput {
     Length a = unset<Length>, b = unset<Length>;
   };
-  static constexpr std::tuple inputs = std::tuple_cat(
-      std::tuple{Field<Input, Length>{&Input::a, "a", mm, "semi-axis across: radius of the equator"}.positive().usually(
-                     5, 50000),
-                 Field<Input, Length>{&Input::b, "b", mm, "semi-axis along the axis of revolution: height of a head"}
-                     .positive()
-                     .usually(5, 50000)},
+  static constexpr Fields inputs = join(
+      Fields{Field<Input, Length>{&Input::a, "a", mm, "semi-axis across: radius of the equator"}.positive().usually(
+                 5, 50000),
+             Field<Input, Length>{&Input::b, "b", mm, "semi-axis along the axis of revolution: height of a head"}
+                 .positive()
+                 .usually(5, 50000)},
       wall_inputs<Input>());
 
   struct Result : WallResult {
@@ -49,18 +50,17 @@ sigma_adm = "140 MPa"
     Stress sigma_pole = unset<Stress>, sigma_eq = unset<Stress>;
     double w_b = unset<double>;
   };
-  static constexpr std::tuple results = std::tuple_cat(
+  static constexpr Fields results = join(
       wall_results<Result>(),
-      std::tuple{
-          Field{&Result::a_m, "a_m", mm, "semi-axis across, middle of the carrying wall"},
-          Field{&Result::b_m, "b_m", mm, "semi-axis along, middle of the carrying wall"},
-          Field{&Result::r, "r", mm, "distance of the governing place from the axis"},
-          Field{&Result::sigma_pole, "sigma_pole", MPa, "stress at the pole, alike in all directions"},
-          Field{&Result::sigma_eq, "sigma_eq", MPa, "hoop stress at the equator; negative is compression"},
-          Field{&Result::w_b, "w_b", ratio, "buckling of the knuckle: 0.002 of the crown radius over the thickness"}
-              .limit(0, 1)});
+      Fields{Field{&Result::a_m, "a_m", mm, "semi-axis across, middle of the carrying wall"},
+             Field{&Result::b_m, "b_m", mm, "semi-axis along, middle of the carrying wall"},
+             Field{&Result::r, "r", mm, "distance of the governing place from the axis"},
+             Field{&Result::sigma_pole, "sigma_pole", MPa, "stress at the pole, alike in all directions"},
+             Field{&Result::sigma_eq, "sigma_eq", MPa, "hoop stress at the equator; negative is compression"},
+             Field{&Result::w_b, "w_b", ratio, "buckling of the knuckle: 0.002 of the crown radius over the thickness"}
+                 .limit(0, 1)});
 
-  static constexpr std::array rules = join<Input>(
+  static constexpr std::array rules = join(
       wall_rules<Input>(), gas_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return in.a <= 5.0 * in.b && in.b <= 5.0 * in.a; }, "a, b",
                              "so flat or so slender an ellipsoid is no membrane: a/b must lie between 1/5 and 5"},

@@ -16,7 +16,7 @@ struct LameResult {
 
 template <class Result>
 constexpr auto lame_results() {
-  return std::tuple{
+  return Fields{
       Field<Result, Stress>{&Result::sigma_L, "sigma_L", MPa, "thick wall: equivalent stress by Lamé, inside"},
       Field<Result, double>{&Result::e_L, "e_L", ratio, "error of the thin-wall equivalent stress against Lamé"},
       Field<Result, Length>{&Result::delta_L, "delta_L", mm, "thick wall: least thickness to order by Lamé"},

@@ -12,6 +12,7 @@
 #include "calculators/vessel/assess.hpp"
 #include "calculators/vessel/meridian.hpp"
 #include "calculators/vessel/modes.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -44,8 +45,8 @@ sigma_adm = "120 MPa"
 
   struct Point {
     Length r = unset<Length>, z = unset<Length>;
-    static constexpr std::tuple fields{Field{&Point::r, "r", mm, "distance from the axis"}.at_least(0),
-                                       Field{&Point::z, "z", mm, "height, upward"}};
+    static constexpr Fields fields{Field{&Point::r, "r", mm, "distance from the axis"}.at_least(0),
+                                   Field{&Point::z, "z", mm, "height, upward"}};
   };
 
   struct Input : WallInput, Liquid {
@@ -56,18 +57,18 @@ sigma_adm = "120 MPa"
   static bool apart(const Input& in);
   static bool is_loaded(const Input& in);
   static bool held_off_axis(const Input& in);
-  static constexpr std::tuple inputs = std::tuple_cat(
-      std::tuple{ListField<Input, List<Point, most_points>>{
-                     &Input::points, "points", "meridian, from the free end of the shell to where it is held"}
-                     .as_arrays(),
-                 Choice<Input, Start>{&Input::start, "start", "what ends the shell at a first point off the axis"}
-                     .may_be_missing()},
-      wall_inputs<Input>(), liquid_inputs<Input>("height z of the liquid's surface"));
+  static constexpr Fields inputs =
+      join(Fields{ListField<Input, List<Point, most_points>>{
+                      &Input::points, "points", "meridian, from the free end of the shell to where it is held"}
+                      .as_arrays(),
+                  Choice<Input, Start>{&Input::start, "start", "what ends the shell at a first point off the axis"}
+                      .may_be_missing()},
+           wall_inputs<Input>(), liquid_inputs<Input>("height z of the liquid's surface"));
 
   struct Along {
     Length r = unset<Length>, z = unset<Length>, rho_o = unset<Length>, rho_M = unset<Length>;
     Stress sigma_o = unset<Stress>, sigma_M = unset<Stress>, sigma_v = unset<Stress>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         Field{&Along::r, "r", mm, "distance from the axis, middle of the carrying wall"},
         Field{&Along::z, "z", mm, "height"},
         Field{&Along::rho_o, "rho_o", mm, "radius of curvature across the meridian"},
@@ -82,9 +83,9 @@ sigma_adm = "120 MPa"
     double psi_max = unset<double>, s_min = unset<double>, w_kappa = unset<double>, w_b = unset<double>;
     List<Along, most_points> along;
   };
-  static constexpr std::tuple results = std::tuple_cat(
+  static constexpr Fields results = join(
       wall_results<Result>(),
-      std::tuple{
+      Fields{
           Field{&Result::r, "r", mm, "governing place: distance from the axis"},
           Field{&Result::z, "z", mm, "governing place: height"},
           Field{&Result::psi_max, "psi_max", deg, "edges: largest turn of the meridian from one chord to the next"}
@@ -100,7 +101,7 @@ sigma_adm = "120 MPa"
               .limit(0, 1),
           ListField<Result, List<Along, most_points>>{&Result::along, "along", "stresses along the meridian"}});
 
-  static constexpr std::array rules = join<Input>(
+  static constexpr std::array rules = join(
       wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{&long_enough, "points", "a meridian needs at least three points"},
                  Rule<Input>{&apart, "points", "two neighbouring points of the meridian are one and the same"},

@@ -8,6 +8,7 @@
 
 #include "calculators/vessel/lame.hpp"
 #include "calculators/vessel/modes.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -40,26 +41,25 @@ sigma_adm = "160 MPa"
     Length R = unset<Length>;
     double phi_s = pi / 2;
   };
-  static constexpr std::tuple inputs = std::tuple_cat(
-      std::tuple{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface that `measured` says"}
-                     .positive()
-                     .usually(5, 50000)},
+  static constexpr Fields inputs = join(
+      Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface that `measured` says"}
+                 .positive()
+                 .usually(5, 50000)},
       wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid's surface above the lowest place of the wall"),
-      std::tuple{Field<Input, double>{&Input::phi_s, "phi_s", deg, "ring that holds a sphere with liquid: from the top"}
-                     .within(20, 160)
-                     .may_be_missing()});
+      Fields{Field<Input, double>{&Input::phi_s, "phi_s", deg, "ring that holds a sphere with liquid: from the top"}
+                 .within(20, 160)
+                 .may_be_missing()});
 
   struct Result : WallResult, LameResult {
     Length R_m = unset<Length>;
     double phi = unset<double>;
   };
-  static constexpr std::tuple results =
-      std::tuple_cat(wall_results<Result>(),
-                     std::tuple{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
-                                Field{&Result::phi, "phi", deg, "governing place, from the top"}},
-                     lame_results<Result>());
+  static constexpr Fields results = join(wall_results<Result>(),
+                                         Fields{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
+                                                Field{&Result::phi, "phi", deg, "governing place, from the top"}},
+                                         lame_results<Result>());
 
-  static constexpr std::array rules = join<Input>(
+  static constexpr std::array rules = join(
       wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= 2.0 * in.R; }, "h_l, R",
                              "the liquid stands above the top of the sphere: give the pressure there as p"},

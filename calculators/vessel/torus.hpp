@@ -8,6 +8,7 @@
 
 #include "calculators/vessel/assess.hpp"
 #include "calculators/vessel/modes.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>
@@ -35,24 +36,23 @@ sigma_adm = "140 MPa"
   struct Input : WallInput {
     Length R_0 = unset<Length>, r = unset<Length>;
   };
-  static constexpr std::tuple inputs = std::tuple_cat(
-      std::tuple{
-          Field<Input, Length>{&Input::R_0, "R_0", mm, "radius of the ring: from its axis to the middle of the tube"}
-              .positive()
-              .usually(10, 50000),
-          Field<Input, Length>{&Input::r, "r", mm, "radius of the tube, to the surface that `measured` says"}
-              .positive()
-              .usually(5, 10000)},
+  static constexpr Fields inputs = join(
+      Fields{Field<Input, Length>{&Input::R_0, "R_0", mm, "radius of the ring: from its axis to the middle of the tube"}
+                 .positive()
+                 .usually(10, 50000),
+             Field<Input, Length>{&Input::r, "r", mm, "radius of the tube, to the surface that `measured` says"}
+                 .positive()
+                 .usually(5, 10000)},
       wall_inputs<Input>());
 
   struct Result : WallResult {
     Length r_m = unset<Length>;
   };
-  static constexpr std::tuple results =
-      std::tuple_cat(wall_results<Result>(), std::tuple{Field{&Result::r_m, "r_m", mm, "mean radius of the tube"}});
+  static constexpr Fields results =
+      join(wall_results<Result>(), Fields{Field{&Result::r_m, "r_m", mm, "mean radius of the tube"}});
 
   static constexpr std::array rules =
-      join<Input>(wall_rules<Input>(), gas_rules<Input>(),
+      join(wall_rules<Input>(), gas_rules<Input>(),
                   std::array{Rule<Input>{[](const Input& in) { return in.R_0 > 1.02 * in.r; }, "R_0, r",
                                          "the tube meets itself in the middle of the ring: R_0 must be larger than r"},
                              Rule<Input>{[](const Input& in) { return leaves_room(in, in.r); }, "r, delta",

@@ -3,12 +3,11 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/rules.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>
-#include <tuple>
 
 namespace loadpath::vessel {
 
@@ -51,7 +50,7 @@ struct WallResult {
 
 template <class Input>
 constexpr auto wall_inputs() {
-  return std::tuple{
+  return Fields{
       Field<Input, Stress>{&Input::p, "p", MPa, "internal gauge pressure of the gas"}.load().at_least(0).usually(0,
                                                                                                                  100),
       Field<Input, Length>{&Input::delta, "delta", mm, "wall thickness as ordered"}
@@ -92,17 +91,17 @@ constexpr auto wall_inputs() {
 
 template <class Input>
 constexpr auto liquid_inputs(const char* level) {
-  return std::tuple{Field<Input, Density>{&Input::rho, "rho", kg_per_m3, "density of the liquid, with h_l"}
-                        .load()
-                        .positive()
-                        .usually(300, 14000)
-                        .may_be_missing(),
-                    Field<Input, Length>{&Input::h_l, "h_l", mm, level}.at_least(0).may_be_missing()};
+  return Fields{Field<Input, Density>{&Input::rho, "rho", kg_per_m3, "density of the liquid, with h_l"}
+                    .load()
+                    .positive()
+                    .usually(300, 14000)
+                    .may_be_missing(),
+                Field<Input, Length>{&Input::h_l, "h_l", mm, level}.at_least(0).may_be_missing()};
 }
 
 template <class Result>
 constexpr auto wall_results() {
-  return std::tuple{
+  return Fields{
       Field<Result, Stress>{&Result::sigma_all, "sigma_all", MPa, "allowable stress"},
       Field<Result, Length>{&Result::delta_min, "delta_min", mm, "least thickness to order, with its allowances"},
       Field<Result, Length>{&Result::delta, "delta", mm, "wall thickness as ordered"},

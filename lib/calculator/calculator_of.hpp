@@ -3,7 +3,7 @@
 //   struct SolidShaft {
 //     static constexpr auto id = "...", title = "...", scope = "...", source = "...", example = "...";
 //     struct Input { ... };  struct Result { ... };
-//     static constexpr std::tuple inputs{Field{...}...}, results{Field{...}...};
+//     static constexpr Fields inputs{Field{...}...}, results{Field{...}...};
 //     static constexpr std::array rules{Rule<Input>{...}...};
 //     static constexpr std::array modes{Mode<Input>{...}...};  // in which its part can fail
 //     template <class Tracer> static Result evaluate(const Input&, Tracer&);   // defined in the source

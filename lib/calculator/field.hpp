@@ -4,13 +4,13 @@
 // All numbers given to a Field (bounds, plausible range) are in the field's own unit.
 #pragma once
 
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/list.hpp"
 #include "lib/calculator/varying.hpp"
 #include "lib/quantity/whole.hpp"
 
 #include <limits>
 #include <optional>
-#include <tuple>
 #include <utility>
 
 namespace loadpath {

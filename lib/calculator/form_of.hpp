@@ -69,13 +69,13 @@ class FormOf {
   static constexpr Form form = C::forms[which];
 
   template <std::size_t I>
-  static constexpr bool is_given = names(form.given, std::get<I>(C::inputs).key);
+  static constexpr bool is_given = names(form.given, field_at<I>(C::inputs).key);
   template <std::size_t I>
-  static constexpr std::string_view word = word_in(form.given, std::get<I>(C::inputs).key);
+  static constexpr std::string_view word = word_in(form.given, field_at<I>(C::inputs).key);
 
   template <std::size_t I>
   static constexpr auto meant() {
-    using Enum = std::remove_cvref_t<decltype(std::declval<Input&>().*(std::get<I>(C::inputs).at))>;
+    using Enum = std::remove_cvref_t<decltype(std::declval<Input&>().*(field_at<I>(C::inputs).at))>;
     for (const auto& choice : choices_of(Enum{})) {
       if (choice.key == word<I>) return choice.value;
     }

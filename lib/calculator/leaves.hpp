@@ -5,7 +5,6 @@
 
 #include <cstddef>
 #include <string_view>
-#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -43,15 +42,18 @@ template <class Owner>
 inline constexpr bool is_record<RecordField<Owner>> = true;
 
 template <const auto& fields, std::size_t I>
-using FieldAt = std::remove_cvref_t<decltype(std::get<I>(fields))>;
+using FieldAt = std::remove_cvref_t<decltype(field_at<I>(fields))>;
 template <const auto& fields>
-inline constexpr std::size_t fields_in = std::tuple_size_v<std::remove_cvref_t<decltype(fields)>>;
+inline constexpr std::size_t fields_in = std::remove_cvref_t<decltype(fields)>::count;
+
+template <const auto& fields, std::size_t I>
+inline constexpr auto member_at = field_at<I>(fields).at;
 
 /// A member of an aggregate.
 template <const auto& fields, std::size_t I>
 struct Member {
-  static constexpr std::string_view key = std::get<I>(fields).key;
-  static constexpr auto& in(auto& owner) { return owner.*(std::get<I>(fields).at); }
+  static constexpr std::string_view key = field_at<I>(fields).key;
+  static constexpr auto& in(auto& owner) { return owner.*member_at<fields, I>; }
   static constexpr bool is_at(std::string_view path) { return path == key; }
 };
 /// A quantity of a group.

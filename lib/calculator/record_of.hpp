@@ -2,6 +2,7 @@
 // calculator. They are constants: nothing is built when the program starts.
 #pragma once
 
+#include "lib/calculator/leaves.hpp"
 #include "lib/calculator/record.hpp"
 
 namespace loadpath {
@@ -30,9 +31,6 @@ constexpr FieldInfo described(const detail::Described<Self>& field, FieldInfo::T
   info.is_beside = field.is_beside;
   return info;
 }
-
-template <const auto& fields, std::size_t I>
-inline constexpr auto member_at = std::get<I>(fields).at;
 
 template <const auto& fields, Role role>
 constexpr std::span<const FieldInfo> infos_of();
@@ -178,9 +176,9 @@ constexpr FieldInfo info_of(const ListField<Owner, Items>& f) {
 
 template <const auto& fields, Role role>
 inline constexpr auto infos = []<std::size_t... I>(std::index_sequence<I...>) {
-  return std::array<FieldInfo, sizeof...(I)>{info_of<fields, role, I>(std::get<I>(fields))...};
+  return std::array<FieldInfo, sizeof...(I)>{info_of<fields, role, I>(field_at<I>(fields))...};
 }
-(std::make_index_sequence<std::tuple_size_v<std::remove_cvref_t<decltype(fields)>>>{});
+(std::make_index_sequence<std::remove_cvref_t<decltype(fields)>::count>{});
 
 template <const auto& fields, Role role>
 constexpr std::span<const FieldInfo> infos_of() {

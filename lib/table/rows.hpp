@@ -4,7 +4,7 @@
 //     static constexpr auto group = "section";
 //     Length h = unset<Length>;
 //     Area A = unset<Area>;
-//     static constexpr std::tuple fields{Field{&Profile::h, "h", mm, "depth"}, Field{&Profile::A, "A", mm2, "area"}};
+//     static constexpr Fields fields{Field{&Profile::h, "h", mm, "depth"}, Field{&Profile::A, "A", mm2, "area"}};
 //   };
 //   for (const auto& profile : table::rows_of<Profile>()) use(profile.A, profile.name());
 //

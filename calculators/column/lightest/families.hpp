@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/column/member/section.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/quantity/drive_units.hpp"
 #include "lib/table/rows.hpp"
 
@@ -14,8 +15,8 @@ namespace loadpath::column {
 struct SectionRow : Section {
   static constexpr auto group = "section";
   LineDensity m = unset<LineDensity>;
-  static constexpr auto fields = std::tuple_cat(
-      section_inputs<SectionRow>(), std::tuple{Field{&SectionRow::m, "m", kg_per_m, "mass per length"}.positive()});
+  static constexpr auto fields =
+      join(section_inputs<SectionRow>(), Fields{Field{&SectionRow::m, "m", kg_per_m, "mass per length"}.positive()});
 };
 using TableSection = table::Typed<SectionRow>;
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include "calculators/column/buckling.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/quantity/drive_units.hpp"
 
 #include <vector>
@@ -46,7 +47,7 @@ gamma_F = 1
 
   struct Family {
     Name family;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Family::family, "family", "letters that its sections' names begin with: IPE, HEA, RHS"}};
   };
   using Families = List<Family, 12>;
@@ -54,8 +55,8 @@ gamma_F = 1
   struct Strength {
     Length t_max = unset<Length>;
     Stress R_e = unset<Stress>;
-    static constexpr std::tuple fields{Field{&Strength::t_max, "t_max", mm, "up to this thickness"}.positive(),
-                                       Field{&Strength::R_e, "R_e", MPa, "yield strength"}.positive()};
+    static constexpr Fields fields{Field{&Strength::t_max, "t_max", mm, "up to this thickness"}.positive(),
+                                   Field{&Strength::R_e, "R_e", MPa, "yield strength"}.positive()};
   };
   using Strengths = List<Strength, 12>;
 
@@ -65,17 +66,17 @@ gamma_F = 1
     Profile kind = Profile::unsaid;
     Length h_max = unset<Length>, b_max = unset<Length>;
   };
-  static constexpr auto inputs = std::tuple_cat(
-      std::tuple{ListField{&Input::families, "families", "families of the section tables to choose from"}.as_arrays()},
+  static constexpr auto inputs = join(
+      Fields{ListField{&Input::families, "families", "families of the section tables to choose from"}.as_arrays()},
       held_inputs<Input>(),
-      std::tuple{Choice{&Input::kind, "kind", "kind of the sections whose table leaves it open: of round tubes"}
-                     .may_be_missing(),
-                 Field{&Input::h_max, "h_max", mm, "largest height that there is room for"}.positive().may_be_missing(),
-                 Field{&Input::b_max, "b_max", mm, "largest width that there is room for"}.positive().may_be_missing()},
+      Fields{Choice{&Input::kind, "kind", "kind of the sections whose table leaves it open: of round tubes"}
+                 .may_be_missing(),
+             Field{&Input::h_max, "h_max", mm, "largest height that there is room for"}.positive().may_be_missing(),
+             Field{&Input::b_max, "b_max", mm, "largest width that there is room for"}.positive().may_be_missing()},
       material_inputs<Input>(),
-      std::tuple{ListField{&Input::strengths, "strengths", "yield strengths by thickness, in place of R_e alone"}
-                     .as_arrays()
-                     .from_sizes("material", "R_e", "R_e")},
+      Fields{ListField{&Input::strengths, "strengths", "yield strengths by thickness, in place of R_e alone"}
+                 .as_arrays()
+                 .from_sizes("material", "R_e", "R_e")},
       method_inputs<Input>());
 
   struct Candidate {
@@ -87,7 +88,7 @@ gamma_F = 1
     Force P_all = unset<Force>;
     double u = unset<double>, demand = unset<double>, excess = unset<double>;
     Failure failure = Failure::none;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Candidate::name, "name", "section"},
         Field{&Candidate::q, "q", kg_per_m, "mass per length"},
         Choice{&Candidate::axis, "axis", "axis of the largest slenderness"},
@@ -109,17 +110,17 @@ gamma_F = 1
     double sections = 0.0, carrying = 0.0, lack = unset<double>;
     Candidates candidates, lighter;
   };
-  static constexpr auto results = std::tuple_cat(
-      std::tuple{NameField{&Result::section, "section",
-                           "lightest section; the strongest of those judged where none carries the bar"},
-                 Field{&Result::q, "q", kg_per_m, "its mass per length"},
-                 Field{&Result::mass, "mass", kg, "mass of the bar"},
-                 Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}},
+  static constexpr auto results = join(
+      Fields{NameField{&Result::section, "section",
+                       "lightest section; the strongest of those judged where none carries the bar"},
+             Field{&Result::q, "q", kg_per_m, "its mass per length"},
+             Field{&Result::mass, "mass", kg, "mass of the bar"},
+             Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}},
       member_results<Result>(),
-      std::tuple{Field{&Result::lack, "lack", ratio, "part of the force that even the strongest judged does not carry"},
-                 Field{&Result::carrying, "carrying", ratio, "sections that carry the bar"}.limit(1, 1e6).criterion(),
-                 ListField{&Result::candidates, "candidates", "sections that carry the bar, lightest first"},
-                 ListField{&Result::lighter, "lighter", "the next lighter ones and why they fail, heaviest first"}});
+      Fields{Field{&Result::lack, "lack", ratio, "part of the force that even the strongest judged does not carry"},
+             Field{&Result::carrying, "carrying", ratio, "sections that carry the bar"}.limit(1, 1e6).criterion(),
+             ListField{&Result::candidates, "candidates", "sections that carry the bar, lightest first"},
+             ListField{&Result::lighter, "lighter", "the next lighter ones and why they fail, heaviest first"}});
 
   static bool families_known(const Input& in);
   static FieldFault unknown_family(const Input& in);
@@ -140,7 +141,7 @@ gamma_F = 1
   static FieldFault none_carries(const Input& in);
   static Outline outline_of(const Input& in);
 
-  static constexpr auto rules = join<Input>(
+  static constexpr auto rules = join(
       std::array{
           Rule<Input>{&families_known, "families", "there is no such family in the section tables", &unknown_family},
           Rule<Input>{&families_once, "families", "a family is named twice", &family_twice},

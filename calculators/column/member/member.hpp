@@ -5,15 +5,14 @@
 #include "calculators/column/codes/choices.hpp"
 #include "calculators/column/member/stability.hpp"
 #include "lib/calculator/field.hpp"
-
-#include <tuple>
+#include "lib/calculator/join.hpp"
 
 namespace loadpath::column {
 
 struct Member {
   struct Support {
     Length x = unset<Length>;
-    static constexpr std::tuple fields{Field{&Support::x, "x", mm, "place from the start of the bar"}.positive()};
+    static constexpr Fields fields{Field{&Support::x, "x", mm, "place from the start of the bar"}.positive()};
   };
   using Supports = List<Support, most_supports>;
 
@@ -40,7 +39,7 @@ struct Member {
 /// The load, and how the bar is held.
 template <class Input>
 constexpr auto held_inputs() {
-  return std::tuple{
+  return Fields{
       RecordField<Input>{"load", "the link of a mechanism, whole: load = \"=press.links.rod\""},
       Field<Input, Force>{&Input::N, "N", kN, "normal force, positive in tension"}.load().keeps_sign().may_be_missing(),
       Field<Input, Force>{&Input::P, "P", kN, "compressive force, in place of N"}.load().at_least(0).may_be_missing(),
@@ -75,7 +74,7 @@ constexpr auto held_inputs() {
 /// What every method takes of the material.
 template <class Input>
 constexpr auto strength_inputs() {
-  return std::tuple{
+  return Fields{
       Field<Input, Stress>{&Input::E, "E", GPa, "modulus of elasticity"}.positive().usually(1, 500).from("material",
                                                                                                          "E"),
       Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength"}
@@ -92,7 +91,7 @@ constexpr auto strength_inputs() {
 /// The set of Tetmajer-Yasinsky.
 template <class Input>
 constexpr auto tetmajer_inputs() {
-  return std::tuple{
+  return Fields{
       Field<Input, Stress>{&Input::a_T, "a_T", MPa, "constant of Tetmajer-Yasinsky, a_T - b_T lambda + c_T lambda^2"}
           .positive()
           .from("tetmajer", "a_T"),
@@ -117,7 +116,7 @@ constexpr auto tetmajer_inputs() {
 /// Rankine's constants and the eccentricities of the secant formula.
 template <class Input>
 constexpr auto rankine_and_secant_inputs() {
-  return std::tuple{
+  return Fields{
       Field<Input, Stress>{&Input::sigma_c, "sigma_c", MPa,
                            "crushing stress of Rankine's formula; the yield strength where missing"}
           .positive()
@@ -137,26 +136,25 @@ constexpr auto rankine_and_secant_inputs() {
 /// What the bar is made of, its eccentricities with it.
 template <class Input>
 constexpr auto material_inputs() {
-  return std::tuple_cat(strength_inputs<Input>(), tetmajer_inputs<Input>(), rankine_and_secant_inputs<Input>());
+  return join(strength_inputs<Input>(), tetmajer_inputs<Input>(), rankine_and_secant_inputs<Input>());
 }
 
 /// The method, and its safety.
 template <class Input>
 constexpr auto method_choice() {
-  return std::tuple{
-      Choice<Input, Grade>{&Input::grade, "grade", "steel grade, for the buckling curve"}.may_be_missing(),
-      Choice<Input, Method>{&Input::method, "method", "method that the check goes by"}.may_be_missing(),
-      Field<Input, double>{&Input::n_st, "n_st", ratio,
-                           "safety against buckling of euler, tetmajer, johnson, rankine and secant"}
-          .at_least(1)
-          .usually(1.5, 10)
-          .may_be_missing()
-          .factor()};
+  return Fields{Choice<Input, Grade>{&Input::grade, "grade", "steel grade, for the buckling curve"}.may_be_missing(),
+                Choice<Input, Method>{&Input::method, "method", "method that the check goes by"}.may_be_missing(),
+                Field<Input, double>{&Input::n_st, "n_st", ratio,
+                                     "safety against buckling of euler, tetmajer, johnson, rankine and secant"}
+                    .at_least(1)
+                    .usually(1.5, 10)
+                    .may_be_missing()
+                    .factor()};
 }
 
 template <class Input>
 constexpr auto tension_inputs() {
-  return std::tuple{
+  return Fields{
       Field<Input, double>{&Input::n_t, "n_t", ratio,
                            "safety of a bar in tension against yielding; of ec3 gamma_M0, and gamma_F comes with it"}
           .at_least(1)
@@ -168,7 +166,7 @@ constexpr auto tension_inputs() {
 /// The factors of the codes, and what goes with every method.
 template <class Input>
 constexpr auto code_inputs() {
-  return std::tuple{
+  return Fields{
       Field<Input, double>{&Input::gamma_M1, "gamma_M1", ratio, "partial factor of EN 1993-1-1 and its national annex"}
           .at_least(1)
           .usually(1, 1.2)
@@ -194,7 +192,7 @@ constexpr auto code_inputs() {
 /// How it is judged.
 template <class Input>
 constexpr auto method_inputs() {
-  return std::tuple_cat(method_choice<Input>(), tension_inputs<Input>(), code_inputs<Input>());
+  return join(method_choice<Input>(), tension_inputs<Input>(), code_inputs<Input>());
 }
 
 }  // namespace loadpath::column

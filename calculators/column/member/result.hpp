@@ -4,8 +4,7 @@
 
 #include "calculators/column/codes/choices.hpp"
 #include "lib/calculator/field.hpp"
-
-#include <tuple>
+#include "lib/calculator/join.hpp"
 
 namespace loadpath::column {
 
@@ -25,7 +24,7 @@ struct AxisResult {
   double alpha = unset<double>, lambda_bar = unset<double>, chi = unset<double>;
   double eta = unset<double>;
   Stress sigma_s = unset<Stress>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&AxisResult::name, "name", "axis that the bar bends about"},
       Field{&AxisResult::i, "i", mm, "radius of gyration"},
       Field{&AxisResult::beta, "beta", ratio, "effective length factor"},
@@ -46,12 +45,12 @@ struct MethodResult {
   double n = unset<double>;
   Force P_all = unset<Force>;
   double u = unset<double>;
-  static constexpr std::tuple fields{NameField{&MethodResult::name, "name", "method"},
-                                     Field{&MethodResult::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"},
-                                     Field{&MethodResult::P_cr, "P_cr", kN, "critical force, without safety"},
-                                     Field{&MethodResult::n, "n", ratio, "safety of the method"},
-                                     Field{&MethodResult::P_all, "P_all", kN, "allowable force"},
-                                     Field{&MethodResult::u, "u", ratio, "force over the allowable one"}};
+  static constexpr Fields fields{NameField{&MethodResult::name, "name", "method"},
+                                 Field{&MethodResult::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"},
+                                 Field{&MethodResult::P_cr, "P_cr", kN, "critical force, without safety"},
+                                 Field{&MethodResult::n, "n", ratio, "safety of the method"},
+                                 Field{&MethodResult::P_all, "P_all", kN, "allowable force"},
+                                 Field{&MethodResult::u, "u", ratio, "force over the allowable one"}};
 };
 
 struct MemberResult {
@@ -77,7 +76,7 @@ struct MemberResult {
 /// The load, the section and how slender the bar is.
 template <class Result>
 constexpr auto slenderness_results() {
-  return std::tuple{
+  return Fields{
       Choice<Result, Loading>{&Result::loading, "loading", "what the force does to the bar"},
       Field<Result, Force>{&Result::F, "F", kN, "compressive force"},
       Field<Result, Area>{&Result::A, "A", mm2, "area"},
@@ -91,7 +90,7 @@ constexpr auto slenderness_results() {
 /// Where the formulas end, and what the method that decides allows.
 template <class Result>
 constexpr auto stress_results() {
-  return std::tuple{
+  return Fields{
       Field<Result, Stress>{&Result::sigma_E, "sigma_E", MPa, "stress at that force, however short the bar is"},
       Field<Result, double>{&Result::lambda_T, "lambda_T", ratio, "slenderness at which Tetmajer's formula ends"},
       Field<Result, double>{&Result::gap, "gap", ratio, "at the published lambda_1, Tetmajer over Euler less 1"},
@@ -106,21 +105,20 @@ constexpr auto stress_results() {
 /// Buckling by the method that decides.
 template <class Result>
 constexpr auto buckling_check() {
-  return std::tuple{
-      Field<Result, double>{&Result::u, "u", ratio, "buckling: force over the allowable one"}.check("N, P")};
+  return Fields{Field<Result, double>{&Result::u, "u", ratio, "buckling: force over the allowable one"}.check("N, P")};
 }
 
 template <class Result>
 constexpr auto eccentric_check() {
-  return std::tuple{Field<Result, double>{
+  return Fields{Field<Result, double>{
       &Result::u_e, "u_e", ratio, "eccentric load: force over the one that the secant formula allows, where it decides"}
-                        .check("N, P")
-                        .where_it_applies()};
+                    .check("N, P")
+                    .where_it_applies()};
 }
 
 template <class Result>
 constexpr auto tension_checks() {
-  return std::tuple{
+  return Fields{
       Field<Result, double>{&Result::u_t, "u_t", ratio, "tension, with its safety: 0 in compression"}
           .check("n_t")
           .where_it_applies(),
@@ -132,7 +130,7 @@ constexpr auto tension_checks() {
 /// Slenderness, and where Euler's formula holds.
 template <class Result>
 constexpr auto slenderness_limits() {
-  return std::tuple{
+  return Fields{
       Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness over the largest that is allowed"}.limit(
           0, 1),
       Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limit slenderness over the slenderness"}
@@ -142,28 +140,28 @@ constexpr auto slenderness_limits() {
 
 template <class Result>
 constexpr auto tetmajer_limit() {
-  return std::tuple{Field<Result, double>{&Result::r_0, "r_0", ratio,
-                                          "Tetmajer without a yield strength: lambda_0 over the slenderness"}
-                        .limit(0, 1)
-                        .where_it_applies()};
+  return Fields{Field<Result, double>{&Result::r_0, "r_0", ratio,
+                                      "Tetmajer without a yield strength: lambda_0 over the slenderness"}
+                    .limit(0, 1)
+                    .where_it_applies()};
 }
 
 template <class Result>
 constexpr auto wall_limits() {
-  return std::tuple{Field<Result, double>{&Result::r_class, "r_class", ratio,
-                                          "local buckling: thinness of the parts over the limit of class 3"}
-                        .limit(0, 1)
-                        .where_it_applies(),
-                    Field<Result, double>{&Result::x_E, "x_E", ratio,
-                                          "modulus over the 210 GPa of steel, whose limits of class 3 are"}
-                        .limit(least_steel, most_steel)
-                        .where_it_applies()};
+  return Fields{Field<Result, double>{&Result::r_class, "r_class", ratio,
+                                      "local buckling: thinness of the parts over the limit of class 3"}
+                    .limit(0, 1)
+                    .where_it_applies(),
+                Field<Result, double>{&Result::x_E, "x_E", ratio,
+                                      "modulus over the 210 GPa of steel, whose limits of class 3 are"}
+                    .limit(least_steel, most_steel)
+                    .where_it_applies()};
 }
 
 /// The axes, and the methods side by side.
 template <class Result>
 constexpr auto side_by_side() {
-  return std::tuple{
+  return Fields{
       ListField<Result, List<AxisResult, 2>>{&Result::axes, "axes", "bending about y and about z"},
       ListField<Result, List<MethodResult, most_methods>>{&Result::methods, "methods", "the methods side by side"}
           .beside()};
@@ -171,9 +169,9 @@ constexpr auto side_by_side() {
 
 template <class Result>
 constexpr auto member_results() {
-  return std::tuple_cat(slenderness_results<Result>(), stress_results<Result>(), buckling_check<Result>(),
-                        eccentric_check<Result>(), tension_checks<Result>(), slenderness_limits<Result>(),
-                        tetmajer_limit<Result>(), wall_limits<Result>(), side_by_side<Result>());
+  return join(slenderness_results<Result>(), stress_results<Result>(), buckling_check<Result>(),
+              eccentric_check<Result>(), tension_checks<Result>(), slenderness_limits<Result>(),
+              tetmajer_limit<Result>(), wall_limits<Result>(), side_by_side<Result>());
 }
 
 }  // namespace loadpath::column

@@ -4,8 +4,6 @@
 #include "calculators/column/codes/choices.hpp"
 #include "lib/calculator/row_kind.hpp"
 
-#include <tuple>
-
 namespace loadpath::column {
 
 struct Section {
@@ -21,7 +19,7 @@ struct Section {
 
 template <class Input>
 constexpr auto section_inputs() {
-  return std::tuple{
+  return Fields{
       Field<Input, Length>{&Input::d, "d", mm, "diameter of a round bar or tube"}
           .positive()
           .usually(1, 2000)
@@ -77,7 +75,7 @@ constexpr auto section_inputs() {
 /// What follows from the section where it is not said.
 template <class Input>
 constexpr auto derived_section_inputs() {
-  return std::tuple{
+  return Fields{
       Field<Input, Length>{&Input::c_y, "c_y", mm,
                            "distance of the extreme fibre from y; where missing half the height of a symmetric section"}
           .positive()

@@ -14,11 +14,11 @@
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/steel.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 
 #include <array>
-#include <tuple>
 
 namespace loadpath::fatigue {
 
@@ -58,7 +58,7 @@ f_max = 1.8
     double S_min = 1.2;
     MeanStress mean = MeanStress::proportional;
   };
-  static constexpr std::tuple loads{
+  static constexpr Fields loads{
       Choice<Input, MeanStress>{&Input::mean, "mean", "what stays while the load grows: cases 1 and 2"},
       Field<Input, double>{&Input::S_min, "S_min", ratio,
                            "required safety, 1.2 by the standard, more where loads or "
@@ -66,15 +66,13 @@ f_max = 1.8
           .at_least(1.2)
           .usually(1.2, 5)
           .factor()};
-  static constexpr std::tuple inputs =
-      std::tuple_cat(din743_steel<Input>(), std::tuple{modulus_of_material<Input>(&Input::E)}, din743_section<Input>(),
-                     section_actions<Input>(), loads);
+  static constexpr Fields inputs = join(din743_steel<Input>(), Fields{modulus_of_material<Input>(&Input::E)},
+                                        din743_section<Input>(), section_actions<Input>(), loads);
 
   struct Result : Din743Safety {
     double x_E = unset<double>;
   };
-  static constexpr std::tuple results =
-      std::tuple_cat(din743_results<Result>(), std::tuple{modulus_over_steel<Result>(&Result::x_E)});
+  static constexpr Fields results = join(din743_results<Result>(), Fields{modulus_over_steel<Result>(&Result::x_E)});
 
   static constexpr auto rules = din743_rules<Input>();
   static constexpr std::array meanings{Meaning{"sigma_bW", specimen_in_bending},

@@ -4,9 +4,9 @@
 #include "calculators/fatigue/din743/section.hpp"
 #include "calculators/fatigue/size_and_surface.hpp"
 #include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/join.hpp"
 
 #include <array>
-#include <tuple>
 
 namespace loadpath::fatigue {
 
@@ -26,7 +26,7 @@ constexpr auto action(Quantity Input::*at, const char* key, Unit<Quantity> unit,
 /// Of what is a Din743Steel.
 template <class Input>
 constexpr auto din743_steel() {
-  return std::tuple{
+  return Fields{
       Choice<Input, SteelGroup>{&Input::group, "group", "group of steels, which K_1 belongs to"}.may_be_missing(),
       Field<Input, Stress>{&Input::sigma_B, "sigma_B", MPa, "tensile strength at the reference diameter of the group"}
           .positive()
@@ -54,7 +54,7 @@ constexpr auto din743_steel() {
 /// Of what is a Din743Section.
 template <class Input>
 constexpr auto din743_section() {
-  return std::tuple{
+  return Fields{
       Choice<Input, Notch>{&Input::notch, "notch", "what is cut into the section, or sits on it"},
       Field<Input, Length>{&Input::d, "d", mm, "diameter of the section, at the root of the notch"}.positive().usually(
           5, 500),
@@ -95,7 +95,7 @@ constexpr auto din743_section() {
 /// Of what is SectionActions.
 template <class Input>
 constexpr auto section_actions() {
-  return std::tuple{
+  return Fields{
       action<Input, Force>(&Input::F_zdm, "F_zdm", N, "mean of the axial force, tension positive").keeps_sign(),
       action<Input, Force>(&Input::F_zda, "F_zda", N, "amplitude of the axial force").at_least(0),
       action<Input, Force>(&Input::F_zdmax, "F_zdmax", N, "largest axial force that ever comes"),
@@ -136,44 +136,42 @@ constexpr auto din743_range(double Result::*at, const char* key, const char* doc
 /// Of what has NotchRanges.
 template <class Result>
 constexpr auto notch_ranges() {
-  return std::tuple{
-      din743_range<Result>(&Result::x_r, "x_r", "0.03 over r/t: shape factors"),
-      din743_range<Result>(&Result::x_D, "x_D", "d/D over 0.98: shape factors"),
-      din743_range<Result>(&Result::x_alpha, "x_alpha", "largest shape factor over 6"),
-      din743_range<Result>(&Result::x_t, "x_t", "depth of a V-groove over the diameter", 0.05, 0.2),
-      din743_range<Result>(&Result::x_hole, "x_hole", "cross hole over the diameter; own bound", 0.0, 0.3),
-      din743_range<Result>(&Result::x_bore, "x_bore", "bore over the diameter: notch factors are of solid shafts", 0.0,
-                           1e-9)};
+  return Fields{din743_range<Result>(&Result::x_r, "x_r", "0.03 over r/t: shape factors"),
+                din743_range<Result>(&Result::x_D, "x_D", "d/D over 0.98: shape factors"),
+                din743_range<Result>(&Result::x_alpha, "x_alpha", "largest shape factor over 6"),
+                din743_range<Result>(&Result::x_t, "x_t", "depth of a V-groove over the diameter", 0.05, 0.2),
+                din743_range<Result>(&Result::x_hole, "x_hole", "cross hole over the diameter; own bound", 0.0, 0.3),
+                din743_range<Result>(&Result::x_bore, "x_bore",
+                                     "bore over the diameter: notch factors are of solid shafts", 0.0, 1e-9)};
 }
 
 /// Of what is a Din743Safety.
 template <class Result>
 constexpr auto din743_results() {
-  return std::tuple_cat(
-      std::tuple{
-          Field<Result, Length>{&Result::d_eff, "d_eff", mm, "diameter at heat treatment"},
-          Field<Result, double>{&Result::K_1B, "K_1B", ratio, "size at heat treatment, tensile strength"},
-          Field<Result, double>{&Result::K_1S, "K_1S", ratio, "size at heat treatment, yield strength"},
-          Field<Result, Stress>{&Result::sigma_Bd, "sigma_Bd", MPa, "tensile strength of this size"},
-          Field<Result, Stress>{&Result::sigma_Sd, "sigma_Sd", MPa, "yield strength of this size"},
-          Field<Result, Stress>{&Result::sigma_mv, "sigma_mv", MPa, "equivalent mean stress; negative: compression"},
-          Field<Result, Stress>{&Result::tau_mv, "tau_mv", MPa, "equivalent mean stress of shear"},
-          Field<Result, double>{&Result::S_D, "S_D", ratio, "safety against fatigue; infinite where nothing varies"}
-              .may_be_infinite(),
-          Field<Result, double>{&Result::S_F, "S_F", ratio, "safety against yielding under the largest load"}
-              .may_be_infinite(),
-          Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: required safety over S_D"}.check(),
-          Field<Result, double>{&Result::u_F, "u_F", ratio, "yielding: required safety over S_F"}
-              .check()
-              .where_it_applies(),
-          din743_range<Result>(&Result::x_m, "x_m", "equivalent mean stress over the yield limit").criterion(),
-          din743_range<Result>(&Result::x_small, "x_small",
-                               "7.5 mm over the diameter: K_2 and K_3 are told from there on"),
-          din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 500 mm, where K_1 ends"),
-          din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound")},
+  return join(
+      Fields{Field<Result, Length>{&Result::d_eff, "d_eff", mm, "diameter at heat treatment"},
+             Field<Result, double>{&Result::K_1B, "K_1B", ratio, "size at heat treatment, tensile strength"},
+             Field<Result, double>{&Result::K_1S, "K_1S", ratio, "size at heat treatment, yield strength"},
+             Field<Result, Stress>{&Result::sigma_Bd, "sigma_Bd", MPa, "tensile strength of this size"},
+             Field<Result, Stress>{&Result::sigma_Sd, "sigma_Sd", MPa, "yield strength of this size"},
+             Field<Result, Stress>{&Result::sigma_mv, "sigma_mv", MPa, "equivalent mean stress; negative: compression"},
+             Field<Result, Stress>{&Result::tau_mv, "tau_mv", MPa, "equivalent mean stress of shear"},
+             Field<Result, double>{&Result::S_D, "S_D", ratio, "safety against fatigue; infinite where nothing varies"}
+                 .may_be_infinite(),
+             Field<Result, double>{&Result::S_F, "S_F", ratio, "safety against yielding under the largest load"}
+                 .may_be_infinite(),
+             Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: required safety over S_D"}.check(),
+             Field<Result, double>{&Result::u_F, "u_F", ratio, "yielding: required safety over S_F"}
+                 .check()
+                 .where_it_applies(),
+             din743_range<Result>(&Result::x_m, "x_m", "equivalent mean stress over the yield limit").criterion(),
+             din743_range<Result>(&Result::x_small, "x_small",
+                                  "7.5 mm over the diameter: K_2 and K_3 are told from there on"),
+             din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 500 mm, where K_1 ends"),
+             din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound")},
       notch_ranges<Result>(),
-      std::tuple{ListField<Result, List<Din743Stress, 3>>{&Result::stresses, "stresses",
-                                                          "tension, bending, torsion: what acts"}});
+      Fields{ListField<Result, List<Din743Stress, 3>>{&Result::stresses, "stresses",
+                                                      "tension, bending, torsion: what acts"}});
 }
 
 constexpr auto choices_of(Notch) {

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "calculators/fatigue/din743/nominal.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
-#include "lib/calculator/rules.hpp"
 
 #include <array>
 

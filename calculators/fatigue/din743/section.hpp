@@ -7,8 +7,6 @@
 #include "lib/calculator/list.hpp"
 #include "lib/quantity/units.hpp"
 
-#include <tuple>
-
 namespace loadpath::fatigue {
 
 enum class Notch {
@@ -92,7 +90,7 @@ struct Din743Stress {
   double psi = unset<double>, u_a = unset<double>, u_max = unset<double>;
 
   using K = Din743Stress;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField<K>{&K::name, "name", "tension, bending or torsion, whose stresses are shear"},
       Field<K, Stress>{&K::sigma_m, "sigma_m", MPa, "mean nominal stress"},
       Field<K, Stress>{&K::sigma_a, "sigma_a", MPa, "amplitude of the nominal stress"},

@@ -3,6 +3,7 @@
 
 #include "calculators/fatigue/din743/fields.hpp"
 #include "calculators/fatigue/fkm/section.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/quantity/motion_units.hpp"
 
 namespace loadpath::fatigue {
@@ -24,7 +25,7 @@ constexpr auto fkm_reference(Length Input::*at, const char* key, const char* doc
 /// Of what is an FkmSteel.
 template <class Input>
 constexpr auto fkm_steel() {
-  return std::tuple{
+  return Fields{
       Choice<Input, FkmSteelGroup>{&Input::steel, "steel", "kind of steel, for size, support and fatigue limit"},
       fkm_strength<Input>(&Input::R_mN, "R_mN", "tensile strength of the standard, at its reference diameter", 250,
                           2000),
@@ -66,7 +67,7 @@ constexpr auto fkm_demand(double Input::*at, const char* key, const char* doc) {
 /// Of what is an FkmService.
 template <class Input>
 constexpr auto fkm_service() {
-  return std::tuple{
+  return Fields{
       Choice<Input, Overload>{&Input::overload, "overload", "what stays while the load grows"},
       Choice<Input, Means>{&Input::means, "means", "whose mean stress counts for a stress"}.may_be_missing(),
       Field<Input, double>{&Input::N, "N", ratio, "cycles that it must last; without end where missing"}
@@ -89,8 +90,8 @@ constexpr auto fkm_service() {
 /// Of what is an FkmSafety.
 template <class Result>
 constexpr auto fkm_results() {
-  return std::tuple_cat(
-      std::tuple{
+  return join(
+      Fields{
           Field<Result, Length>{&Result::d_eff, "d_eff", mm, "diameter at heat treatment"},
           Field<Result, double>{&Result::K_dm, "K_dm", ratio, "size at heat treatment, tensile strength"},
           Field<Result, double>{&Result::K_dp, "K_dp", ratio, "size at heat treatment, yield strength"},
@@ -117,8 +118,8 @@ constexpr auto fkm_results() {
           din743_range<Result>(&Result::x_N, "x_N", "1e4 cycles over N: below, lives are those of strains; own bound"),
           din743_range<Result>(&Result::x_small, "x_small", "7.5 mm over the diameter: measured notch factors")},
       notch_ranges<Result>(),
-      std::tuple{ListField<Result, List<FkmStress, 3>>{&Result::stresses, "stresses",
-                                                       "tension, bending, torsion: what acts"}});
+      Fields{ListField<Result, List<FkmStress, 3>>{&Result::stresses, "stresses",
+                                                   "tension, bending, torsion: what acts"}});
 }
 
 constexpr auto choices_of(FkmSteelGroup) {

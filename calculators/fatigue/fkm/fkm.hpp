@@ -13,6 +13,7 @@
 #include "calculators/fatigue/fkm/fields.hpp"
 #include "calculators/fatigue/fkm/rules.hpp"
 #include "calculators/load/steel.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 
@@ -54,15 +55,13 @@ f_max = 1.8
   struct Input : FkmSteel, Din743Section, SectionActions, FkmService {
     Stress E = unset<Stress>;
   };
-  static constexpr std::tuple inputs =
-      std::tuple_cat(fkm_steel<Input>(), std::tuple{modulus_of_material<Input>(&Input::E)}, din743_section<Input>(),
-                     section_actions<Input>(), fkm_service<Input>());
+  static constexpr Fields inputs = join(fkm_steel<Input>(), Fields{modulus_of_material<Input>(&Input::E)},
+                                        din743_section<Input>(), section_actions<Input>(), fkm_service<Input>());
 
   struct Result : FkmSafety {
     double x_E = unset<double>;
   };
-  static constexpr std::tuple results =
-      std::tuple_cat(fkm_results<Result>(), std::tuple{modulus_over_steel<Result>(&Result::x_E)});
+  static constexpr Fields results = join(fkm_results<Result>(), Fields{modulus_over_steel<Result>(&Result::x_E)});
 
   static constexpr auto rules = fkm_rules<Input>();
   static constexpr std::array modes{

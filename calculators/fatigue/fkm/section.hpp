@@ -67,7 +67,7 @@ struct FkmStress {
   double a_S = unset<double>;
 
   using K = FkmStress;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField<K>{&K::name, "name", "tension, bending or torsion, whose stresses are shear"},
       Field<K, Stress>{&K::sigma_m, "sigma_m", MPa, "mean nominal stress"},
       Field<K, Stress>{&K::sigma_a, "sigma_a", MPa, "amplitude of the nominal stress"},

@@ -19,7 +19,6 @@
 
 #include <array>
 #include <limits>
-#include <tuple>
 #include <vector>
 
 namespace loadpath::fatigue {
@@ -63,7 +62,7 @@ n_req = 1
     Name name;
     Stress sigma_a = unset<Stress>, sigma_m = 0.0 * MPa;
     double n = unset<double>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Block::name, "name", "name of the block"}.may_be_missing(),
         Field{&Block::sigma_a, "sigma_a", MPa, "amplitude"}.at_least(0).load(),
         Field{&Block::sigma_m, "sigma_m", MPa, "mean stress, signed"}.load(),
@@ -101,7 +100,7 @@ n_req = 1
   static Applies leaves_residue(const Input& in) {
     return where(in.sigma.is_series() && in.residue == Residue::ignored);
   }
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::sigma, "sigma", MPa,
             "nominal stress over the history: a series, whole, or { file, column, unit }, or { values, unit }"}
           .load()
@@ -176,7 +175,7 @@ n_req = 1
   struct Worst {
     Stress sigma_a = unset<Stress>, sigma_m = unset<Stress>;
     double n = unset<double>, share = unset<double>, from = unset<double>, to = unset<double>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         Field{&Worst::sigma_a, "sigma_a", MPa, "amplitude, with the service factor"},
         Field{&Worst::sigma_m, "sigma_m", MPa, "mean stress, with the service factor"},
         Field{&Worst::n, "n", ratio, "how often, halves as 0.5"},
@@ -190,24 +189,24 @@ n_req = 1
   struct Cell {
     Stress from = unset<Stress>, to = unset<Stress>;
     double n = unset<double>;
-    static constexpr std::tuple fields{Field{&Cell::from, "from", MPa, "begin: middle of the class"},
-                                       Field{&Cell::to, "to", MPa, "end: middle of the class"},
-                                       Field{&Cell::n, "n", ratio, "cycles, halves as 0.5"}};
+    static constexpr Fields fields{Field{&Cell::from, "from", MPa, "begin: middle of the class"},
+                                   Field{&Cell::to, "to", MPa, "end: middle of the class"},
+                                   Field{&Cell::n, "n", ratio, "cycles, halves as 0.5"}};
   };
   struct RangePair {
     Stress from = unset<Stress>, to = unset<Stress>;
     double n = unset<double>, n_least = unset<double>;
-    static constexpr std::tuple fields{Field{&RangePair::from, "from", MPa, "range of the class, least"},
-                                       Field{&RangePair::to, "to", MPa, "range of the class, largest"},
-                                       Field{&RangePair::n, "n", ratio, "cycles of that range, halves as 0.5"},
-                                       Field{&RangePair::n_least, "n_least", ratio, "cycles at least so large"}};
+    static constexpr Fields fields{Field{&RangePair::from, "from", MPa, "range of the class, least"},
+                                   Field{&RangePair::to, "to", MPa, "range of the class, largest"},
+                                   Field{&RangePair::n, "n", ratio, "cycles of that range, halves as 0.5"},
+                                   Field{&RangePair::n_least, "n_least", ratio, "cycles at least so large"}};
   };
   struct Crossing {
     Stress sigma = unset<Stress>;
     double up = unset<double>, down = unset<double>;
-    static constexpr std::tuple fields{Field{&Crossing::sigma, "sigma", MPa, "level: a bound of classes"},
-                                       Field{&Crossing::up, "up", ratio, "crossings upwards"},
-                                       Field{&Crossing::down, "down", ratio, "crossings downwards"}};
+    static constexpr Fields fields{Field{&Crossing::sigma, "sigma", MPa, "level: a bound of classes"},
+                                   Field{&Crossing::up, "up", ratio, "crossings upwards"},
+                                   Field{&Crossing::down, "down", ratio, "crossings downwards"}};
   };
 
   struct Result {
@@ -227,7 +226,7 @@ n_req = 1
     std::vector<RangePair> range_pairs;
     std::vector<Crossing> crossings;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::n, "n", ratio, "cycles of one passage, halves as 0.5"},
       Field{&Result::sigma_max, "sigma_max", MPa, "largest stress, with the service factor"}.holding("K_A"),
       Field{&Result::sigma_min, "sigma_min", MPa, "least stress, with the service factor"}.holding("K_A"),

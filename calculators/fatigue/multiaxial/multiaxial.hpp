@@ -18,7 +18,6 @@
 
 #include <array>
 #include <limits>
-#include <tuple>
 #include <vector>
 
 namespace loadpath::fatigue {
@@ -57,7 +56,7 @@ S_F = 1.5
     Criterion criterion = Criterion::worst;
     double S_D = unset<double>, S_F = unset<double>;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::sigma_x, "sigma_x", MPa,
             "normal stress along x: a series, whole, or { file, column, unit }, or { values, unit }; or one value"}
           .load()
@@ -99,7 +98,7 @@ S_F = 1.5
     double u_D = unset<double>, x_D = unset<double>, x_C = unset<double>, e_p = unset<double>;
     double u_y = unset<double>, u_F = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::samples, "samples", ratio, "moments at which the path is known"},
       Field{&Result::k, "k", ratio, "weight of the normal stress by Findley, of both fatigue limits"},
       Field{&Result::theta_F, "theta_F", deg, "plane of Findley: its normal from that of the surface"},

@@ -15,7 +15,6 @@
 
 #include <array>
 #include <limits>
-#include <tuple>
 #include <vector>
 
 namespace loadpath::fatigue {
@@ -51,8 +50,8 @@ P_s = 0.9
   struct Test {
     Stress S = unset<Stress>;
     End end = End::failure;
-    static constexpr std::tuple fields{Field{&Test::S, "S", MPa, "stress that was set"}.positive(),
-                                       Choice{&Test::end, "end", "how the test ended"}};
+    static constexpr Fields fields{Field{&Test::S, "S", MPa, "stress that was set"}.positive(),
+                                   Choice{&Test::end, "end", "how the test ended"}};
   };
 
   struct Input {
@@ -62,7 +61,7 @@ P_s = 0.9
   };
   static bool has_both(const Input& in);
   static bool goes_up_and_down(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       ListField{&Input::tests, "tests", "tests in their order: stress, \"failure\" or \"runout\""}.as_arrays(),
       Choice{&Input::steps, "steps", "what the steps are equal in"}.may_be_missing(),
       Field{&Input::P_s, "P_s", ratio, "probability of survival of the strength for design, with 50 % confidence"}
@@ -75,7 +74,7 @@ P_s = 0.9
     double q = unset<double>, s_lg = unset<double>, T_S = unset<double>;
     double x_s = unset<double>, x_n = unset<double>, P_f = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::n, "n", ratio, "tests"},
       Field{&Result::N, "N", ratio, "tests with the rarer outcome, which are counted"},
       Field{&Result::A, "A", ratio, "sum of their steps above the lowest of them"},

@@ -12,7 +12,6 @@
 #include "lib/calculator/trace.hpp"
 
 #include <array>
-#include <tuple>
 
 namespace loadpath::fatigue {
 
@@ -42,7 +41,7 @@ P = 0.975
   };
   static bool has_one(const Input& in) { return is_set(in.sigma_0) || is_set(in.N_0); }
   static bool has_scatter(const Input& in);
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::sigma_0, "sigma_0", MPa, "fatigue strength at the survival P_0"}
           .positive()
           .usually(5, 1500)
@@ -69,7 +68,7 @@ P = 0.975
     Stress sigma_P = unset<Stress>;
     double N_P = unset<double>, N_D = unset<double>, x_P = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::T_S, "T_S", ratio, "scatter of strengths"},
       Field{&Result::T_N, "T_N", ratio, "scatter of lives"},
       Field{&Result::s_S, "s_S", ratio, "standard deviation of lg S"},

@@ -21,7 +21,7 @@ links.arm.mass = "0.6 kg"
 loads = [{ link = "arm", at = "B", F_x = "0 N", F_y = "-300 N" }]
 )";
 
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&CamArm::base, "base", mm, "radius of the base circle of the cam itself"}.positive(),
       Field{&CamArm::roller, "roller", mm, "radius of the roller; 0: an edge"}.at_least(0),
       Field{&CamArm::pivot, "pivot", mm, "distance of the pivot A from the cam's axis"}.positive(),

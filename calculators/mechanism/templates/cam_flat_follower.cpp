@@ -18,7 +18,7 @@ links.follower.mass = "0.5 kg"
 loads = [{ link = "follower", at = "B", F_x = "0 N", F_y = "-150 N" }]
 )";
 
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&CamFlatFollower::base, "base", mm, "radius of the base circle of the cam"}.positive(),
       Choice{&CamFlatFollower::sense, "sense", "how the cam turns as the segments follow each other"}.may_be_missing(),
       ListField{&CamFlatFollower::segments, "segments", "rises, dwells and falls over a turn"}};

@@ -21,7 +21,7 @@ ground.T = ["0 mm", "100 mm"]
 springs.spring = { links = ["follower", "ground"], points = ["B", "T"], k = "8 N/mm", free = "75 mm" }
 )";
 
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&CamFollower::base, "base", mm, "radius of the base circle of the cam itself"}.positive(),
       Field{&CamFollower::roller, "roller", mm, "radius of the roller; 0: an edge"}.at_least(0),
       Field{&CamFollower::offset, "offset", mm, "of the guide, to the left of the cam's axis"},

@@ -16,7 +16,7 @@ std::optional<FieldFault> stop_of(const Chain& chain, const char* path);
 struct FourBarLengths {
   Length a = unset<Length>, b = unset<Length>, c = unset<Length>, d = unset<Length>;
   Assembly assembly = Assembly::open;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&FourBarLengths::a, "a", mm, "length of the crank OA"}.positive(),
       Field{&FourBarLengths::b, "b", mm, "length of the coupler AB"}.positive(),
       Field{&FourBarLengths::c, "c", mm, "length of the rocker CB"}.positive(),

@@ -1,5 +1,6 @@
 #include "calculators/mechanism/templates/four_bar_lengths.hpp"
 #include "calculators/mechanism/templates/template_of.hpp"
+#include "lib/calculator/join.hpp"
 
 namespace loadpath::planar::templates {
 
@@ -28,14 +29,14 @@ loads = [{ link = "slider", at = "E", F_x = "-200 N", F_y = "0 N" }]
   double gamma = 0.0;
   Length l = unset<Length>, e = unset<Length>;
   Assembly assembly_2 = Assembly::open;
-  static constexpr auto fields = std::tuple_cat(
-      FourBarLengths::fields,
-      std::tuple{Field{&FourBarSlider::g, "g", mm, "length of the rocker's arm CD"}.positive(),
-                 Field{&FourBarSlider::gamma, "gamma", deg, "direction of D, from CB, counter-clockwise"},
-                 Field{&FourBarSlider::l, "l", mm, "length of the rod DE"}.positive(),
-                 Field{&FourBarSlider::e, "e", mm, "height of the guide: its y"},
-                 Choice{&FourBarSlider::assembly_2, "assembly_2", "open: E is ahead of D in x, crossed: behind it"}
-                     .may_be_missing()});
+  static constexpr auto fields =
+      join(FourBarLengths::fields,
+           Fields{Field{&FourBarSlider::g, "g", mm, "length of the rocker's arm CD"}.positive(),
+                  Field{&FourBarSlider::gamma, "gamma", deg, "direction of D, from CB, counter-clockwise"},
+                  Field{&FourBarSlider::l, "l", mm, "length of the rod DE"}.positive(),
+                  Field{&FourBarSlider::e, "e", mm, "height of the guide: its y"},
+                  Choice{&FourBarSlider::assembly_2, "assembly_2", "open: E is ahead of D in x, crossed: behind it"}
+                      .may_be_missing()});
 
   void draw(Sketch& sketch) const {
     const Pins at = pins(sketch);

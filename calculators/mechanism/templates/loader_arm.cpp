@@ -37,7 +37,7 @@ loads = [{ link = "bucket", at = "M", F_x = "0 kN", F_y = "-5 kN" }]
   Length x_E = unset<Length>, y_E = unset<Length>, l_2 = unset<Length>;
   Length x_G = unset<Length>, y_G = unset<Length>, s_2 = unset<Length>;
   Assembly assembly = Assembly::open, assembly_2 = Assembly::open;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&LoaderArm::x_O, "x_O", mm, "fixed pin O of the lift cylinder"},
       Field{&LoaderArm::y_O, "y_O", mm, "fixed pin O of the lift cylinder"},
       Field{&LoaderArm::l, "l", mm, "length of the arm BH"}.positive(),

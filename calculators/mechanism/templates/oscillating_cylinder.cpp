@@ -21,7 +21,7 @@ loads = [
 )";
 
   Length r = unset<Length>, d = unset<Length>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&OscillatingCylinder::r, "r", mm, "length of the crank OA"}.positive(),
       Field{&OscillatingCylinder::d, "d", mm, "distance of the cylinder's pin C from O"}.positive()};
 

@@ -19,7 +19,7 @@ loads = [{ link = "yoke", at = "K", F_x = "-400 N", F_y = "0 N" }]
 )";
 
   Length r = unset<Length>;
-  static constexpr std::tuple fields{Field{&ScotchYoke::r, "r", mm, "length of the crank OA"}.positive()};
+  static constexpr Fields fields{Field{&ScotchYoke::r, "r", mm, "length of the crank OA"}.positive()};
 
   void draw(Sketch& sketch) const {
     const Pin A = sketch.crank_arm(r), K{"K", {A.at.x, 0.0}};

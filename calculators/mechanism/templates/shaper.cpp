@@ -25,7 +25,7 @@ loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
 )";
 
   Length e = unset<Length>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&Shaper::r, "r", mm, "length of the crank OA"}.positive(),
       Field{&Shaper::d, "d", mm, "distance of the lever's pin B from O, more than r"}.positive(),
       Field{&Shaper::c, "c", mm, "length of the lever BC"}.positive(),

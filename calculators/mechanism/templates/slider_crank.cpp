@@ -20,7 +20,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "0 N" }]
 
   Length r = unset<Length>, l = unset<Length>, e = 0.0 * m.one;
   Assembly assembly = Assembly::open;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&SliderCrank::r, "r", mm, "length of the crank OA"}.positive(),
       Field{&SliderCrank::l, "l", mm, "length of the rod AB"}.positive(),
       Field{&SliderCrank::e, "e", mm, "offset of the guide: its y"},

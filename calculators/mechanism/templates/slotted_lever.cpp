@@ -20,10 +20,9 @@ loads = [{ link = "lever", M = "-30 N*m" }]
 )";
 
   Length r = unset<Length>, d = unset<Length>, l = unset<Length>;
-  static constexpr std::tuple fields{
-      Field{&SlottedLever::r, "r", mm, "length of the crank OA"}.positive(),
-      Field{&SlottedLever::d, "d", mm, "distance of the lever's pin B from O"}.positive(),
-      Field{&SlottedLever::l, "l", mm, "length of the lever BC"}.positive()};
+  static constexpr Fields fields{Field{&SlottedLever::r, "r", mm, "length of the crank OA"}.positive(),
+                                 Field{&SlottedLever::d, "d", mm, "distance of the lever's pin B from O"}.positive(),
+                                 Field{&SlottedLever::l, "l", mm, "length of the lever BC"}.positive()};
 
   void draw(Sketch& sketch) const {
     const Pin A = sketch.crank_arm(r), B{"B", {-in_si(d), 0.0}};

@@ -5,7 +5,7 @@
 //   struct SliderCrank {
 //     static constexpr auto id = "slider_crank", title = "...", doc = "...", example = "...";
 //     Length r = unset<Length>, ...;
-//     static constexpr std::tuple fields{Field{...}...};
+//     static constexpr Fields fields{Field{...}...};
 //     void draw(Sketch&) const;                               // every link, joint and point at the first position
 //     std::optional<FieldFault> crank_stop() const;           // where a crank drives: why it cannot turn round
 //   };

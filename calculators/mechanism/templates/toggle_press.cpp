@@ -26,7 +26,7 @@ loads = [{ link = "ram", at = "D", F_x = "0 N", F_y = "8 kN" }]
   Length r = unset<Length>, l = unset<Length>, b = unset<Length>, f = unset<Length>;
   Length x_C = unset<Length>, y_C = unset<Length>;
   Assembly assembly = Assembly::open, ram = Assembly::open;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&TogglePress::r, "r", mm, "length of the crank OA"}.positive(),
       Field{&TogglePress::l, "l", mm, "length of the rod AB"}.positive(),
       Field{&TogglePress::b, "b", mm, "length of the upper lever CB"}.positive(),

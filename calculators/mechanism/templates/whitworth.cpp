@@ -23,7 +23,7 @@ loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
 )";
 
   Length e = 0.0 * m.one;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       Field{&Whitworth::r, "r", mm, "length of the crank OA"}.positive(),
       Field{&Whitworth::d, "d", mm, "distance of the lever's pin B from O, less than r"}.positive(),
       Field{&Whitworth::c, "c", mm, "length of the lever's arm BC, opposite to A"}.positive(),

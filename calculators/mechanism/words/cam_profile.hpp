@@ -27,7 +27,7 @@ struct CamProfile {
     double angle = unset<double>;
     Length lift = unset<Length>;
     double swing = unset<double>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         Choice{&Segment::law, "law", "law of motion over the segment"}.may_be_missing(),
         Field{&Segment::angle, "angle", deg, "angle of the cam that it takes"}.within(0, 360),
         Field{&Segment::lift, "lift", mm, "rise of the follower over it; a fall is negative"}.may_be_missing(),
@@ -37,8 +37,8 @@ struct CamProfile {
   };
   struct Vertex {
     Length x = unset<Length>, y = unset<Length>;
-    static constexpr std::tuple fields{Field{&Vertex::x, "x", mm, "along the profile's axes"},
-                                       Field{&Vertex::y, "y", mm, "across them"}};
+    static constexpr Fields fields{Field{&Vertex::x, "x", mm, "along the profile's axes"},
+                                   Field{&Vertex::y, "y", mm, "across them"}};
   };
 
   Name name;
@@ -51,7 +51,7 @@ struct CamProfile {
   Length r = unset<Length>;
   Vertex centre;
   std::vector<Vertex> points;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&CamProfile::name, "name", "name of the profile"},
       Choice{&CamProfile::shape, "shape", "by what it is given"},
       Field{&CamProfile::base, "base", mm, "by lift: radius of the base circle of the cam itself"}

@@ -12,20 +12,20 @@ struct Course {
   struct AtTime {
     Time t = unset<Time>;
     double share = unset<double>;
-    static constexpr std::tuple fields{Field{&AtTime::t, "t", sec, "time since the first position"},
-                                       Field{&AtTime::share, "share", ratio, "share of F and M then"}};
+    static constexpr Fields fields{Field{&AtTime::t, "t", sec, "time since the first position"},
+                                   Field{&AtTime::share, "share", ratio, "share of F and M then"}};
   };
   std::vector<AtTime> over_time;
   struct AtPlace {
     Length s = unset<Length>;
     double share = unset<double>;
-    static constexpr std::tuple fields{Field{&AtPlace::s, "s", mm, "length of the cylinder, or place along the guide"},
-                                       Field{&AtPlace::share, "share", ratio, "share of F and M there"}};
+    static constexpr Fields fields{Field{&AtPlace::s, "s", mm, "length of the cylinder, or place along the guide"},
+                                   Field{&AtPlace::share, "share", ratio, "share of F and M there"}};
   };
   std::vector<AtPlace> over_stroke;
   Formula share_of_phi, share_of_t, share_of_s;
   Name stroke_of;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Course::name, "name", "name of the course"},
       ListField{&Course::over_time, "over_time", "shares over the time, straight from each to the next"}
           .as_arrays()

@@ -16,7 +16,7 @@ struct Tolerance {
   double t_angle = unset<double>;
   Mass t_mass = unset<Mass>;
   double t_part = unset<double>, sigmas = 3.0;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Tolerance::name, "name", "name of the tolerance"},
       Choice{&Tolerance::of, "of", "what has the tolerance"}.may_be_missing(),
       NameField{&Tolerance::link, "link", "link: of a length, x, y, angle, mass, J; also ground"}.may_be_missing(),
@@ -39,7 +39,7 @@ struct Accuracy {
   Name name;
   Watched of = Watched::x;
   Name point, link, joint;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Accuracy::name, "name", "name of the output"},
       Choice{&Accuracy::of, "of", "number whose error is wanted"},
       NameField{&Accuracy::point, "point", "x, y: the point"}.may_be_missing(),
@@ -54,7 +54,7 @@ struct Counterweight {
   Length radius = unset<Length>;
   double direction = unset<double>;
   Mass mass = 0.0 * kg.one;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Counterweight::name, "name", "name of the counterweight"},
       NameField{&Counterweight::link, "link", "link that it is fixed to"},
       NameField{&Counterweight::at, "at", "point of the link that its arm begins at: the pivot"},
@@ -70,7 +70,7 @@ enum class Balance { rms, peak };
 
 struct Hodograph {
   Name joint;
-  static constexpr std::tuple fields{NameField{&Hodograph::joint, "joint", "name of the joint"}};
+  static constexpr Fields fields{NameField{&Hodograph::joint, "joint", "name of the joint"}};
 };
 
 constexpr auto choices_of(Toleranced) {

@@ -20,21 +20,21 @@ struct Crank {
   Whole positions = 360, turns = 1;
   struct Place {
     double angle = unset<double>;
-    static constexpr std::tuple fields{Field{&Place::angle, "angle", deg, "crank angle"}.within(-3600, 3600)};
+    static constexpr Fields fields{Field{&Place::angle, "angle", deg, "crank angle"}.within(-3600, 3600)};
   };
   std::vector<Place> at;
   struct Moment {
     Time t = unset<Time>;
     double angle = unset<double>;
-    static constexpr std::tuple fields{Field{&Moment::t, "t", sec, "time"},
-                                       Field{&Moment::angle, "angle", deg, "crank angle then"}.within(-36000, 36000)};
+    static constexpr Fields fields{Field{&Moment::t, "t", sec, "time"},
+                                   Field{&Moment::angle, "angle", deg, "crank angle then"}.within(-36000, 36000)};
   };
   std::vector<Moment> law;
   LawShape law_shape = LawShape::spline;
   Formula angle_of_t;
   Time duration = unset<Time>;
   Impending impending = Impending::either;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Crank::joint, "joint", "revolute joint that is driven"},
       NameField{&Crank::to, "to",
                 "point of the driven link that the crank angle is measured to; the link's x axis where missing"}
@@ -70,8 +70,8 @@ struct Cylinder {
   struct Moment {
     Time t = unset<Time>;
     Length place = unset<Length>;
-    static constexpr std::tuple fields{Field{&Moment::t, "t", sec, "time"},
-                                       Field{&Moment::place, "place", mm, "place along the guide then"}};
+    static constexpr Fields fields{Field{&Moment::t, "t", sec, "time"},
+                                   Field{&Moment::place, "place", mm, "place along the guide then"}};
   };
   std::vector<Moment> law;
   LawShape law_shape = LawShape::spline;
@@ -81,7 +81,7 @@ struct Cylinder {
   Pair links, points;
   Force F = unset<Force>;
   Name course;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Cylinder::name, "name", "name of the drive"},
       NameField{&Cylinder::joint, "joint", "prismatic or slot joint that is driven, of links that are written out"}
           .may_be_missing(),

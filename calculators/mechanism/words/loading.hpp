@@ -13,8 +13,8 @@ enum class Axes { fixed, link };
 enum class Useful { no, yes };
 struct Share {
   double angle = unset<double>, share = unset<double>;
-  static constexpr std::tuple fields{Field{&Share::angle, "angle", deg, "crank angle"}.within(-3600, 3600),
-                                     Field{&Share::share, "share", ratio, "share of F and M there"}};
+  static constexpr Fields fields{Field{&Share::angle, "angle", deg, "crank angle"}.within(-3600, 3600),
+                                 Field{&Share::share, "share", ratio, "share of F and M there"}};
 };
 struct Load {
   Name name, link, at;
@@ -26,7 +26,7 @@ struct Load {
   std::vector<Share> over;
   Name course;
   Useful useful = Useful::no;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Load::name, "name", "name of the load"}.may_be_missing(),
       NameField{&Load::link, "link", "link that it acts on"},
       NameField{&Load::at, "at", "point that the force acts at"}.may_be_missing(),
@@ -55,7 +55,7 @@ struct Spring {
   Moment k_turn = 0.0 * N_m_per_rad.one;
   double free_angle = unset<double>;
   TurningDamping c_turn = 0.0 * N_m_s.one;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Spring::name, "name", "name of the spring or damper"},
       Group{&Spring::links, "links", "the two links; the ground is called ground"}.as_array(),
       Group{&Spring::points, "points", "its ends, on the first and on the second link"}.as_array().may_be_missing(),

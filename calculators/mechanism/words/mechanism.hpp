@@ -68,7 +68,7 @@ F_y = "0 N"
 
   struct Side {
     Name side;
-    static constexpr std::tuple fields{NameField{&Side::side, "side", "side of a group: \"B_left\", \"D_ahead\""}};
+    static constexpr Fields fields{NameField{&Side::side, "side", "side of a group: \"B_left\", \"D_ahead\""}};
   };
 
   enum class Analysis { kinetostatic, statics };
@@ -100,7 +100,7 @@ F_y = "0 N"
     Analysis analysis = Analysis::kinetostatic;
     std::vector<Actuator> actuators;  // what cylinders have become (words/cylinders.hpp): no field
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       ListField{&Input::ground, "ground", "points of the fixed link"}.as_arrays().may_be_missing(),
       ListField{&Input::links, "links", "moving links, by name"},
       ListField{&Input::joints, "joints", "joints, by name"},

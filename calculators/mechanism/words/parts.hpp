@@ -13,7 +13,7 @@ struct Point {
   Name name;
   Length x = unset<Length>, y = unset<Length>, r = unset<Length>;
   double angle = unset<double>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Point::name, "name", "name of the point"},
       Field{&Point::x, "x", mm, "along the axes of the link"}.may_be_missing(),
       Field{&Point::y, "y", mm, "across them"}.may_be_missing(),
@@ -22,12 +22,12 @@ struct Point {
 };
 struct Origin {
   Length x = unset<Length>, y = unset<Length>;
-  static constexpr std::tuple fields{Field{&Origin::x, "x", mm, "global"}, Field{&Origin::y, "y", mm, "global"}};
+  static constexpr Fields fields{Field{&Origin::x, "x", mm, "global"}, Field{&Origin::y, "y", mm, "global"}};
 };
 struct Pair {
   Name first, second;
-  static constexpr std::tuple fields{NameField{&Pair::first, "first", "of the first link"},
-                                     NameField{&Pair::second, "second", "of the second link"}};
+  static constexpr Fields fields{NameField{&Pair::first, "first", "of the first link"},
+                                 NameField{&Pair::second, "second", "of the second link"}};
 };
 
 enum class MassLine { automatic, uniform, lumped };
@@ -43,7 +43,7 @@ struct Link {
   MassLine mass_line = MassLine::automatic;
   Masses masses = Masses::as_given;
   Pair mass_points;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Link::name, "name", "name of the link"},
       ListField{&Link::points, "points", "points in the link's axes, or as drawn where it has neither origin nor angle"}
           .as_arrays(),
@@ -87,8 +87,8 @@ enum class Type {
 enum class Holding { one_side, groove };
 struct Radii {
   Length first = unset<Length>, second = unset<Length>;
-  static constexpr std::tuple fields{Field{&Radii::first, "first", mm, "of the first link's wheel"}.positive(),
-                                     Field{&Radii::second, "second", mm, "of the second link's wheel"}.positive()};
+  static constexpr Fields fields{Field{&Radii::first, "first", mm, "of the first link's wheel"}.positive(),
+                                 Field{&Radii::second, "second", mm, "of the second link's wheel"}.positive()};
 };
 struct Joint {
   Name name;
@@ -109,7 +109,7 @@ struct Joint {
   double efficiency = 1.0, efficiency_back = unset<double>;
   Damping c = 0.0 * N_s_per_m.one;
   TurningDamping c_turn = 0.0 * N_m_s.one;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Joint::name, "name",
                 "name of the joint; also of its point on both links unless points says otherwise"},
       Choice{&Joint::type, "type", "kind of joint"},

@@ -50,7 +50,7 @@ template <class Result>
 constexpr auto property_fields() {
   using P = Properties;
   constexpr auto field = [](auto... arguments) { return detail::property<Result>(arguments...); };
-  return std::tuple{
+  return Fields{
       field(&P::A, "A", mm2, "area"),
       field(&P::y_S, "y_S", mm, "centroid, from the origin of the sketch to the right"),
       field(&P::z_S, "z_S", mm, "centroid, from the origin of the sketch upwards"),

@@ -39,7 +39,7 @@ r_2 = "6 mm"
     Length r = from_si<Length>(0.0);
     Length r_2 = from_si<Length>(0.0);
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::h, "h", mm, "height of the upright leg"}.positive().usually(0.1, 1e4),
       Field{&Input::b, "b", mm, "width of the other leg"}.positive().usually(0.1, 1e4),
       Field{&Input::t, "t", mm, "thickness of both legs"}.positive(),

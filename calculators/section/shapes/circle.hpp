@@ -24,7 +24,7 @@ d = "40 mm"
   struct Input {
     Length d = unset<Length>;
   };
-  static constexpr std::tuple inputs{Field{&Input::d, "d", mm, "diameter"}.positive().usually(0.1, 1e4)};
+  static constexpr Fields inputs{Field{&Input::d, "d", mm, "diameter"}.positive().usually(0.1, 1e4)};
 
   using Result = Properties;
   static constexpr auto results = results_of_properties;

@@ -25,9 +25,8 @@ h = "20 mm"
   struct Input {
     Length b = unset<Length>, h = unset<Length>;
   };
-  static constexpr std::tuple inputs{
-      Field{&Input::b, "b", mm, "width, the axis across"}.positive().usually(0.1, 1e4),
-      Field{&Input::h, "h", mm, "height, the upright axis"}.positive().usually(0.1, 1e4)};
+  static constexpr Fields inputs{Field{&Input::b, "b", mm, "width, the axis across"}.positive().usually(0.1, 1e4),
+                                 Field{&Input::h, "h", mm, "height, the upright axis"}.positive().usually(0.1, 1e4)};
 
   using Result = Properties;
   static constexpr auto results = results_of_properties;

@@ -3,6 +3,7 @@
 
 #include "calculators/section/properties/shape_calculator.hpp"
 #include "calculators/section/shapes/torsion.hpp"
+#include "lib/calculator/join.hpp"
 
 #include <array>
 
@@ -37,7 +38,7 @@ r_i = "5 mm"
     Length r_o = from_si<Length>(0.0);
     Length r_i = from_si<Length>(0.0);
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       Field{&Input::h, "h", mm, "height, along z"}.positive().usually(0.1, 1e4),
       Field{&Input::b, "b", mm, "width, along y"}.positive().usually(0.1, 1e4),
       Field{&Input::t, "t", mm, "wall"}.positive(),
@@ -47,11 +48,10 @@ r_i = "5 mm"
   struct Result : Properties {
     double w = unset<double>;
   };
-  static constexpr auto results =
-      std::tuple_cat(property_fields<Result>(),
-                     std::tuple{Field{&Result::w, "w", ratio,
-                                      "wall over the shorter middle line, for the torsion of thin closed walls"}
-                                    .limit(0, thickest_closed_wall)});
+  static constexpr auto results = join(
+      property_fields<Result>(),
+      Fields{Field{&Result::w, "w", ratio, "wall over the shorter middle line, for the torsion of thin closed walls"}
+                 .limit(0, thickest_closed_wall)});
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return 2.0 * in.t < min(in.h, in.b); }, "t, h, b",

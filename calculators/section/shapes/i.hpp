@@ -4,6 +4,7 @@
 #include "calculators/section/properties/shape_calculator.hpp"
 #include "calculators/section/shapes/flanged.hpp"
 #include "calculators/section/shapes/torsion.hpp"
+#include "lib/calculator/join.hpp"
 
 #include <array>
 
@@ -37,12 +38,12 @@ r = "18 mm"
   struct Result : Properties {
     double w_t = unset<double>, w_r = unset<double>;
   };
-  static constexpr auto results = std::tuple_cat(
-      property_fields<Result>(),
-      std::tuple{Field{&Result::w_t, "w_t", ratio, "web over flange thickness, for the torsion constant"}.limit(
-                     ranges_of_I.least_web, ranges_of_I.most_web),
-                 Field{&Result::w_r, "w_r", ratio, "fillet over flange thickness, for the torsion constant"}.limit(
-                     0, ranges_of_I.most_fillet)});
+  static constexpr auto results =
+      join(property_fields<Result>(),
+           Fields{Field{&Result::w_t, "w_t", ratio, "web over flange thickness, for the torsion constant"}.limit(
+                      ranges_of_I.least_web, ranges_of_I.most_web),
+                  Field{&Result::w_r, "w_r", ratio, "fillet over flange thickness, for the torsion constant"}.limit(
+                      0, ranges_of_I.most_fillet)});
 
   static constexpr std::array rules{Rule<Input>{[](const Input& in) { return 2.0 * (in.t_f + in.r) <= in.h; },
                                                 "t_f, r, h", "flanges and fillets need more depth than h"},

@@ -27,8 +27,8 @@ h = "60 mm"
     Length b = unset<Length>;
     Length h = unset<Length>;
   };
-  static constexpr std::tuple inputs{Field{&Input::b, "b", mm, "width, along y"}.positive().usually(0.1, 1e4),
-                                     Field{&Input::h, "h", mm, "height, along z"}.positive().usually(0.1, 1e4)};
+  static constexpr Fields inputs{Field{&Input::b, "b", mm, "width, along y"}.positive().usually(0.1, 1e4),
+                                 Field{&Input::h, "h", mm, "height, along z"}.positive().usually(0.1, 1e4)};
 
   using Result = Properties;
   static constexpr auto results = results_of_properties;

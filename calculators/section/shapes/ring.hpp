@@ -28,9 +28,9 @@ t = "5 mm"
     Length d_i = unset<Length>;
     Length t = unset<Length>;
   };
-  static constexpr std::tuple inputs{Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(0.1, 1e4),
-                                     Field{&Input::d_i, "d_i", mm, "inner diameter"}.at_least(0).may_be_missing(),
-                                     Field{&Input::t, "t", mm, "wall, in place of d_i"}.positive().may_be_missing()};
+  static constexpr Fields inputs{Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(0.1, 1e4),
+                                 Field{&Input::d_i, "d_i", mm, "inner diameter"}.at_least(0).may_be_missing(),
+                                 Field{&Input::t, "t", mm, "wall, in place of d_i"}.positive().may_be_missing()};
 
   using Result = Properties;
   static constexpr auto results = results_of_properties;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/section/properties/properties.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 
 #include <cmath>
@@ -45,11 +46,10 @@ constexpr Mode<Input> torsion_mode(const char* limits) {
 struct OpenWalls : Properties {
   double w = unset<double>;
 };
-inline constexpr auto results_of_open_walls =
-    std::tuple_cat(property_fields<OpenWalls>(),
-                   std::tuple{Field{&OpenWalls::w, "w", ratio,
-                                    "thickest wall over the shortest part, for the torsion of thin open walls"}
-                                  .limit(0, thickest_open_wall)});
+inline constexpr auto results_of_open_walls = join(
+    property_fields<OpenWalls>(),
+    Fields{Field{&OpenWalls::w, "w", ratio, "thickest wall over the shortest part, for the torsion of thin open walls"}
+               .limit(0, thickest_open_wall)});
 
 /// Proportions of rolled I sections, web and fillet over flange thickness: IPE, HEA, HEB and HEM have 0.51 to 0.74 and
 /// 0.54 to 1.93, and the torsion constant agrees with their tables within 4.3 %; without fillets it runs on smoothly.

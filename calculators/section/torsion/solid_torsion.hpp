@@ -9,6 +9,7 @@
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/section/polygon.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/trace.hpp"
 
 #include <array>
@@ -24,8 +25,8 @@ template <class Input>
 constexpr auto contour_inputs() {
   List<Polygon::Corner, 64> Input::*const points = &Polygon::Input::points;
   List<Polygon::Hole, 8> Input::*const holes = &Polygon::Input::holes;
-  return std::tuple{ListField{points, "points", "corners of the contour, in order around it"}.as_arrays(),
-                    ListField{holes, "holes", "what is cut out"}.may_be_missing()};
+  return Fields{ListField{points, "points", "corners of the contour, in order around it"}.as_arrays(),
+                ListField{holes, "holes", "what is cut out"}.may_be_missing()};
 }
 
 struct SolidTorsion {
@@ -55,20 +56,20 @@ theta_adm = "4 deg/m"
     Twist theta_adm = unset<Twist>;
   };
 
-  static constexpr auto inputs = std::tuple_cat(
-      std::tuple{Field{&Input::T, "T", N_m, "torque"}.load(),
-                 Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
-                     .positive()
-                     .usually(1, 4)
-                     .factor()},
-      contour_inputs<Input>(),
-      std::tuple{
-          Field{&Input::G, "G", GPa, "shear modulus, for the twist"}.positive().usually(1, 500).from("material", "G")},
-      shear_strength_inputs<Input>("d_s"),
-      std::tuple{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
-                     .positive()
-                     .usually(0.02, 10)
-                     .may_be_missing()});
+  static constexpr auto inputs =
+      join(Fields{Field{&Input::T, "T", N_m, "torque"}.load(),
+                  Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
+                      .positive()
+                      .usually(1, 4)
+                      .factor()},
+           contour_inputs<Input>(),
+           Fields{Field{&Input::G, "G", GPa, "shear modulus, for the twist"}.positive().usually(1, 500).from("material",
+                                                                                                             "G")},
+           shear_strength_inputs<Input>("d_s"),
+           Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+                      .positive()
+                      .usually(0.02, 10)
+                      .may_be_missing()});
 
   struct Result {
     SecondMoment I_t = unset<SecondMoment>;
@@ -79,7 +80,7 @@ theta_adm = "4 deg/m"
     double e_I = unset<double>, e_W = unset<double>, u_tau = unset<double>, u_theta = unset<double>;
     StressCycle cycle;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::I_t, "I_t", mm4, "torsion constant of Saint-Venant"},
       Field{&Result::W_t, "W_t", mm3, "section modulus in torsion; none where the section has an inner corner"},
       Field{&Result::y_t, "y_t", mm, "place of the largest stress, to the right"},

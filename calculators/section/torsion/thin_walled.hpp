@@ -10,12 +10,12 @@
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>
-#include <tuple>
 
 namespace loadpath::section {
 
@@ -61,8 +61,7 @@ theta_adm = "0.5 deg/m"
 
   struct Corner {
     Length y = unset<Length>, z = unset<Length>;
-    static constexpr std::tuple fields{Field{&Corner::y, "y", mm, "to the right"},
-                                       Field{&Corner::z, "z", mm, "upwards"}};
+    static constexpr Fields fields{Field{&Corner::y, "y", mm, "to the right"}, Field{&Corner::z, "z", mm, "upwards"}};
   };
   using Corners = List<Corner, most_corners>;
 
@@ -70,7 +69,7 @@ theta_adm = "0.5 deg/m"
     Name name;
     Area A = unset<Area>;
     Corners points;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Cell::name, "name", "name, by which walls refer to it"},
         Field{&Cell::A, "A", mm2, "area inside of the middle lines of its walls"}.positive().may_be_missing(),
         ListField{&Cell::points, "points", "corners of these middle lines, in place of A"}
@@ -84,7 +83,7 @@ theta_adm = "0.5 deg/m"
     Corners points;
     Length t = unset<Length>;
     Stress G = unset<Stress>, tau_adm = unset<Stress>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Wall::name, "name", "name of the wall"}.may_be_missing(),
         NameField{&Wall::cell, "cell", "cell that it bounds; none: it stands free"}.may_be_missing(),
         NameField{&Wall::beside, "beside", "cell on its other side; none: the outside"}.may_be_missing(),
@@ -106,31 +105,31 @@ theta_adm = "0.5 deg/m"
     Stress G = unset<Stress>;
     Twist theta_adm = unset<Twist>;
   };
-  static constexpr auto inputs = std::tuple_cat(
-      std::tuple{Field{&Input::T, "T", N_m, "torque"}.load(),
-                 Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
-                     .positive()
-                     .usually(1, 4)
-                     .factor(),
-                 ListField{&Input::cells, "cells", "closed cells"}.may_be_missing(),
-                 ListField{&Input::walls, "walls", "walls between the cells, around them and free ones"},
-                 Field{&Input::G, "G", GPa, "shear modulus of what has none of its own, for the twist"}
-                     .positive()
-                     .usually(1, 500)
-                     .from("material", "G")},
-      shear_strength_inputs<Input>("t_max"),
-      std::tuple{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
-                     .positive()
-                     .usually(0.02, 10)
-                     .may_be_missing()});
+  static constexpr auto inputs =
+      join(Fields{Field{&Input::T, "T", N_m, "torque"}.load(),
+                  Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
+                      .positive()
+                      .usually(1, 4)
+                      .factor(),
+                  ListField{&Input::cells, "cells", "closed cells"}.may_be_missing(),
+                  ListField{&Input::walls, "walls", "walls between the cells, around them and free ones"},
+                  Field{&Input::G, "G", GPa, "shear modulus of what has none of its own, for the twist"}
+                      .positive()
+                      .usually(1, 500)
+                      .from("material", "G")},
+           shear_strength_inputs<Input>("t_max"),
+           Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+                      .positive()
+                      .usually(0.02, 10)
+                      .may_be_missing()});
 
   struct Flow {
     Name name;
     Area A = unset<Area>;
     Stiffness q = unset<Stiffness>;
-    static constexpr std::tuple fields{NameField{&Flow::name, "name", "cell"},
-                                       Field{&Flow::A, "A", mm2, "area inside of the middle lines"},
-                                       Field{&Flow::q, "q", N_per_mm, "shear flow around it, positive like T"}};
+    static constexpr Fields fields{NameField{&Flow::name, "name", "cell"},
+                                   Field{&Flow::A, "A", mm2, "area inside of the middle lines"},
+                                   Field{&Flow::q, "q", N_per_mm, "shear flow around it, positive like T"}};
   };
   struct Loaded {
     Name name;
@@ -138,7 +137,7 @@ theta_adm = "0.5 deg/m"
     Stiffness q = unset<Stiffness>;
     Stress tau_m = unset<Stress>, tau = unset<Stress>, tau_all = unset<Stress>;
     double u_tau = unset<double>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Loaded::name, "name", "wall"},
         Field{&Loaded::l, "l", mm, "length of its middle line"},
         Field{&Loaded::q, "q", N_per_mm, "shear flow: that of its cell less that of the one beside"},
@@ -160,7 +159,7 @@ theta_adm = "0.5 deg/m"
     List<Flow, most_cells> cells;
     List<Loaded, most_walls> walls;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::I_B, "I_B", mm4, "torsion constant of the cells, by Bredt"},
       Field{&Result::I_s, "I_s", mm4, "torsion constant of the walls as strips: of the section slit open"},
       Field{&Result::I_t, "I_t", mm4, "torsion constant of the section"},

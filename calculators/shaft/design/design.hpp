@@ -91,7 +91,7 @@ r_T = 0
     double k_n = 1.25;
     Whole whirl_modes = 1;
   };
-  static constexpr std::tuple inputs{
+  static constexpr Fields inputs{
       ListField{&Input::pieces, "pieces", "cylinders and tapers from left to right"},
       ListField{&Input::supports, "supports", "bearings"},
       ListField{&Input::seats, "seats", "what sits on the shaft and loads it"}.may_be_missing(),
@@ -170,7 +170,7 @@ r_T = 0
     List<Section, most_places> sections;
     List<Safety, most_places> safeties;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::l, "l", mm, "length"},
       Field{&Result::d_max, "d_max", mm, "largest diameter"},
       Field{&Result::s_max, "s_max", ratio, "steepest slope of a taper against the axis"}

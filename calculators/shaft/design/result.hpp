@@ -4,8 +4,6 @@
 #include "calculators/shaft/parts/pieces.hpp"
 #include "lib/calculator/list.hpp"
 
-#include <tuple>
-
 namespace loadpath::shaft {
 
 inline constexpr std::size_t most_pieces = 32, most_supports = 8, most_seats = 24, most_notches = 32;
@@ -21,7 +19,7 @@ struct Carried {
   Force F_r0 = unset<Force>, F_a0 = unset<Force>;
   AngularSpeed n = unset<AngularSpeed>;
   double beta = unset<double>, u_beta = unset<double>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Carried::name, "name", "name of the bearing"},
       Field{&Carried::x, "x", mm, "its place"},
       Choice{&Carried::holds, "holds", "what it takes"},
@@ -52,7 +50,7 @@ struct Seated {
   Moment T = unset<Moment>;
   Length v = unset<Length>;
   double beta = unset<double>, u_beta = unset<double>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Seated::name, "name", "what sits there"},
       Field{&Seated::x, "x", mm, "its place"},
       Field{&Seated::T, "T", N_m, "torque that it gives to the shaft, the largest over a turn"}.holding("K_A"),
@@ -70,7 +68,7 @@ struct Section {
   Stress sigma_b = unset<Stress>, sigma_n = unset<Stress>, tau = unset<Stress>, sigma_v = unset<Stress>;
   double psi = unset<double>;
   double u_v = unset<double>, u_h = unset<double>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Section::name, "name", "what is there"},
       Field{&Section::x, "x", mm, "place"},
       Field{&Section::psi, "psi", deg, "angle of the shaft at which it bears most, of loads over a turn"},
@@ -97,7 +95,7 @@ struct Harmonic {
   double h = unset<double>;
   AngularSpeed n_below = unset<AngularSpeed>, n_above = unset<AngularSpeed>;
   double u_h = unset<double>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Harmonic::name, "name", "what comes"}, Field{&Harmonic::h, "h", ratio, "how often in a turn"},
       Field{&Harmonic::n_below, "n_below", rpm,
             "speed below at which it meets a natural frequency; 0: the lowest is above"},
@@ -112,7 +110,7 @@ struct Whirled {
   AngularSpeed f_0 = unset<AngularSpeed>;
   AngularSpeed n_F = unset<AngularSpeed>, n_B = unset<AngularSpeed>;
   AngularSpeed f_F = unset<AngularSpeed>, f_B = unset<AngularSpeed>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Whirled::name, "name", "which of its kind"},
       Field{&Whirled::f_0, "f_0", Hz, "natural frequency of the shaft that does not turn, discs counted"},
       Field{&Whirled::n_F, "n_F", rpm, "critical speed of forward whirl, which unbalance excites"},
@@ -134,7 +132,7 @@ struct Safety {
   double x_DIN = unset<double>;
   double x_b = unset<double>, x_t = unset<double>, x_d = unset<double>, x_n = unset<double>;
   double x_r = unset<double>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Safety::name, "name", "what is there"},
       Field{&Safety::x, "x", mm, "place"},
       Field{&Safety::theta, "theta", deg,

@@ -5,7 +5,6 @@
 #include "calculators/shaft/design/turn.hpp"
 
 #include <cmath>
-#include <tuple>
 
 namespace loadpath::shaft {
 
@@ -23,7 +22,7 @@ double ranges_left(const Rated& rated, const Fields& fields) {
     else
       return false;
   };
-  return std::apply([&](const auto&... field) { return (0.0 + ... + (is_outside(field) ? 1.0 : 0.0)); }, fields);
+  return loadpath::apply([&](const auto&... field) { return (0.0 + ... + (is_outside(field) ? 1.0 : 0.0)); }, fields);
 }
 
 /// `section` is that of DIN 743, `rated` what was found of it, `outside` how many of its ranges were left. Where the

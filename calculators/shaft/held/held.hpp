@@ -13,6 +13,7 @@
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/held/members.hpp"
 #include "calculators/shaft/parts/modes.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
@@ -64,47 +65,45 @@ phi_adm = "1 deg"
     Twist theta_adm = unset<Twist>;
     double phi_adm = unset<double>;
   };
-  static constexpr auto inputs = std::tuple_cat(
-      std::tuple{
-          ListField{&Input::segments, "segments", "parts of the bar, from the first end to the second"},
-          ListField{&Input::sleeves, "sleeves", "cylinders around or inside it that turn as one with it"}
-              .may_be_missing(),
-          ListField{&Input::torques, "torques", "torques along the bar"}.may_be_missing(),
-          Choice{&Input::end_1, "end_1", "how the first end is held"},
-          Choice{&Input::end_2, "end_2", "how the second end is held"},
-          Field{&Input::c_1, "c_1", N_m_per_rad, "stiffness of an elastic first end"}.positive().may_be_missing(),
-          Field{&Input::c_2, "c_2", N_m_per_rad, "stiffness of an elastic second end"}.positive().may_be_missing(),
-          Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
-              .positive()
-              .usually(1, 4)
-              .factor(),
-          Field{&Input::G, "G", GPa, "shear modulus of what has none of its own"}.positive().usually(1, 500).from(
-              "material", "G")},
+  static constexpr auto inputs = join(
+      Fields{ListField{&Input::segments, "segments", "parts of the bar, from the first end to the second"},
+             ListField{&Input::sleeves, "sleeves", "cylinders around or inside it that turn as one with it"}
+                 .may_be_missing(),
+             ListField{&Input::torques, "torques", "torques along the bar"}.may_be_missing(),
+             Choice{&Input::end_1, "end_1", "how the first end is held"},
+             Choice{&Input::end_2, "end_2", "how the second end is held"},
+             Field{&Input::c_1, "c_1", N_m_per_rad, "stiffness of an elastic first end"}.positive().may_be_missing(),
+             Field{&Input::c_2, "c_2", N_m_per_rad, "stiffness of an elastic second end"}.positive().may_be_missing(),
+             Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
+                 .positive()
+                 .usually(1, 4)
+                 .factor(),
+             Field{&Input::G, "G", GPa, "shear modulus of what has none of its own"}.positive().usually(1, 500).from(
+                 "material", "G")},
       shear_strength_inputs<Input>("d_s"),
-      std::tuple{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
-                     .positive()
-                     .usually(0.02, 10)
-                     .may_be_missing(),
-                 Field{&Input::phi_adm, "phi_adm", deg, "allowable rotation of any section from where it stood"}
-                     .positive()
-                     .usually(0.001, 90)
-                     .may_be_missing()});
+      Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+                 .positive()
+                 .usually(0.02, 10)
+                 .may_be_missing(),
+             Field{&Input::phi_adm, "phi_adm", deg, "allowable rotation of any section from where it stood"}
+                 .positive()
+                 .usually(0.001, 90)
+                 .may_be_missing()});
 
   struct Stretch {
     Length x = unset<Length>, l = unset<Length>;
     Moment M_1 = unset<Moment>, M_2 = unset<Moment>;
     double phi = unset<double>;
-    static constexpr std::tuple fields{
-        Field{&Stretch::x, "x", mm, "its first end"}, Field{&Stretch::l, "l", mm, "length"},
-        Field{&Stretch::M_1, "M_1", N_m, "moment at its first end"},
-        Field{&Stretch::M_2, "M_2", N_m, "moment at its second end"},
-        Field{&Stretch::phi, "phi", deg, "rotation of its second end against its first"}};
+    static constexpr Fields fields{Field{&Stretch::x, "x", mm, "its first end"}, Field{&Stretch::l, "l", mm, "length"},
+                                   Field{&Stretch::M_1, "M_1", N_m, "moment at its first end"},
+                                   Field{&Stretch::M_2, "M_2", N_m, "moment at its second end"},
+                                   Field{&Stretch::phi, "phi", deg, "rotation of its second end against its first"}};
   };
   struct Section {
     Length x = unset<Length>;
     double phi = unset<double>;
-    static constexpr std::tuple fields{Field{&Section::x, "x", mm, "place"},
-                                       Field{&Section::phi, "phi", deg, "rotation from where it stood"}};
+    static constexpr Fields fields{Field{&Section::x, "x", mm, "place"},
+                                   Field{&Section::phi, "phi", deg, "rotation from where it stood"}};
   };
   /// A segment or a sleeve where its stress is the largest.
   struct Member {
@@ -113,14 +112,13 @@ phi_adm = "1 deg"
     Moment T = unset<Moment>;
     Stress tau = unset<Stress>, tau_all = unset<Stress>;
     double u_tau = unset<double>;
-    static constexpr std::tuple fields{
-        NameField{&Member::name, "name", "segment or sleeve"},
-        Field{&Member::x, "x", mm, "place of its largest stress"},
-        Field{&Member::d, "d", mm, "its outer diameter there"},
-        Field{&Member::T, "T", N_m, "its part of the moment there, signed"}.holding("K_A"),
-        Field{&Member::tau, "tau", MPa, "largest shear stress"},
-        Field{&Member::tau_all, "tau_all", MPa, "allowable shear stress"},
-        Field{&Member::u_tau, "u_tau", ratio, "shear stress over the allowable one"}};
+    static constexpr Fields fields{NameField{&Member::name, "name", "segment or sleeve"},
+                                   Field{&Member::x, "x", mm, "place of its largest stress"},
+                                   Field{&Member::d, "d", mm, "its outer diameter there"},
+                                   Field{&Member::T, "T", N_m, "its part of the moment there, signed"}.holding("K_A"),
+                                   Field{&Member::tau, "tau", MPa, "largest shear stress"},
+                                   Field{&Member::tau_all, "tau_all", MPa, "allowable shear stress"},
+                                   Field{&Member::u_tau, "u_tau", ratio, "shear stress over the allowable one"}};
   };
 
   struct Result {
@@ -136,7 +134,7 @@ phi_adm = "1 deg"
     List<Stretch, most_cuts> stretches;
     List<Section, most_cuts + 1> sections;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::R_1, "R_1", N_m, "torque of the first support on the bar"}.load().holding("K_A"),
       Field{&Result::R_2, "R_2", N_m, "torque of the second support on the bar"}.load().holding("K_A"),
       Field{&Result::M_max, "M_max", N_m, "largest moment in the bar"}.holding("K_A"),

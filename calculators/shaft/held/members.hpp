@@ -6,7 +6,6 @@
 #include "lib/quantity/units.hpp"
 
 #include <array>
-#include <tuple>
 
 namespace loadpath::shaft {
 
@@ -31,7 +30,7 @@ struct Segment {
   Length d_bore = 0.0 * mm, d_bore_2 = unset<Length>;
   Stress G = unset<Stress>, tau_adm = unset<Stress>;
   Force m = 0.0 * N;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Segment::name, "name", "name of the part"}.may_be_missing(),
       Field{&Segment::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
       Field{&Segment::d, "d", mm, "outer diameter; of a cone at its first end"}.positive().usually(1, 2000).findable(
@@ -57,7 +56,7 @@ struct Sleeve {
   Name name;
   Length x = unset<Length>, l = unset<Length>, d = unset<Length>, d_bore = 0.0 * mm;
   Stress G = unset<Stress>, tau_adm = unset<Stress>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Sleeve::name, "name", "name of the sleeve"}.may_be_missing(),
       Field{&Sleeve::x, "x", mm, "its first end, from that of the bar"}.at_least(0),
       Field{&Sleeve::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
@@ -75,9 +74,9 @@ struct AxialTorque {
   Name name;
   Length x = unset<Length>;
   Moment T = unset<Moment>;
-  static constexpr std::tuple fields{NameField{&AxialTorque::name, "name", "what brings the torque"}.may_be_missing(),
-                                     Field{&AxialTorque::x, "x", mm, "place from the first end"}.at_least(0),
-                                     Field{&AxialTorque::T, "T", N_m, "torque on the bar, signed"}.load()};
+  static constexpr Fields fields{NameField{&AxialTorque::name, "name", "what brings the torque"}.may_be_missing(),
+                                 Field{&AxialTorque::x, "x", mm, "place from the first end"}.at_least(0),
+                                 Field{&AxialTorque::T, "T", N_m, "torque on the bar, signed"}.load()};
 };
 
 inline bool is_cone(const Segment& s) {

@@ -1,11 +1,11 @@
 // The ways in which any shaft can fail or stop serving; what its calculator judges stands before them.
 #pragma once
 
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/quantity/units.hpp"
 
 #include <algorithm>
-#include <tuple>
 
 namespace loadpath::shaft {
 
@@ -53,7 +53,7 @@ constexpr auto with_modes_of_shafts(const std::array<Mode<Input>, judged>& own) 
       Mode<Input>{"hub", "slip of what is pressed or clamped on it", &unseen<Input>},
       Mode<Input>{"wall", "buckling of a thin wall", &thin_wall<Input>},
       Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special()};
-  return std::apply([](const auto&... mode) { return std::array{mode...}; }, std::tuple_cat(own, common));
+  return join(own, common);
 }
 
 }  // namespace loadpath::shaft

@@ -7,7 +7,6 @@
 #include "lib/quantity/units.hpp"
 
 #include <array>
-#include <tuple>
 
 namespace loadpath::shaft {
 
@@ -17,7 +16,7 @@ struct Piece {
   Length l = unset<Length>, d = unset<Length>;
   Length d_bore = 0.0 * mm;
   Length d_2 = unset<Length>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Piece::name, "name", "what the piece is"}.may_be_missing(),
       Field{&Piece::l, "l", mm, "length"}.positive(),
       Field{&Piece::d, "d", mm, "outer diameter; of a taper at its left end"}.positive().usually(1, 2000).findable(
@@ -40,7 +39,7 @@ struct Support {
   Stiffness k = unset<Stiffness>;
   double beta_adm = unset<double>;
   On on = On::cylinder;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Support::name, "name", "name of the bearing"}.may_be_missing(),
       Field{&Support::x, "x", mm, "its middle, from the left end of the shaft"}.at_least(0),
       Choice{&Support::holds, "holds", "what the bearing takes"}.may_be_missing(),
@@ -73,7 +72,7 @@ struct Seat {
   Length b = unset<Length>;
   Moment k_T = unset<Moment>;
   double beta_adm = unset<double>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Seat::name, "name", "what sits there"}.may_be_missing(),
       Field{&Seat::x, "x", mm, "its middle, from the left end of the shaft"}.at_least(0),
       RecordField<Seat>{"load",
@@ -124,7 +123,7 @@ struct Seat {
 struct Order {
   Name name;
   double h = unset<double>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Order::name, "name", "what comes: the teeth of the pinion, the strokes of the engine"}
           .may_be_missing(),
       Field{&Order::h, "h", ratio, "how often in a turn of the shaft"}.positive().usually(0.5, 500)};
@@ -160,7 +159,7 @@ struct Notched {
   Length d = unset<Length>, r = unset<Length>, t = unset<Length>, w = unset<Length>;
   Length h = unset<Length>;
   double K_t = unset<double>, K_ts = unset<double>, beta_b = unset<double>, beta_t = unset<double>, r_T = unset<double>;
-  static constexpr std::tuple fields{
+  static constexpr Fields fields{
       NameField{&Notched::name, "name", "what it is"}.may_be_missing(),
       Field{&Notched::x, "x", mm, "place, from the left end of the shaft; of a keyway its end"}.at_least(0),
       RecordField<Notched>{"part", "what makes it, whole: part = \"=key.notch\""},
@@ -220,9 +219,9 @@ struct KeyNotch {
   Notch kind = Notch::keyway;
   Length d = unset<Length>;
   double r_T = unset<double>;
-  static constexpr std::tuple fields{Choice{&KeyNotch::kind, "kind", "kind of notch"},
-                                     Field{&KeyNotch::d, "d", mm, "diameter that it is made for"},
-                                     Field{&KeyNotch::r_T, "r_T", ratio, "-1 where the torque changes its sense"}};
+  static constexpr Fields fields{Choice{&KeyNotch::kind, "kind", "kind of notch"},
+                                 Field{&KeyNotch::d, "d", mm, "diameter that it is made for"},
+                                 Field{&KeyNotch::r_T, "r_T", ratio, "-1 where the torque changes its sense"}};
 };
 
 /// The end of a spline, for a shaft to take whole; its notch factors are those of tests.
@@ -230,21 +229,21 @@ struct SplineNotch {
   Notch kind = Notch::beta;
   Length d = unset<Length>;
   double beta_b = unset<double>, beta_t = unset<double>, r_T = unset<double>;
-  static constexpr std::tuple fields{Choice{&SplineNotch::kind, "kind", "kind of notch"},
-                                     Field{&SplineNotch::d, "d", mm, "diameter that it is made for"},
-                                     Field{&SplineNotch::beta_b, "beta_b", ratio, "notch factor in bending"},
-                                     Field{&SplineNotch::beta_t, "beta_t", ratio, "notch factor in torsion"},
-                                     Field{&SplineNotch::r_T, "r_T", ratio, "-1 where the torque changes its sense"}};
+  static constexpr Fields fields{Choice{&SplineNotch::kind, "kind", "kind of notch"},
+                                 Field{&SplineNotch::d, "d", mm, "diameter that it is made for"},
+                                 Field{&SplineNotch::beta_b, "beta_b", ratio, "notch factor in bending"},
+                                 Field{&SplineNotch::beta_t, "beta_t", ratio, "notch factor in torsion"},
+                                 Field{&SplineNotch::r_T, "r_T", ratio, "-1 where the torque changes its sense"}};
 };
 
 /// The groove of a retaining ring, for a shaft to take whole.
 struct RingNotch {
   Notch kind = Notch::rectangular_groove;
   Length d = unset<Length>, t = unset<Length>, w = unset<Length>, r = unset<Length>;
-  static constexpr std::tuple fields{
-      Choice{&RingNotch::kind, "kind", "kind of notch"},
-      Field{&RingNotch::d, "d", mm, "diameter of the shaft beside it"}, Field{&RingNotch::t, "t", mm, "its depth"},
-      Field{&RingNotch::w, "w", mm, "its width"}, Field{&RingNotch::r, "r", mm, "radius at its edges"}};
+  static constexpr Fields fields{Choice{&RingNotch::kind, "kind", "kind of notch"},
+                                 Field{&RingNotch::d, "d", mm, "diameter of the shaft beside it"},
+                                 Field{&RingNotch::t, "t", mm, "its depth"}, Field{&RingNotch::w, "w", mm, "its width"},
+                                 Field{&RingNotch::r, "r", mm, "radius at its edges"}};
 };
 
 }  // namespace loadpath::shaft

@@ -23,7 +23,7 @@ constexpr auto choices_of(Sense) {
 /// What is carried; of what has T, T_max, torque and K_A.
 template <class Input>
 constexpr auto torque_inputs() {
-  return std::tuple{
+  return Fields{
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
       Field<Input, Moment>{&Input::T, "T", N_m, "torque"}.load(),
       Field<Input, Moment>{&Input::T_max, "T_max", N_m,

@@ -13,6 +13,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/form.hpp"
 #include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
@@ -54,7 +55,7 @@ theta_adm = "0.004 rad/m"
     Length l = unset<Length>, d = unset<Length>;
     double chi = unset<double>;
     Length d_bore = unset<Length>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         NameField{&Segment::name, "name", "name of the part"}.may_be_missing(),
         Field{&Segment::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
         Field{&Segment::d, "d", mm, "outer diameter; the common one where missing"}
@@ -69,9 +70,9 @@ theta_adm = "0.004 rad/m"
     Name name;
     Length x = unset<Length>;
     Moment T = unset<Moment>;
-    static constexpr std::tuple fields{NameField{&Torque::name, "name", "what brings the torque"}.may_be_missing(),
-                                       Field{&Torque::x, "x", mm, "place from the left end"}.at_least(0),
-                                       Field{&Torque::T, "T", N_m, "torque on the shaft, signed"}.load()};
+    static constexpr Fields fields{NameField{&Torque::name, "name", "what brings the torque"}.may_be_missing(),
+                                   Field{&Torque::x, "x", mm, "place from the left end"}.at_least(0),
+                                   Field{&Torque::T, "T", N_m, "torque on the shaft, signed"}.load()};
   };
 
   struct Input : ShearStrength {
@@ -95,25 +96,24 @@ theta_adm = "0.004 rad/m"
   static FieldFault two_safeties(const Input& in);
   static FieldFault open_sum(const Input& in);
   static FieldFault torque_off_shaft(const Input& in);
-  static constexpr auto inputs = std::tuple_cat(
-      std::tuple{
-          RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-          Field{&Input::T, "T", N_m, "torque through the whole shaft, in place of torques"}.load().may_be_missing(),
-          Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
-          Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
-          Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}
-              .at_least(0)
-              .below(0.99)
-              .may_be_missing(),
-          Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
-          diameter_at_heat_treatment(&Input::d_h),
-          Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
-              .positive()
-              .usually(1, 4)
-              .factor(),
-          Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G")},
+  static constexpr auto inputs = join(
+      Fields{RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+             Field{&Input::T, "T", N_m, "torque through the whole shaft, in place of torques"}.load().may_be_missing(),
+             Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
+             Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
+             Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}
+                 .at_least(0)
+                 .below(0.99)
+                 .may_be_missing(),
+             Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
+             diameter_at_heat_treatment(&Input::d_h),
+             Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
+                 .positive()
+                 .usually(1, 4)
+                 .factor(),
+             Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G")},
       shear_strength_inputs<Input>("d_s"),
-      std::tuple{
+      Fields{
           Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
               .positive()
               .usually(0.02, 10)
@@ -133,7 +133,7 @@ theta_adm = "0.004 rad/m"
     Stress tau = unset<Stress>;
     Twist theta = unset<Twist>;
     double phi = unset<double>;
-    static constexpr std::tuple fields{
+    static constexpr Fields fields{
         Field{&Stretch::x, "x", mm, "left end"},
         Field{&Stretch::l, "l", mm, "length"},
         Field{&Stretch::M, "M", N_m, "internal moment, signed"},
@@ -150,8 +150,8 @@ theta_adm = "0.004 rad/m"
   struct Section {
     Length x = unset<Length>;
     double phi = unset<double>;
-    static constexpr std::tuple fields{Field{&Section::x, "x", mm, "place from the left end"},
-                                       Field{&Section::phi, "phi", deg, "twist against the left end, signed"}};
+    static constexpr Fields fields{Field{&Section::x, "x", mm, "place from the left end"},
+                                   Field{&Section::phi, "phi", deg, "twist against the left end, signed"}};
   };
 
   struct Result {
@@ -170,7 +170,7 @@ theta_adm = "0.004 rad/m"
     List<Stretch, most_stretches> segments;
     List<Section, most_stretches + 1> sections;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"},
       Field{&Result::M_max, "M_max", N_m, "largest design moment"}.holding("K_A"),
       Field{&Result::d_strength, "d_strength", mm, "least diameter by strength"},

@@ -14,14 +14,14 @@ struct Bar {
   Length d = unset<Length>;
   Area A = unset<Area>;
   double price = unset<double>;
-  static constexpr std::tuple fields{Field{&Bar::d, "d", loadpath::mm, "diameter"}, Field{&Bar::A, "A", mm2, "area"},
-                                     Field{&Bar::price, "price", ratio, "price"}};
+  static constexpr Fields fields{Field{&Bar::d, "d", loadpath::mm, "diameter"}, Field{&Bar::A, "A", mm2, "area"},
+                                 Field{&Bar::price, "price", ratio, "price"}};
 };
 
 struct Steel {
   static constexpr auto group = "material";
   Stress E = unset<Stress>;
-  static constexpr std::tuple fields{Field{&Steel::E, "E", GPa, "modulus of elasticity"}};
+  static constexpr Fields fields{Field{&Steel::E, "E", GPa, "modulus of elasticity"}};
 };
 
 const std::string head = "group = \"bar\"\nunits = { d = \"mm\", A = \"cm^2\", price = \"-\" }\n";

@@ -29,13 +29,13 @@ struct Gapped {
     Force F = unset<Force>;
     Length d = unset<Length>;
   };
-  static constexpr std::tuple inputs{Field{&Input::F, "F", N, "force"}.load(),
-                                     Field{&Input::d, "d", mm, "diameter"}.positive().searched("R10").may_be_missing()};
+  static constexpr Fields inputs{Field{&Input::F, "F", N, "force"}.load(),
+                                 Field{&Input::d, "d", mm, "diameter"}.positive().searched("R10").may_be_missing()};
   struct Result {
     Stress sigma = unset<Stress>;
     double u = unset<double>, x = unset<double>;
   };
-  static constexpr std::tuple results{
+  static constexpr Fields results{
       Field{&Result::sigma, "sigma", MPa, "stress"},
       Field{&Result::u, "u", ratio, "stress over the allowable one"}.check(),
       Field{&Result::x, "x", ratio, "whether the method is told of the diameter"}.limit(0, 1)};

@@ -22,10 +22,13 @@ struct Sought {
 /// What a calculator says of the sizes in one of its lists; the functions see an input in which all else has its value.
 struct Sizing {
   const char* list = "";  // "pieces"; empty: it has no such list
-  /// Before the search: stocks, notes, and which are of one size.
-  void (*arrange)(const void* input, std::span<Sought> sought) = nullptr;
+  /// Before the search: stocks, notes, and which are of one size, in one of the ways in which sizes can go together;
+  /// false where there are no more. All ways have the same stocks, and the same sizes alike.
+  bool (*arrange)(const void* input, std::span<Sought> sought, std::size_t way) = nullptr;
   /// Raises each no further than the others and what is given ask; false where no size is large enough.
   bool (*raise)(const void* input, std::span<Sought> sought) = nullptr;
+  /// What the search makes least, with the sizes that the input has now: a volume.
+  double (*cost)(const void* input) = nullptr;
   /// What is not sound about the size of one of them, beside the others; empty where nothing is.
   Message (*fault)(const void* input, std::span<const Sought> sought, std::size_t which) = nullptr;
 };

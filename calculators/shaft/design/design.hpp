@@ -354,8 +354,9 @@ r_T = 0
 
   /// Diameters that are searched for together; calculators/shaft/design/sizing.cpp says how.
   static constexpr auto sized = "pieces";
-  static void arrange(const Input& in, std::span<Sought> sought);
+  static bool arrange(const Input& in, std::span<Sought> sought, std::size_t way);
   static bool raise(const Input& in, std::span<Sought> sought);
+  static double cost(const Input& in);
   static Message unsound(const Input& in, std::span<const Sought> sought, std::size_t which);
 
   static constexpr bool takes_series = false;

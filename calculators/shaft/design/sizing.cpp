@@ -1,5 +1,6 @@
 // How the diameters of a shaft go together when they are searched for: they fall from one piece to both ends, so that
-// all that sits on the shaft can be pushed onto it; a shoulder is no lower than its fillet, and than what is set
+// all that sits on the shaft can be pushed onto it. Each piece between the bearings may be the thickest; the lightest
+// shaft is taken. A shoulder is no lower than its fillet, and than what is set
 // against it asks; where nothing is cut between two pieces they are one cylinder; bearings sit on bores of bearings.
 // Tapers are given, and their ends ask of the cylinders beside them what other cylinders do.
 #include "calculators/shaft/design/places.hpp"
@@ -73,21 +74,32 @@ bool is_bearing_seat(const Input& in, std::size_t i) {
   return false;
 }
 
-/// The piece from which the diameters fall to both ends: the thickest that is given between the ends and carries no
-/// bearing, a collar or a seat; else the one that is bent most, as it is of one diameter.
-std::size_t top_of(const Input& in, const OfPieces& sought) {
-  std::size_t found = none;
-  for (std::size_t i = 1; i + 1 < in.pieces.size(); ++i) {
-    if (sought[i] != none || is_bearing_seat(in, i)) continue;
-    if (found == none || thickest(in.pieces[i]) > thickest(in.pieces[found])) found = i;
+/// Whether a piece lies between two bearings and carries none itself.
+bool is_free_between(const Input& in, std::size_t i) {
+  const auto any_bearing = [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      if (carries_bearing(in, k)) return true;
+    }
+    return false;
+  };
+  return !is_bearing_seat(in, i) && any_bearing(0, i) && any_bearing(i + 1, in.pieces.size());
+}
+
+bool has_free_between(const Input& in) {
+  for (std::size_t i = 0; i < in.pieces.size(); ++i) {
+    if (is_free_between(in, i)) return true;
   }
-  if (found != none) return found;
+  return false;
+}
+
+/// The piece that is bent most, as it is of one diameter.
+std::size_t most_bent(const Input& in) {
   Input alike = in;
   Length d = 0.1 * length_of(in);
   for (const Piece& piece : in.pieces) d = max(d, 2.0 * piece.d_bore);
   for (Piece& piece : alike.pieces) piece.d = d, piece.d_2 = unset<Length>;
   const auto loaded = loaded_shaft(alike);
-  found = in.pieces.size() / 2;
+  std::size_t found = in.pieces.size() / 2;
   if (!loaded) return found;
   double most = 0.0;
   for (std::size_t s = 0; s < loaded->stations.piece.size(); ++s) {
@@ -96,6 +108,19 @@ std::size_t top_of(const Input& in, const OfPieces& sought) {
     if (M > most * (1.0 + 1e-9)) most = M, found = loaded->stations.piece[s];
   }
   return found;
+}
+
+/// The pieces from which the diameters may fall to both ends: those between bearings that carry none, and collars that
+/// are given; else the piece that is bent most.
+OfPieces tops_of(const Input& in, const OfPieces& sought) {
+  OfPieces tops;
+  for (std::size_t i = 0; i < in.pieces.size(); ++i) {
+    const bool is_end = i == 0 || i + 1 == in.pieces.size();
+    const bool is_collar = sought[i] == none && !is_end && !is_bearing_seat(in, i);
+    if (is_free_between(in, i) || is_collar) tops.push_back(i);
+  }
+  if (tops.empty()) tops.push_back(most_bent(in));
+  return tops;
 }
 
 /// The diameters as they are tried: of what is searched for its size, else what is given.
@@ -132,6 +157,16 @@ struct Trial {
     if (i + 1 < in.pieces.size()) least = max(least, asked_by(joint_after(in, i), i, i + 1));
     return least;
   }
+  /// No bearing seat is thicker than all else where a piece between the bearings could be: nothing would hold the ring.
+  [[nodiscard]] bool has_thick_middle() const {
+    if (!has_free_between(in)) return true;
+    Length seats = 0.0 * mm, others = 0.0 * mm;
+    for (std::size_t i = 0; i < of.size(); ++i) {
+      Length& thickest_of_kind = is_bearing_seat(in, i) ? seats : others;
+      thickest_of_kind = max(thickest_of_kind, over(i));
+    }
+    return seats <= others * (1.0 + one_place);
+  }
   /// One cylinder of one diameter.
   [[nodiscard]] bool agrees(std::size_t i) const {
     return !joint_after(in, i).tied || abs(end(i, i + 1) - end(i + 1, i)) <= one_place * end(i, i + 1);
@@ -140,15 +175,26 @@ struct Trial {
 
 }  // namespace
 
-void Design::arrange(const Input& in, std::span<Sought> sought) {
-  const OfPieces of = sought_of(in, sought);
-  const std::size_t top = top_of(in, of);
+bool Design::arrange(const Input& in, std::span<Sought> sought, std::size_t way) {
+  const OfPieces of = sought_of(in, sought), tops = tops_of(in, of);
+  if (way >= tops.size()) return false;
   for (std::size_t i = 0; i < of.size(); ++i) {
     if (of[i] == none) continue;
-    sought[of[i]].note = top;
+    sought[of[i]].note = tops[way];
     if (is_bearing_seat(in, i)) sought[of[i]].stock = "bearing";
     if (i > 0 && of[i - 1] != none && joint_after(in, i - 1).tied) sought[of[i]].like = sought[of[i - 1]].like;
   }
+  return true;
+}
+
+/// The volume, in m^3.
+double Design::cost(const Input& in) {
+  double V = 0.0;
+  for (const Piece& piece : in.pieces) {
+    const double a = in_si(piece.d), b = in_si(right_diameter(piece)), bore = in_si(piece.d_bore);
+    V += pi / 12.0 * in_si(piece.l) * (a * a + a * b + b * b - 3.0 * bore * bore);
+  }
+  return V;
 }
 
 bool Design::raise(const Input& in, std::span<Sought> sought) {
@@ -171,7 +217,7 @@ bool Design::raise(const Input& in, std::span<Sought> sought) {
   for (std::size_t i = 0; i + 1 < trial.of.size(); ++i) {
     if (!trial.agrees(i)) return false;
   }
-  return true;
+  return trial.has_thick_middle();
 }
 
 Message Design::unsound(const Input& in, std::span<const Sought> sought, std::size_t which) {

@@ -118,6 +118,8 @@ class Run {
   bool lay(Together& all, const std::vector<std::size_t>& least);
   bool fits_together(Together& all, const std::vector<std::size_t>& least);
   bool find_start(Together& all, std::vector<std::size_t>& least);
+  bool find_cheapest(Together& all, std::vector<std::size_t>& least);
+  bool trade(Together& all, std::vector<std::size_t>& least);
   void lower(Together& all, std::vector<std::size_t>& least);
   bool lower_one(Together& all, std::vector<std::size_t>& least, std::size_t which);
   static bool shrink(Together& all, const std::vector<std::size_t>& laid, std::size_t which);

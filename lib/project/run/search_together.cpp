@@ -2,13 +2,19 @@
 // each is lowered as far as everything holds, the largest first, until none can be; at first with those that go down
 // with it, at last alone, so that in the end no single one can be a size smaller.
 //
+// Then sizes are traded as long as the part gets cheaper: some go down while others go up. The calculator may know
+// several ways in which the sizes go together; each is searched, and the cheapest is taken.
+//
 // What is lowered is the least that a size may be; the calculator raises it as its neighbours ask (a shoulder, one
 // diameter without a step). For any least sizes there is so one part, the lightest of those that keep to them.
+#include "lib/numerics/magnitude.hpp"
 #include "lib/project/run/run.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numeric>
 
 namespace loadpath::project {
@@ -40,7 +46,7 @@ Run::Together Run::sought_together() {
     all.sought.push_back({map_leaf(search.path).owner});
     all.sought.back().like = all.count() - 1;
   }
-  calculator_.sizing.arrange(record_.data.get(), all.sought);
+  calculator_.sizing.arrange(record_.data.get(), all.sought, 0);
   for (std::size_t i = 0; i < all.count(); ++i) {
     const Search& search = *all.searches[i];
     const std::string_view own = all.sought[i].stock;
@@ -190,6 +196,67 @@ void Run::lower_alone(Together& all, std::vector<std::size_t>& least) {
   }
 }
 
+/// Up to three sizes one up or down at a time, as long as the part becomes cheaper; whether it has.
+bool Run::trade(Together& all, std::vector<std::size_t>& least) {
+  constexpr std::size_t together = 3;
+  const auto cost = [&] { return calculator_.sizing.cost(record_.data.get()); };
+  lay(all, least);
+  std::vector<std::size_t> best = all.now(), tried = best;
+  double lowest = cost();
+  const auto accept = [&] {
+    if (!lay(all, tried) || all.now() != tried || !numerics::exceeds(lowest, cost()) || !passes_covered()) return false;
+    lowest = cost();
+    return true;
+  };
+  const auto set_alike = [&](std::size_t first, std::size_t at) {
+    for (std::size_t i = first; i < all.count(); ++i) {
+      if (all.sought[i].like == first) tried[i] = at;
+    }
+  };
+  const std::function<bool(std::size_t, std::size_t)> change = [&](std::size_t from, std::size_t left) {
+    for (std::size_t i = from; i < all.count() && left > 0; ++i) {
+      if (all.sought[i].like != i) continue;
+      for (const bool up : {false, true}) {
+        if (up ? best[i] + 1 >= all.sizes[i].size() : best[i] == 0) continue;
+        set_alike(i, up ? best[i] + 1 : best[i] - 1);
+        if (accept() || change(i + 1, left - 1)) return true;
+        set_alike(i, best[i]);
+      }
+    }
+    return false;
+  };
+  bool traded = false;
+  while (change(0, together)) {
+    best = tried;
+    traded = true;
+  }
+  least = best;
+  lay(all, least);
+  return traded;
+}
+
+/// The cheapest part that passes, of all ways in which the sizes go together; where none does, the first way.
+bool Run::find_cheapest(Together& all, std::vector<std::size_t>& least) {
+  const auto arrange = [&](std::size_t way) { return calculator_.sizing.arrange(record_.data.get(), all.sought, way); };
+  double lowest = std::numeric_limits<double>::infinity();
+  std::size_t best_way = 0;
+  std::vector<std::size_t> best;
+  for (std::size_t way = 0; arrange(way); ++way) {
+    if (!find_start(all, least)) continue;
+    lower(all, least);
+    while (trade(all, least)) lower(all, least);
+    const double cost = calculator_.sizing.cost(record_.data.get());
+    if (!best.empty() && !numerics::exceeds(lowest, cost)) continue;
+    lowest = cost;
+    best_way = way;
+    best = least;
+  }
+  arrange(best_way);
+  if (best.empty()) return false;
+  least = best;
+  return true;
+}
+
 /// Where none pass: the largest with which every rule about them holds.
 bool Run::lay_largest(Together& all, std::vector<std::size_t>& least) {
   const std::vector<double> levels = levels_of(all.sizes);
@@ -217,10 +284,8 @@ void Run::search_together(std::vector<Issue>& issues) {
   std::vector<std::size_t> least(all.count(), 0);
   const bool smallest = fits_together(all, least);
   if (smallest && !has_check()) return issues.push_back(aimless(*all.searches.front()));
-  const bool found = smallest || find_start(all, least);
-  if (found) {
-    lower(all, least);
-  } else if (!lay_largest(all, least)) {
+  const bool found = find_cheapest(all, least);
+  if (!found && !lay_largest(all, least)) {
     const std::string& path = all.searches.front()->path;
     return issues.push_back(issue_at(step_.input(), path, say("no sizes go together with what is given"),
                                      say("give '{1}' a value, or let more of them be searched for", path)));

@@ -11,7 +11,7 @@ install_missing debootstrap
 root=${1:-$(mktemp -d)}
 keep=${1:-}
 leave() {
-  umount "$root/proc" "$root/dev" 2>/dev/null || true
+  umount "$root/proc" "$root/dev/pts" "$root/dev" 2>/dev/null || true
   [ -n "$keep" ] || rm -rf --one-file-system "$root"
 }
 trap leave EXIT
@@ -21,6 +21,7 @@ git archive HEAD | tar -x -C "$root/loadpath"
 cp /etc/resolv.conf "$root/etc/"
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
+mount --bind /dev/pts "$root/dev/pts"
 
 # timed COMMAND: in the root, with nothing of this machine's environment.
 timed() {

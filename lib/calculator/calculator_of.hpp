@@ -12,7 +12,7 @@
 //     static constexpr bool takes_series = false;              // where it decides on one thing for all its loads
 //     static constexpr bool turns = true;                      // of a part that turns
 //     static constexpr auto sized = "pieces";                  // a list whose sizes are found together; with
-//                                                              // arrange, raise, cost and unsound (sizing.hpp)
+//                                                              // arrange, raise, cost, place, unsound (sizing.hpp)
 //     static constexpr std::array meanings{Meaning{...}...};   // what its values are, where others are like them
 //     static std::vector<draw::Figure> figures(const Input&, const Result&);
 //   };
@@ -51,6 +51,9 @@ constexpr Sizing sizing_of() {
           },
           [](const void* in, std::span<Sought> all) { return C::raise(*static_cast<const Input*>(in), all); },
           [](const void* in) { return C::cost(*static_cast<const Input*>(in)); },
+          [](const void* in, std::string_view list, const void* element) {
+            return C::place(*static_cast<const Input*>(in), list, element);
+          },
           [](const void* in, std::span<const Sought> all, std::size_t which) {
             return C::unsound(*static_cast<const Input*>(in), all, which);
           }};

@@ -357,6 +357,7 @@ r_T = 0
   static bool arrange(const Input& in, std::span<Sought> sought, std::size_t way);
   static bool raise(const Input& in, std::span<Sought> sought);
   static double cost(const Input& in);
+  static const void* place(const Input& in, std::string_view list, const void* element);
   static Message unsound(const Input& in, std::span<const Sought> sought, std::size_t which);
 
   static constexpr bool takes_series = false;

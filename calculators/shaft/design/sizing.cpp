@@ -1,8 +1,8 @@
 // How the diameters of a shaft go together when they are searched for: they fall from one piece to both ends, so that
-// all that sits on the shaft can be pushed onto it. Each piece between the bearings may be the thickest; the lightest
-// shaft is taken. A shoulder is no lower than its fillet, and than what is set
-// against it asks; where nothing is cut between two pieces they are one cylinder; bearings sit on bores of bearings.
-// Tapers are given, and their ends ask of the cylinders beside them what other cylinders do.
+// all that sits on the shaft can be pushed onto it. Each piece that carries no bearing may be the thickest; the
+// lightest shaft is taken. A shoulder is no lower than its fillet, and than what is set against it asks; where nothing
+// is cut between two pieces they are one cylinder; bearings sit on bores of bearings. Tapers are given, and their ends
+// ask of the cylinders beside them what other cylinders do.
 #include "calculators/shaft/design/places.hpp"
 
 #include <algorithm>
@@ -111,7 +111,7 @@ std::size_t most_bent(const Input& in) {
 }
 
 /// The pieces from which the diameters may fall to both ends: those between bearings that carry none, and collars that
-/// are given; else the piece that is bent most.
+/// are given; where there are none, that which is bent most.
 OfPieces tops_of(const Input& in, const OfPieces& sought) {
   OfPieces tops;
   for (std::size_t i = 0; i < in.pieces.size(); ++i) {
@@ -157,7 +157,7 @@ struct Trial {
     if (i + 1 < in.pieces.size()) least = max(least, asked_by(joint_after(in, i), i, i + 1));
     return least;
   }
-  /// No bearing seat is thicker than all else where a piece between the bearings could be: nothing would hold the ring.
+  /// Where a piece between the bearings could be thicker, no bearing seat is the thickest.
   [[nodiscard]] bool has_thick_middle() const {
     if (!has_free_between(in)) return true;
     Length seats = 0.0 * mm, others = 0.0 * mm;
@@ -197,6 +197,16 @@ double Design::cost(const Input& in) {
   return V;
 }
 
+/// Of sections and of their safeties: the piece at their place, of two the thinner.
+const void* Design::place(const Input& in, std::string_view list, const void* element) {
+  Length x = unset<Length>;
+  if (list == "sections") x = static_cast<const Section*>(element)->x;
+  if (list == "safeties") x = static_cast<const Safety*>(element)->x;
+  if (!is_set(x)) return nullptr;
+  const auto [before, after, sides] = around(in, x);
+  return sides.left.d <= sides.right.d ? &before : &after;
+}
+
 bool Design::raise(const Input& in, std::span<Sought> sought) {
   const Trial trial{in, sought, sought_of(in, sought)};
   for (std::size_t i = 0; i < trial.of.size(); ++i) {
@@ -217,7 +227,7 @@ bool Design::raise(const Input& in, std::span<Sought> sought) {
   for (std::size_t i = 0; i + 1 < trial.of.size(); ++i) {
     if (!trial.agrees(i)) return false;
   }
-  return trial.has_thick_middle();
+  return true;
 }
 
 Message Design::unsound(const Input& in, std::span<const Sought> sought, std::size_t which) {
@@ -235,6 +245,8 @@ Message Design::unsound(const Input& in, std::span<const Sought> sought, std::si
       return say("what sits on it cannot be pushed over the {1} beyond {2}", format(trial.over(k)), format(joint.x));
     return {};
   };
+  if (!trial.has_thick_middle())
+    return say("a bearing seat is the thickest piece: no shoulder towards the middle holds its ring");
   Message fault = i == 0 ? Message{} : beside(joint_after(in, i - 1), i - 1);
   if (fault.empty() && i + 1 < in.pieces.size()) fault = beside(joint_after(in, i), i + 1);
   return fault;

@@ -119,7 +119,11 @@ class Run {
   bool fits_together(Together& all, const std::vector<std::size_t>& least);
   bool find_start(Together& all, std::vector<std::size_t>& least);
   bool find_cheapest(Together& all, std::vector<std::size_t>& least);
-  bool trade(Together& all, std::vector<std::size_t>& least);
+  struct Branching;
+  void branch(Branching& at, std::size_t group);
+  bool find_cheaper(Together& all, double lowest, std::vector<std::size_t>& least);
+  bool places_hold(const Together& all, std::size_t first);
+  [[nodiscard]] bool is_sound(const Together& all) const;
   void lower(Together& all, std::vector<std::size_t>& least);
   bool lower_one(Together& all, std::vector<std::size_t>& least, std::size_t which);
   static bool shrink(Together& all, const std::vector<std::size_t>& laid, std::size_t which);

@@ -13,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -72,8 +71,16 @@ bool Run::lay(Together& all, const std::vector<std::size_t>& least) {
   return true;
 }
 
+/// Whether the calculator finds no fault with the sizes as they are.
+bool Run::is_sound(const Together& all) const {
+  for (std::size_t i = 0; i < all.count(); ++i) {
+    if (!calculator_.sizing.fault(record_.data.get(), all.sought, i).empty()) return false;
+  }
+  return true;
+}
+
 bool Run::fits_together(Together& all, const std::vector<std::size_t>& least) {
-  return lay(all, least) && passes_covered();
+  return lay(all, least) && is_sound(all) && passes_covered();
 }
 
 namespace {
@@ -134,7 +141,7 @@ bool Run::lower_one(Together& all, std::vector<std::size_t>& least, std::size_t 
   const auto lowers_to = [&](std::size_t lower) {
     std::vector<std::size_t> lowered = least;
     lowered[which] = lower;
-    if (!lay(all, lowered) || (all.now() != laid && (lower == 0 || !passes_covered()))) return false;
+    if (!lay(all, lowered) || (all.now() != laid && (lower == 0 || !is_sound(all) || !passes_covered()))) return false;
     least = std::move(lowered);
     return true;
   };
@@ -188,7 +195,7 @@ void Run::lower_alone(Together& all, std::vector<std::size_t>& least) {
     lowered = false;
     for (const std::size_t which : all.largest_first()) {
       if (all.sought[which].like != which) continue;
-      while (lay_smaller(all, least, which) && passes_covered()) {
+      while (lay_smaller(all, least, which) && is_sound(all) && passes_covered()) {
         least = all.now();
         lowered = true;
       }
@@ -196,43 +203,82 @@ void Run::lower_alone(Together& all, std::vector<std::size_t>& least) {
   }
 }
 
-/// Up to three sizes one up or down at a time, as long as the part becomes cheaper; whether it has.
-bool Run::trade(Together& all, std::vector<std::size_t>& least) {
-  constexpr std::size_t together = 3;
-  const auto cost = [&] { return calculator_.sizing.cost(record_.data.get()); };
-  lay(all, least);
-  std::vector<std::size_t> best = all.now(), tried = best;
-  double lowest = cost();
-  const auto accept = [&] {
-    if (!lay(all, tried) || all.now() != tried || !numerics::exceeds(lowest, cost()) || !passes_covered()) return false;
-    lowest = cost();
-    return true;
+/// Whether what is judged at the places of one of them, and of those of one size with it, passes beside the others.
+bool Run::places_hold(const Together& all, std::size_t first) {
+  settle_sizes(settled_);
+  if (first_broken_rule() < calculator_.rules.size()) return true;  // of the others, as far as they are known
+  const auto is_its = [&](const FieldInfo& list, const void* element) {
+    const void* const owner = calculator_.sizing.place(record_.data.get(), list.key, element);
+    return std::any_of(all.sought.begin(), all.sought.end(),
+                       [&](const Sought& s) { return s.like == first && s.owner == owner; });
   };
-  const auto set_alike = [&](std::size_t first, std::size_t at) {
-    for (std::size_t i = first; i < all.count(); ++i) {
-      if (all.sought[i].like == first) tried[i] = at;
-    }
-  };
-  const std::function<bool(std::size_t, std::size_t)> change = [&](std::size_t from, std::size_t left) {
-    for (std::size_t i = from; i < all.count() && left > 0; ++i) {
-      if (all.sought[i].like != i) continue;
-      for (const bool up : {false, true}) {
-        if (up ? best[i] + 1 >= all.sizes[i].size() : best[i] == 0) continue;
-        set_alike(i, up ? best[i] + 1 : best[i] - 1);
-        if (accept() || change(i + 1, left - 1)) return true;
-        set_alike(i, best[i]);
+  for (std::size_t i = 0; i < positions(); ++i) {
+    if (!set_position(i)) continue;
+    calculator_.evaluate(record_.data.get(), result_.data.get());
+    for (const FieldInfo& list : calculator_.result->fields) {
+      if (list.type != FieldInfo::Type::list) continue;
+      for (std::size_t k = 0; k < list.size(result_.data.get()); ++k) {
+        void* const element = list.element(result_.data.get(), k);
+        if (!is_its(list, element)) continue;
+        if (!element_passes(list, element, true) || !element_passes(list, element, false)) return false;
       }
     }
-    return false;
-  };
-  bool traded = false;
-  while (change(0, together)) {
-    best = tried;
-    traded = true;
   }
-  least = best;
+  return true;
+}
+
+/// The sizes one after the other, ascending: the least of the rest bound the cost, and what is judged at places whose
+/// sizes are all set excludes most of what follows.
+struct Run::Branching {
+  Together& all;
+  std::vector<std::size_t> firsts;  // of those of one size
+  std::vector<std::size_t> least, best;
+  double lowest;
+  int trials;  // that are left
+};
+
+void Run::branch(Branching& b, std::size_t depth) {
+  const std::size_t first = b.firsts[depth];
+  const auto is_set_before = [&](std::size_t i) { return b.all.sought[i].like <= first; };
+  const auto set = [&](std::size_t at) {
+    for (std::size_t i = 0; i < b.all.count(); ++i) {
+      if (b.all.sought[i].like >= first) b.least[i] = b.all.sought[i].like == first ? at : 0;
+    }
+  };
+  const auto keeps_what_is_set = [&] {
+    for (std::size_t i = 0; i < b.all.count(); ++i) {
+      if (is_set_before(i) && b.all.sought[i].at != b.least[i]) return false;
+    }
+    return true;
+  };
+  for (std::size_t at = 0; at < b.all.sizes[first].size() && b.trials > 0; ++at) {
+    set(at);
+    if (!lay(b.all, b.least) || !keeps_what_is_set()) continue;
+    const double cost = calculator_.sizing.cost(record_.data.get());
+    if (!numerics::exceeds(b.lowest, cost)) break;
+    --b.trials;
+    if (depth + 1 == b.firsts.size()) {
+      if (!is_sound(b.all) || !passes_covered()) continue;
+      b.lowest = cost;
+      b.best = b.least;
+      break;
+    }
+    if (depth == 0 || places_hold(b.all, b.firsts[depth - 1])) branch(b, depth + 1);
+  }
+}
+
+/// From what a first search has found, if anything; true where there is a cheaper part.
+bool Run::find_cheaper(Together& all, double lowest, std::vector<std::size_t>& least) {
+  constexpr int most_trials = 20000;
+  Branching b{all, {}, least, {}, lowest, most_trials};
+  for (std::size_t i = 0; i < all.count(); ++i) {
+    if (all.sought[i].like == i) b.firsts.push_back(i);
+  }
+  branch(b, 0);
+  if (b.best.empty()) return false;
+  least = b.best;
   lay(all, least);
-  return traded;
+  return true;
 }
 
 /// The cheapest part that passes, of all ways in which the sizes go together; where none does, the first way.
@@ -241,20 +287,24 @@ bool Run::find_cheapest(Together& all, std::vector<std::size_t>& least) {
   double lowest = std::numeric_limits<double>::infinity();
   std::size_t best_way = 0;
   std::vector<std::size_t> best;
-  for (std::size_t way = 0; arrange(way); ++way) {
-    if (!find_start(all, least)) continue;
-    lower(all, least);
-    while (trade(all, least)) lower(all, least);
-    const double cost = calculator_.sizing.cost(record_.data.get());
-    if (!best.empty() && !numerics::exceeds(lowest, cost)) continue;
-    lowest = cost;
+  const auto keep = [&](std::size_t way) {
+    lowest = calculator_.sizing.cost(record_.data.get());
     best_way = way;
     best = least;
+  };
+  for (std::size_t way = 0; arrange(way); ++way) {  // a good one first: it bounds the rest
+    if (!find_start(all, least)) continue;
+    lower(all, least);
+    if (numerics::exceeds(lowest, calculator_.sizing.cost(record_.data.get()))) keep(way);
+  }
+  for (std::size_t way = 0; arrange(way); ++way) {
+    least.assign(all.count(), 0);
+    if (find_cheaper(all, lowest, least)) keep(way);
   }
   arrange(best_way);
   if (best.empty()) return false;
   least = best;
-  return true;
+  return lay(all, least);
 }
 
 /// Where none pass: the largest with which every rule about them holds.

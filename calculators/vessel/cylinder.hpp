@@ -74,12 +74,12 @@ sigma_adm = "140 MPa"
 
   static constexpr std::array rules =
       join(wall_rules<Input>(), liquid_rules<Input>(),
-                  std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
-                                         "rings need both the area A_r of their section and their distance l_r"},
-                             Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
-                                         "A_r, l_r, ends", "rings go with ends = \"ringed\""},
-                             Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
-                                         "the wall is thicker than the radius leaves room for"}});
+           std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
+                                  "rings need both the area A_r of their section and their distance l_r"},
+                      Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
+                                  "A_r, l_r, ends", "rings go with ends = \"ringed\""},
+                      Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
+                                  "the wall is thicker than the radius leaves room for"}});
 
   static constexpr Applies ringed(const Input& in) { return where(in.ends == Ends::ringed); }
   static constexpr std::array modes = wall_modes<Input>(

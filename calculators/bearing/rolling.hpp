@@ -79,6 +79,8 @@ s_0 = 2
   static bool factors_once(const Input& in);
   static bool static_factors_given(const Input& in);
   static bool shares_close(const Input& in);
+  static bool ratings_agree(const Input& in);
+  static FieldFault odd_ratings(const Input& in);
   static FieldFault missing_factors(const Input& in);
   static FieldFault open_shares(const Input& in);
   static Applies runs(const Input& in);
@@ -97,7 +99,9 @@ s_0 = 2
           .positive()
           .usually(1, 4)
           .factor(),
-      Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 of a bearing that stands"}.at_least(0),
+      Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 of a bearing that stands; without it its life in revolutions"}
+          .at_least(0)
+          .may_be_missing(),
       Field{&Input::n_max, "n_max", rpm, "highest speed of the maker's table for this lubrication"}
           .positive()
           .may_be_missing(),
@@ -217,6 +221,7 @@ s_0 = 2
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.kind != Kind::unstated; }, "kind",
                   "state the kind of the bearing: its life exponent and the loads that it takes hang on it"},
+      Rule<Input>{&ratings_agree, "C, C_0", "C and C_0 are those of one bearing", &odd_ratings},
       Rule<Input>{&factors_once, "f_0, e, Y", "give f_0, or e and Y, never both: f_0 of a deep groove ball bearing"},
       Rule<Input>{&factors_given, "e, Y, X, Y_1, f_0, C_0, F_a, kind", "this load needs the factors of the bearing",
                   &missing_factors},
@@ -226,8 +231,10 @@ s_0 = 2
                   "the static safety under an axial load needs Y_0 of the maker's table"},
       Rule<Input>{[](const Input& in) { return !is_set(in.F_a0) || is_set(in.F_r0); }, "F_a0, F_r0",
                   "give the radial load F_r0 beside F_a0, be it zero"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || runs(in) == Applies::yes; }, "L_h, n, blocks",
+      Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || highest_speed(in) > 0.0 * rpm; }, "L_h, n, blocks",
                   "a bearing that stands has no life in hours: leave out L_h, or give the speed"},
+      Rule<Input>{[](const Input& in) { return in.blocks.empty() || is_set(highest_speed(in)); }, "n, blocks",
+                  "blocks are shares of the time: give the speed n, or that of each block"},
       Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}};
 
   static constexpr bool turns = true;

@@ -68,6 +68,7 @@ Stress allowable_shear(const ShearStrength& in, Stress own, Tracer& trace) {
   if (is_set(in.S))
     return NAMED_STEP("tau_all", in.R_e / (sqrt(3.0) * in.S),
                       "yielding in shear by the distortion energy hypothesis, [Mises]");
+  if (!is_set(in.sigma_adm)) return unset<Stress>;  // of stiffness alone
   if (in.behaviour == Behaviour::brittle) return NAMED_STEP("tau_all", 0.75 * in.sigma_adm, "brittle material, [B19]");
   return NAMED_STEP("tau_all", 0.6 * in.sigma_adm, "ductile material, [B19]");
 }

@@ -63,6 +63,9 @@ void fits(const Input& in, Result& r, Tracer& trace) {
   if (is_set(in.d_over)) {
     STEP_TO(r, x_d, (in.d - in.d_over) / (in.d_to - in.d_over), "between the shafts that the key belongs to");
   }
+  if (in.d_bore > 0.0 * mm) {
+    STEP_TO(r, x_w, in.t_1 / ((in.d - in.d_bore) / 2.0 - in.t_1), "a wall as thick as the seat is deep is left");
+  }
   if (!is_set(in.t_2)) return;
   STEP_TO(r, x_h, in.h / (in.t_1 + in.t_2), "with play above the key");
 }
@@ -79,7 +82,7 @@ Key::Result Key::evaluate(const Input& in, Tracer& trace) {
   reversal(in, r, trace);
   fits(in, r, trace);
   r.notch.kind = in.i == 2 ? Notch::two_keyways : Notch::keyway;
-  r.notch.d = in.d;
+  r.notch.d = in.d, r.notch.t = in.t_1, r.notch.l = in.l;
   if (in.torque == Sense::reversing) r.notch.r_T = -1.0;
   return r;
 }

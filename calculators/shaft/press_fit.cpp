@@ -38,13 +38,16 @@ void pressures(const Input& in, Result& r, Tracer& trace) {
 
 template <class Tracer>
 void slip(const Input& in, Result& r, Tracer& trace) {
-  const Force F_zz = trace.value("F_zz", is_set(in.F_z) ? in.F_z : 0.0 * N.one, "along the shaft");
-  STEP_TO(r, F_res, in.K_A * sqrt(pow<2>(2.0 * in.T / in.d) + pow<2>(F_zz)), "around and along, as vectors");
   STEP_TO(r, x_l, in.l / in.d, "up to 1.5, [DIN7190], recalled");
+  if (is_set(in.T)) {
+    const Force F_zz = trace.value("F_zz", is_set(in.F_z) ? in.F_z : 0.0 * N.one, "along the shaft");
+    STEP_TO(r, F_res, in.K_A * sqrt(pow<2>(2.0 * in.T / in.d) + pow<2>(F_zz)), "around and along, as vectors");
+  }
+  if (!is_set(in.mu)) return;
   STEP_TO(r, F_slip, pi * in.d * in.l * in.mu * r.p_min, "friction over the fit");
   STEP_TO(r, T_slip, F_slip * in.d / 2.0, "alone");
-  if (!is_set(in.S_r)) return;
-  STEP_TO(r, u_s, in.S_r * F_res / F_slip, "against slip");
+  if (!is_set(in.S_r) || !is_set(in.T)) return;
+  STEP_TO(r, u_s, in.S_r * r.F_res / F_slip, "against slip");
 }
 
 template <class Tracer>
@@ -98,7 +101,7 @@ FieldFault PressFit::nothing_left(const Input& in) {
 }
 
 Applies PressFit::loaded(const Input& in) {
-  return where(abs(in.T) > 0.0 * N_m.one || (is_set(in.F_z) && abs(in.F_z) > 0.0 * N.one));
+  return where(!is_set(in.T) || abs(in.T) > 0.0 * N_m.one || (is_set(in.F_z) && abs(in.F_z) > 0.0 * N.one));
 }
 
 template <class Tracer>

@@ -77,7 +77,7 @@ dT_adm = "250 K"
   static Applies loaded(const Input& in);
   static constexpr Fields inputs{
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-      Field{&Input::T, "T", N_m, "torque"}.load(),
+      Field{&Input::T, "T", N_m, "torque; without it pressures and stresses alone"}.load().may_be_missing(),
       Field{&Input::F_z, "F_z", N, "force along the shaft at the same time"}.load().may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor on both: what they do not contain, once"}
           .positive()
@@ -95,7 +95,8 @@ dT_adm = "250 K"
       Field{&Input::Rz_2, "Rz_2", um, "roughness of the hub"}.at_least(0).usually(0.4, 40),
       Field{&Input::mu, "mu", ratio, "friction against slip: dry steel on steel 0.12 to 0.2, oiled less"}
           .positive()
-          .usually(0.05, 0.25),
+          .usually(0.05, 0.25)
+          .may_be_missing(),
       Field{&Input::S_r, "S_r", ratio, "safety against slip"}.at_least(1).usually(1.2, 3).may_be_missing().factor(),
       Field{&Input::E_1, "E_1", GPa, "modulus of elasticity of the shaft"}.positive().usually(1, 500).from("material",
                                                                                                            "E"),
@@ -123,8 +124,8 @@ dT_adm = "250 K"
           .may_be_missing(),
       Field{&Input::F_adm, "F_adm", kN, "force of the press"}.positive().may_be_missing(),
       Field{&Input::U_c, "U_c", um, "clearance that the warm hub is to have on the shaft"}
-          .positive()
-          .usually(5, 1000)
+          .at_least(0)
+          .usually(0, 1000)
           .may_be_missing(),
       Field{&Input::dT_adm, "dT_adm", kelvin, "heating of the hub that its strength allows"}
           .positive()
@@ -159,7 +160,9 @@ dT_adm = "250 K"
       Field{&Result::sigma_2, "sigma_2", MPa, "equivalent stress of the hub at its bore, largest pressure"},
       Field{&Result::F_e, "F_e", kN, "force to press it on, at the end, largest pressure"},
       Field{&Result::dT_A, "dT_A", kelvin, "heating of the hub to put it on"},
-      Field{&Result::u_s, "u_s", ratio, "slip: force to hold, with its safety, over what friction holds"}.check("S_r"),
+      Field{&Result::u_s, "u_s", ratio, "slip: force to hold, with its safety, over what friction holds"}
+          .check("S_r")
+          .where_it_applies(),
       Field{&Result::u_1, "u_1", ratio, "shaft: equivalent stress with its safety over the yield strength"}.check(
           "S_F"),
       Field{&Result::u_2, "u_2", ratio, "hub: equivalent stress with its safety over the yield strength"}.check("S_F"),
@@ -191,7 +194,7 @@ dT_adm = "250 K"
                   "the smallest fit has no usable interference", &nothing_left}};
 
   static constexpr std::array modes{
-      Mode<Input>{"slip", "slip of the hub", &loaded}.judged_by("u_s, x_l"),
+      Mode<Input>{"slip", "slip of the hub", &loaded}.judged_by("u_s, x_l").wanting("T, mu, S_r"),
       Mode<Input>{"shaft", "yield of the shaft under the hub", &always<Input>}.judged_by("u_1"),
       Mode<Input>{"hub", "yield of the hub at its bore", &always<Input>}.judged_by("u_2"),
       Mode<Input>{"pressing", "a hub that the press does not get on", &always<Input>}.judged_by("u_F").of_service(),

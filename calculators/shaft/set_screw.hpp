@@ -43,7 +43,7 @@ S = 2
     Force F_a = 0.0 * N;
     double K_A = 1.0;
     Case load_case = Case::unsaid;
-    Length d = unset<Length>;
+    Length d = unset<Length>, d_bore = 0.0 * mm;
     Force F_h = unset<Force>;
     Point point = Point::cup;
     Whole i = 1;
@@ -62,6 +62,7 @@ S = 2
           .factor(),
       Choice{&Input::load_case, "load_case", "how the loads come"}.may_be_missing(),
       Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(1.5, 120),
+      Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
       Field{&Input::F_h, "F_h", N, "what one screw with a cup point holds at the surface of the shaft"}.positive().from(
           "set_screw", "F_h"),
       Choice{&Input::point, "point", "point of the screw"},
@@ -92,12 +93,16 @@ S = 2
       Field{&Result::u_S, "u_S", ratio, "least safety of this load case over that which is asked for"}.check()};
 
   static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d); }, "d_bore, d",
+                  "the bore leaves nothing of the shaft"},
       Rule<Input>{[](const Input& in) { return (in.i > 1) == is_set(in.phi); }, "i, phi",
                   "two screws hold less than twice one: give phi with i = 2, and with nothing else"}};
 
   static constexpr std::array modes{
       Mode<Input>{"slip", "hub that slips around or along the shaft", &loaded}.judged_by("u"),
       Mode<Input>{"safety", "a safety below that which tests of this load case ask for", &loaded}.judged_by("u_S"),
+      Mode<Input>{"bore", "the wall of a hollow shaft pushed in by the point",
+                  [](const Input& in) { return where(in.d_bore > 0.0 * mm); }},
       Mode<Input>{"seat", "a hub that tilts by the forces that come with the torque", &unseen<Input>}.by_companions(),
       Mode<Input>{"loosening", "screws that loosen by vibration", &unseen<Input>}.special(),
       Mode<Input>{"shaft", "fatigue of the shaft at the dent of the point", &unseen<Input>}.in_service()};

@@ -15,7 +15,7 @@
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
-#include "calculators/load/steel.hpp"
+#include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/shaft/design/result.hpp"
 #include "calculators/shaft/parts/modes.hpp"
@@ -298,6 +298,10 @@ r_T = 0
   static Applies passes_resonance(const Input& in);
   static Applies bears_discs(const Input& in);
   static Applies tired(const Input& in);
+  static Applies endless(const Input& in) {
+    const bool lacks = in.group >= fatigue::Endurance::Group::wrought_aluminium || lacks_fatigue_limit(in);
+    return lacks ? tired(in) : Applies::no;
+  }
   static Applies crowds(const Input& in) { return where(asks_fatigue(in) && !notches_apart(in)); }
   static Applies brittle(const Input& in) { return shown_by(in.group == fatigue::Endurance::Group::grey_iron); }
   static constexpr std::array meanings{Meaning{"sigma_W", fatigue::specimen_in_bending}};
@@ -308,6 +312,9 @@ r_T = 0
                      "safeties.x_DIN, x_E, s_max")
           .wanting("S_D, r_T")
           .in_service(),
+      Mode<Input>{"cycles",
+                  "fatigue of a metal without a fatigue limit: a fatigue.life of each section, with its cycles N",
+                  &endless},
       Mode<Input>{"neighbours", "fatigue where one notch feels the next", &crowds},
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
       Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y, s_max").of_service(),

@@ -85,6 +85,7 @@ struct Reading {
   std::vector<Operand> operands;
   std::vector<Operand> whole;  // of one value in the record, which the step makes itself of all positions of a series
   std::vector<Taken> taken;
+  std::vector<Taken> beside;     // words that are typed, of records that have them too
   std::vector<Taken> records;    // that are among the operands and the words now, field by field
   std::vector<Lacking> lacking;  // that a record may fill, which is known when all steps are read
   std::vector<Search> searches;

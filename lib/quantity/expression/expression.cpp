@@ -80,8 +80,21 @@ bool keeps_quantity(expression::Rule rule) {
          rule == Rule::same;
 }
 
+/// What a number alone multiplies or divides, "1.2*shaft.tau_max"; null where it is anything else. A root or a function
+/// makes another of it: "sqrt(3)*shaft.tau_max".
+const Node* multiple_of(const Node& node) {
+  const auto is_number = [](const Node& kid) {
+    return kid.operation == Operation::literal && kid.dimension.is_number();
+  };
+  if (node.operation == Operation::divide) return is_number(node.kids[1]) ? &node.kids[0] : nullptr;
+  if (node.operation != Operation::multiply) return nullptr;
+  if (is_number(node.kids[0])) return &node.kids[1];
+  return is_number(node.kids[1]) ? &node.kids[0] : nullptr;
+}
+
 void add_handed_on(const Node& node, std::vector<Expression::Reference>& references) {
   if (node.operation == Operation::reference) references.push_back({node.path, node.at});
+  if (const Node* const multiplied = multiple_of(node)) return add_handed_on(*multiplied, references);
   const bool keeps = node.operation == Operation::negate || node.operation == Operation::add ||
                      node.operation == Operation::subtract ||
                      (node.operation == Operation::call && keeps_quantity(node.function->rule));

@@ -65,7 +65,7 @@ class Expression {
   /// Whether it is one reference and nothing else: it may stand for what is no number.
   [[nodiscard]] bool is_reference() const;
   /// The references whose value it hands on as it is, or as one of several: alone, "peak(limit.sigma_D)", in a sum.
-  /// What they are the whole is too; a product says itself what it makes.
+  /// times a number. What they are the whole is too; another product says itself what it makes.
   [[nodiscard]] std::vector<Reference> handed_on() const;
   /// Dimension and axis of the result, or the first fault: unknown names, unlike dimensions or axes, °C, wrong
   /// arguments.

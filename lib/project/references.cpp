@@ -1,5 +1,7 @@
 #include "lib/project/references.hpp"
 
+#include "lib/calculator/strength_bounds.hpp"
+
 #include <algorithm>
 #include <functional>
 
@@ -134,7 +136,10 @@ class Settling {
         return member.key == std::string_view(path).substr(base.size()) && is_like(source, member, *leaf.field);
       });
       if (given == members.end()) return;
-      if (reading_.typed.count(path) != 0) return list(kept, given->key);
+      if (reading_.typed.count(path) != 0) {
+        reading_.kept.push_back({path, source.name() + "." + given->path, given->is_word});
+        return list(kept, given->key);
+      }
       fill(taken, path, leaf, {given->key, source.name() + "." + given->path, given->is_word},
            may_lack(source, *given, path));
       list(filled, given->key);
@@ -250,7 +255,7 @@ void check_meanings(const Step& step, const Project& project, std::vector<Issue>
   for (const Operand& operand : step.input().reading.operands) {
     const Meaning* const wanted = meaning_of(
         calculator, operand.path, [&](const std::string& choice) { return word_before(step, project, choice); });
-    if (wanted != nullptr) check(step, operand, *wanted, project, issues);
+    if (wanted != nullptr && !is_allowable(wanted->what)) check(step, operand, *wanted, project, issues);
   }
 }
 

@@ -126,6 +126,7 @@ void take_limits(const Input& in, const Material& material, Result& r, Tracer& t
   } else if (is_set(lambda_T)) {
     STEP_TO(r, lambda_lim, lambda_T, "no proportional limit is given: from here Euler's hyperbola holds");
   }
+  if (r.loading == Loading::tension) return;  // no formula of buckling ends where nothing buckles
   if (in.method == Method::euler) {
     STEP_TO(r, r_1, r.lambda_lim / r.lambda, "Euler's formula holds above the limit slenderness, [B25]");
   }
@@ -172,10 +173,12 @@ void judge_class(const Input& in, Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void conclude(const Input& in, Result& r, Tracer& trace) {
+void conclude(const Input& in, bool is_bent, Result& r, Tracer& trace) {
   r.spread = trace.value("spread", spread_of(r), "largest critical stress over the least, less 1");
-  STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness over the largest that is allowed");
-  judge_class(in, r, trace);
+  if (r.loading != Loading::tension) {
+    STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness over the largest that is allowed");
+  }
+  if (r.loading != Loading::tension || is_bent) judge_class(in, r, trace);
   if (!is_set(r.sigma_cr)) return;
   trace.value("sigma_cr", r.sigma_cr, "of the method that decides");
   if (!is_set(r.u)) return;
@@ -188,6 +191,11 @@ void conclude(const Input& in, Result& r, Tracer& trace) {
 
 template <class Tracer>
 Result Buckling::evaluate(const Input& in, Tracer& trace) {
+  return judge(in, false, trace);
+}
+
+template <class Tracer>
+Result Buckling::judge(const Input& in, bool is_bent, Tracer& trace) {
   Result r;
   take_load(in, r, trace);
   take_section(in, r, trace);
@@ -207,12 +215,14 @@ Result Buckling::evaluate(const Input& in, Tracer& trace) {
   STEP_TO(r, N_cr, sigma_E * r.A, "least critical force of the elastic bar");
   take_limits(in, material, r, trace);
   add_methods(in, material, r, trace, std::make_index_sequence<most_methods>{});
-  conclude(in, r, trace);
+  conclude(in, is_bent, r, trace);
   return r;
 }
 
 template Result Buckling::evaluate(const Input&, NoTrace&);
 template Result Buckling::evaluate(const Input&, Trace&);
+template Result Buckling::judge(const Input&, bool, NoTrace&);
+template Result Buckling::judge(const Input&, bool, Trace&);
 
 }  // namespace loadpath::column
 

@@ -82,6 +82,9 @@ n_st = 3
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
+  /// The same of a bar that something bends: then a part of its walls is pressed in tension too.
+  template <class Tracer>
+  static Result judge(const Input& in, bool is_bent, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 

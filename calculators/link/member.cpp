@@ -125,6 +125,12 @@ Applies Member::compressed_and_bent(const Input& in) {
   return std::min(column::compressed(in), where(abs(in.M_b) > 0.0 * N_m.one));
 }
 
+/// By the force, or on one side by the moment.
+Applies Member::walls_pressed(const Input& in) {
+  if (column::Buckling::outline_of(in) == column::Outline::solid) return Applies::no;
+  return std::max(column::compressed(in), where(abs(in.M_b) > 0.0 * N_m.one));
+}
+
 bool Member::stands_on_edge(const Input& in) {
   const bool rectangle = !is_set(in.A) && !is_set(in.d) && column::Buckling::outline_of(in) == column::Outline::solid;
   return rectangle && in.h > in.b;
@@ -135,14 +141,13 @@ Applies Member::twisting_when_bent(const Input& in) {
   if (stands_on_edge(in)) return where(abs(in.M_b) > 0.0 * N_m.one);
   if (outline == column::Outline::solid && is_set(in.A) && !is_set(in.d)) return Applies::unseen;
   if (outline <= column::Outline::closed) return Applies::no;
-  return std::min(outline == column::Outline::unknown ? Applies::unseen : Applies::yes,
-                  where(abs(in.M_b) > 0.0 * N_m.one));
+  return where(abs(in.M_b) > 0.0 * N_m.one);
 }
 
 template <class Tracer>
 Result Member::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  static_cast<column::MemberResult&>(r) = column::Buckling::evaluate(in, trace);
+  static_cast<column::MemberResult&>(r) = column::Buckling::judge(in, abs(in.M_b) > 0.0 * N_m, trace);
   stresses(in, r, trace);
   yielding(in, r, trace);
   buckling_with_bending(in, r, trace);

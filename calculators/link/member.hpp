@@ -127,6 +127,7 @@ S = 1.5
   static Applies loaded(const Input& in);
   static Applies sheared(const Input& in);
   static Applies compressed_and_bent(const Input& in);
+  static Applies walls_pressed(const Input& in);
   static bool stands_on_edge(const Input& in);
   static Applies twisting_when_bent(const Input& in);
 
@@ -157,8 +158,9 @@ S = 1.5
       Mode<Input>{"buckling", "flexural buckling, about y and about z", &column::compressed<Input>}.judged_by("u, r_1"),
       Mode<Input>{"bent", "buckling with bending", &compressed_and_bent}.judged_by("u_p, u_i"),
       Mode<Input>{"slenderness", "slenderness", &column::compressed<Input>}.judged_by("r_lambda"),
-      Mode<Input>{"local", "local buckling of the walls", &column::thin_walled<Input, &column::Buckling::outline_of>}
-          .judged_by("r_class, x_E"),
+      Mode<Input>{"local", "local buckling of the walls", &walls_pressed}
+          .judged_by("r_class, x_E")
+          .wanting("kind, h, b, t_f, t_w"),
       Mode<Input>{"torsional", "torsional and torsional-flexural buckling of an open section",
                   &column::twisting<Input, &column::Buckling::outline_of>},
       Mode<Input>{"lateral_torsional", "lateral-torsional buckling by the moment", &twisting_when_bent}

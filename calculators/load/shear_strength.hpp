@@ -3,6 +3,8 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 
@@ -51,6 +53,9 @@ constexpr auto shear_strength_inputs(const char* size) {
                     .may_be_missing()
                     .factor()};
 }
+
+/// What a material bounds of them.
+inline constexpr Meaning all_in_shear{"tau_adm", allowable_in_shear}, all_in_normal{"sigma_adm", allowable_in_normal};
 
 /// One way of saying the strength, and whole; none where every part has its own.
 inline bool one_shear_strength(const ShearStrength& in, bool all_have_their_own) {

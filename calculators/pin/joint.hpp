@@ -13,7 +13,9 @@
 #include "calculators/pin/loading.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/drive_units.hpp"
 
@@ -180,6 +182,8 @@ p_adm_2 = "100 MPa"
                   "pressure times speed needs the speed of turning n"},
       heat_treated_before_turning<Input>()};
 
+  static constexpr std::array meanings{Meaning{"sigma_adm", allowable_in_normal},
+                                       Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
       Mode<Input>{"bending", "pin bent", &loaded}.judged_by("u_b, u_v, x_E"),
       Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau, x_E"),

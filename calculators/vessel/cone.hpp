@@ -64,6 +64,7 @@ sigma_adm = "120 MPa"
                  Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
                              "the wall is thicker than the radius leaves room for"}});
 
+  static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>("u_v, t_R");
 
   template <class Tracer>

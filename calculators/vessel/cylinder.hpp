@@ -74,14 +74,15 @@ sigma_adm = "140 MPa"
 
   static constexpr std::array rules =
       join(wall_rules<Input>(), liquid_rules<Input>(),
-                  std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
-                                         "rings need both the area A_r of their section and their distance l_r"},
-                             Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
-                                         "A_r, l_r, ends", "rings go with ends = \"ringed\""},
-                             Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
-                                         "the wall is thicker than the radius leaves room for"}});
+           std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
+                                  "rings need both the area A_r of their section and their distance l_r"},
+                      Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
+                                  "A_r, l_r, ends", "rings go with ends = \"ringed\""},
+                      Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
+                                  "the wall is thicker than the radius leaves room for"}});
 
   static constexpr Applies ringed(const Input& in) { return where(in.ends == Ends::ringed); }
+  static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>(
       "u_v, t_R, w_r",
       Mode<Input>{"rings", "rings too far apart to help the wall", &ringed}.judged_by("w_r").wanting("A_r, l_r"));

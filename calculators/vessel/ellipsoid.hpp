@@ -60,14 +60,15 @@ sigma_adm = "140 MPa"
              Field{&Result::w_b, "w_b", ratio, "buckling of the knuckle: 0.002 of the crown radius over the thickness"}
                  .limit(0, 1)});
 
-  static constexpr std::array rules = join(
-      wall_rules<Input>(), gas_rules<Input>(),
-      std::array{Rule<Input>{[](const Input& in) { return in.a <= 5.0 * in.b && in.b <= 5.0 * in.a; }, "a, b",
-                             "so flat or so slender an ellipsoid is no membrane: a/b must lie between 1/5 and 5"},
-                 Rule<Input>{[](const Input& in) { return leaves_room(in, min(in.a, in.b)); }, "a, b, delta",
-                             "the wall is thicker than the semi-axes leave room for"}});
+  static constexpr std::array rules =
+      join(wall_rules<Input>(), gas_rules<Input>(),
+           std::array{Rule<Input>{[](const Input& in) { return in.a <= 5.0 * in.b && in.b <= 5.0 * in.a; }, "a, b",
+                                  "so flat or so slender an ellipsoid is no membrane: a/b must lie between 1/5 and 5"},
+                      Rule<Input>{[](const Input& in) { return leaves_room(in, min(in.a, in.b)); }, "a, b, delta",
+                                  "the wall is thicker than the semi-axes leave room for"}});
 
   static constexpr Applies flat(const Input& in) { return where(in.a * in.a > 2.0 * in.b * in.b); }
+  static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>(
       "u_v, t_R", Mode<Input>{"knuckle", "buckling of the knuckle in compression", &flat}.judged_by("w_b"));
 

@@ -112,6 +112,7 @@ sigma_adm = "120 MPa"
 
   static Applies knuckle_compressed(const Input& in);
   static Applies compressed(const Input& in);
+  static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>(
       "u_v, t_R, psi_max, s_min, w_kappa",
       Mode<Input>{"knuckle", "buckling of a knuckle in compression", &knuckle_compressed}.judged_by("w_b"),

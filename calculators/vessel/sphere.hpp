@@ -59,14 +59,15 @@ sigma_adm = "160 MPa"
                                                 Field{&Result::phi, "phi", deg, "governing place, from the top"}},
                                          lame_results<Result>());
 
-  static constexpr std::array rules = join(
-      wall_rules<Input>(), liquid_rules<Input>(),
-      std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= 2.0 * in.R; }, "h_l, R",
-                             "the liquid stands above the top of the sphere: give the pressure there as p"},
-                 Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
-                             "the wall is thicker than the radius leaves room for"}});
+  static constexpr std::array rules =
+      join(wall_rules<Input>(), liquid_rules<Input>(),
+           std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= 2.0 * in.R; }, "h_l, R",
+                                  "the liquid stands above the top of the sphere: give the pressure there as p"},
+                      Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
+                                  "the wall is thicker than the radius leaves room for"}});
 
   static Applies compressed(const Input& in);
+  static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes =
       wall_modes<Input>("u_v, t_R", Mode<Input>{"buckling", "buckling of the wall in compression", &compressed});
 

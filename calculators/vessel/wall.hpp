@@ -4,6 +4,8 @@
 
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/join.hpp"
+#include "lib/calculator/meaning.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/text/issue.hpp"
 
@@ -88,6 +90,9 @@ constexpr auto wall_inputs() {
       Choice<Input, Hypothesis>{&Input::hypothesis, "hypothesis", "strength hypothesis of the equivalent stress"}
           .may_be_missing()};
 }
+
+/// What a material bounds of them.
+inline constexpr std::array wall_meanings{Meaning{"sigma_adm", allowable_in_normal}};
 
 template <class Input>
 constexpr auto liquid_inputs(const char* level) {

@@ -120,6 +120,7 @@ json::object row_schema(const std::string& group, Definitions& definitions) {
     step["size_max"] = definitions.quantity(head.size.dimension);
     properties["by_size"] = {{"type", "array"}, {"items", closed({"size_max"}, std::move(step))}};
   }
+  properties["because"] = {{"type", "object"}, {"additionalProperties", json::object{{"type", "string"}}}};
   for (const char* word : {"standard", "kind", "note", "source"}) properties[word] = {{"type", "string"}};
   properties["aliases"] = {{"type", "array"}, {"items", json::object{{"type", "string"}}}};
   return closed({"source"}, std::move(properties));

@@ -1,5 +1,7 @@
 #include "lib/project/meanings.hpp"
 
+#include "lib/calculator/strength_bounds.hpp"
+
 #include "lib/project/references.hpp"
 
 #include <algorithm>
@@ -85,7 +87,7 @@ std::string word_before(const Step& step, const Project& project, const std::str
 Said wanted_by(const Step& step, const Operand& operand, const Project& project) {
   const WordOf word_of = [&](const std::string& choice) { return word_before(step, project, choice); };
   const Meaning* const meaning = declared(*step.input().calculator, operand.path, word_of);
-  if (meaning != nullptr) return {meaning->what, {}};
+  if (meaning != nullptr) return is_allowable(meaning->what) ? Said{} : Said{meaning->what, {}};
   const FieldInfo& field = *operand.leaf.field;
   return field.is_load && is_stress(field.dimension) ? stress_of(operand.path, word_of) : Said{};
 }
@@ -109,7 +111,9 @@ class Checking {
   void run() {
     for (const Operand& operand : step_.input().reading.operands) check(operand);
     for (const Operand& operand : step_.input().reading.whole) check(operand);
-    for (const Taken& beside : step_.input().reading.beside) compare(beside);
+    for (const TypedBeside& kept : step_.input().reading.kept) {
+      if (kept.is_word) compare(kept);
+    }
   }
 
  private:
@@ -139,13 +143,13 @@ class Checking {
   }
 
   /// A word that is typed beside the record that has one.
-  void compare(const Taken& beside) {
+  void compare(const TypedBeside& beside) {
     const auto [name, rest] = split_step(beside.source);
     const Step* const source = project_.find(name);
     if (source == nullptr) return;
     const std::string there = source->word(rest), here = word_before(step_, project_, beside.path);
     if (there.empty() || here.empty() || there == here) return;
-    issues_.push_back({beside.place, step_.name() + "." + beside.path,
+    issues_.push_back({step_.input().reading.typed.at(beside.path).place, step_.name() + "." + beside.path,
                        say("'{1}' is \"{2}\" here, and '{3}' is \"{4}\"", beside.path, here, beside.source, there),
                        say("leave it out: it comes with the record"), Severity::error});
   }

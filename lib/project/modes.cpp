@@ -192,7 +192,8 @@ State state_of(const Step& step, const ModeInfo& info, Applies applies, std::opt
 }
 
 account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
-                     const std::vector<const account::Verdict*>& rows, std::string wants, bool enough) {
+                     const std::vector<const account::Verdict*>& rows, std::string wants, bool enough,
+                     const Withheld& withheld) {
   const bool rest = info.by_rest && !step.left_of_loads().empty();
   account::Mode mode;
   mode.step = step.name();
@@ -201,7 +202,11 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
   mode.kind = info.kind;
   mode.state =
       state_of(step, info, applies, rows.empty() ? std::nullopt : std::optional(governing(rows).state), enough);
-  if (mode.state == State::open || mode.state == State::not_judged) {
+  if (!withheld.why.empty() && mode.state == State::pass) {
+    mode.state = State::not_judged;
+    mode.wants = withheld.wants;
+    mode.note = withheld.why;
+  } else if (mode.state == State::open || mode.state == State::not_judged) {
     mode.wants = wants.empty() ? info.wants : std::move(wants);
     mode.judge = info.judge;
     if (mode.wants.empty() && *info.checks != '\0') mode.note = say("{1} has no value here", info.checks);

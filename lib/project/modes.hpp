@@ -21,10 +21,18 @@ bool names_row(std::string_view key, std::string_view symbol);
 account::State state_of(const Step& step, const ModeInfo& mode, Applies applies, std::optional<account::State> worst,
                         bool enough);
 
+/// Why a mode that passes is not judged by it: a typed value decides it that a row or a record beside it does not bear
+/// out. Empty: nothing holds it back.
+struct Withheld {
+  std::string wants;
+  Message why;
+};
+
 /// What the step says of a mode that applies, or may. `wants`: inputs without which a check of it is missing; `enough`:
 /// whether the rows judge it if they pass.
 account::Mode judged(const Step& step, const ModeInfo& mode, Applies applies,
-                     const std::vector<const account::Verdict*>& rows, std::string wants, bool enough);
+                     const std::vector<const account::Verdict*>& rows, std::string wants, bool enough,
+                     const Withheld& withheld = {});
 
 /// When all steps are solved: modes that parts leave to another calculator come out as in the steps of it that have
 /// taken their records whole.

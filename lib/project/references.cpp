@@ -1,5 +1,7 @@
 #include "lib/project/references.hpp"
 
+#include "lib/calculator/strength_bounds.hpp"
+
 #include <algorithm>
 
 namespace loadpath::project {
@@ -134,8 +136,7 @@ class Settling {
       });
       if (given == members.end()) return;
       if (reading_.typed.count(path) != 0) {
-        if (given->is_word)
-          reading_.beside.push_back({path, leaf.field, source.name() + "." + given->path, reading_.typed[path].place});
+        reading_.kept.push_back({path, source.name() + "." + given->path, given->is_word});
         return list(kept, given->key);
       }
       fill(taken, path, leaf, {given->key, source.name() + "." + given->path, given->is_word},

@@ -52,6 +52,8 @@ struct StepInput {
   std::map<std::string, Typed> rows;
   /// Modes of failure that the user answers for, and why: "pitting" -> "rated by the maker, drawing 12".
   std::map<std::string, Typed> accepted;
+  /// Why a typed value is better than a row or a record beside it says: "R_e" -> "certificate 4711".
+  std::map<std::string, Typed> because;
   /// Display units of results that the user prefers: "d" -> "in".
   std::map<std::string, std::string> display;
   Place place;  // of the step's name

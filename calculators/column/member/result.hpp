@@ -131,8 +131,9 @@ constexpr auto tension_checks() {
 template <class Result>
 constexpr auto slenderness_limits() {
   return Fields{
-      Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness over the largest that is allowed"}.limit(
-          0, 1),
+      Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness over the largest that is allowed"}
+          .limit(0, 1)
+          .where_it_applies(),
       Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limit slenderness over the slenderness"}
           .limit(0, 1)
           .where_it_applies()};

@@ -2,6 +2,7 @@
 
 #include "calculators/column/member/parts.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/table/section_shape.hpp"
 
 #include <cmath>
 
@@ -82,7 +83,35 @@ Message lack_of_safety(const Member& in) {
   return {};
 }
 
+SecondMoment second_moment(Area A, SecondMoment I, Length i) { return is_set(I) ? I : A * i * i; }
+
+table::SectionShape shape_of(const Section& in) {
+  const Length wall = is_set(in.t_w) || !is_set(in.d_bore) ? in.t_w : 0.5 * (in.d - in.d_bore);
+  return {in_si(in.h),
+          in_si(in.b),
+          in_si(in.d),
+          in_si(in.t_f),
+          in_si(wall),
+          in_si(in.A),
+          in_si(second_moment(in.A, in.I_y, in.i_y)),
+          in_si(second_moment(in.A, in.I_z, in.i_z)),
+          word_of(in.kind)};
+}
+
 }  // namespace
+
+bool is_one_section(const Section& in) { return !is_set(in.A) || !table::misfit_of(shape_of(in)); }
+
+FieldFault two_sections(const Section& in) {
+  const auto misfit = table::misfit_of(shape_of(in));
+  if (!misfit) return {};
+  return {misfit->key, misfit->message, say("check the units, and that all of it is of one section")};
+}
+
+bool is_full(const Section& in) {
+  const table::SectionShape shape = shape_of(in);
+  return table::is_full(shape.A, shape.I_y, shape.I_z);
+}
 
 bool supports_inside(const Member& in) { return astray(in).place < 0; }
 

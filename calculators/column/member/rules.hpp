@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/column/member/member.hpp"
+#include "calculators/column/member/section.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>
@@ -90,6 +91,10 @@ constexpr auto eccentricity_rules() {
                                 "the secant formula takes an eccentricity about one axis"}};
 }
 
+/// Whether sizes, area and second moments are of one section.
+bool is_one_section(const Section& in);
+FieldFault two_sections(const Section& in);
+
 /// Of a bar whose section is typed, or a row of the tables.
 template <class Input, auto given, auto missing, auto fit>
 constexpr auto section_rules() {
@@ -97,6 +102,8 @@ constexpr auto section_rules() {
       Rule<Input>{&of<Input, given>, "A, I_y, i_y, I_z, i_z, d, d_bore, h, b", "give the section", &of<Input, missing>},
       Rule<Input>{&of<Input, fit>, "A, I_y, I_z, i_y, i_z",
                   "I and i of an axis do not fit: I is A i^2; give one of them"},
+      Rule<Input>{&of<Input, &is_one_section>, "A, I_y, I_z, i_y, i_z, h, b, d, t_f, t_w, kind",
+                  "sizes, area and second moments are not of one section", &of<Input, &two_sections>},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_bore) || (is_set(in.d) && in.d_bore < in.d); }, "d_bore, d",
                   "a bore goes with d, and is smaller"}};
 }

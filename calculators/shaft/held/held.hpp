@@ -189,6 +189,8 @@ phi_adm = "1 deg"
       Rule<Input>{&side_by_side, "sleeves, segments",
                   "a sleeve fits around what it encloses, or inside of the bore: two members fill the same place"}};
 
+  static constexpr std::array meanings{all_in_shear, all_in_normal,
+                                       Meaning{"segments.tau_adm, sleeves.tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, s_max"),
       Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, s_max"),

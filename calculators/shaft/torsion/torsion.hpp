@@ -235,6 +235,7 @@ theta_adm = "0.004 rad/m"
                   "d_bore, never both"},
       heat_treated_before_turning<Input>()};
 
+  static constexpr std::array meanings{all_in_shear, all_in_normal};
   static constexpr auto modes = with_modes_of_shafts(
       std::array{Mode<Input>{"yield", "yield in torsion", &loaded}.judged_by("u_tau").wanting("tau_adm"),
                  Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta").of_service(),

@@ -63,6 +63,13 @@ struct Varied {
   std::size_t at = 0;  // of the words, the one that it has now
 };
 
+/// A value that was typed beside a record that has it too.
+struct TypedBeside {
+  std::string path;    // within the step
+  std::string source;  // of the record's value: "press.links.rod.l"
+  bool is_word = false;
+};
+
 /// A field that has no value yet, and must have one.
 struct Lacking {
   std::string path;
@@ -85,9 +92,9 @@ struct Reading {
   std::vector<Operand> operands;
   std::vector<Operand> whole;  // of one value in the record, which the step makes itself of all positions of a series
   std::vector<Taken> taken;
-  std::vector<Taken> beside;     // words that are typed, of records that have them too
-  std::vector<Taken> records;    // that are among the operands and the words now, field by field
-  std::vector<Lacking> lacking;  // that a record may fill, which is known when all steps are read
+  std::vector<Taken> records;     // that are among the operands and the words now, field by field
+  std::vector<TypedBeside> kept;  // typed, though a record has it too
+  std::vector<Lacking> lacking;   // that a record may fill, which is known when all steps are read
   std::vector<Search> searches;
   std::vector<Varied> varied;
   std::map<std::string, Typed> typed;  // by the path of the leaf; lists and groups by their own path too

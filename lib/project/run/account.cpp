@@ -95,6 +95,10 @@ void Run::fill_inputs(Account& account) const {
       if (input.path == entry.path) entry.value = input.value;
     }
   }
+  for (Entry& entry : account.inputs) {
+    if (const auto reason = reasons_.find(entry.path); reason != reasons_.end())
+      entry.origin.text = say("{1}; {2}", entry.origin.text, reason->second);
+  }
   fill_rows(account);
 }
 

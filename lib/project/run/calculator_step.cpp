@@ -283,12 +283,17 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   leave_what_acts(known);
   Run run(*this, known, wanted.words);
   if (!run.take_from_others(issues) || !run.evaluate_operands(issues)) return;
+  if (!run.refuse_other_parts(issues)) return;
   if (!run.check_rules(issues)) return;
   if (!run.search(issues)) return;
   run.evaluate();
+  run.weigh_typed_values(wanted.unused, issues);
   run.trace_governing();
   if (wanted.unused) run.warn_of_unused(issues);
   run.fill(wanted, own_account());
+  compared_ = run.compared();
+  goes_point_by_point_ = run.holds_back() || (run.compared_by_size() &&
+                                              !(input().reading.varied.empty() && input().reading.operands.empty()));
   for (const auto& [group, row] : run.rows()) name_row(group, row.text);
 }
 

@@ -33,6 +33,10 @@ class CalculatorStep : public Step {
   [[nodiscard]] bool is_asked(const FieldInfo& check, const Record& record) const;
   /// Whether something comes along with its loads that it does not take.
   [[nodiscard]] bool leaves_loads() const { return !rest_.empty(); }
+  /// Known when it is solved: typed inputs that rows and records beside them were compared with, and whether that has
+  /// to be done at every point of a sweep.
+  [[nodiscard]] const std::vector<std::string>& compared() const { return compared_; }
+  [[nodiscard]] bool goes_point_by_point() const { return goes_point_by_point_; }
   /// Whether a rule of the calculator concerns an input, or the list that it is in.
   [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
 
@@ -55,6 +59,8 @@ class CalculatorStep : public Step {
   std::vector<std::string> rest_;  // what comes along with the loads, and is not taken
   std::vector<Search> searches_;
   std::map<std::string, Origin> origins_;
+  std::vector<std::string> compared_;
+  bool goes_point_by_point_ = false;
 };
 
 /// The step of an ordinary calculator.

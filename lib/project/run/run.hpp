@@ -1,6 +1,9 @@
 // One solving of a calculator step: at one position, or at every position of a cycle.
 #pragma once
 
+#include "lib/calculator/strength_bounds.hpp"
+#include "lib/project/modes.hpp"
+#include "lib/project/run/beside.hpp"
 #include "lib/project/run/calculator_step.hpp"
 #include "lib/project/run/row_state.hpp"
 
@@ -25,6 +28,15 @@ class Run {
   bool take_from_others(std::vector<Issue>& issues);
   /// The values of expressions and companions; what a field refuses becomes an issue at its expression.
   bool evaluate_operands(std::vector<Issue>& issues);
+  /// An issue for everything typed that says of the part what the row or the record beside it does not.
+  bool refuse_other_parts(std::vector<Issue>& issues) const;
+  /// After `evaluate`: of what is bolder than what stands beside it, the reason is kept, or the modes that it decides
+  /// are held back. `tells`: a reason that nothing needs is an issue.
+  void weigh_typed_values(bool tells, std::vector<Issue>& issues);
+  /// The typed inputs that were compared; whether with what depends on a size; whether modes are held back.
+  [[nodiscard]] const std::vector<std::string>& compared() const { return compared_; }
+  [[nodiscard]] bool compared_by_size() const { return compared_by_size_; }
+  [[nodiscard]] bool holds_back() const { return !held_back_.empty(); }
   /// The rules between inputs, at every position.
   bool check_rules(std::vector<Issue>& issues);
   /// Sets what is searched for: a size to the smallest of its stock with which every check passes at every position, a
@@ -56,6 +68,30 @@ class Run {
     const FieldInfo* field;
     std::vector<double> si;
   };
+
+  /// What stands beside a typed value.
+  struct Neighbour {
+    std::string path;
+    Leaf leaf;
+    Value value;
+    Message source;  // "the material 'S235JR'"
+    Beside kind = Beside::identity;
+    bool by_size = false;
+    std::string row_of = {};  // the table of the row; empty: of a record, or a strength
+  };
+  [[nodiscard]] double size_of(const FieldInfo& field) const;
+  [[nodiscard]] Value value_at(const std::string& path, const Leaf& leaf) const;
+  [[nodiscard]] const StrengthBound* bound_of(const std::string& path) const;
+  [[nodiscard]] double strength_of_part(const char* key) const;
+  void add_rows_beside(std::vector<Neighbour>& all) const;
+  void add_records_beside(std::vector<Neighbour>& all) const;
+  void add_strengths_beside(std::vector<Neighbour>& all) const;
+  [[nodiscard]] std::vector<Neighbour> neighbours() const;
+  [[nodiscard]] std::vector<Neighbour> bolder_ones();
+  [[nodiscard]] Message excess_of(const Neighbour& beside) const;
+  void set_value(const Neighbour& beside, const Value& value);
+  void hold_back(const Neighbour& beside);
+  [[nodiscard]] Withheld withheld_from(const std::vector<const account::Verdict*>& rows) const;
 
   void take_word(const Taken& taken, std::vector<Issue>& issues);
   void take_list(const Taken& taken, std::vector<Issue>& issues);
@@ -195,8 +231,12 @@ class Run {
   double settled_ = 0.0;                   // the size that values of tables were asked at last
   Message missing_;                        // why a table's value is not available
   std::vector<Column> columns_;
-  std::vector<std::size_t> order_;  // of columns, for a walk over the result
-  std::vector<Applies> applies_;    // of every mode, over the positions
+  std::vector<std::size_t> order_;             // of columns, for a walk over the result
+  std::vector<Applies> applies_;               // of every mode, over the positions
+  std::map<std::string, Withheld> held_back_;  // by the check or limit that a value without a reason decides
+  std::map<std::string, Message> reasons_;     // by the input: how it is bolder, and why
+  std::vector<std::string> compared_;
+  bool compared_by_size_ = false;
   Trace trace_;
   std::size_t governing_ = 0;
   bool traced_ = false;

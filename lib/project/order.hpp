@@ -5,8 +5,13 @@
 
 namespace loadpath::project {
 
-/// Indices of steps, each after the steps that it refers to, otherwise in the order of the file. A cycle becomes an
-/// issue that names its members; its steps are left out.
-std::vector<std::size_t> order_of_evaluation(const Project& project, std::vector<Issue>& issues);
+/// Puts the steps in order, each after the steps that it refers to, otherwise in the order of the file. A cycle becomes
+/// an issue that names its members, and they and what hangs on them are left out. Dependencies go to results: where an
+/// input of another step would close a cycle, and has its value before that step is solved, it is taken beforehand
+/// (Project::beforehand).
+void put_in_order(Project& project, std::vector<Issue>& issues);
+
+/// The value of an input before its step is solved: typed, of a row, or of such inputs; nothing where it has none.
+std::optional<Value> value_beforehand(const Project& project, const std::string& path);
 
 }  // namespace loadpath::project

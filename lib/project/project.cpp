@@ -2,6 +2,7 @@
 
 #include "lib/project/accept.hpp"
 #include "lib/project/factors.hpp"
+#include "lib/project/kinds.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/order.hpp"
 #include "lib/project/parts.hpp"
@@ -11,7 +12,6 @@
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
-#include <array>
 
 namespace loadpath::project {
 
@@ -114,23 +114,12 @@ std::set<std::string> taken_series(const Project& project) {
   return taken;
 }
 
-/// Whether a load is calculated from a power or a speed of turning: T = "=5 kW/(1450 rpm)".
-bool comes_from_turning(const Operand& operand, const Declared& declared) {
-  const std::array turning{Dimension::of(0, 0, -1, 0, 1), Dimension::of(0, 0, -1), Dimension::of(2, 1, -3)};
-  return operand.leaf.field->is_load && std::any_of(turning.begin(), turning.end(), [&](const Dimension& dimension) {
-           return operand.expression.speaks_of(dimension, declared);
-         });
-}
-
-/// What loads a step varies where it is a series, or comes from something that turns, at once or through other steps.
-/// In order of evaluation.
+/// What loads a step varies where it is a series, or comes from a step whose part turns, at once or through other
+/// steps. The expression that makes a number of it decides nothing: 15 kW/(1450 rpm) is a torque like 98.8 N*m. In
+/// order of evaluation.
 void find_varying_loads(Project& project, const Declared& declared) {
   for (const std::size_t i : project.order) {
     Step& step = *project.steps[i];
-    const auto& operands = step.input().reading.operands;
-    if (std::any_of(operands.begin(), operands.end(),
-                    [&](const Operand& o) { return comes_from_turning(o, declared); }))
-      step.set_load_varies(true);
     for_each_loading_reference(step.input().reading, [&](const std::string& path) {
       const Step* const source = project.find(split_step(path).first);
       if (source == nullptr) return;
@@ -205,6 +194,42 @@ void add_step(const toml::Tree::Entry& entry, Project& project, Catalogue catalo
   if (auto step = read_step(entry, project, catalogue, issues)) project.steps.push_back(std::move(step));
 }
 
+/// Values that are expressions stand in the place of the references to them, in steps and in what is expected.
+void write_values_out(Project& project, std::vector<Issue>& issues) {
+  for (const auto& step : project.steps) {
+    Reading& reading = step->input().reading;
+    for (std::vector<Operand>* const all : {&reading.operands, &reading.whole}) {
+      for (Operand& operand : *all)
+        project.values.write_into(operand.expression, operand.place, step->name() + "." + operand.path, issues);
+    }
+  }
+  for (Expectation& e : project.expectations) project.values.write_into(e.value, e.place, "expect", issues);
+}
+
+/// Values of expressions that refer to no step: they are known like literals.
+void find_early_values(Step& step, const Project& project) {
+  const auto known = [&](const std::string& path) -> std::optional<Value> {
+    if (path.starts_with("values.")) {
+      const Value* const value = project.values.fixed(path.substr(7));
+      return value == nullptr ? std::nullopt : std::optional(*value);
+    }
+    const auto row = is_of_tables(path) ? project.tables->value_at(path) : Fault{};
+    return row ? std::optional(Value{{row->dimension, nullptr}, {row->value.si}}) : std::nullopt;
+  };
+  for (Operand& operand : step.input().reading.operands) {
+    std::map<std::string, Value> values;
+    for (const auto& reference : operand.expression.references()) {
+      if (auto value = known(reference.path)) values[reference.path] = std::move(*value);
+    }
+    const auto& references = operand.expression.references();
+    if (std::any_of(references.begin(), references.end(), [&](const auto& r) { return !values.contains(r.path); }))
+      continue;
+    const double si =
+        operand.expression.evaluate([&](const std::string& path) -> const Value& { return values.at(path); }).si[0];
+    if (operand.leaf.field->bounds.holds(si)) operand.early = si;
+  }
+}
+
 void check_expectations(Project& project, std::vector<Issue>& issues) {
   for (const Expectation& e : project.expectations) {
     const auto signature = e.value.check([&](const std::string& path) { return signature_of(project, path); });
@@ -249,7 +274,9 @@ const Value* Project::value(const std::string& path) const {
   const auto [name, rest] = split_step(path);
   if (name == "values") return values.literal(rest);
   const Step* step = find(name);
-  return step == nullptr ? nullptr : step->value(rest);
+  const Value* const found = step == nullptr ? nullptr : step->value(rest);
+  const auto before = found == nullptr ? beforehand.find(path) : beforehand.end();
+  return before == beforehand.end() ? found : &before->second;
 }
 
 Project read_project(std::string_view text, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues,
@@ -275,6 +302,9 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   project.tables = read_own_tables(tree, file, catalogue, project.files, issues);
   const auto* const values = tree.find("values");
   if (values != nullptr && is_shared(*values)) project.values.read(*values, issues);
+  for (const toml::Tree::Entry& entry : tree.entries) {
+    if (!is_shared(entry)) project.values.note_uses(entry.value);
+  }
   const auto written_out = [&](const toml::Tree::Entry& entry) {
     return toml::Tree::Entry{entry.key, entry.place, project.values.in_place(entry.value, issues)};
   };
@@ -295,16 +325,19 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
                       say("a step is a table with a key calculator = \"...\""),
                       Severity::error});
   }
+  write_values_out(project, issues);
   for (const auto& step : project.steps) refuse_own_rows(*step, issues);
   if (ranges == Ranges::refused) refuse_ranges(project, issues);
-  project.order = order_of_evaluation(project, issues);
+  put_in_order(project, issues);
   const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
   for (const std::size_t i : project.order) {
     settle_references(*project.steps[i], project, issues);
     const Companions companions = [&, referred = references_of(*project.steps[i])](const std::string& path) {
       return companions_of(project, path, referred);
     };
+    find_early_values(*project.steps[i], project);
     project.steps[i]->prepare(declared, companions, issues);
+    check_kinds(*project.steps[i], project, declared, issues);
   }
   project.references = references_of(project);
   project.table_values = table_values_of(project);
@@ -326,10 +359,13 @@ void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
 
 void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted) {
   const Known known = known_of(project);
+  const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
   for (const auto& step : project.steps) step->forget();
+  for (auto& [path, value] : project.beforehand) value = value_beforehand(project, path).value_or(Value{});
   for (const std::size_t i : project.order) {
     check_factors(*project.steps[i], project, issues);
     check_meanings(*project.steps[i], project, issues);
+    if (wanted.words) check_kinds(*project.steps[i], project, declared, issues);
     if (!has_errors(issues)) project.steps[i]->solve(known, wanted, issues);
     if (has_errors(issues)) return;
   }

@@ -26,6 +26,7 @@ struct Project {
   std::shared_ptr<const table::Tables> tables;  // the project's own before the built-in ones
   std::vector<NamedFile> files;                 // that were read beside its own
   std::map<std::string, Value> table_values;    // that expressions name: "tables.materials.S355.E"
+  std::map<std::string, Value> beforehand;      // inputs that others take before their steps are solved
   std::vector<Expectation> expectations;
   SweepSettings sweep;
   bool strict = false;  // what is open counts as not judged

@@ -109,6 +109,11 @@ class Step {
   virtual void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) = 0;
   /// The value at a path, after `solve`; nothing where there is none (an element that the list does not have).
   [[nodiscard]] virtual const Value* value(const std::string& path) const;
+  /// The value of an input before `solve`; nothing where that is not certain. `of` gives inputs of other steps.
+  /// `settled`: not one of several values either.
+  using Beforehand = std::function<std::optional<Value>(const std::string& path)>;
+  [[nodiscard]] virtual std::optional<Value> value_beforehand(const std::string& path, bool settled,
+                                                              const Beforehand& of) const;
   /// The choice, name or row at a path, after `solve`; empty where there is none.
   [[nodiscard]] std::string word(const std::string& path) const;
   /// Results, else inputs, in a record or a list, with what stands behind its path.

@@ -154,6 +154,11 @@ Outcome<Literal> parse_literal(std::string_view text) {
   return in_si(*w);
 }
 
+Meant kind_of_literal(std::string_view text) {
+  const Outcome<Written> w = read(text);
+  return w ? kind_of_unit(w->unit.dimension, w->unit.has(Mark::hertz), w->unit.has(Mark::work)) : Meant::nothing;
+}
+
 bool counts_anything(const Dimension& dimension, std::string_view text) {
   return dimension == frequency && text.find("Hz") == std::string_view::npos &&
          text.find('s') == std::string_view::npos;

@@ -3,6 +3,7 @@
 #include "lib/project/read/reader.hpp"
 #include "lib/project/read/records.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/quantity/literal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,26 @@ std::optional<std::string> lone_reference(const toml::Tree& tree) {
   const auto parsed = Expression::parse(std::string_view(tree.text).substr(1));
   if (!parsed || !parsed->is_reference()) return std::nullopt;
   return parsed->references().front().path;
+}
+
+std::optional<toml::Tree> number_of(const toml::Tree& tree,
+                                    const std::function<const Value*(const std::string&)>& known) {
+  if (tree.type != toml::Tree::Type::text || !tree.text.starts_with('=')) return std::nullopt;
+  toml::Tree number = tree;
+  number.text = tree.text.substr(1);
+  const auto parsed = Expression::parse(number.text);
+  if (!parsed) return std::nullopt;
+  for (const auto& reference : parsed->references()) {
+    if (known(reference.path) == nullptr) return std::nullopt;
+  }
+  const auto value = parsed->evaluate([&](const std::string& path) -> const Value& { return *known(path); });
+  const bool typed = static_cast<bool>(parse_literal(number.text));
+  if (typed && !value.signature.dimension.is_number()) return number;
+  if (!std::isfinite(value.si[0])) return std::nullopt;
+  const std::string unit = si_unit(value.signature.dimension);
+  if (unit.empty()) number.type = toml::Tree::Type::number, number.number = value.si[0];
+  number.text = format_exact(value.si[0]) + (unit.empty() ? "" : " " + unit);
+  return number;
 }
 
 Issue missing_field(const Lacking& lacking, const std::string& prefix) {

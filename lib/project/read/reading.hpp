@@ -8,6 +8,7 @@
 #include "lib/sweep/point/distribution.hpp"
 #include "lib/toml/tree.hpp"
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -23,10 +24,11 @@ struct Operand {
   std::string path;  // of the leaf, within the step
   Leaf leaf;
   Expression expression;
-  std::string text;        // as written, without the '='
-  Place place;             // of the text behind the '='
-  bool of_record = false;  // nobody typed it
-  bool may_lack = false;   // of a record: what that leaves open stays open
+  std::string text;                                         // as written, without the '='
+  Place place;                                              // of the text behind the '='
+  bool of_record = false;                                   // nobody typed it
+  bool may_lack = false;                                    // of a record: what that leaves open stays open
+  double early = std::numeric_limits<double>::quiet_NaN();  // SI, where it is known before any step is solved
 };
 
 /// What is taken whole from another step: a word, a list, a record, the row of a table.
@@ -103,6 +105,11 @@ struct Reading {
   Place place;                                    // of the table
 };
 
+/// "=30 mm": the number as it is typed without its sign; nothing where the text refers to something, or is no
+/// expression. `known` gives values of references; nothing where it gives none.
+std::optional<toml::Tree> number_of(const toml::Tree& tree,
+                                    const std::function<const Value*(const std::string&)>& known);
+
 /// "=pick.section" alone: what it refers to; nothing where the text is another. An expression that cannot be read is
 /// none.
 std::optional<std::string> lone_reference(const toml::Tree& tree);
@@ -135,6 +142,12 @@ Reading read_record(const toml::Tree& table, const RecordType& type, const Templ
 
 /// "must be > 0 mm", from the bounds of a field.
 Message bounds_message(const FieldInfo& field);
+
+/// Whether a size, in SI, is beyond all machines, so that its powers could leave the range of numbers.
+bool is_out_of_proportion(double si);
+Message out_of_proportion(const std::string& path, const FieldInfo& field, double si);
+/// "l = 3 m is unusual: 5 mm to 1 m is expected"
+Message unusual_message(const std::string& path, const FieldInfo& field, double si);
 
 /// A name of a step, link or joint: letters, digits and '_', not starting with a digit.
 bool is_name(std::string_view text);

@@ -15,6 +15,8 @@ class CalculatorStep : public Step {
   [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
   /// What comes along with this step's own inputs goes on to who uses its results.
   [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
+  [[nodiscard]] std::optional<Value> value_beforehand(const std::string& path, bool settled,
+                                                      const Beforehand& of) const override;
   void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) override;
 
   [[nodiscard]] const Axis* axis() const { return axis_; }
@@ -46,8 +48,12 @@ class CalculatorStep : public Step {
   void check_stock(const Search& search, std::vector<Issue>& issues) const;
   void check_rules_of_literals(std::vector<Issue>& issues);
   [[nodiscard]] bool is_open(const std::string& field) const;
+  /// The same, but for expressions whose value is known already.
+  [[nodiscard]] bool is_pending(const std::string& field) const;
+  [[nodiscard]] std::vector<std::string> pending_leaves() const;
   /// Paths of others that the step takes.
   [[nodiscard]] std::set<std::string> taken_paths() const;
+  [[nodiscard]] std::optional<Value> row_beforehand(const FieldInfo& field, const Beforehand& of) const;
   [[nodiscard]] bool has_no_element(const std::string& path) const;
   [[nodiscard]] Fault missing_element(const std::string& path) const;
   [[nodiscard]] std::vector<std::string> rest_of_loads(const Companions& companions) const;

@@ -73,6 +73,13 @@ constexpr Function functions[] = {
      .most = 2,
      .join = [](double y, double x) { return std::atan2(y, x); },
      .jet_of_two = atan2},
+    {.name = "mises",
+     .form = "mises(sigma, tau)",
+     .rule = Rule::stresses,
+     .least = 2,
+     .most = 2,
+     .join = [](double sigma, double tau) { return std::sqrt(sigma * sigma + 3.0 * tau * tau); },
+     .is_magnitude = true},
 };
 
 }  // namespace

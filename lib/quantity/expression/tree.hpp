@@ -21,7 +21,8 @@ enum class Rule {
   trigonometric,    // an angle or a number to a number
   number,           // a number to a number
   inverse,          // a number to an angle
-  ratio             // two like quantities to an angle
+  ratio,            // two like quantities to an angle
+  stresses          // a normal and a shear stress to one stress
 };
 
 struct Function {
@@ -49,6 +50,7 @@ struct Node {
   std::size_t at = 0, length = 0;      // bytes of the text
   double si = 0.0;                     // of a literal
   Dimension dimension;                 // of a literal
+  Meant kind = Meant::nothing;         // of a literal, by its unit
   std::string path;                    // of a reference
   const Function* function = nullptr;  // of a call
   std::vector<Node> kids;

@@ -1,0 +1,163 @@
+// Expressions are literals that arrive later, and what a value is beyond its dimension goes with it.
+#include "tests/lib/project/solved.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace loadpath;
+using account::State;
+using test::contains;
+using test::Solved;
+
+const std::string fan =
+    "[fan]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"2 m/s\"\n";  // omega is asked for
+const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"40 mm\"\n";
+
+/// The angular speed of a frame that an expression gives.
+double omega_of(const std::string& values, const std::string& expression) {
+  const Solved solved((values.empty() ? "" : "[values]\n" + values) + fan + "omega = \"=" + expression + "\"\n");
+  REQUIRE_MESSAGE(solved.errors().empty(), solved.errors());
+  return solved.value("fan.omega");
+}
+
+std::string refused(const std::string& values, const std::string& step) {
+  return Solved((values.empty() ? "" : "[values]\n" + values) + step).errors();
+}
+
+}  // namespace
+
+TEST_SUITE("found expressions") {
+  TEST_CASE("a frequency is no angular speed, whatever is made of it") {
+    const std::string values = "f = \"25 Hz\"\nk = \"25 1/s\"\npole_pairs = 1\nt = \"40 ms\"\n";
+    for (const char* f : {"values.f/values.pole_pairs", "values.f", "2*values.f", "values.f + 1 Hz", "-values.f",
+                          "max(values.f, 1 Hz)", "values.f*values.pole_pairs", "values.k", "1/values.t", "25 Hz"}) {
+      const std::string said = refused(values, fan + "omega = \"=" + f + "\"\n");
+      CHECK_MESSAGE(contains(said, "'omega' takes a value of angular speed"), f, ": ", said);
+      CHECK_MESSAGE(contains(said, "rev*f"), f, ": ", said);
+    }
+    for (const char* turns : {"rev*values.f/values.pole_pairs", "2*pi*values.f", "values.f*(2*pi*1 rad)",
+                              "rev/values.t", "1500 rpm", "rev*values.k", "1 rev*values.f"})
+      CHECK_MESSAGE(std::abs(omega_of(values, turns) / (50.0 * pi) - 1.0) < 1e-12, turns);
+  }
+
+  TEST_CASE("a speed over a radius, a power over a moment and a root of a stiffness over a mass are radians per time") {
+    const std::string values =
+        "v = \"15 m/s\"\nr = \"300 mm\"\nP = \"5 kW\"\nM = \"100 N*m\"\nc = \"250 N/m\"\nm = \"0.1 kg\"\n";
+    for (const char* w : {"15 m/s/(300 mm)", "values.v/(300 mm)", "values.v/values.r", "values.P/values.M",
+                          "sqrt(values.c/values.m)", "(values.c/values.m)^0.5", "1*values.v/values.r"})
+      CHECK_MESSAGE(std::abs(omega_of(values, w) / 50.0 - 1.0) < 1e-12, w);
+    CHECK(contains(refused(values, fan + "omega = \"=values.v/(2*pi*values.r)\"\n"), "angular speed"));  // turns
+  }
+
+  TEST_CASE("turns are counted by rev, not by radians") {
+    const std::string life = "[b]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"2 m/s\"\n";
+    CHECK(contains(refused("", axle + "T = \"20 N*m\"\nK_A = \"=1450 rpm*1 s\"\n"), "divide by rev"));
+    CHECK(refused("", axle + "T = \"20 N*m\"\nK_A = \"=1450 rpm*0.1 s/rev\"\n").empty());
+  }
+
+  TEST_CASE("work is no torque, and a torque no work") {
+    const std::string values = "P = \"30 kW\"\nf = \"1500 Hz\"\nE = \"20 J\"\n";
+    for (const char* work : {"values.P/values.f", "30 kW/(1500 Hz)", "values.E", "2*values.E", "values.E + 1 N*m"})
+      CHECK_MESSAGE(contains(refused(values, axle + "T = \"=" + std::string(work) + "\"\n"), "is an energy"), work);
+    for (const char* torque : {"values.E/(2*pi)", "values.E/rev", "values.P/(rev*values.f)", "20 N*m"})
+      CHECK_MESSAGE(refused(values, axle + "T = \"=" + std::string(torque) + "\"\n").empty(), torque);
+  }
+
+  TEST_CASE("a shear stress is no normal stress; mises makes one of both") {
+    const std::string cycle = axle + "T = \"120 N*m\"\n[c]\ncalculator = \"fatigue.cycle\"\nr = -1\nsigma_max = \"=";
+    for (const char* shear : {"axle.tau_max", "2*axle.tau_max", "axle.tau_max + 1 MPa", "-axle.tau_max",
+                              "max(axle.tau_max, 1 MPa)", "values.k*axle.tau_max", "axle.tau_max/2"}) {
+      const std::string said = refused("k = 1.2\n", cycle + shear + "\"\n");
+      CHECK_MESSAGE(contains(said, "'sigma_max' is a normal stress, and this expression is a shear stress"), shear,
+                    ": ", said);
+      CHECK_MESSAGE(contains(said, "mises(sigma, tau)"), shear);
+      CHECK_MESSAGE(refused("k = 1.2\n", cycle + shear + "\"\nstress = \"shear\"\n").empty(), shear);
+    }
+    const Solved both(cycle + "mises(30 MPa, axle.tau_max)\"\n");
+    REQUIRE_MESSAGE(both.errors().empty(), both.errors());
+    const double tau = 16.0 * 120.0 / (pi * std::pow(0.04, 3));  // 16 T/(pi d^3)
+    CHECK(std::abs(both.value("c.sigma_max") / std::sqrt(30e6 * 30e6 + 3.0 * tau * tau) - 1.0) < 1e-12);
+    CHECK(contains(refused("", cycle + "mises(axle.tau_max, 30 MPa)\"\n"), "a normal stress first"));
+  }
+
+  TEST_CASE("a strength goes into any allowable stress, and a stress into none") {
+    const std::string limit =
+        "[limit]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\nR_e = \"355 MPa\"\nS = 2\n";
+    const std::string part = "[p]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\ntau_adm = \"=";
+    CHECK_MESSAGE(refused("", limit + part + "0.4*limit.R_e\"\n").empty(),
+                  refused("", limit + part + "0.4*limit.R_e\"\n"));
+    CHECK(refused("", limit + part + "tables.materials.S355.R_e/3\"\n").empty());
+    CHECK(contains(refused("", limit + part + "limit.tau_max\"\n"), "'tau_adm' is a strength"));
+  }
+
+  TEST_CASE("values refer to each other, in any order") {
+    const Solved solved(
+        "[values]\nT = \"=2*values.half\"\nhalf = \"=values.P/values.n/2\"\nP = \"15 kW\"\nn = \"1450 rpm\"\n" + axle +
+        "T = \"=1*values.T\"\n");
+    REQUIRE_MESSAGE(solved.messages().empty(), solved.messages());
+    CHECK(std::abs(solved.value("axle.M_max") / (15e3 / (1450.0 * pi / 30.0)) - 1.0) < 1e-12);
+    const Solved alone("[values]\na = \"=values.b\"\nb = \"=1.5*values.c\"\nc = \"20 N*m\"\n" + axle +
+                       "T = \"=values.a\"\n");
+    REQUIRE_MESSAGE(alone.messages().empty(), alone.messages());
+    CHECK(alone.value("axle.M_max") == 30.0);
+  }
+
+  TEST_CASE("a value may calculate with a result") {
+    const Solved solved(
+        "[values]\nT = \"=2*first.M_max\"\n" + axle + "T = \"=values.T + 1 N*m\"\n" +
+        "[first]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"40 mm\"\nT = \"7 N*m\"\n");
+    REQUIRE_MESSAGE(solved.errors().empty(), solved.errors());
+    CHECK(solved.value("axle.M_max") == 15.0);
+  }
+
+  TEST_CASE("a circle of values names its members; what nothing refers to is told, and nothing else") {
+    const std::string said =
+        refused("a = \"=2*values.b\"\nb = \"=values.c/2\"\nc = \"=values.a + 1 N*m\"\n", axle + "T = \"=values.a\"\n");
+    CHECK_MESSAGE(contains(said, "in a circle: values.a -> values.b -> values.c -> values.a"), said);
+    CHECK(contains(refused("a = \"=2*values.a\"\n", axle + "T = \"=values.a\"\n"), "'values.a' refers to itself"));
+    const Solved idle("[values]\na = \"20 N*m\"\nb = \"=2*values.a\"\n" + axle + "T = \"3 N*m\"\n");
+    CHECK_MESSAGE(contains(idle.messages(), "nothing refers to 'values.b'"), idle.messages());
+    CHECK_MESSAGE(!contains(idle.messages(), "nothing refers to 'values.a'"), idle.messages());
+    const Solved wrong("[values]\na = \"20 N*m\"\n" + axle + "T = \"=2*values.a\"\nno_field = 3\n");
+    CHECK_MESSAGE(!contains(wrong.messages(), "nothing refers"), wrong.messages());
+  }
+
+  TEST_CASE("dependencies go to results: an input of a step that waits can be taken") {
+    const std::string a =
+        "[a]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\nR_e = \"355 MPa\"\nS = 2\nl = "
+        "\"=2*b.d_max\"\nG = \"80 GPa\"\n";
+    const std::string b =
+        "[b]\ncalculator = \"shaft.torsion\"\nd = \"30 mm\"\nT = \"20 N*m\"\nR_e = \"=a.R_e\"\nS = 2\n";
+    for (const std::string& text : {a + b, b + a}) {
+      const Solved solved(text);
+      REQUIRE_MESSAGE(solved.errors().empty(), solved.errors());
+      CHECK(solved.value("b.R_e") == 355e6);
+      CHECK(solved.value("a.l") == 0.06);
+    }
+    CHECK(contains(
+        refused("",
+                "[a]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\nR_e = \"=b.R_e\"\nS = 2\n"
+                "[b]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\nR_e = \"=a.R_e\"\nS = 2\n"),
+        "refer to one another in a circle"));
+  }
+
+  TEST_CASE("an expression is warned of and refused like the number that it is") {
+    for (const char* l : {"\"300 km\"", "\"=300 km\"", "\"=3*values.l\""}) {
+      const Solved solved("[values]\nl = \"100 km\"\n" + axle + "T = \"20 N*m\"\nG = \"80 GPa\"\nl = " + l + "\n");
+      CHECK_MESSAGE(contains(solved.messages(), "is unusual"), l, solved.messages());
+    }
+    for (const char* T : {"\"1e40 N*m\"", "\"=1e40 N*m\"", "\"=1e30*values.T\""})
+      CHECK_MESSAGE(contains(refused("T = \"1e10 N*m\"\n", axle + "T = " + T + "\n"), "out of all proportion"), T);
+    for (const char* n : {"2,5 kN*m", "=2,5 kN*m", "=2.5 kN*m"}) {
+      const Solved solved(axle + "T = \"" + n + "\"\n");
+      CHECK_MESSAGE(solved.errors().empty(), solved.errors());
+      CHECK(solved.value("axle.M_max") == 2500.0);
+    }
+  }
+}

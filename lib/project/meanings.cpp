@@ -1,7 +1,6 @@
 #include "lib/project/meanings.hpp"
 
 #include "lib/calculator/strength_bounds.hpp"
-
 #include "lib/project/references.hpp"
 
 #include <algorithm>

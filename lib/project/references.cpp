@@ -1,7 +1,5 @@
 #include "lib/project/references.hpp"
 
-#include "lib/calculator/strength_bounds.hpp"
-
 #include <algorithm>
 
 namespace loadpath::project {

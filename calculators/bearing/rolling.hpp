@@ -96,10 +96,11 @@ s_0 = 2
             "axial load on the bearing; of a kind that takes it one way positive that way, with what F_r itself makes"}
           .load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F_r and F_a: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
-      Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 of a bearing that stands; without it its life in revolutions"}
+      Field{&Input::n, "n", rpm,
+            "speed of one ring against the other; 0 of a bearing that stands; without it its life in revolutions"}
           .at_least(0)
           .may_be_missing(),
       Field{&Input::n_max, "n_max", rpm, "highest speed of the maker's table for this lubrication"}
@@ -126,7 +127,7 @@ s_0 = 2
           .usually(0.3, 5)
           .may_be_missing(),
       Field{&Input::Y_0, "Y_0", ratio, "axial factor of the static load"}.at_least(0).usually(0.2, 5).may_be_missing(),
-      Field{&Input::L_h, "L_h", hour, "life that is asked for"}.positive().usually(100, 3e5).may_be_missing(),
+      Field{&Input::L_h, "L_h", hour, "life that is asked for"}.at_least(1).usually(100, 3e5).may_be_missing(),
       Field{&Input::a_1, "a_1", ratio,
             "reliability: 1 for 90 %, 0.64 for 95, 0.55 for 96, 0.47 for 97, 0.37 for 98, 0.25 for 99 %"}
           .within(0.01, 1)

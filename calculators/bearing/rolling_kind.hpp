@@ -105,7 +105,8 @@ constexpr double static_axial_factor(Kind kind) {
   return takes_radial_alone(kind) || bears_on_ribs(kind) ? 0.0 : unset<double>;
 }
 
-/// What C_0/C of a kind lies between, with a margin of a quarter or so.
+/// What C_0/C of a kind lies between: above with a margin of a quarter or so, below loosely, where C_0 is not
+/// overrated.
 struct RatioOfRatings {
   double least, most;
 };
@@ -120,23 +121,23 @@ inline RatioOfRatings ratio_of_ratings(Kind kind, double C) {
     case Kind::angular_contact_pair:
       return {0.35, 1.25 * of_balls};
     case Kind::self_aligning_ball:
-      return {0.15, 0.6};
+      return {0.15, 0.65};
     case Kind::cylindrical_roller_NU:
     case Kind::cylindrical_roller_NJ:
     case Kind::cylindrical_roller_NUP:
-      return {0.55, 2.6};
+      return {0.4, 2.6};
     case Kind::needle_roller:
-      return {0.5, 3.5};
+      return {0.4, 3.5};
     case Kind::tapered_roller:
-      return {0.7, 2.7};
+      return {0.4, 2.7};
     case Kind::tapered_pair:
-      return {0.7, 3.2};
+      return {0.4, 3.2};
     case Kind::spherical_roller:
-      return {0.7, 2.5};
+      return {0.4, 2.5};
     case Kind::thrust_ball:
-      return {1.1, 5.5};
+      return {0.5, 5.5};
     case Kind::thrust_roller:
-      return {1.8, 14.0};
+      return {0.5, 14.0};
     case Kind::unstated:
       break;
   }

@@ -197,6 +197,8 @@ R_z = "6.3 um"
       Rule<Input>{
           [](const Input& in) { return !(is_set(in.K_f) && (in.K_t != 1.0 || is_set(in.q) || is_set(in.r_n))); },
           "K_f, K_t, q, r_n", "give the notch as K_f, or as K_t with q or r_n, never both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.r_n) || is_set(in.K_f) || in.K_t > 1.0; }, "K_t, r_n",
+                  "the root of a notch concentrates stress: give its K_t, or leave out r_n"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.q) && is_set(in.r_n)); }, "q, r_n",
                   "give the notch sensitivity as q, or the radius r_n that it follows from, never both"},
       Rule<Input>{[](const Input& in) {
@@ -226,9 +228,9 @@ R_z = "6.3 um"
                   "epsilon, R_z, beta_F and beta_V belong to Serensen's school; Marin's takes finish and d"},
       Rule<Input>{[](const Input& in) {
                     return in.school == School::marin ||
-                           !(is_set(in.T) || is_set(in.P_s) || is_set(in.k_a) || is_set(in.k_b) ||
-                             is_set(in.k_c) || is_set(in.h) || is_set(in.b) ||
-                             in.turning == Turning::standing || in.edition != Edition::ninth);
+                           !(is_set(in.T) || is_set(in.P_s) || is_set(in.k_a) || is_set(in.k_b) || is_set(in.k_c) ||
+                             is_set(in.h) || is_set(in.b) || in.turning == Turning::standing ||
+                             in.edition != Edition::ninth);
                   },
                   "school, T, P_s, k_a, k_b, k_c, h, b, turning, edition",
                   "T, P_s, k_a, k_b, k_c, h, b, turning and edition belong to Marin's school"},
@@ -250,7 +252,8 @@ R_z = "6.3 um"
 
   /// Tension knows no size effect; a size factor that is typed is the user's word.
   static Applies has_size(const Input& in) {
-    return where(is_set(in.d) || is_set(in.h) || (in.loading != Loading::tension && !is_set(in.epsilon) && !is_set(in.k_b)));
+    return where(is_set(in.d) || is_set(in.h) ||
+                 (in.loading != Loading::tension && !is_set(in.epsilon) && !is_set(in.k_b)));
   }
   static Applies has_surface(const Input& in) { return where(in.school == School::serensen && !is_set(in.beta_F)); }
   static bool is_steel(Group group) { return group <= Group::cast_steel; }

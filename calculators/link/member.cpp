@@ -38,7 +38,7 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, sigma_o, sigma_N + sigma_b, "fibre that a positive moment pulls");
   STEP_TO(r, sigma_u, sigma_N - sigma_b, "fibre that it presses");
   r.tau = shear_stress(in, A, trace);
-  r.cycle = {Stresses::normal, abs(r.sigma_N) + r.sigma_M};
+  r.cycle = {Stresses::normal, abs(r.sigma_N) + r.sigma_M, in.E};
 }
 
 template <class Tracer>

@@ -19,11 +19,12 @@ namespace loadpath::link {
 /// Its largest stress, for fatigue.cycle to take whole: cycle = "=rod.cycle". How it varies is said there.
 struct LinkCycle {
   Stresses stress = Stresses::normal;
-  Stress sigma_max = unset<Stress>;
+  Stress sigma_max = unset<Stress>, E = unset<Stress>;
 
   static constexpr Fields fields{
       Choice{&LinkCycle::stress, "stress", "what varies"},
-      Field{&LinkCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, by its size"}.load()};
+      Field{&LinkCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, by its size"}.load(),
+      Field{&LinkCycle::E, "E", GPa, "modulus of elasticity, which tells its metal"}};
 };
 
 struct Member {

@@ -80,7 +80,7 @@ dT_adm = "250 K"
       Field{&Input::T, "T", N_m, "torque; without it pressures and stresses alone"}.load().may_be_missing(),
       Field{&Input::F_z, "F_z", N, "force along the shaft at the same time"}.load().may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor on both: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::d, "d", mm, "diameter of the fit"}.positive().usually(3, 1000),

@@ -57,7 +57,7 @@ S = 2
       Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
       Field{&Input::F_a, "F_a", N, "force along the shaft; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on both: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Choice{&Input::load_case, "load_case", "how the loads come"}.may_be_missing(),

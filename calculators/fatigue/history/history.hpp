@@ -118,7 +118,7 @@ n_req = 1
       ListField{&Input::blocks, "blocks", "cycles in blocks, in place of a series"}.may_be_missing(),
       Choice{&Input::stress, "stress", "what varies"}.may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::S_D, "S_D", ratio, "safety on stress against fatigue: of codes gamma_Ff gamma_Mf"}
@@ -172,6 +172,7 @@ n_req = 1
       density_of_material(&Input::rho),
       Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor(),
       Field{&Input::D_adm, "D_adm", ratio, "allowable damage sum; of the relative rule below 1, as 0.3"}
+          .within(0, 1)
           .positive()
           .usually(0.1, 1),
       Field{&Input::n_req, "n_req", ratio, "how often the history has to be borne, once at least"}

@@ -240,7 +240,7 @@ Length reach_of(const Input& in, const Notched& notch) {
   const Length none = 0.0 * mm;
   const Sides sides = around(in, notch.x).sides;
   const Length d = sides.left.d, next = sides.right.d;
-  const Length root = is_set(notch.r) ? notch.r : none, deep = is_set(notch.t) ? notch.t : none;
+  const Length root = is_set(notch.r) ? notch.r : none, deep = is_groove(notch.kind) ? notch.t : none;
   const Length cut = is_keyed(notch.kind) ? 0.1 * d : abs(d - next) / 2.0;
   return 2.0 * max(max(root, deep), cut);
 }

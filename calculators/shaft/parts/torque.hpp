@@ -32,7 +32,7 @@ constexpr auto torque_inputs() {
           .may_be_missing(),
       Choice{&Input::torque, "torque", "whether the torque changes its sense"}.may_be_missing(),
       Field<Input, double>{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor()};
 }

@@ -69,12 +69,14 @@ bool keeps_quantity(expression::Rule rule) {
          rule == Rule::same;
 }
 
+bool calls(const Node& node) {
+  return node.operation == Operation::call || std::any_of(node.kids.begin(), node.kids.end(), calls);
+}
+
 /// What a number alone multiplies or divides, "1.2*shaft.tau_max"; null where it is anything else. A root or a function
 /// makes another of it: "sqrt(3)*shaft.tau_max".
 const Node* multiple_of(const Node& node) {
-  const auto is_number = [](const Node& kid) {
-    return kid.operation == Operation::literal && kid.dimension.is_number();
-  };
+  const auto is_number = [](const Node& kid) { return is_constant(kid) && !calls(kid); };
   if (node.operation == Operation::divide) return is_number(node.kids[1]) ? &node.kids[0] : nullptr;
   if (node.operation != Operation::multiply) return nullptr;
   if (is_number(node.kids[0])) return &node.kids[1];

@@ -75,6 +75,7 @@ n_st = 3
                       "h, b, t_f",
                       "something is missing that the method needs", &missing_for_method}},
       method_rules<Input>(), eccentricity_rules<Input>());
+  static constexpr std::array meanings = member_meanings;
   static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0");
 
   static constexpr std::array forms{

@@ -10,6 +10,8 @@ namespace loadpath {
 inline constexpr auto allowable_in_normal = "an allowable normal stress";
 inline constexpr auto allowable_in_shear = "an allowable shear stress";
 
+inline constexpr auto crushing_stress = "a crushing stress";
+
 inline constexpr auto limit_in_normal = "a fatigue limit of a part in normal stresses";
 inline constexpr auto limit_in_shear = "a fatigue limit of a part in shear";
 inline constexpr auto specimen_in_bending = "a fatigue limit of smooth specimens in bending";
@@ -31,6 +33,7 @@ inline constexpr double most_fatigue_limit = 0.7;
 inline constexpr std::array strength_bounds{
     StrengthBound{allowable_in_normal, "R_e", 1.0, "R_e"},
     StrengthBound{allowable_in_shear, "R_e", shear_over_normal, "R_e/sqrt(3)"},
+    StrengthBound{crushing_stress, "R_m", 1.0, "R_m"},
     StrengthBound{limit_in_normal, "R_m", most_fatigue_limit, "0.7 R_m"},
     StrengthBound{limit_in_shear, "R_m", most_fatigue_limit* shear_over_normal, "0.7 R_m/sqrt(3)"},
     StrengthBound{specimen_in_bending, "R_m", most_fatigue_limit, "0.7 R_m"},

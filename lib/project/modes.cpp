@@ -193,7 +193,7 @@ State state_of(const Step& step, const ModeInfo& info, Applies applies, std::opt
 
 account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
                      const std::vector<const account::Verdict*>& rows, std::string wants, bool enough,
-                     const Withheld& withheld) {
+                     const Bolder& bolder) {
   const bool rest = info.by_rest && !step.left_of_loads().empty();
   account::Mode mode;
   mode.step = step.name();
@@ -202,10 +202,10 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
   mode.kind = info.kind;
   mode.state =
       state_of(step, info, applies, rows.empty() ? std::nullopt : std::optional(governing(rows).state), enough);
-  if (!withheld.why.empty() && mode.state == State::pass) {
+  if (!bolder.wants.empty() && mode.state == State::pass) {
     mode.state = State::not_judged;
-    mode.wants = withheld.wants;
-    mode.note = withheld.why;
+    mode.wants = bolder.wants;
+    mode.note = bolder.why;
   } else if (mode.state == State::open || mode.state == State::not_judged) {
     mode.wants = wants.empty() ? info.wants : std::move(wants);
     mode.judge = info.judge;
@@ -222,6 +222,8 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
     mode.governs = governing(rows).symbol;
     mode.utilisation = utilisation_of(rows);
     mode.note = governing(rows).note;
+    if (!bolder.why.empty())
+      mode.note = mode.note.empty() ? say("with {1}", bolder.why) : say("{1}, with {2}", mode.note, bolder.why);
   }
   accept(step.input(), mode);
   return mode;

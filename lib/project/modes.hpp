@@ -21,9 +21,9 @@ bool names_row(std::string_view key, std::string_view symbol);
 account::State state_of(const Step& step, const ModeInfo& mode, Applies applies, std::optional<account::State> worst,
                         bool enough);
 
-/// Why a mode that passes is not judged by it: a typed value decides it that a row or a record beside it does not bear
-/// out. Empty: nothing holds it back.
-struct Withheld {
+/// A typed value that decides a mode, and that a row or a record beside it does not bear out: `wants` names what would
+/// justify it, and holds the mode back; without it the user has, and `why` says how. Without `why` there is none.
+struct Bolder {
   std::string wants;
   Message why;
 };
@@ -32,7 +32,7 @@ struct Withheld {
 /// whether the rows judge it if they pass.
 account::Mode judged(const Step& step, const ModeInfo& mode, Applies applies,
                      const std::vector<const account::Verdict*>& rows, std::string wants, bool enough,
-                     const Withheld& withheld = {});
+                     const Bolder& bolder = {});
 
 /// When all steps are solved: modes that parts leave to another calculator come out as in the steps of it that have
 /// taken their records whole.

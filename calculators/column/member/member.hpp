@@ -6,6 +6,10 @@
 #include "calculators/column/member/stability.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/join.hpp"
+#include "lib/calculator/meaning.hpp"
+#include "lib/calculator/strength_bounds.hpp"
+
+#include <array>
 
 namespace loadpath::column {
 
@@ -132,6 +136,9 @@ constexpr auto rankine_and_secant_inputs() {
           .at_least(0)
           .may_be_missing()};
 }
+
+/// What a material bounds of them.
+inline constexpr std::array member_meanings{Meaning{"sigma_c", crushing_stress}};
 
 /// What the bar is made of, its eccentricities with it.
 template <class Input>

@@ -224,10 +224,9 @@ void Run::set_value(const Neighbour& beside, const Value& value) {
 }
 
 /// The checks and limits that come out otherwise with what stands beside the value.
-void Run::hold_back(const Neighbour& beside) {
+void Run::mark_decided(const Neighbour& beside, const Bolder& bolder) {
   const std::vector<Column> before = columns_;
   const std::vector<Applies> applied = applies_;
-  const Message why = say("{1}; say why: because.{2} = \"...\"", excess_of(beside), beside.leaf.field->key);
   const Value typed = value_at(beside.path, beside.leaf);
   Value instead = beside.value;
   if (instead.is_series() && instead.signature.axis != axis_)
@@ -241,7 +240,7 @@ void Run::hold_back(const Neighbour& beside) {
     const bool same = after != columns_.end() &&
                       std::equal(column.si.begin(), column.si.end(), after->si.begin(), after->si.end(),
                                  [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
-    if (!same) held_back_.emplace(column.path, Withheld{"because." + beside.path, why});
+    if (!same) bolder_.emplace(column.path, bolder);
   }
   set_value(beside, typed);
   columns_ = before, applies_ = applied;
@@ -249,18 +248,24 @@ void Run::hold_back(const Neighbour& beside) {
 
 void Run::weigh_typed_values(bool tells, std::vector<Issue>& issues) {
   std::set<const Typed*> used;
-  bool held = false;
-  for (const Neighbour& beside : bolder_ones()) {
-    const Typed* const reason = reason_for(step_.input(), beside.path);
+  std::vector<Neighbour> all = bolder_ones();
+  const auto reason_of = [&](const Neighbour& beside) { return reason_for(step_.input(), beside.path); };
+  // What holds a mode back is told before what does not.
+  std::stable_partition(all.begin(), all.end(), [&](const Neighbour& beside) { return reason_of(beside) == nullptr; });
+  for (const Neighbour& beside : all) {
+    const Typed* const reason = reason_of(beside);
+    const Message excess = excess_of(beside);
     if (reason != nullptr) {
       used.insert(reason);
-      reasons_.emplace(beside.path, say("{1}: {2}", excess_of(beside), reason->text));
-    } else if (!columns_.empty()) {
-      hold_back(beside);
-      held = true;
+      reasons_.emplace(beside.path, say("{1}: {2}", excess, reason->text));
     }
+    holds_back_ = holds_back_ || (reason == nullptr && !columns_.empty());
+    if (columns_.empty() || (reason != nullptr && !tells)) continue;
+    mark_decided(beside, reason != nullptr ? Bolder{"", reasons_.at(beside.path)}
+                                           : Bolder{"because." + beside.path,
+                                                    say("{1}; say why: because.{2} = \"...\"", excess, beside.path)});
   }
-  if (held) evaluate();
+  if (!all.empty() && !columns_.empty()) evaluate();
   if (!tells || columns_.empty() || !step_.input().reading.varied.empty()) return;
   for (const auto& [key, reason] : step_.input().because) {
     if (used.contains(&reason)) continue;
@@ -270,9 +275,9 @@ void Run::weigh_typed_values(bool tells, std::vector<Issue>& issues) {
   }
 }
 
-Withheld Run::withheld_from(const std::vector<const account::Verdict*>& rows) const {
+Bolder Run::bolder_in(const std::vector<const account::Verdict*>& rows) const {
   for (const account::Verdict* row : rows) {
-    if (const auto found = held_back_.find(row->symbol); found != held_back_.end()) return found->second;
+    if (const auto found = bolder_.find(row->symbol); found != bolder_.end()) return found->second;
   }
   return {};
 }

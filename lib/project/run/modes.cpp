@@ -114,7 +114,7 @@ void Run::fill_modes(Account& account) const {
     if (applies_[k] == Applies::no && std::all_of(rows.begin(), rows.end(), passes)) continue;
     std::string wants;
     const bool enough = is_judged(mode, account, wants);
-    account.modes.push_back(judged(step_, mode, applies_[k], rows, std::move(wants), enough, withheld_from(rows)));
+    account.modes.push_back(judged(step_, mode, applies_[k], rows, std::move(wants), enough, bolder_in(rows)));
   }
 }
 

@@ -36,7 +36,7 @@ class Run {
   /// The typed inputs that were compared; whether with what depends on a size; whether modes are held back.
   [[nodiscard]] const std::vector<std::string>& compared() const { return compared_; }
   [[nodiscard]] bool compared_by_size() const { return compared_by_size_; }
-  [[nodiscard]] bool holds_back() const { return !held_back_.empty(); }
+  [[nodiscard]] bool holds_back() const { return holds_back_; }
   /// The rules between inputs, at every position.
   bool check_rules(std::vector<Issue>& issues);
   /// Sets what is searched for: a size to the smallest of its stock with which every check passes at every position, a
@@ -90,8 +90,8 @@ class Run {
   [[nodiscard]] std::vector<Neighbour> bolder_ones();
   [[nodiscard]] Message excess_of(const Neighbour& beside) const;
   void set_value(const Neighbour& beside, const Value& value);
-  void hold_back(const Neighbour& beside);
-  [[nodiscard]] Withheld withheld_from(const std::vector<const account::Verdict*>& rows) const;
+  void mark_decided(const Neighbour& beside, const Bolder& bolder);
+  [[nodiscard]] Bolder bolder_in(const std::vector<const account::Verdict*>& rows) const;
 
   void take_word(const Taken& taken, std::vector<Issue>& issues);
   void take_list(const Taken& taken, std::vector<Issue>& issues);
@@ -231,12 +231,12 @@ class Run {
   double settled_ = 0.0;                   // the size that values of tables were asked at last
   Message missing_;                        // why a table's value is not available
   std::vector<Column> columns_;
-  std::vector<std::size_t> order_;             // of columns, for a walk over the result
-  std::vector<Applies> applies_;               // of every mode, over the positions
-  std::map<std::string, Withheld> held_back_;  // by the check or limit that a value without a reason decides
-  std::map<std::string, Message> reasons_;     // by the input: how it is bolder, and why
+  std::vector<std::size_t> order_;          // of columns, for a walk over the result
+  std::vector<Applies> applies_;            // of every mode, over the positions
+  std::map<std::string, Bolder> bolder_;    // by the check or limit that such a value decides
+  std::map<std::string, Message> reasons_;  // by the input: how it is bolder, and why
   std::vector<std::string> compared_;
-  bool compared_by_size_ = false;
+  bool compared_by_size_ = false, holds_back_ = false;
   Trace trace_;
   std::size_t governing_ = 0;
   bool traced_ = false;

@@ -24,7 +24,8 @@ class Run {
   /// Words, lists and rows of other steps; what a field refuses becomes an issue at the reference.
   bool take_from_others(std::vector<Issue>& issues);
   /// The values of expressions and companions; what a field refuses becomes an issue at its expression.
-  bool evaluate_operands(std::vector<Issue>& issues);
+  /// `left_open`: inputs that are passed over.
+  bool evaluate_operands(std::vector<Issue>& issues, const std::set<std::string>& left_open = {});
   /// The rules between inputs, at every position.
   bool check_rules(std::vector<Issue>& issues);
   /// Sets what is searched for: a size to the smallest of its stock with which every check passes at every position, a

@@ -148,7 +148,8 @@ json::object Definitions::quantity(const Dimension& dimension) {
 }
 
 json::object Definitions::history(const Dimension& dimension) {
-  const json::object text{{"type", "string"}}, number{{"type", "number"}};
+  const json::object text{{"type", "string"}};
+  const json::object number{{"type", json::array{"number", "string"}}, {"pattern", "^="}};  // or an expression
   const json::object column{{"type", json::array{"string", "integer"}}};
   const json::object values{{"type", "array"}, {"items", number}, {"minItems", 1}};
   return {{"anyOf", json::array{quantity(dimension),

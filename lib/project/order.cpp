@@ -28,8 +28,11 @@ class Ordering {
       });
     }
     take_beforehand();
+    leave_open();
+    put_behind_whole();
     for (std::size_t i = 0; i < state_.size(); ++i) visit(i);
     project_.order = std::move(order_);
+    plan_passes();
   }
 
  private:
@@ -56,6 +59,72 @@ class Ordering {
         if (!reaches(edge.to, i, seen) || !value_beforehand(project_, edge.path)) return false;
         project_.beforehand[edge.path] = {};
         return true;
+      });
+    }
+  }
+
+  /// Operands of a step that it may do without, and that take an input of a step which needs this one.
+  void leave_open() {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      std::erase_if(edges_[i], [&](const Edge& edge) {
+        std::set<std::size_t> seen;
+        if (!reaches(edge.to, i, seen)) return false;
+        const std::string operand = waiting_operand(i, edge);
+        if (operand.empty()) return false;
+        waits_[i].push_back({edge.to, operand});
+        return true;
+      });
+    }
+  }
+
+  /// Who takes results of a step that waits, and is not waited for, comes when that is solved whole.
+  void put_behind_whole() {
+    for (const auto& [i, waits] : waits_) {
+      for (std::size_t x = 0; x < edges_.size(); ++x) {
+        const bool takes = std::any_of(edges_[x].begin(), edges_[x].end(), [&](const Edge& e) { return e.to == i; });
+        for (const Edge& wait : waits) {
+          std::set<std::size_t> seen;
+          if (takes && x != wait.to && !reaches(wait.to, x, seen)) edges_[x].push_back({wait.to, {}});
+        }
+      }
+    }
+  }
+
+  /// The input of a step that takes the path, where it can wait; empty where none can.
+  [[nodiscard]] std::string waiting_operand(std::size_t i, const Edge& edge) const {
+    const std::string rest = split_step(edge.path).second;
+    const Step& source = *project_.steps[edge.to];
+    const FieldInfo* const given = source.field(rest);
+    const bool is_input = given != nullptr && given->role == Role::input && !given->is_load && !given->is_factor;
+    if (!is_input || source.input().calculator->result == nullptr || project_.steps[i]->input().from != nullptr)
+      return {};
+    std::string found;
+    for (const Operand& operand : project_.steps[i]->input().reading.operands) {
+      const auto& references = operand.expression.references();
+      if (std::none_of(references.begin(), references.end(), [&](const auto& r) { return r.path == edge.path; }))
+        continue;
+      if (!found.empty() || !operand.leaf.field->optional || references.size() != 1) return {};
+      found = operand.path;
+    }
+    return found;
+  }
+
+  /// A step that waits is solved without, and again as soon as what it waits for is there.
+  void plan_passes() {
+    std::set<std::size_t> solved;
+    std::vector<std::size_t> again;
+    for (const std::size_t i : project_.order) {
+      Pass pass{i, {}};
+      for (const Edge& wait : waits_[i])
+        if (!solved.contains(wait.to)) pass.without.insert(wait.path);
+      if (!pass.without.empty()) again.push_back(i);
+      solved.insert(i);
+      project_.passes.push_back(std::move(pass));
+      std::erase_if(again, [&](std::size_t other) {
+        const bool ready = std::all_of(waits_[other].begin(), waits_[other].end(),
+                                       [&](const Edge& wait) { return solved.contains(wait.to); });
+        if (ready && other != i) project_.passes.push_back({other, {}});
+        return ready && other != i;
       });
     }
   }
@@ -89,6 +158,7 @@ class Ordering {
   std::vector<Issue>& issues_;
   std::vector<State> state_;
   std::vector<std::vector<Edge>> edges_;
+  std::map<std::size_t, std::vector<Edge>> waits_;  // of operands, not of references
   std::vector<std::size_t> path_;
   std::vector<std::size_t> order_;
 };

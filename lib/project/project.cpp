@@ -12,6 +12,7 @@
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace loadpath::project {
 
@@ -165,6 +166,16 @@ void hand_out_warnings(Project& project, const std::vector<Issue>& issues) {
   }
 }
 
+Issue taken_once(const Place& place, const std::string& key, std::size_t values) {
+  return {place, key, say("these are {1} values, and one is taken here", std::to_string(values)),
+          say("`loadpath sweep` goes through all of them, `loadpath run FILE --point 0` takes the first"),
+          Severity::error};
+}
+
+Issue taken_in_the_middle(const Place& place, const std::string& key, const std::string& name) {
+  return {place, key, say("'{1}' is uncertain; computed at its middle value", name), {}, Severity::warning};
+}
+
 void refuse_ranges(const Project& project, std::vector<Issue>& issues) {
   for (const auto& step : project.steps) {
     for (const Varied& varied : step->input().reading.varied) {
@@ -172,20 +183,20 @@ void refuse_ranges(const Project& project, std::vector<Issue>& issues) {
       const bool told = !issues.empty() && issues.back().place.line == varied.place.line &&
                         issues.back().place.column == varied.place.column;  // of a record that is taken in turn
       if (told) continue;
-      if (varied.distribution)
-        issues.push_back({varied.place,
-                          key,
-                          say("'{1}' is uncertain; computed at its middle value", varied.path),
-                          {},
-                          Severity::warning});
-      else
-        issues.push_back(
-            {varied.place, key,
-             say("these are {1} values, and one is taken here",
-                 std::to_string(varied.words.empty() ? varied.axis.size() : varied.words.size())),
-             say("`loadpath sweep` goes through all of them, `loadpath run FILE --point 0` takes the first"),
-             Severity::error});
+      issues.push_back(
+          varied.distribution
+              ? taken_in_the_middle(varied.place, key, varied.path)
+              : taken_once(varied.place, key, varied.words.empty() ? varied.axis.size() : varied.words.size()));
     }
+  }
+}
+
+/// Values of [values] that expressions calculate with, and that are many.
+void refuse_ranges_of_values(const Project& project, std::vector<Issue>& issues) {
+  for (const Values::Several& several : project.values.several()) {
+    const std::string key = "values." + several.name;
+    issues.push_back(several.distribution ? taken_in_the_middle(several.place, key, key)
+                                          : taken_once(several.place, key, several.axis.size()));
   }
 }
 
@@ -299,9 +310,15 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
                       Severity::error});
     return project;
   }
-  project.tables = read_own_tables(tree, file, catalogue, project.files, issues);
   const auto* const values = tree.find("values");
   if (values != nullptr && is_shared(*values)) project.values.read(*values, issues);
+  toml::Tree read_at_once;
+  for (const toml::Tree::Entry& entry : tree.entries) {
+    if (!is_own_tables(entry) && entry.key != "expect" && entry.key != "project") continue;
+    read_at_once.entries.push_back(entry);
+    if (entry.key != "project") project.values.write_out_all_numbers(read_at_once.entries.back().value);
+  }
+  project.tables = read_own_tables(read_at_once, file, catalogue, project.files, issues);
   for (const toml::Tree::Entry& entry : tree.entries) {
     if (!is_shared(entry)) project.values.note_uses(entry.value);
   }
@@ -313,7 +330,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
     if (entry.key == "project") {
       read_heading(entry, project, issues);
     } else if (entry.key == "expect") {
-      read_expectations(entry.value, project.expectations, issues);
+      read_expectations(read_at_once.find("expect")->value, project.expectations, issues);
     } else {
       add_step(written_out(entry), project, catalogue, issues);
     }
@@ -339,6 +356,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
     project.steps[i]->prepare(declared, companions, issues);
     check_kinds(*project.steps[i], project, declared, issues);
   }
+  if (ranges == Ranges::refused) refuse_ranges_of_values(project, issues);
   project.references = references_of(project);
   project.table_values = table_values_of(project);
   find_varying_loads(project, declared);
@@ -357,16 +375,62 @@ void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
   solve_again(project, issues, with_references(project, std::move(wanted)));
 }
 
+namespace {
+
+/// What steps take of one, by its path.
+using Handed = std::map<std::string, std::pair<std::vector<double>, std::string>>;
+
+/// What a step takes of another one as it is now.
+void note_taken(const Project& project, const Step& taker, const Step& of, Handed& taken) {
+  for_each_reference(taker.input().reading, [&](const std::string& path) {
+    const auto [name, rest] = split_step(path);
+    if (name != of.name()) return;
+    const Value* const value = project.value(path);
+    taken[path] = {value == nullptr ? std::vector<double>{} : value->si, of.word(rest)};
+  });
+}
+
+bool is_alike(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+/// A step was solved without some inputs first: what others have taken of it must not hang on them.
+void refuse_other_values(const Handed& before, const Project& project, const Step& step, std::vector<Issue>& issues) {
+  for (const auto& [path, taken] : before) {
+    const Value* const value = project.value(path);
+    const bool same = is_alike(taken.first, value == nullptr ? std::vector<double>{} : value->si);
+    if (same && taken.second == step.word(split_step(path).second)) continue;
+    issues.push_back({step.input().place, step.name(),
+                      say("the steps refer to one another in a circle: '{1}' hangs on what follows from it", path),
+                      say("give one of them a value"), Severity::error});
+    return;
+  }
+}
+
+}  // namespace
+
 void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted) {
   const Known known = known_of(project);
   const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
   for (const auto& step : project.steps) step->forget();
   for (auto& [path, value] : project.beforehand) value = value_beforehand(project, path).value_or(Value{});
-  for (const std::size_t i : project.order) {
-    check_factors(*project.steps[i], project, issues);
-    check_meanings(*project.steps[i], project, issues);
-    if (wanted.words) check_kinds(*project.steps[i], project, declared, issues);
-    if (!has_errors(issues)) project.steps[i]->solve(known, wanted, issues);
+  std::map<std::size_t, Handed> provisional;
+  for (const Pass& pass : project.passes) {
+    Step& step = *project.steps[pass.step];
+    if (!pass.without.empty()) {
+      step.solve_without(pass.without, known);
+      provisional[pass.step] = {};
+      continue;
+    }
+    for (auto& [other, taken] : provisional) note_taken(project, step, *project.steps[other], taken);
+    step.forget();
+    check_factors(step, project, issues);
+    check_meanings(step, project, issues);
+    if (wanted.words) check_kinds(step, project, declared, issues);
+    if (!has_errors(issues)) step.solve(known, wanted, issues);
+    if (has_errors(issues)) return;
+    if (const auto before = provisional.extract(pass.step)) refuse_other_values(before.mapped(), project, step, issues);
     if (has_errors(issues)) return;
   }
   settle_left(project);

@@ -9,10 +9,19 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace loadpath::project {
+
+/// One solving of a step.
+struct Pass {
+  std::size_t step;
+  /// Inputs that wait for a step which needs other results of this one: they are left open, and the step is solved
+  /// again with them. Empty: solved whole.
+  std::set<std::string> without;
+};
 
 struct Project {
   std::string file;
@@ -22,6 +31,7 @@ struct Project {
   Values values;
   std::vector<std::unique_ptr<Step>> steps;     // in the order of the file
   std::vector<std::size_t> order;               // of evaluation
+  std::vector<Pass> passes;                     // of solving: in that order, but for steps that are solved twice
   std::vector<std::string> references;          // of the steps to one another: full paths
   std::shared_ptr<const table::Tables> tables;  // the project's own before the built-in ones
   std::vector<NamedFile> files;                 // that were read beside its own

@@ -53,6 +53,8 @@ const Value* Step::value(const std::string& path) const {
   return nullptr;
 }
 
+void Step::solve_without(const std::set<std::string>&, const Known&) {}
+
 std::optional<Value> Step::value_beforehand(const std::string&, bool, const Beforehand&) const { return std::nullopt; }
 
 namespace {

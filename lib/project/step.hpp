@@ -107,6 +107,9 @@ class Step {
   /// Fills the account; series that are not wanted may have no values. A computed value that its field refuses becomes
   /// an issue at its expression.
   virtual void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) = 0;
+  /// Results alone, with these inputs left open: those that hang on them are not available, or are found to differ when
+  /// the step is solved whole.
+  virtual void solve_without(const std::set<std::string>& inputs, const Known& known);
   /// The value at a path, after `solve`; nothing where there is none (an element that the list does not have).
   [[nodiscard]] virtual const Value* value(const std::string& path) const;
   /// The value of an input before `solve`; nothing where that is not certain. `of` gives inputs of other steps.

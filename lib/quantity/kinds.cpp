@@ -94,7 +94,9 @@ std::string_view name_of(Meant kind) {
 
 bool takes_kind(Meant field, Meant given) {
   if (field == Meant::nothing || given == Meant::nothing || given == Meant::rate || field == given) return true;
-  return given == Meant::uniaxial_stress && (field == Meant::normal_stress || field == Meant::equivalent_stress);
+  const bool in_one_direction = field == Meant::normal_stress || field == Meant::equivalent_stress;
+  if (given == Meant::strength) return in_one_direction || field == Meant::shear_stress;  // a stress that is borne
+  return given == Meant::uniaxial_stress && in_one_direction;
 }
 
 bool fits_but_for_angle(const Dimension& wanted, const Dimension& given, Meant kind, bool turns) {

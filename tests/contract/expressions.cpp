@@ -12,6 +12,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <sstream>
 #include <string>
@@ -36,7 +37,7 @@ Tree& tree_at(Tree& top, const std::vector<std::size_t>& way) {
 }
 
 bool is_number(const Tree& tree) {
-  if (tree.type == Tree::Type::number) return true;
+  if (tree.type == Tree::Type::number) return std::isfinite(tree.number);
   return tree.type == Tree::Type::text && !tree.text.starts_with('=') && parse_literal(tree.text);
 }
 

@@ -150,6 +150,15 @@ void Values::settle(const std::string& name, std::vector<std::string>& path, std
   }
   write_into(*expression, start, "values." + name, issues);
   shared.expression = std::move(*expression);
+  const auto& references = shared.expression->references();
+  const auto value_of = [&](const std::string& reference) {
+    return reference.starts_with(shared_prefix) ? fixed(reference.substr(shared_prefix.size())) : nullptr;
+  };
+  if (std::any_of(references.begin(), references.end(), [&](const auto& r) { return value_of(r.path) == nullptr; }))
+    return;
+  shared.literal =
+      shared.expression->evaluate([&](const std::string& path_of) -> const Value& { return *value_of(path_of); });
+  shared.is_constant = true;
 }
 
 /// `names`: the way that comes back to the last of them.
@@ -216,7 +225,8 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
   }
   if (name.empty()) {
     Tree copy = tree;
-    if (tree.find("values") != nullptr || is_grid(tree) || is_uncertain(tree)) write_out_numbers(copy);
+    if (tree.type == Tree::Type::table && (tree.find("values") != nullptr || is_grid(tree) || is_uncertain(tree)))
+      write_out_numbers(copy);
     for (Tree& item : copy.items) item = in_place(item, issues);
     for (Tree::Entry& entry : copy.entries) entry.value = in_place(entry.value, issues);
     return copy;
@@ -250,12 +260,17 @@ void Values::write_out_numbers(Tree& tree) const {
   const auto write_out = [&](Tree& one) {
     if (auto number = number_of(one, known)) one = std::move(*number);
   };
-  for (Tree& item : tree.items) write_out(item);
   for (Tree::Entry& entry : tree.entries) {
     write_out(entry.value);
     if (entry.value.type == Tree::Type::array)
       std::for_each(entry.value.items.begin(), entry.value.items.end(), write_out);
   }
+}
+
+void Values::write_out_all_numbers(Tree& tree) const {
+  for (Tree& item : tree.items) write_out_all_numbers(item);
+  for (Tree::Entry& entry : tree.entries) write_out_all_numbers(entry.value);
+  write_out_numbers(tree);
 }
 
 Outcome<Signature> Values::signature(const std::string& name) {
@@ -327,7 +342,8 @@ const Value* Values::literal(const std::string& name) const {
 
 const Value* Values::fixed(const std::string& name) const {
   const auto found = all_.find(name);
-  const bool is_one = found != all_.end() && found->second.is_literal && !found->second.several;
+  const bool is_one =
+      found != all_.end() && !found->second.several && (found->second.is_literal || found->second.is_constant);
   return is_one ? &found->second.literal : nullptr;
 }
 

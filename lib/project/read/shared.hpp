@@ -40,13 +40,16 @@ class Values {
   [[nodiscard]] Outcome<Signature> signature(const std::string& name);
   /// Null where there is none.
   [[nodiscard]] const Value* literal(const std::string& name) const;
-  /// The same, of one that no sweep gives other values.
+  /// The same, of one that no sweep gives other values, calculated or not.
   [[nodiscard]] const Value* fixed(const std::string& name) const;
   /// What a literal says of its kind: "25 Hz".
   [[nodiscard]] Meant kind(const std::string& name) const;
   /// Writes values that are expressions in the place of the references to them. An Issue at `place` where that grows
   /// out of bounds.
   void write_into(Expression& expression, const Place& place, const std::string& key, std::vector<Issue>& issues) const;
+  /// Numbers that are written as expressions, as literals: of tables and expectations, which are read at once. What
+  /// refers to a step stays as it is.
+  void write_out_all_numbers(toml::Tree& tree) const;
   /// Every value that the texts of a tree name is used: those of steps, of what is expected.
   void note_uses(const toml::Tree& tree);
 
@@ -64,6 +67,7 @@ class Values {
     std::optional<Several> several = {};  // of which the literal is one
     std::optional<Expression> expression = {};
     bool is_literal = false;
+    bool is_constant = false;  // an expression that refers to no step; the literal is its value
     bool is_used = false;
     bool in_circle = false;                                                         // which has been told
     enum class Search : std::uint8_t { fresh, open, done } search = Search::fresh;  // of its references

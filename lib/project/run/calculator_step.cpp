@@ -434,6 +434,15 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   for (const auto& [group, row] : run.rows()) name_row(group, row.text);
 }
 
+void CalculatorStep::solve_without(const std::set<std::string>& inputs, const Known& known) {
+  Run run(*this, known, false);
+  std::vector<Issue> told;  // again when the step is solved whole
+  if (!run.take_from_others(told) || !run.evaluate_operands(told, inputs)) return;
+  run.evaluate();
+  run.trace_governing();
+  run.fill({.pictures = false, .formulas = false, .unused = false, .words = false}, own_account());
+}
+
 std::unique_ptr<Step> make_calculator_step(StepInput&& input) {
   return std::make_unique<CalculatorStep>(std::move(input));
 }

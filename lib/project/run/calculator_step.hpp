@@ -17,6 +17,7 @@ class CalculatorStep : public Step {
   [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
   [[nodiscard]] std::optional<Value> value_beforehand(const std::string& path, bool settled,
                                                       const Beforehand& of) const override;
+  void solve_without(const std::set<std::string>& inputs, const Known& known) override;
   void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) override;
 
   [[nodiscard]] const Axis* axis() const { return axis_; }

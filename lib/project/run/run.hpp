@@ -27,7 +27,8 @@ class Run {
   /// Words, lists and rows of other steps; what a field refuses becomes an issue at the reference.
   bool take_from_others(std::vector<Issue>& issues);
   /// The values of expressions and companions; what a field refuses becomes an issue at its expression.
-  bool evaluate_operands(std::vector<Issue>& issues);
+  /// `left_open`: inputs that are passed over.
+  bool evaluate_operands(std::vector<Issue>& issues, const std::set<std::string>& left_open = {});
   /// An issue for everything typed that says of the part what the row or the record beside it does not.
   bool refuse_other_parts(std::vector<Issue>& issues) const;
   /// After `evaluate`: of what is bolder than what stands beside it, the reason is kept, or the modes that it decides

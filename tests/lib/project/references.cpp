@@ -290,9 +290,7 @@ TEST_SUITE("shared values") {
     CHECK_MESSAGE(contains(Solved(doubled + shaft("a20")).errors(), "come to too many"), "2^20");
     CHECK_MESSAGE(contains(Solved(doubled + shaft("a60")).errors(), "come to too many"), "60 deep");
     const Solved circle("[values]\na = [\"=values.b\"]\nb = [\"=values.a\"]\n" + shaft("a"));
-    CHECK_MESSAGE(contains(circle.errors(), "values.b -> values.a -> values.b") ||
-                      contains(circle.errors(), "values.a -> values.b -> values.a"),
-                  circle.errors());
+    CHECK_MESSAGE(contains(circle.errors(), "values.a -> values.b -> values.a"), circle.errors());
     const Solved unknown("[values]\nn = \"1 rpm\"\n" + shaft("m"));
     CHECK_MESSAGE(contains(unknown.errors(), "there is no value 'm'"), unknown.errors());
     CHECK_MESSAGE(!contains(unknown.messages(), "no step"), unknown.messages());

@@ -94,7 +94,7 @@ s_0 = 2
             "axial load on the bearing; of a kind that takes it one way positive that way, with what F_r itself makes"}
           .load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F_r and F_a: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 of a bearing that stands"}.at_least(0),

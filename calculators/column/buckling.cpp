@@ -160,15 +160,20 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
 /// The limits of class 3 are those of steel: of another material nothing is known of its walls.
 template <class Tracer>
 void judge_class(const Input& in, Result& r, Tracer& trace) {
-  const double ratio = is_set(in.R_e) ? class_ratio(plates_of(in), in.R_e) : unset<double>;
+  const bool american = in.method == Method::aisc;
+  const double ratio = !is_set(in.R_e) ? unset<double>
+                       : american      ? slender_ratio(plates_of(in), in.E, in.R_e, r.sigma_cr)
+                                       : class_ratio(plates_of(in), in.R_e);
   if (!is_set(ratio)) return;
   if (!is_steel(in) && has_modulus_of_steel(in)) return;
   if (ratio > 0.0) {
-    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the limits of table 5.2 are those of steel");
+    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the limits of the walls are those of steel");
   }
   if (!has_modulus_of_steel(in)) return;
-  r.r_class =
-      trace.value("r_class", ratio, "EN 1993-1-1, table 5.2, with eps = sqrt(235 MPa/R_e), [EN1993-1-1-buckling]");
+  r.r_class = trace.value(
+      "r_class", ratio,
+      american ? "table B4.1a, at the critical stress as by E7: at 1 or less the whole area counts, [AISC360]"
+               : "EN 1993-1-1, table 5.2, with eps = sqrt(235 MPa/R_e), [EN1993-1-1-buckling]");
 }
 
 template <class Tracer>
@@ -176,6 +181,10 @@ void conclude(const Input& in, Result& r, Tracer& trace) {
   r.spread = trace.value("spread", spread_of(r), "largest critical stress over the least, less 1");
   STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness over the largest that is allowed");
   judge_class(in, r, trace);
+  if (!is_set(r.P_all) && !(r.F > 0.0 * kN) && is_set(r.F)) {
+    r.u = trace.value("u", 0.0, "tension does not buckle it");
+    return;
+  }
   if (!is_set(r.sigma_cr)) return;
   trace.value("sigma_cr", r.sigma_cr, "of the method that decides");
   if (!is_set(r.u)) return;

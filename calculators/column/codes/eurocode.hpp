@@ -26,5 +26,8 @@ const char* imperfection_reason(Curve curve);
 /// locally. Of a round tube that of d over its wall, whatever the kind; of a welded box between its plates. NaN where
 /// the thicknesses are not known.
 double class_ratio(const Plates& section, Stress R_e);
+/// The thinnest part over the limit of AISC 360, table B4.1a, raised by the root of R_e over the critical stress as E7
+/// says: at 1 or less the whole area counts. Unset where the kind is not known.
+double slender_ratio(const Plates& section, Stress E, Stress R_e, Stress sigma_cr);
 
 }  // namespace loadpath::column

@@ -148,14 +148,15 @@ constexpr auto tetmajer_limit() {
 
 template <class Result>
 constexpr auto wall_limits() {
-  return Fields{Field<Result, double>{&Result::r_class, "r_class", ratio,
-                                      "local buckling: thinness of the parts over the limit of class 3"}
-                    .limit(0, 1)
-                    .where_it_applies(),
-                Field<Result, double>{&Result::x_E, "x_E", ratio,
-                                      "modulus over the 210 GPa of steel, whose limits of class 3 are"}
-                    .limit(least_steel, most_steel)
-                    .where_it_applies()};
+  return Fields{
+      Field<Result, double>{&Result::r_class, "r_class", ratio,
+                            "local buckling: thinness of the parts over the limit of class 3, of aisc over that of E7"}
+          .limit(0, 1)
+          .where_it_applies(),
+      Field<Result, double>{&Result::x_E, "x_E", ratio,
+                            "modulus over the 210 GPa of steel, whose limits of class 3 are"}
+          .limit(least_steel, most_steel)
+          .where_it_applies()};
 }
 
 /// The axes, and the methods side by side.

@@ -108,7 +108,7 @@ n_req = 1
       ListField{&Input::blocks, "blocks", "cycles in blocks, in place of a series"}.may_be_missing(),
       Choice{&Input::stress, "stress", "what varies"}.may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::S_D, "S_D", ratio, "safety on stress against fatigue: of codes gamma_Ff gamma_Mf"}

@@ -66,7 +66,7 @@ S_F = 1.5
           .may_be_missing(),
       Field{&Input::tau_xy, "tau_xy", MPa, "shear stress, the same, at the same moments"}.load().may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::sigma_D, "sigma_D", MPa, "fatigue limit of the point in normal stresses, r = -1"}

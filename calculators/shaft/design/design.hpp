@@ -102,7 +102,7 @@ r_T = 0
           .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio,
             "service factor on all torques and forces, not on weight: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::k_max, "k_max", ratio, "largest load, of a start or a jam, over that in service; for yield"}

@@ -75,7 +75,7 @@ phi_adm = "1 deg"
              Field{&Input::c_1, "c_1", N_m_per_rad, "stiffness of an elastic first end"}.positive().may_be_missing(),
              Field{&Input::c_2, "c_2", N_m_per_rad, "stiffness of an elastic second end"}.positive().may_be_missing(),
              Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
-                 .positive()
+                 .at_least(1)
                  .usually(1, 4)
                  .factor(),
              Field{&Input::G, "G", GPa, "shear modulus of what has none of its own"}.positive().usually(1, 500).from(

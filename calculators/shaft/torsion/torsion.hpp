@@ -108,7 +108,7 @@ theta_adm = "0.004 rad/m"
              Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
              diameter_at_heat_treatment(&Input::d_h),
              Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
-                 .positive()
+                 .at_least(1)
                  .usually(1, 4)
                  .factor(),
              Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G")},

@@ -127,6 +127,8 @@ Reading read_record(const toml::Tree& table, const RecordType& type, const Templ
 
 /// "must be > 0 mm", from the bounds of a field.
 Message bounds_message(const FieldInfo& field);
+/// "d = 4500 mm is unusual: 5 mm to 2000 mm is expected".
+Message unusual(const std::string& path, const FieldInfo& field, double si);
 
 /// A name of a step, link or joint: letters, digits and '_', not starting with a digit.
 bool is_name(std::string_view text);

@@ -117,10 +117,7 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
                   say("check the unit and the power of ten: no machine has that"));
   }
   if (!field.plausible.holds(si)) {
-    say_at(tree.place, path,
-           say("{1} = {2} is unusual: {3} to {4} is expected", path, format_quantity(si, field.unit),
-               format_quantity(field.plausible.low, field.unit), format_quantity(field.plausible.high, field.unit)),
-           say("check the unit"), Severity::warning);
+    say_at(tree.place, path, unusual(path, field, si), say("check the unit"), Severity::warning);
   }
   reading_.typed[path].text = text;
   field.set(owner, si);

@@ -43,7 +43,8 @@ bool ColumnStep::Parts::lay_out(const std::set<std::string>& wanted, const Point
 /// Nothing taken whole, nothing that acts and is not taken.
 bool ColumnStep::Parts::is_plain() const {
   const Reading& reading = step.input().reading;
-  return reading.taken.empty() && reading.whole.empty() && !step.leaves_loads() && !step.account().results.empty();
+  return reading.taken.empty() && reading.whole.empty() && !step.leaves_loads() && !step.account().results.empty() &&
+         step.lacking_factor().empty();
 }
 
 bool ColumnStep::Parts::is_fed(std::string_view field) const {

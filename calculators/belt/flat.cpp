@@ -91,6 +91,7 @@ void limit_speed(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
        synthetic ? "largest speed of a synthetic belt, [B40]" : "largest speed, [B40]");
   STEP_TO(r, x_v, r.v / v_max, "speed over the largest one");
   r.v_range = r.v;
+  STEP_TO(r, x_b, r.b / min(in.d_1, in.d_2), "no belt is much wider than its smaller pulley");
 }
 
 }  // namespace

@@ -176,7 +176,7 @@ void judge_class(const Input& in, bool is_pressed, Result& r, Tracer& trace) {
   }
   if (!is_steel(in) && has_modulus_of_steel(in)) return;
   if (ratio > 0.0) {
-    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the limits of table 5.2 are those of steel");
+    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the limits of the walls are those of steel");
   }
   if (!has_modulus_of_steel(in)) return;
   if (in.method == Method::aisc) {
@@ -198,6 +198,10 @@ void conclude(const Input& in, bool is_bent, Result& r, Tracer& trace) {
     STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness over the largest that is allowed");
   }
   judge_class(in, !is_pulled || is_bent, r, trace);
+  if (!is_set(r.P_all) && !(r.F > 0.0 * kN) && is_set(r.F)) {
+    r.u = trace.value("u", 0.0, "tension does not buckle it");
+    return;
+  }
   if (!is_set(r.sigma_cr)) return;
   trace.value("sigma_cr", r.sigma_cr, "of the method that decides");
   if (!is_set(r.u)) return;

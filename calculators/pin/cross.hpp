@@ -59,7 +59,7 @@ tau_adm_1 = "40 MPa"
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
       Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Choice{&Input::loading, "loading", "how the torque varies"}.may_be_missing(),

@@ -87,7 +87,7 @@ p_adm_2 = "100 MPa"
       RecordField<Input>{"load", "the joint of a mechanism, whole: load = \"=press.joints.B\""},
       Field{&Input::F, "F", N, "force on the pin, across it; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F: what it does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Choice{&Input::held, "held", "how the pin is held"}.may_be_missing(),

@@ -55,7 +55,7 @@ p_adm = "80 MPa"
       RecordField<Input>{"load", "eye or cheek of a pin, whole: load = \"=pin.eye\""},
       Field{&Input::F, "F", N, "force of the pin on the eye, along its axis; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F: what it does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::d, "d", mm, "diameter of the bore"}.positive().usually(2, 500),

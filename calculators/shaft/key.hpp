@@ -62,6 +62,8 @@ R_e_k = "420 MPa"
     double f_W = unset<double>;
   };
   static bool sizes_given(const Input& in);
+  static Length core(const Input& in) { return in.d - (in.i > 1 ? 2.0 : 1.0) * in.t_1; }
+  static Applies twisted(const Input& in);
   static constexpr Fields inputs = join(
       torque_inputs<Input>(),
       Fields{
@@ -129,6 +131,8 @@ R_e_k = "420 MPa"
     Stress p_1 = unset<Stress>, p_2 = unset<Stress>, tau = unset<Stress>;
     double u_1 = unset<double>, u_2 = unset<double>, u_k = unset<double>, u_tau = unset<double>, u_W = unset<double>;
     double u_n = unset<double>, x_l = unset<double>, x_d = unset<double>, x_h = unset<double>, x_w = unset<double>;
+    Stress tau_t = unset<Stress>;
+    double u_t = unset<double>, x_b = unset<double>, x_t = unset<double>;
     KeyNotch notch;
   };
   static constexpr Fields results{
@@ -153,6 +157,16 @@ R_e_k = "420 MPa"
       Field{&Result::x_d, "x_d", ratio, "d within the shafts of the key: above 0, up to 1"}
           .limit(1e-9, 1 + 1e-9)
           .criterion()
+          .where_it_applies(),
+      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the round that the seats leave of the shaft"}.holding(
+          "K_A"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: equivalent stress over its yield strength"}.check(
+          "R_e_1"),
+      Field{&Result::x_b, "x_b", ratio, "width of a key of no standard over d: those of DIN 6885 have up to 0.42"}
+          .limit(0, 0.42)
+          .where_it_applies(),
+      Field{&Result::x_t, "x_t", ratio, "depth of its seat over d: those of DIN 6885 have up to 0.25"}
+          .limit(0, 0.25 * (1 + 1e-9))
           .where_it_applies(),
       Field{&Result::x_h, "x_h", ratio, "height of the key over both depths: it must go in"}
           .limit(0, 1)
@@ -186,6 +200,8 @@ R_e_k = "420 MPa"
       Mode<Input>{"hub", "side of the seat in the hub crushed", &torque_loads<Input>}.judged_by("u_2"),
       Mode<Input>{"key", "side of the key crushed", &torque_loads<Input>}.judged_by("u_k"),
       Mode<Input>{"shear", "key sheared off", &torque_loads<Input>}.judged_by("u_tau"),
+      Mode<Input>{"core", "shaft twisted off under its seat", &twisted}.judged_by("u_t").left_to("shaft.design",
+                                                                                                 "notch.yield"),
       Mode<Input>{"reversal", "sides beaten out where the torque changes its sense", &torque_reverses<Input>}
           .judged_by("u_W")
           .in_service(),
@@ -193,7 +209,9 @@ R_e_k = "420 MPa"
           .judged_by("x_l")
           .of_shape(),
       Mode<Input>{"hub_length", "a key that sticks out of the hub", &always<Input>}.judged_by("u_n").of_shape(),
-      Mode<Input>{"fit", "a key that does not belong to the shaft", &always<Input>}.judged_by("x_d").of_shape(),
+      Mode<Input>{"fit", "a key that does not belong to the shaft", &always<Input>}
+          .judged_by("x_d, x_b, x_t")
+          .of_shape(),
       Mode<Input>{"depth", "a key that is too high for its seats", &always<Input>}.judged_by("x_h").of_shape(),
       Mode<Input>{"bore", "the wall of a hollow shaft under the seat",
                   [](const Input& in) { return where(in.d_bore > 0.0 * mm); }}

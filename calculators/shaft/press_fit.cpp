@@ -64,6 +64,15 @@ void yield(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_2, in.S_F * sigma_2 / in.R_e_2, "hub against yield");
 }
 
+/// The shaft beside the hub, which takes the torque alone.
+template <class Tracer>
+void torsion_of_shaft(const Input& in, Result& r, Tracer& trace) {
+  STEP_TO(r, tau_t, 16.0 * in.K_A * abs(in.T) * in.d / (pi * (pow<4>(in.d) - pow<4>(in.d_i))), "torsion of the ring");
+  if (is_set(in.R_e_1)) {
+    STEP_TO(r, u_t, sqrt(3.0) * tau_t / in.R_e_1, "equivalent stress of pure shear, [Mises]");
+  }
+}
+
 /// How it is put on: pressed, or shrunk.
 template <class Tracer>
 void assembly(const Input& in, Result& r, Tracer& trace) {
@@ -104,12 +113,18 @@ Applies PressFit::loaded(const Input& in) {
   return where(!is_set(in.T) || abs(in.T) > 0.0 * N_m.one || (is_set(in.F_z) && abs(in.F_z) > 0.0 * N.one));
 }
 
+Applies PressFit::twisted(const Input& in) {
+  const Length d = in.d, b = in.d_i;
+  return torsion_of(16.0 / pi * in.K_A * abs(in.T) * d / ((d - b) * (d + b) * (d * d + b * b)));
+}
+
 template <class Tracer>
 PressFit::Result PressFit::evaluate(const Input& in, Tracer& trace) {
   Result r;
   pressures(in, r, trace);
   slip(in, r, trace);
   yield(in, r, trace);
+  torsion_of_shaft(in, r, trace);
   assembly(in, r, trace);
   return r;
 }

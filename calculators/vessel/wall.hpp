@@ -122,6 +122,16 @@ constexpr auto wall_results() {
       Field<Result, double>{&Result::u_v, "u_v", ratio, "strength: equivalent stress over the allowable one"}.check()};
 }
 
+/// Of what has x_s.
+template <class Result>
+constexpr auto shallowness() {
+  return Field<Result, double>{
+      &Result::x_s, "x_s", ratio,
+      "shallowness: widest radius over the root of curvature radius and thickness; a flat dish "
+      "carries by bending"}
+      .limit(4 * (1 - 1e-9), 1e6);
+}
+
 template <class Input>
 constexpr auto wall_rules() {
   return std::array{

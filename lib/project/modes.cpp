@@ -150,6 +150,18 @@ void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges
   mode.note = say("by {1}.{2}: {3}", worst.step, worst.id, reason(worst));
 }
 
+/// Of "S, A_v" what the step does not give yet.
+std::string still_wanted(const Step& step, const char* wants) {
+  const Reading& reading = step.input().reading;
+  std::string left;
+  for (const std::string& key : listed_keys(wants)) {
+    const bool referred = std::any_of(reading.operands.begin(), reading.operands.end(),
+                                      [&](const Operand& operand) { return operand.path == key; });
+    if (!referred && !reading.typed.contains(key)) left += (left.empty() ? "" : ", ") + key;
+  }
+  return left;
+}
+
 }  // namespace
 
 void settle_left(Project& project) {
@@ -188,7 +200,10 @@ std::vector<const account::Verdict*> rows_of(const ModeInfo& mode, const std::ve
 State state_of(const Step& step, const ModeInfo& info, Applies applies, std::optional<State> worst, bool enough) {
   const bool rest = info.by_rest && !step.left_of_loads().empty();
   if (applies == Applies::unseen && (rest || (info.by_service && step.load_varies()))) applies = Applies::yes;
-  return worst && (*worst != State::pass || enough) ? *worst : unjudged(info, applies);
+  const State state = worst && (*worst != State::pass || enough) ? *worst : unjudged(info, applies);
+  // What holds under a load that lacks its factor may break under the whole one.
+  const bool lacks = info.kind == ModeKind::strength && !step.lacking_factor().empty();
+  return lacks && state == State::pass ? State::not_judged : state;
 }
 
 account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
@@ -207,13 +222,17 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
     mode.wants = bolder.wants;
     mode.note = bolder.why;
   } else if (mode.state == State::open || mode.state == State::not_judged) {
-    mode.wants = wants.empty() ? info.wants : std::move(wants);
+    mode.wants = wants.empty() ? still_wanted(step, info.wants) : std::move(wants);
     mode.judge = info.judge;
     if (mode.wants.empty() && *info.checks != '\0') mode.note = say("{1} has no value here", info.checks);
     if (mode.state == State::not_judged && *info.judge != '\0') {
       const std::string records = records_of(info, step.input().calculator->result->fields, step.name());
       mode.note = mode.wants.empty() ? say("left to {1}, of which no step takes {2} whole", info.judge, records)
                                      : say("give {1}, or take {2} whole in a {3}", mode.wants, records, info.judge);
+    }
+    if (!rows.empty() && governing(rows).state == State::pass && !step.lacking_factor().empty()) {
+      mode.wants.clear();
+      mode.note = step.lacking_factor();
     }
     if (rest)
       mode.note = say("not taken, though it comes with the load: {1}; judge it by hand: accept.{2} = \"...\"",

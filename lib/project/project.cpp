@@ -2,6 +2,7 @@
 
 #include "lib/project/accept.hpp"
 #include "lib/project/factors.hpp"
+#include "lib/project/idlers.hpp"
 #include "lib/project/kinds.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/order.hpp"
@@ -345,6 +346,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   write_values_out(project, issues);
   for (const auto& step : project.steps) refuse_own_rows(*step, issues);
   if (ranges == Ranges::refused) refuse_ranges(project, issues);
+  find_idlers(project, issues);
   put_in_order(project, issues);
   const Declared declared = [&](const std::string& path) { return signature_of(project, path); };
   for (const std::size_t i : project.order) {

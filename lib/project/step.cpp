@@ -251,7 +251,7 @@ std::optional<Issue> unusual(const Operand& operand, const std::string& step, co
   const auto rare =
       std::find_if(si.begin(), si.end(), [&](double x) { return !std::isnan(x) && !field.plausible.holds(x); });
   if (rare == si.end()) return std::nullopt;
-  return issue(unusual_message(operand.path, field, *rare), say("check the unit"), Severity::warning);
+  return issue(unusual(operand.path, field, *rare), say("check the unit"), Severity::warning);
 }
 
 }  // namespace

@@ -133,6 +133,10 @@ class Step {
   /// What the loads hold that the step has taken: its own results hold it too; known when it is solved.
   [[nodiscard]] const Factors& factors() const { return factors_; }
   void hold(Factors factors) { factors_ = std::move(factors); }
+  /// Of a factor that its loads lack, and that nothing gives here: "T comes without gears.K_A = 1.75: give K_A"; empty
+  /// where there is none. Loads that are taken from it lack it too. Known when it is solved.
+  [[nodiscard]] const Message& lacking_factor() const { return lacking_factor_; }
+  void lack_factor(Message what) { lacking_factor_ = std::move(what); }
   /// What the report says of the step's inputs.
   void remark(Message remark) { remarks_.push_back(std::move(remark)); }
   [[nodiscard]] const std::vector<Message>& remarks() const { return remarks_; }
@@ -155,6 +159,7 @@ class Step {
   Account account_;
   std::map<std::string, std::string> rows_found_;
   Factors factors_;
+  Message lacking_factor_;
   std::vector<Message> remarks_;
   bool load_varies_ = false;
   std::string left_of_loads_;

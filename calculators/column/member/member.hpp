@@ -58,11 +58,11 @@ constexpr auto held_inputs() {
       Choice<Input, Basis>{&Input::beta_basis, "beta_basis", "where the effective length factors of the ends come from"}
           .may_be_missing(),
       Field<Input, double>{&Input::beta_y, "beta_y", ratio, "effective length factor about y, in place of the ends"}
-          .positive()
+          .at_least(0.3)
           .usually(0.3, 5)
           .may_be_missing(),
       Field<Input, double>{&Input::beta_z, "beta_z", ratio, "effective length factor about z, in place of the ends"}
-          .positive()
+          .at_least(0.3)
           .usually(0.3, 5)
           .may_be_missing(),
       ListField<Input, List<Member::Support, most_supports>>{

@@ -40,7 +40,8 @@ constexpr auto held_rules() {
   return std::array{
       Rule<Input>{[](const Input& in) { return !(is_set(in.N) && is_set(in.P)); }, "N, P",
                   "give the force as N, positive in tension, or as P, positive in compression, never both"},
-      Rule<Input>{[](const Input& in) { return is_set(in.E); }, "E", "give the modulus E, or a material"},
+      Rule<Input>{[](const Input& in) { return is_set(in.E) || !(is_set(in.N) || is_set(in.P)); }, "E, N, P",
+                  "give the modulus E, or a material"},
       Rule<Input>{[](const Input& in) {
                     const bool y = is_set(in.beta_y) || in.ends_y != Ends::unsaid || in.ends != Ends::unsaid;
                     const bool z = is_set(in.beta_z) || in.ends_z != Ends::unsaid || in.ends != Ends::unsaid;

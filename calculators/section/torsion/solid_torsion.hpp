@@ -59,7 +59,7 @@ theta_adm = "4 deg/m"
   static constexpr auto inputs =
       join(Fields{Field{&Input::T, "T", N_m, "torque"}.load(),
                   Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
-                      .positive()
+                      .at_least(1)
                       .usually(1, 4)
                       .factor()},
            contour_inputs<Input>(),

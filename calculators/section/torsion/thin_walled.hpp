@@ -108,7 +108,7 @@ theta_adm = "0.5 deg/m"
   static constexpr auto inputs =
       join(Fields{Field{&Input::T, "T", N_m, "torque"}.load(),
                   Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
-                      .positive()
+                      .at_least(1)
                       .usually(1, 4)
                       .factor(),
                   ListField{&Input::cells, "cells", "closed cells"}.may_be_missing(),

@@ -89,6 +89,11 @@ Message bounds_message(const FieldInfo& field) {
   return say("must be {1} and {2}", low, high);
 }
 
+Message unusual(const std::string& path, const FieldInfo& field, double si) {
+  return say("{1} = {2} is unusual: {3} to {4} is expected", path, format_quantity(si, field.unit),
+             format_quantity(field.plausible.low, field.unit), format_quantity(field.plausible.high, field.unit));
+}
+
 bool is_name(std::string_view text) {
   const auto letter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_'; };
   const auto digit = [](char c) { return c >= '0' && c <= '9'; };

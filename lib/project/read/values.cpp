@@ -102,11 +102,6 @@ Message out_of_proportion(const std::string& path, const FieldInfo& field, doubl
   return say("{1} = {2} is out of all proportion", path, format_quantity(si, field.unit));
 }
 
-Message unusual_message(const std::string& path, const FieldInfo& field, double si) {
-  return say("{1} = {2} is unusual: {3} to {4} is expected", path, format_quantity(si, field.unit),
-             format_quantity(field.plausible.low, field.unit), format_quantity(field.plausible.high, field.unit));
-}
-
 void Reader::read_literal(const std::string& text, const Tree& tree, const FieldInfo& field, void* owner,
                           const std::string& path) {
   if (const auto number = infinity_of(text, field)) {
@@ -129,7 +124,7 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
                   say("check the unit and the power of ten: no machine has that"));
   }
   if (!field.plausible.holds(si)) {
-    say_at(tree.place, path, unusual_message(path, field, si), say("check the unit"), Severity::warning);
+    say_at(tree.place, path, unusual(path, field, si), say("check the unit"), Severity::warning);
   }
   reading_.typed[path].text = text;
   field.set(owner, si);

@@ -81,9 +81,11 @@ void Run::tell_unjudged(Account& account) const {
 void Run::fill_rows(Account& account) const {
   for (const auto& [group, row] : rows_) {
     const auto origin = origins_.find(group);
-    if (origin == origins_.end() || row.text.empty()) continue;
+    if (origin == origins_.end() || (row.text.empty() && !origin->second.searched)) continue;
+    Value none;  // of a search that has found nothing
+    if (row.text.empty()) none.si = {std::nan("")};
     account.inputs.insert(account.inputs.begin(),
-                          {group, "row of the tables", "-", Role::input, {}, origin->second, row.text});
+                          {group, "row of the tables", "-", Role::input, none, origin->second, row.text});
   }
 }
 

@@ -78,7 +78,9 @@ void CalculatorStep::check_stock(const Search& search, std::vector<Issue>& issue
                     did_you_mean(search.stock, input().tables->names_of(search.path)));
     for (const FieldInfo& field : input().calculator->input->fields) {
       if (field.provider.table != search.path || input().reading.typed.count(field.key) == 0) continue;
-      if (std::any_of(rows.begin(), rows.end(), [&](const table::Entry& row) { return gives(row, field); }))
+      // A number that no row has belongs to one row all the same: a rating, a warping constant.
+      if (field.is_number() ||
+          std::any_of(rows.begin(), rows.end(), [&](const table::Entry& row) { return gives(row, field); }))
         return refuse(say("'{1}' is given, and the {2} that is searched for gives it too", field.key, search.path),
                       say("leave out {1}, name the {2}, or search in a table without {1}", field.key, search.path));
     }

@@ -8,6 +8,7 @@
 #include "lib/project/run/row_state.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -144,9 +145,22 @@ class Run {
   };
   [[nodiscard]] Candidates candidates_of(const Search& wanted) const;
   void try_candidate(const Candidates& all, std::size_t i);
-  bool fits(const Candidates& all, std::size_t i, bool covered);
-  std::size_t first_that_fits(const Candidates& all, std::size_t from, bool covered);
-  bool take_largest(const Candidates& all);
+  bool fits(const Candidates& all, std::size_t i);
+  std::size_t first_that_fits(const Candidates& all, std::size_t from);
+  bool excuse_unmoved(const Candidates& all, std::size_t from);
+  /// How far a candidate is from passing: the largest check, and the factor by which it is beyond limits; 1 passes.
+  struct Lack {
+    double check = 1.0, limit = 1.0;
+  };
+  [[nodiscard]] Lack lack_of_candidate();
+  void add_lack_of(const FieldInfo& list, Lack& lack);
+  [[nodiscard]] static double excess_of(const FieldInfo& limit, double si);
+  std::size_t nearest(const Candidates& all, std::size_t from);
+  void leave_without(const Search& wanted, const Candidates& all, std::size_t from, std::vector<Issue>& issues);
+  void leave_open(const Search& wanted, Message why);
+  void warn_of_found(const Search& wanted, std::vector<Issue>& issues);
+  [[nodiscard]] Message other_methods() const;
+  bool keeps_all_limits();
   void search_first(const Search& wanted, std::vector<Issue>& issues);
   void search_most(const Search& wanted, std::vector<Issue>& issues);
   /// Sizes that are searched for together.
@@ -228,6 +242,7 @@ class Run {
   Message not_given_;  // a word or a list of another step that is not available; empty: there is none
   std::vector<Input> inputs_;
   std::map<std::string, Origin> origins_;  // of provided, kept and searched leaves
+  std::set<const FieldInfo*> excused_;     // limits that no candidate of a search changes
   std::vector<bool> concerned_;            // of every rule whether a search has to keep it, once that was asked
   double settled_ = 0.0;                   // the size that values of tables were asked at last
   Message missing_;                        // why a table's value is not available

@@ -44,7 +44,7 @@ bool ColumnStep::Parts::lay_out(const std::set<std::string>& wanted, const Point
 bool ColumnStep::Parts::is_plain() const {
   const Reading& reading = step.input().reading;
   return reading.taken.empty() && reading.whole.empty() && !step.leaves_loads() && !step.goes_point_by_point() &&
-         !step.account().results.empty();
+         !step.account().results.empty() && step.lacking_factor().empty();
 }
 
 bool ColumnStep::Parts::is_fed(std::string_view field) const {

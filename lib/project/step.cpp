@@ -231,12 +231,8 @@ std::optional<Issue> broken_count(const Operand& operand, const std::string& ste
   return std::nullopt;
 }
 
-}  // namespace
-
-namespace {
-
 /// Of values that somebody typed as an expression: what a literal is warned of, or refused for.
-std::optional<Issue> unusual(const Operand& operand, const std::string& step, const std::vector<double>& si) {
+std::optional<Issue> doubt_of(const Operand& operand, const std::string& step, const std::vector<double>& si) {
   const FieldInfo& field = *operand.leaf.field;
   const auto issue = [&](Message message, Message hint, Severity severity) {
     return Issue{place_in(operand.place, operand.text, 0, operand.text.size()), step + "." + operand.path,
@@ -269,7 +265,7 @@ std::optional<Value> evaluate_operand(const Operand& operand, const std::string&
   const auto refused = std::find_if(value.si.begin(), value.si.end(),
                                     [&](double x) { return !std::isnan(x) && !field.bounds.holds(x); });
   if (refused == value.si.end()) {
-    auto issue = unusual(operand, step, value.si);
+    auto issue = doubt_of(operand, step, value.si);
     const bool wrong = issue && issue->severity == Severity::error;
     if (issue) issues.push_back(std::move(*issue));
     return wrong ? std::nullopt : std::optional(std::move(value));

@@ -142,6 +142,9 @@ Reading read_record(const toml::Tree& table, const RecordType& type, const Templ
 
 /// "must be > 0 mm", from the bounds of a field.
 Message bounds_message(const FieldInfo& field);
+/// Whether a size, in SI, is beyond all machines, so that its powers could leave the range of numbers.
+bool is_out_of_proportion(double si);
+Message out_of_proportion(const std::string& path, const FieldInfo& field, double si);
 /// "d = 4500 mm is unusual: 5 mm to 2000 mm is expected".
 Message unusual(const std::string& path, const FieldInfo& field, double si);
 

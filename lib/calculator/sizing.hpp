@@ -30,8 +30,8 @@ struct Sizing {
   bool (*raise)(const void* input, std::span<Sought> sought) = nullptr;
   /// What the search makes least, with the sizes that the input has now: a volume.
   double (*cost)(const void* input) = nullptr;
-  /// The element of the list that an element of a result's list is about, "sections", and with that its checks; nullptr where
-  /// there is none. These checks change with the sizes of that element and of its neighbours alone.
+  /// The element of the list that an element of a result's list is about, "sections", and with that its checks; nullptr
+  /// where there is none. These checks change with the sizes of that element and of its neighbours alone.
   const void* (*place)(const void* input, std::string_view list, const void* element) = nullptr;
   /// What is not sound about the size of one of them, beside the others; empty where nothing is.
   Message (*fault)(const void* input, std::span<const Sought> sought, std::size_t which) = nullptr;

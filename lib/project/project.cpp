@@ -4,11 +4,11 @@
 #include "lib/project/factors.hpp"
 #include "lib/project/idlers.hpp"
 #include "lib/project/kinds.hpp"
+#include "lib/project/meanings.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/order.hpp"
 #include "lib/project/parts.hpp"
 #include "lib/project/read/rows_file.hpp"
-#include "lib/project/meanings.hpp"
 #include "lib/project/references.hpp"
 #include "lib/table/tables.hpp"
 

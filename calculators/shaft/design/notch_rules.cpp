@@ -130,8 +130,8 @@ Message fault_of_typed_step(const Input& in, const Notched& notch, const Around&
   }
   const double own = tested ? notch.beta_b : notch.K_t, own_t = tested ? notch.beta_t : notch.K_ts;
   const auto too_low = [&](const char* key, double value, double least) {
-    return say("{1} = {2} at {3}, where a fillet of {4} from {5} to {6} makes {7} at least", key, format_number(value, 3),
-               format(notch.x), format(r), format(d), format(D), format_number(least, 3));
+    return say("{1} = {2} at {3}, where a fillet of {4} from {5} to {6} makes {7} at least", key,
+               format_number(value, 3), format(notch.x), format(r), format(d), format(D), format_number(least, 3));
   };
   if (own < bending) return too_low(tested ? "beta_b" : "K_t", own, bending);
   if (own_t < torsion) return too_low(tested ? "beta_t" : "K_ts", own_t, torsion);

@@ -40,25 +40,6 @@ const Meaning* declared(const Calculator& calculator, const std::string& field, 
   return found == calculator.meanings.end() ? nullptr : &*found;
 }
 
-/// "sigma_max" of "sections[2].sigma_max".
-std::string_view last_of(std::string_view path) {
-  const std::size_t dot = path.rfind('.');
-  return dot == std::string_view::npos ? path : path.substr(dot + 1);
-}
-
-constexpr std::string_view normal = "a normal stress", shear = "a shear stress", mises = "an equivalent stress";
-
-/// Which stress a symbol stands for: tau is shear, sigma_v equivalent, sigma normal, or shear where the step says so.
-Said stress_of(std::string_view path, const WordOf& word_of) {
-  const std::string_view key = last_of(path);
-  if (key.starts_with("tau")) return {shear, {}};
-  if (key.starts_with("sigma_v")) return {mises, {}};
-  if (!key.starts_with("sigma")) return {};
-  return word_of("stress") == "shear" ? Said{shear, "stress = \"shear\""} : Said{normal, {}};
-}
-
-bool is_stress(const Dimension& dimension) { return dimension.without_angle() == Dimension::of(-1, 1, -2); }
-
 /// The choices that decided, as they are typed.
 std::string typed_choices(const Meaning& meaning, const WordOf& word_of) {
   std::string text;
@@ -82,25 +63,20 @@ std::string word_before(const Step& step, const Project& project, const std::str
   return is_choice ? leaf.field->choices[static_cast<std::size_t>(leaf.get())].key : "";
 }
 
-/// What the input is to be: as its calculator declares it, else of loads that are stresses by its symbol.
+/// What the input is to be, as its calculator declares it.
 Said wanted_by(const Step& step, const Operand& operand, const Project& project) {
   const WordOf word_of = [&](const std::string& choice) { return word_before(step, project, choice); };
   const Meaning* const meaning = declared(*step.input().calculator, operand.path, word_of);
-  if (meaning != nullptr) return is_allowable(meaning->what) ? Said{} : Said{meaning->what, {}};
-  const FieldInfo& field = *operand.leaf.field;
-  return field.is_load && is_stress(field.dimension) ? stress_of(operand.path, word_of) : Said{};
+  return meaning == nullptr || is_allowable(meaning->what) ? Said{} : Said{meaning->what, {}};
 }
 
-/// What a value of another step is. A load takes strengths too: of two named stresses alone one is refused.
-Said given_by(const Step& source, const std::string& path, bool declared_alone) {
+/// What a value of another step is.
+Said given_by(const Step& source, const std::string& path) {
   const WordOf word_of = [&](const std::string& choice) { return source.word(choice); };
   const Calculator* const calculator = source.input().calculator;
   const Meaning* const meaning = calculator == nullptr ? nullptr : declared(*calculator, path, word_of);
-  if (meaning != nullptr) return {meaning->what, typed_choices(*meaning, word_of)};
-  return declared_alone ? Said{} : stress_of(path, word_of);
+  return meaning == nullptr ? Said{} : Said{meaning->what, typed_choices(*meaning, word_of)};
 }
-
-bool is_symbol(std::string_view what) { return what == normal || what == shear || what == mises; }
 
 class Checking {
  public:
@@ -123,8 +99,8 @@ class Checking {
       const auto [name, rest] = split_step(reference.path);
       const Step* const source = project_.find(name);
       if (source == nullptr) continue;
-      const Said given = given_by(*source, rest, !is_symbol(wanted.what));
-      if (given.what.empty() || given.what == wanted.what || is_symbol(wanted.what) != is_symbol(given.what)) continue;
+      const Said given = given_by(*source, rest);
+      if (given.what.empty() || given.what == wanted.what) continue;
       refuse(operand, reference, wanted, given);
     }
   }
@@ -132,9 +108,6 @@ class Checking {
   void refuse(const Operand& operand, const Expression::Reference& reference, const Said& wanted, const Said& given) {
     Message hint =
         given.choices.empty() ? Message{} : say("'{1}' has {2}", split_step(reference.path).first, given.choices);
-    if (given.what == shear && wanted.what == normal)
-      hint = say("of shear say stress = \"shear\" where the step has it; by von Mises shear counts sqrt(3) times");
-    if (given.what == mises) hint = say("it has no sign and no plane: give its normal and its shear stress");
     issues_.push_back({place_in(operand.place, operand.text, reference.at, reference.path.size()),
                        step_.name() + "." + operand.path,
                        say("'{1}' takes {2}, and '{3}' is {4}", operand.path, wanted.what, reference.path, given.what),

@@ -112,7 +112,8 @@ void Run::add_records_beside(std::vector<Neighbour>& all) const {
     } else {
       value = known_(kept.source);
     }
-    all.push_back({kept.path, leaf, std::move(value), say("'{1}'", kept.source), beside_of(*leaf.field)});
+    all.push_back({kept.path, leaf, std::move(value), say("'{1}'", kept.source),
+                   kept.is_load ? Beside::demand : beside_of(*leaf.field)});
     all.back().by_size = true;  // at another point the record has another value
   }
 }

@@ -151,6 +151,8 @@ S = 1.5
                       "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, h, b, t_f",
                       "something is missing that the method needs",
                       &column::of<Input, &column::Buckling::missing_for_method>}},
+      std::array{
+          column::curve_rule<Input, &column::Buckling::curves_are_of_kind, &column::Buckling::curve_of_another>()},
       column::method_rules<Input>());
 
   static constexpr std::array modes{

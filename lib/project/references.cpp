@@ -134,7 +134,9 @@ class Settling {
       });
       if (given == members.end()) return;
       if (reading_.typed.count(path) != 0) {
-        reading_.kept.push_back({path, source.name() + "." + given->path, given->is_word});
+        const FieldInfo* const field = source.field(given->path);
+        reading_.kept.push_back(
+            {path, source.name() + "." + given->path, given->is_word, field != nullptr && field->is_load});
         return list(kept, given->key);
       }
       fill(taken, path, leaf, {given->key, source.name() + "." + given->path, given->is_word},

@@ -85,6 +85,13 @@ constexpr auto method_rules() {
                   &of<Input, &unusual_safety>, true}};
 }
 
+/// The buckling curves of a section whose kind is known.
+template <class Input, auto hold, auto fault>
+constexpr auto curve_rule() {
+  return Rule<Input>{&of<Input, hold>, "curve_y, curve_z, kind, grade, h, b, t_f, method",
+                     "a buckling curve is that of the kind of section, or a lower one", &of<Input, fault>};
+}
+
 /// Of a bar with eccentricities.
 template <class Input>
 constexpr auto eccentricity_rules() {

@@ -70,6 +70,7 @@ struct TypedBeside {
   std::string path;    // within the step
   std::string source;  // of the record's value: "press.links.rod.l"
   bool is_word = false;
+  bool is_load = false;  // what the part has to bear, as the record says
 };
 
 /// A field that has no value yet, and must have one.

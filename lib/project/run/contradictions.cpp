@@ -112,7 +112,8 @@ void Run::add_records_beside(std::vector<Neighbour>& all) const {
     } else {
       value = known_(kept.source);
     }
-    all.push_back({kept.path, leaf, std::move(value), say("'{1}'", kept.source), beside_of(*leaf.field)});
+    all.push_back({kept.path, leaf, std::move(value), say("'{1}'", kept.source),
+                   kept.is_load ? Beside::demand : beside_of(*leaf.field)});
     all.back().by_size = true;  // at another point the record has another value
   }
 }
@@ -233,15 +234,21 @@ void Run::mark_decided(const Neighbour& beside, const Bolder& bolder) {
     instead = {{instead.signature.dimension, nullptr}, {largest_size(instead)}};
   set_value(beside, instead);
   evaluate();
-  for (const Column& column : before) {
-    if (column.field->role != Role::check && column.field->role != Role::limit) continue;
+  const auto is_same = [&](const Column& column) {
     const auto after =
         std::find_if(columns_.begin(), columns_.end(), [&](const Column& c) { return c.path == column.path; });
-    const bool same = after != columns_.end() &&
-                      std::equal(column.si.begin(), column.si.end(), after->si.begin(), after->si.end(),
-                                 [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
-    if (!same) bolder_.emplace(column.path, bolder);
+    return after != columns_.end() && std::equal(column.si.begin(), column.si.end(), after->si.begin(), after->si.end(),
+                                                 [](double x, double y) { return x == y || (x != x && y != y); });
+  };
+  bool decides = false, changes = false;
+  for (const Column& column : before) {
+    if (is_same(column)) continue;
+    changes = true;
+    if (column.field->role != Role::check && column.field->role != Role::limit) continue;
+    decides = true;
+    bolder_.emplace(column.path, bolder);
   }
+  if (changes && !decides && !bolder.wants.empty()) handed_on_.push_back(bolder);
   set_value(beside, typed);
   columns_ = before, applies_ = applied;
 }

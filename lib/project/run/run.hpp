@@ -216,6 +216,7 @@ class Run {
   void fill_modes(Account& account) const;
   void add_missing_input(Account& account) const;
   void add_missing_load(Account& account) const;
+  void add_bolder(Account& account) const;
   [[nodiscard]] bool is_loaded() const;
   [[nodiscard]] bool is_load_told() const;
   /// Which modes concern the part as it is now in the record.
@@ -250,6 +251,7 @@ class Run {
   std::vector<std::size_t> order_;          // of columns, for a walk over the result
   std::vector<Applies> applies_;            // of every mode, over the positions
   std::map<std::string, Bolder> bolder_;    // by the check or limit that such a value decides
+  std::vector<Bolder> handed_on_;           // values without a reason that no check of the step sees, and others do
   std::map<std::string, Message> reasons_;  // by the input: how it is bolder, and why
   std::vector<std::string> compared_;
   bool compared_by_size_ = false, holds_back_ = false;

@@ -89,7 +89,7 @@ R_z = "6.3 um"
     Edition edition = Edition::ninth;
     Turning turning = Turning::rotating;
     Length h = unset<Length>, b = unset<Length>;
-    double k_c = unset<double>;
+    double k_a = unset<double>, k_b = unset<double>, k_c = unset<double>;
     Heating T = unset<Heating>;
     double P_s = unset<double>;
   };
@@ -133,6 +133,12 @@ R_z = "6.3 um"
           .positive()
           .may_be_missing(),
       Field{&Input::b, "b", mm, "width of that section"}.positive().may_be_missing(),
+      Field{&Input::k_a, "k_a", ratio, "surface factor of Marin's school, in place of one from the finish"}
+          .within(0.1, 1)
+          .may_be_missing(),
+      Field{&Input::k_b, "k_b", ratio, "size factor of Marin's school, in place of one from the size"}
+          .within(0.3, 1.1)
+          .may_be_missing(),
       Field{&Input::k_c, "k_c", ratio, "load factor, where sigma_W was measured in rotating bending"}
           .within(0.3, 1)
           .may_be_missing(),
@@ -207,7 +213,10 @@ R_z = "6.3 um"
                   "give the size factor epsilon or the diameter d that it follows from, never both"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.beta_F) && is_set(in.R_z)); }, "beta_F, R_z",
                   "give the surface factor beta_F or the roughness R_z that it follows from, never both"},
-      Rule<Input>{[](const Input& in) { return is_set(in.R_m) || !(is_set(in.R_z) || in.school == School::marin); },
+      Rule<Input>{[](const Input& in) {
+                    const bool marin = in.school == School::marin && !is_set(in.k_a);
+                    return is_set(in.R_m) || !(is_set(in.R_z) || marin);
+                  },
                   "R_m, R_z, school", "the surface factor depends on the tensile strength R_m: give it"},
       Rule<Input>{[](const Input& in) {
                     return in.school == School::serensen ||
@@ -217,11 +226,12 @@ R_z = "6.3 um"
                   "epsilon, R_z, beta_F and beta_V belong to Serensen's school; Marin's takes finish and d"},
       Rule<Input>{[](const Input& in) {
                     return in.school == School::marin ||
-                           !(is_set(in.T) || is_set(in.P_s) || is_set(in.k_c) || is_set(in.h) || is_set(in.b) ||
-                             in.turning == Turning::standing || in.edition != Edition::ninth);
+                           !(is_set(in.T) || is_set(in.P_s) || is_set(in.k_a) || is_set(in.k_b) || is_set(in.k_c) ||
+                             is_set(in.h) || is_set(in.b) || in.turning == Turning::standing ||
+                             in.edition != Edition::ninth);
                   },
-                  "school, T, P_s, k_c, h, b, turning, edition",
-                  "T, P_s, k_c, h, b, turning and edition belong to Marin's school"},
+                  "school, T, P_s, k_a, k_b, k_c, h, b, turning, edition",
+                  "T, P_s, k_a, k_b, k_c, h, b, turning and edition belong to Marin's school"},
       Rule<Input>{[](const Input& in) { return is_set(in.h) == is_set(in.b) && !(is_set(in.h) && is_set(in.d)); },
                   "h, b, d", "give the diameter d, or height h and width b of a rectangle"},
       Rule<Input>{[](const Input& in) {
@@ -238,7 +248,8 @@ R_z = "6.3 um"
 
   /// Tension knows no size effect; a size factor that is typed is the user's word.
   static Applies has_size(const Input& in) {
-    return where(is_set(in.d) || is_set(in.h) || (in.loading != Loading::tension && !is_set(in.epsilon)));
+    return where(is_set(in.d) || is_set(in.h) ||
+                 (in.loading != Loading::tension && !is_set(in.epsilon) && !is_set(in.k_b)));
   }
   static Applies has_surface(const Input& in) { return where(in.school == School::serensen && !is_set(in.beta_F)); }
   static bool is_steel(Group group) { return group <= Group::cast_steel; }

@@ -104,6 +104,7 @@ double slender_ratio(const Plates& s, Stress E, Stress R_e, Stress sigma_cr) {
   const double outstand = 0.56 * raised, internal = 1.49 * raised;
   const double tube = s.d / web / (0.11 * root * root);
   const double flange = s.b / s.t_f;
+  const double stem = s.h / s.t_w;
   const double h_w = (s.h - 2.0 * (s.t_f + r)) / s.t_w;
   switch (s.kind) {
     case Profile::rolled_I:
@@ -115,7 +116,7 @@ double slender_ratio(const Plates& s, Stress E, Stress R_e, Stress sigma_cr) {
     case Profile::channel:
       return std::max(flange / outstand, h_w / internal);
     case Profile::tee:
-      return std::max(0.5 * flange / outstand, s.h / s.t_w / (0.75 * raised));
+      return std::max(0.5 * flange / outstand, stem / (0.75 * raised));
     case Profile::welded_box:
     case Profile::hot_hollow:
     case Profile::cold_hollow:

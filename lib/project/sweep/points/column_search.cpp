@@ -18,8 +18,8 @@ bool ColumnStep::Parts::add_search() {
   const Value* const now = step.value(wanted.path);
   if (now == nullptr || now->si.empty()) return false;
   Sought own{.leaf = find_leaf(record, wanted.path), .stock = stock_values(*step.input().tables, wanted.stock)};
-  const FieldInfo& field = *own.leaf.field;
-  std::erase_if(own.stock, [&](double si) { return !field.bounds.holds(si) || !field.plausible.holds(si); });
+  const FieldInfo& searched = *own.leaf.field;
+  std::erase_if(own.stock, [&](double si) { return !searched.bounds.holds(si) || !searched.plausible.holds(si); });
   own.offset = offset_in(record, own.leaf);
   own.leaf.set(now->si[0]);  // what asks for checks has a value
   if (const FieldInfo* const least = find_field(calculator.result->fields, wanted.path)) {

@@ -142,7 +142,7 @@ TEST_SUITE("project modes") {
   }
 
   TEST_CASE("customs that an input breaks stand with its step") {
-    Solved odd(axle + "T = \"100 N*m\"\nK_A = 0.001\n");
+    Solved odd(axle + "T = \"100 N*m\"\nK_A = 10\n");
     REQUIRE(odd.project.steps[0]->account().warnings.size() == 1);
     CHECK(contains(odd.project.steps[0]->account().warnings[0].text(), "K_A"));
   }

@@ -76,10 +76,13 @@ Stages stages(const Input& in, Force F_rd, Force F_ad, const Equivalent& whole, 
   return all;
 }
 
+/// What has no speed has a life in revolutions, and turns.
+bool turns(const Stage& s) { return !(s.n <= 0.0 * rpm.one); }
+
 Force largest(const Stages& all) {
   Force P = none;
   for (const Stage& s : all) {
-    if (!(s.n <= 0.0 * rpm.one)) P = std::max(P, s.P);
+    if (turns(s)) P = std::max(P, s.P);
   }
   return P;
 }
@@ -87,7 +90,7 @@ Force largest(const Stages& all) {
 Force smallest(const Stages& all) {
   Force P = largest(all);
   for (const Stage& s : all) {
-    if (!(s.n <= 0.0 * rpm.one)) P = std::min(P, s.P);
+    if (turns(s)) P = std::min(P, s.P);
   }
   return P;
 }
@@ -118,14 +121,16 @@ void life(const Input& in, const Stages& all, Result& r, Tracer& trace) {
   const Force P_m = r.P_m;
   const double p = r.p;
   const AngularSpeed n_m = r.n_m;
-  if (is_set(in.L_h)) {
-    STEP(L_req, in.L_h * n_m / (2.0 * pi * 1e6), "millions of revolutions that are asked for");
+  if (is_set(in.L_h) || is_set(in.L_m)) {
+    const double L_req = is_set(in.L_m)
+                             ? trace.value("L_req", in.L_m, "millions of revolutions that are asked for")
+                             : NAMED_STEP("L_req", in.L_h * n_m / (2.0 * pi * 1e6), "millions of revolutions");
     STEP_TO(r, C_req, P_m * pow(L_req / in.a_1, 1.0 / p), "load rating that has this life, [ISO281]");
     STEP_TO(r, u_L, C_req / in.C, "against that of the bearing");
   }
   if (!(P_m > 1e-4 * in.C)) return;
   STEP_TO(r, L_10, pow(in.C / P_m, p), "millions of revolutions, 90 %, [ISO281]");
-  if (!is_set(n_m)) return;  // its life is one of revolutions
+  if (!is_set(n_m)) return;
   STEP_TO(r, L_10h, 2.0 * pi * 1e6 * L_10 / n_m, "at the mean speed");
   STEP_TO(r, L_nh, in.a_1 * L_10h, "with its reliability");
 }

@@ -103,8 +103,14 @@ FieldFault Rolling::open_shares(const Input& in) {
           say("give every block its share of the time, and standstill as a block with n = \"0 rpm\"")};
 }
 
-/// What has no speed turns, and nobody says how fast.
-Applies Rolling::runs(const Input& in) { return where(!(highest_speed(in) <= 0.0 * rpm.one)); }
+/// A life in revolutions is one of a bearing that turns, however fast.
+Applies Rolling::runs(const Input& in) { return where(is_set(in.L_m) || highest_speed(in) > 0.0 * rpm.one); }
+
+/// Of a speed that is not given nothing is known.
+Applies Rolling::runs_fast(const Input& in) {
+  const AngularSpeed n = highest_speed(in);
+  return is_set(n) ? where(n > 0.0 * rpm.one) : Applies::unseen;
+}
 
 Applies Rolling::runs_at_an_angle(const Input& in) {
   return at_an_angle(in.kind) && in.F_r > none ? Applies::yes : Applies::no;

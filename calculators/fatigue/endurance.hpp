@@ -218,7 +218,10 @@ R_z = "6.3 um"
                   "give the size factor epsilon or the diameter d that it follows from, never both"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.beta_F) && is_set(in.R_z)); }, "beta_F, R_z",
                   "give the surface factor beta_F or the roughness R_z that it follows from, never both"},
-      Rule<Input>{[](const Input& in) { return is_set(in.R_m) || !(is_set(in.R_z) || in.school == School::marin); },
+      Rule<Input>{[](const Input& in) {
+                    const bool marin = in.school == School::marin && !is_set(in.k_a);
+                    return is_set(in.R_m) || !(is_set(in.R_z) || marin);
+                  },
                   "R_m, R_z, school", "the surface factor depends on the tensile strength R_m: give it"},
       Rule<Input>{[](const Input& in) {
                     return in.school == School::serensen ||

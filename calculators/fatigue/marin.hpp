@@ -73,6 +73,10 @@ double marin_size(const Endurance::Input& in, Endurance::Result& r, Tracer& trac
   using std::pow;
   if (is_set(in.k_b)) return trace.value("k_b", in.k_b, "size, as given");
   const bool sized = is_set(in.d) || is_set(in.h);
+  if (is_set(in.k_b)) {
+    if (sized) r.x_d = 0.0;
+    return trace.value("k_b", in.k_b, "given");
+  }
   if (!sized || in.loading == Endurance::Loading::tension) {
     if (sized) r.x_d = 0.0;
     return NAMED_STEP("k_b", 1.0, "no size effect: tension, or no d given, [Shigley6]");

@@ -156,7 +156,7 @@ const Law drives[] = {
     {"belt.flat", R"(b = "100 mm")", "b = \"100 mm\"\nn_1 = \"2900 rpm\"", "F_c", 4},
     {"belt.v", "z = 4", "z = 4\nP = \"60 kW\"", "u_P", 2},
     {"belt.v", "L = \na = \"800 mm\"", "L = \nd_1 = \"400 mm\"\nd_2 = \"800 mm\"\na = \"1600 mm\"", "L", 2},
-    {"belt.v_sizing", "", "P = \"22 kW\"\nK_A = 0.6", "u_P", 1},
+    {"belt.v_sizing", "", "P = \"13.2 kW\"\nK_A = 1", "u_P", 1},
 };
 
 const Law motion[] = {

@@ -47,13 +47,22 @@ std::string_view last_of(std::string_view path) {
 
 constexpr std::string_view normal = "a normal stress", shear = "a shear stress", mises = "an equivalent stress";
 
+/// The word of `stress` in the record that the path is of, else in those around it.
+std::string word_beside(std::string_view path, const WordOf& word_of) {
+  for (std::size_t dot = path.rfind('.'); dot != std::string_view::npos; dot = path.substr(0, dot).rfind('.')) {
+    const std::string word = word_of(std::string(path.substr(0, dot)) + ".stress");
+    if (!word.empty()) return word;
+  }
+  return word_of("stress");
+}
+
 /// Which stress a symbol stands for: tau is shear, sigma_v equivalent, sigma normal, or shear where the step says so.
 Said stress_of(std::string_view path, const WordOf& word_of) {
   const std::string_view key = last_of(path);
   if (key.starts_with("tau")) return {shear, {}};
   if (key.starts_with("sigma_v")) return {mises, {}};
   if (!key.starts_with("sigma")) return {};
-  return word_of("stress") == "shear" ? Said{shear, "stress = \"shear\""} : Said{normal, {}};
+  return word_beside(path, word_of) == "shear" ? Said{shear, "stress = \"shear\""} : Said{normal, {}};
 }
 
 bool is_stress(const Dimension& dimension) { return dimension.without_angle() == Dimension::of(-1, 1, -2); }
@@ -107,9 +116,11 @@ class Checking {
       : step_(step), project_(project), issues_(issues) {}
 
   void run() {
+    const std::size_t before = issues_.size();
+    for (const Taken& beside : step_.input().reading.beside) compare(beside);
+    if (issues_.size() > before) return;  // what the values are to be is not known
     for (const Operand& operand : step_.input().reading.operands) check(operand);
     for (const Operand& operand : step_.input().reading.whole) check(operand);
-    for (const Taken& beside : step_.input().reading.beside) compare(beside);
   }
 
  private:

@@ -130,8 +130,8 @@ Message fault_of_typed_step(const Input& in, const Notched& notch, const Around&
   }
   const double own = tested ? notch.beta_b : notch.K_t, own_t = tested ? notch.beta_t : notch.K_ts;
   const auto too_low = [&](const char* key, double value, double least) {
-    return say("{1} = {2} at {3}, where a fillet of {4} from {5} to {6} makes {7} at least", key, format_number(value, 3),
-               format(notch.x), format(r), format(d), format(D), format_number(least, 3));
+    return say("{1} = {2} at {3}, where a fillet of {4} from {5} to {6} makes {7} at least", key,
+               format_number(value, 3), format(notch.x), format(r), format(d), format(D), format_number(least, 3));
   };
   if (own < bending) return too_low(tested ? "beta_b" : "K_t", own, bending);
   if (own_t < torsion) return too_low(tested ? "beta_t" : "K_ts", own_t, torsion);
@@ -172,8 +172,25 @@ bool torque_beside(const Input& in, Length x) {
   return !twisted;
 }
 
-/// What is wrong with the place of a key's end; empty where nothing is.
+/// What is wrong with the place of a hub's end: fits are up to 1.5 d long, so that their ends are nearer to the middle.
+Message fault_of_hub(const Input& in, const Notched& notch, Length d) {
+  Length nearest = 1.5 * d;
+  bool found = false, twists = false;
+  const auto meet = [&](Length x, bool is_twisted) {
+    if (abs(x - notch.x) > nearest) return;
+    nearest = abs(x - notch.x), found = true, twists = is_twisted;
+  };
+  for (const Support& support : in.supports) meet(support.x, false);
+  for (const Seat& seat : in.seats) meet(seat.x, is_set(seat.T) || seat.way == Way::balances);
+  if (!found) return say("no seat and no bearing is near a hub that ends at {1}", format(notch.x));
+  if (twists && !torque_beside(in, notch.x))
+    return say("no torque runs through the shaft at {1}: of a hub the end toward the torque decides", format(notch.x));
+  return {};
+}
+
+/// What is wrong with the place of a key's end, or a hub's; empty where nothing is.
 Message fault_of_place(const Input& in, const Notched& notch) {
+  if (notch.kind == Notch::press_fit) return fault_of_hub(in, notch, around(in, notch.x).sides.thinner().d);
   if (!is_keyed(notch.kind)) return {};
   if (!is_set(notch.l)) {
     if (torque_beside(in, notch.x)) return {};

@@ -6,7 +6,6 @@
 #include "lib/project/order.hpp"
 #include "lib/project/parts.hpp"
 #include "lib/project/read/rows_file.hpp"
-#include "lib/project/meanings.hpp"
 #include "lib/project/references.hpp"
 #include "lib/table/tables.hpp"
 

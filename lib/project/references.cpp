@@ -1,6 +1,7 @@
 #include "lib/project/references.hpp"
 
 #include <algorithm>
+#include <functional>
 
 namespace loadpath::project {
 
@@ -191,6 +192,172 @@ std::pair<std::string, std::string> split_step(const std::string& path) {
 
 void settle_references(Step& step, const Project& project, std::vector<Issue>& issues) {
   Settling(step, project, issues).run();
+}
+
+namespace {
+
+using WordOf = std::function<std::string(const std::string& choice)>;
+
+/// What a value is, and the choice that says so.
+struct Said {
+  std::string_view what;
+  std::string choices;  // "loading = \"bending\""
+};
+
+bool has_key(std::string_view list, const std::string& key) {
+  const auto keys = listed_keys(list);
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+/// The words of the choices that decide together: "bending/grey-iron".
+std::string words_of(const char* choices, const WordOf& word_of) {
+  std::string words;
+  for (const auto& choice : listed_keys(choices)) words += (words.empty() ? "" : "/") + word_of(std::string(choice));
+  return words;
+}
+
+/// What the calculator says of a field where its choices have these words; null where it says nothing.
+const Meaning* declared(const Calculator& calculator, const std::string& field, const WordOf& word_of) {
+  const auto said = [&](const Meaning& meaning) {
+    if (!has_key(meaning.fields, field)) return false;
+    return *meaning.choice == '\0' || has_key(meaning.words, words_of(meaning.choice, word_of));
+  };
+  const auto found = std::find_if(calculator.meanings.begin(), calculator.meanings.end(), said);
+  return found == calculator.meanings.end() ? nullptr : &*found;
+}
+
+/// "sigma_max" of "sections[2].sigma_max".
+std::string_view last_of(std::string_view path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string_view::npos ? path : path.substr(dot + 1);
+}
+
+constexpr std::string_view normal = "a normal stress", shear = "a shear stress", mises = "an equivalent stress";
+
+/// The word of `stress` in the record that the path is of, else in those around it.
+std::string word_beside(std::string_view path, const WordOf& word_of) {
+  for (std::size_t dot = path.rfind('.'); dot != std::string_view::npos; dot = path.substr(0, dot).rfind('.')) {
+    const std::string word = word_of(std::string(path.substr(0, dot)) + ".stress");
+    if (!word.empty()) return word;
+  }
+  return word_of("stress");
+}
+
+/// Which stress a symbol stands for: tau is shear, sigma_v equivalent, sigma normal, or shear where the step says so.
+Said stress_of(std::string_view path, const WordOf& word_of) {
+  const std::string_view key = last_of(path);
+  if (key.starts_with("tau")) return {shear, {}};
+  if (key.starts_with("sigma_v")) return {mises, {}};
+  if (!key.starts_with("sigma")) return {};
+  return word_beside(path, word_of) == "shear" ? Said{shear, "stress = \"shear\""} : Said{normal, {}};
+}
+
+bool is_stress(const Dimension& dimension) { return dimension.without_angle() == Dimension::of(-1, 1, -2); }
+
+/// The choices that decided, as they are typed.
+std::string typed_choices(const Meaning& meaning, const WordOf& word_of) {
+  std::string text;
+  for (const auto& choice : listed_keys(meaning.choice)) {
+    const std::string name(choice);
+    text += (text.empty() ? "" : ", ") + name + " = \"" + word_of(name) + "\"";
+  }
+  return text;
+}
+
+/// The word of a choice in a step that is not solved yet: taken from another, typed, or its default.
+std::string word_before(const Step& step, const Project& project, const std::string& choice) {
+  for (const Taken& taken : step.input().reading.taken) {
+    if (taken.path != choice) continue;
+    const auto [name, rest] = split_step(taken.source);
+    const Step* const source = project.find(name);
+    return source == nullptr ? "" : source->word(rest);
+  }
+  const Leaf leaf = find_leaf(step.input().reading.record, choice);
+  const bool is_choice = leaf && leaf.field->type == FieldInfo::Type::choice;
+  return is_choice ? leaf.field->choices[static_cast<std::size_t>(leaf.get())].key : "";
+}
+
+/// What the input is to be: as its calculator declares it, else of loads that are stresses by its symbol.
+Said wanted_by(const Step& step, const Operand& operand, const Project& project) {
+  const WordOf word_of = [&](const std::string& choice) { return word_before(step, project, choice); };
+  const Meaning* const meaning = declared(*step.input().calculator, operand.path, word_of);
+  if (meaning != nullptr) return {meaning->what, {}};
+  const FieldInfo& field = *operand.leaf.field;
+  return field.is_load && is_stress(field.dimension) ? stress_of(operand.path, word_of) : Said{};
+}
+
+/// What a value of another step is. A load takes strengths too: of two named stresses alone one is refused.
+Said given_by(const Step& source, const std::string& path, bool declared_alone) {
+  const WordOf word_of = [&](const std::string& choice) { return source.word(choice); };
+  const Calculator* const calculator = source.input().calculator;
+  const Meaning* const meaning = calculator == nullptr ? nullptr : declared(*calculator, path, word_of);
+  if (meaning != nullptr) return {meaning->what, typed_choices(*meaning, word_of)};
+  return declared_alone ? Said{} : stress_of(path, word_of);
+}
+
+bool is_symbol(std::string_view what) { return what == normal || what == shear || what == mises; }
+
+class Checking {
+ public:
+  Checking(const Step& step, const Project& project, std::vector<Issue>& issues)
+      : step_(step), project_(project), issues_(issues) {}
+
+  void run() {
+    const std::size_t before = issues_.size();
+    for (const Taken& beside : step_.input().reading.beside) compare(beside);
+    if (issues_.size() > before) return;  // what the values are to be is not known
+    for (const Operand& operand : step_.input().reading.operands) check(operand);
+    for (const Operand& operand : step_.input().reading.whole) check(operand);
+  }
+
+ private:
+  void check(const Operand& operand) {
+    const Said wanted = wanted_by(step_, operand, project_);
+    if (wanted.what.empty()) return;
+    for (const auto& reference : operand.expression.handed_on()) {
+      const auto [name, rest] = split_step(reference.path);
+      const Step* const source = project_.find(name);
+      if (source == nullptr) continue;
+      const Said given = given_by(*source, rest, !is_symbol(wanted.what));
+      if (given.what.empty() || given.what == wanted.what || is_symbol(wanted.what) != is_symbol(given.what)) continue;
+      refuse(operand, reference, wanted, given);
+    }
+  }
+
+  void refuse(const Operand& operand, const Expression::Reference& reference, const Said& wanted, const Said& given) {
+    Message hint =
+        given.choices.empty() ? Message{} : say("'{1}' has {2}", split_step(reference.path).first, given.choices);
+    if (given.what == shear && wanted.what == normal)
+      hint = say("of shear say stress = \"shear\" where the step has it; by von Mises shear counts sqrt(3) times");
+    if (given.what == mises) hint = say("it has no sign and no plane: give its normal and its shear stress");
+    issues_.push_back({place_in(operand.place, operand.text, reference.at, reference.path.size()),
+                       step_.name() + "." + operand.path,
+                       say("'{1}' takes {2}, and '{3}' is {4}", operand.path, wanted.what, reference.path, given.what),
+                       std::move(hint), Severity::error});
+  }
+
+  /// A word that is typed beside the record that has one.
+  void compare(const Taken& beside) {
+    const auto [name, rest] = split_step(beside.source);
+    const Step* const source = project_.find(name);
+    if (source == nullptr) return;
+    const std::string there = source->word(rest), here = word_before(step_, project_, beside.path);
+    if (there.empty() || here.empty() || there == here) return;
+    issues_.push_back({beside.place, step_.name() + "." + beside.path,
+                       say("'{1}' is \"{2}\" here, and '{3}' is \"{4}\"", beside.path, here, beside.source, there),
+                       say("leave it out: it comes with the record"), Severity::error});
+  }
+
+  const Step& step_;
+  const Project& project_;
+  std::vector<Issue>& issues_;
+};
+
+}  // namespace
+
+void check_meanings(const Step& step, const Project& project, std::vector<Issue>& issues) {
+  if (step.input().calculator == nullptr) return;
+  Checking(step, project, issues).run();
 }
 
 }  // namespace loadpath::project

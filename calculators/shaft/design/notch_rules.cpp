@@ -199,6 +199,7 @@ Message fault_of_place(const Input& in, const Notched& notch) {
         "length l of the key under its seat",
         format(notch.x));
   }
+  if (in.seats.empty()) return {};  // nothing loads it
   const Length end = other_end(in, notch);
   if (!is_set(end)) return say("no seat is held by a key of {1} that ends at {2}", format(notch.l), format(notch.x));
   const Length aside = 10.0 * one_place * length_of(in), low = min(notch.x, end) + aside,

@@ -339,7 +339,7 @@ const Trend trends[] = {
      R"(delta = "8 mm")"},
     {"vessel.sphere", "delta_min", falls, "z_l", {"0.7", "0.8", "0.9", "1"}, "delta = \"30 mm\"\nz_c = 1"},
     {"vessel.shell", "p_max", rises, "delta", {R"("4 mm")", R"("6 mm")", R"("8 mm")", R"("10 mm")"}},
-    {"fatigue.endurance", "sigma_D", falls, "K_t", {"1", "1.2", "1.65", "2.5"}},
+    {"fatigue.endurance", "sigma_D", falls, "K_t", {"1.01", "1.2", "1.65", "2.5"}},
     {"fatigue.endurance", "sigma_D", falls, "R_z", {R"("1.6 um")", R"("6.3 um")", R"("25 um")", R"("100 um")"}},
     {"fatigue.endurance", "sigma_D", falls, "d", {R"("10 mm")", R"("30 mm")", R"("60 mm")", R"("140 mm")"}},
     {"fatigue.endurance",

@@ -9,11 +9,11 @@ using namespace loadpath::test;
 
 namespace {
 
-std::string fault_of(std::string_view calculator, const std::string& lines) {
+std::string limit_fault(std::string_view calculator, const std::string& lines) {
   return ExampleStep(calculator, lines).fault();
 }
-void refuses(std::string_view calculator, const std::string& lines, const std::string& what) {
-  const std::string fault = fault_of(calculator, lines);
+void refuses_limit(std::string_view calculator, const std::string& lines, const std::string& what) {
+  const std::string fault = limit_fault(calculator, lines);
   CHECK_MESSAGE(contains(fault, what), lines, fault);
 }
 
@@ -35,9 +35,9 @@ TEST_SUITE("found fatigue limits") {
       }
       for (const char* const iron : {"C45E", "EN-GJL-250", "EN-GJS-400-15", "X5CrNi18-10"})
         CHECK_MESSAGE(state("d_h = \"20 mm\"\nmaterial = \"" + std::string(iron) + "\"\n") == "none", iron);
-      CHECK(state("rho = \"2700 kg/m^3\"\n") == "not-judged");
-      CHECK(state("E = \"70 GPa\"\n") == "not-judged");
-      CHECK(state("") == "none");
+      CHECK(mode_with(id, "rho = \"2700 kg/m^3\"\n", "cycles") == "not-judged");
+      CHECK(mode_with(id, "E = \"70 GPa\"\n", "cycles") == "not-judged");
+      CHECK(mode_with(id, "", "cycles") == "none");
     }
   }
 
@@ -45,8 +45,8 @@ TEST_SUITE("found fatigue limits") {
     const std::string aluminium = "R_m = \nmaterial = \"EN AW-6082-T6\"\nd_h = \"20 mm\"\n";
     for (const char* const group : {"grey-iron", "ductile-iron", "malleable-iron"}) {
       const std::string of = aluminium + "group = \"" + std::string(group) + "\"\nrule = ";
-      refuses("fatigue.endurance", of + "\"fkm\"\nloading = \"tension\"\nd = \"20 mm\"\n", "is no iron");
-      refuses("fatigue.life", of + "\"goodman\"\nR_e = \nK_m = 1\nsigma_D = \"60 MPa\"\n", "is no iron");
+      refuses_limit("fatigue.endurance", of + "\"fkm\"\nloading = \"tension\"\nd = \"20 mm\"\n", "is no iron");
+      refuses_limit("fatigue.life", of + "\"goodman\"\nR_e = \nK_m = 1\nsigma_D = \"60 MPa\"\n", "is no iron");
     }
     const std::string strength =
         "[limit]\ncalculator = \"fatigue.endurance\"\nR_m = \"290 MPa\"\ngroup = \"wrought-aluminium\"\nrule = "
@@ -108,21 +108,21 @@ TEST_SUITE("found fatigue limits") {
     for (const char* const mixed :
          {"lg_a = 16.320", "lg_a = 13.617", "lg_a = 15.117", "lg_a = 12.592\nm_1 = 2", "lg_a = 12.592\nm_1 = 2.5",
           "lg_a = 12.592\nN_1 = 1e5", "lg_a = 12.592\nm_2 = 12", "lg_a = 17.146\nm_1 = 4", "detail = \"C\"\nm_2 = 9"})
-      refuses("fatigue.history", dnv + mixed, "no detail of DNV-RP-C203 lasts so long");
+      refuses_limit("fatigue.history", dnv + mixed, "no detail of DNV-RP-C203 lasts so long");
     for (const char* const sound :
          {"lg_a = 10.970", "lg_a = 12.192\nN_1 = 1e6", "lg_a = 14.885\nm_1 = 4", "lg_a = 12.0"})
-      CHECK_MESSAGE(fault_of("fatigue.history", dnv + sound).empty(), sound);
-    refuses("fatigue.history", dnv + "detail = \"C\"\nlg_a = 12.592", "has its own lg a");
-    refuses("fatigue.history", "detail = \"C\"", "that is chosen alone");
+      CHECK_MESSAGE(limit_fault("fatigue.history", dnv + sound).empty(), sound);
+    refuses_limit("fatigue.history", dnv + "detail = \"C\"\nlg_a = 12.592", "has its own lg a");
+    refuses_limit("fatigue.history", "detail = \"C\"", "that is chosen alone");
   }
 
   TEST_CASE("P3: a history is borne once at least, and what comes comes once") {
-    CHECK_FALSE(fault_of("fatigue.history", "n_req = 0.001").empty());
-    CHECK_FALSE(fault_of("fatigue.history", "n_req = 0.999").empty());
-    CHECK(fault_of("fatigue.history", "n_req = 1").empty());
-    refuses("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.001 }]", "what comes at all comes once");
-    CHECK(fault_of("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.001 }]\nn_req = 1000").empty());
-    CHECK(fault_of("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.5 }]").empty());
+    CHECK_FALSE(limit_fault("fatigue.history", "n_req = 0.001").empty());
+    CHECK_FALSE(limit_fault("fatigue.history", "n_req = 0.999").empty());
+    CHECK(limit_fault("fatigue.history", "n_req = 1").empty());
+    refuses_limit("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.001 }]", "what comes at all comes once");
+    CHECK(limit_fault("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.001 }]\nn_req = 1000").empty());
+    CHECK(limit_fault("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.5 }]").empty());
   }
 
   TEST_CASE("the equivalent stress of all categories of EN 1993-1-9 at the cut-off, where the curve ends") {

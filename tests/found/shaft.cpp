@@ -211,7 +211,7 @@ TEST_SUITE("found shaft between bearings") {
     const auto K_f = [](const std::string& kind) {
       const ExampleStep step("shaft.design",
                              "notches = [{ x = \"60 mm\", r = \"2 mm\" }, { x = \"140 mm\", r = \"2 mm\" }, { name = "
-                             "\"key\", x = \"120 mm\", kind = \"" +
+                             "\"key\", x = \"80 mm\", kind = \"" +
                                  kind + "\" }]");
       return std::pair(step("safeties.key.K_t"), step("safeties.key.K_ts"));
     };
@@ -228,8 +228,8 @@ TEST_SUITE("found shaft between bearings") {
               x + "\", kind = \"press-fit\" }]",
           mode);
     };
-    CHECK(state("101 mm", "neighbours") == "not-judged");
-    CHECK(state("112 mm", "neighbours") == "none");
+    CHECK(state("99 mm", "neighbours") == "not-judged");
+    CHECK(state("88 mm", "neighbours") == "none");
     const std::string iron =
         "material = \nE = \"120 GPa\"\nG = \"46 GPa\"\nrho = \"7200 kg/m^3\"\nR_e = \"249 MPa\"\nR_m = \"250 "
         "MPa\"\nsigma_W = \"100 MPa\"\ngroup = ";

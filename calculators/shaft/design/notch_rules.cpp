@@ -172,8 +172,25 @@ bool torque_beside(const Input& in, Length x) {
   return !twisted;
 }
 
-/// What is wrong with the place of a key's end; empty where nothing is.
+/// What is wrong with the place of a hub's end: fits are up to 1.5 d long, so that their ends are nearer to the middle.
+Message fault_of_hub(const Input& in, const Notched& notch, Length d) {
+  Length nearest = 1.5 * d;
+  bool found = false, twists = false;
+  const auto meet = [&](Length x, bool is_twisted) {
+    if (abs(x - notch.x) > nearest) return;
+    nearest = abs(x - notch.x), found = true, twists = is_twisted;
+  };
+  for (const Support& support : in.supports) meet(support.x, false);
+  for (const Seat& seat : in.seats) meet(seat.x, is_set(seat.T) || seat.way == Way::balances);
+  if (!found) return say("no seat and no bearing is near a hub that ends at {1}", format(notch.x));
+  if (twists && !torque_beside(in, notch.x))
+    return say("no torque runs through the shaft at {1}: of a hub the end toward the torque decides", format(notch.x));
+  return {};
+}
+
+/// What is wrong with the place of a key's end, or a hub's; empty where nothing is.
 Message fault_of_place(const Input& in, const Notched& notch) {
+  if (notch.kind == Notch::press_fit) return fault_of_hub(in, notch, around(in, notch.x).sides.thinner().d);
   if (!is_keyed(notch.kind)) return {};
   if (!is_set(notch.l)) {
     if (torque_beside(in, notch.x)) return {};
@@ -182,6 +199,7 @@ Message fault_of_place(const Input& in, const Notched& notch) {
         "length l of the key under its seat",
         format(notch.x));
   }
+  if (in.seats.empty()) return {};  // nothing loads it
   const Length end = other_end(in, notch);
   if (!is_set(end)) return say("no seat is held by a key of {1} that ends at {2}", format(notch.l), format(notch.x));
   const Length aside = 10.0 * one_place * length_of(in), low = min(notch.x, end) + aside,

@@ -186,9 +186,8 @@ theta_adm = "0.004 rad/m"
       Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"},
       Field{&Result::phi, "phi", deg, "twist of the right end against the left, positive like M"},
       Field{&Result::phi_max, "phi_max", deg, "largest twist between any two sections"},
-      Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}
-          .check()
-          .where_it_applies(),
+      Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}.check(
+          "tau_adm, sigma_adm, S"),
       Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check(
           "theta_adm"),
       Field{&Result::F_bend, "F_bend", N, "bending: transverse force, which torsion alone does not cover"}

@@ -106,7 +106,13 @@ class Ordering {
       if (!found.empty() || !operand.leaf.field->optional || references.size() != 1) return {};
       found = operand.path;
     }
-    return found;
+    return is_taken(project_.steps[i]->name() + "." + found) ? std::string() : found;
+  }
+
+  [[nodiscard]] bool is_taken(const std::string& path) const {
+    return std::any_of(edges_.begin(), edges_.end(), [&](const auto& edges) {
+      return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) { return edge.path == path; });
+    });
   }
 
   /// A step that waits is solved without, and again as soon as what it waits for is there.

@@ -140,6 +140,31 @@ TEST_SUITE("found expressions") {
                   middle.messages());
   }
 
+  TEST_CASE("numbers that are read at once may be expressions too: ranges, distributions, histories, tables") {
+    const std::string values = "[values]\nd = \"40 mm\"\nk = 2\nR = \"=0.5*710 MPa\"\n";
+    const auto said = [&](const std::string& text) {
+      std::vector<Issue> issues;
+      const project::Project read =
+          project::read_project(values + text, "found.toml", catalogue(), issues, project::Ranges::taken);
+      std::string all;
+      for (const Issue& issue : issues)
+        if (issue.severity == Severity::error) all += issue.message.text() + "\n";
+      return all;
+    };
+    const std::string shaft = "[s]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nT = \"100 N*m\"\nd = ";
+    CHECK(said(shaft + "{ from = \"=values.d\", to = \"=values.k*values.d\", step = \"=values.d/8\" }\n").empty());
+    CHECK(said(shaft + "[\"40 mm\", \"=30 mm + 15 mm\"]\n").empty());
+    CHECK(said(shaft + "{ mean = \"=values.d\", sd = \"=5 %\" }\n").empty());
+    CHECK(said("[w]\ncalculator = \"fatigue.history\"\ncurve = \"en1993\"\nsigma_C = \"80 MPa\"\nn_req = 1e5\n"
+               "sigma = { values = [0, \"=30*values.k\", \"=-10\", 40, 0], unit = \"=values.k*0.5 MPa\" }\n")
+              .empty());
+    const Solved own(
+        values + "[tables.materials.mine]\nR_e = \"=values.R\"\nE = \"=210 GPa\"\nsource = \"certificate\"\n" +
+        axle.substr(0, axle.find("tau_adm")) + "d = \"40 mm\"\nT = \"20 N*m\"\nmaterial = \"mine\"\nS = 2\n");
+    REQUIRE_MESSAGE(own.errors().empty(), own.errors());
+    CHECK(own.value("axle.R_e") == 355e6);
+  }
+
   TEST_CASE("dependencies go to results: an input of a step that waits can be taken") {
     const std::string a =
         "[a]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\nR_e = \"355 MPa\"\nS = 2\nl = "

@@ -68,7 +68,7 @@ class Ordering {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       std::erase_if(edges_[i], [&](const Edge& edge) {
         std::set<std::size_t> seen;
-        if (!reaches(edge.to, i, seen)) return false;
+        if (edge.to == i || !reaches(edge.to, i, seen)) return false;
         const std::string operand = waiting_operand(i, edge);
         if (operand.empty()) return false;
         waits_[i].push_back({edge.to, operand});

@@ -184,6 +184,13 @@ TEST_SUITE("found expressions") {
         "refer to one another in a circle"));
   }
 
+  TEST_CASE("a step does not wait for itself") {
+    const std::string own =
+        axle.substr(0, axle.find("tau_adm")) + "T = \"200 N*m\"\nmaterial = \"C45E\"\ntau_adm = \"=0.4*axle.R_e\"\n";
+    CHECK(contains(refused("", own), "in a circle: axle -> axle"));
+    CHECK(contains(refused("", own + "d = \"40 mm\"\nR_e = \"=axle.R_e\"\n"), "in a circle: axle -> axle"));
+  }
+
   TEST_CASE("an input that can wait takes what hangs on a search which needs the step") {
     const std::string shaft =
         "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\n"

@@ -80,8 +80,9 @@ Found wrong_angle(const Operand& operand, const Dimension& given) {
 
 Found wrong_kind(const Operand& operand, Meant wanted, Meant given) {
   Message message = say("'{1}' is {2}, and this expression is {3}", operand.path, name_of(wanted), name_of(given));
-  const bool stresses = given == Meant::shear_stress && wanted != Meant::strength;
-  if (stresses || wanted == Meant::equivalent_stress) return {std::move(message), say("write mises(sigma, tau)")};
+  const bool stresses = given == Meant::shear_stress || given == Meant::equivalent_stress;
+  if ((stresses && wanted != Meant::strength) || wanted == Meant::equivalent_stress)
+    return {std::move(message), say("write mises(sigma, tau)")};
   if (given == Meant::work)
     return {std::move(message), say("a power over a frequency is the energy of one cycle: divide by a speed in rpm or "
                                     "rad/s, or by rev*f; an energy by its angle")};

@@ -68,7 +68,7 @@ class Ordering {
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       std::erase_if(edges_[i], [&](const Edge& edge) {
         std::set<std::size_t> seen;
-        if (!reaches(edge.to, i, seen)) return false;
+        if (edge.to == i || !reaches(edge.to, i, seen)) return false;
         const std::string operand = waiting_operand(i, edge);
         if (operand.empty()) return false;
         waits_[i].push_back({edge.to, operand});
@@ -106,7 +106,13 @@ class Ordering {
       if (!found.empty() || !operand.leaf.field->optional || references.size() != 1) return {};
       found = operand.path;
     }
-    return found;
+    return is_taken(project_.steps[i]->name() + "." + found) ? std::string() : found;
+  }
+
+  [[nodiscard]] bool is_taken(const std::string& path) const {
+    return std::any_of(edges_.begin(), edges_.end(), [&](const auto& edges) {
+      return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) { return edge.path == path; });
+    });
   }
 
   /// A step that waits is solved without, and again as soon as what it waits for is there.

@@ -43,7 +43,8 @@ bool is_number(const Tree& tree) {
 
 void find_numbers(const Tree& tree, const Number& here, std::vector<Number>& found) {
   if (is_number(tree)) found.push_back(here);
-  const bool at_once = project::is_grid(tree) || project::is_uncertain(tree) || tree.find("values") != nullptr;
+  const bool at_once = project::is_grid(tree) || project::is_uncertain(tree) || tree.find("values") != nullptr ||
+                       tree.find("file") != nullptr;
   const auto enter = [&](const Tree& inner, std::size_t i, const std::string& name) {
     Number next = here;
     next.way.push_back(i);

@@ -140,6 +140,31 @@ TEST_SUITE("found expressions") {
                   middle.messages());
   }
 
+  TEST_CASE("numbers that are read at once may be expressions too: ranges, distributions, histories, tables") {
+    const std::string values = "[values]\nd = \"40 mm\"\nk = 2\nR = \"=0.5*710 MPa\"\n";
+    const auto said = [&](const std::string& text) {
+      std::vector<Issue> issues;
+      const project::Project read =
+          project::read_project(values + text, "found.toml", catalogue(), issues, project::Ranges::taken);
+      std::string all;
+      for (const Issue& issue : issues)
+        if (issue.severity == Severity::error) all += issue.message.text() + "\n";
+      return all;
+    };
+    const std::string shaft = "[s]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nT = \"100 N*m\"\nd = ";
+    CHECK(said(shaft + "{ from = \"=values.d\", to = \"=values.k*values.d\", step = \"=values.d/8\" }\n").empty());
+    CHECK(said(shaft + "[\"40 mm\", \"=30 mm + 15 mm\"]\n").empty());
+    CHECK(said(shaft + "{ mean = \"=values.d\", sd = \"=5 %\" }\n").empty());
+    CHECK(said("[w]\ncalculator = \"fatigue.history\"\ncurve = \"en1993\"\nsigma_C = \"80 MPa\"\nn_req = 1e5\n"
+               "sigma = { values = [0, \"=30*values.k\", \"=-10\", 40, 0], unit = \"=values.k*0.5 MPa\" }\n")
+              .empty());
+    const Solved own(
+        values + "[tables.materials.mine]\nR_e = \"=values.R\"\nE = \"=210 GPa\"\nsource = \"certificate\"\n" +
+        axle.substr(0, axle.find("tau_adm")) + "d = \"40 mm\"\nT = \"20 N*m\"\nmaterial = \"mine\"\nS = 2\n");
+    REQUIRE_MESSAGE(own.errors().empty(), own.errors());
+    CHECK(own.value("axle.R_e") == 355e6);
+  }
+
   TEST_CASE("dependencies go to results: an input of a step that waits can be taken") {
     const std::string a =
         "[a]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\nR_e = \"355 MPa\"\nS = 2\nl = "
@@ -157,6 +182,13 @@ TEST_SUITE("found expressions") {
                 "[a]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\nR_e = \"=b.R_e\"\nS = 2\n"
                 "[b]\ncalculator = \"shaft.torsion\"\nd = \"40 mm\"\nT = \"20 N*m\"\nR_e = \"=a.R_e\"\nS = 2\n"),
         "refer to one another in a circle"));
+  }
+
+  TEST_CASE("a step does not wait for itself") {
+    const std::string own =
+        axle.substr(0, axle.find("tau_adm")) + "T = \"200 N*m\"\nmaterial = \"C45E\"\ntau_adm = \"=0.4*axle.R_e\"\n";
+    CHECK(contains(refused("", own), "in a circle: axle -> axle"));
+    CHECK(contains(refused("", own + "d = \"40 mm\"\nR_e = \"=axle.R_e\"\n"), "in a circle: axle -> axle"));
   }
 
   TEST_CASE("an input that can wait takes what hangs on a search which needs the step") {

@@ -64,7 +64,7 @@ std::optional<toml::Tree> number_of(const toml::Tree& tree,
   const bool has_angle = dimension != dimension.without_angle();
   if (has_angle && !dimension.is_angle_or_number() && dimension != Dimension::of(0, 0, -1, 0, 1)) return std::nullopt;
   const bool typed = static_cast<bool>(parse_literal(number.text));
-  if (typed && !value.signature.dimension.is_number()) return number;
+  if (typed && (!dimension.is_number() || number.text.ends_with("%"))) return number;
   if (!std::isfinite(value.si[0])) return std::nullopt;
   const std::string unit = si_unit(value.signature.dimension);
   if (unit.empty()) number.type = toml::Tree::Type::number, number.number = value.si[0];

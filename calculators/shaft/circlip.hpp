@@ -108,7 +108,7 @@ n = "1500 rpm"
       Field{&Result::F_ring, "F_ring", N, "what the ring bears against the edge that it holds"},
       Field{&Result::u_N, "u_N", ratio, "groove: force with its safety over F_N"}.check(),
       Field{&Result::u_R, "u_R", ratio, "ring: force with its safety over F_ring"}.check("c").where_it_applies(),
-      Field{&Result::u_n, "u_n", ratio, "speed over that at which the ring opens"}.check("n, n_abl"),
+      Field{&Result::u_n, "u_n", ratio, "speed over that at which the ring opens"}.check("n").where_it_applies(),
       Field{&Result::x_w, "x_w", ratio, "width of the shoulder over the groove's depth: shorter ones need a q"}
           .limit(3 - 1e-9, 1e6)
           .where_it_applies(),
@@ -135,7 +135,10 @@ n = "1500 rpm"
           .judged_by("x_b")
           .of_shape(),
       Mode<Input>{"ring", "ring dished or pushed out", &loaded}.judged_by("u_R").wanting("c, F_R"),
-      Mode<Input>{"opening", "a ring that opens by its speed", &turns_round}.judged_by("u_n").in_service(),
+      Mode<Input>{"opening", "a ring that opens by its speed", &turns_round}
+          .judged_by("u_n")
+          .wanting("n, n_abl")
+          .in_service(),
       Mode<Input>{"fatigue", "fatigue of the shaft at the groove", &varies}
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),

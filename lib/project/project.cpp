@@ -6,6 +6,7 @@
 #include "lib/project/order.hpp"
 #include "lib/project/parts.hpp"
 #include "lib/project/read/rows_file.hpp"
+#include "lib/project/reductions.hpp"
 #include "lib/project/references.hpp"
 #include "lib/table/tables.hpp"
 
@@ -329,6 +330,7 @@ void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wan
   for (const std::size_t i : project.order) {
     check_factors(*project.steps[i], project, issues);
     check_meanings(*project.steps[i], project, issues);
+    check_reductions(*project.steps[i], project);
     if (!has_errors(issues)) project.steps[i]->solve(known, wanted, issues);
     if (has_errors(issues)) return;
   }

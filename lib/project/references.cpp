@@ -190,6 +190,11 @@ void settle_references(Step& step, const Project& project, std::vector<Issue>& i
   Settling(step, project, issues).run();
 }
 
+bool is_reduction(const Meaning& meaning) {
+  const std::string_view what = meaning.what;
+  return what == "mean" || what == "amplitude" || what == "max" || what == "min";
+}
+
 namespace {
 
 bool lists(std::string_view list, const std::string& key) {
@@ -202,7 +207,8 @@ using WordOf = std::function<std::string(const std::string& choice)>;
 /// What the calculator says of a field where its choices have these words; null where it says nothing.
 const Meaning* meaning_of(const Calculator& calculator, const std::string& field, const WordOf& word_of) {
   const auto said = [&](const Meaning& meaning) {
-    return lists(meaning.fields, field) && (*meaning.choice == '\0' || lists(meaning.words, word_of(meaning.choice)));
+    return !is_reduction(meaning) && lists(meaning.fields, field) &&
+           (*meaning.choice == '\0' || lists(meaning.words, word_of(meaning.choice)));
   };
   const auto found = std::find_if(calculator.meanings.begin(), calculator.meanings.end(), said);
   return found == calculator.meanings.end() ? nullptr : &*found;

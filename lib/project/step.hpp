@@ -69,6 +69,11 @@ struct Known {
 
   const Value& operator()(const std::string& path) const { return value(path); }
 };
+/// A load that is not all of the series that it comes from.
+struct ReducedLoad {
+  std::string path;      // of the input: "F"
+  Message message = {};  // what was used, and what to write in its place
+};
 /// What else loads the part that takes a path's value: full paths (Step::companions_of).
 using Companions = std::function<std::vector<std::string>(const std::string& path)>;
 
@@ -123,6 +128,10 @@ class Step {
   /// What the loads hold that the step has taken: its own results hold it too; known when it is solved.
   [[nodiscard]] const Factors& factors() const { return factors_; }
   void hold(Factors factors) { factors_ = std::move(factors); }
+  /// Loads that are less than the series that they come from, and that nobody answers for: no mode of strength is
+  /// judged by them, here and where the results go; known when it is solved.
+  [[nodiscard]] const std::vector<ReducedLoad>& reduced_loads() const { return reduced_loads_; }
+  void reduce(std::vector<ReducedLoad> loads) { reduced_loads_ = std::move(loads); }
   /// What the report says of the step's inputs.
   void remark(Message remark) { remarks_.push_back(std::move(remark)); }
   [[nodiscard]] const std::vector<Message>& remarks() const { return remarks_; }
@@ -145,6 +154,7 @@ class Step {
   Account account_;
   std::map<std::string, std::string> rows_found_;
   Factors factors_;
+  std::vector<ReducedLoad> reduced_loads_;
   std::vector<Message> remarks_;
   bool load_varies_ = false;
   std::string left_of_loads_;

@@ -86,9 +86,9 @@ std::optional<LawLine::Miss> LawLine::worst_between(double x_0, double x_1, doub
   Miss worst;
   const auto look = [&](double x, double y) {
     if (!(x > low && x < high)) return;
-    double by = std::max(y - std::max(y_0, y_1), std::min(y_0, y_1) - y);
-    if (has_corners && x > x_0 && x < x_1) by = std::max(by, std::abs(y - on_line({x_0, y_0}, {x_1, y_1}, x)));
-    if (by > worst.by) worst = {x, by};
+    double missed = std::max(y - std::max(y_0, y_1), std::min(y_0, y_1) - y);
+    if (has_corners && x > x_0 && x < x_1) missed = std::max(missed, std::abs(y - on_line({x_0, y_0}, {x_1, y_1}, x)));
+    if (missed > worst.by) worst = {x, missed};
   };
   const auto first_turn = period > 0.0 ? std::floor((low - corners.front().first) / period) : 0.0;
   const auto last_turn = period > 0.0 ? std::floor((high - corners.front().first) / period) : 0.0;

@@ -114,8 +114,9 @@ class ReductionCheck {
   [[nodiscard]] bool is_accepted(const Operand& operand, const Reduced& r) const {
     switch (r.left) {
       case Left::no_series:
-      case Left::whole:
         return true;
+      case Left::whole:
+        return !is_extreme(operand) || is_alternating(operand);
       case Left::peak:
         return !operand.leaf.field->signed_load;
       case Left::once:
@@ -125,6 +126,21 @@ class ReductionCheck {
         return false;
     }
     return false;
+  }
+
+  [[nodiscard]] bool is_extreme(const Operand& operand) const {
+    const std::string own = reduction_of(*step_.input().calculator, operand.path);
+    return own == "max" || own == "min";
+  }
+
+  /// One end of a cycle with r = -1 is safe whatever the sign of the series is; another ratio is not that of the
+  /// series.
+  [[nodiscard]] bool is_alternating(const Operand& operand) const {
+    const std::string path = before_last(operand.path) + "r";
+    const Leaf r = find_leaf(step_.input().reading.record, path);
+    const auto& operands = step_.input().reading.operands;
+    const bool known = std::none_of(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == path; });
+    return known && r && r.get() == -1.0;
   }
 
   /// A field that is just this: an amplitude; one extreme of a cycle, where the other is given beside it.
@@ -164,7 +180,7 @@ class ReductionCheck {
     const std::string own = reduction_of(*step_.input().calculator, path);
     if (own == "max" || own == "min")
       return say("{1} is {2} alone: give the largest and the least stress, max(...) and min(...) of one series, or {3}",
-                 path, r.text, reason);
+                 path, r.text.empty() ? operand.text : r.text, reason);
     const std::string series = r.argument.empty() ? "the series itself" : "=" + r.argument;
     return say("{1} is {2}, less than the load over the cycle: write {3}, or {4}", path,
                r.text.empty() ? operand.text : r.text, series, reason);

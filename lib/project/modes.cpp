@@ -219,6 +219,8 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
     if (rest)
       mode.note = say("not taken, though it comes with the load: {1}; judge it by hand: accept.{2} = \"...\"",
                       step.left_of_loads(), info.id);
+    // A row that judges nothing says itself why.
+    if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();
     if (mode.state == State::not_judged && is_doubtful(step, info)) {
       mode.wants.clear();
       mode.note = step.reduced_loads().front().message;

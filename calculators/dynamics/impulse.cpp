@@ -16,7 +16,7 @@ using motion::Written;
 
 std::array<Written, 2> laws_of(const Impulse::Input& in) { return {{{"F_x", &in.F_x}, {"F_y", &in.F_y}}}; }
 
-constexpr double followed = 1e-3;  // of the largest force: what is less is no pulse that could be missed
+constexpr double followed = 1e-5;  // of the largest force: what is less is no pulse that could be missed
 
 /// Nothing where the law is empty or is none.
 Resolved resolved(const Written& law, const Impulse::Input& in) {

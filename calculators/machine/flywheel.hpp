@@ -159,7 +159,7 @@ delta = 0.01
                   "the speed of the rim needs its diameter D"}};
 
   static constexpr bool turns = true;
-  static constexpr std::array meanings{Meaning{"M_m, P_m, P", "mean"}};
+  static constexpr std::array meanings{Meaning{"M_m", "mean"}};
 
   static constexpr std::array modes{
       Mode<Input>{"unevenness", "the machine runs unevenly", &always<Input>}.of_service().judged_by("u_delta"),

@@ -63,7 +63,7 @@ Reduced reduced_at(const Project& project, const std::string& path) {
   reduced.is_signed = is_negative(*value);
   if (value->is_series()) reduced.left = Left::whole;
   if (step == nullptr) return reduced;
-  const bool is_result = !holds_entry(step->account().inputs, rest);
+  const bool is_result = rest.find('.') == std::string::npos && !holds_entry(step->account().inputs, rest);
   const std::string own = is_result ? reduction_of(*step->input().calculator, rest) : "";
   if (is_reduced(*step, rest) || own == "mean" || own == "amplitude") {
     reduced.left = Left::less;

@@ -10,6 +10,7 @@
 #include "calculators/belt/geometry.hpp"
 #include "calculators/belt/shaft_load.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -192,6 +193,8 @@ E_b = "40 MPa"
 
   static constexpr bool turns = true;
   static Applies crossed(const Input& in) { return where(in.arrangement == Arrangement::crossed); }
+  static constexpr std::array meanings{Meaning{"P", "mean"}};
+
   static constexpr std::array modes{
       Mode<Input>{"grip", "slip of the belt", &always<Input>}.judged_by("u_S"),
       Mode<Input>{"strength", "strength of the belt in the tight span", &always<Input>}.judged_by("u_sigma, sigma_N"),

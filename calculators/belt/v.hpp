@@ -11,6 +11,7 @@
 #include "calculators/belt/shaft_load.hpp"
 #include "calculators/belt/v_data.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -234,6 +235,8 @@ L = "2650 mm"
       Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must stand clear of each other", &touching}};
 
   static constexpr bool turns = true;
+  static constexpr std::array meanings{Meaning{"P", "mean"}};
+
   static constexpr std::array modes{
       Mode<Input>{"power", "power of the belts", &always<Input>}.judged_by("u_P, P_N, x_n"),
       Mode<Input>{"pulley", "least pulley of the section", &always<Input>}.judged_by("x_d"),

@@ -183,6 +183,8 @@ a_set = "600 mm"
                   "d_1_min, d_max", "the smallest driving pulley must not be larger than the largest pulley"}};
 
   static constexpr bool turns = true;
+  static constexpr std::array meanings{Meaning{"P", "mean"}};
+
   static constexpr std::array modes{
       Mode<Input>{"drives", "room, sizes that are sold, and all that belt.v asks of a drive", &always<Input>}
           .judged_by("drives")

@@ -144,7 +144,8 @@ S_F = 1.5
       yields_before_it_breaks<Input>(), safety_has_its_yield<Input>()};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear},
-                                       Meaning{"K_sigma", factor_in_normal}, Meaning{"K_tau", factor_in_shear}};
+                                       Meaning{"K_sigma", factor_in_normal}, Meaning{"K_tau", factor_in_shear},
+                                       Meaning{"sigma_a, tau_a", "amplitude"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),

@@ -130,8 +130,9 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
       Rule<Input>{[](const Input& in) { return is_set(in.S_D) == is_set(in.sigma_D); }, "sigma_D, S_D",
                   "the fatigue limit sigma_D and the safety against it S_D belong together"}};
 
-  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
-                                       Meaning{"sigma_D", limit_in_shear, "stress", "shear"}};
+  static constexpr std::array meanings{
+      Meaning{"sigma_D", limit_in_normal, "stress", "normal"}, Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
+      Meaning{"sigma_max", "max"}, Meaning{"sigma_min", "min"}, Meaning{"sigma_a", "amplitude"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}

@@ -254,7 +254,10 @@ S_F = 1.5
                                        Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
                                        Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
                                        Meaning{"K_D", factor_in_normal, "stress", "normal"},
-                                       Meaning{"K_D", factor_in_shear, "stress", "shear"}};
+                                       Meaning{"K_D", factor_in_shear, "stress", "shear"},
+                                       Meaning{"sigma_max", "max"},
+                                       Meaning{"sigma_min", "min"},
+                                       Meaning{"sigma_a", "amplitude"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),

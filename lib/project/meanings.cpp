@@ -33,7 +33,7 @@ std::string words_of(const char* choices, const WordOf& word_of) {
 /// What the calculator says of a field where its choices have these words; null where it says nothing.
 const Meaning* declared(const Calculator& calculator, const std::string& field, const WordOf& word_of) {
   const auto said = [&](const Meaning& meaning) {
-    if (!has_key(meaning.fields, field)) return false;
+    if (is_reduction(meaning) || !has_key(meaning.fields, field)) return false;
     return *meaning.choice == '\0' || has_key(meaning.words, words_of(meaning.choice, word_of));
   };
   const auto found = std::find_if(calculator.meanings.begin(), calculator.meanings.end(), said);

@@ -197,13 +197,19 @@ std::vector<const account::Verdict*> rows_of(const ModeInfo& mode, const std::ve
   return rows;
 }
 
+bool is_doubtful(const Step& step, const ModeInfo& info) {
+  return info.kind == ModeKind::strength && !step.reduced_loads().empty();
+}
+
 State state_of(const Step& step, const ModeInfo& info, Applies applies, std::optional<State> worst, bool enough) {
   const bool rest = info.by_rest && !step.left_of_loads().empty();
   if (applies == Applies::unseen && (rest || (info.by_service && step.load_varies()))) applies = Applies::yes;
   const State state = worst && (*worst != State::pass || enough) ? *worst : unjudged(info, applies);
   // What holds under a load that lacks its factor may break under the whole one.
   const bool lacks = info.kind == ModeKind::strength && !step.lacking_factor().empty();
-  return lacks && state == State::pass ? State::not_judged : state;
+  if (lacks && state == State::pass) return State::not_judged;
+  const bool passes = state == State::pass || state == State::open;
+  return passes && is_doubtful(step, info) && applies != Applies::no ? State::not_judged : state;
 }
 
 account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
@@ -237,6 +243,12 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
     if (rest)
       mode.note = say("not taken, though it comes with the load: {1}; judge it by hand: accept.{2} = \"...\"",
                       step.left_of_loads(), info.id);
+    // A row that judges nothing says itself why.
+    if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();
+    if (mode.state == State::not_judged && is_doubtful(step, info)) {
+      mode.wants.clear();
+      mode.note = step.reduced_loads().front().message;
+    }
   } else {
     mode.governs = governing(rows).symbol;
     mode.utilisation = utilisation_of(rows);

@@ -9,6 +9,7 @@
 #include "lib/project/order.hpp"
 #include "lib/project/parts.hpp"
 #include "lib/project/read/rows_file.hpp"
+#include "lib/project/reductions.hpp"
 #include "lib/project/references.hpp"
 #include "lib/table/tables.hpp"
 
@@ -429,6 +430,7 @@ void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wan
     step.forget();
     check_factors(step, project, issues);
     check_meanings(step, project, issues);
+    check_reductions(step, project);
     if (wanted.words) check_kinds(step, project, declared, issues);
     if (!has_errors(issues)) step.solve(known, wanted, issues);
     if (has_errors(issues)) return;

@@ -194,4 +194,9 @@ void settle_references(Step& step, const Project& project, std::vector<Issue>& i
   Settling(step, project, issues).run();
 }
 
+bool is_reduction(const Meaning& meaning) {
+  const std::string_view what = meaning.what;
+  return what == "mean" || what == "amplitude" || what == "max" || what == "min";
+}
+
 }  // namespace loadpath::project

@@ -12,4 +12,8 @@ void settle_references(Step& step, const Project& project, std::vector<Issue>& i
 /// "lever.drive.M" -> "lever", "drive.M".
 std::pair<std::string, std::string> split_step(const std::string& path);
 
+/// Whether a meaning is a reduction of a series, by its name among the functions of expressions: a field that is just
+/// the "amplitude" of a cycle, its "mean", its "max" or "min".
+bool is_reduction(const Meaning& meaning);
+
 }  // namespace loadpath::project

@@ -71,6 +71,11 @@ struct Known {
 
   const Value& operator()(const std::string& path) const { return value(path); }
 };
+/// A load that is not all of the series that it comes from.
+struct ReducedLoad {
+  std::string path;      // of the input: "F"
+  Message message = {};  // what was used, and what to write in its place
+};
 /// What else loads the part that takes a path's value: full paths (Step::companions_of).
 using Companions = std::function<std::vector<std::string>(const std::string& path)>;
 
@@ -137,6 +142,10 @@ class Step {
   /// where there is none. Loads that are taken from it lack it too. Known when it is solved.
   [[nodiscard]] const Message& lacking_factor() const { return lacking_factor_; }
   void lack_factor(Message what) { lacking_factor_ = std::move(what); }
+  /// Loads that are less than the series that they come from, and that nobody answers for: no mode of strength is
+  /// judged by them, here and where the results go; known when it is solved.
+  [[nodiscard]] const std::vector<ReducedLoad>& reduced_loads() const { return reduced_loads_; }
+  void reduce(std::vector<ReducedLoad> loads) { reduced_loads_ = std::move(loads); }
   /// What the report says of the step's inputs.
   void remark(Message remark) { remarks_.push_back(std::move(remark)); }
   [[nodiscard]] const std::vector<Message>& remarks() const { return remarks_; }
@@ -160,6 +169,7 @@ class Step {
   std::map<std::string, std::string> rows_found_;
   Factors factors_;
   Message lacking_factor_;
+  std::vector<ReducedLoad> reduced_loads_;
   std::vector<Message> remarks_;
   bool load_varies_ = false;
   std::string left_of_loads_;

@@ -343,7 +343,8 @@ n_req = 1
       yields_before_it_breaks<Input>()};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
-                                       Meaning{"sigma_D", limit_in_shear, "stress", "shear"}};
+                                       Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
+                                       Meaning{"sigma_a", "amplitude"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),

@@ -253,6 +253,14 @@ void Run::mark_decided(const Neighbour& beside, const Bolder& bolder) {
   columns_ = before, applies_ = applied;
 }
 
+/// Whether a reason may be about a load that is less than its series (lib/project/reductions.hpp).
+bool Run::answers_for_reduction(const std::string& path) const {
+  const auto& operands = step_.input().reading.operands;
+  return std::any_of(operands.begin(), operands.end(), [&](const Operand& o) {
+    return o.path == path && !o.of_record && !o.expression.references().empty();
+  });
+}
+
 void Run::weigh_typed_values(bool tells, std::vector<Issue>& issues) {
   std::set<const Typed*> used;
   std::vector<Neighbour> all = bolder_ones();
@@ -275,7 +283,7 @@ void Run::weigh_typed_values(bool tells, std::vector<Issue>& issues) {
   if (!all.empty() && !columns_.empty()) evaluate();
   if (!tells || columns_.empty() || !step_.input().reading.varied.empty()) return;
   for (const auto& [key, reason] : step_.input().because) {
-    if (used.contains(&reason)) continue;
+    if (used.contains(&reason) || answers_for_reduction(key)) continue;
     issues.push_back({reason.place, step_.name() + ".because." + key,
                       say("because.{1} is not needed: no row or record says less of {1}", key),
                       say("leave it out; what a mode of failure needs is accept.MODE"), Severity::error});

@@ -83,6 +83,7 @@ class Run {
   };
   [[nodiscard]] double size_of(const FieldInfo& field) const;
   [[nodiscard]] Value value_at(const std::string& path, const Leaf& leaf) const;
+  [[nodiscard]] bool answers_for_reduction(const std::string& path) const;
   [[nodiscard]] const StrengthBound* bound_of(const std::string& path) const;
   [[nodiscard]] double strength_of_part(const char* key) const;
   void add_rows_beside(std::vector<Neighbour>& all) const;

@@ -43,6 +43,26 @@ std::string of_kind(const Factors& factors, const std::string& kind);
 /// One of these that has no equal among the others; empty where every one has.
 std::string without_equal(const Factors& factors, const Factors& others);
 
+/// What is left of the series that a value comes from.
+struct Reduced {
+  enum class Left {
+    no_series,  // it comes from none
+    whole,      // every position: the series itself, times a constant, a sum or a resultant of such
+    square,     // the same, squared
+    peak,       // the largest magnitude
+    once,       // one reduction of a whole series, times a constant
+    less        // anything else
+  };
+  Left left = Left::no_series;
+  bool is_signed = false;     // it, or the series, is negative somewhere
+  bool of_load = false;       // the series is of a force, a moment, a stress, a power
+  std::string function = {};  // that reduced it: "mean"
+  std::string argument = {};  // of that function, as written: "press.joints.B.F"
+  std::string text = {};      // the part that lost the rest: "mean(press.joints.B.F)"
+  std::string factor = {};    // of a whole series: a constant number beside it, as written: "0.5"
+};
+using ReducedOf = std::function<Reduced(const std::string& path)>;
+
 class Expression {
  public:
   /// A reference as written and where it stands in the text (bytes).
@@ -87,6 +107,8 @@ class Expression {
   /// Those of its references: of a product all, of a quotient without those of the divisor, of a root of a square once.
   /// A factor that would count twice, and a sum of what holds one and what does not, are faults.
   [[nodiscard]] Outcome<Factors> factors(const FactorsOf& of) const;
+  /// What is left of the series in it, by what its references have left.
+  [[nodiscard]] Reduced reduced(const ReducedOf& of) const;
   /// The value. A result that is not finite is NaN (never an infinity).
   [[nodiscard]] Value evaluate(const Known& known) const;
   /// The same, to the bit, where every reference is one value, for many points at once: `column` gives the n values of

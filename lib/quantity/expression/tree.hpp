@@ -3,6 +3,7 @@
 
 #include "lib/numerics/jet.hpp"
 #include "lib/quantity/expression/expression.hpp"
+#include "lib/quantity/expression/interval.hpp"
 
 #include <string>
 #include <string_view>
@@ -37,6 +38,8 @@ struct Function {
   bool is_magnitude = false;         // never negative, whatever it is taken of
   Jet (*jet)(const Jet&) = nullptr;  // of a smooth function of one argument; null where it has kinks
   Jet (*jet_of_two)(const Jet&, const Jet&) = nullptr;
+  IntervalJet (*bounds)(const IntervalJet&) = nullptr;  // where `jet` is set
+  IntervalJet (*bounds_of_two)(const IntervalJet&, const IntervalJet&) = nullptr;
 };
 
 /// Null where no function has the name.

@@ -203,6 +203,7 @@ void ColumnStep::Parts::add_rules() {
 void ColumnStep::Parts::add_judging() {
   for (std::size_t k = 0; k < calculator.modes.size(); ++k) {
     Judging judged{k};
+    judged.unjudged.never = is_doubtful(step, calculator.modes[k]);
     for (const std::string& key : listed_keys(calculator.modes[k].checks)) {
       const FieldInfo* const field = find_field(calculator.result->fields, key);
       const bool checks = field != nullptr && field->role == Role::check;

@@ -5,6 +5,8 @@
 #include "lib/numerics/quadrature.hpp"
 #include "lib/quantity/expression/resolved.hpp"
 
+#include <cmath>
+
 // The mass m hides the unit of its name where the formulas are.
 #pragma GCC diagnostic ignored "-Wshadow"
 
@@ -24,6 +26,18 @@ Resolved resolved(const Written& law, const Impulse::Input& in) {
   return read == nullptr ? Resolved{} : resolve(*read, in_si(in.t_1), in_si(in.t_2), followed);
 }
 
+/// Places between two corners that lie denser towards both: the tail of a pulse ends in a long piece beside it.
+template <class Take>
+void for_each_graded(double from, double to, const Take& take) {
+  constexpr int halvings = 24;
+  const double half = 0.5 * (to - from);
+  for (int k = 0; k <= halvings; ++k) {
+    const double outer = std::ldexp(half, -k), inner = k < halvings ? 0.5 * outer : 0.0;
+    take(from + inner, from + outer);
+    take(to - outer, to - inner);
+  }
+}
+
 /// Piece by piece where the force is a pulse that places far from one another could miss.
 Momentum impulse_of(const Written& law, const Impulse::Input& in) {
   constexpr std::size_t few = 65;
@@ -32,8 +46,9 @@ Momentum impulse_of(const Written& law, const Impulse::Input& in) {
   if (pieces.corners.size() <= few) return motion::integral(value, &law, in_si(in.t_1), in_si(in.t_2)) * N_s;
   double sum = 0.0;
   for (std::size_t k = 0; k + 1 < pieces.corners.size(); ++k) {
-    for_each_gauss_8(pieces.corners[k].first, pieces.corners[k + 1].first,
-                     [&](double t, double weight) { sum += weight * motion::at(law, t).value; });
+    for_each_graded(pieces.corners[k].first, pieces.corners[k + 1].first, [&](double from, double to) {
+      for_each_gauss_8(from, to, [&](double t, double weight) { sum += weight * motion::at(law, t).value; });
+    });
   }
   return sum * N_s;
 }

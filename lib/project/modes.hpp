@@ -16,7 +16,7 @@ std::vector<const account::Verdict*> rows_of(const ModeInfo& mode, const std::ve
 /// Whether the key names the row.
 bool names_row(std::string_view key, std::string_view symbol);
 
-/// Whether a mode of strength rests on a load that is less than its series (lib/project/reductions.hpp).
+/// Whether a mode of strength rests on a load that is less than its series (lib/project/references/reductions.hpp).
 bool is_doubtful(const Step& step, const ModeInfo& mode);
 /// How a mode comes out that applies, or may, by its worst row; nothing: it has none. `enough`: whether rows that pass
 /// judge it. What the user accepts is not asked.

@@ -50,6 +50,11 @@ struct Project {
   [[nodiscard]] const Value* value(const std::string& path) const;
 };
 
+/// "lever.drive.M" -> "lever", "drive.M".
+std::pair<std::string, std::string> split_step(const std::string& path);
+/// Whether a path names a value of a table: "tables.materials.S355.E".
+bool is_of_tables(const std::string& path);
+
 /// Whether an input may be a range or a list of values: `run` takes one value, a sweep goes through all.
 enum class Ranges { refused, taken };
 

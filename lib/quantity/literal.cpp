@@ -1,8 +1,8 @@
 #include "lib/quantity/literal.hpp"
 
-#include "lib/quantity/cursor.hpp"
 #include "lib/quantity/format.hpp"
-#include "lib/quantity/number.hpp"
+#include "lib/quantity/number/cursor.hpp"
+#include "lib/quantity/number/number.hpp"
 #include "lib/quantity/unit.hpp"
 
 #include <optional>

@@ -3,7 +3,7 @@
 #include "lib/project/read/reading.hpp"
 #include "lib/project/read/spread.hpp"
 #include "lib/quantity/literal.hpp"
-#include "lib/quantity/number.hpp"
+#include "lib/quantity/number/number.hpp"
 
 #include <algorithm>
 #include <utility>

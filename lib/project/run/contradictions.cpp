@@ -253,7 +253,7 @@ void Run::mark_decided(const Neighbour& beside, const Bolder& bolder) {
   columns_ = before, applies_ = applied;
 }
 
-/// Whether a reason may be about a load that is less than its series (lib/project/reductions.hpp).
+/// Whether a reason may be about a load that is less than its series (lib/project/references/reductions.hpp).
 bool Run::answers_for_reduction(const std::string& path) const {
   const auto& operands = step_.input().reading.operands;
   return std::any_of(operands.begin(), operands.end(), [&](const Operand& o) {

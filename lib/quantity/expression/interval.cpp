@@ -51,7 +51,7 @@ Interval cosine(const Interval& a) {
   return {std::max(value.low, -1.0), std::min(value.high, 1.0)};
 }
 
-Interval raised(const Interval& a, double exponent) {
+Interval to_power(const Interval& a, double exponent) {
   if (exponent == 0.0) return {1.0, 1.0};
   if (exponent == 1.0) return a;
   const bool whole = exponent == std::round(exponent);
@@ -72,7 +72,7 @@ Interval raised(const Interval& a, double exponent) {
 Interval times(double factor, const Interval& a) { return Interval{factor, factor} * a; }
 
 /// A square is not negative, as a product of one with itself might be.
-Interval square(const Interval& a) { return raised(a, 2.0); }
+Interval square(const Interval& a) { return to_power(a, 2.0); }
 
 IntervalJet chain(const Interval& value, const Interval& first, const Interval& second, const IntervalJet& a) {
   return {value, first * a.first, second * square(a.first) + first * a.second};
@@ -97,7 +97,7 @@ Interval operator*(const Interval& a, const Interval& b) {
   const auto product = [](double x, double y) { return x == 0.0 || y == 0.0 ? 0.0 : x * y; };
   return hull({product(a.low, b.low), product(a.low, b.high), product(a.high, b.low), product(a.high, b.high)});
 }
-Interval operator/(const Interval& a, const Interval& b) { return a * raised(b, -1.0); }
+Interval operator/(const Interval& a, const Interval& b) { return a * to_power(b, -1.0); }
 
 Interval both(const Interval& a, const Interval& b) {
   const Interval common{std::max(a.low, b.low), std::min(a.high, b.high)};
@@ -120,14 +120,14 @@ IntervalJet operator/(const IntervalJet& a, const IntervalJet& b) { return a * p
 
 IntervalJet pow(const IntervalJet& a, double exponent) {
   const bool ends = exponent == 0.0 || exponent == 1.0;
-  const Interval first = exponent == 0.0 ? Interval{} : times(exponent, raised(a.value, exponent - 1.0));
-  const Interval second = ends ? Interval{} : times(exponent * (exponent - 1.0), raised(a.value, exponent - 2.0));
-  return chained(raised(a.value, exponent), first, second, a);
+  const Interval first = exponent == 0.0 ? Interval{} : times(exponent, to_power(a.value, exponent - 1.0));
+  const Interval second = ends ? Interval{} : times(exponent * (exponent - 1.0), to_power(a.value, exponent - 2.0));
+  return chained(to_power(a.value, exponent), first, second, a);
 }
 IntervalJet sqrt(const IntervalJet& a) { return pow(a, 0.5); }
 IntervalJet cbrt(const IntervalJet& a) {
   const Interval root = hull({std::cbrt(a.value.low), std::cbrt(a.value.high)});
-  return chained(root, times(1.0 / 3.0, raised(root, -2.0)), times(-2.0 / 9.0, raised(root, -5.0)), a);
+  return chained(root, times(1.0 / 3.0, to_power(root, -2.0)), times(-2.0 / 9.0, to_power(root, -5.0)), a);
 }
 IntervalJet exp(const IntervalJet& a) {
   Interval value = hull({std::exp(a.value.low), std::exp(a.value.high)});
@@ -137,7 +137,7 @@ IntervalJet exp(const IntervalJet& a) {
 IntervalJet log(const IntervalJet& a) {
   const bool has_value = a.value.low > 0.0;
   const Interval value = has_value ? hull({std::log(a.value.low), std::log(a.value.high)}) : Interval::everything();
-  const Interval inverse = has_value ? raised(a.value, -1.0) : Interval::everything();
+  const Interval inverse = has_value ? to_power(a.value, -1.0) : Interval::everything();
   return chained(value, inverse, -square(inverse), a);
 }
 IntervalJet sin(const IntervalJet& a) {
@@ -157,7 +157,7 @@ IntervalJet tan(const IntervalJet& a) {
 }
 IntervalJet atan(const IntervalJet& a) {
   const Interval value = hull({std::atan(a.value.low), std::atan(a.value.high)});
-  const Interval slope = raised(Interval{1.0, 1.0} + square(a.value), -1.0);
+  const Interval slope = to_power(Interval{1.0, 1.0} + square(a.value), -1.0);
   return chained(value, slope, times(-2.0, a.value * square(slope)), a);
 }
 
@@ -168,8 +168,8 @@ IntervalJet arc(const IntervalJet& a, double (*function)(double), double sign) {
   const bool inside = a.value.low >= -1.0 && a.value.high <= 1.0;
   if (!inside) return {Interval::everything(), Interval::everything(), Interval::everything()};
   const Interval rest = Interval{1.0, 1.0} - square(a.value);
-  const Interval slope = rest.low > 0.0 ? raised(rest, -0.5) : Interval::everything();
-  const Interval bend = rest.low > 0.0 ? a.value * slope * raised(rest, -1.0) : Interval::everything();
+  const Interval slope = rest.low > 0.0 ? to_power(rest, -0.5) : Interval::everything();
+  const Interval bend = rest.low > 0.0 ? a.value * slope * to_power(rest, -1.0) : Interval::everything();
   return chained(hull({function(a.value.low), function(a.value.high)}), times(sign, slope), times(sign, bend), a);
 }
 

@@ -1,7 +1,7 @@
-#include "lib/project/meanings.hpp"
+#include "lib/project/references/meanings.hpp"
 
 #include "lib/calculator/strength_bounds.hpp"
-#include "lib/project/references.hpp"
+#include "lib/project/references/references.hpp"
 
 #include <algorithm>
 #include <functional>

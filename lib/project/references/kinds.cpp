@@ -1,6 +1,6 @@
-#include "lib/project/kinds.hpp"
+#include "lib/project/references/kinds.hpp"
 
-#include "lib/project/references.hpp"
+#include "lib/project/references/references.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
@@ -61,12 +61,12 @@ Meant kind_at(const Project& project, const std::string& path) {
   return field == nullptr ? Meant::nothing : kind_of(*step, project, rest, *field);
 }
 
-struct Found {
+struct WrongKind {
   Message message, hint;
 };
 
 /// What a value of another angle stands for, and how to make it what is wanted.
-Found wrong_angle(const Operand& operand, const Dimension& given) {
+WrongKind wrong_angle(const Operand& operand, const Dimension& given) {
   const Dimension& wanted = operand.leaf.field->dimension;
   Message message = say("'{1}' takes a value of {2}, and this expression is one of {3}", operand.path, name_of(wanted),
                         name_of(given));
@@ -78,7 +78,7 @@ Found wrong_angle(const Operand& operand, const Dimension& given) {
   return {std::move(message), say("divide by rev to count turns, by 1 rad for an arc over its radius")};
 }
 
-Found wrong_kind(const Operand& operand, Meant wanted, Meant given) {
+WrongKind wrong_kind(const Operand& operand, Meant wanted, Meant given) {
   Message message = say("'{1}' is {2}, and this expression is {3}", operand.path, name_of(wanted), name_of(given));
   const bool stresses = given == Meant::shear_stress || given == Meant::equivalent_stress;
   if ((stresses && wanted != Meant::strength) || wanted == Meant::equivalent_stress)

@@ -1,6 +1,6 @@
-#include "lib/project/order.hpp"
+#include "lib/project/references/order.hpp"
 
-#include "lib/project/references.hpp"
+#include "lib/project/references/references.hpp"
 
 #include <algorithm>
 #include <set>

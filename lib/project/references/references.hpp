@@ -9,9 +9,6 @@ namespace loadpath::project {
 /// Called in order of evaluation, before the step is prepared: the steps that it refers to are known.
 void settle_references(Step& step, const Project& project, std::vector<Issue>& issues);
 
-/// "lever.drive.M" -> "lever", "drive.M".
-std::pair<std::string, std::string> split_step(const std::string& path);
-
 /// Whether a meaning is a reduction of a series, by its name among the functions of expressions: a field that is just
 /// the "amplitude" of a cycle, its "mean", its "max" or "min".
 bool is_reduction(const Meaning& meaning);

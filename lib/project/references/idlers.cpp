@@ -1,6 +1,6 @@
-#include "lib/project/idlers.hpp"
+#include "lib/project/references/idlers.hpp"
 
-#include "lib/project/references.hpp"
+#include "lib/project/references/references.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
-#include "lib/project/reductions.hpp"
+#include "lib/project/references/reductions.hpp"
 
 #include "lib/calculator/meaning.hpp"
 #include "lib/project/because.hpp"
-#include "lib/project/references.hpp"
+#include "lib/project/references/references.hpp"
 
 #include <algorithm>
 #include <cmath>

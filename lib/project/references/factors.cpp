@@ -1,6 +1,6 @@
-#include "lib/project/factors.hpp"
+#include "lib/project/references/factors.hpp"
 
-#include "lib/project/references.hpp"
+#include "lib/project/references/references.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "lib/quantity/literal.hpp"
 #include "lib/table/names.hpp"
-#include "lib/table/own.hpp"
+#include "lib/table/own/own.hpp"
 #include "lib/table/reader.hpp"
 #include "lib/table/tables.hpp"
 

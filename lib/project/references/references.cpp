@@ -1,4 +1,4 @@
-#include "lib/project/references.hpp"
+#include "lib/project/references/references.hpp"
 
 #include <algorithm>
 
@@ -184,11 +184,6 @@ class Settling {
 };
 
 }  // namespace
-
-std::pair<std::string, std::string> split_step(const std::string& path) {
-  const std::size_t dot = path.find('.');
-  return {path.substr(0, dot), dot == std::string::npos ? "" : path.substr(dot + 1)};
-}
 
 void settle_references(Step& step, const Project& project, std::vector<Issue>& issues) {
   Settling(step, project, issues).run();

@@ -7,6 +7,7 @@
 #include "calculators/motion/laws.hpp"
 #include "calculators/motion/range.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -94,11 +95,11 @@ t_2 = "1.9 s"
   static bool laws_are_smooth(const Input& in);
   static FieldFault gap(const Input& in);
   static constexpr bool turns = true;
-  static constexpr std::array rules = join(
-      std::array{Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault}},
-      motion::range_rules<Input>(),
-      std::array{
-          Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2", "the laws must have values at these times", &gap}});
+  static constexpr std::array rules =
+      join(std::array{Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault}},
+           motion::range_rules<Input>(),
+           std::array{Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2", "the laws must have values at these times",
+                                  &gap}});
 
   static constexpr std::array<Mode<Input>, 0> modes{};
 

@@ -9,6 +9,7 @@
 #include "calculators/motion/laws.hpp"
 #include "calculators/motion/range.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -128,11 +129,11 @@ t_2 = "2 s"
   static FieldFault law_fault(const Input& in);
   static bool laws_are_smooth(const Input& in);
   static FieldFault gap(const Input& in);
-  static constexpr std::array rules = join(
-      std::array{Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault}},
-      range_rules<Input>(),
-      std::array{Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2, times",
-                             "the laws must have values at these times", &gap}});
+  static constexpr std::array rules =
+      join(std::array{Rule<Input>{&laws_read, "x, y, z", "x, y and z must be lengths as formulas of t", &law_fault}},
+           range_rules<Input>(),
+           std::array{Rule<Input>{&laws_are_smooth, "x, y, z, t, t_1, t_2, times",
+                                  "the laws must have values at these times", &gap}});
 
   static constexpr std::array<Mode<Input>, 0> modes{};
 

@@ -1,7 +1,7 @@
 // A range of times t_1 to t_2 that may be left out: the rules that it keeps.
 #pragma once
 
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/field.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>

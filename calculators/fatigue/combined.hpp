@@ -9,10 +9,10 @@
 #pragma once
 
 #include "calculators/fatigue/mean_stress.hpp"
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/text/issue.hpp"

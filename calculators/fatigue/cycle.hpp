@@ -8,12 +8,12 @@
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/form.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"

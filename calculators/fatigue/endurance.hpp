@@ -10,11 +10,11 @@
 // Not covered: mean stress, life (fatigue.life), histories, safety, corrosion, press fits.
 #pragma once
 
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/fit_units.hpp"

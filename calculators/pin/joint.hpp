@@ -9,10 +9,10 @@
 // heat, what keeps it in its place.
 #pragma once
 
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/steel.hpp"
 #include "calculators/pin/loading.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"

@@ -9,11 +9,11 @@
 
 #include "calculators/fatigue/history/dnv.hpp"
 #include "calculators/fatigue/mean_stress.hpp"
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/load/stress_cycle.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"

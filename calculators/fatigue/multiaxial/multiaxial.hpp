@@ -9,10 +9,10 @@
 // Not covered: finite life, stresses across the surface, brittle and mild metals beyond 0.5 to 0.8 for tau_D/sigma_D.
 #pragma once
 
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"

@@ -15,12 +15,12 @@
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/shaft/design/result.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/parts/ring.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/sizing.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"

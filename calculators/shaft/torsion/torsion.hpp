@@ -6,13 +6,13 @@
 // Not covered: bending (see shaft.overhung), fatigue, notches, keyways, buckling of thin tubes.
 #pragma once
 
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/torsion/diagram.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/form.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/join.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"

@@ -202,8 +202,7 @@ dT_adm = "250 K"
   static constexpr std::array modes{
       Mode<Input>{"slip", "slip of the hub", &loaded}.judged_by("u_s, x_l").wanting("T, mu, S_r"),
       Mode<Input>{"shaft", "yield of the shaft under the hub", &always<Input>}.judged_by("u_1"),
-      Mode<Input>{"core", "shaft twisted off beside the hub", &twisted}.judged_by("u_t").left_to("shaft.design",
-                                                                                                 "notch.yield"),
+      Mode<Input>{"core", "shaft twisted off beside the hub", &twisted}.judged_by("u_t"),
       Mode<Input>{"hub", "yield of the hub at its bore", &always<Input>}.judged_by("u_2"),
       Mode<Input>{"pressing", "a hub that the press does not get on", &always<Input>}.judged_by("u_F").of_service(),
       Mode<Input>{"shrinking", "a hub that heat does not get on", &always<Input>}.judged_by("u_A").of_service(),

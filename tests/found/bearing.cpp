@@ -98,11 +98,14 @@ TEST_SUITE("found bearing ratings") {
     CHECK(fault(bare + "kind = \"cylindrical_roller_NU\"\nC_0 = \"30 kN\"").empty());
   }
 
-  TEST_CASE("without a speed the life is one of revolutions, and is not judged in hours") {
-    const ExampleStep bearing("bearing.rolling", "n = \nL_h = \nn_max = ");
+  TEST_CASE("without a speed the life is one of revolutions, and is judged in them") {
+    const std::string turns = "n = \nL_h = \nn_max = \nL_m = ";
+    const ExampleStep bearing("bearing.rolling", turns + "1");
     CHECK(std::abs(bearing("L_10") / ExampleStep("bearing.rolling", "")("L_10") - 1.0) < 1e-12);
-    CHECK(mode_with("bearing.rolling", "n = \nL_h = \nn_max = ", "fatigue") == "not-judged");
-    CHECK(mode_with("bearing.rolling", "n = \nL_h = ", "speed") == "not-judged");
+    CHECK(mode_with("bearing.rolling", turns + "1", "fatigue") == "pass");
+    CHECK(mode_with("bearing.rolling", turns + "1e6", "fatigue") == "fail");
+    CHECK(mode_with("bearing.rolling", "n = \nL_h = \nL_m = 1", "speed") == "not-judged");
+    CHECK_FALSE(ExampleStep("bearing.rolling", "n = \nL_h = \nn_max = ").fault().empty());
     CHECK_FALSE(ExampleStep("bearing.rolling", "n = ").fault().empty());
   }
 }

@@ -72,7 +72,10 @@ TEST_SUITE("found key") {
     CHECK(mode_with("shaft.key", "d = \"44 mm\"", "fit") == "fail");
     CHECK(mode_with("shaft.key", "d = \"55 mm\"", "fit") == "fail");
     CHECK(mode_with("shaft.key", "d = \"45 mm\"", "fit") == "pass");
-    CHECK(mode_with("shaft.key", "t_2 = \"3 mm\"", "depth") == "fail");
+    CHECK_FALSE(ExampleStep("shaft.key", "t_2 = \"3 mm\"").fault().empty());  // of the row 14x9 it is 3.8 mm
+    const std::string typed = "key = \nb = \"14 mm\"\nh = \"9 mm\"\nt_1 = \"5.5 mm\"\n";
+    CHECK(mode_with("shaft.key", typed + "t_2 = \"3 mm\"", "depth") == "fail");
+    CHECK(mode_with("shaft.key", typed + "t_2 = \"3.8 mm\"", "depth") == "pass");
     CHECK(mode_with("shaft.key", "l = \"90 mm\"\nl_n = \"100 mm\"", "length") == "not-covered");
   }
 

@@ -202,7 +202,7 @@ const char* const reversed_cycle = "sigma_max = \"100 MPa\"\nsigma_min = \"-100 
 
 const Case fatigue[] = {
     {"fatigue.cycle", "sigma_max = \"100 MPa\"\nsigma_min = \"100 MPa\"", "sigma_a", 0.0},
-    {"fatigue.endurance", "sigma_W = \"300 MPa\"\nK_t = 1\nd = \"7.5 mm\"\nR_z = \"1 um\"", "sigma_D", 300e6},
+    {"fatigue.endurance", "sigma_W = \"300 MPa\"\nK_t = 1\nr_n = \nd = \"7.5 mm\"\nR_z = \"1 um\"", "sigma_D", 300e6},
     {"fatigue.endurance", "d = \"151 mm\"", "epsilon", 0.8},  // the scale of sizes ends at 150 mm
     {"fatigue.endurance", "K_t = \nr_n = \nK_f = 2", "K_f", 2.0},
     {"fatigue.endurance", "loading = \"torsion\"\nR_z = \"1 um\"", "beta_F", 1.0},

@@ -121,6 +121,7 @@ const Side bars[] = {
 const Side fatigue[] = {
     {"fatigue.cycle", "u_y", over, "R_e", R"("120 MPa")", R"("119 MPa")"},
     {"fatigue.cycle", "u_F", over, "R_e", R"("180 MPa")", R"("179 MPa")", "S_F = 1.5"},
+    {"fatigue.cycle", "x_N", outside, "N", "1e7", "1.01e7", "rho = \"2700 kg/m^3\"\nN_D = 1e7"},
     {"fatigue.cycle", "u_D", over, "sigma_D", R"("120 MPa")", R"("119 MPa")", "S_D = 1.5"},
     {"fatigue.cycle", "x_m", outside, "sigma_min", R"("-120 MPa")", R"("-119 MPa")",
      "sigma_D = \"200 MPa\"\nS_D = 1.5"},
@@ -154,6 +155,7 @@ const Side fatigue[] = {
     {"fatigue.life", "x_f", outside, "R_m", R"("1378 MPa")", R"("1380 MPa")", "N = 100000"},
     {"fatigue.combined", "u_y", over, "R_e", R"("118 MPa")", R"("117 MPa")"},
     {"fatigue.combined", "u_F", over, "R_e", R"("177 MPa")", R"("176 MPa")"},
+    {"fatigue.combined", "x_N", outside, "N", "1e7", "1.01e7", "rho = \"2700 kg/m^3\"\nN_D = 1e7"},
     {"fatigue.combined", "u_D", over, "S_D", "2.77", "2.78"},
     {"fatigue.combined", "x_v", outside, "tau_D", R"("103.93 MPa")", R"("103.9 MPa")", R"(rule = "goodman")"},
     {"fatigue.combined", "x_B", over, "sigma_m", R"("624.5 MPa")", R"("624.6 MPa")"},
@@ -175,6 +177,7 @@ const Side fatigue[] = {
     {"fatigue.survival", "x_P", outside, "P", "0.999", "0.9991"},
     {"fatigue.multiaxial", "u_y", over, "R_e", R"("165 MPa")", R"("164 MPa")", "S_F = "},
     {"fatigue.multiaxial", "u_F", over, "R_e", R"("247 MPa")", R"("246 MPa")"},
+    {"fatigue.multiaxial", "x_N", outside, "N", "1e7", "1.01e7", "rho = \"2700 kg/m^3\"\nN_D = 1e7"},
     {"fatigue.multiaxial", "u_D", over, "S_D", "2.09", "2.1"},
     {"fatigue.multiaxial", "x_D", outside, "tau_D", R"("120 MPa")", R"("119 MPa")"},
     {"fatigue.multiaxial", "x_D", outside, "tau_D", R"("192 MPa")", R"("193 MPa")"},
@@ -188,7 +191,11 @@ const Side fatigue[] = {
     {"fatigue.history", "x_g", outside, "gate", R"("349 MPa")", R"("350 MPa")",
      "blocks = \nmean = \"none\"\nn_req = \nsigma = { values = [-200, 200, -150, 199, -200], unit = \"MPa\" }"},
     {"fatigue.history", "u_D", over, "n_req", "23.4", "23.6"},
-    {"fatigue.history", "x_N", outside, "sigma_D", R"("45.3 MPa")", R"("45.1 MPa")", "n_req = 0.001"},
+    {"fatigue.history", "x_N", outside, "sigma_D", R"("45.3 MPa")", R"("45.1 MPa")",
+     "blocks = [{ sigma_a = \"180 MPa\", n = 1 }]"},
+    {"fatigue.history", "x_O", outside, "blocks",  // (500 1.5^5)/99 = n 0.75^9
+     R"([{ sigma_a = "180 MPa", n = 500 }, { sigma_a = "90 MPa", n = 510 }])",
+     R"([{ sigma_a = "180 MPa", n = 500 }, { sigma_a = "90 MPa", n = 512 }])", "miner = \"original\"\nmean = \"none\""},
     {"fatigue.history", "x_R", outside, "R_e", R"("80 MPa")", R"("79 MPa")",
      "sigma_D = \nN_D = \nk = \nmean = \"none\"\ncurve = \"en1993\"\nsigma_C = \"71 MPa\"\nS_F = \n"
      "blocks = [{ sigma_a = \"60 MPa\", n = 100 }]"},
@@ -318,7 +325,7 @@ const Side v_belts[] = {
 
 const Side motion[] = {
     {"dynamics.throw", "u_h", over, "h", R"("-5 m")", R"("-5.1 m")"},
-    {"dynamics.throw", "u_L", over, "L_req", R"("40.7 m")", R"("40.8 m")"},
+    {"dynamics.throw", "u_L", over, "L_req", R"("35.3 m")", R"("35.4 m")"},
     {"dynamics.lift", "u_s", over, "s", R"("1.04 m")", R"("1.05 m")",
      "v_0 = \"3 m/s\"\nweights = [{ m = \"8 kg\", i = -1 }]"},
     {"dynamics.lift", "u_s", State::not_available, "weights", R"([{ m = "8 kg" }])", R"([{ m = "8 kg", i = -1 }])"},
@@ -362,6 +369,7 @@ const Side keys[] = {
     {"shaft.key", "x_l", outside, "l", R"("79 mm")", R"("79.1 mm")"},
     {"shaft.key", "x_d", over, "d", R"("50 mm")", R"("50.1 mm")"},
     {"shaft.key", "x_d", over, "d", R"("44.1 mm")", R"("44 mm")"},
+    {"shaft.key", "x_w", outside, "d_bore", R"("28 mm")", R"("28.1 mm")"},
     {"shaft.key", "x_h", over, "t_2", R"("3.5 mm")", R"("3.4 mm")"},
     {"shaft.spline", "u_1", over, "R_e_1", R"("26.5 MPa")", R"("26.4 MPa")"},
     {"shaft.spline", "u_2", over, "R_e_2", R"("26.5 MPa")", R"("26.4 MPa")"},
@@ -376,6 +384,7 @@ const Side keys[] = {
     {"shaft.circlip", "u_R", over, "c", R"("1.36 mm")", R"("1.37 mm")"},
     {"shaft.circlip", "u_n", over, "n", R"("39000 rpm")", R"("39001 rpm")"},
     {"shaft.circlip", "x_t", outside, "d_2", R"("16.57 mm")", R"("16.55 mm")", R"(w = "3 mm")"},
+    {"shaft.circlip", "x_b", outside, "d_bore", R"("16 mm")", R"("16.1 mm")"},
     {"shaft.circlip", "x_w", outside, "w", R"("1.5 mm")", R"("1.49 mm")"},
 };
 

@@ -79,7 +79,7 @@ n_st = 3
       std::array{curve_rule<Input, &curves_are_of_kind, &curve_of_another>()}, method_rules<Input>(),
       eccentricity_rules<Input>());
   static constexpr std::array meanings = member_meanings;
-  static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0");
+  static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0", "R_e, kind, h, b, t_f, t_w");
 
   static constexpr std::array forms{
       Form{"P, l, d, ends, E, sigma_P, method = euler, n_st", "F, A, lambda, sigma_cr, P_all, u, r_lambda, r_1"}};

@@ -189,7 +189,7 @@ TEST_SUITE("found beside") {
     CHECK(says(axle("tau_adm = \"100 MPa\"") +
                    "[f]\ncalculator = \"fatigue.cycle\"\ncycle = \"=s.cycle\"\nstress = \"normal\"\nr = -1\nsigma_D = "
                    "\"150 MPa\"\nS_D = 1.2\nS_F = 1.2\nmaterial = \"S235JR\"\nd_h = \"50 mm\"\n",
-               "stress = normal"));
+               "'s.cycle.stress' is \"shear\""));
   }
 
   TEST_CASE("O1, O3: own rows are of one part, and near their group") {
@@ -210,7 +210,10 @@ TEST_SUITE("found beside") {
     const std::string head = "[tables.materials.S235JR]\nE = \"210 GPa\"\nsource = \"certificate\"\n";
     CHECK(says(head + "R_e = \"300 MPa\"\n" + lug(""), "above the 235 MPa of the built-in row"));
     CHECK(fault_in(head + "R_e = \"300 MPa\"\nbecause.R_e = \"no. 4711\"\n" + lug("")).empty());
-    CHECK(fault_in(head + "R_e = \"200 MPa\"\n" + lug("")).empty());
+    // one value for all sizes is held against the thickest too, which has 175 MPa
+    CHECK(says(head + "R_e = \"200 MPa\"\n" + lug(""), "above the 195 MPa of the built-in row"));
+    CHECK(fault_in(head + "R_e = \"175 MPa\"\n" + lug("")).empty());
+    CHECK(fault_in(head + "by_size = [{ size_max = \"40 mm\", R_e = \"200 MPa\" }]\n" + lug("")).empty());
   }
 
   TEST_CASE("G8, O: sizes, area and second moments are of one section") {

@@ -66,14 +66,15 @@ Applies twisting_when_bent(const Input& in) {
   return outline <= Outline::closed ? Applies::no : bent(in);
 }
 
+/// What judges buckling, and what the walls want: of a section of the tables they are known.
 template <class Input, auto outline_of>
-constexpr auto member_modes(const char* of_buckling) {
+constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
   return std::array{
       Mode<Input>{"buckling", "flexural buckling, about y and about z", &compressed<Input>}.judged_by(of_buckling),
       Mode<Input>{"slenderness", "slenderness", &compressed<Input>}.judged_by("r_lambda"),
       Mode<Input>{"local", "local buckling of the walls", &thin_walled<Input, outline_of>}
           .judged_by("r_class, x_E")
-          .wanting("R_e, kind, h, b, t_f, t_w"),
+          .wanting(of_walls),
       Mode<Input>{"torsional", "torsional and torsional-flexural buckling of an open section",
                   &twisting<Input, outline_of>},
       Mode<Input>{"eccentric", "bar and section under force and moment: by the secant formula alone", &bent<Input>}

@@ -162,8 +162,10 @@ Message lack(const Member& in, bool curves) {
 
 FieldFault missing_for_method(const Member& in, bool curves) {
   if (in.method == Method::tetmajer && !is_set(in.a_T) && !is_set(in.b_T))
-    return {"method", say("name a method and what it needs: method = {1}", needs_of_methods(in, curves)),
-            say("tetmajer, which is meant where none is named, takes a set of 'loadpath tables columns/tetmajer'")};
+    return {"method",
+            say("the method 'tetmajer' needs {1}; or name another: method = {2}", lack(in, curves),
+                needs_of_methods(in, curves)),
+            say("tetmajer is meant where none is named; its sets: 'loadpath tables columns/tetmajer'")};
   return {"method", say("the method '{1}' needs {2}", word_of(in.method), lack(in, curves)), {}};
 }
 

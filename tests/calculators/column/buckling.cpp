@@ -188,12 +188,13 @@ TEST_SUITE("column buckling") {
         "R_e = \"235 MPa\"\nmethod = \"secant\"\n";
     const std::string I = "section = \"IPE 200\"\n", U = "section = \"UPN 200\"\n", L = "section = \"L 50x50x5\"\n";
     const std::string tee =
-        "kind = \"tee\"\nh = \"100 mm\"\nb = \"100 mm\"\nA = \"20.9 cm^2\"\nI_y = \"179 cm^4\"\nI_z = \"88.3 cm^4\"\n";
+        "kind = \"tee\"\nb = \"100 mm\"\nA = \"20.9 cm^2\"\nI_y = \"179 cm^4\"\nI_z = \"88.3 cm^4\"\n";
     CHECK(complaints(bar + I + "e_z = \"5 mm\"\n").empty());
     CHECK(complaints(bar + U + "e_y = \"5 mm\"\n").empty());
     CHECK(complaints(bar + U + "e_z = \"5 mm\"\nc_z = \"54.9 mm\"\n").empty());
     CHECK(complaints(bar + tee + "e_z = \"5 mm\"\n").empty());
-    for (const std::string& lines : {U + "e_z = \"5 mm\"\n", L + "e_y = \"5 mm\"\n", tee + "e_y = \"5 mm\"\n"}) {
+    for (const std::string& lines :
+         {U + "e_z = \"5 mm\"\n", L + "e_y = \"5 mm\"\n", tee + "h = \"100 mm\"\ne_y = \"5 mm\"\n"}) {
       CAPTURE(lines);
       CHECK(complaints(bar + lines).find("needs the distance of the extreme fibre") != std::string::npos);
     }

@@ -15,9 +15,8 @@ namespace {
 
 using Type = FieldInfo::Type;
 
-constexpr std::array functions{"peak", "min", "max",  "mean", "rms",  "amplitude", "range",
-                               "at",   "abs", "sqrt", "cbrt", "exp",  "ln",        "sin",
-                               "cos",  "tan", "asin", "acos", "atan", "atan2",     "mises"};
+constexpr std::array functions{"peak", "min", "max", "mean", "rms", "amplitude", "range", "at",   "abs",  "sqrt",
+                               "cbrt", "exp", "ln",  "sin",  "cos", "tan",       "asin",  "acos", "atan", "atan2"};
 
 /// A path of a step that others may take, and what it is.
 struct Offer {

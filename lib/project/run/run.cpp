@@ -67,12 +67,10 @@ Run::Run(const CalculatorStep& step, const Known& known, bool in_words)
       origins_(step.origins()),
       applies_(calculator_.modes.size(), Applies::no) {}
 
-bool Run::evaluate_operands(std::vector<Issue>& issues, const std::set<std::string>& left_open) {
-  bool sound = true;
+bool Run::evaluate_operands(std::vector<Issue>& issues) {
+  const std::size_t before = issues.size();
   for (const Operand& operand : step_.input().reading.operands) {
-    if (left_open.contains(operand.path)) continue;
     auto value = evaluate_operand(operand, step_.name(), known_, issues);
-    sound = sound && value.has_value();
     if (!value || (operand.may_lack && !is_known(*value))) continue;
     add_input(
         {operand.path, map_leaf(operand.path), std::move(*value), expression_origin(*step_.input().tables, operand)});
@@ -83,7 +81,7 @@ bool Run::evaluate_operands(std::vector<Issue>& issues, const std::set<std::stri
       add_input(companion_input(provided));
     }
   }
-  return sound;
+  return issues.size() == before;
 }
 
 void Run::add_input(Input input) {

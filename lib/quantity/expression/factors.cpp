@@ -151,7 +151,6 @@ class Walk {
       case Rule::cycle_reduction:
       case Rule::selection:
       case Rule::same:
-      case Rule::stresses:
         return alike(node);
     }
     return alike(node);

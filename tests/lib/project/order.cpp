@@ -1,4 +1,4 @@
-#include "lib/project/references/order.hpp"
+#include "lib/project/order.hpp"
 
 #include "tests/lib/project/texts.hpp"
 

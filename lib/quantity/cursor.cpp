@@ -1,4 +1,4 @@
-#include "lib/quantity/number/cursor.hpp"
+#include "lib/quantity/cursor.hpp"
 
 #include <algorithm>
 

@@ -69,12 +69,12 @@ class Calling {
   Call& call_;
 };
 
-/// Null: what the reader knows beside fields, a row of a table, `accept`.
+/// Null: what the reader knows beside fields, a row of a table, `accept`, `because`.
 const FieldInfo* Calling::field_of(const Given& given) const {
   if (const FieldInfo* const field = find_field(calculator_.input->fields, given.name)) return field;
   std::vector<std::string> known = table_groups(calculator_);
   if (std::find(known.begin(), known.end(), given.name) != known.end()) return nullptr;
-  for (const char* const other : {"accept", "template"}) {
+  for (const char* const other : {"accept", "because", "template"}) {
     if (given.name == other) return nullptr;
   }
   for (const FieldInfo& field : calculator_.input->fields) known.emplace_back(field.key);

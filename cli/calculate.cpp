@@ -48,7 +48,7 @@ Tree value_of(const std::string& key, const std::string& text, const FieldInfo* 
   value.place = {flag, 1, 1, 1};
   // { stock = "R20" }, ["0 deg", "90 deg"], or a text in the quotes of a project file
   const bool structured = text.starts_with('{') || text.starts_with('[') || text.starts_with('"');
-  if (takes_text(field) && !structured) return value;
+  if ((takes_text(field) || text.starts_with('=')) && !structured) return value;
   const std::string prefix = "value = ";
   const auto length = static_cast<int>(prefix.size());
   const std::size_t before = issues.size();
@@ -99,13 +99,13 @@ void put_angles(Tree& step, const std::string& at, std::vector<Issue>& issues) {
   put(*crank, flag_entry("at", at, nullptr, issues));
 }
 
-/// Modes of failure that the shell accepts, beside those of the file.
-void put_accepted(Tree& step, const std::vector<std::string>& accepted) {
-  if (accepted.empty()) return;
-  const Place place{"--accept", 1, 1, 1};
-  auto table = std::find_if(step.entries.begin(), step.entries.end(), [](const auto& e) { return e.key == "accept"; });
-  if (table == step.entries.end()) table = step.entries.insert(step.entries.end(), {"accept", place, {}});
-  for (const std::string& text : accepted) {
+/// Reasons from the shell, beside those of the file: modes of failure that are accepted, inputs that are justified.
+void put_reasons(Tree& step, const std::string& key, const std::vector<std::string>& reasons) {
+  if (reasons.empty()) return;
+  const Place place{"--" + key, 1, 1, 1};
+  auto table = std::find_if(step.entries.begin(), step.entries.end(), [&](const auto& e) { return e.key == key; });
+  if (table == step.entries.end()) table = step.entries.insert(step.entries.end(), {key, place, {}});
+  for (const std::string& text : reasons) {
     const std::size_t equals = std::min(text.find('='), text.size());
     Tree reason;
     reason.type = Tree::Type::text;
@@ -129,7 +129,8 @@ void put_flags(Tree& step, const CalculateOptions& options, std::vector<Issue>& 
         flag_entry(key, text, find_field(options.calculator->input->fields, key), issues));
   }
   if (!options.at.empty()) put_angles(step, options.at, issues);
-  put_accepted(step, options.accepted);
+  put_reasons(step, "accept", options.accepted);
+  put_reasons(step, "because", options.because);
 }
 
 Tree tree_of_flags(const CalculateOptions& options, std::vector<Issue>& issues) {

@@ -93,6 +93,7 @@ struct CalculateOptions {
   std::vector<std::pair<std::string, std::string>> values;  // key, text as typed
   /// Fields of any step of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;
+  std::vector<std::string> because;   // inputs with reasons: "R_e=certificate 4711"
   std::vector<std::string> accepted;  // modes of failure with reasons: "pitting=rated by the maker"
   OutputOptions output;
 };

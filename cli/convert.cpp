@@ -47,16 +47,31 @@ class TableValues {
   std::map<std::string, Value> values_;
 };
 
+struct Converted {
+  double si = 0.0;
+  Dimension dimension;
+  Meant kind = Meant::nothing;
+  bool turns = false;  // pi makes radians of turns
+};
+
 /// The value of an expression without its `=`: of numbers, and of tables.
-Outcome<Literal> value_of(std::string_view text) {
+Outcome<Converted> value_of(std::string_view text) {
   const auto parsed = Expression::parse(text);
   if (!parsed) return parsed.fault();
   TableValues tables;
-  const auto signature = parsed->check([&](const std::string& path) { return tables.signature(path); });
+  const auto declared = [&](const std::string& path) { return tables.signature(path); };
+  const auto signature = parsed->check(declared);
   if (!signature) return signature.fault();
+  const auto kind = parsed->kind([](const std::string&) { return Meant::nothing; }, declared);
+  if (!kind) return kind.fault();
   const double si = parsed->evaluate([&](const std::string& path) -> const Value& { return tables.value(path); }).si[0];
-  if (std::isfinite(si)) return Literal{si, signature->dimension};
+  if (std::isfinite(si)) return Converted{si, signature->dimension, *kind, parsed->holds_pi()};
   return Fault{0, text.size(), say("there is no such number: a division by zero, or a root of a negative"), {}};
+}
+
+Outcome<Converted> literal_of(std::string_view text) {
+  const auto literal = parse_literal(text);
+  return literal ? Outcome<Converted>(Converted{literal->si, literal->dimension}) : literal.fault();
 }
 
 }  // namespace
@@ -65,20 +80,23 @@ Outcome<Literal> value_of(std::string_view text) {
 int convert(const ConvertOptions& options) {
   const std::string& text = options.quantity;
   const bool expression = text.starts_with('=');
-  const auto read = expression ? value_of(std::string_view(text).substr(1)) : parse_literal(text);
+  const auto read = expression ? value_of(std::string_view(text).substr(1)) : literal_of(text);
   if (!read) return refuse(text, expression ? 1 : 0, "quantity", read.fault());
-  const Literal literal = *read;
+  const Converted literal = *read;
   const std::string unit = !options.unit.empty()           ? options.unit
                            : literal.dimension.is_number() ? "-"
                                                            : readable_unit(literal.si, literal.dimension);
   const auto target = parse_unit(unit);
   if (!target) return refuse(unit, 0, "unit", target.fault());
   // A literal says what it is, so that Hz is not taken for rad/s; an expression is compared without its angle.
-  const bool fits = expression ? target->dimension.without_angle() == literal.dimension.without_angle()
+  const bool fits = expression ? fits_but_for_angle(target->dimension, literal.dimension, literal.kind, literal.turns)
                                : target->dimension == literal.dimension;
   if (!fits) {
     std::cerr << "loadpath: '" << text << "' is a " << name_of(literal.dimension) << ", '" << unit << "' is a unit of "
               << name_of(target->dimension) << "\n";
+    if (literal.dimension != target->dimension &&
+        literal.dimension.without_angle() == target->dimension.without_angle())
+      std::cerr << "  hint: turns per time times rev, as in \"=rev*50 Hz\"; an angle over rev counts turns\n";
     return wrong_input;
   }
   std::cout << format_quantity(literal.si, unit, 10) << "\n";

@@ -79,6 +79,9 @@ void show_keys(const Calculator& calculator) {
   if (!calculator.modes.empty())
     rows.push_back({"  accept", "table", "optional",
                     "modes of failure that you answer for: accept.MODE = \"reason\"; the modes stand below"});
+  if (calculator.result != nullptr)
+    rows.push_back({"  because", "table", "optional",
+                    "why a typed value is better than the row or the record beside it: because.KEY = \"reason\""});
   std::cout << "Keys of the step beside its inputs\n"
             << terminal::columns(rows)
             << terminal::paragraph("  The file itself may have [project] with " + joined(project::heading_keys()) +

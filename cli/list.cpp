@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <iostream>
+#include <string_view>
 
 namespace loadpath::cli {
 
@@ -19,6 +20,13 @@ int refuse(const std::string& word) {
     std::cerr << "loadpath: '" << word << "' is a calculator of '" << named->element()
               << "'\n  = help: `loadpath describe " << word << "` tells all of it, `loadpath list " << named->element()
               << "` those beside it\n";
+    return wrong_input;
+  }
+  for (const std::string_view beyond :
+       {"bolt", "screw", "rivet", "weld", "spring", "clutch", "brake", "coupling", "seal"}) {
+    if (word.find(beyond) == std::string::npos) continue;
+    std::cerr << "loadpath: there is no calculator of a " << beyond << "\n  = help: " << there_is(elements).text()
+              << "\n";
     return wrong_input;
   }
   std::cerr << "loadpath: there is no element '" << word

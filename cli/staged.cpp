@@ -146,6 +146,15 @@ fs::path Scratch::create_folder() {
   return pattern;
 }
 
+void Scratch::create_parents(const fs::path& folder) {
+  const std::lock_guard lock(mutex_);
+  std::error_code error;
+  std::vector<fs::path> missing;
+  for (fs::path at = folder; !at.empty() && !fs::exists(at, error); at = at.parent_path()) missing.push_back(at);
+  fs::create_directories(folder, error);
+  parents_.insert(parents_.end(), missing.rbegin(), missing.rend());
+}
+
 void Scratch::release(const fs::path& path) {
   const std::lock_guard lock(mutex_);
   std::erase(paths_, path);
@@ -196,6 +205,10 @@ void Scratch::remove_all() {
     }
   }
   paths_.clear();
+  std::error_code error;
+  for (auto folder = parents_.rbegin(); folder != parents_.rend(); ++folder)
+    fs::remove(*folder, error);  // the empty ones
+  parents_.clear();
 }
 
 bool Staged::add(const fs::path& path, const std::string& text) {
@@ -206,7 +219,7 @@ bool Staged::add(const fs::path& path, const std::string& text) {
   }
   std::error_code error;
   if (fs::is_symlink(target.path, error)) return cannot_write(path, ELOOP);
-  if (path.has_parent_path()) fs::create_directories(path.parent_path(), error);
+  if (path.has_parent_path()) scratch_.create_parents(path.parent_path());
   const fs::path beside = place_beside(target.path);
   const int file = scratch_.create(beside);
   if (file < 0) return cannot_write(path, errno);

@@ -32,6 +32,8 @@ class Scratch {
   void release(const std::filesystem::path& path);
   /// A new folder; empty where there can be none.
   std::filesystem::path create_folder();
+  /// A folder with those that it lies in; what stays empty of them is removed.
+  void create_parents(const std::filesystem::path& folder);
   /// What is said on standard error where a signal ends the program at once.
   void leave_word(std::string word);
   /// Starts another program, which says nothing; 0 where that fails. Killed where this one is ended.
@@ -46,6 +48,7 @@ class Scratch {
   std::atomic<bool>* asked_;
   std::mutex mutex_;
   std::vector<std::filesystem::path> paths_;
+  std::vector<std::filesystem::path> parents_;  // that were made for outputs, outer ones first
   std::string word_;
   pid_t child_ = 0;
   sigset_t before_;

@@ -76,10 +76,13 @@ Stages stages(const Input& in, Force F_rd, Force F_ad, const Equivalent& whole, 
   return all;
 }
 
+/// What has no speed has a life in revolutions, and turns.
+bool turns(const Stage& s) { return !(s.n <= 0.0 * rpm.one); }
+
 Force largest(const Stages& all) {
   Force P = none;
   for (const Stage& s : all) {
-    if (s.n > 0.0 * rpm.one) P = std::max(P, s.P);
+    if (turns(s)) P = std::max(P, s.P);
   }
   return P;
 }
@@ -87,7 +90,7 @@ Force largest(const Stages& all) {
 Force smallest(const Stages& all) {
   Force P = largest(all);
   for (const Stage& s : all) {
-    if (s.n > 0.0 * rpm.one) P = std::min(P, s.P);
+    if (turns(s)) P = std::min(P, s.P);
   }
   return P;
 }
@@ -104,7 +107,7 @@ void means(Stages& all, Result& r, Tracer& trace) {
   }
   for (Stage& s : all) s.D = wear > 0.0 ? s.D / wear : 0.0;
   const double P_m = all.size() == 1 ? P_max : P_max * std::pow(wear / turns, 1.0 / r.p);
-  r.n_m = trace.speed("n_m", from_si<AngularSpeed>(turns), "sum of q n over the blocks");
+  if (is_set(turns)) r.n_m = trace.speed("n_m", from_si<AngularSpeed>(turns), "sum of q n over the blocks");
   r.P_m = trace.value("P_m", from_si<Force>(P_m),
                       "(sum P^p n q / sum n q)^(1/p) over the blocks, by linear damage, [SEED-bearings]");
 }
@@ -118,13 +121,16 @@ void life(const Input& in, const Stages& all, Result& r, Tracer& trace) {
   const Force P_m = r.P_m;
   const double p = r.p;
   const AngularSpeed n_m = r.n_m;
-  if (is_set(in.L_h)) {
-    STEP(L_req, in.L_h * n_m / (2.0 * pi * 1e6), "millions of revolutions that are asked for");
+  if (is_set(in.L_h) || is_set(in.L_m)) {
+    const double L_req = is_set(in.L_m)
+                             ? trace.value("L_req", in.L_m, "millions of revolutions that are asked for")
+                             : NAMED_STEP("L_req", in.L_h * n_m / (2.0 * pi * 1e6), "millions of revolutions");
     STEP_TO(r, C_req, P_m * pow(L_req / in.a_1, 1.0 / p), "load rating that has this life, [ISO281]");
     STEP_TO(r, u_L, C_req / in.C, "against that of the bearing");
   }
   if (!(P_m > 1e-4 * in.C)) return;
   STEP_TO(r, L_10, pow(in.C / P_m, p), "millions of revolutions, 90 %, [ISO281]");
+  if (!is_set(n_m)) return;
   STEP_TO(r, L_10h, 2.0 * pi * 1e6 * L_10 / n_m, "at the mean speed");
   STEP_TO(r, L_nh, in.a_1 * L_10h, "with its reliability");
 }
@@ -138,7 +144,7 @@ void running(const Input& in, Stages& all, Result& r, Tracer& trace) {
   STEP(P_need, is_set(in.P_min) ? in.P_min : c * in.C,
        is_set(in.P_min) ? "of the maker" : "rule of thumb, [SKF-rolling]");
   STEP_TO(r, x_min, P_low / P_need, "rolls, and does not skid");
-  if (!is_set(in.n_max)) return;
+  if (!is_set(in.n_max) || !is_set(Rolling::highest_speed(in))) return;
   const AngularSpeed n_top = trace.speed("n_top", Rolling::highest_speed(in), "highest speed");
   STEP_TO(r, u_n, n_top / in.n_max, "against that of the maker's table");
 }

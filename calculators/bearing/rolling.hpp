@@ -14,6 +14,7 @@
 #include "lib/quantity/drive_units.hpp"
 #include "lib/text/issue.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -68,6 +69,7 @@ s_0 = 2
     double f_0 = unset<double>, e = unset<double>, X = unset<double>, Y = unset<double>, Y_1 = unset<double>;
     double Y_0 = unset<double>;
     Time L_h = unset<Time>;
+    double L_m = unset<double>;
     double a_1 = 1.0, s_0 = unset<double>;
     Force P_min = unset<Force>, F_a_adm = unset<Force>;
     Force F_r0 = unset<Force>, F_a0 = unset<Force>;
@@ -79,9 +81,12 @@ s_0 = 2
   static bool factors_once(const Input& in);
   static bool static_factors_given(const Input& in);
   static bool shares_close(const Input& in);
+  static bool ratings_agree(const Input& in);
+  static FieldFault odd_ratings(const Input& in);
   static FieldFault missing_factors(const Input& in);
   static FieldFault open_shares(const Input& in);
   static Applies runs(const Input& in);
+  static Applies runs_fast(const Input& in);
   static Applies runs_at_an_angle(const Input& in);
   static Applies has_axial_bound(const Input& in);
   static constexpr Fields inputs{
@@ -94,10 +99,12 @@ s_0 = 2
             "axial load on the bearing; of a kind that takes it one way positive that way, with what F_r itself makes"}
           .load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F_r and F_a: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
-      Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 of a bearing that stands"}.at_least(0),
+      Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 of a bearing that stands"}
+          .at_least(0)
+          .may_be_missing(),
       Field{&Input::n_max, "n_max", rpm, "highest speed of the maker's table for this lubrication"}
           .positive()
           .may_be_missing(),
@@ -122,7 +129,11 @@ s_0 = 2
           .usually(0.3, 5)
           .may_be_missing(),
       Field{&Input::Y_0, "Y_0", ratio, "axial factor of the static load"}.at_least(0).usually(0.2, 5).may_be_missing(),
-      Field{&Input::L_h, "L_h", hour, "life that is asked for"}.positive().usually(100, 3e5).may_be_missing(),
+      Field{&Input::L_h, "L_h", hour, "life that is asked for"}.at_least(1).usually(100, 3e5).may_be_missing(),
+      Field{&Input::L_m, "L_m", ratio, "life that is asked for in millions of revolutions, in place of hours"}
+          .positive()
+          .usually(1, 1e5)
+          .may_be_missing(),
       Field{&Input::a_1, "a_1", ratio,
             "reliability: 1 for 90 %, 0.64 for 95, 0.55 for 96, 0.47 for 97, 0.37 for 98, 0.25 for 99 %"}
           .within(0.01, 1)
@@ -196,7 +207,9 @@ s_0 = 2
           .holding("K_A"),
       Field{&Result::F_ao, "F_ao", N, "axial load that its kind cannot take"}.limit(0, 1e-3).criterion(),
       Field{&Result::F_ro, "F_ro", N, "radial load that its kind cannot take"}.limit(0, 1e-3).criterion(),
-      Field{&Result::u_L, "u_L", ratio, "life: load rating that it asks for over C"}.check("L_h").where_it_applies(),
+      Field{&Result::u_L, "u_L", ratio, "life: load rating that it asks for over C"}
+          .check("L_h, L_m")
+          .where_it_applies(),
       Field{&Result::x_P, "x_P", ratio, "largest P over the smaller of C/2 and C_0: beyond, no rating life"}
           .limit(0, 1)
           .where_it_applies(),
@@ -217,6 +230,7 @@ s_0 = 2
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.kind != Kind::unstated; }, "kind",
                   "state the kind of the bearing: its life exponent and the loads that it takes hang on it"},
+      Rule<Input>{&ratings_agree, "C, C_0", "C and C_0 are those of one bearing", &odd_ratings},
       Rule<Input>{&factors_once, "f_0, e, Y", "give f_0, or e and Y, never both: f_0 of a deep groove ball bearing"},
       Rule<Input>{&factors_given, "e, Y, X, Y_1, f_0, C_0, F_a, kind", "this load needs the factors of the bearing",
                   &missing_factors},
@@ -226,8 +240,22 @@ s_0 = 2
                   "the static safety under an axial load needs Y_0 of the maker's table"},
       Rule<Input>{[](const Input& in) { return !is_set(in.F_a0) || is_set(in.F_r0); }, "F_a0, F_r0",
                   "give the radial load F_r0 beside F_a0, be it zero"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.L_h) && is_set(in.L_m)); }, "L_h, L_m",
+                  "give the life in hours or in revolutions, never both"},
+      Rule<Input>{[](const Input& in) { return is_set(in.n) || is_set(in.L_m) || !in.blocks.empty(); },
+                  "n, L_m, blocks",
+                  "give the speed n, 0 of a bearing that stands, or its life in millions of revolutions L_m"},
+      Rule<Input>{[](const Input& in) {
+                    return in.blocks.empty() || is_set(in.n) ||
+                           std::all_of(in.blocks.begin(), in.blocks.end(), [](const Block& b) { return is_set(b.n); });
+                  },
+                  "n, blocks", "every block needs a speed: its own n, or that of the bearing"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.L_m) || !is_set(in.n) || in.n > 0.0 * rpm; }, "L_m, n",
+                  "a bearing that stands has no life in revolutions: leave out L_m, or n"},
       Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || runs(in) == Applies::yes; }, "L_h, n, blocks",
                   "a bearing that stands has no life in hours: leave out L_h, or give the speed"},
+      Rule<Input>{[](const Input& in) { return in.blocks.empty() || is_set(highest_speed(in)); }, "n, blocks",
+                  "blocks are shares of the time: give the speed n, or that of each block"},
       Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}};
 
   static constexpr bool turns = true;
@@ -235,7 +263,7 @@ s_0 = 2
       Mode<Input>{"fatigue", "fatigue of the raceways: rating life", &runs}.judged_by("u_L, x_P, x_f"),
       Mode<Input>{"static", "dents by the largest load, at rest or in a shock", &always<Input>}.judged_by("u_0"),
       Mode<Input>{"skidding", "skidding under too small a load", &runs}.judged_by("x_min").of_shape(),
-      Mode<Input>{"speed", "speed above that of the maker's table", &runs}.judged_by("u_n"),
+      Mode<Input>{"speed", "speed above that of the maker's table", &runs_fast}.judged_by("u_n"),
       Mode<Input>{"axial", "an axial load that the kind cannot take", &always<Input>}.judged_by("F_ao").of_shape(),
       Mode<Input>{"radial", "a radial load that the kind cannot take", &always<Input>}.judged_by("F_ro").of_shape(),
       Mode<Input>{"ribs", "ribs, or edges of the groove, under the axial load", &has_axial_bound}

@@ -33,7 +33,11 @@ constexpr double rounding = 1e-3 * (1.0 + 1e-9);
 
 AngularSpeed Rolling::highest_speed(const Input& in) {
   AngularSpeed n = in.blocks.empty() ? in.n : 0.0 * rpm.one;
-  for (const Block& b : in.blocks) n = std::max(n, is_set(b.n) ? b.n : in.n);
+  for (const Block& b : in.blocks) {
+    const AngularSpeed own = is_set(b.n) ? b.n : in.n;
+    if (!is_set(own)) return own;
+    n = std::max(n, own);
+  }
   return n;
 }
 
@@ -75,6 +79,21 @@ bool Rolling::static_factors_given(const Input& in) {
          !has_axial(in) || is_set(static_axial_factor(in.kind));
 }
 
+bool Rolling::ratings_agree(const Input& in) {
+  if (!is_set(in.C_0)) return true;
+  const RatioOfRatings usual = ratio_of_ratings(in.kind, in.C / kN);
+  const double ratio = in.C_0 / in.C;
+  return !(ratio < usual.least) && !(ratio > usual.most);
+}
+
+FieldFault Rolling::odd_ratings(const Input& in) {
+  const RatioOfRatings usual = ratio_of_ratings(in.kind, in.C / kN);
+  return {"C_0",
+          say("C_0 is {1} times C, and of this kind and size from {2} to {3} times", format_number(in.C_0 / in.C, 3),
+              format_number(usual.least, 3), format_number(usual.most, 3)),
+          say("take both from the same row of the maker's table")};
+}
+
 bool Rolling::shares_close(const Input& in) {
   return in.blocks.empty() || std::abs(sum_of_shares(in) - 1.0) <= rounding;
 }
@@ -84,7 +103,14 @@ FieldFault Rolling::open_shares(const Input& in) {
           say("give every block its share of the time, and standstill as a block with n = \"0 rpm\"")};
 }
 
-Applies Rolling::runs(const Input& in) { return where(highest_speed(in) > 0.0 * rpm.one); }
+/// A life in revolutions is one of a bearing that turns, however fast.
+Applies Rolling::runs(const Input& in) { return where(is_set(in.L_m) || highest_speed(in) > 0.0 * rpm.one); }
+
+/// Of a speed that is not given nothing is known.
+Applies Rolling::runs_fast(const Input& in) {
+  const AngularSpeed n = highest_speed(in);
+  return is_set(n) ? where(n > 0.0 * rpm.one) : Applies::unseen;
+}
 
 Applies Rolling::runs_at_an_angle(const Input& in) {
   return at_an_angle(in.kind) && in.F_r > none ? Applies::yes : Applies::no;

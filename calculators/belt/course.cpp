@@ -26,6 +26,9 @@ List<Force, most_pulleys> taken_forces(const Input& in, Speed v) {
   return taken;
 }
 
+/// Between the belt and a pulley.
+double friction(const Input& in, std::size_t k) { return is_set(in.pulleys[k].mu) ? in.pulleys[k].mu : in.mu; }
+
 /// The least tension that presses the pulleys behind the first one, with which no pulley slips: at each of them the
 /// larger tension is at most e^(mu alpha) times the smaller.
 Force least_pressing(const Input& in, const Loop& loop, const List<Force, most_pulleys>& taken) {
@@ -33,7 +36,7 @@ Force least_pressing(const Input& in, const Loop& loop, const List<Force, most_p
   const std::size_t count = in.pulleys.size();
   for (std::size_t k = 0; k < count; ++k) {
     const Force before = k == 0 ? taken.back() : taken[k - 1], behind = taken[k];
-    const double part = std::exp(-in.mu * loop.wraps[k]);
+    const double part = std::exp(-friction(in, k) * loop.wraps[k]);
     least = max(least, (part * max(before, behind) - min(before, behind)) / (1.0 - part));
   }
   return least;
@@ -89,7 +92,8 @@ void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
   STEP_TO(r, P_1, F_t * r.v, "power of the driving pulley");
   if (is_set(in.mu)) {
     const auto N_0 = least_pressing(in, loop, taken);
-    trace.value("N_0", N_0, "least slack tension with N_large / N_small = e^(mu alpha) nowhere exceeded, [B40]");
+    trace.value("N_0", N_0,
+                "least slack tension with N_large / N_small = e^(mu alpha) nowhere exceeded, mu of each pulley, [B40]");
     STEP_TO(r, S_0_min, N_0 + F_c, "least tension of the slack span");
   }
   if (!is_set(in.S_0) && !is_set(r.S_0_min)) return;

@@ -57,7 +57,7 @@ pulleys = [
     Length x = unset<Length>, y = unset<Length>, d = unset<Length>;
     Side side = Side::inside;
     Power P = unset<Power>;
-    double along = unset<double>;
+    double along = unset<double>, mu = unset<double>;
     static constexpr Fields fields{
         NameField{&Pulley::name, "name", "name of the pulley"}.may_be_missing(),
         Field{&Pulley::x, "x", mm, "place of its axis"},
@@ -67,6 +67,12 @@ pulleys = [
         Choice{&Pulley::side, "side", "which side of the loop it is on"}.may_be_missing(),
         Field{&Pulley::P, "P", kW, "power that it takes out of the belt; negative where it drives too"}
             .load()
+            .may_be_missing(),
+        Field{&Pulley::mu, "mu", ratio,
+              "coefficient of friction on this pulley: a flat pulley of a V-belt, the belt's back; that of all if "
+              "missing"}
+            .within(0.01, 10)
+            .usually(0.1, 2)
             .may_be_missing(),
         Field{&Pulley::along, "along", deg, "direction in which this pulley moves until the belt has the length L"}
             .may_be_missing()};
@@ -87,7 +93,7 @@ pulleys = [
       Field{&Input::L, "L", mm, "length of the belt, where one pulley moves"}.positive().may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the first pulley"}.positive().may_be_missing(),
       Field{&Input::mu, "mu", ratio,
-            "coefficient of friction; of a V-belt mu / sin(phi/2), phi the angle of the groove"}
+            "coefficient of friction in the pulleys that give none; in a groove of the angle phi mu / sin(phi/2)"}
           .within(0.01, 10)
           .usually(0.1, 2)
           .may_be_missing(),
@@ -158,6 +164,8 @@ pulleys = [
   static FieldFault wrong_tensioner(const Input& in);
   static bool powers_fit(const Input& in);
   static FieldFault wrong_power(const Input& in);
+  static bool backs_known(const Input& in);
+  static FieldFault open_back(const Input& in);
   static bool closes(const Input& in);
   static FieldFault flaw_of(const Input& in);
   static constexpr std::array rules{
@@ -168,6 +176,8 @@ pulleys = [
                   &wrong_tensioner},
       Rule<Input>{&powers_fit, "pulleys, n_1, mu, S_0",
                   "powers need a speed and mu or S_0, and the first pulley drives", &wrong_power},
+      Rule<Input>{&backs_known, "pulleys, mu", "a pulley that the belt's back drives needs its own friction",
+                  &open_back},
       Rule<Input>{&closes, "pulleys", "the belt does not run through these pulleys", &flaw_of}};
 
   static constexpr bool turns = true;

@@ -70,6 +70,21 @@ FieldFault Course::wrong_power(const Input& in) {
   return {};
 }
 
+bool Course::backs_known(const Input& in) { return open_back(in).message.empty(); }
+
+/// The friction of all is that of the grooves, or of the running side: the back that carries power has another.
+FieldFault Course::open_back(const Input& in) {
+  for (std::size_t k = 0; k < in.pulleys.size(); ++k) {
+    const Pulley& p = in.pulleys[k];
+    const bool carries = is_set(p.P) && abs(p.P) > 0.0 * W;
+    if (p.side == Side::outside && carries && is_set(in.mu) && !is_set(p.mu))
+      return {path_of(in, k),
+              say("the back of the belt runs on this pulley, which takes power: its friction is another"),
+              say("give mu of this pulley, of a flat face without groove")};
+  }
+  return {};
+}
+
 bool Course::closes(const Input& in) {
   if (in.pulleys.size() < 2 || !tensioner_fits(in)) return true;  // other rules speak of these
   const Circles circles = circles_of(in);

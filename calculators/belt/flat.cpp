@@ -49,6 +49,7 @@ void size(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
 /// The tensions: as they result from the initial tension, or with the least one.
 template <class Tracer>
 void tighten(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
+  STEP_TO(r, x_b, r.b / min(in.d_1, in.d_2), "no belt is much wider than its smaller pulley");
   STEP_TO(r, F_c, in.rho * r.b * in.delta * r.v * r.v, "turns the belt around, and does not press the pulleys");
   STEP(N_min, r.F_t / 2.0 * (r.m_e + 1.0) / (r.m_e - 1.0), "least mean of the tensions that press, [Shigley-17]");
   const bool fixed = in.tensioning == Tensioning::fixed;

@@ -10,6 +10,7 @@
 #include "calculators/belt/geometry.hpp"
 #include "calculators/belt/shaft_load.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -76,7 +77,7 @@ E_b = "40 MPa"
           .may_be_missing(),
       Field{&Input::T_1, "T_1", N_m, "torque at the driving pulley, in place of P"}.load().positive().may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor: what the power does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 3)
           .factor(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}.positive().usually(10, 2e4),
@@ -88,7 +89,7 @@ E_b = "40 MPa"
           .usually(50, 1e5)
           .may_be_missing(),
       Choice{&Input::arrangement, "arrangement", "course of the belt"}.may_be_missing(),
-      Field{&Input::epsilon, "epsilon", ratio, "slip"}.at_least(0).below(1).usually(0, 0.05),
+      Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.05),
       Field{&Input::mu, "mu", ratio, "coefficient of friction of the belt on the pulleys"}.positive().usually(0.1, 1),
       Choice{&Input::kind, "kind", "of the belt: decides the largest speed"}.may_be_missing(),
       Field{&Input::delta, "delta", mm, "thickness of the belt"}.positive().usually(0.3, 20),
@@ -124,7 +125,7 @@ E_b = "40 MPa"
     double theta_R = unset<double>;
     ShaftLoad shaft_1, shaft_2;
     AngularSpeed f_B = unset<AngularSpeed>;
-    double u_S = unset<double>, u_sigma = unset<double>, u_b = unset<double>, x_v = unset<double>;
+    double u_S = unset<double>, u_sigma = unset<double>, u_b = unset<double>, x_v = unset<double>, x_b = unset<double>;
     Length g_x = unset<Length>;
     Speed v_range = unset<Speed>;
   };
@@ -173,6 +174,8 @@ E_b = "40 MPa"
           .limit(0, 1e6)
           .criterion()
           .where_it_applies(),
+      Field{&Result::x_b, "x_b", ratio, "width over the diameter of the smaller pulley: none is much wider, own bound"}
+          .limit(0, 1.5),
       Field{&Result::v_range, "v_range", m_per_s, "speed, against the range of flat belts"}.limit(5, 100).sizeless(),
       Field{&Result::x_v, "x_v", ratio, "speed over the largest one of its kind: 30 m/s, synthetic 100 m/s"}
           .limit(0, 1)
@@ -190,10 +193,13 @@ E_b = "40 MPa"
 
   static constexpr bool turns = true;
   static Applies crossed(const Input& in) { return where(in.arrangement == Arrangement::crossed); }
+  static constexpr std::array meanings{Meaning{"P", "mean"}};
+
   static constexpr std::array modes{
       Mode<Input>{"grip", "slip of the belt", &always<Input>}.judged_by("u_S"),
       Mode<Input>{"strength", "strength of the belt in the tight span", &always<Input>}.judged_by("u_sigma, sigma_N"),
       Mode<Input>{"bending", "bending of the belt around the smaller pulley", &always<Input>}.judged_by("u_b"),
+      Mode<Input>{"width", "a belt wider than its pulleys", &always<Input>}.judged_by("x_b").of_shape(),
       Mode<Input>{"speed", "speed of flat belts", &always<Input>}.judged_by("v_range, x_v"),
       Mode<Input>{"room", "room for the crossing spans between the pulleys", &crossed}.judged_by("g_x").of_shape(),
       Mode<Input>{"twist", "spans twist and rub where they cross",

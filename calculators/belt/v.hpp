@@ -11,6 +11,7 @@
 #include "calculators/belt/shaft_load.hpp"
 #include "calculators/belt/v_data.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -78,7 +79,7 @@ L = "2650 mm"
       Choice{&Input::belt_class, "belt_class", "class of the belt; goes with the basis iso"}.may_be_missing(),
       Field{&Input::P, "P", kW, "power, the mean over the cycle"}.load().positive().usually(0.05, 3000),
       Field{&Input::K_A, "K_A", ratio, "service factor of the basis (C_P, c_2): what the power does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 2)
           .may_be_missing()
           .factor(),
@@ -90,7 +91,7 @@ L = "2650 mm"
       Choice{&Input::motor, "motor", "torque of the motor"}.may_be_missing(),
       Field{&Input::h_day, "h_day", hour, "use per day"}.positive().within(0.01, 24).may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}.positive().usually(20, 9000),
-      Field{&Input::epsilon, "epsilon", ratio, "slip"}.at_least(0).below(1).usually(0, 0.03),
+      Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.03),
       Field{&Input::d_1, "d_1", mm, "datum diameter of the driving pulley"}.positive().usually(20, 3000),
       Field{&Input::d_2, "d_2", mm, "datum diameter of the driven pulley"}.positive().usually(20, 3000),
       Field{&Input::a, "a", mm, "centre distance"}.positive().usually(20, 2e4).may_be_missing(),
@@ -234,6 +235,8 @@ L = "2650 mm"
       Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must stand clear of each other", &touching}};
 
   static constexpr bool turns = true;
+  static constexpr std::array meanings{Meaning{"P", "mean"}};
+
   static constexpr std::array modes{
       Mode<Input>{"power", "power of the belts", &always<Input>}.judged_by("u_P, P_N, x_n"),
       Mode<Input>{"pulley", "least pulley of the section", &always<Input>}.judged_by("x_d"),

@@ -61,7 +61,7 @@ a_set = "600 mm"
       Choice{&Input::belt_class, "belt_class", "class of the belt; goes with the basis iso"}.may_be_missing(),
       Field{&Input::P, "P", kW, "power, the mean over the cycle"}.load().positive().usually(0.05, 3000),
       Field{&Input::K_A, "K_A", ratio, "service factor of the basis (C_P, c_2): what the power does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 2)
           .may_be_missing()
           .factor(),
@@ -75,7 +75,7 @@ a_set = "600 mm"
       Field{&Input::a_set, "a_set", mm, "centre distance that there shall be"}.positive().usually(50, 2e4),
       Field{&Input::tol_a, "tol_a", ratio, "how far it may be off, as a share"}.positive().below(0.9).usually(0.01,
                                                                                                               0.5),
-      Field{&Input::epsilon, "epsilon", ratio, "slip"}.at_least(0).below(1).usually(0, 0.03),
+      Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.03),
       Field{&Input::d_1_min, "d_1_min", mm, "smallest driving pulley, as the motor asks for"}
           .positive()
           .may_be_missing(),
@@ -183,6 +183,8 @@ a_set = "600 mm"
                   "d_1_min, d_max", "the smallest driving pulley must not be larger than the largest pulley"}};
 
   static constexpr bool turns = true;
+  static constexpr std::array meanings{Meaning{"P", "mean"}};
+
   static constexpr std::array modes{
       Mode<Input>{"drives", "room, sizes that are sold, and all that belt.v asks of a drive", &always<Input>}
           .judged_by("drives")

@@ -114,7 +114,7 @@ P_R = "5.5 kW"
           .at_least(0)
           .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor: shocks of motor and machine, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 2)
           .factor(),
       Field{&Input::K_f, "K_f", ratio, "sag: 6 for a level drive, 3 at 40 deg, 1 upright"}.within(0, 10),
@@ -122,9 +122,11 @@ P_R = "5.5 kW"
       Field{&Input::p_adm, "p_adm", MPa, "allowable pressure in the joint"}.positive().usually(5, 60).may_be_missing(),
       Field{&Input::S_min, "S_min", ratio, "least safety against breaking"}.at_least(1).usually(5, 20).may_be_missing(),
       Field{&Input::P_R, "P_R", kW,
-            "rated power of the chain with 19 teeth at the speed of the smaller sprocket, all strands"}
+            "rated power of the chain with 19 teeth at the speed of the smaller sprocket, all strands; of this chain "
+            "alone"}
           .positive()
-          .may_be_missing()};
+          .from("chain", "P_R")
+          .where_it_has()};
 
   struct Result {
     double i = unset<double>;

@@ -1,6 +1,7 @@
 #include "calculators/column/buckling.hpp"
 
 #include "calculators/column/buckling_parts.hpp"
+#include "calculators/column/codes/aisc.hpp"
 #include "calculators/column/member/length_factor.hpp"
 #include "calculators/column/member/methods.hpp"
 #include "lib/calculator/calculator_of.hpp"
@@ -126,6 +127,11 @@ void take_limits(const Input& in, const Material& material, Result& r, Tracer& t
   } else if (is_set(lambda_T)) {
     STEP_TO(r, lambda_lim, lambda_T, "no proportional limit is given: from here Euler's hyperbola holds");
   }
+  if (r.loading == Loading::tension) {  // no formula of buckling ends where nothing buckles
+    if (in.method == Method::euler) r.r_1 = 0.0;
+    if (in.method == Method::tetmajer && !is_set(in.R_e)) r.r_0 = 0.0;
+    return;
+  }
   if (in.method == Method::euler) {
     STEP_TO(r, r_1, r.lambda_lim / r.lambda, "Euler's formula holds above the limit slenderness, [B25]");
   }
@@ -157,25 +163,45 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
        "extreme fibre, secant formula, [Gere]");
 }
 
-/// The limits of class 3 are those of steel: of another material nothing is known of its walls.
+/// The limits of class 3 are those of steel: of another material nothing is known of its walls. In tension none of them
+/// buckles.
 template <class Tracer>
-void judge_class(const Input& in, Result& r, Tracer& trace) {
+void judge_class(const Input& in, bool is_pressed, Result& r, Tracer& trace) {
   const double ratio = is_set(in.R_e) ? class_ratio(plates_of(in), in.R_e) : unset<double>;
   if (!is_set(ratio)) return;
+  if (!is_pressed) {
+    r.r_class = 0.0;
+    if (ratio > 0.0) r.x_E = 1.0;
+    return;
+  }
   if (!is_steel(in) && has_modulus_of_steel(in)) return;
   if (ratio > 0.0) {
-    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the limits of table 5.2 are those of steel");
+    STEP_TO(r, x_E, in.E / (210.0 * GPa), "the limits of the walls are those of steel");
   }
   if (!has_modulus_of_steel(in)) return;
+  if (in.method == Method::aisc) {
+    r.r_class = trace.value("r_class", slender_ratio(plates_of(in), in.E, in.R_e, r.sigma_cr),
+                            "AISC 360, E7: up to 1 the whole area counts under this critical stress, [AISC360]");
+    return;
+  }
   r.r_class =
       trace.value("r_class", ratio, "EN 1993-1-1, table 5.2, with eps = sqrt(235 MPa/R_e), [EN1993-1-1-buckling]");
 }
 
 template <class Tracer>
-void conclude(const Input& in, Result& r, Tracer& trace) {
+void conclude(const Input& in, bool is_bent, Result& r, Tracer& trace) {
   r.spread = trace.value("spread", spread_of(r), "largest critical stress over the least, less 1");
-  STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness over the largest that is allowed");
-  judge_class(in, r, trace);
+  const bool is_pulled = r.loading == Loading::tension;
+  if (is_pulled) {
+    r.r_lambda = 0.0;
+  } else {
+    STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness over the largest that is allowed");
+  }
+  judge_class(in, !is_pulled || is_bent, r, trace);
+  if (!is_set(r.P_all) && !(r.F > 0.0 * kN) && is_set(r.F)) {
+    r.u = trace.value("u", 0.0, "tension does not buckle it");
+    return;
+  }
   if (!is_set(r.sigma_cr)) return;
   trace.value("sigma_cr", r.sigma_cr, "of the method that decides");
   if (!is_set(r.u)) return;
@@ -188,6 +214,11 @@ void conclude(const Input& in, Result& r, Tracer& trace) {
 
 template <class Tracer>
 Result Buckling::evaluate(const Input& in, Tracer& trace) {
+  return judge(in, false, trace);
+}
+
+template <class Tracer>
+Result Buckling::judge(const Input& in, bool is_bent, Tracer& trace) {
   Result r;
   take_load(in, r, trace);
   take_section(in, r, trace);
@@ -207,12 +238,14 @@ Result Buckling::evaluate(const Input& in, Tracer& trace) {
   STEP_TO(r, N_cr, sigma_E * r.A, "least critical force of the elastic bar");
   take_limits(in, material, r, trace);
   add_methods(in, material, r, trace, std::make_index_sequence<most_methods>{});
-  conclude(in, r, trace);
+  conclude(in, is_bent, r, trace);
   return r;
 }
 
 template Result Buckling::evaluate(const Input&, NoTrace&);
 template Result Buckling::evaluate(const Input&, Trace&);
+template Result Buckling::judge(const Input&, bool, NoTrace&);
+template Result Buckling::judge(const Input&, bool, Trace&);
 
 }  // namespace loadpath::column
 

@@ -60,6 +60,8 @@ n_st = 3
   static bool radii_fit(const Input& in);
   static bool needs_of_method(const Input& in);
   static bool extreme_fibre_known(const Input& in);
+  static bool curves_are_of_kind(const Input& in);
+  static FieldFault curve_of_another(const Input& in);
   static FieldFault section_missing(const Input& in);
   static FieldFault missing_for_method(const Input& in);
   static Outline outline_of(const Input& in);
@@ -74,14 +76,19 @@ n_st = 3
                       "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, "
                       "h, b, t_f",
                       "something is missing that the method needs", &missing_for_method}},
-      method_rules<Input>(), eccentricity_rules<Input>());
-  static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0");
+      std::array{curve_rule<Input, &curves_are_of_kind, &curve_of_another>()}, method_rules<Input>(),
+      eccentricity_rules<Input>());
+  static constexpr std::array meanings = member_meanings;
+  static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0", "R_e, kind, h, b, t_f, t_w");
 
   static constexpr std::array forms{
       Form{"P, l, d, ends, E, sigma_P, method = euler, n_st", "F, A, lambda, sigma_cr, P_all, u, r_lambda, r_1"}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
+  /// The same of a bar that something bends: then a part of its walls is pressed in tension too.
+  template <class Tracer>
+  static Result judge(const Input& in, bool is_bent, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
 

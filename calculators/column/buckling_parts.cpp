@@ -2,7 +2,7 @@
 
 namespace loadpath::column {
 
-/// By its kind; without one a bar of d, or of h and b, is known too.
+/// By its kind; without one a bar of d, or of h and b, is known too, and what is full by its area and moments.
 Outline Buckling::outline_of(const Input& in) {
   switch (in.kind) {
     case Profile::rolled_I:
@@ -22,7 +22,7 @@ Outline Buckling::outline_of(const Input& in) {
       break;
   }
   if (is_set(in.d)) return is_set(in.A) || in.d_bore > 0.0 * mm ? Outline::closed : Outline::solid;
-  return is_set(in.A) ? Outline::unknown : Outline::solid;
+  return is_set(in.A) && !is_full(in) ? Outline::unknown : Outline::solid;
 }
 
 Plates plates_of(const Buckling::Input& in) {

@@ -56,6 +56,14 @@ void rate(const Stage& s, Train::StageResult& r, Tracer& trace) {
                                  : Train::EtaRange::usual;
 }
 
+/// A worm that is left without losses, or has next to none.
+template <class Tracer>
+void bound(const Stage& s, Train::StageResult& r, Tracer& trace) {
+  if (s.kind != StageKind::worm) return;
+  const auto eta = trace.value("eta", r.eta, "of the worm"), eta_high = trace.value("eta_high", r.eta_high, "usual");
+  STEP_TO(r, x_eta, eta / eta_high, "a worm has no less losses than usual");
+}
+
 /// Reference diameters of the wheels of a stage, as far as they are known.
 struct Diameters {
   Length first = unset<Length>, second = unset<Length>;
@@ -122,6 +130,7 @@ Train::Result Train::evaluate(const Input& in, Tracer& trace) {
     StageResult stage;
     Shaft after;
     rate(in.stages[k], stage, trace);
+    if (Train::loads_a_worm(in) == Applies::yes) bound(in.stages[k], stage, trace);
     drive(r.shafts.back(), stage, after, trace);
     const Diameters d = diameters_of(in.stages[k]);
     r.shafts.back().F_out = 2.0 * abs(r.shafts.back().T) / d.first;

@@ -77,7 +77,7 @@ stages = [
         Count{&Stage::z_2, "z_2", 0, 5000, "teeth on the second shaft"}.may_be_missing(),
         Field{&Stage::d_1, "d_1", mm, "diameter on the first shaft"}.positive().may_be_missing(),
         Field{&Stage::d_2, "d_2", mm, "diameter on the second shaft"}.positive().may_be_missing(),
-        Field{&Stage::slip, "slip", ratio, "slip of a belt; 0.01 to 0.02 is usual"}.within(0, 0.5).usually(0, 0.03),
+        Field{&Stage::slip, "slip", ratio, "slip of a belt; 0.01 to 0.02 is usual"}.within(0, 0.1).usually(0, 0.03),
         Field{&Stage::m_n, "m_n", mm, "normal module of gears, for their force"}.positive().may_be_missing(),
         Field{&Stage::p, "p", mm, "pitch of a chain, for its pull"}.positive().may_be_missing(),
         Field{&Stage::beta, "beta", deg, "helix angle of gears, for their force"}.within(0, 45),
@@ -118,6 +118,7 @@ stages = [
     EtaRange range = EtaRange::none;
     Moment T_h = unset<Moment>;
     Power P_loss = unset<Power>;
+    double x_eta = unset<double>;
     static constexpr Fields fields{
         Field{&StageResult::i, "i", ratio, "ratio, negative where the sense of rotation changes"},
         Field{&StageResult::eta, "eta", ratio, "efficiency"},
@@ -125,7 +126,10 @@ stages = [
         Field{&StageResult::eta_high, "eta_high", ratio, "highest usual efficiency of such a stage"},
         Choice{&StageResult::range, "range", "the efficiency against what is usual"},
         Field{&StageResult::T_h, "T_h", N_m, "torque of the housing on the foundation"}.load(),
-        Field{&StageResult::P_loss, "P_loss", kW, "power that is lost"}};
+        Field{&StageResult::P_loss, "P_loss", kW, "power that is lost"},
+        Field{&StageResult::x_eta, "x_eta", ratio, "efficiency of a worm over the highest usual one; missing, it is 1"}
+            .limit(0, 1)
+            .where_it_applies()};
   };
   struct Shaft {
     AngularSpeed n = unset<AngularSpeed>;
@@ -173,10 +177,12 @@ stages = [
 
   static constexpr bool turns = true;
   static bool drives_a_worm(const Input& in);
+  static Applies loads_a_worm(const Input& in);
   static constexpr std::array modes{
       Mode<Input>{"self_locking", "a worm that its wheel cannot drive",
                   [](const Input& in) { return where(drives_a_worm(in)); }}
           .of_shape(),
+      Mode<Input>{"efficiency", "losses of a worm, which no drive is without", &loads_a_worm}.judged_by("stages.x_eta"),
       Mode<Input>{"strength", "strength of the stages that no step takes",
                   [](const Input& in) { return is_set(in.P) || is_set(in.T_1) ? Applies::unseen : Applies::no; }},
       Mode<Input>{"heat", "heat", &unseen<Input>}.special()};

@@ -76,6 +76,12 @@ bool Train::drives_a_worm(const Input& in) {
   });
 }
 
+Applies Train::loads_a_worm(const Input& in) {
+  const bool worm =
+      std::any_of(in.stages.begin(), in.stages.end(), [](const Stage& s) { return s.kind == StageKind::worm; });
+  return where(worm && (is_set(in.P) || is_set(in.T_1)));
+}
+
 bool Train::members_differ(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), has_two_members); }
 
 FieldFault Train::same_member(const Input& in) {

@@ -3,8 +3,11 @@
 #include "calculators/motion/path_figures.hpp"
 #include "calculators/motion/point_path.hpp"
 #include "lib/calculator/calculator_of.hpp"
+#include "lib/quantity/expression/resolved.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 // The mass m hides the unit of its name where the formulas are.
 #pragma GCC diagnostic ignored "-Wshadow"
@@ -26,11 +29,29 @@ double missing_at(const ForceOfMotion::Input& in, const PointState& s) {
   return std::hypot(mass * s.a[0] - in_si(in.F_x), mass * s.a[1] - in_si(in.F_y), mass * s.a[2] - in_si(in.F_z));
 }
 
+/// Even times, and those between them at which an acceleration rises or falls.
+std::vector<double> times_of(const ForceOfMotion::Input& in) {
+  constexpr double followed = 5e-3;  // of the largest acceleration
+  constexpr std::size_t even = 65;   // corners of a law that is followed without more
+  std::vector<double> times;
+  for (int i = 0; i < samples; ++i)
+    times.push_back(in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (samples - 1))));
+  for (const LawText* text :
+       {static_cast<const LawText*>(&in.x), static_cast<const LawText*>(&in.y), static_cast<const LawText*>(&in.z)}) {
+    const Law* const law = text->empty() ? nullptr : text->law();
+    if (law == nullptr || !(in.t_2 > in.t_1)) continue;
+    const Resolved resolved = resolve(*law, in_si(in.t_1), in_si(in.t_2), followed, Followed::second);
+    if (resolved.corners.size() <= even) continue;
+    for (const auto& corner : resolved.corners) times.push_back(corner.first);
+  }
+  std::sort(times.begin(), times.end());
+  return times;
+}
+
 void find_largest(const ForceOfMotion::Input& in, ForceOfMotion::Result& r) {
   const PointPath path = path_of(in);
   double most = -1.0;
-  for (int i = 0; i < samples; ++i) {
-    const double t = in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (samples - 1)));
+  for (const double t : times_of(in)) {
     const double R = missing_at(in, path.at(t));
     if (!(R > most * (1.0 + 1e-12))) continue;  // of equal ones the first
     most = R;

@@ -2,6 +2,10 @@
 
 #include "calculators/motion/path_figures.hpp"
 #include "lib/calculator/calculator_of.hpp"
+#include "lib/numerics/quadrature.hpp"
+#include "lib/quantity/expression/resolved.hpp"
+
+#include <cmath>
 
 // The mass m hides the unit of its name where the formulas are.
 #pragma GCC diagnostic ignored "-Wshadow"
@@ -14,9 +18,49 @@ using motion::Written;
 
 std::array<Written, 2> laws_of(const Impulse::Input& in) { return {{{"F_x", &in.F_x}, {"F_y", &in.F_y}}}; }
 
+constexpr double followed = 1e-5;  // of the largest force: what is less is no pulse that could be missed
+
+/// Nothing where the law is empty or is none.
+Resolved resolved(const Written& law, const Impulse::Input& in) {
+  const Law* const read = law.text->empty() ? nullptr : law.text->law();
+  return read == nullptr ? Resolved{} : resolve(*read, in_si(in.t_1), in_si(in.t_2), followed);
+}
+
+/// Places between two corners that lie denser towards both: the tail of a pulse ends in a long piece beside it.
+template <class Take>
+void for_each_graded(double from, double to, const Take& take) {
+  constexpr int halvings = 24;
+  const double half = 0.5 * (to - from);
+  for (int k = 0; k <= halvings; ++k) {
+    const double outer = std::ldexp(half, -k), inner = k < halvings ? 0.5 * outer : 0.0;
+    take(from + inner, from + outer);
+    take(to - outer, to - inner);
+  }
+}
+
+/// Piece by piece where the force is a pulse that places far from one another could miss.
 Momentum impulse_of(const Written& law, const Impulse::Input& in) {
+  constexpr std::size_t few = 65;
   const auto value = [](const void* of, double t) { return motion::at(*static_cast<const Written*>(of), t).value; };
-  return motion::integral(value, &law, in_si(in.t_1), in_si(in.t_2)) * N_s;
+  const Resolved pieces = resolved(law, in);
+  if (pieces.corners.size() <= few) return motion::integral(value, &law, in_si(in.t_1), in_si(in.t_2)) * N_s;
+  double sum = 0.0;
+  for (std::size_t k = 0; k + 1 < pieces.corners.size(); ++k) {
+    for_each_graded(pieces.corners[k].first, pieces.corners[k + 1].first, [&](double from, double to) {
+      for_each_gauss_8(from, to, [&](double t, double weight) { sum += weight * motion::at(law, t).value; });
+    });
+  }
+  return sum * N_s;
+}
+
+/// A law with more waves than can be followed between its ends.
+FieldFault unresolved(const Impulse::Input& in) {
+  for (const Written& law : laws_of(in)) {
+    if (!resolved(law, in).complete)
+      return {law.key, say("the law does more from t_1 to t_2 than can be followed"),
+              say("it has a pole or too many waves there: give a shorter time, or a smoother law")};
+  }
+  return {};
 }
 
 template <class Tracer>
@@ -32,7 +76,11 @@ void take_mean(const Impulse::Input& in, Impulse::Result& r, Tracer& trace) {
 bool Impulse::laws_read(const Input& in) { return law_fault(in).message.empty(); }
 FieldFault Impulse::law_fault(const Input& in) { return motion::reading_fault(laws_of(in)); }
 bool Impulse::laws_are_smooth(const Input& in) { return gap(in).message.empty(); }
-FieldFault Impulse::gap(const Input& in) { return motion::gap_fault(laws_of(in), in_si(in.t_1), in_si(in.t_2)); }
+FieldFault Impulse::gap(const Input& in) {
+  FieldFault fault = motion::gap_fault(laws_of(in), in_si(in.t_1), in_si(in.t_2));
+  const bool asked = laws_read(in) && in_si(in.t_2) > in_si(in.t_1);
+  return fault.message.empty() && asked ? unresolved(in) : fault;
+}
 
 template <class Tracer>
 Impulse::Result Impulse::evaluate(const Input& in, Tracer& trace) {

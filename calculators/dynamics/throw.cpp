@@ -39,7 +39,9 @@ void find_best(const Throw::Input& in, Throw::Result& r, Tracer& trace) {
 template <class Tracer>
 void aim(const Throw::Input& in, Throw::Result& r, Tracer& trace) {
   if (!is_set(r.L_max)) return;  // no throw with this speed gets as high as the landing
-  STEP_TO(r, u_L, in.L_req / r.L_max, "distance over the greatest range");
+  if (r.L > 0.0 * m.one) {
+    STEP_TO(r, u_L, in.L_req / r.L, "distance over that of the landing");
+  }
   STEP(k, in.V_0 * in.V_0 / (in.g * in.L_req), "twice the height of a vertical throw over the distance");
   STEP(D, k * k - 1.0 + 2.0 * k * (in.h / in.L_req), "discriminant of tan(theta) from the law of motion");
   if (!(D >= 0.0)) return;

@@ -42,7 +42,9 @@ theta = "30 deg"
       Field{&Input::V_0, "V_0", m_per_s, "speed of the throw"}.positive().usually(0.01, 1000),
       Field{&Input::theta, "theta", deg, "angle of the throw above the horizontal"}.within(-90, 90),
       Field{&Input::h, "h", m, "height of the throw above the landing, negative where it lands higher"},
-      Field{&Input::L_req, "L_req", m, "distance that is to be reached: which angles do"}.positive().may_be_missing(),
+      Field{&Input::L_req, "L_req", m, "distance that is to be reached at theta; and which angles reach it"}
+          .positive()
+          .may_be_missing(),
       Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84)};
 
   struct Result {
@@ -73,7 +75,7 @@ theta = "30 deg"
       Field{&Result::theta_flat, "theta_flat", deg, "flatter of the angles that reach L_req"},
       Field{&Result::theta_steep, "theta_steep", deg, "steeper of the angles that reach L_req"},
       Field{&Result::u_h, "u_h", ratio, "landing: its height over that of the highest point, above the throw"}.check(),
-      Field{&Result::u_L, "u_L", ratio, "reach: the distance that is to be reached over the greatest range"}.check(
+      Field{&Result::u_L, "u_L", ratio, "reach: the distance that is to be reached over that of this throw"}.check(
           "L_req")};
 
   static constexpr std::array rules{

@@ -9,10 +9,11 @@
 #pragma once
 
 #include "calculators/fatigue/mean_stress.hpp"
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
-#include "calculators/load/steel.hpp"
+#include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
-#include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/text/issue.hpp"
 
@@ -54,42 +55,49 @@ S_F = 1.5
     Stress sigma_D = unset<Stress>, tau_D = unset<Stress>;
     double K_sigma = 1.0, K_tau = 1.0, psi_sigma = unset<double>, psi_tau = unset<double>;
     Stress R_m = unset<Stress>, R_e = unset<Stress>, E = unset<Stress>;
+    Density rho = unset<Density>;
     Length d_h = unset<Length>;
     Criterion rule = Criterion::serensen;
-    double S_D = unset<double>, S_F = unset<double>;
+    double S_D = unset<double>, S_F = unset<double>, N = unset<double>, N_D = unset<double>;
   };
   static bool varies(const Input& in) { return in.sigma_a > 0.0 * MPa || in.tau_a > 0.0 * MPa; }
-  static constexpr Fields inputs{
-      Field{&Input::sigma_m, "sigma_m", MPa, "mean normal stress, signed; compression is no help"}.load(),
-      Field{&Input::sigma_a, "sigma_a", MPa, "amplitude of the normal stress"}.load().at_least(0),
-      Field{&Input::tau_m, "tau_m", MPa, "mean shear stress"}.load(),
-      Field{&Input::tau_a, "tau_a", MPa, "amplitude of the shear stress"}.load().at_least(0),
-      Field{&Input::sigma_D, "sigma_D", MPa,
-            "fatigue limit of the part in normal stresses, r = -1: of fatigue.endurance"}
-          .positive()
-          .usually(5, 1500),
-      Field{&Input::tau_D, "tau_D", MPa, "the same in shear: of fatigue.endurance with loading = \"torsion\""}
-          .positive()
-          .usually(3, 1000)
-          .may_be_missing(),
-      Field{&Input::K_sigma, "K_sigma", ratio,
-            "K_D of sigma_D, which the mean stress does not feel; 1 is on the safe side"}
-          .within(1, 50),
-      Field{&Input::K_tau, "K_tau", ratio, "K_D of tau_D"}.within(1, 50),
-      Field{&Input::psi_sigma, "psi_sigma", ratio, "sensitivity to mean normal stress, else by R_m of steels"}
-          .within(0, 1)
-          .may_be_missing(),
-      Field{&Input::psi_tau, "psi_tau", ratio, "the same in shear, else half of it"}.within(0, 1).may_be_missing(),
-      Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h"),
-      Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
-      modulus_of_material(&Input::E),
-      diameter_at_heat_treatment(&Input::d_h),
-      Choice{&Input::rule, "rule", "rule that decides"}.may_be_missing(),
-      Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
-          .at_least(1)
-          .usually(1, 6)
-          .factor(),
-      Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor()};
+  static constexpr Fields inputs = join(
+      Fields{
+          Field{&Input::sigma_m, "sigma_m", MPa, "mean normal stress, signed; compression is no help"}.load(),
+          Field{&Input::sigma_a, "sigma_a", MPa, "amplitude of the normal stress"}.load().at_least(0),
+          Field{&Input::tau_m, "tau_m", MPa, "mean shear stress"}.load(),
+          Field{&Input::tau_a, "tau_a", MPa, "amplitude of the shear stress"}.load().at_least(0),
+          Field{&Input::sigma_D, "sigma_D", MPa,
+                "fatigue limit of the part in normal stresses, r = -1: of fatigue.endurance"}
+              .positive()
+              .usually(5, 1500),
+          Field{&Input::tau_D, "tau_D", MPa, "the same in shear: of fatigue.endurance with loading = \"torsion\""}
+              .positive()
+              .usually(3, 1000)
+              .may_be_missing(),
+          Field{&Input::K_sigma, "K_sigma", ratio,
+                "K_D of sigma_D, which the mean stress does not feel; 1 is on the safe side"}
+              .within(1, 50),
+          Field{&Input::K_tau, "K_tau", ratio, "K_D of tau_D"}.within(1, 50),
+          Field{&Input::psi_sigma, "psi_sigma", ratio, "sensitivity to mean normal stress, else by R_m of steels"}
+              .within(0, 1)
+              .may_be_missing(),
+          Field{&Input::psi_tau, "psi_tau", ratio, "the same in shear, else half of it"}.within(0, 1).may_be_missing(),
+          Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m",
+                                                                                               "d_h"),
+          Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
+          modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
+          diameter_at_heat_treatment(&Input::d_h), Choice{&Input::rule, "rule", "rule that decides"}.may_be_missing(),
+          Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
+              .at_least(1)
+              .usually(1, 6)
+              .factor(),
+          Field{&Input::S_F, "S_F", ratio, "safety against yielding"}
+              .at_least(1)
+              .usually(1, 6)
+              .may_be_missing()
+              .factor()},
+      cycles_of_metal<Input>());
 
   struct Result {
     double n_sigma = unset<double>, n_tau = unset<double>, n_Serensen = unset<double>;
@@ -97,7 +105,7 @@ S_F = 1.5
     double n_Goodman = unset<double>, n_Soderberg = unset<double>, n_Gerber = unset<double>, n_elliptic = unset<double>;
     double n_Gough = unset<double>, n = unset<double>, n_y = unset<double>;
     double u_D = unset<double>, x_v = unset<double>, x_B = unset<double>, u_y = unset<double>, u_F = unset<double>;
-    double x_E = unset<double>;
+    double x_E = unset<double>, x_N = unset<double>;
   };
   static constexpr Fields results{
       Field{&Result::n_sigma, "n_sigma", ratio, "Serensen's safety in normal stresses; none without them"},
@@ -123,7 +131,8 @@ S_F = 1.5
           .criterion(),
       Field{&Result::u_y, "u_y", ratio, "yielding: largest von Mises stress over the yield strength"}.check("R_e"),
       Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
-      modulus_over_steel<Result>(&Result::x_E)};
+      modulus_over_steel<Result>(&Result::x_E),
+      cycles_over_told<Result>(&Result::x_N)};
 
   static bool rule_has_all(const Input& in);
   static FieldFault lacking(const Input& in);
@@ -135,13 +144,15 @@ S_F = 1.5
       yields_before_it_breaks<Input>(), safety_has_its_yield<Input>()};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear},
-                                       Meaning{"K_sigma", factor_in_normal}, Meaning{"K_tau", factor_in_shear}};
+                                       Meaning{"K_sigma", factor_in_normal}, Meaning{"K_tau", factor_in_shear},
+                                       Meaning{"sigma_a, tau_a", "amplitude"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
       Mode<Input>{"fatigue", "fatigue, without end, stresses in phase",
                   [](const Input& in) { return where(varies(in)); }}
           .judged_by("u_D, x_v, x_B, x_E"),
+      fatigue_of_metal<&varies, Input>(),
       Mode<Input>{"phase", "stresses that rise and fall apart, other cycles beside these", &unseen<Input>},
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
       Mode<Input>{"surroundings", "corrosion, heat, fretting under press fits", &unseen<Input>}.special()};

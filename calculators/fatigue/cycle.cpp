@@ -132,6 +132,7 @@ Cycle::Result Cycle::evaluate(const Input& in, Tracer& trace) {
     }
   }
   if (is_set(in.sigma_D)) hold_against_limit(in, r, trace);
+  compare_cycles(in, r, trace);
   r.cycle = {in.stress, r.sigma_max, r.sigma_min};
   for (std::size_t i = 0; i < in.others.size(); ++i) {
     [[maybe_unused]] const auto here = trace.scope("others", i);

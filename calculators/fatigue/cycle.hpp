@@ -8,11 +8,12 @@
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/form.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
@@ -51,8 +52,9 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   struct Input : Given {
     Stresses stress = Stresses::normal;
     Length d_h = unset<Length>;
-    Stress R_e = unset<Stress>, sigma_D = unset<Stress>;
-    double S_F = unset<double>, S_D = unset<double>;
+    Stress R_e = unset<Stress>, E = unset<Stress>, sigma_D = unset<Stress>;
+    Density rho = unset<Density>;
+    double S_F = unset<double>, S_D = unset<double>, N = unset<double>, N_D = unset<double>;
     List<Other, most_others> others;
   };
   static bool two_given(const Input& in);
@@ -68,6 +70,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                  .positive()
                  .usually(50, 2500)
                  .from("material", "R_e", "d_h"),
+             modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
              diameter_at_heat_treatment(&Input::d_h),
              Field<Input, double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
                  .at_least(1)
@@ -85,7 +88,8 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                  .may_be_missing()
                  .factor(),
              ListField<Input, List<Other, most_others>>{&Input::others, "others", "cycles that are compared with it"}
-                 .may_be_missing()});
+                 .may_be_missing()},
+      cycles_of_metal<Input>());
 
   struct Compared : Characteristics {
     Name name;
@@ -97,6 +101,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
 
   struct Result : Characteristics {
     double u_y = unset<double>, u_F = unset<double>, u_D = unset<double>, x_m = unset<double>;
+    double x_N = unset<double>;
     WholeCycle cycle;
     List<Compared, most_others> others;
   };
@@ -112,6 +117,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                                 "mean stress over the amplitude, where it lowers the limit of r = -1"}
               .limit(0, same, "sigma_D")
               .where_it_applies(),
+          cycles_over_told<Result>(&Result::x_N),
           Group<Result, WholeCycle>{&Result::cycle, "cycle", "the whole cycle, for fatigue.life: cycle"}.handed_over(),
           ListField<Result, List<Compared, most_others>>{&Result::others, "others", "the compared cycles"}});
 
@@ -124,8 +130,9 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
       Rule<Input>{[](const Input& in) { return is_set(in.S_D) == is_set(in.sigma_D); }, "sigma_D, S_D",
                   "the fatigue limit sigma_D and the safety against it S_D belong together"}};
 
-  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
-                                       Meaning{"sigma_D", limit_in_shear, "stress", "shear"}};
+  static constexpr std::array meanings{
+      Meaning{"sigma_D", limit_in_normal, "stress", "normal"}, Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
+      Meaning{"sigma_max", "max"}, Meaning{"sigma_min", "min"}, Meaning{"sigma_a", "amplitude"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}
@@ -134,6 +141,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
       Mode<Input>{"fatigue", "fatigue, with an amplitude above the fatigue limit", &varies}
           .judged_by("u_D, x_m")
           .left_to("fatigue.life", "cycle.fatigue"),
+      fatigue_of_metal<&varies, Input>(),
       Mode<Input>{"life", "life of what is loaded above its fatigue limit", &unseen<Input>}.left_to("fatigue.life",
                                                                                                     "cycle.fatigue"),
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>}};

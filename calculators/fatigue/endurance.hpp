@@ -10,11 +10,11 @@
 // Not covered: mean stress, life (fatigue.life), histories, safety, corrosion, press fits.
 #pragma once
 
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
-#include "calculators/load/steel.hpp"
+#include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/fit_units.hpp"
@@ -78,6 +78,7 @@ R_z = "6.3 um"
     Stress sigma_W = unset<Stress>;
     School school = School::serensen;
     Stress E = unset<Stress>;
+    Density rho = unset<Density>;
     Length d = unset<Length>, d_h = unset<Length>;
     double epsilon = unset<double>, K_t = 1.0, q = unset<double>;
     Length r_n = unset<Length>;
@@ -89,7 +90,7 @@ R_z = "6.3 um"
     Edition edition = Edition::ninth;
     Turning turning = Turning::rotating;
     Length h = unset<Length>, b = unset<Length>;
-    double k_c = unset<double>;
+    double k_a = unset<double>, k_b = unset<double>, k_c = unset<double>;
     Heating T = unset<Heating>;
     double P_s = unset<double>;
   };
@@ -98,6 +99,7 @@ R_z = "6.3 um"
   static constexpr Fields inputs{
       Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h, d"),
       modulus_of_material(&Input::E),
+      density_of_material(&Input::rho),
       Choice{&Input::group, "group", "group of materials"},
       Choice{&Input::loading, "loading", "kind of stress that varies"},
       Choice{&Input::rule, "rule", "rule that estimates the fatigue limit"}.may_be_missing(),
@@ -133,6 +135,12 @@ R_z = "6.3 um"
           .positive()
           .may_be_missing(),
       Field{&Input::b, "b", mm, "width of that section"}.positive().may_be_missing(),
+      Field{&Input::k_a, "k_a", ratio, "surface factor of Marin's school, in place of one from finish"}
+          .within(0.1, 1)
+          .may_be_missing(),
+      Field{&Input::k_b, "k_b", ratio, "size factor of Marin's school, in place of one from d"}
+          .within(0.3, 1)
+          .may_be_missing(),
       Field{&Input::k_c, "k_c", ratio, "load factor, where sigma_W was measured in rotating bending"}
           .within(0.3, 1)
           .may_be_missing(),
@@ -184,10 +192,13 @@ R_z = "6.3 um"
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.R_m) || is_set(in.sigma_W); }, "R_m, sigma_W",
                   "give the tensile strength R_m (or a material) for an estimate, or the measured limit sigma_W"},
+      group_of_metal<Input>(),
       Rule<Input>{&rule_fits, "rule, group, loading", "the rule does not cover this group and loading", &misfit},
       Rule<Input>{
           [](const Input& in) { return !(is_set(in.K_f) && (in.K_t != 1.0 || is_set(in.q) || is_set(in.r_n))); },
           "K_f, K_t, q, r_n", "give the notch as K_f, or as K_t with q or r_n, never both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.r_n) || is_set(in.K_f) || in.K_t > 1.0; }, "K_t, r_n",
+                  "the root of a notch concentrates stress: give its K_t, or leave out r_n"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.q) && is_set(in.r_n)); }, "q, r_n",
                   "give the notch sensitivity as q, or the radius r_n that it follows from, never both"},
       Rule<Input>{[](const Input& in) {
@@ -207,7 +218,10 @@ R_z = "6.3 um"
                   "give the size factor epsilon or the diameter d that it follows from, never both"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.beta_F) && is_set(in.R_z)); }, "beta_F, R_z",
                   "give the surface factor beta_F or the roughness R_z that it follows from, never both"},
-      Rule<Input>{[](const Input& in) { return is_set(in.R_m) || !(is_set(in.R_z) || in.school == School::marin); },
+      Rule<Input>{[](const Input& in) {
+                    const bool marin = in.school == School::marin && !is_set(in.k_a);
+                    return is_set(in.R_m) || !(is_set(in.R_z) || marin);
+                  },
                   "R_m, R_z, school", "the surface factor depends on the tensile strength R_m: give it"},
       Rule<Input>{[](const Input& in) {
                     return in.school == School::serensen ||
@@ -217,11 +231,14 @@ R_z = "6.3 um"
                   "epsilon, R_z, beta_F and beta_V belong to Serensen's school; Marin's takes finish and d"},
       Rule<Input>{[](const Input& in) {
                     return in.school == School::marin ||
-                           !(is_set(in.T) || is_set(in.P_s) || is_set(in.k_c) || is_set(in.h) || is_set(in.b) ||
-                             in.turning == Turning::standing || in.edition != Edition::ninth);
+                           !(is_set(in.T) || is_set(in.P_s) || is_set(in.k_a) || is_set(in.k_b) || is_set(in.k_c) ||
+                             is_set(in.h) || is_set(in.b) || in.turning == Turning::standing ||
+                             in.edition != Edition::ninth);
                   },
-                  "school, T, P_s, k_c, h, b, turning, edition",
-                  "T, P_s, k_c, h, b, turning and edition belong to Marin's school"},
+                  "school, T, P_s, k_a, k_b, k_c, h, b, turning, edition",
+                  "T, P_s, k_a, k_b, k_c, h, b, turning and edition belong to Marin's school"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.k_b) || !(is_set(in.d) || is_set(in.h)); }, "k_b, d, h",
+                  "give the size factor k_b or the size that it follows from, never both"},
       Rule<Input>{[](const Input& in) { return is_set(in.h) == is_set(in.b) && !(is_set(in.h) && is_set(in.d)); },
                   "h, b, d", "give the diameter d, or height h and width b of a rectangle"},
       Rule<Input>{[](const Input& in) {
@@ -238,12 +255,19 @@ R_z = "6.3 um"
 
   /// Tension knows no size effect; a size factor that is typed is the user's word.
   static Applies has_size(const Input& in) {
-    return where(is_set(in.d) || is_set(in.h) || (in.loading != Loading::tension && !is_set(in.epsilon)));
+    return where(is_set(in.d) || is_set(in.h) ||
+                 (in.loading != Loading::tension && !is_set(in.epsilon) && !is_set(in.k_b)));
   }
   static Applies has_surface(const Input& in) { return where(in.school == School::serensen && !is_set(in.beta_F)); }
   static bool is_steel(Group group) { return group <= Group::cast_steel; }
   static constexpr auto normal = "bending, tension", shear = "torsion";
-  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "loading", normal},
+  static constexpr auto endless_normal =
+      "bending/wrought-aluminium, bending/cast-aluminium, bending/non-ferrous, tension/wrought-aluminium, "
+      "tension/cast-aluminium, tension/non-ferrous";
+  static constexpr auto endless_shear = "torsion/wrought-aluminium, torsion/cast-aluminium, torsion/non-ferrous";
+  static constexpr std::array meanings{Meaning{"sigma_D", strength_in_normal, "loading, group", endless_normal},
+                                       Meaning{"sigma_D", strength_in_shear, "loading, group", endless_shear},
+                                       Meaning{"sigma_D", limit_in_normal, "loading", normal},
                                        Meaning{"sigma_D", limit_in_shear, "loading", shear},
                                        Meaning{"sigma_W, sigma_m1", specimen_in_bending, "loading", "bending"},
                                        Meaning{"sigma_W, sigma_m1", specimen_in_tension, "loading", "tension"},

@@ -12,10 +12,10 @@
 #include "calculators/fatigue/cycle_of.hpp"
 #include "calculators/fatigue/endurance.hpp"
 #include "calculators/fatigue/mean_stress.hpp"
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
-#include "calculators/load/steel.hpp"
+#include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
@@ -64,6 +64,7 @@ S_F = 1.5
     MeanStress mean = MeanStress::proportional;
     Compression compression = Compression::ignored;
     double K_m = unset<double>, K_D = unset<double>;
+    Density rho = unset<Density>;
     Stress E = unset<Stress>, sigma_f = unset<Stress>, sigma_fB = unset<Stress>;
     double gamma = unset<double>, M = unset<double>, psi = unset<double>;
     double N = unset<double>;
@@ -99,6 +100,7 @@ S_F = 1.5
           F<Stress>{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e",
                                                                                                  "d_h"),
           modulus_of_material(&Input::E),
+          density_of_material(&Input::rho),
           diameter_at_heat_treatment(&Input::d_h),
           F<double>{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
               .at_least(1)
@@ -233,6 +235,7 @@ S_F = 1.5
       Rule<Input>{[](const Input& in) { return is_ferrous(in) || is_set(in.N); }, "group, N",
                   "non-ferrous metals have no limit without end: give the group of another metal, or the cycles N that "
                   "it must last"},
+      group_of_metal<Input>(),
       lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
       yields_before_it_breaks<Input>(),
       Rule<Input>{[](const Input& in) { return in.compression == Compression::ignored || in.rule == MeanRule::fkm; },
@@ -244,9 +247,17 @@ S_F = 1.5
                   },
                   "S_F, R_e", "the safety S_F counts against the yield strength R_e: give it, or a material"}};
 
-  static constexpr std::array meanings{
-      Meaning{"sigma_D", limit_in_normal, "stress", "normal"}, Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
-      Meaning{"K_D", factor_in_normal, "stress", "normal"}, Meaning{"K_D", factor_in_shear, "stress", "shear"}};
+  static constexpr std::array meanings{Meaning{"sigma_D", strength_in_normal, "stress, group",
+                                               "normal/wrought-aluminium, normal/cast-aluminium, normal/non-ferrous"},
+                                       Meaning{"sigma_D", strength_in_shear, "stress, group",
+                                               "shear/wrought-aluminium, shear/cast-aluminium, shear/non-ferrous"},
+                                       Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
+                                       Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
+                                       Meaning{"K_D", factor_in_normal, "stress", "normal"},
+                                       Meaning{"K_D", factor_in_shear, "stress", "shear"},
+                                       Meaning{"sigma_max", "max"},
+                                       Meaning{"sigma_min", "min"},
+                                       Meaning{"sigma_a", "amplitude"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),

@@ -47,6 +47,7 @@ inline MarinSurface surface_of_11th(Endurance::Finish finish) {
 template <class Tracer>
 double marin_surface(const Endurance::Input& in, Tracer& trace) {
   using std::pow;
+  if (is_set(in.k_a)) return trace.value("k_a", in.k_a, "surface, as given");
   const bool ninth = in.edition == Endurance::Edition::ninth;
   const auto [a, b] = ninth ? surface_of_9th(in.finish) : surface_of_11th(in.finish);
   const char* const why = ninth ? "of the finish, [Shigley6] table 6-2"
@@ -70,7 +71,12 @@ Length marin_diameter(const Endurance::Input& in, Tracer& trace) {
 template <class Tracer>
 double marin_size(const Endurance::Input& in, Endurance::Result& r, Tracer& trace) {
   using std::pow;
+  if (is_set(in.k_b)) return trace.value("k_b", in.k_b, "size, as given");
   const bool sized = is_set(in.d) || is_set(in.h);
+  if (is_set(in.k_b)) {
+    if (sized) r.x_d = 0.0;
+    return trace.value("k_b", in.k_b, "given");
+  }
   if (!sized || in.loading == Endurance::Loading::tension) {
     if (sized) r.x_d = 0.0;
     return NAMED_STEP("k_b", 1.0, "no size effect: tension, or no d given, [Shigley6]");

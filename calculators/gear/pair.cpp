@@ -25,6 +25,21 @@ double working_involute(const Pair::Input& in) {
   return involute(alpha_t) + 2.0 * (in.x_1 + x_2) * tan(in.alpha_n) * g / (in.z_2 + g * in.z_1);
 }
 
+/// What is left between the root circle and the bore, over the keyway. From 1.2 heights of a tooth on a rim does not
+/// bend with it (AGMA 2001; recalled).
+template <class Tracer>
+void rims(const Pair::Input& in, PairResult& r, Tracer& trace) {
+  const auto d_f1 = r.d_f1, d_a1 = r.d_a1, d_f2 = r.d_f2, d_a2 = r.d_a2;
+  if (is_set(in.bore_1)) {
+    STEP_TO(r, s_R1, (d_f1 - in.bore_1) / 2.0 - in.t_k1, "rim between root circle and bore, over the keyway");
+    STEP_TO(r, m_R1, 2.0 * s_R1 / (d_a1 - d_f1), "over the height of a tooth");
+  }
+  if (is_set(in.bore_2)) {
+    STEP_TO(r, s_R2, (d_f2 - in.bore_2) / 2.0 - in.t_k2, "rim between root circle and bore, over the keyway");
+    STEP_TO(r, m_R2, 2.0 * s_R2 / (d_a2 - d_f2), "over the height of a tooth");
+  }
+}
+
 }  // namespace
 
 bool Pair::bases_meet(const Input& in) {
@@ -57,6 +72,7 @@ Pair::Result Pair::evaluate(const Input& in, Tracer& trace) {
   bring_to_mesh(in, r, trace);
   measure_teeth(in, r, trace);
   load_teeth(in, r, trace);
+  rims(in, r, trace);
   return r;
 }
 

@@ -79,6 +79,7 @@ sigma_adm_2 = "200 MPa"
     Idler idler = Idler::none;
     double Y_1 = unset<double>, Y_2 = unset<double>;
     Stress sigma_adm_1 = unset<Stress>, sigma_adm_2 = unset<Stress>;
+    Length bore_1 = unset<Length>, bore_2 = unset<Length>, t_k1 = 0.0 * mm, t_k2 = 0.0 * mm;
   };
   static FieldFault bases_apart(const Input& in);
   static FieldFault no_working_angle(const Input& in);
@@ -137,7 +138,7 @@ sigma_adm_2 = "200 MPa"
       Field{&Input::n_1, "n_1", rpm, "speed of gear 1"}.positive().may_be_missing(),
       Choice{&Input::turns, "turns", "sense of rotation of gear 1, seen against the z axis"}.may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "application factor: what the nominal load does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 2.5)
           .factor(),
       Field{&Input::K_f, "K_f", ratio, "stress concentration at the fillet; 1: Lewis' static stress"}
@@ -163,7 +164,11 @@ sigma_adm_2 = "200 MPa"
             "allowable bending stress of gear 2, pulsating, its safety included"}
           .positive()
           .usually(10, 1000)
-          .may_be_missing()};
+          .may_be_missing(),
+      Field{&Input::bore_1, "bore_1", mm, "bore of gear 1, for the rim under its teeth"}.positive().may_be_missing(),
+      Field{&Input::bore_2, "bore_2", mm, "bore of gear 2"}.positive().may_be_missing(),
+      Field{&Input::t_k1, "t_k1", mm, "depth of the keyway in the hub of gear 1"}.at_least(0).usually(0, 50),
+      Field{&Input::t_k2, "t_k2", mm, "depth of the keyway in the hub of gear 2"}.at_least(0).usually(0, 50)};
   static constexpr auto results = pair_results;
 
   static constexpr std::array rules{
@@ -209,7 +214,9 @@ sigma_adm_2 = "200 MPa"
       Rule<Input>{[](const Input& in) { return in.rho_fP <= in.h_fP; }, "rho_fP, h_fP",
                   "the root radius does not fit into the dedendum"},
       Rule<Input>{[](const Input& in) { return in.k_W1 < in.z_1 && (in.k_W2 == 0 || in.k_W2 < in.z_2); },
-                  "k_W1, k_W2, z_1, z_2", "fewer teeth are spanned than the wheel has"}};
+                  "k_W1, k_W2, z_1, z_2", "fewer teeth are spanned than the wheel has"},
+      Rule<Input>{[](const Input& in) { return in.mesh == Mesh::external || !is_set(in.bore_2); }, "bore_2, mesh",
+                  "a ring or a rack has no bore: leave out bore_2"}};
 
   static constexpr bool turns = true;
   static constexpr std::array modes{
@@ -250,7 +257,11 @@ sigma_adm_2 = "200 MPa"
       Mode<Input>{"wear", "wear of the flanks", &unseen<Input>}.special(),
       Mode<Input>{"case_crushing", "crushing below a hardened case", &unseen<Input>}.special(),
       Mode<Input>{"heat", "heat", &unseen<Input>}.special(),
-      Mode<Input>{"rim", "thin rim", &unseen<Input>}.special()};
+      Mode<Input>{"rim_1", "thin rim of gear 1 between root and bore, over its keyway", &unseen<Input>}
+          .judged_by("m_R1")
+          .wanting("bore_1")
+          .special(),
+      Mode<Input>{"rim_2", "thin rim of gear 2", &unseen<Input>}.judged_by("m_R2").wanting("bore_2").special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

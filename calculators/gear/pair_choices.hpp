@@ -12,7 +12,7 @@ enum class Hand { right, left };
 enum class Turns { ccw, cw };
 enum class Shortening { clearance, none };
 enum class Cutting { none, cast, milled, hobbed, ground };
-enum class Idler { none, gear_1, gear_2 };
+enum class Idler { none, gear_1, gear_2, both };
 
 constexpr auto choices_of(Mesh) {
   return std::array{ChoiceName<Mesh>{Mesh::external, "external", "a wheel with outer teeth"},
@@ -42,7 +42,10 @@ constexpr auto choices_of(Cutting) {
 constexpr auto choices_of(Idler) {
   return std::array{ChoiceName<Idler>{Idler::none, "none", "no gear of the pair"},
                     ChoiceName<Idler>{Idler::gear_1, "gear_1", "gear 1, between two mates"},
-                    ChoiceName<Idler>{Idler::gear_2, "gear_2", "gear 2, between two mates"}};
+                    ChoiceName<Idler>{Idler::gear_2, "gear_2", "gear 2, between two mates"},
+                    ChoiceName<Idler>{Idler::both, "both", "each of them has another mate"}};
 }
+/// Whether the teeth of gear 1 or 2 bend both ways.
+constexpr bool is_idler(Idler idler, Idler gear) { return idler == gear || idler == Idler::both; }
 
 }  // namespace loadpath::gear

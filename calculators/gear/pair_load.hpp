@@ -119,12 +119,14 @@ Bending bend(const Pair::Input& in, const PairResult& r, const Tooth& tooth, Tra
 
 template <class Tracer>
 void bend_all(const Pair::Input& in, PairResult& r, Tracer& trace) {
-  const Tooth first{in.z_1, in.x_1, r.k, in.Y_1, in.sigma_adm_1, in.idler == Idler::gear_1, "Y_1", "sigma_F1", "u_F1"};
+  const Tooth first{in.z_1, in.x_1,     r.k,   in.Y_1, in.sigma_adm_1, is_idler(in.idler, Idler::gear_1),
+                    "Y_1",  "sigma_F1", "u_F1"};
   const Bending one = bend(in, r, first, trace);
   r.Y_1 = one.Y, r.sigma_F1 = one.sigma, r.u_F1 = one.u;
   if (in.mesh != Mesh::external) return;
   const double k_2 = in.h_aP + r.x_2 - (r.d_a2 - r.d_2) / (2.0 * in.m_n);  // its tip circle may be its own
-  const Tooth second{in.z_2, r.x_2, k_2, in.Y_2, in.sigma_adm_2, in.idler == Idler::gear_2, "Y_2", "sigma_F2", "u_F2"};
+  const Tooth second{in.z_2, r.x_2,      k_2,   in.Y_2, in.sigma_adm_2, is_idler(in.idler, Idler::gear_2),
+                     "Y_2",  "sigma_F2", "u_F2"};
   const Bending two = bend(in, r, second, trace);
   r.Y_2 = two.Y, r.sigma_F2 = two.sigma, r.u_F2 = two.u;
 }

@@ -38,6 +38,8 @@ struct PairResult {
   double Y_1 = unset<double>, Y_2 = unset<double>;
   Stress sigma_F1 = unset<Stress>, sigma_F2 = unset<Stress>;
   double u_F1 = unset<double>, u_F2 = unset<double>;
+  Length s_R1 = unset<Length>, s_R2 = unset<Length>;
+  double m_R1 = unset<double>, m_R2 = unset<double>;
 };
 
 inline constexpr Fields pair_results{
@@ -142,6 +144,15 @@ inline constexpr Fields pair_results{
     Field{&PairResult::u_F1, "u_F1", ratio, "bending of gear 1 by Lewis: stress over the allowable one"}.check(
         "sigma_adm_1"),
     Field{&PairResult::u_F2, "u_F2", ratio, "bending of gear 2 by Lewis: stress over the allowable one"}.check(
-        "sigma_adm_2")};
+        "sigma_adm_2"),
+    Field{&PairResult::s_R1, "s_R1", mm, "rim of gear 1 over its keyway"},
+    Field{&PairResult::m_R1, "m_R1", ratio,
+          "rim of gear 1 over the height of its teeth: the formulas of roots hold from 1.2"}
+        .limit(1.2 * (1 - 1e-9), 1e6)
+        .where_it_applies(),
+    Field{&PairResult::s_R2, "s_R2", mm, "rim of gear 2 over its keyway"},
+    Field{&PairResult::m_R2, "m_R2", ratio, "rim of gear 2 over the height of its teeth"}
+        .limit(1.2 * (1 - 1e-9), 1e6)
+        .where_it_applies()};
 
 }  // namespace loadpath::gear

@@ -13,12 +13,27 @@ using Input = Member::Input;
 using Result = Member::Result;
 using column::AxisName;
 
+/// What carries the shear of a section that is known by its plates; unset of another.
+Area web_area(const Input& in, Area A) {
+  using column::Profile;
+  const bool two = in.kind == Profile::hot_hollow || in.kind == Profile::cold_hollow || in.kind == Profile::welded_box;
+  const bool one = in.kind == Profile::rolled_I || in.kind == Profile::welded_I || in.kind == Profile::channel;
+  if (is_set(in.d)) return two ? 0.5 * A : unset<Area>;
+  const Length t_f = is_set(in.t_f) ? in.t_f : in.t_w;
+  if (one || two) return (two ? 2.0 : 1.0) * (in.h - 2.0 * t_f) * in.t_w;
+  return unset<Area>;
+}
+
 /// The largest shear stress over the mean one times the area, by the section; unset where it is not known.
 template <class Tracer>
 Stress shear_stress(const Input& in, Area A, Tracer& trace) {
   const auto V = trace.value("V", abs(in.V), "its size");
   if (is_set(in.A_v)) return NAMED_STEP("tau", V / in.A_v, "even over the area that carries it");
-  if (is_set(in.A)) return unset<Stress>;
+  if (is_set(in.A)) {
+    const auto A_w = trace.value("A_w", web_area(in, A), "of the webs, between the flanges; of a thin tube half of A");
+    if (!is_set(A_w)) return unset<Stress>;
+    return NAMED_STEP("tau", V / A_w, "the webs carry the shear");
+  }
   if (!is_set(in.d)) return NAMED_STEP("tau", 1.5 * V / A, "neutral axis of a rectangle");
   const auto d_i = trace.value("d_i", is_set(in.d_bore) ? in.d_bore : 0.0 * mm, "bore");
   return NAMED_STEP("tau", 4.0 / 3.0 * V / A * (pow<2>(in.d) + in.d * d_i + pow<2>(d_i)) / (pow<2>(in.d) + pow<2>(d_i)),
@@ -38,7 +53,7 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, sigma_o, sigma_N + sigma_b, "fibre that a positive moment pulls");
   STEP_TO(r, sigma_u, sigma_N - sigma_b, "fibre that it presses");
   r.tau = shear_stress(in, A, trace);
-  r.cycle = {Stresses::normal, abs(r.sigma_N) + r.sigma_M};
+  r.cycle = {Stresses::normal, abs(r.sigma_N) + r.sigma_M, in.E};
 }
 
 template <class Tracer>
@@ -59,6 +74,7 @@ double moment_safety(const Input& in, double n, Tracer& trace) {
 /// In the plane of motion by the secant formula; across it by a sum that is on the safe side.
 template <class Tracer>
 void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
+  if (r.loading == column::Loading::tension) r.u_p = r.u_i = 0.0, r.k = 1.0;
   const double n = column::safety(in, in.method, trace);
   if (!is_set(n)) return;
   r.u_p = r.u_i = 0.0, r.k = 1.0;
@@ -125,6 +141,12 @@ Applies Member::compressed_and_bent(const Input& in) {
   return std::min(column::compressed(in), where(abs(in.M_b) > 0.0 * N_m.one));
 }
 
+/// By the force, or on one side by the moment.
+Applies Member::walls_pressed(const Input& in) {
+  if (column::Buckling::outline_of(in) == column::Outline::solid) return Applies::no;
+  return std::max(column::compressed(in), where(abs(in.M_b) > 0.0 * N_m.one));
+}
+
 bool Member::stands_on_edge(const Input& in) {
   const bool rectangle = !is_set(in.A) && !is_set(in.d) && column::Buckling::outline_of(in) == column::Outline::solid;
   return rectangle && in.h > in.b;
@@ -135,14 +157,13 @@ Applies Member::twisting_when_bent(const Input& in) {
   if (stands_on_edge(in)) return where(abs(in.M_b) > 0.0 * N_m.one);
   if (outline == column::Outline::solid && is_set(in.A) && !is_set(in.d)) return Applies::unseen;
   if (outline <= column::Outline::closed) return Applies::no;
-  return std::min(outline == column::Outline::unknown ? Applies::unseen : Applies::yes,
-                  where(abs(in.M_b) > 0.0 * N_m.one));
+  return where(abs(in.M_b) > 0.0 * N_m.one);
 }
 
 template <class Tracer>
 Result Member::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  static_cast<column::MemberResult&>(r) = column::Buckling::evaluate(in, trace);
+  static_cast<column::MemberResult&>(r) = column::Buckling::judge(in, abs(in.M_b) > 0.0 * N_m, trace);
   stresses(in, r, trace);
   yielding(in, r, trace);
   buckling_with_bending(in, r, trace);

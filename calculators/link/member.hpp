@@ -19,11 +19,12 @@ namespace loadpath::link {
 /// Its largest stress, for fatigue.cycle to take whole: cycle = "=rod.cycle". How it varies is said there.
 struct LinkCycle {
   Stresses stress = Stresses::normal;
-  Stress sigma_max = unset<Stress>;
+  Stress sigma_max = unset<Stress>, E = unset<Stress>;
 
   static constexpr Fields fields{
       Choice{&LinkCycle::stress, "stress", "what varies"},
-      Field{&LinkCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, by its size"}.load()};
+      Field{&LinkCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, by its size"}.load(),
+      Field{&LinkCycle::E, "E", GPa, "modulus of elasticity, which tells its metal"}};
 };
 
 struct Member {
@@ -127,6 +128,7 @@ S = 1.5
   static Applies loaded(const Input& in);
   static Applies sheared(const Input& in);
   static Applies compressed_and_bent(const Input& in);
+  static Applies walls_pressed(const Input& in);
   static bool stands_on_edge(const Input& in);
   static Applies twisting_when_bent(const Input& in);
 
@@ -149,6 +151,8 @@ S = 1.5
                       "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, h, b, t_f",
                       "something is missing that the method needs",
                       &column::of<Input, &column::Buckling::missing_for_method>}},
+      std::array{
+          column::curve_rule<Input, &column::Buckling::curves_are_of_kind, &column::Buckling::curve_of_another>()},
       column::method_rules<Input>());
 
   static constexpr std::array modes{
@@ -157,8 +161,9 @@ S = 1.5
       Mode<Input>{"buckling", "flexural buckling, about y and about z", &column::compressed<Input>}.judged_by("u, r_1"),
       Mode<Input>{"bent", "buckling with bending", &compressed_and_bent}.judged_by("u_p, u_i"),
       Mode<Input>{"slenderness", "slenderness", &column::compressed<Input>}.judged_by("r_lambda"),
-      Mode<Input>{"local", "local buckling of the walls", &column::thin_walled<Input, &column::Buckling::outline_of>}
-          .judged_by("r_class, x_E"),
+      Mode<Input>{"local", "local buckling of the walls", &walls_pressed}
+          .judged_by("r_class, x_E")
+          .wanting("kind, h, b, t_f, t_w"),
       Mode<Input>{"torsional", "torsional and torsional-flexural buckling of an open section",
                   &column::twisting<Input, &column::Buckling::outline_of>},
       Mode<Input>{"lateral_torsional", "lateral-torsional buckling by the moment", &twisting_when_bent}

@@ -2,14 +2,18 @@
 #pragma once
 
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 
 namespace loadpath::fatigue {
 
-inline constexpr auto limit_in_normal = "a fatigue limit of a part in normal stresses";
-inline constexpr auto limit_in_shear = "a fatigue limit of a part in shear";
-inline constexpr auto specimen_in_bending = "a fatigue limit of smooth specimens in bending";
-inline constexpr auto specimen_in_tension = "a fatigue limit of smooth specimens in tension and compression";
-inline constexpr auto specimen_in_torsion = "a fatigue limit of smooth specimens in torsion";
+using loadpath::limit_in_normal;
+using loadpath::limit_in_shear;
+using loadpath::specimen_in_bending;
+using loadpath::specimen_in_tension;
+using loadpath::specimen_in_torsion;
+/// Of metals without a fatigue limit; the choices that decide are two, "loading, group", their words joined by "/".
+inline constexpr auto strength_in_normal = "a fatigue strength at some number of cycles, of a metal without a limit";
+inline constexpr auto strength_in_shear = "the same in shear: a fatigue strength at some number of cycles";
 inline constexpr auto factor_in_normal = "a factor between specimen and part in normal stresses";
 inline constexpr auto factor_in_shear = "a factor between specimen and part in shear";
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 
@@ -52,6 +54,9 @@ constexpr auto shear_strength_inputs(const char* size) {
                     .factor()};
 }
 
+/// What a material bounds of them.
+inline constexpr Meaning all_in_shear{"tau_adm", allowable_in_shear}, all_in_normal{"sigma_adm", allowable_in_normal};
+
 /// One way of saying the strength, and whole; none where every part has its own.
 inline bool one_shear_strength(const ShearStrength& in, bool all_have_their_own) {
   const bool by_sigma = is_set(in.sigma_adm), by_yield = is_set(in.S);
@@ -68,6 +73,7 @@ Stress allowable_shear(const ShearStrength& in, Stress own, Tracer& trace) {
   if (is_set(in.S))
     return NAMED_STEP("tau_all", in.R_e / (sqrt(3.0) * in.S),
                       "yielding in shear by the distortion energy hypothesis, [Mises]");
+  if (!is_set(in.sigma_adm)) return unset<Stress>;  // of stiffness alone
   if (in.behaviour == Behaviour::brittle) return NAMED_STEP("tau_all", 0.75 * in.sigma_adm, "brittle material, [B19]");
   return NAMED_STEP("tau_all", 0.6 * in.sigma_adm, "ductile material, [B19]");
 }

@@ -3,6 +3,7 @@
 #include "calculators/machine/flywheel_step.hpp"
 #include "calculators/motion/laws.hpp"
 #include "lib/calculator/calculator_of.hpp"
+#include "lib/quantity/expression/resolved.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -66,6 +67,15 @@ LawEnergy energy_of(const Law& law, double period) {
   }
   found.energy.peak = samples.peak(found.energy);
   return found;
+}
+
+/// Whether the samples have met every pulse of the law.
+bool shows_all(const Law& law, double end, double peak) {
+  constexpr double missed = 0.01;  // of the largest moment
+  const Resolved resolved = resolve(law, 0.0, end, 1e-3);
+  return resolved.complete && std::all_of(resolved.corners.begin(), resolved.corners.end(), [&](const auto& corner) {
+           return std::abs(corner.second) <= (1.0 + missed) * peak;
+         });
 }
 
 /// The moment over one period as it is drawn, however it is given.
@@ -165,7 +175,8 @@ FieldFault Flywheel::law_fault(const Input& in) {
   const double end = in.period * (1.0 - 1e-12);  // the period's end is its start
   const motion::Gap gap = motion::first_gap(moment, 0.0, end, static_cast<int>(most_samples) + 1);
   if (!gap) {
-    if (energy_of(*law, in.period).settled) return {};
+    const LawEnergy found = energy_of(*law, in.period);
+    if (found.settled && shows_all(*law, end, found.energy.peak)) return {};
     return {"M_of_phi", say("the moment has more waves in the period than can be followed"),
             say("give the least period after which it repeats, or points")};
   }

@@ -9,6 +9,7 @@
 #include "calculators/machine/energy_of_turning.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/law_text.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -158,6 +159,8 @@ delta = 0.01
                   "the speed of the rim needs its diameter D"}};
 
   static constexpr bool turns = true;
+  static constexpr std::array meanings{Meaning{"M_m", "mean"}};
+
   static constexpr std::array modes{
       Mode<Input>{"unevenness", "the machine runs unevenly", &always<Input>}.of_service().judged_by("u_delta"),
       Mode<Input>{"motor", "the motor is too weak", &always<Input>}.of_service().judged_by("u_P"),

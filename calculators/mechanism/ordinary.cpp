@@ -72,9 +72,11 @@ bool is_plain(const Solved& solved) {
   const bool loads_stay = std::all_of(in.loads.begin(), in.loads.end(), [&](const auto& load) {
     return load.over.empty() && courses.of(static_cast<std::size_t>(&load - &*in.loads.begin())) == nullptr;
   });
-  return has_crank(in) && in.cylinders.empty() && !has_law(in) && solved.axis != nullptr && loads_stay &&
-         solved.structure.redundant.empty() && in.sides.empty() && solved.given.drivers.size() == 1 &&
-         solved.given.drivers[0].kind == mechanism::Driver::Kind::rotary && solved.cycle.closed.size() > 1;
+  const bool even = solved.proved.between.inserted == 0 && solved.proved.between.missed.empty();
+  return even && !has_short_segments(in) && has_crank(in) && in.cylinders.empty() && !has_law(in) &&
+         solved.axis != nullptr && loads_stay && solved.structure.redundant.empty() && in.sides.empty() &&
+         solved.given.drivers.size() == 1 && solved.given.drivers[0].kind == mechanism::Driver::Kind::rotary &&
+         solved.cycle.closed.size() > 1;
 }
 
 /// An aspect whose verdicts hang on numbers. The proofs hold wherever a chain keeps clear of its change points, where
@@ -281,6 +283,7 @@ bool Ordinary::Parts::solve(const Mechanism::Input& in, const mechanism::Model& 
                             account::Account& account) {
   if (heavy_links(model) != heavy || columns.take(model) != mechanism::Status::closed) return false;
   if (!columns.stands_clear()) return false;  // where the stated position is singular that is told
+  if (has_short_segments(in)) return false;   // there may be positions to insert
   take_schedule(in, axis);
   if (drives.size() != cycle.positions.size() || !run(in)) return false;
   const Solved solved{step, in, structure, model, model, cycle, cycle, kinematics, &axis};

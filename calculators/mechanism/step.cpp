@@ -25,6 +25,9 @@
 
 namespace loadpath::planar {
 
+/// Whether the value of an expression hangs on another step.
+static bool is_pending(const project::Operand& operand) { return std::isnan(operand.early); }
+
 void MechanismStep::prepare(const project::Declared& declared, const project::Companions&, std::vector<Issue>& issues) {
   const auto is_own = [&](const Issue& issue) {
     return issue.severity == Severity::error && (issue.key + ".").starts_with(name() + ".");
@@ -36,10 +39,8 @@ void MechanismStep::prepare(const project::Declared& declared, const project::Co
                       say("what many steps share can stand in [values]: \"=values.{1}\"", taken.path),
                       Severity::error});
   }
-  // What names hang on must see that a value is given; which one is known when the project is solved.
-  for (const project::Operand& operand : input().reading.operands) operand.leaf.set(operand.leaf.field->factor);
   if (input().from != nullptr) add_faults(check_overrides(*input().from, input().reading), issues);
-  add_faults_of_names(issues);
+  add_faults(faults_whatever_comes(issues), issues);
   const auto typed = [this](const std::string& path) { return is_typed(path); };
   if (std::none_of(issues.begin(), issues.end(), is_own)) add_faults(name_mass_centres(data(), typed), issues);
   const bool known = is_known();
@@ -54,8 +55,57 @@ void MechanismStep::prepare(const project::Declared& declared, const project::Co
     const char* const unit = axis == "time" ? "s" : axis == "stroke" ? "mm" : "deg";
     axis_ = std::make_unique<Axis>(Axis{name(), axis, unit, {}, {}, period});
   }
-  add_faults(idle_fields(in_, typed), issues);
   if (known && diagnose_model(model, issues)) add_faults(choose_assembly(in_, structure_, model), issues);
+}
+
+bool MechanismStep::is_known() const {
+  const auto& operands = input().reading.operands;
+  return input().reading.varied.empty() && std::none_of(operands.begin(), operands.end(), is_pending);
+}
+
+/// What names hang on must see that a value is given; which one is known when the project is solved. A fault is told
+/// where it is one whatever the values will be: small or large, rising or falling, nothing.
+std::vector<FieldFault> MechanismStep::faults_whatever_comes(const std::vector<Issue>& issues) {
+  for (const project::Operand& operand : input().reading.operands)
+    if (!is_pending(operand)) operand.leaf.set(operand.early);
+  std::vector<const project::Operand*> pending;
+  for (const project::Operand& operand : input().reading.operands)
+    if (is_pending(operand)) pending.push_back(&operand);
+  const auto put = [&](const auto& in_unit) {
+    for (std::size_t k = 0; k < pending.size(); ++k) {
+      const FieldInfo& field = *pending[k]->leaf.field;
+      const double value = in_unit(static_cast<double>(k)) * field.factor;
+      if (field.bounds.holds(value)) pending[k]->leaf.set(value);
+    }
+  };
+  put([](double) { return 2.0; });
+  std::vector<FieldFault> faults = faults_of_values(issues);
+  if (pending.empty()) return faults;
+  const auto keep_those_of = [&](const std::vector<FieldFault>& others) {
+    std::erase_if(faults, [&](const FieldFault& fault) {
+      return std::none_of(others.begin(), others.end(), [&](const FieldFault& other) {
+        return other.path == fault.path && other.message.id == fault.message.id;
+      });
+    });
+  };
+  const auto count = static_cast<double>(pending.size());
+  put([](double k) { return 3.0 + k; });
+  keep_those_of(faults_of_values(issues));
+  put([&](double k) { return 3.0 + count - k; });
+  keep_those_of(faults_of_values(issues));
+  put([](double) { return 0.0; });
+  keep_those_of(faults_of_values(issues));
+  put([](double) { return 1e6; });
+  keep_those_of(faults_of_values(issues));
+  put([](double) { return 2.0; });
+  return faults;
+}
+
+/// Of names and drives, with the values as they are.
+std::vector<FieldFault> MechanismStep::faults_of_values(const std::vector<Issue>& issues) const {
+  std::vector<FieldFault> faults = faults_of_names(issues);
+  append(idle_fields(data(), [this](const std::string& path) { return is_typed(path); }), faults);
+  return faults;
 }
 
 void MechanismStep::add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const {
@@ -88,25 +138,26 @@ bool MechanismStep::expand_template(std::vector<Issue>& issues) {
 }
 
 /// What is wrong with names and points, but for what follows from an error that is there already.
-void MechanismStep::add_faults_of_names(std::vector<Issue>& issues) const {
+std::vector<FieldFault> MechanismStep::faults_of_names(const std::vector<Issue>& issues) const {
   std::vector<std::string> wrong;
   for (const Issue& issue : issues) {
     if (issue.severity == Severity::error && issue.key.starts_with(name() + "."))
       wrong.push_back(issue.key.substr(name().size() + 1));
   }
   for (const char* list : {"ground", "links", "joints"}) {
-    if (std::find(wrong.begin(), wrong.end(), list) != wrong.end()) return;  // any name may be missing
+    if (std::find(wrong.begin(), wrong.end(), list) != wrong.end()) return {};  // any name may be missing
   }
   NameFaults faults(data());
   check_names(faults);
   ask_all(&Aspect::check_names, faults);
   if (faults.none()) check_shared_points(faults);
-  for (const FieldFault& fault : faults.take()) {
-    const bool follows = std::any_of(wrong.begin(), wrong.end(), [&](const std::string& path) {
+  std::vector<FieldFault> found = faults.take();
+  std::erase_if(found, [&](const FieldFault& fault) {
+    return std::any_of(wrong.begin(), wrong.end(), [&](const std::string& path) {
       return (path + ".").starts_with(fault.path + ".") || (fault.path + ".").starts_with(path + ".");
     });
-    if (!follows) issues.push_back(issue_at(input(), fault.path, fault.message, fault.hint));
-  }
+  });
+  return found;
 }
 
 Outcome<Signature> MechanismStep::signature(const std::string& path) const {
@@ -244,13 +295,20 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
   for (const project::Operand& operand : input().reading.operands) {
     if (const auto value = evaluate_operand(operand, name(), known, issues)) operand.leaf.set(value->si[0]);
   }
-  if (issues.size() != before || !expand_template(issues)) return;
+  if (has_errors({issues.begin() + static_cast<std::ptrdiff_t>(before), issues.end()})) return;
+  const auto& operands = input().reading.operands;
+  if (std::any_of(operands.begin(), operands.end(), is_pending)) {
+    const auto faults = faults_of_values({});
+    add_faults(faults, issues);
+    if (!faults.empty()) return;
+  }
+  if (!expand_template(issues)) return;
   complete();
   mechanism::Model model = model_of(in_);
   if (solve_ordinary(model, wanted)) return;
   if (!is_known() && !diagnose_model(model, issues)) return;
   add_faults(choose_assembly(in_, structure_, model), issues);
-  if (issues.size() != before) return;
+  if (has_errors({issues.begin() + static_cast<std::ptrdiff_t>(before), issues.end()})) return;
   const bool redundant = !structure_.redundant.empty();
   set_axis_speed();
   const Cycle proved = solve_cycle(in_, model, redundant, axis_.get());

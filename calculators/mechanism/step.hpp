@@ -37,7 +37,9 @@ class MechanismStep : public project::Step {
   }
   /// A number that is given, or that the template brings; no leaf where there is none at the path.
   [[nodiscard]] Leaf given_at(const std::string& path) const;
-  void add_faults_of_names(std::vector<Issue>& issues) const;
+  [[nodiscard]] std::vector<FieldFault> faults_of_names(const std::vector<Issue>& issues) const;
+  [[nodiscard]] std::vector<FieldFault> faults_of_values(const std::vector<Issue>& issues) const;
+  std::vector<FieldFault> faults_whatever_comes(const std::vector<Issue>& issues);
   bool check_values(const mechanism::Model& model, std::vector<Issue>& issues) const;
   bool diagnose_model(const mechanism::Model& model, std::vector<Issue>& issues);
   void add_faults(const std::vector<FieldFault>& faults, std::vector<Issue>& issues) const;
@@ -45,7 +47,7 @@ class MechanismStep : public project::Step {
   bool expand_template(std::vector<Issue>& issues);
   [[nodiscard]] bool is_typed(const std::string& path) const { return input().reading.typed.count(path) != 0; }
   /// Whether every value is known before the project is solved.
-  [[nodiscard]] bool is_known() const { return input().reading.operands.empty() && input().reading.varied.empty(); }
+  [[nodiscard]] bool is_known() const;
   void restore();
   /// What is solved, from what is given: with the inertia and middles of bars, and the parts of cylinders.
   void complete();

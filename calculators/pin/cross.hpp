@@ -10,7 +10,9 @@
 #include "calculators/load/steel.hpp"
 #include "calculators/pin/loading.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 
@@ -57,7 +59,7 @@ tau_adm_1 = "40 MPa"
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
       Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Choice{&Input::loading, "loading", "how the torque varies"}.may_be_missing(),
@@ -114,6 +116,7 @@ tau_adm_1 = "40 MPa"
           [](const Input& in) { return !is_set(in.R_m) || is_set(in.tau_adm) || in.loading != Loading::unsaid; },
           "R_m, loading", "the share of R_m that is allowed follows from how the torque varies: say loading"}};
 
+  static constexpr std::array meanings{Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
       Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau, x_E"),
       Mode<Input>{"shaft_bore", "bore of the shaft crushed", &loaded}.judged_by("u_1"),

@@ -9,11 +9,13 @@
 // heat, what keeps it in its place.
 #pragma once
 
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/steel.hpp"
 #include "calculators/pin/loading.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/drive_units.hpp"
 
@@ -85,7 +87,7 @@ p_adm_2 = "100 MPa"
       RecordField<Input>{"load", "the joint of a mechanism, whole: load = \"=press.joints.B\""},
       Field{&Input::F, "F", N, "force on the pin, across it; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F: what it does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Choice{&Input::held, "held", "how the pin is held"}.may_be_missing(),
@@ -180,6 +182,8 @@ p_adm_2 = "100 MPa"
                   "pressure times speed needs the speed of turning n"},
       heat_treated_before_turning<Input>()};
 
+  static constexpr std::array meanings{Meaning{"sigma_adm", allowable_in_normal},
+                                       Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
       Mode<Input>{"bending", "pin bent", &loaded}.judged_by("u_b, u_v, x_E"),
       Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau, x_E"),

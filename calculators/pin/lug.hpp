@@ -10,7 +10,9 @@
 
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 
@@ -53,7 +55,7 @@ p_adm = "80 MPa"
       RecordField<Input>{"load", "eye or cheek of a pin, whole: load = \"=pin.eye\""},
       Field{&Input::F, "F", N, "force of the pin on the eye, along its axis; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F: what it does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::d, "d", mm, "diameter of the bore"}.positive().usually(2, 500),
@@ -107,6 +109,8 @@ p_adm = "80 MPa"
       Rule<Input>{[](const Input& in) { return !is_set(in.S) || is_set(in.R_e); }, "S, R_e",
                   "the safety S counts against the yield strength R_e: give it, or a material"}};
 
+  static constexpr std::array meanings{Meaning{"sigma_adm", allowable_in_normal},
+                                       Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
       Mode<Input>{"net", "eye torn beside the bore", &loaded}.judged_by("u_n, x_b").wanting("sigma_adm"),
       Mode<Input>{"shear_out", "eye sheared out to its crown", &loaded}.judged_by("u_s").wanting("tau_adm"),

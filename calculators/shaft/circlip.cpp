@@ -57,6 +57,9 @@ Circlip::Result Circlip::evaluate(const Input& in, Tracer& trace) {
   if (is_set(in.n) && is_set(in.n_abl)) {
     STEP_TO(r, u_n, in.n / in.n_abl, "below the speed at which it opens");
   }
+  if (in.d_bore > 0.0 * mm) {
+    STEP_TO(r, x_b, r.t / ((in.d_2 - in.d_bore) / 2.0), "a wall as thick as the groove is deep is left");
+  }
   r.notch.d = in.d_1, r.notch.t = r.t, r.notch.w = in.m, r.notch.r = in.r;
   return r;
 }

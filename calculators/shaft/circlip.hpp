@@ -41,7 +41,8 @@ n = "1500 rpm"
   struct Input {
     Force F_a = unset<Force>;
     double K_A = 1.0, S = 1.5;
-    Length d_1 = unset<Length>, d_2 = unset<Length>, m = unset<Length>, r = unset<Length>, w = unset<Length>;
+    Length d_1 = unset<Length>, d_bore = 0.0 * mm, d_2 = unset<Length>, m = unset<Length>, r = unset<Length>,
+           w = unset<Length>;
     double q = unset<double>;
     Stress R_e = unset<Stress>;
     Length c = unset<Length>, g = unset<Length>;
@@ -54,7 +55,7 @@ n = "1500 rpm"
   static constexpr Fields inputs{
       Field{&Input::F_a, "F_a", N, "force along the shaft against the ring; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on F_a: what it does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::S, "S", ratio, "safety that is asked for; neither F_N nor F_R holds one"}
@@ -62,6 +63,7 @@ n = "1500 rpm"
           .usually(1, 5)
           .factor(),
       Field{&Input::d_1, "d_1", mm, "diameter of the shaft"}.positive().usually(3, 300).from("circlip", "d_1"),
+      Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
       Field{&Input::d_2, "d_2", mm, "diameter of the groove"}.positive().from("circlip", "d_2"),
       Field{&Input::m, "m", mm, "width of the groove"}.positive().from("circlip", "m").where_it_has(),
       Field{&Input::r, "r", mm, "radius at the edges of the groove's ground, for the shaft's notch"}
@@ -95,7 +97,8 @@ n = "1500 rpm"
   struct Result {
     Force F_d = unset<Force>, F_N = unset<Force>, F_ring = unset<Force>;
     Length t = unset<Length>;
-    double u_N = unset<double>, u_R = unset<double>, u_n = unset<double>, x_w = unset<double>, x_t = unset<double>;
+    double u_N = unset<double>, u_R = unset<double>, u_n = unset<double>, x_w = unset<double>, x_t = unset<double>,
+           x_b = unset<double>;
     RingNotch notch;
   };
   static constexpr Fields results{
@@ -105,16 +108,21 @@ n = "1500 rpm"
       Field{&Result::F_ring, "F_ring", N, "what the ring bears against the edge that it holds"},
       Field{&Result::u_N, "u_N", ratio, "groove: force with its safety over F_N"}.check(),
       Field{&Result::u_R, "u_R", ratio, "ring: force with its safety over F_ring"}.check("c").where_it_applies(),
-      Field{&Result::u_n, "u_n", ratio, "speed over that at which the ring opens"}.check("n, n_abl"),
+      Field{&Result::u_n, "u_n", ratio, "speed over that at which the ring opens"}.check("n").where_it_applies(),
       Field{&Result::x_w, "x_w", ratio, "width of the shoulder over the groove's depth: shorter ones need a q"}
           .limit(3 - 1e-9, 1e6)
           .where_it_applies(),
       Field{&Result::x_t, "x_t", ratio,
             "depth over the shaft's diameter: the standard's grooves have up to 0.034, own bound"}
           .limit(0, 0.04),
+      Field{&Result::x_b, "x_b", ratio, "depth of the groove over the wall that it leaves of a hollow shaft, own bound"}
+          .limit(0, 1 + 1e-9)
+          .where_it_applies(),
       Group{&Result::notch, "notch", "the groove, for a notch of shaft.design: part"}.handed_over()};
 
-  static constexpr std::array rules{Rule<Input>{[](const Input& in) { return !(in.d_1 <= in.d_2); }, "d_1, d_2",
+  static constexpr std::array rules{Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d_2); }, "d_bore, d_2",
+                                                "the groove cuts through the wall of the shaft"},
+                                    Rule<Input>{[](const Input& in) { return !(in.d_1 <= in.d_2); }, "d_1, d_2",
                                                 "the groove must be thinner than the shaft"},
                                     Rule<Input>{[](const Input& in) { return !is_set(in.F_Rg) || is_set(in.g); },
                                                 "F_Rg, g", "F_Rg is for a chamfer g: give both"}};
@@ -122,8 +130,15 @@ n = "1500 rpm"
   static constexpr std::array modes{
       Mode<Input>{"groove", "side of the groove crushed, or its shoulder sheared off", &loaded}.judged_by(
           "u_N, x_w, x_t"),
+      Mode<Input>{"bore", "the wall of a hollow shaft under the groove",
+                  [](const Input& in) { return where(in.d_bore > 0.0 * mm); }}
+          .judged_by("x_b")
+          .of_shape(),
       Mode<Input>{"ring", "ring dished or pushed out", &loaded}.judged_by("u_R").wanting("c, F_R"),
-      Mode<Input>{"opening", "a ring that opens by its speed", &turns_round}.judged_by("u_n").in_service(),
+      Mode<Input>{"opening", "a ring that opens by its speed", &turns_round}
+          .judged_by("u_n")
+          .wanting("n, n_abl")
+          .in_service(),
       Mode<Input>{"fatigue", "fatigue of the shaft at the groove", &varies}
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),

@@ -53,6 +53,16 @@ void reversal(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_W, max(max(r.u_1, r.u_2), r.u_k) / in.f_W, "the worst side, by the factor of method B");
 }
 
+/// The shaft itself: the round that lies inside of the seats.
+template <class Tracer>
+void torsion_of_shaft(const Input& in, Result& r, Tracer& trace) {
+  STEP(d_k, in.d - (in.i > 1 ? 2.0 : 1.0) * in.t_1, "the round inside of the seats");
+  STEP_TO(r, tau_t, 16.0 * r.T_eq / (pi * pow<3>(d_k)), "of a shaft of that diameter, on the safe side");
+  if (is_set(in.R_e_1)) {
+    STEP_TO(r, u_t, sqrt(3.0) * r.tau_t / in.R_e_1, "equivalent stress of pure shear, [Mises]");
+  }
+}
+
 /// What fits: shaft, hub, seats.
 template <class Tracer>
 void fits(const Input& in, Result& r, Tracer& trace) {
@@ -62,6 +72,12 @@ void fits(const Input& in, Result& r, Tracer& trace) {
   }
   if (is_set(in.d_over)) {
     STEP_TO(r, x_d, (in.d - in.d_over) / (in.d_to - in.d_over), "between the shafts that the key belongs to");
+  } else {
+    STEP_TO(r, x_b, in.b / in.d, "as wide as the standard's at most");
+    STEP_TO(r, x_t, in.t_1 / in.d, "as deep as the standard's at most");
+  }
+  if (in.d_bore > 0.0 * mm) {
+    STEP_TO(r, x_w, in.t_1 / ((in.d - in.d_bore) / 2.0 - in.t_1), "a wall as thick as the seat is deep is left");
   }
   if (!is_set(in.t_2)) return;
   STEP_TO(r, x_h, in.h / (in.t_1 + in.t_2), "with play above the key");
@@ -71,15 +87,22 @@ void fits(const Input& in, Result& r, Tracer& trace) {
 
 bool Key::sizes_given(const Input& in) { return is_set(in.b) && is_set(in.h) && is_set(in.t_1); }
 
+Applies Key::twisted(const Input& in) {
+  const Length d = core(in);
+  const Moment T = is_set(in.T_max) ? max(in.K_A * abs(in.T), abs(in.T_max)) : in.K_A * abs(in.T);
+  return torsion_of(16.0 / pi * T / (d * d * d));
+}
+
 template <class Tracer>
 Key::Result Key::evaluate(const Input& in, Tracer& trace) {
   Result r;
   stresses(in, r, trace);
   strengths(in, r, trace);
   reversal(in, r, trace);
+  torsion_of_shaft(in, r, trace);
   fits(in, r, trace);
   r.notch.kind = in.i == 2 ? Notch::two_keyways : Notch::keyway;
-  r.notch.d = in.d;
+  r.notch.d = in.d, r.notch.t = in.t_1, r.notch.l = in.l;
   if (in.torque == Sense::reversing) r.notch.r_T = -1.0;
   return r;
 }

@@ -51,7 +51,7 @@ R_e_k = "420 MPa"
     Moment T = unset<Moment>, T_max = unset<Moment>;
     Sense torque = Sense::unknown;
     double K_A = 1.0;
-    Length d = unset<Length>;
+    Length d = unset<Length>, d_bore = 0.0 * mm;
     Length b = unset<Length>, h = unset<Length>, t_1 = unset<Length>, t_2 = unset<Length>;
     Length d_over = unset<Length>, d_to = unset<Length>, l_min = unset<Length>, l_max = unset<Length>;
     Form form = Form::A;
@@ -62,10 +62,13 @@ R_e_k = "420 MPa"
     double f_W = unset<double>;
   };
   static bool sizes_given(const Input& in);
+  static Length core(const Input& in) { return in.d - (in.i > 1 ? 2.0 : 1.0) * in.t_1; }
+  static Applies twisted(const Input& in);
   static constexpr Fields inputs = join(
       torque_inputs<Input>(),
       Fields{
           Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(6, 500),
+          Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
           Field{&Input::b, "b", mm, "width of the key"}.positive().from("key", "b"),
           Field{&Input::h, "h", mm, "height of the key"}.positive().from("key", "h"),
           Field{&Input::t_1, "t_1", mm, "depth of the seat in the shaft"}.positive().from("key", "t_1"),
@@ -127,7 +130,9 @@ R_e_k = "420 MPa"
     double phi = unset<double>;
     Stress p_1 = unset<Stress>, p_2 = unset<Stress>, tau = unset<Stress>;
     double u_1 = unset<double>, u_2 = unset<double>, u_k = unset<double>, u_tau = unset<double>, u_W = unset<double>;
-    double u_n = unset<double>, x_l = unset<double>, x_d = unset<double>, x_h = unset<double>;
+    double u_n = unset<double>, x_l = unset<double>, x_d = unset<double>, x_h = unset<double>, x_w = unset<double>;
+    Stress tau_t = unset<Stress>;
+    double u_t = unset<double>, x_b = unset<double>, x_t = unset<double>;
     KeyNotch notch;
   };
   static constexpr Fields results{
@@ -153,9 +158,22 @@ R_e_k = "420 MPa"
           .limit(1e-9, 1 + 1e-9)
           .criterion()
           .where_it_applies(),
+      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the round that the seats leave of the shaft"}.holding(
+          "K_A"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: equivalent stress over its yield strength"}.check(
+          "R_e_1"),
+      Field{&Result::x_b, "x_b", ratio, "width of a key of no standard over d: those of DIN 6885 have up to 0.42"}
+          .limit(0, 0.42)
+          .where_it_applies(),
+      Field{&Result::x_t, "x_t", ratio, "depth of its seat over d: those of DIN 6885 have up to 0.25"}
+          .limit(0, 0.25 * (1 + 1e-9))
+          .where_it_applies(),
       Field{&Result::x_h, "x_h", ratio, "height of the key over both depths: it must go in"}
           .limit(0, 1)
           .criterion()
+          .where_it_applies(),
+      Field{&Result::x_w, "x_w", ratio, "depth of the seat over the wall that it leaves of a hollow shaft, own bound"}
+          .limit(0, 1 + 1e-9)
           .where_it_applies(),
       Group{&Result::notch, "notch", "the end of its seat, for a notch of shaft.design: part"}.handed_over()};
 
@@ -165,8 +183,8 @@ R_e_k = "420 MPa"
           Rule<Input>{&sizes_given, "b, h, t_1", "give a key: key = \"14x9\", or b, h and t_1"},
           Rule<Input>{[](const Input& in) { return !sizes_given(in) || in.t_1 < in.h; }, "t_1, h",
                       "the seat in the shaft must be less deep than the key is high"},
-          Rule<Input>{[](const Input& in) { return !sizes_given(in) || 2.0 * in.t_1 < in.d; }, "t_1, d",
-                      "the seat cuts the shaft through"},
+          Rule<Input>{[](const Input& in) { return !sizes_given(in) || 2.0 * in.t_1 < in.d - in.d_bore; },
+                      "t_1, d, d_bore", "the seat cuts the shaft through, or the wall of a hollow one"},
           Rule<Input>{
               [](const Input& in) { return !is_set(in.b) || !is_set(in.l) || in.form == Form::B || in.l > in.b; },
               "l, b, form", "a key with round ends must be longer than it is wide"},
@@ -182,6 +200,8 @@ R_e_k = "420 MPa"
       Mode<Input>{"hub", "side of the seat in the hub crushed", &torque_loads<Input>}.judged_by("u_2"),
       Mode<Input>{"key", "side of the key crushed", &torque_loads<Input>}.judged_by("u_k"),
       Mode<Input>{"shear", "key sheared off", &torque_loads<Input>}.judged_by("u_tau"),
+      Mode<Input>{"core", "shaft twisted off under its seat", &twisted}.judged_by("u_t").left_to("shaft.design",
+                                                                                                 "notch.yield"),
       Mode<Input>{"reversal", "sides beaten out where the torque changes its sense", &torque_reverses<Input>}
           .judged_by("u_W")
           .in_service(),
@@ -189,8 +209,14 @@ R_e_k = "420 MPa"
           .judged_by("x_l")
           .of_shape(),
       Mode<Input>{"hub_length", "a key that sticks out of the hub", &always<Input>}.judged_by("u_n").of_shape(),
-      Mode<Input>{"fit", "a key that does not belong to the shaft", &always<Input>}.judged_by("x_d").of_shape(),
+      Mode<Input>{"fit", "a key that does not belong to the shaft", &always<Input>}
+          .judged_by("x_d, x_b, x_t")
+          .of_shape(),
       Mode<Input>{"depth", "a key that is too high for its seats", &always<Input>}.judged_by("x_h").of_shape(),
+      Mode<Input>{"bore", "the wall of a hollow shaft under the seat",
+                  [](const Input& in) { return where(in.d_bore > 0.0 * mm); }}
+          .judged_by("x_w")
+          .of_shape(),
       Mode<Input>{"fatigue", "fatigue of the shaft at the end of the seat", &torque_varies<Input>}
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),

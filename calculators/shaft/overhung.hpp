@@ -61,7 +61,7 @@ tau_adm = "30 MPa"
       Field{&Input::a, "a", mm, "overhang: from the force to the middle of the bearing"}.at_least(0).usually(1, 1e4),
       Field{&Input::T, "T", N_m, "torque at the same time"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on force and torque: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),

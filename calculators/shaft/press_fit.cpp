@@ -38,13 +38,16 @@ void pressures(const Input& in, Result& r, Tracer& trace) {
 
 template <class Tracer>
 void slip(const Input& in, Result& r, Tracer& trace) {
-  const Force F_zz = trace.value("F_zz", is_set(in.F_z) ? in.F_z : 0.0 * N.one, "along the shaft");
-  STEP_TO(r, F_res, in.K_A * sqrt(pow<2>(2.0 * in.T / in.d) + pow<2>(F_zz)), "around and along, as vectors");
   STEP_TO(r, x_l, in.l / in.d, "up to 1.5, [DIN7190], recalled");
+  if (is_set(in.T)) {
+    const Force F_zz = trace.value("F_zz", is_set(in.F_z) ? in.F_z : 0.0 * N.one, "along the shaft");
+    STEP_TO(r, F_res, in.K_A * sqrt(pow<2>(2.0 * in.T / in.d) + pow<2>(F_zz)), "around and along, as vectors");
+  }
+  if (!is_set(in.mu)) return;
   STEP_TO(r, F_slip, pi * in.d * in.l * in.mu * r.p_min, "friction over the fit");
   STEP_TO(r, T_slip, F_slip * in.d / 2.0, "alone");
-  if (!is_set(in.S_r)) return;
-  STEP_TO(r, u_s, in.S_r * F_res / F_slip, "against slip");
+  if (!is_set(in.S_r) || !is_set(in.T)) return;
+  STEP_TO(r, u_s, in.S_r * r.F_res / F_slip, "against slip");
 }
 
 template <class Tracer>
@@ -59,6 +62,15 @@ void yield(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.S_F)) return;
   STEP_TO(r, u_1, in.S_F * sigma_1 / in.R_e_1, "shaft against yield");
   STEP_TO(r, u_2, in.S_F * sigma_2 / in.R_e_2, "hub against yield");
+}
+
+/// The shaft beside the hub, which takes the torque alone.
+template <class Tracer>
+void torsion_of_shaft(const Input& in, Result& r, Tracer& trace) {
+  STEP_TO(r, tau_t, 16.0 * in.K_A * abs(in.T) * in.d / (pi * (pow<4>(in.d) - pow<4>(in.d_i))), "torsion of the ring");
+  if (is_set(in.R_e_1)) {
+    STEP_TO(r, u_t, sqrt(3.0) * tau_t / in.R_e_1, "equivalent stress of pure shear, [Mises]");
+  }
 }
 
 /// How it is put on: pressed, or shrunk.
@@ -98,7 +110,12 @@ FieldFault PressFit::nothing_left(const Input& in) {
 }
 
 Applies PressFit::loaded(const Input& in) {
-  return where(abs(in.T) > 0.0 * N_m.one || (is_set(in.F_z) && abs(in.F_z) > 0.0 * N.one));
+  return where(!is_set(in.T) || abs(in.T) > 0.0 * N_m.one || (is_set(in.F_z) && abs(in.F_z) > 0.0 * N.one));
+}
+
+Applies PressFit::twisted(const Input& in) {
+  const Length d = in.d, b = in.d_i;
+  return torsion_of(16.0 / pi * in.K_A * abs(in.T) * d / ((d - b) * (d + b) * (d * d + b * b)));
 }
 
 template <class Tracer>
@@ -107,6 +124,7 @@ PressFit::Result PressFit::evaluate(const Input& in, Tracer& trace) {
   pressures(in, r, trace);
   slip(in, r, trace);
   yield(in, r, trace);
+  torsion_of_shaft(in, r, trace);
   assembly(in, r, trace);
   return r;
 }

@@ -9,6 +9,7 @@
 // the shear by the torque.
 #pragma once
 
+#include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -77,10 +78,10 @@ dT_adm = "250 K"
   static Applies loaded(const Input& in);
   static constexpr Fields inputs{
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-      Field{&Input::T, "T", N_m, "torque"}.load(),
+      Field{&Input::T, "T", N_m, "torque; without it pressures and stresses alone"}.load().may_be_missing(),
       Field{&Input::F_z, "F_z", N, "force along the shaft at the same time"}.load().may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor on both: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::d, "d", mm, "diameter of the fit"}.positive().usually(3, 1000),
@@ -95,7 +96,8 @@ dT_adm = "250 K"
       Field{&Input::Rz_2, "Rz_2", um, "roughness of the hub"}.at_least(0).usually(0.4, 40),
       Field{&Input::mu, "mu", ratio, "friction against slip: dry steel on steel 0.12 to 0.2, oiled less"}
           .positive()
-          .usually(0.05, 0.25),
+          .usually(0.05, 0.25)
+          .may_be_missing(),
       Field{&Input::S_r, "S_r", ratio, "safety against slip"}.at_least(1).usually(1.2, 3).may_be_missing().factor(),
       Field{&Input::E_1, "E_1", GPa, "modulus of elasticity of the shaft"}.positive().usually(1, 500).from("material",
                                                                                                            "E"),
@@ -122,8 +124,8 @@ dT_adm = "250 K"
           .usually(0.03, 0.3)
           .may_be_missing(),
       Field{&Input::F_adm, "F_adm", kN, "force of the press"}.positive().may_be_missing(),
-      Field{&Input::U_c, "U_c", um, "clearance that the warm hub is to have on the shaft"}
-          .positive()
+      Field{&Input::U_c, "U_c", um, "clearance that the warm hub is to have on the shaft; 0: it just goes on"}
+          .at_least(0)
           .usually(5, 1000)
           .may_be_missing(),
       Field{&Input::dT_adm, "dT_adm", kelvin, "heating of the hub that its strength allows"}
@@ -141,8 +143,10 @@ dT_adm = "250 K"
     Force F_e = unset<Force>;
     Heating dT_A = unset<Heating>;
     double u_s = unset<double>, u_1 = unset<double>, u_2 = unset<double>, u_F = unset<double>, u_A = unset<double>;
-    double x_l = unset<double>;
+    Stress tau_t = unset<Stress>;
+    double u_t = unset<double>, x_l = unset<double>;
   };
+  static Applies twisted(const Input& in);
   static constexpr Fields results{
       Field{&Result::Q_1, "Q_1", ratio, "bore of the shaft over the fit"},
       Field{&Result::Q_2, "Q_2", ratio, "fit over the outer diameter of the hub"},
@@ -159,12 +163,17 @@ dT_adm = "250 K"
       Field{&Result::sigma_2, "sigma_2", MPa, "equivalent stress of the hub at its bore, largest pressure"},
       Field{&Result::F_e, "F_e", kN, "force to press it on, at the end, largest pressure"},
       Field{&Result::dT_A, "dT_A", kelvin, "heating of the hub to put it on"},
-      Field{&Result::u_s, "u_s", ratio, "slip: force to hold, with its safety, over what friction holds"}.check("S_r"),
+      Field{&Result::u_s, "u_s", ratio, "slip: force to hold, with its safety, over what friction holds"}
+          .check("S_r")
+          .where_it_applies(),
       Field{&Result::u_1, "u_1", ratio, "shaft: equivalent stress with its safety over the yield strength"}.check(
           "S_F"),
       Field{&Result::u_2, "u_2", ratio, "hub: equivalent stress with its safety over the yield strength"}.check("S_F"),
       Field{&Result::u_F, "u_F", ratio, "force to press it on over that of the press"}.check("F_adm"),
       Field{&Result::u_A, "u_A", ratio, "heating of the hub over what it allows"}.check("dT_adm"),
+      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft beside the hub"}.holding("K_A"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: equivalent stress over its yield strength"}.check(
+          "R_e_1"),
       Field{&Result::x_l, "x_l", ratio,
             "length over diameter: the torque does not come through to the end of longer fits"}
           .limit(0, 1.5 + 1e-9)};
@@ -191,8 +200,9 @@ dT_adm = "250 K"
                   "the smallest fit has no usable interference", &nothing_left}};
 
   static constexpr std::array modes{
-      Mode<Input>{"slip", "slip of the hub", &loaded}.judged_by("u_s, x_l"),
+      Mode<Input>{"slip", "slip of the hub", &loaded}.judged_by("u_s, x_l").wanting("T, mu, S_r"),
       Mode<Input>{"shaft", "yield of the shaft under the hub", &always<Input>}.judged_by("u_1"),
+      Mode<Input>{"core", "shaft twisted off beside the hub", &twisted}.judged_by("u_t"),
       Mode<Input>{"hub", "yield of the hub at its bore", &always<Input>}.judged_by("u_2"),
       Mode<Input>{"pressing", "a hub that the press does not get on", &always<Input>}.judged_by("u_F").of_service(),
       Mode<Input>{"shrinking", "a hub that heat does not get on", &always<Input>}.judged_by("u_A").of_service(),

@@ -36,6 +36,8 @@ double least_safety(const Input& in) {
 
 Applies SetScrew::loaded(const Input& in) { return where(abs(in.T) > 0.0 * N_m.one || abs(in.F_a) > 0.0 * N.one); }
 
+Applies SetScrew::twisted(const Input& in) { return torsion_of(16.0 / pi * in.K_A * abs(in.T) / (in.d * in.d * in.d)); }
+
 template <class Tracer>
 SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
   Result r;
@@ -48,6 +50,13 @@ SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
   STEP_TO(r, u, in.S * F / F_zul, "against slip");
   const double S_min = trace.value("S_min", least_safety(in), "of this load case, [SPS]");
   STEP_TO(r, u_S, S_min / in.S, "the safety is no less");
+  STEP_TO(r, tau_t, 16.0 * in.K_A * abs(in.T) / (pi * pow<3>(in.d)), "the shaft itself, without the dent");
+  if (is_set(in.R_e_1)) {
+    STEP_TO(r, u_t, sqrt(3.0) * tau_t / in.R_e_1, "equivalent stress of pure shear, [Mises]");
+  }
+  if (is_set(in.d_s)) {
+    STEP_TO(r, x_d, in.d_s / in.d, "a larger screw does not bear on the round");
+  }
   return r;
 }
 

@@ -137,7 +137,7 @@ R_e_2 = "300 MPa"
     Force F_t = unset<Force>;
     Stress p = unset<Stress>, tau = unset<Stress>, tau_t = unset<Stress>;
     double u_1 = unset<double>, u_2 = unset<double>, u_w = unset<double>, u_tau = unset<double>, u_W = unset<double>;
-    double u_t = unset<double>, x_l = unset<double>;
+    double u_t = unset<double>, x_l = unset<double>, x_s = unset<double>;
     SplineNotch notch;
   };
   static constexpr Fields results{
@@ -164,6 +164,8 @@ R_e_2 = "300 MPa"
       Field{&Result::x_l, "x_l", ratio, "length over d_m: longer ones do not bear evenly"}
           .limit(0, 1.3 + 1e-9)
           .where_it_applies(),
+      Field{&Result::x_s, "x_s", ratio, "d_2 over d_1: splines of ISO 14 and DIN 5480 have up to 1.5, own bound"}.limit(
+          0, 1.5),
       Group{&Result::notch, "notch", "the end of the spline, for a notch of shaft.design: part"}.handed_over()};
 
   static constexpr auto rules = join(
@@ -192,6 +194,7 @@ R_e_2 = "300 MPa"
           .judged_by("u_W")
           .in_service(),
       Mode<Input>{"wear", "wear of a hub that slides on the shaft", &slides}.judged_by("u_w"),
+      Mode<Input>{"form", "teeth higher than any spline's", &torque_loads<Input>}.judged_by("x_s").of_shape(),
       Mode<Input>{"length", "splines so long that their end does not bear", &bears_evenly}.judged_by("x_l").of_shape(),
       Mode<Input>{"fatigue", "fatigue of the shaft at the end of the splines", &torque_varies<Input>}
           .left_to("shaft.design", "notch.fatigue")

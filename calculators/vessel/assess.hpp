@@ -36,6 +36,16 @@ double knuckle_slenderness(Length rho_c, Length delta_c, Tracer& trace) {
                     "knuckles in compression thinner than 0.002 of the crown radius may buckle, [UG-32]");
 }
 
+/// Of a shell without hole: bending decays from its edge over some sqrt(rho t), to exp(-1.29 x) at the distance
+/// x sqrt(rho t), [Timoshenko]; from x = 4 on, 0.6 %, its middle is a membrane. A shallow dish bends throughout.
+template <class Tracer>
+double shallowness_of(Length widest, Length flattest, Length delta_c, Tracer& trace) {
+  trace.value("r_a", widest, "widest radius");
+  trace.value("rho_a", flattest, "radius of curvature where the shell is flattest");
+  const Length r_a = widest, rho_a = flattest;
+  return NAMED_STEP("x_s", r_a / sqrt(rho_a * delta_c), "how often the length over which bending decays goes in");
+}
+
 /// Sizes and checks the shape that `make(delta_c)` gives for a carrying thickness. `told(e, trace)`
 /// writes its radii down, which lie e outside of those given. Returns the governing place.
 template <class Input, class Result, class Make, class Told, class Tracer>

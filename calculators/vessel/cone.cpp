@@ -89,6 +89,7 @@ Cone::Result Cone::evaluate(const Input& in, Tracer& trace) {
   const auto make = [&](Length delta_c) { return ConeShape(in, in.R + offset(in, delta_c) * std::cos(in.alpha)); };
   const auto told = [&](Length e, auto& tracer) { r.R_m = mean_radius(in, e, tracer); };
   r.r = assess(in, r, in.R, make, told, trace) * r.R_m;
+  r.x_s = shallowness_of(r.R_m, r.R_m / std::cos(in.alpha), r.delta_c, trace);
   return r;
 }
 

@@ -51,11 +51,12 @@ sigma_adm = "120 MPa"
 
   struct Result : WallResult {
     Length R_m = unset<Length>, r = unset<Length>;
+    double x_s = unset<double>;
   };
   static constexpr Fields results =
       join(wall_results<Result>(),
            Fields{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall at the large end"},
-                  Field{&Result::r, "r", mm, "mean radius at the governing place"}});
+                  Field{&Result::r, "r", mm, "mean radius at the governing place"}, shallowness<Result>()});
 
   static constexpr std::array rules = join(
       wall_rules<Input>(), liquid_rules<Input>(),
@@ -64,7 +65,8 @@ sigma_adm = "120 MPa"
                  Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
                              "the wall is thicker than the radius leaves room for"}});
 
-  static constexpr std::array modes = wall_modes<Input>("u_v, t_R");
+  static constexpr std::array meanings = wall_meanings;
+  static constexpr std::array modes = wall_modes<Input>("u_v, t_R, x_s");
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -97,6 +97,17 @@ void check_rings(const Input& in, Cylinder::Result& r, Tracer& trace) {
           "a ring helps over 0.78 sqrt(R delta) on either side, [Timoshenko]");
 }
 
+/// A round plate that rests on the wall: 3 (3 + nu)/8 = 1.24 for nu = 0.3 in its middle. A wall that is thin holds its
+/// edge little, which is on the safe side.
+template <class Tracer>
+void flat_ends(const Input& in, Cylinder::Result& r, Tracer& trace) {
+  if (!is_set(in.delta_e) || in.ends == Ends::open) return;
+  STEP(delta_ec, in.delta_e * (1.0 - in.f_t) - in.c - in.c_t, "what corrosion and mill leave of the ends");
+  const Stress p_b = trace.value("p_b", in.p + bottom_pressure(in), "gas and liquid on the lower end");
+  STEP_TO(r, sigma_e, 1.24 * p_b * pow<2>(r.R_m / delta_ec), "flat round plate that rests on its edge, [Timoshenko]");
+  STEP_TO(r, u_e, sigma_e / r.sigma_all, "strength of flat ends");
+}
+
 }  // namespace
 
 template <class Tracer>
@@ -114,6 +125,7 @@ Cylinder::Result Cylinder::evaluate(const Input& in, Tracer& trace) {
   assess(in, r, in.R, make, told, trace);
   by_the_book(in, r, trace);
   check_rings(in, r, trace);
+  flat_ends(in, r, trace);
   if (in.ends != Ends::ringed) compare(ThickCylinder{in.ends == Ends::closed}, in, r, r.R_m, mean, trace);
   return r;
 }

@@ -45,6 +45,7 @@ sigma_adm = "140 MPa"
     Support support = Support::bottom;
     Area A_r = unset<Area>;
     Length l_r = unset<Length>;
+    Length delta_e = unset<Length>;
   };
   static constexpr Fields inputs = join(
       Fields{
@@ -56,12 +57,19 @@ sigma_adm = "140 MPa"
       Fields{
           Choice<Input, Support>{&Input::support, "support", "where a cylinder with liquid is held"}.may_be_missing(),
           Field<Input, Area>{&Input::A_r, "A_r", mm2, "area of the section of one ring"}.positive().may_be_missing(),
-          Field<Input, Length>{&Input::l_r, "l_r", mm, "distance of the rings"}.positive().may_be_missing()});
+          Field<Input, Length>{&Input::l_r, "l_r", mm, "distance of the rings"}.positive().may_be_missing(),
+          Field<Input, Length>{&Input::delta_e, "delta_e", mm, "thickness of its ends as ordered, where they are flat"}
+              .positive()
+              .usually(0.5, 400)
+              .may_be_missing()});
 
   struct Result : WallResult, LameResult {
     Length R_m = unset<Length>, delta_o = unset<Length>, delta_M = unset<Length>, a_r = unset<Length>;
     double w_r = unset<double>;
+    Stress sigma_e = unset<Stress>;
+    double u_e = unset<double>;
   };
+  static Applies has_ends(const Input& in) { return in.ends == Ends::open ? Applies::no : Applies::unseen; }
   static constexpr Fields results = join(
       wall_results<Result>(),
       Fields{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
@@ -69,21 +77,34 @@ sigma_adm = "140 MPa"
              Field{&Result::delta_M, "delta_M", mm, "carrying thickness by the meridional stress alone, pR/2sigma"},
              Field{&Result::a_r, "a_r", mm, "section of the rings per length of the vessel"}},
       lame_results<Result>(),
-      Fields{Field{&Result::w_r, "w_r", ratio, "rings: distance over the length of wall that works with them"}.limit(
-          0, 1, "l_r")});
+      Fields{Field{&Result::sigma_e, "sigma_e", MPa, "bending stress of flat ends, in their middle"},
+             Field{&Result::u_e, "u_e", ratio, "flat ends: bending stress over the allowable one"}
+                 .check("delta_e")
+                 .where_it_applies(),
+             Field{&Result::w_r, "w_r", ratio, "rings: distance over the length of wall that works with them"}.limit(
+                 0, 1, "l_r")});
 
-  static constexpr std::array rules =
-      join(wall_rules<Input>(), liquid_rules<Input>(),
-           std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
-                                  "rings need both the area A_r of their section and their distance l_r"},
-                      Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
-                                  "A_r, l_r, ends", "rings go with ends = \"ringed\""},
-                      Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
-                                  "the wall is thicker than the radius leaves room for"}});
+  static constexpr std::array rules = join(
+      wall_rules<Input>(), liquid_rules<Input>(),
+      std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
+                             "rings need both the area A_r of their section and their distance l_r"},
+                 Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
+                             "A_r, l_r, ends", "rings go with ends = \"ringed\""},
+                 Rule<Input>{[](const Input& in) { return in.ends != Ends::open || !is_set(in.delta_e); },
+                             "delta_e, ends", "a pipe with ends = \"open\" has no end plates"},
+                 Rule<Input>{
+                     [](const Input& in) { return !is_set(in.delta_e) || in.delta_e * (1.0 - in.f_t) > in.c + in.c_t; },
+                     "delta_e, c, c_t, f_t", "the allowances leave nothing of the ends"},
+                 Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
+                             "the wall is thicker than the radius leaves room for"}});
 
   static constexpr Applies ringed(const Input& in) { return where(in.ends == Ends::ringed); }
+  static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>(
       "u_v, t_R, w_r",
+      Mode<Input>{"ends", "bending of flat ends; dished ones: vessel.sphere, torus, ellipsoid", &has_ends}
+          .judged_by("u_e")
+          .of_service(),
       Mode<Input>{"rings", "rings too far apart to help the wall", &ringed}.judged_by("w_r").wanting("A_r, l_r"));
 
   static constexpr std::array forms{

@@ -70,6 +70,8 @@ Ellipsoid::Result Ellipsoid::evaluate(const Input& in, Tracer& trace) {
   NoTrace off;
   r.r = EllipsoidShape(r.a_m, r.b_m).at(t, off).r;
   ends(in, r, trace);
+  const Length flattest = r.a_m * r.a_m / r.b_m;
+  r.x_s = shallowness_of(r.a_m, flattest, r.delta_c, trace);
   return r;
 }
 

@@ -48,7 +48,7 @@ sigma_adm = "140 MPa"
   struct Result : WallResult {
     Length a_m = unset<Length>, b_m = unset<Length>, r = unset<Length>;
     Stress sigma_pole = unset<Stress>, sigma_eq = unset<Stress>;
-    double w_b = unset<double>;
+    double w_b = unset<double>, x_s = unset<double>;
   };
   static constexpr Fields results = join(
       wall_results<Result>(),
@@ -58,7 +58,8 @@ sigma_adm = "140 MPa"
              Field{&Result::sigma_pole, "sigma_pole", MPa, "stress at the pole, alike in all directions"},
              Field{&Result::sigma_eq, "sigma_eq", MPa, "hoop stress at the equator; negative is compression"},
              Field{&Result::w_b, "w_b", ratio, "buckling of the knuckle: 0.002 of the crown radius over the thickness"}
-                 .limit(0, 1)});
+                 .limit(0, 1),
+             shallowness<Result>()});
 
   static constexpr std::array rules =
       join(wall_rules<Input>(), gas_rules<Input>(),
@@ -68,8 +69,9 @@ sigma_adm = "140 MPa"
                                   "the wall is thicker than the semi-axes leave room for"}});
 
   static constexpr Applies flat(const Input& in) { return where(in.a * in.a > 2.0 * in.b * in.b); }
+  static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>(
-      "u_v, t_R", Mode<Input>{"knuckle", "buckling of the knuckle in compression", &flat}.judged_by("w_b"));
+      "u_v, t_R, x_s", Mode<Input>{"knuckle", "buckling of the knuckle in compression", &flat}.judged_by("w_b"));
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

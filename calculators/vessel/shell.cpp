@@ -168,6 +168,12 @@ Shell::Result Shell::evaluate(const Input& in, Tracer& trace) {
   for (const MeridianPoint& p : shell.points()) turn = std::max(turn, p.turn);
   r.psi_max = trace.value("psi_max", turn, "sharpest turn of the meridian");
   r.s_min = trace.value("s_min", shell.least_slope(), "the widest radius over rho_o, where the shell is flattest");
+  Length flattest = 0.0 * mm;
+  for (std::size_t i = 0; i < shell.places(); ++i) {
+    NoTrace off;
+    flattest = max(flattest, abs(shell.at(shell.place(i), off).rho_o));
+  }
+  r.x_s = shallowness_of(widest, flattest, r.delta_c, trace);
   r.w_kappa =
       trace.value("w_kappa", shell.largest_jump(), "largest change of kappa_M from one point to the next, times rho_o");
   tabulate(shell, in, r);

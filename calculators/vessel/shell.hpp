@@ -80,7 +80,8 @@ sigma_adm = "120 MPa"
 
   struct Result : WallResult {
     Length r = unset<Length>, z = unset<Length>;
-    double psi_max = unset<double>, s_min = unset<double>, w_kappa = unset<double>, w_b = unset<double>;
+    double psi_max = unset<double>, s_min = unset<double>, w_kappa = unset<double>, w_b = unset<double>,
+           x_s = unset<double>;
     List<Along, most_points> along;
   };
   static constexpr Fields results = join(
@@ -93,6 +94,7 @@ sigma_adm = "120 MPa"
           Field{&Result::s_min, "s_min", ratio,
                 "flatness: widest radius over the largest radius of curvature rho_o; a flat place is no membrane"}
               .limit(0.02, 1.0 + 1e-9),
+          shallowness<Result>(),
           Field{&Result::w_kappa, "w_kappa", ratio,
                 "jumps: largest change of the meridian's curvature from point to point, times rho_o; finer points, or "
                 "vessel.sphere and vessel.torus for the parts of a head"}
@@ -112,8 +114,9 @@ sigma_adm = "120 MPa"
 
   static Applies knuckle_compressed(const Input& in);
   static Applies compressed(const Input& in);
+  static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>(
-      "u_v, t_R, psi_max, s_min, w_kappa",
+      "u_v, t_R, psi_max, s_min, x_s, w_kappa",
       Mode<Input>{"knuckle", "buckling of a knuckle in compression", &knuckle_compressed}.judged_by("w_b"),
       Mode<Input>{"buckling", "buckling of the wall in compression", &compressed});
 

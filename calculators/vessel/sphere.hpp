@@ -67,6 +67,7 @@ sigma_adm = "160 MPa"
                                   "the wall is thicker than the radius leaves room for"}});
 
   static Applies compressed(const Input& in);
+  static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes =
       wall_modes<Input>("u_v, t_R", Mode<Input>{"buckling", "buckling of the wall in compression", &compressed});
 

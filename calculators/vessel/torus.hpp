@@ -60,6 +60,7 @@ sigma_adm = "140 MPa"
                       Rule<Input>{[](const Input& in) { return !is_set(in.delta) || in.R_0 > in.r + in.delta; },
                                   "R_0, r, delta", "the wall leaves no hole in the ring: R_0 must be larger"}});
 
+  static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>("u_v, t_R");
 
   template <class Tracer>

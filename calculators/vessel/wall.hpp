@@ -4,6 +4,8 @@
 
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/join.hpp"
+#include "lib/calculator/meaning.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/text/issue.hpp"
 
@@ -89,6 +91,9 @@ constexpr auto wall_inputs() {
           .may_be_missing()};
 }
 
+/// What a material bounds of them.
+inline constexpr std::array wall_meanings{Meaning{"sigma_adm", allowable_in_normal}};
+
 template <class Input>
 constexpr auto liquid_inputs(const char* level) {
   return Fields{Field<Input, Density>{&Input::rho, "rho", kg_per_m3, "density of the liquid, with h_l"}
@@ -115,6 +120,16 @@ constexpr auto wall_results() {
       Field<Result, double>{&Result::t_R, "t_R", ratio, "thin wall: thickness over the mean radius of curvature"}.limit(
           0, 0.05 * (1 + 1e-12)),
       Field<Result, double>{&Result::u_v, "u_v", ratio, "strength: equivalent stress over the allowable one"}.check()};
+}
+
+/// Of what has x_s.
+template <class Result>
+constexpr auto shallowness() {
+  return Field<Result, double>{
+      &Result::x_s, "x_s", ratio,
+      "shallowness: widest radius over the root of curvature radius and thickness; a flat dish "
+      "carries by bending"}
+      .limit(4 * (1 - 1e-9), 1e6);
 }
 
 template <class Input>

@@ -71,7 +71,7 @@ void add_fields(std::span<const FieldInfo> fields, void* owner, Items& items) {
 
 void add_step_keys(const Target& target, Items& items) {
   for (const StepKey& known : keys_beside(*target.calculator)) {
-    const bool is_table = known.key == "display" || known.key == "accept";
+    const bool is_table = known.key == "display" || known.key == "accept" || known.key == "because";
     items.push_back({.label = known.key,
                      .kind = Kind::field,
                      .meaning = known.meaning,
@@ -108,6 +108,11 @@ Items keys_for(const OpenFile& file, const Path& table) {
     for (const ModeInfo& mode : target.calculator->modes) {
       items.push_back(plain_key(mode.id));
       items.back().meaning = mode.title;
+    }
+  } else if (target.in_because && table.size() == 2) {
+    for (const FieldInfo& field : target.calculator->input->fields) {
+      items.push_back(plain_key(field.key));
+      items.back().meaning = field.doc;
     }
   } else if (target.inner != nullptr) {
     add_fields(target.field->fields, target.inner, items);

@@ -58,9 +58,16 @@ std::string mode_text(const Target& target, const std::string& id) {
   return {};
 }
 
+std::string reason_text(const Target& target, const std::string& key) {
+  const FieldInfo* const field = find_field(target.calculator->input->fields, key);
+  if (field == nullptr) return {};
+  return "**" + key + "**: " + field->doc + "\n\nthe text is the reason why it is better than what stands beside it";
+}
+
 std::string about(const Target& target, const Path& path) {
   if (target.field != nullptr) return field_text(target);
   if (target.calculator == nullptr || path.size() < 2) return {};
+  if (target.in_because && path.size() > 2) return reason_text(target, path[2]);
   return target.in_accept && path.size() > 2 ? mode_text(target, path[2]) : key_text(target, path[1]);
 }
 

@@ -15,8 +15,9 @@ namespace {
 
 using Type = FieldInfo::Type;
 
-constexpr std::array functions{"peak", "min", "max", "mean", "rms", "amplitude", "range", "at",   "abs",  "sqrt",
-                               "cbrt", "exp", "ln",  "sin",  "cos", "tan",       "asin",  "acos", "atan", "atan2"};
+constexpr std::array functions{"peak", "min", "max",  "mean", "rms",  "amplitude", "range",
+                               "at",   "abs", "sqrt", "cbrt", "exp",  "ln",        "sin",
+                               "cos",  "tan", "asin", "acos", "atan", "atan2",     "mises"};
 
 /// A path of a step that others may take, and what it is.
 struct Offer {

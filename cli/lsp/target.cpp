@@ -110,6 +110,7 @@ Target target_of(const Outline& outline, std::string_view text, const Path& path
   const auto groups = table_groups(*target.calculator);
   if (std::find(groups.begin(), groups.end(), path[1]) != groups.end()) target.group = path[1];
   target.in_accept = path[1] == "accept";
+  target.in_because = path[1] == "because";
   Walk(target).run(path);
   return target;
 }
@@ -123,6 +124,8 @@ std::vector<StepKey> keys_beside(const Calculator& calculator) {
   keys.push_back({"note", "for the report"});
   if (calculator.result != nullptr) keys.push_back({"display", "units of results"});
   if (!calculator.modes.empty()) keys.push_back({"accept", "modes of failure that you answer for, with the reason"});
+  if (calculator.result != nullptr)
+    keys.push_back({"because", "why a typed value is better than the row or the record beside it"});
   return keys;
 }
 

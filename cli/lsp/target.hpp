@@ -25,6 +25,7 @@ struct Target {
   void* inner = nullptr;             // that holds the fields of a table or of an element; null elsewhere
   std::string group;                 // of the row that the key names: "material"
   bool in_accept = false;            // accept.MODE
+  bool in_because = false;           // because.KEY
   bool is_list = false;              // the list itself, not an element of it
 };
 

@@ -1,6 +1,6 @@
 #include "cli/lsp/words.hpp"
 
-#include "lib/project/references.hpp"
+#include "lib/project/references/references.hpp"
 #include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/unit_table.hpp"

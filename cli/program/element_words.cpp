@@ -83,6 +83,15 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
         ->take_all()
         ->allow_extra_args(false);
   }
+  if (calculator.result != nullptr) {
+    app.add_option("--because", options.because,
+                   "why a typed value is better than the row or the record beside it: --because R_e=\"certificate "
+                   "4711\"")
+        ->type_name("KEY=REASON")
+        ->expected(1)
+        ->take_all()
+        ->allow_extra_args(false);
+  }
   app.add_option("--file", options.file,
                  "project file: its steps of this calculator, and what they refer to; other flags replace their fields")
       ->type_name("FILE");

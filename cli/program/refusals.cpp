@@ -3,6 +3,7 @@
 #include "cli/commands.hpp"
 #include "lib/text/issue.hpp"
 
+#include <algorithm>
 #include <iostream>
 
 namespace loadpath::cli {
@@ -26,6 +27,14 @@ int unknown_option(const CLI::App& command, const std::string& word) {
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& long_name : option->get_lnames()) options.push_back("--" + long_name);
   }
+  const auto has = [&](const std::string& option) {
+    return std::find(options.begin(), options.end(), option) != options.end();
+  };
+  if ((name == "--P" || name == "--n") && has("--T"))
+    return refuse("there is no option '" + name + "'", "a power and a speed are a torque: --T \"=15 kW/(1450 rpm)\"");
+  const auto longer = std::find_if(options.begin(), options.end(),
+                                   [&](const std::string& option) { return option.starts_with(name + "_"); });
+  if (longer != options.end()) return refuse("there is no option '" + name + "'", "did you mean '" + *longer + "'?");
   return refuse("there is no option '" + name + "'",
                 did_you_mean(name, options, say("`{1} --help` shows what there is", path_of(command))).text());
 }

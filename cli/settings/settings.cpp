@@ -103,7 +103,7 @@ bool is_word(const Tree& project, const Setting& setting) {
   const std::string& step = setting.path.front().key;
   const std::string& key = setting.path[1].key;
   if (step == "project") return key != "sweep";
-  if (key == "title" || key == "note" || key == "accept") return true;
+  if (key == "title" || key == "note" || key == "accept" || key == "because") return true;
   const Tree::Entry* const table = project.find(step);
   const Tree::Entry* const id = table == nullptr ? nullptr : table->value.find("calculator");
   const Calculator* const calculator = id == nullptr ? nullptr : find_calculator(calculators(), id->value.text);

@@ -84,6 +84,9 @@ bool add_values(const std::string& id, const std::string& flag, Candidates& all)
   if (flag == "accept") {
     for (const ModeInfo& mode : calculator->modes) add(all, std::string(mode.id) + "=", mode.title);
   }
+  if (flag == "because") {
+    for (const FieldInfo& field : calculator->input->fields) add(all, std::string(field.key) + "=", field.doc);
+  }
   for (const FieldInfo& field : calculator->input->fields) {
     if (field.key != flag) continue;
     for (const std::string& word : words_to_type(field)) add(all, word);

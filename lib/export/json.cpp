@@ -157,6 +157,11 @@ void write_step(const project::Step& step, const SeriesChoice& choice, JsonWrite
   }
   out.close_object();
   write_verdicts(account.verdicts, out);
+  if (!step.input().because.empty()) {
+    out.key("because").open_object();
+    for (const auto& [key, reason] : step.input().because) out.member(key, reason.text);
+    out.close_object();
+  }
   if (!account.warnings.empty()) {
     out.key("warnings").open_array();
     for (const Message& warning : account.warnings) out.write(warning.text());

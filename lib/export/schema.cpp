@@ -69,6 +69,16 @@ json::object accept_schema(const Calculator& calculator) {
           {"properties", std::move(reasons)}};
 }
 
+json::object because_schema(const Calculator& calculator) {
+  json::object reasons;
+  for (const FieldInfo& field : calculator.input->fields)
+    reasons[field.key] = json::object{{"type", "string"}, {"minLength", 1}, {"description", field.doc}};
+  return {{"type", "object"},
+          {"description", "inputs that are better than the row or the record beside them, each with the reason"},
+          {"properties", std::move(reasons)},
+          {"additionalProperties", text()}};
+}
+
 /// A step of one calculator. A template lays out what the input of the others must give.
 json::object step_schema(const Calculator& calculator, Definitions& definitions) {
   Record blank(*calculator.input);
@@ -80,6 +90,7 @@ json::object step_schema(const Calculator& calculator, Definitions& definitions)
   for (const std::string& group : table_groups(calculator)) properties[group] = definitions.row(group);
   if (calculator.result != nullptr) properties["display"] = display_schema(calculator);
   properties["accept"] = accept_schema(calculator);
+  if (calculator.result != nullptr) properties["because"] = because_schema(calculator);
   if (!calculator.templates.empty()) add_templates(calculator, step, definitions);
   return step;
 }

@@ -120,6 +120,7 @@ json::object row_schema(const std::string& group, Definitions& definitions) {
     step["size_max"] = definitions.quantity(head.size.dimension);
     properties["by_size"] = {{"type", "array"}, {"items", closed({"size_max"}, std::move(step))}};
   }
+  properties["because"] = {{"type", "object"}, {"additionalProperties", json::object{{"type", "string"}}}};
   for (const char* word : {"standard", "kind", "note", "source"}) properties[word] = {{"type", "string"}};
   properties["aliases"] = {{"type", "array"}, {"items", json::object{{"type", "string"}}}};
   return closed({"source"}, std::move(properties));
@@ -147,7 +148,8 @@ json::object Definitions::quantity(const Dimension& dimension) {
 }
 
 json::object Definitions::history(const Dimension& dimension) {
-  const json::object text{{"type", "string"}}, number{{"type", "number"}};
+  const json::object text{{"type", "string"}};
+  const json::object number{{"type", json::array{"number", "string"}}, {"pattern", "^="}};  // or an expression
   const json::object column{{"type", json::array{"string", "integer"}}};
   const json::object values{{"type", "array"}, {"items", number}, {"minItems", 1}};
   return {{"anyOf", json::array{quantity(dimension),

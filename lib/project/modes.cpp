@@ -150,6 +150,18 @@ void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges
   mode.note = say("by {1}.{2}: {3}", worst.step, worst.id, reason(worst));
 }
 
+/// Of "S, A_v" what the step does not give yet.
+std::string still_wanted(const Step& step, const char* wants) {
+  const Reading& reading = step.input().reading;
+  std::string left;
+  for (const std::string& key : listed_keys(wants)) {
+    const bool referred = std::any_of(reading.operands.begin(), reading.operands.end(),
+                                      [&](const Operand& operand) { return operand.path == key; });
+    if (!referred && !reading.typed.contains(key)) left += (left.empty() ? "" : ", ") + key;
+  }
+  return left;
+}
+
 }  // namespace
 
 void settle_left(Project& project) {
@@ -185,14 +197,24 @@ std::vector<const account::Verdict*> rows_of(const ModeInfo& mode, const std::ve
   return rows;
 }
 
+bool is_doubtful(const Step& step, const ModeInfo& info) {
+  return info.kind == ModeKind::strength && !step.reduced_loads().empty();
+}
+
 State state_of(const Step& step, const ModeInfo& info, Applies applies, std::optional<State> worst, bool enough) {
   const bool rest = info.by_rest && !step.left_of_loads().empty();
   if (applies == Applies::unseen && (rest || (info.by_service && step.load_varies()))) applies = Applies::yes;
-  return worst && (*worst != State::pass || enough) ? *worst : unjudged(info, applies);
+  const State state = worst && (*worst != State::pass || enough) ? *worst : unjudged(info, applies);
+  // What holds under a load that lacks its factor may break under the whole one.
+  const bool lacks = info.kind == ModeKind::strength && !step.lacking_factor().empty();
+  if (lacks && state == State::pass) return State::not_judged;
+  const bool passes = state == State::pass || state == State::open;
+  return passes && is_doubtful(step, info) && applies != Applies::no ? State::not_judged : state;
 }
 
 account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
-                     const std::vector<const account::Verdict*>& rows, std::string wants, bool enough) {
+                     const std::vector<const account::Verdict*>& rows, std::string wants, bool enough,
+                     const Bolder& bolder) {
   const bool rest = info.by_rest && !step.left_of_loads().empty();
   account::Mode mode;
   mode.step = step.name();
@@ -201,8 +223,12 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
   mode.kind = info.kind;
   mode.state =
       state_of(step, info, applies, rows.empty() ? std::nullopt : std::optional(governing(rows).state), enough);
-  if (mode.state == State::open || mode.state == State::not_judged) {
-    mode.wants = wants.empty() ? info.wants : std::move(wants);
+  if (!bolder.wants.empty() && mode.state == State::pass) {
+    mode.state = State::not_judged;
+    mode.wants = bolder.wants;
+    mode.note = bolder.why;
+  } else if (mode.state == State::open || mode.state == State::not_judged) {
+    mode.wants = wants.empty() ? still_wanted(step, info.wants) : std::move(wants);
     mode.judge = info.judge;
     if (mode.wants.empty() && *info.checks != '\0') mode.note = say("{1} has no value here", info.checks);
     if (mode.state == State::not_judged && *info.judge != '\0') {
@@ -210,13 +236,25 @@ account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
       mode.note = mode.wants.empty() ? say("left to {1}, of which no step takes {2} whole", info.judge, records)
                                      : say("give {1}, or take {2} whole in a {3}", mode.wants, records, info.judge);
     }
+    if (!rows.empty() && governing(rows).state == State::pass && !step.lacking_factor().empty()) {
+      mode.wants.clear();
+      mode.note = step.lacking_factor();
+    }
     if (rest)
       mode.note = say("not taken, though it comes with the load: {1}; judge it by hand: accept.{2} = \"...\"",
                       step.left_of_loads(), info.id);
+    // A row that judges nothing says itself why.
+    if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();
+    if (mode.state == State::not_judged && is_doubtful(step, info)) {
+      mode.wants.clear();
+      mode.note = step.reduced_loads().front().message;
+    }
   } else {
     mode.governs = governing(rows).symbol;
     mode.utilisation = utilisation_of(rows);
     mode.note = governing(rows).note;
+    if (!bolder.why.empty())
+      mode.note = mode.note.empty() ? say("with {1}", bolder.why) : say("{1}, with {2}", mode.note, bolder.why);
   }
   accept(step.input(), mode);
   return mode;

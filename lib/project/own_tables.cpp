@@ -1,6 +1,6 @@
 #include "lib/project/own_tables.hpp"
 
-#include "lib/table/own.hpp"
+#include "lib/table/own/own.hpp"
 #include "lib/table/tables.hpp"
 #include "lib/toml/gate.hpp"
 

@@ -1,6 +1,7 @@
 #include "lib/project/parts.hpp"
 
 #include "lib/project/accept.hpp"
+#include "lib/project/because.hpp"
 #include "lib/project/read/errors.hpp"
 #include "lib/table/tables.hpp"
 
@@ -17,7 +18,7 @@ constexpr std::array reserved{"project", "values", "tables", "expect"};
 constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker",
                                      "date",  "note",   "paper",    "tables", "sweep"};
 constexpr std::array papers{"A4", "letter"};
-const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "display", "accept"};
+const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "display", "accept", "because"};
 
 const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
   const auto* id = entry.value.find("calculator");
@@ -271,6 +272,7 @@ std::unique_ptr<Step> read_step(const Tree::Entry& entry, const Project& project
   if (const auto* note = entry.value.find("note")) input.note = text_of(*note, entry.key + ".note", issues);
   read_display(entry.value, input, issues);
   read_accepted(entry.value, input, issues);
+  read_because(entry.value, input, issues);
   input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".",
                               keys_beside_fields(*input.calculator), issues);
   read_rows(entry.value, input, issues);

@@ -9,10 +9,19 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 namespace loadpath::project {
+
+/// One solving of a step.
+struct Pass {
+  std::size_t step;
+  /// Inputs that wait for a step which needs other results of this one: they are left open, and the step is solved
+  /// again with them. Empty: solved whole.
+  std::set<std::string> without;
+};
 
 struct Project {
   std::string file;
@@ -22,10 +31,12 @@ struct Project {
   Values values;
   std::vector<std::unique_ptr<Step>> steps;     // in the order of the file
   std::vector<std::size_t> order;               // of evaluation
+  std::vector<Pass> passes;                     // of solving: in that order, but for steps that are solved twice
   std::vector<std::string> references;          // of the steps to one another: full paths
   std::shared_ptr<const table::Tables> tables;  // the project's own before the built-in ones
   std::vector<NamedFile> files;                 // that were read beside its own
   std::map<std::string, Value> table_values;    // that expressions name: "tables.materials.S355.E"
+  std::map<std::string, Value> beforehand;      // inputs that others take before their steps are solved
   std::vector<Expectation> expectations;
   SweepSettings sweep;
   bool strict = false;  // what is open counts as not judged
@@ -38,6 +49,11 @@ struct Project {
   /// The value at "step.path" after solving, or nothing.
   [[nodiscard]] const Value* value(const std::string& path) const;
 };
+
+/// "lever.drive.M" -> "lever", "drive.M".
+std::pair<std::string, std::string> split_step(const std::string& path);
+/// Whether a path names a value of a table: "tables.materials.S355.E".
+bool is_of_tables(const std::string& path);
 
 /// Whether an input may be a range or a list of values: `run` takes one value, a sweep goes through all.
 enum class Ranges { refused, taken };

@@ -53,6 +53,10 @@ const Value* Step::value(const std::string& path) const {
   return nullptr;
 }
 
+void Step::solve_without(const std::set<std::string>&, const Known&) {}
+
+std::optional<Value> Step::value_beforehand(const std::string&, bool, const Beforehand&) const { return std::nullopt; }
+
 namespace {
 
 void add_members(std::span<const FieldInfo> fields, const std::string& of, const std::string& prefix,
@@ -139,33 +143,15 @@ FieldFault lost_sign(const Operand& operand, const Declared& declared) {
           say("take the series itself, its least value, min(...), or say the sign: -peak(...)")};
 }
 
-/// An angle is no bare number and an angular speed no frequency, as in a value that is typed. What comes from other
-/// steps may have lost its angle in a ratio of lengths, but a speed of turning is still no frequency.
+/// An angle is no bare number, as in a value that is typed. What comes from other steps may have lost its angle in a
+/// ratio of lengths.
 FieldFault lost_angle(const Operand& operand, const Dimension& given) {
   const Dimension& wanted = operand.leaf.field->dimension;
-  if (given == wanted) return {};
-  const bool literal = operand.expression.references().empty();
-  const bool angle = literal && wanted == Dimension::of(0, 0, 0, 0, 1);
-  const bool speed = literal && wanted == Dimension::of(0, 0, -1, 0, 1);
-  const bool frequency = wanted == Dimension::of(0, 0, -1) && given == Dimension::of(0, 0, -1, 0, 1);
-  if (!angle && !speed && !frequency) return {};
-  const Message hint = angle   ? say("write its unit: deg or rad")
-                       : speed ? say("write rpm, rev/s or rad/s; a frequency times 2*pi rad")
-                               : say("divide by 2*pi rad");
+  if (given == wanted || wanted != Dimension::of(0, 0, 0, 0, 1) || !operand.expression.references().empty()) return {};
   return {operand.path,
           say("'{1}' takes a value of {2}, and this expression is one of {3}", operand.path, name_of(wanted),
               name_of(given)),
-          hint};
-}
-
-/// The dimension of a moment is that of an energy: who forgets the radians is off by 2 pi.
-FieldFault energy_of_cycle(const Operand& operand, const Declared& declared) {
-  if (operand.leaf.field->kind != Kind::moment) return {};
-  const std::string work = operand.expression.work_of_cycle(declared);
-  if (work.empty()) return {};
-  return {operand.path,
-          say("'{1}' is a moment, and '{2}' is a power over a frequency: the energy of one cycle", operand.path, work),
-          say("divide by a speed in rpm or rad/s, or by the frequency times 2*pi rad")};
+          say("write its unit: deg or rad")};
 }
 
 /// The axis of one operand after its dimension has been compared with that of its field.
@@ -190,8 +176,7 @@ const Axis* check_operand(const Operand& operand, const std::string& step, const
                       Severity::error});
     return nullptr;
   }
-  for (const FieldFault& fault :
-       {lost_sign(operand, declared), lost_angle(operand, signature->dimension), energy_of_cycle(operand, declared)}) {
+  for (const FieldFault& fault : {lost_sign(operand, declared), lost_angle(operand, signature->dimension)}) {
     if (fault.message.empty()) continue;
     issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()), key, fault.message, fault.hint,
                       Severity::error});
@@ -246,6 +231,25 @@ std::optional<Issue> broken_count(const Operand& operand, const std::string& ste
   return std::nullopt;
 }
 
+/// Of values that somebody typed as an expression: what a literal is warned of, or refused for.
+std::optional<Issue> doubt_of(const Operand& operand, const std::string& step, const std::vector<double>& si) {
+  const FieldInfo& field = *operand.leaf.field;
+  const auto issue = [&](Message message, Message hint, Severity severity) {
+    return Issue{place_in(operand.place, operand.text, 0, operand.text.size()), step + "." + operand.path,
+                 std::move(message), std::move(hint), severity};
+  };
+  if (field.type != FieldInfo::Type::quantity || operand.of_record) return std::nullopt;
+  for (const double x : si) {
+    if (std::isfinite(x) && is_out_of_proportion(x))
+      return issue(out_of_proportion(operand.path, field, x),
+                   say("check the unit and the power of ten: no machine has that"), Severity::error);
+  }
+  const auto rare =
+      std::find_if(si.begin(), si.end(), [&](double x) { return !std::isnan(x) && !field.plausible.holds(x); });
+  if (rare == si.end()) return std::nullopt;
+  return issue(unusual(operand.path, field, *rare), say("check the unit"), Severity::warning);
+}
+
 }  // namespace
 
 std::optional<Value> evaluate_operand(const Operand& operand, const std::string& step, const Known& known,
@@ -260,7 +264,12 @@ std::optional<Value> evaluate_operand(const Operand& operand, const std::string&
   }
   const auto refused = std::find_if(value.si.begin(), value.si.end(),
                                     [&](double x) { return !std::isnan(x) && !field.bounds.holds(x); });
-  if (refused == value.si.end()) return value;
+  if (refused == value.si.end()) {
+    auto issue = doubt_of(operand, step, value.si);
+    const bool wrong = issue && issue->severity == Severity::error;
+    if (issue) issues.push_back(std::move(*issue));
+    return wrong ? std::nullopt : std::optional(std::move(value));
+  }
   issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()),
                     step + "." + operand.path,
                     say("{1} = {2}: {3}", operand.path, format_quantity(*refused, field.unit), bounds_message(field)),

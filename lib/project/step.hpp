@@ -52,6 +52,8 @@ struct StepInput {
   std::map<std::string, Typed> rows;
   /// Modes of failure that the user answers for, and why: "pitting" -> "rated by the maker, drawing 12".
   std::map<std::string, Typed> accepted;
+  /// Why a typed value is better than a row or a record beside it says: "R_e" -> "certificate 4711".
+  std::map<std::string, Typed> because;
   /// Display units of results that the user prefers: "d" -> "in".
   std::map<std::string, std::string> display;
   Place place;  // of the step's name
@@ -68,6 +70,11 @@ struct Known {
   std::function<std::vector<std::pair<std::string, const Entry*>>(const std::string& path)> within;
 
   const Value& operator()(const std::string& path) const { return value(path); }
+};
+/// A load that is not all of the series that it comes from.
+struct ReducedLoad {
+  std::string path;      // of the input: "F"
+  Message message = {};  // what was used, and what to write in its place
 };
 /// What else loads the part that takes a path's value: full paths (Step::companions_of).
 using Companions = std::function<std::vector<std::string>(const std::string& path)>;
@@ -105,8 +112,16 @@ class Step {
   /// Fills the account; series that are not wanted may have no values. A computed value that its field refuses becomes
   /// an issue at its expression.
   virtual void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) = 0;
+  /// Results alone, with these inputs left open: those that hang on them are not available, or are found to differ when
+  /// the step is solved whole.
+  virtual void solve_without(const std::set<std::string>& inputs, const Known& known);
   /// The value at a path, after `solve`; nothing where there is none (an element that the list does not have).
   [[nodiscard]] virtual const Value* value(const std::string& path) const;
+  /// The value of an input before `solve`; nothing where that is not certain. `of` gives inputs of other steps.
+  /// `settled`: not one of several values either.
+  using Beforehand = std::function<std::optional<Value>(const std::string& path)>;
+  [[nodiscard]] virtual std::optional<Value> value_beforehand(const std::string& path, bool settled,
+                                                              const Beforehand& of) const;
   /// The choice, name or row at a path, after `solve`; empty where there is none.
   [[nodiscard]] std::string word(const std::string& path) const;
   /// Results, else inputs, in a record or a list, with what stands behind its path.
@@ -123,6 +138,14 @@ class Step {
   /// What the loads hold that the step has taken: its own results hold it too; known when it is solved.
   [[nodiscard]] const Factors& factors() const { return factors_; }
   void hold(Factors factors) { factors_ = std::move(factors); }
+  /// Of a factor that its loads lack, and that nothing gives here: "T comes without gears.K_A = 1.75: give K_A"; empty
+  /// where there is none. Loads that are taken from it lack it too. Known when it is solved.
+  [[nodiscard]] const Message& lacking_factor() const { return lacking_factor_; }
+  void lack_factor(Message what) { lacking_factor_ = std::move(what); }
+  /// Loads that are less than the series that they come from, and that nobody answers for: no mode of strength is
+  /// judged by them, here and where the results go; known when it is solved.
+  [[nodiscard]] const std::vector<ReducedLoad>& reduced_loads() const { return reduced_loads_; }
+  void reduce(std::vector<ReducedLoad> loads) { reduced_loads_ = std::move(loads); }
   /// What the report says of the step's inputs.
   void remark(Message remark) { remarks_.push_back(std::move(remark)); }
   [[nodiscard]] const std::vector<Message>& remarks() const { return remarks_; }
@@ -145,6 +168,8 @@ class Step {
   Account account_;
   std::map<std::string, std::string> rows_found_;
   Factors factors_;
+  Message lacking_factor_;
+  std::vector<ReducedLoad> reduced_loads_;
   std::vector<Message> remarks_;
   bool load_varies_ = false;
   std::string left_of_loads_;

@@ -1,6 +1,6 @@
 #include "lib/quantity/format.hpp"
 
-#include "lib/quantity/cursor.hpp"
+#include "lib/quantity/number/cursor.hpp"
 #include "lib/quantity/unit.hpp"
 
 #include <algorithm>

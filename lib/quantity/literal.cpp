@@ -1,8 +1,8 @@
 #include "lib/quantity/literal.hpp"
 
-#include "lib/quantity/cursor.hpp"
 #include "lib/quantity/format.hpp"
-#include "lib/quantity/number.hpp"
+#include "lib/quantity/number/cursor.hpp"
+#include "lib/quantity/number/number.hpp"
 #include "lib/quantity/unit.hpp"
 
 #include <optional>
@@ -154,9 +154,14 @@ Outcome<Literal> parse_literal(std::string_view text) {
   return in_si(*w);
 }
 
+Meant kind_of_literal(std::string_view text) {
+  const Outcome<Written> w = read(text);
+  return w ? kind_of_unit(w->unit.dimension, w->unit.has(Mark::hertz), w->unit.has(Mark::work)) : Meant::nothing;
+}
+
 bool counts_anything(const Dimension& dimension, std::string_view text) {
-  return dimension == frequency && text.find("Hz") == std::string_view::npos &&
-         text.find('s') == std::string_view::npos;
+  const auto names = [text](std::string_view unit) { return text.find(unit) != std::string_view::npos; };
+  return dimension == frequency && !names("Hz") && !names("s") && !names("rev");  // rpm/rev counts turns
 }
 
 Outcome<UnitValue> parse_unit(std::string_view text) {

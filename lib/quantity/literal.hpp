@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/quantity/dimension.hpp"
+#include "lib/quantity/kinds.hpp"
 #include "lib/text/issue.hpp"
 
 #include <string>
@@ -31,6 +32,9 @@ Outcome<Literal> parse_literal(std::string_view text);
 /// Whether a text of this dimension leaves open what it counts, revolutions or cycles: "120 1/min", not "2 Hz", "2
 /// 1/s".
 bool counts_anything(const Dimension& dimension, std::string_view text);
+
+/// What the unit of a literal says of its kind: of "25 Hz" a frequency; nothing where it cannot be read.
+Meant kind_of_literal(std::string_view text);
 
 struct UnitValue {
   double factor = 1.0;  // SI value of one unit

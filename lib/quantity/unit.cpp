@@ -1,7 +1,7 @@
 #include "lib/quantity/unit.hpp"
 
-#include "lib/quantity/cursor.hpp"
 #include "lib/quantity/decimal.hpp"
+#include "lib/quantity/number/cursor.hpp"
 #include "lib/quantity/unit_hint.hpp"
 
 #include <array>
@@ -16,7 +16,7 @@
 namespace loadpath {
 namespace {
 
-constexpr std::array<std::string_view, 4> times_signs = {"*", "·", "⋅", "∙"};
+constexpr std::array<std::string_view, 4> product_signs = {"*", "·", "⋅", "∙"};
 constexpr std::array<std::string_view, 8> not_letters = {"·", "⋅", "∙", "×", "−", "\u00A0", "\u2009", "\u202F"};
 constexpr int largest_power = 12, largest_ten = 300;
 constexpr int largest_exponent = 30 * Dimension::one;
@@ -51,9 +51,9 @@ bool join(ParsedUnit& product, const ParsedUnit& unit, bool divide) {
   return std::abs(product.ten) <= largest_ten && std::isnormal(product.factor);
 }
 
-class Reader {
+class UnitReader {
  public:
-  Reader(std::string_view text, std::size_t at) : in_{text, at} {}
+  UnitReader(std::string_view text, std::size_t at) : in_{text, at} {}
 
   Outcome<ParsedUnit> read() {
     const std::size_t from = in_.at;
@@ -103,7 +103,7 @@ class Reader {
     const bool spaced = in_.at > from;
     if (in_.done() || in_.peek() == ')') return '\0';
     if (in_.take("/")) return '/';
-    if (!in_.take_any(times_signs).empty() || in_.take(".")) return '*';
+    if (!in_.take_any(product_signs).empty() || in_.take(".")) return '*';
     if (in_.peek() == '-' && !in_.digit(1)) return ++in_.at, '*';
     return spaced || in_.peek() == '(' ? '*' : '\0';
   }
@@ -246,6 +246,6 @@ class Reader {
 double ParsedUnit::to_si(double value) const { return times_power_of_ten(value * factor, ten) + offset; }
 double ParsedUnit::from_si(double si) const { return times_power_of_ten((si - offset) / factor, -ten); }
 
-Outcome<ParsedUnit> read_unit(std::string_view text, std::size_t at) { return Reader(text, at).read(); }
+Outcome<ParsedUnit> read_unit(std::string_view text, std::size_t at) { return UnitReader(text, at).read(); }
 
 }  // namespace loadpath

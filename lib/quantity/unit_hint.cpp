@@ -1,6 +1,6 @@
 #include "lib/quantity/unit_hint.hpp"
 
-#include "lib/quantity/cursor.hpp"
+#include "lib/quantity/number/cursor.hpp"
 #include "lib/quantity/unit_table.hpp"
 
 #include <algorithm>

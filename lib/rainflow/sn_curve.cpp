@@ -84,10 +84,12 @@ std::optional<double> SnCurve::cycles(double stress) const {
 }
 
 std::optional<double> SnCurve::stress(double cycles) const {
+  constexpr double rounding = 1.0 + 1e-9;  // of a life that is a sum over cycles: where a curve ends it is still on it
   if (!is_positive(cycles)) return std::nullopt;
   for (const Segment& segment : segments_) {
-    if (segment.from > 0.0 && cycles > segment.point.cycles) continue;
-    const double found = segment.point.stress * std::pow(segment.point.cycles / cycles, 1.0 / segment.slope);
+    if (segment.from > 0.0 && cycles > rounding * segment.point.cycles) continue;
+    const double on_branch = segment.point.stress * std::pow(segment.point.cycles / cycles, 1.0 / segment.slope);
+    const double found = std::max(on_branch, segment.from);
     return is_positive(found) ? std::optional(found) : std::nullopt;
   }
   return std::nullopt;

@@ -175,6 +175,7 @@ std::vector<Difference> differences_of(const Step& before, const Step& after) {
   compare_words("calculator", before.input().calculator->id, after.input().calculator->id, found);
   compare_typed(before.input().rows, after.input().rows, "", found);
   compare_typed(before.input().accepted, after.input().accepted, "accept.", found);
+  compare_typed(before.input().because, after.input().because, "because.", found);
   compare(before.account().inputs, after.account().inputs, true, found);
   std::stable_sort(found.begin(), found.end(),
                    [](const Difference& a, const Difference& b) { return a.kind < b.kind; });

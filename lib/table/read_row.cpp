@@ -7,8 +7,8 @@ namespace loadpath::table {
 
 namespace {
 
-constexpr std::string_view words[] = {"name", "aliases", "near",    "standard", "kind",
-                                      "note", "by_size", "sources", "cite",     "recalled"};
+constexpr std::string_view words[] = {"name",    "aliases", "near", "standard", "kind",   "note",
+                                      "by_size", "sources", "cite", "recalled", "because"};
 
 bool is_word(std::string_view key) { return std::find(std::begin(words), std::end(words), key) != std::end(words); }
 
@@ -24,6 +24,10 @@ bool Reader::read_row(const Tree& tree, const Frame& frame, Row& row) {
   row.note = text_of(tree, "note", row.name);
   if (const auto* aliases = tree.find("aliases")) row.aliases = texts(aliases->value, row.name + ".aliases");
   if (const auto* near = tree.find("near")) row.near = texts(near->value, row.name + ".near");
+  if (const auto* because = tree.find("because")) {
+    for (const Tree::Entry& reason : because->value.entries)
+      row.because[reason.key] = text_of(because->value, reason.key, row.name);
+  }
   read_values(tree, frame, row);
   let_defaults(frame, row);
   return issues_.size() == before;

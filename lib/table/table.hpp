@@ -33,9 +33,10 @@ struct Row {
   std::string standard;
   std::string kind;
   std::string note;
-  std::vector<Value> values;  // at any size
-  std::vector<Step> by_size;  // ascending
-  bool own = false;           // of the project: its sources are texts, not keys of citations
+  std::vector<Value> values;                        // at any size
+  std::vector<Step> by_size;                        // ascending
+  bool own = false;                                 // of the project: its sources are texts, not keys of citations
+  std::map<std::string, std::string> because = {};  // of the project: why a value is better than a built-in one
 };
 
 struct Column {

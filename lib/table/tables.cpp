@@ -121,6 +121,7 @@ std::vector<Entry> Tables::ordered_rows(std::string_view group, std::string_view
 
 std::string_view order_of(std::string_view group) {
   if (group == "section") return "A";
+  if (group == "key") return "b";
   return group == "chain" ? "p" : "";
 }
 

@@ -156,7 +156,7 @@ const Law drives[] = {
     {"belt.flat", R"(b = "100 mm")", "b = \"100 mm\"\nn_1 = \"2900 rpm\"", "F_c", 4},
     {"belt.v", "z = 4", "z = 4\nP = \"60 kW\"", "u_P", 2},
     {"belt.v", "L = \na = \"800 mm\"", "L = \nd_1 = \"400 mm\"\nd_2 = \"800 mm\"\na = \"1600 mm\"", "L", 2},
-    {"belt.v_sizing", "", "P = \"22 kW\"\nK_A = 0.6", "u_P", 1},
+    {"belt.v_sizing", "", "P = \"13.2 kW\"\nK_A = 1", "u_P", 1},
 };
 
 const Law motion[] = {
@@ -205,7 +205,8 @@ const Law keys[] = {
     {"shaft.spline", "", R"(l = "25 mm")", "p", 2},
     {"shaft.spline", "", "centring = \"flanks\"", "p", 0.75 / 0.9},
     {"shaft.spline", "", "k_l = 1.5", "tau", 1.5},
-    {"shaft.spline", "", R"(b = "5 mm")", "tau", 2},
+    {"shaft.spline", "spline = \nz = 8\nd_1 = \"52 mm\"\nd_2 = \"60 mm\"\nb = \"10 mm\"",
+     "spline = \nz = 8\nd_1 = \"52 mm\"\nd_2 = \"60 mm\"\nb = \"5 mm\"", "tau", 2},
     {"shaft.spline", "", "f_W = 0.5\ntorque = \"reversing\"", "u_2", 1},
     {"shaft.set_screw", "", R"(d = "40 mm")", "T_h", 2},
     {"shaft.set_screw", "", R"(T = "16 N*m")", "u", 2},
@@ -339,7 +340,7 @@ const Trend trends[] = {
      R"(delta = "8 mm")"},
     {"vessel.sphere", "delta_min", falls, "z_l", {"0.7", "0.8", "0.9", "1"}, "delta = \"30 mm\"\nz_c = 1"},
     {"vessel.shell", "p_max", rises, "delta", {R"("4 mm")", R"("6 mm")", R"("8 mm")", R"("10 mm")"}},
-    {"fatigue.endurance", "sigma_D", falls, "K_t", {"1", "1.2", "1.65", "2.5"}},
+    {"fatigue.endurance", "sigma_D", falls, "K_t", {"1.01", "1.2", "1.65", "2.5"}},
     {"fatigue.endurance", "sigma_D", falls, "R_z", {R"("1.6 um")", R"("6.3 um")", R"("25 um")", R"("100 um")"}},
     {"fatigue.endurance", "sigma_D", falls, "d", {R"("10 mm")", R"("30 mm")", R"("60 mm")", R"("140 mm")"}},
     {"fatigue.endurance",

@@ -30,14 +30,14 @@ const char* const right_triangle =
 // 100 N in the middle of 1 m of 10 mm, at rest
 const char* const middle_load =
     "pieces = [{ l = \"1 m\", d = \"10 mm\" }]\nsupports = [{ name = \"left\", x = \"0 m\" }, { x = \"1 m\" }]\n"
-    "seats = [{ x = \"0.5 m\", F_x = \"100 N\" }]\nnotches = \ng_angle = \nrho = \"7850 kg/m^3\"";
+    "seats = [{ x = \"0.5 m\", F_x = \"100 N\" }]\nnotches = \ng_angle = ";
 
 // The same force on the small end of a cone of 400 mm, 40 mm thick there and 80 mm where a bearing holds it.
 const char* const overhung_cone =
     "pieces = [{ name = \"cone\", l = \"400 mm\", d = \"40 mm\", d_2 = \"80 mm\" }, { l = \"300 mm\", d = \"80 mm\" "
     "}]\nsupports = [{ x = \"400 mm\", holds = \"both\" }, { x = \"700 mm\" }]\nseats = [{ x = \"0 m\", F_x = \"100 "
     "N\" }]\n"
-    "notches = \ng_angle = \nrho = \"7850 kg/m^3\"";
+    "notches = \ng_angle = ";
 
 const char* const bare_bar =
     "pieces = [{ l = \"1.5 m\", d = \"10 mm\" }]\nsupports = [{ x = \"0 m\" }, { x = \"1.5 m\" }]\nseats = \nnotches = "
@@ -96,10 +96,10 @@ const Case bars[] = {
     {"shaft.torsion", "d = \"2 m\"\ntorques = [{ x = \"0 m\", T = \"1 MN*m\" }, { x = \"1 m\", T = \"-1 MN*m\" }]",
      "tau_max", 1e6 / (pi / 2)},
     {"shaft.overhung", "a = \"0 mm\"\nd = \"40 mm\"", "sigma_b", 0.0},
-    {"shaft.design", middle_load, "M_max", 25.0},             // F l/4
-    {"shaft.design", middle_load, "bearings.left.R_x", -50},  // half of it
-    {"shaft.design", middle_load, "mass", 7850 * pi / 4 * 1e-4},
-    {"shaft.design", overhung_cone, "mass", 7850 * pi / 4 * (112e-4 / 3 * 0.4 + 64e-4 * 0.3)},
+    {"shaft.design", middle_load, "M_max", 25.0},                 // F l/4
+    {"shaft.design", middle_load, "bearings.left.R_x", -50},      // half of it
+    {"shaft.design", middle_load, "mass", 7840 * pi / 4 * 1e-4},  // of C45E
+    {"shaft.design", overhung_cone, "mass", 7840 * pi / 4 * (112e-4 / 3 * 0.4 + 64e-4 * 0.3)},
     {"shaft.design", overhung_cone, "sections.cone.d", 0.06},  // half as thick again
     {"shaft.design", overhung_cone, "sections.cone.sigma_b", 128 * 100 * 0.4 / (27 * pi * 64e-6)},
     {"shaft.design", overhung_cone, "s_max", 0.05},
@@ -138,6 +138,8 @@ const Case tubes[] = {
      std::cbrt(16e3 / (pi * 30e6 * (1 - fourth_of_bore)))},
     {"shaft.torsion", "torques = \nT = \"1 kN*m\"\nchi = 0.8\ntau_adm = \"1 GPa\"", "d_stiffness",
      std::sqrt(std::sqrt(32e3 / (pi * 80e9 * 0.004 * (1 - fourth_of_bore))))},
+    {"shaft.torsion", "torques = \nT = \"1 kN*m\"\ntau_adm = ", "d_min",  // stiffness alone is asked for
+     std::sqrt(std::sqrt(32e3 / (pi * 80e9 * 0.004)))},
     {"shaft.torsion", "torques = \nT = \"1 kN*m\"\ntau_adm = \nR_e = \"300 MPa\"\nS = 2", "tau_all",
      150e6 / std::sqrt(3.0)},
 };
@@ -167,6 +169,11 @@ const Case vessels[] = {
     {"vessel.cylinder",
      "delta = \"10 mm\"\nmeasured = \"mean\"\nc = \"0 mm\"\nends = \"ringed\"\nA_r = \"600 mm^2\"\nl_r = \"120 mm\"",
      "sigma_o", 1.6e6 * 0.6 / 0.015},
+    // flat ends of 101 mm of which 1 mm corrodes: the radius is six times what is left
+    {"vessel.cylinder", "delta = \"11 mm\"\nmeasured = \"mean\"\ndelta_e = \"101 mm\"", "sigma_e",
+     1.24 * 1.6e6 * 6.005 * 6.005},
+    {"vessel.cylinder", "delta = \"11 mm\"\nmeasured = \"mean\"\ndelta_e = \"101 mm\"", "u_e",
+     1.24 * 1.6 * 6.005 * 6.005 / 140},
     {"vessel.cylinder",
      "delta = \"10 mm\"\nends = \"ringed\"\nmeasured = \"mean\"\nrho = \"1000 kg/m^3\"\nh_l = \"10 m\"", "a_r",
      (1.6e6 + 1e4 * g_n) * 0.6 / 140e6},
@@ -202,7 +209,7 @@ const char* const reversed_cycle = "sigma_max = \"100 MPa\"\nsigma_min = \"-100 
 
 const Case fatigue[] = {
     {"fatigue.cycle", "sigma_max = \"100 MPa\"\nsigma_min = \"100 MPa\"", "sigma_a", 0.0},
-    {"fatigue.endurance", "sigma_W = \"300 MPa\"\nK_t = 1\nd = \"7.5 mm\"\nR_z = \"1 um\"", "sigma_D", 300e6},
+    {"fatigue.endurance", "sigma_W = \"300 MPa\"\nK_t = 1\nr_n = \nd = \"7.5 mm\"\nR_z = \"1 um\"", "sigma_D", 300e6},
     {"fatigue.endurance", "d = \"151 mm\"", "epsilon", 0.8},  // the scale of sizes ends at 150 mm
     {"fatigue.endurance", "K_t = \nr_n = \nK_f = 2", "K_f", 2.0},
     {"fatigue.endurance", "loading = \"torsion\"\nR_z = \"1 um\"", "beta_F", 1.0},
@@ -370,6 +377,11 @@ const Case drives[] = {
     {"gear.pair", "beta = \"0 deg\"\na_w = \"96.25 mm\"\nx_1 = 0\nx_2 = 0\nA_s1 = \"-0.1 mm\"\nA_s2 = \"-0.05 mm\"",
      "j_bn", 0.15e-3 * std::cos(pi / 9)},
     {"gear.pair", "beta = \"0 deg\"\na_w = \nx_1 = 0", "F_a", 0.0},
+    // root circles of 43.75 and 136.25 mm, teeth of 5.625 mm
+    {"gear.pair", "beta = \"0 deg\"\na_w = \nx_1 = 0\nbore_1 = \"20 mm\"\nt_k1 = \"2.5 mm\"", "s_R1", 9.375e-3},
+    {"gear.pair", "beta = \"0 deg\"\na_w = \nx_1 = 0\nbore_1 = \"20 mm\"\nt_k1 = \"2.5 mm\"", "m_R1", 5.0 / 3},
+    {"gear.pair", "beta = \"0 deg\"\na_w = \nx_1 = 0\nbore_2 = \"100 mm\"\nt_k2 = \"3 mm\"", "s_R2", 15.125e-3},
+    {"gear.pair", "beta = \"0 deg\"\na_w = \nx_1 = 0\nbore_2 = \"100 mm\"\nt_k2 = \"3 mm\"", "m_R2", 15.125 / 5.625},
     {"gear.planetary", "fixed = \"carrier\"", "n_r", -1450 * pi / 30 * 24 / 84},
     {"gear.planetary", "eta_0 = 1", "P_loss", 0.0},
     {"gear.planetary", "T_s = \nT_c = \"-225 N*m\"\neta_0 = 1", "T_s", 50.0},  // 1 + 84/24 = 4.5
@@ -378,6 +390,8 @@ const Case drives[] = {
     {"chain.roller", "z_1 = 19\nz_2 = 19\na = \"1270 mm\"", "X_0", 2.0 * 1270 / 25.4 + 19},
     {"chain.roller", "z_1 = 19\nz_2 = 19", "alpha_1", pi},
     {"drive.train", R"(stages = [{ kind = "gear", z_1 = 20, z_2 = 20, eta = 1 }])", "P_loss", 0.0},
+    {"drive.train", R"(stages = [{ name = "worm", kind = "worm", z_1 = 2, z_2 = 40, eta = 0.72 }])",
+     "stages.worm.x_eta", 0.8},  // usual up to 0.9
     {"chain.roller", "z_1 = 38", "f_2", std::pow(0.5, 1.08)},
     {"belt.course", R"(n_1 = "12.5 rad/s")", "v", 1.0},  // of a radius of 80 mm
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"", "L", 2.4 + 0.3 * pi},

@@ -29,23 +29,27 @@ const Side vessels[] = {
     {"vessel.cylinder", "u_v", over, "sigma_adm", R"("165 MPa")", R"("164 MPa")", R"(delta = "8 mm")"},
     {"vessel.cylinder", "w_r", outside, "l_r", R"("127 mm")", R"("128 mm")",
      "ends = \"ringed\"\nA_r = \"600 mm^2\"\ndelta = \"12 mm\""},
+    {"vessel.cylinder", "u_e", over, "delta_e", R"("73.1 mm")", R"("73 mm")", R"(delta = "10 mm")"},
     {"vessel.sphere", "t_R", outside, "delta", R"("250 mm")", R"("251 mm")", "measured = \"mean\"\nc = \"0 mm\""},
     {"vessel.sphere", "u_v", over, "sigma_adm", R"("125 MPa")", R"("124 MPa")", R"(delta = "20 mm")"},
     {"vessel.cone", "t_R", outside, "delta", R"("69.2 mm")", R"("69.3 mm")"},
     {"vessel.cone", "u_v", over, "sigma_adm", R"("18 MPa")", R"("17 MPa")", R"(delta = "8 mm")"},
+    {"vessel.cone", "x_s", outside, "delta", R"("64.9 mm")", R"("65 mm")", R"(measured = "mean")"},
     {"vessel.torus", "t_R", outside, "delta", R"("10 mm")", R"("10.1 mm")"},
     {"vessel.torus", "u_v", over, "sigma_adm", R"("73 MPa")", R"("72 MPa")", R"(delta = "8 mm")"},
     {"vessel.ellipsoid", "t_R", outside, "delta", R"("7.5 mm")", R"("7.6 mm")", R"(measured = "mean")"},
     {"vessel.ellipsoid", "u_v", over, "sigma_adm", R"("67 MPa")", R"("66 MPa")", R"(delta = "8 mm")"},
     {"vessel.ellipsoid", "w_b", outside, "delta", R"("2.4 mm")", R"("2.39 mm")", R"(measured = "mean")"},
+    {"vessel.ellipsoid", "x_s", outside, "delta", R"("18.7 mm")", R"("18.8 mm")", R"(measured = "mean")"},
     {"vessel.shell", "t_R", outside, "delta", R"("49.9 mm")", R"("50 mm")"},
     {"vessel.shell", "u_v", over, "sigma_adm", R"("39 MPa")", R"("38 MPa")", R"(delta = "8 mm")"},
+    {"vessel.shell", "x_s", outside, "delta", R"("31.2 mm")", R"("31.3 mm")", R"(measured = "mean")"},
     {"vessel.shell", "psi_max", outside, "points",  // turned by 14.9 and by 15.1 degrees
      R"([["0.5 m", "0 m"], ["0.5 m", "1 m"], ["0.75713 m", "1.96638 m"]])",
      R"([["0.5 m", "0 m"], ["0.5 m", "1 m"], ["0.76050 m", "1.96547 m"]])"},
     {"vessel.shell", "s_min", outside, "points",  // a cone that rises by 2.1 % and by 1.9 %
      R"([["0.1 m", "0 m"], ["0.6 m", "0.0105 m"], ["1.1 m", "0.0210 m"]])",
-     R"([["0.1 m", "0 m"], ["0.6 m", "0.0095 m"], ["1.1 m", "0.0190 m"]])"},
+     R"([["0.1 m", "0 m"], ["0.6 m", "0.0095 m"], ["1.1 m", "0.0190 m"]])", "p = \"0.001 MPa\"\ndelta = \"0.5 mm\""},
     {"vessel.shell", "w_kappa", outside, "points",  // a barrel beside a cylinder: radii of 2.6 m and of 2.4 m
      R"([["1.000000 m", "0.000000 m"], ["1.000000 m", "0.100000 m"], ["1.000000 m", "0.200000 m"], ["0.998077 m", "0.299975 m"], ["0.992311 m", "0.399803 m"], ["0.982712 m", "0.499335 m"]])",
      R"([["1.000000 m", "0.000000 m"], ["1.000000 m", "0.100000 m"], ["1.000000 m", "0.200000 m"], ["0.997917 m", "0.299971 m"], ["0.991671 m", "0.399769 m"], ["0.981274 m", "0.499219 m"]])"},
@@ -121,6 +125,7 @@ const Side bars[] = {
 const Side fatigue[] = {
     {"fatigue.cycle", "u_y", over, "R_e", R"("120 MPa")", R"("119 MPa")"},
     {"fatigue.cycle", "u_F", over, "R_e", R"("180 MPa")", R"("179 MPa")", "S_F = 1.5"},
+    {"fatigue.cycle", "x_N", outside, "N", "1e7", "1.01e7", "rho = \"2700 kg/m^3\"\nN_D = 1e7"},
     {"fatigue.cycle", "u_D", over, "sigma_D", R"("120 MPa")", R"("119 MPa")", "S_D = 1.5"},
     {"fatigue.cycle", "x_m", outside, "sigma_min", R"("-120 MPa")", R"("-119 MPa")",
      "sigma_D = \"200 MPa\"\nS_D = 1.5"},
@@ -154,6 +159,7 @@ const Side fatigue[] = {
     {"fatigue.life", "x_f", outside, "R_m", R"("1378 MPa")", R"("1380 MPa")", "N = 100000"},
     {"fatigue.combined", "u_y", over, "R_e", R"("118 MPa")", R"("117 MPa")"},
     {"fatigue.combined", "u_F", over, "R_e", R"("177 MPa")", R"("176 MPa")"},
+    {"fatigue.combined", "x_N", outside, "N", "1e7", "1.01e7", "rho = \"2700 kg/m^3\"\nN_D = 1e7"},
     {"fatigue.combined", "u_D", over, "S_D", "2.77", "2.78"},
     {"fatigue.combined", "x_v", outside, "tau_D", R"("103.93 MPa")", R"("103.9 MPa")", R"(rule = "goodman")"},
     {"fatigue.combined", "x_B", over, "sigma_m", R"("624.5 MPa")", R"("624.6 MPa")"},
@@ -175,6 +181,7 @@ const Side fatigue[] = {
     {"fatigue.survival", "x_P", outside, "P", "0.999", "0.9991"},
     {"fatigue.multiaxial", "u_y", over, "R_e", R"("165 MPa")", R"("164 MPa")", "S_F = "},
     {"fatigue.multiaxial", "u_F", over, "R_e", R"("247 MPa")", R"("246 MPa")"},
+    {"fatigue.multiaxial", "x_N", outside, "N", "1e7", "1.01e7", "rho = \"2700 kg/m^3\"\nN_D = 1e7"},
     {"fatigue.multiaxial", "u_D", over, "S_D", "2.09", "2.1"},
     {"fatigue.multiaxial", "x_D", outside, "tau_D", R"("120 MPa")", R"("119 MPa")"},
     {"fatigue.multiaxial", "x_D", outside, "tau_D", R"("192 MPa")", R"("193 MPa")"},
@@ -188,7 +195,11 @@ const Side fatigue[] = {
     {"fatigue.history", "x_g", outside, "gate", R"("349 MPa")", R"("350 MPa")",
      "blocks = \nmean = \"none\"\nn_req = \nsigma = { values = [-200, 200, -150, 199, -200], unit = \"MPa\" }"},
     {"fatigue.history", "u_D", over, "n_req", "23.4", "23.6"},
-    {"fatigue.history", "x_N", outside, "sigma_D", R"("45.3 MPa")", R"("45.1 MPa")", "n_req = 0.001"},
+    {"fatigue.history", "x_N", outside, "sigma_D", R"("45.3 MPa")", R"("45.1 MPa")",
+     "blocks = [{ sigma_a = \"180 MPa\", n = 1 }]"},
+    {"fatigue.history", "x_O", outside, "blocks",  // (500 1.5^5)/99 = n 0.75^9
+     R"([{ sigma_a = "180 MPa", n = 500 }, { sigma_a = "90 MPa", n = 510 }])",
+     R"([{ sigma_a = "180 MPa", n = 500 }, { sigma_a = "90 MPa", n = 512 }])", "miner = \"original\"\nmean = \"none\""},
     {"fatigue.history", "x_R", outside, "R_e", R"("80 MPa")", R"("79 MPa")",
      "sigma_D = \nN_D = \nk = \nmean = \"none\"\ncurve = \"en1993\"\nsigma_C = \"71 MPa\"\nS_F = \n"
      "blocks = [{ sigma_a = \"60 MPa\", n = 100 }]"},
@@ -251,6 +262,11 @@ const Side gears[] = {
     {"gear.pair", "u_F2", over, "sigma_adm_2", R"("144 MPa")", R"("143 MPa")"},
     {"gear.pair", "c_1", over, "h_fP", "1", "0.99", "beta = \"0 deg\"\na_w = \nx_1 = 0\nrho_fP = 0"},
     {"gear.pair", "c_2", over, "h_fP", "1", "0.99", "beta = \"0 deg\"\na_w = \nx_1 = 0\nrho_fP = 0"},
+    // root circles of 43.75 and 136.25 mm, teeth of 5.625 mm: rims of 6.75 mm
+    {"gear.pair", "m_R1", outside, "bore_1", R"("26.2 mm")", R"("26.3 mm")",
+     "beta = \"0 deg\"\na_w = \nx_1 = 0\nt_k1 = \"2 mm\""},
+    {"gear.pair", "m_R2", outside, "bore_2", R"("116.7 mm")", R"("116.8 mm")",
+     "beta = \"0 deg\"\na_w = \nx_1 = 0\nt_k2 = \"3 mm\""},
     {"gear.planetary", "z_gap", outside, "z_p", "28", "27"},
     {"gear.planetary", "z_gap", outside, "z_p", "32", "33"},
     {"gear.planetary", "u_N", over, "N_p", "3", "4", "z_s = 12\nz_p = 60\nz_r = 132"},
@@ -284,6 +300,9 @@ const Side pulleys[] = {
     {"belt.flat", "x_v", outside, "n_1", R"("2864 rpm")", R"("2865 rpm")", "kind = \"conventional\"\nb = \"100 mm\""},
     {"belt.flat", "u_b", over, "E_b", R"("480 MPa")", R"("481 MPa")", R"(b = "100 mm")"},  // 6 MPa at 2.5/200
     {"belt.flat", "g_x", over, "a", R"("355.1 mm")", R"("354.9 mm")", "arrangement = \"crossed\"\nb = \"100 mm\""},
+    {"belt.flat", "x_b", outside, "b", R"("299 mm")", R"("301 mm")"},
+    {"drive.train", "x_eta", outside, "stages", R"([{ kind = "worm", z_1 = 2, z_2 = 40, eta = 0.9 }])",
+     R"([{ kind = "worm", z_1 = 2, z_2 = 40, eta = 0.901 }])"},
 };
 
 const char* const large = "d_1 = \"140 mm\"\nd_2 = \"4000 mm\"";
@@ -318,7 +337,7 @@ const Side v_belts[] = {
 
 const Side motion[] = {
     {"dynamics.throw", "u_h", over, "h", R"("-5 m")", R"("-5.1 m")"},
-    {"dynamics.throw", "u_L", over, "L_req", R"("40.7 m")", R"("40.8 m")"},
+    {"dynamics.throw", "u_L", over, "L_req", R"("35.3 m")", R"("35.4 m")"},
     {"dynamics.lift", "u_s", over, "s", R"("1.04 m")", R"("1.05 m")",
      "v_0 = \"3 m/s\"\nweights = [{ m = \"8 kg\", i = -1 }]"},
     {"dynamics.lift", "u_s", State::not_available, "weights", R"([{ m = "8 kg" }])", R"([{ m = "8 kg", i = -1 }])"},
@@ -352,6 +371,8 @@ const Side bearings[] = {
     {"bearing.rolling", "x_i", outside, "F_a", R"("0.79 kN")", R"("0.78 kN")", tapered},
 };
 
+const char* const own_key = "key = \nb = \"14 mm\"\nh = \"9 mm\"\nt_1 = \"5.5 mm\"";
+
 const Side keys[] = {
     {"shaft.key", "u_1", over, "T", R"("2051 N*m")", R"("2052 N*m")"},
     {"shaft.key", "u_2", over, "T", R"("1058 N*m")", R"("1059 N*m")"},
@@ -362,7 +383,11 @@ const Side keys[] = {
     {"shaft.key", "x_l", outside, "l", R"("79 mm")", R"("79.1 mm")"},
     {"shaft.key", "x_d", over, "d", R"("50 mm")", R"("50.1 mm")"},
     {"shaft.key", "x_d", over, "d", R"("44.1 mm")", R"("44 mm")"},
-    {"shaft.key", "x_h", over, "t_2", R"("3.5 mm")", R"("3.4 mm")"},
+    {"shaft.key", "x_w", outside, "d_bore", R"("28 mm")", R"("28.1 mm")"},
+    {"shaft.key", "x_h", over, "t_2", R"("3.5 mm")", R"("3.4 mm")", own_key},
+    {"shaft.key", "u_t", over, "T", R"("2956 N*m")", R"("2958 N*m")"},
+    {"shaft.key", "x_b", outside, "b", R"("20.9 mm")", R"("21.1 mm")", own_key},
+    {"shaft.key", "x_t", outside, "t_1", R"("12.5 mm")", R"("12.6 mm")", "key = \nb = \"14 mm\"\nh = \"20 mm\""},
     {"shaft.spline", "u_1", over, "R_e_1", R"("26.5 MPa")", R"("26.4 MPa")"},
     {"shaft.spline", "u_2", over, "R_e_2", R"("26.5 MPa")", R"("26.4 MPa")"},
     {"shaft.spline", "u_w", over, "p_adm_w", R"("23.9 MPa")", R"("23.8 MPa")", R"(hub = "slides")"},
@@ -370,12 +395,16 @@ const Side keys[] = {
     {"shaft.spline", "u_W", over, "f_W", "0.265", "0.264", "torque = \"reversing\"\nR_e_2 = \"100 MPa\""},
     {"shaft.spline", "u_t", over, "d_bore", R"("50.1 mm")", R"("50.2 mm")"},
     {"shaft.spline", "x_l", outside, "l", R"("72.8 mm")", R"("72.9 mm")"},
+    {"shaft.spline", "x_s", outside, "d_2", R"("77.9 mm")", R"("78.1 mm")", "spline = \nz = 8\nd_1 = \"52 mm\""},
     {"shaft.set_screw", "u", over, "T", R"("44.4 N*m")", R"("44.5 N*m")"},
     {"shaft.set_screw", "u_S", over, "S", "1.5", "1.49"},
+    {"shaft.set_screw", "u_t", over, "T", R"("90.6 N*m")", R"("90.8 N*m")", R"(R_e_1 = "100 MPa")"},
+    {"shaft.set_screw", "x_d", outside, "d", R"("19.1 mm")", R"("19 mm")"},  // a screw of 9.525 mm
     {"shaft.circlip", "u_N", over, "R_e", R"("180.1 MPa")", R"("180 MPa")"},
     {"shaft.circlip", "u_R", over, "c", R"("1.36 mm")", R"("1.37 mm")"},
     {"shaft.circlip", "u_n", over, "n", R"("39000 rpm")", R"("39001 rpm")"},
     {"shaft.circlip", "x_t", outside, "d_2", R"("16.57 mm")", R"("16.55 mm")", R"(w = "3 mm")"},
+    {"shaft.circlip", "x_b", outside, "d_bore", R"("16 mm")", R"("16.1 mm")"},
     {"shaft.circlip", "x_w", outside, "w", R"("1.5 mm")", R"("1.49 mm")"},
 };
 
@@ -386,6 +415,7 @@ const Side fits[] = {
     {"shaft.press_fit", "u_2", over, "R_e_2", R"("315.7 MPa")", R"("315.6 MPa")"},
     {"shaft.press_fit", "u_F", over, "F_adm", R"("104.5 kN")", R"("104.4 kN")", "mu_e = 0.1"},
     {"shaft.press_fit", "u_A", over, "dT_adm", R"("216 K")", R"("215 K")"},
+    {"shaft.press_fit", "u_t", over, "T", R"("7158 N*m")", R"("7159 N*m")"},
 };
 
 const Side twists[] = {

@@ -11,7 +11,8 @@ namespace {
 const std::string shaft =
     "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"900 N*m\"\nG = \"80 GPa\"\ntau_adm = \"30 MPa\"\n";
 const std::string rod =
-    "[rod]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"=shaft.tau_max\"\nsigma_min = \"0 MPa\"\n";
+    "[rod]\ncalculator = \"fatigue.cycle\"\nstress = \"shear\"\nsigma_max = \"=shaft.tau_max\"\nsigma_min = \"0 "
+    "MPa\"\n";
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

@@ -117,7 +117,8 @@ TEST_SUITE("cli settings") {
   TEST_CASE("a calculator with a file takes them, for the steps that it refers to as well") {
     const Desk desk;
     desk.put("two.toml", plain_shaft() +
-                             "[rod]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"=shaft.tau_max\"\n"
+                             "[rod]\ncalculator = \"fatigue.cycle\"\nstress = \"shear\"\nsigma_max = "
+                             "\"=shaft.tau_max\"\n"
                              "sigma_min = \"0 MPa\"\n");
     const Ran set = desk.run({"fatigue", "cycle", "--file", "two.toml", "--set", "shaft.d=80 mm", "--json"});
     CHECK(contains(set.out, "\"set\": \"shaft.d = 80 mm\""));

@@ -13,7 +13,7 @@ R_e = "235 MPa"
 method = "johnson"
 n_st = 2
 )toml";
-const std::string rod = "[rod]\n" + bar + "N = \"=-peak(press.links.rod.N)\"\nl = \"200 mm\"\nd = \"?\"\n";
+const std::string rod = "[rod]\n" + bar + "N = \"=press.links.rod.N\"\nl = \"200 mm\"\nd = \"?\"\n";
 const std::string strut = "[strut]\n" + bar + "P = \"40 kN\"\nl = \"2 m\"\nsection = { stock = \"sections/ipe\" }\n";
 const std::string end = R"toml([end]
 calculator = "shaft.overhung"

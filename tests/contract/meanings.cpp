@@ -10,10 +10,30 @@ namespace {
 
 using namespace loadpath;
 
-bool has_word(const Calculator& c, const char* choice, const std::string& word) {
+bool has_word(const Calculator& c, const std::string& choice, const std::string& word) {
   const FieldInfo* const field = find_field(c.input->fields, choice);
   return field != nullptr && std::any_of(field->choices.begin(), field->choices.end(),
                                          [&](const auto& known) { return word == known.key; });
+}
+
+/// "bending/cast-aluminium" of the choices "loading, group": a word of each, in their order.
+bool has_words(const Calculator& c, const char* choices, const std::string& words) {
+  std::size_t at = 0;
+  for (const std::string& choice : listed_keys(choices)) {
+    if (at > words.size()) return false;
+    const std::size_t end = std::min(words.find('/', at), words.size());
+    if (!has_word(c, choice, words.substr(at, end - at))) return false;
+    at = end + 1;
+  }
+  return at == words.size() + 1;
+}
+
+/// "tau_adm", or "segments.tau_adm" of the elements of a list.
+bool has_field(std::span<const FieldInfo> fields, const std::string& key) {
+  const std::size_t dot = key.find('.');
+  const FieldInfo* const field = find_field(fields, key.substr(0, dot));
+  if (field == nullptr || dot == std::string::npos) return field != nullptr;
+  return find_field(field->fields, key.substr(dot + 1)) != nullptr;
 }
 
 }  // namespace
@@ -24,13 +44,13 @@ TEST_SUITE("contract" * test::by_element) {
       for (const Meaning& meaning : c->meanings) {
         INFO(std::string(c->id), " ", std::string(meaning.fields), ": ", std::string(meaning.what));
         for (const std::string& key : listed_keys(meaning.fields)) {
-          const bool known = find_field(c->input->fields, key) != nullptr ||
-                             (c->result != nullptr && find_field(c->result->fields, key) != nullptr);
+          const bool known =
+              has_field(c->input->fields, key) || (c->result != nullptr && has_field(c->result->fields, key));
           CHECK_MESSAGE(known, key);
         }
         CHECK((*meaning.choice == '\0') == listed_keys(meaning.words).empty());
         for (const std::string& word : listed_keys(meaning.words))
-          CHECK_MESSAGE(has_word(*c, meaning.choice, word), word);
+          CHECK_MESSAGE(has_words(*c, meaning.choice, word), word);
         CHECK(std::any_of(calculators().begin(), calculators().end(), [&](const Calculator* other) {
           return other != c && std::any_of(other->meanings.begin(), other->meanings.end(),
                                            [&](const Meaning& m) { return std::string(m.what) == meaning.what; });

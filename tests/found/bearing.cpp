@@ -83,3 +83,29 @@ TEST_SUITE("found bearing") {
     CHECK(mode_with(id, "K_A = 1.3", "fatigue") == "fail");
   }
 }
+
+TEST_SUITE("found bearing ratings") {
+  TEST_CASE("P1: C and C_0 are those of one bearing") {
+    const auto fault = [](const std::string& lines) { return ExampleStep("bearing.rolling", lines).fault(); };
+    CHECK(fault("").empty());
+    CHECK_FALSE(fault("C_0 = \"179 kN\"").empty());
+    CHECK_FALSE(fault("C_0 = \"1.79 kN\"").empty());
+    CHECK_FALSE(fault("C = \"17.9 kN\"\nC_0 = \"29.1 kN\"").empty());  // one for the other
+    CHECK(fault("C = \"444 kN\"\nC_0 = \"807 kN\"").empty());          // 16096, a large one
+    const std::string bare = "f_0 = \nF_a = \"0 N\"\n";
+    CHECK_FALSE(fault(bare + "kind = \"cylindrical_roller_NU\"\nC_0 = \"160 kN\"").empty());
+    CHECK_FALSE(fault(bare + "kind = \"self_aligning_ball\"\nC_0 = \"29 kN\"").empty());
+    CHECK(fault(bare + "kind = \"cylindrical_roller_NU\"\nC_0 = \"30 kN\"").empty());
+  }
+
+  TEST_CASE("without a speed the life is one of revolutions, and is judged in them") {
+    const std::string turns = "n = \nL_h = \nn_max = \nL_m = ";
+    const ExampleStep bearing("bearing.rolling", turns + "1");
+    CHECK(std::abs(bearing("L_10") / ExampleStep("bearing.rolling", "")("L_10") - 1.0) < 1e-12);
+    CHECK(mode_with("bearing.rolling", turns + "1", "fatigue") == "pass");
+    CHECK(mode_with("bearing.rolling", turns + "1e6", "fatigue") == "fail");
+    CHECK(mode_with("bearing.rolling", "n = \nL_h = \nL_m = 1", "speed") == "not-judged");
+    CHECK_FALSE(ExampleStep("bearing.rolling", "n = \nL_h = \nn_max = ").fault().empty());
+    CHECK_FALSE(ExampleStep("bearing.rolling", "n = ").fault().empty());
+  }
+}

@@ -39,3 +39,12 @@ TEST_SUITE("found dynamics") {
     CHECK(std::abs(stands("T_hang") - 9.81) < 1e-9);
   }
 }
+
+TEST_SUITE("found throw") {
+  TEST_CASE("W1: a throw reaches what it reaches at its own angle") {
+    CHECK(mode_with("dynamics.throw", "theta = \"10 deg\"\nL_req = \"30 m\"", "reach") == "fail");
+    CHECK(mode_with("dynamics.throw", "theta = \"80 deg\"\nL_req = \"30 m\"", "reach") == "fail");
+    CHECK(mode_with("dynamics.throw", "theta = \"45 deg\"\nL_req = \"30 m\"", "reach") == "pass");
+    CHECK(mode_with("dynamics.throw", "theta = \"90 deg\"\nL_req = \"30 m\"", "reach") != "pass");
+  }
+}

@@ -91,7 +91,7 @@ TEST_SUITE("found project") {
     const std::string chain =
         "[c]\ncalculator = \"chain.roller\"\nchain = \"08B\"\nz_1 = 19\nz_2 = 57\nn_1 = \"100 rpm\"\nP = \"0.5 kW\"\n"
         "a = \"500 mm\"\n";
-    check_told(solved_as_found(chain + "K_A = 0.001\n"), "K_A = 0.001 is unusual");
+    check_told(solved_as_found(chain + "K_A = 2.5\n"), "K_A = 2.5 is unusual");
     const std::string shaft =
         "[s]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nT = { mean = \"100 N*m\", sd = ";
     check_told(solved_as_found(shaft + "\"5 N*m\" }\n"), "middle value");

@@ -162,7 +162,8 @@ gamma_F = 1
       method_rules<Input>(), eccentricity_rules<Input>(),
       std::array{Rule<Input>{&one_carries, "families, N, P", "no section of these families carries the bar",
                              &none_carries, true}});
-  static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0, carrying");
+  static constexpr std::array meanings = member_meanings;
+  static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0, carrying", "R_e, kind");
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace loadpath::column {
 
@@ -41,13 +42,32 @@ bool belongs(const TableSection& section, const Lightest::Input& in) {
   return wanted && !(section.h > in.h_max) && !(section.b > in.b_max);
 }
 
-/// Of all that there is to choose from, for what is taken is a result.
-Outline Lightest::outline_of(const Input& in) {
-  Outline outline = Outline::solid;
+namespace {
+
+/// The last of the outlines that there are to choose from; whether there is no other.
+std::pair<Outline, bool> outlines_of(const Lightest::Input& in) {
+  Outline least = Outline::open, most = Outline::solid;
   for (const TableSection& section : sections_by_mass()) {
-    if (belongs(section, in)) outline = std::max(outline, Buckling::outline_of(bar_of(in, section)));
+    if (!belongs(section, in)) continue;
+    const Outline outline = Buckling::outline_of(bar_of(in, section));
+    least = std::min(least, outline), most = std::max(most, outline);
   }
-  return outline;
+  return {most, least >= most};
+}
+
+}  // namespace
+
+/// Of the section found, where they are not all alike: the first that carries the bar.
+Outline Lightest::outline_of(const Input& in) {
+  const auto [most, is_only] = outlines_of(in);
+  if (is_only) return most;
+  NoTrace quiet;
+  for (const TableSection& section : sections_by_mass()) {
+    if (!belongs(section, in)) continue;
+    const Buckling::Input bar = bar_of(in, section);
+    if (failure_of(bar, Buckling::evaluate(bar, quiet)) == Failure::none) return Buckling::outline_of(bar);
+  }
+  return most;
 }
 
 Stress strength_of(const Lightest::Input& in, Length t) {

@@ -6,6 +6,10 @@
 #include "calculators/column/member/stability.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/join.hpp"
+#include "lib/calculator/meaning.hpp"
+#include "lib/calculator/strength_bounds.hpp"
+
+#include <array>
 
 namespace loadpath::column {
 
@@ -54,11 +58,11 @@ constexpr auto held_inputs() {
       Choice<Input, Basis>{&Input::beta_basis, "beta_basis", "where the effective length factors of the ends come from"}
           .may_be_missing(),
       Field<Input, double>{&Input::beta_y, "beta_y", ratio, "effective length factor about y, in place of the ends"}
-          .positive()
+          .at_least(0.3)
           .usually(0.3, 5)
           .may_be_missing(),
       Field<Input, double>{&Input::beta_z, "beta_z", ratio, "effective length factor about z, in place of the ends"}
-          .positive()
+          .at_least(0.3)
           .usually(0.3, 5)
           .may_be_missing(),
       ListField<Input, List<Member::Support, most_supports>>{
@@ -132,6 +136,9 @@ constexpr auto rankine_and_secant_inputs() {
           .at_least(0)
           .may_be_missing()};
 }
+
+/// What a material bounds of them.
+inline constexpr std::array member_meanings{Meaning{"sigma_c", crushing_stress}};
 
 /// What the bar is made of, its eccentricities with it.
 template <class Input>

@@ -43,38 +43,38 @@ Applies pulled_at_holes(const Input& in) {
   return std::min(Applies::unseen, pulled(in));
 }
 
-/// Walls that can buckle: all but those of solid sections.
+/// Walls that can buckle: all but those of solid sections. Those of which nothing is known may be of any thickness.
 template <class Input, auto outline_of>
 Applies thin_walled(const Input& in) {
   const Outline outline = outline_of(in);
   if (outline == Outline::solid) return Applies::no;
-  return std::min(outline == Outline::unknown ? Applies::unseen : Applies::yes, compressed(in));
+  return compressed(in);
 }
 
-/// Open sections of one symmetry or none twist when they buckle; those of two flanges do so where the ends or the
-/// supports about the weak axis hold them, which no input tells.
+/// Open sections of one symmetry or none twist when they buckle, and those of which nothing is known may be such; those
+/// of two flanges do so where the ends or the supports about the weak axis hold them, which no input tells.
 template <class Input, auto outline_of>
 Applies twisting(const Input& in) {
   const Outline outline = outline_of(in);
   if (outline <= Outline::closed) return Applies::no;
-  return std::min(outline == Outline::open ? Applies::yes : Applies::unseen, compressed(in));
+  return std::min(outline == Outline::two_flanges ? Applies::unseen : Applies::yes, compressed(in));
 }
 
 template <class Input, auto outline_of>
 Applies twisting_when_bent(const Input& in) {
   const Outline outline = outline_of(in);
-  if (outline <= Outline::closed) return Applies::no;
-  return std::min(outline == Outline::unknown ? Applies::unseen : Applies::yes, bent(in));
+  return outline <= Outline::closed ? Applies::no : bent(in);
 }
 
+/// What judges buckling, and what the walls want: of a section of the tables they are known.
 template <class Input, auto outline_of>
-constexpr auto member_modes(const char* of_buckling) {
+constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
   return std::array{
       Mode<Input>{"buckling", "flexural buckling, about y and about z", &compressed<Input>}.judged_by(of_buckling),
       Mode<Input>{"slenderness", "slenderness", &compressed<Input>}.judged_by("r_lambda"),
       Mode<Input>{"local", "local buckling of the walls", &thin_walled<Input, outline_of>}
           .judged_by("r_class, x_E")
-          .wanting("R_e"),
+          .wanting(of_walls),
       Mode<Input>{"torsional", "torsional and torsional-flexural buckling of an open section",
                   &twisting<Input, outline_of>},
       Mode<Input>{"eccentric", "bar and section under force and moment: by the secant formula alone", &bent<Input>}

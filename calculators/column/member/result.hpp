@@ -131,9 +131,10 @@ constexpr auto tension_checks() {
 template <class Result>
 constexpr auto slenderness_limits() {
   return Fields{
-      Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness over the largest that is allowed"}.limit(
-          0, 1),
-      Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limit slenderness over the slenderness"}
+      Field<Result, double>{&Result::r_lambda, "r_lambda", ratio,
+                            "slenderness over the largest that is allowed; 0 in tension"}
+          .limit(0, 1),
+      Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limit slenderness over the slenderness; 0 in tension"}
           .limit(0, 1)
           .where_it_applies()};
 }
@@ -141,21 +142,25 @@ constexpr auto slenderness_limits() {
 template <class Result>
 constexpr auto tetmajer_limit() {
   return Fields{Field<Result, double>{&Result::r_0, "r_0", ratio,
-                                      "Tetmajer without a yield strength: lambda_0 over the slenderness"}
+                                      "Tetmajer without a yield strength: lambda_0 over the slenderness; 0 in tension"}
                     .limit(0, 1)
                     .where_it_applies()};
 }
 
 template <class Result>
 constexpr auto wall_limits() {
-  return Fields{Field<Result, double>{&Result::r_class, "r_class", ratio,
-                                      "local buckling: thinness of the parts over the limit of class 3"}
-                    .limit(0, 1)
-                    .where_it_applies(),
-                Field<Result, double>{&Result::x_E, "x_E", ratio,
-                                      "modulus over the 210 GPa of steel, whose limits of class 3 are"}
-                    .limit(least_steel, most_steel)
-                    .where_it_applies()};
+  return Fields{
+      Field<Result, double>{
+          &Result::r_class, "r_class", ratio,
+          "local buckling: thinness of the parts over the limit of class 3, of aisc over that of E7; 0 where nothing "
+          "presses them"}
+          .limit(0, 1)
+          .where_it_applies(),
+      Field<Result, double>{
+          &Result::x_E, "x_E", ratio,
+          "modulus over the 210 GPa of steel, whose limits of class 3 are; 1 where nothing presses them"}
+          .limit(least_steel, most_steel)
+          .where_it_applies()};
 }
 
 /// The axes, and the methods side by side.

@@ -2,6 +2,7 @@
 
 #include "calculators/column/member/parts.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/table/section_shape.hpp"
 
 #include <cmath>
 
@@ -77,12 +78,63 @@ Message lack_of_stress(const Member& in, bool curves) {
 Message lack_of_safety(const Member& in) {
   if (!is_loaded(in) || in.method == Method::aisc) return {};
   if (in.method != Method::ec3) return is_set(in.n_st) ? Message{} : say("the safety against buckling n_st");
-  if (!is_set(in.gamma_M1)) return say("the partial factor gamma_M1 (1 or as the national annex says)");
-  if (!is_set(in.gamma_F)) return say("gamma_F, from the force to the design load: 1 where it is one");
-  return {};
+  const Message M1 =
+      is_set(in.gamma_M1) ? Message{} : say("the partial factor gamma_M1 (1 or as the national annex says)");
+  const Message F =
+      is_set(in.gamma_F) ? Message{} : say("gamma_F, from the force to the design load: 1 where it is one");
+  return M1.empty() ? F : F.empty() ? M1 : say("{1}; {2}", M1, F);
+}
+
+/// Without a force there is its slenderness to be had, and without a modulus nothing else; a bar in tension does not
+/// buckle.
+bool asks_for_no_method(const Member& in) {
+  if (in.N >= 0.0 * kN.one && !is_set(in.P)) return true;
+  return !is_loaded(in) && !is_set(in.E);
+}
+
+/// What the usual methods would need: "aisc nothing more, ec3 gamma_M1 and gamma_F".
+Message needs_of_methods(const Member& in, bool curves) {
+  Message all;
+  for (const Method by : {Method::aisc, Method::johnson, Method::ec3, Method::euler}) {
+    Member other = in;
+    other.method = by;
+    const Message needs = lack(other, curves);
+    const Message here = needs.empty() ? say("{1}, which needs nothing more", word_of(by))
+                                       : say("{1}, which needs {2}", word_of(by), needs);
+    all = all.empty() ? here : say("{1}; or {2}", all, here);
+  }
+  return all;
+}
+
+SecondMoment second_moment(Area A, SecondMoment I, Length i) { return is_set(I) ? I : A * i * i; }
+
+table::SectionShape shape_of(const Section& in) {
+  const Length wall = is_set(in.t_w) || !is_set(in.d_bore) ? in.t_w : 0.5 * (in.d - in.d_bore);
+  return {in_si(in.h),
+          in_si(in.b),
+          in_si(in.d),
+          in_si(in.t_f),
+          in_si(wall),
+          in_si(in.A),
+          in_si(second_moment(in.A, in.I_y, in.i_y)),
+          in_si(second_moment(in.A, in.I_z, in.i_z)),
+          word_of(in.kind)};
 }
 
 }  // namespace
+
+bool is_one_section(const Section& in) { return !is_set(in.A) || !table::misfit_of(shape_of(in)); }
+
+FieldFault two_sections(const Section& in) {
+  const auto misfit = table::misfit_of(shape_of(in));
+  if (!misfit) return {};
+  return {misfit->key, misfit->message, say("check the units, and that all of it is of one section")};
+}
+
+bool is_full(const Section& in) {
+  const table::SectionShape shape = shape_of(in);
+  return table::is_full(shape.A, shape.I_y, shape.I_z);
+}
 
 bool supports_inside(const Member& in) { return astray(in).place < 0; }
 
@@ -102,18 +154,19 @@ bool supports_need_ends(const Member& in) {
 }
 
 Message lack(const Member& in, bool curves) {
-  const Message of_stress = lack_of_stress(in, curves);
-  return of_stress.empty() ? lack_of_safety(in) : of_stress;
+  if (asks_for_no_method(in)) return {};
+  const Message of_stress = lack_of_stress(in, curves), of_safety = lack_of_safety(in);
+  if (of_stress.empty()) return of_safety;
+  return of_safety.empty() ? of_stress : say("{1}; {2}", of_stress, of_safety);
 }
 
 FieldFault missing_for_method(const Member& in, bool curves) {
-  const bool no_set = in.method == Method::tetmajer && !is_set(in.a_T);
-  return {"method", say("the method '{1}' needs {2}", word_of(in.method), lack(in, curves).text()),
-          no_set
-              ? say("it is the method where none is named; the sets are listed by 'loadpath tables columns/tetmajer'. "
-                    "Other methods need less: euler the limit sigma_P; johnson, rankine, aisc the yield strength "
-                    "R_e; ec3, sp16 the kind of section too")
-              : Message{}};
+  if (in.method == Method::tetmajer && !is_set(in.a_T) && !is_set(in.b_T))
+    return {"method",
+            say("the method 'tetmajer' needs {1}; or name another: method = {2}", lack(in, curves),
+                needs_of_methods(in, curves)),
+            say("tetmajer is meant where none is named; its sets: 'loadpath tables columns/tetmajer'")};
+  return {"method", say("the method '{1}' needs {2}", word_of(in.method), lack(in, curves)), {}};
 }
 
 bool method_suits_class(const Member& in) {

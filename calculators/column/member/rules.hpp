@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/column/member/member.hpp"
+#include "calculators/column/member/section.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>
@@ -39,7 +40,8 @@ constexpr auto held_rules() {
   return std::array{
       Rule<Input>{[](const Input& in) { return !(is_set(in.N) && is_set(in.P)); }, "N, P",
                   "give the force as N, positive in tension, or as P, positive in compression, never both"},
-      Rule<Input>{[](const Input& in) { return is_set(in.E); }, "E", "give the modulus E, or a material"},
+      Rule<Input>{[](const Input& in) { return is_set(in.E) || !(is_set(in.N) || is_set(in.P)); }, "E, N, P",
+                  "give the modulus E, or a material"},
       Rule<Input>{[](const Input& in) {
                     const bool y = is_set(in.beta_y) || in.ends_y != Ends::unsaid || in.ends != Ends::unsaid;
                     const bool z = is_set(in.beta_z) || in.ends_z != Ends::unsaid || in.ends != Ends::unsaid;
@@ -83,12 +85,23 @@ constexpr auto method_rules() {
                   &of<Input, &unusual_safety>, true}};
 }
 
+/// The buckling curves of a section whose kind is known.
+template <class Input, auto hold, auto fault>
+constexpr auto curve_rule() {
+  return Rule<Input>{&of<Input, hold>, "curve_y, curve_z, kind, grade, h, b, t_f, method",
+                     "a buckling curve is that of the kind of section, or a lower one", &of<Input, fault>};
+}
+
 /// Of a bar with eccentricities.
 template <class Input>
 constexpr auto eccentricity_rules() {
   return std::array{Rule<Input>{[](const Input& in) { return !(in.e_y > 0.0 * mm && in.e_z > 0.0 * mm); }, "e_y, e_z",
                                 "the secant formula takes an eccentricity about one axis"}};
 }
+
+/// Whether sizes, area and second moments are of one section.
+bool is_one_section(const Section& in);
+FieldFault two_sections(const Section& in);
 
 /// Of a bar whose section is typed, or a row of the tables.
 template <class Input, auto given, auto missing, auto fit>
@@ -97,6 +110,8 @@ constexpr auto section_rules() {
       Rule<Input>{&of<Input, given>, "A, I_y, i_y, I_z, i_z, d, d_bore, h, b", "give the section", &of<Input, missing>},
       Rule<Input>{&of<Input, fit>, "A, I_y, I_z, i_y, i_z",
                   "I and i of an axis do not fit: I is A i^2; give one of them"},
+      Rule<Input>{&of<Input, &is_one_section>, "A, I_y, I_z, i_y, i_z, h, b, d, t_f, t_w, kind",
+                  "sizes, area and second moments are not of one section", &of<Input, &two_sections>},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_bore) || (is_set(in.d) && in.d_bore < in.d); }, "d_bore, d",
                   "a bore goes with d, and is smaller"}};
 }

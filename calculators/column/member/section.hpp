@@ -17,6 +17,9 @@ struct Section {
   Curve curve_y = Curve::by_kind, curve_z = Curve::by_kind;
 };
 
+/// Whether area and second moments, given without sizes, are those of a full section.
+bool is_full(const Section& in);
+
 template <class Input>
 constexpr auto section_inputs() {
   return Fields{

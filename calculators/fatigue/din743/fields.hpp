@@ -3,7 +3,7 @@
 
 #include "calculators/fatigue/din743/section.hpp"
 #include "calculators/fatigue/size_and_surface.hpp"
-#include "lib/calculator/heat_treatment.hpp"
+#include "calculators/load/heat_treatment.hpp"
 #include "lib/calculator/join.hpp"
 
 #include <array>

@@ -28,9 +28,11 @@ SnCurve of_en1993(const Input& in) {
 
 /// [DNVC203] 2.4.1: the branches meet at N_1.
 SnCurve of_dnv(const Input& in) {
-  const double m_1 = is_set(in.m_1) ? in.m_1 : 3.0, m_2 = is_set(in.m_2) ? in.m_2 : 5.0;
-  const double N_1 = is_set(in.N_1) ? in.N_1 : 1e7;
-  const double S = std::pow(10.0, (in.lg_a - std::log10(N_1)) / m_1);
+  const DnvBranch named = branch_of(in.detail);
+  const double lg_a = is_set(named.lg_a) ? named.lg_a : in.lg_a;
+  const double m_1 = is_set(named.m_1) ? named.m_1 : is_set(in.m_1) ? in.m_1 : 3.0;
+  const double m_2 = is_set(in.m_2) ? in.m_2 : 5.0, N_1 = is_set(in.N_1) ? in.N_1 : 1e7;
+  const double S = std::pow(10.0, (lg_a - std::log10(N_1)) / m_1);
   return made(rainflow::Measure::range, {S, N_1}, {{m_1, N_1}, {m_2, Branch::endless}});
 }
 

@@ -4,7 +4,7 @@
 #include "calculators/fatigue/history/curve.hpp"
 #include "calculators/fatigue/history/cycles.hpp"
 #include "calculators/fatigue/history/figure.hpp"
-#include "calculators/fatigue/tensile_strength.hpp"
+#include "calculators/fatigue/history/means.hpp"
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/rainflow/damage.hpp"
 
@@ -28,27 +28,6 @@ constexpr double endless = std::numeric_limits<double>::infinity();
 
 Stress amplitude_of(const Cycle& cycle) { return from_si<Stress>(cycle.range / 2.0); }
 Stress mean_of(const Cycle& cycle) { return from_si<Stress>(cycle.mean); }
-
-using Means = History::Means;
-
-/// The rule that is chosen; without one any, for it is not asked.
-MeanRule rule_of(const Input& in) {
-  constexpr std::array rules{MeanRule::goodman, MeanRule::soderberg, MeanRule::gerber, MeanRule::elliptic,
-                             MeanRule::morrow,  MeanRule::swt,       MeanRule::walker, MeanRule::fkm};
-  return in.mean == Means::none ? MeanRule::swt : rules[static_cast<std::size_t>(in.mean) - 1];
-}
-bool counts_means(const Input& in) { return History::is_of_part(in) && in.mean != Means::none; }
-
-/// Of shear its own strengths.
-Haigh haigh_of(const Input& in) {
-  Haigh h;
-  NoTrace quiet;
-  const bool shear = in.stress == Stresses::shear;
-  h.R_m = shear ? tensile_in_shear(in.R_m, quiet) : in.R_m;
-  h.R_e = shear ? yield_in_shear(in.R_e, quiet) : in.R_e;
-  h.sigma_f = in.sigma_f, h.gamma = in.gamma, h.M = in.M;
-  return h;
-}
 
 /// The stress of a cycle on the curve: amplitude at r = -1, or range, with its factors. Shear has no sign; compression
 /// counts as no mean stress, but by FKM.
@@ -177,6 +156,13 @@ void all_rules(const Input& in, const std::vector<Cycle>& cycles, const OnCurve&
                                             : NAMED_STEP("D", r.D_modified, "the modified rule decides");
 }
 
+/// What the original rule leaves out: where one cycle is above the limit, it falls, and those below it come to count.
+template <class Tracer>
+void left_out(const Input& in, Result& r, Tracer& trace) {
+  if (!History::is_of_part(in) || in.miner != MinerRule::original || !(r.D_original > 0.0)) return;
+  STEP_TO(r, x_O, max(1.0 - r.D_original / r.D_modified, 0.0), "what cycles below the limit do, [Haibach]: it falls");
+}
+
 /// The cycle that does most, written out, and the life of the largest one.
 template <class Tracer>
 void largest_cycle(const Input& in, const std::vector<Cycle>& cycles, const OnCurve& on, std::size_t worst, Result& r,
@@ -260,71 +246,7 @@ void fracture(const Input& in, Stress largest, Result& r, Tracer& trace) {
   STEP_TO(r, x_B, max(max(sigma_p, S_l), 0.0 * MPa) / S_B, "what breaks at once lasts no cycles");
 }
 
-bool any_given(std::initializer_list<double> numbers) {
-  return std::any_of(numbers.begin(), numbers.end(), [](double x) { return is_set(x); });
-}
-
 }  // namespace
-
-Applies History::has_tension(const Input& in) {
-  if (!is_of_part(in) || in.mean != Means::none) return Applies::no;
-  const Collective all = collective_of(in);
-  const auto pulls = [&](const Cycle& c) {
-    const double mean = in.stress == Stresses::shear ? std::abs(c.mean) : c.mean;
-    return mean > 1e-9 * c.range;
-  };
-  return where(std::any_of(all.cycles.begin(), all.cycles.end(), pulls) ||
-               std::any_of(all.small.begin(), all.small.end(), pulls));
-}
-
-bool History::one_source(const Input& in) { return is_set(in.sigma) == in.blocks.empty(); }
-
-bool History::curve_given(const Input& in) {
-  switch (in.curve) {
-    case Curve::en1993:
-      return is_set(in.sigma_C);
-    case Curve::dnv:
-      return is_set(in.lg_a);
-    case Curve::part:
-      break;
-  }
-  return is_set(in.sigma_D) && is_set(in.N_D) && is_set(in.k);
-}
-
-FieldFault History::missing_of_curve(const Input& in) {
-  if (in.curve == Curve::en1993)
-    return {"sigma_C", say("the detail of EN 1993-1-9 needs its category"), say("sigma_C")};
-  if (in.curve == Curve::dnv) return {"lg_a", say("the detail of DNV-RP-C203 needs lg a"), say("12.592 of detail C")};
-  return {"sigma_D", say("the curve of a part needs sigma_D, N_D and k"),
-          say("sigma_D of fatigue.endurance, or curve = \"en1993\" of a welded detail")};
-}
-
-bool History::curve_alone(const Input& in) {
-  const bool of_part = any_given({in_si(in.sigma_D), in.N_D, in.k});
-  const bool of_en = is_set(in.sigma_C), of_dnv = any_given({in.lg_a, in.m_1, in.m_2, in.N_1});
-  return (in.curve == Curve::part || !of_part) && (in.curve == Curve::en1993 || !of_en) &&
-         (in.curve == Curve::dnv || !of_dnv);
-}
-
-bool History::slopes_fall(const Input& in) {
-  return in.curve != Curve::dnv || (is_set(in.m_2) ? in.m_2 : 5.0) > (is_set(in.m_1) ? in.m_1 : 3.0);
-}
-
-bool History::mean_suits(const Input& in) {
-  if (!is_of_part(in)) return in.mean == Means::none;
-  return in.stress == Stresses::normal ||
-         (in.mean != Means::swt && in.mean != Means::walker && in.mean != Means::morrow);
-}
-
-bool History::mean_given(const Input& in) { return !counts_means(in) || knows(haigh_of(in), rule_of(in)); }
-
-bool History::varies(const Input& in) {
-  if (!in.sigma.is_series()) return true;
-  const auto [least, largest] = std::minmax_element(in.sigma.series->si.begin(), in.sigma.series->si.end());
-  return least != in.sigma.series->si.end() && (std::isnan(*largest) || *largest > *least);
-}
-
-bool History::may_be_left(const Input& in) { return !is_turn(in) || in.residue == Residue::repeated; }
 
 template <class Tracer>
 History::Result History::evaluate(const Input& in, Tracer& trace) {
@@ -341,6 +263,7 @@ History::Result History::evaluate(const Input& in, Tracer& trace) {
   fracture(in, History::is_of_part(in) ? on.largest * MPa.one : 0.0 * MPa, r, trace);
   if (!left) return r;
   all_rules(in, all.cycles, on, r, trace);
+  left_out(in, r, trace);
   const auto worst = worst_of(in, all.cycles, on);
   if (!worst.empty()) largest_cycle(in, all.cycles, on, worst.front(), r, trace);
   tell_worst(in, all.cycles, on, worst, r);

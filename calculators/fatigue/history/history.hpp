@@ -7,11 +7,13 @@
 // survival probability of the curve. Not covered: several stresses at once, low-cycle fatigue, the order of the loads.
 #pragma once
 
+#include "calculators/fatigue/history/dnv.hpp"
 #include "calculators/fatigue/mean_stress.hpp"
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/load/stress_cycle.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -54,6 +56,7 @@ n_req = 1
   enum class Counting { four_point, hcm, astm };
   enum class Residue { repeated, half_cycles, ignored };
   enum class Curve { part, en1993, dnv };
+  using Detail = DnvDetail;
   /// How mean stresses count: not at all, or by a rule.
   enum class Means { none, goodman, soderberg, gerber, elliptic, morrow, swt, walker, fkm };
   enum class MinerRule { original, elementary, modified, consistent, liu_zenner };
@@ -83,12 +86,14 @@ n_req = 1
     double N_D = unset<double>, k = unset<double>;
     MinerRule miner = MinerRule::modified;
     Stress sigma_C = unset<Stress>;
+    Detail detail = Detail::untold;
     double lg_a = unset<double>, m_1 = unset<double>, m_2 = unset<double>, N_1 = unset<double>;
     Means mean = Means::none;
     double M = unset<double>, gamma = unset<double>;
     Stress sigma_f = unset<Stress>;
     Length d_h = unset<Length>;
-    Stress R_m = unset<Stress>, R_e = unset<Stress>;
+    Stress R_m = unset<Stress>, R_e = unset<Stress>, E = unset<Stress>;
+    Density rho = unset<Density>;
     double S_F = unset<double>;
     double D_adm = 1.0, n_req = unset<double>, N_eq = unset<double>;
     Time t = unset<Time>;
@@ -97,6 +102,11 @@ n_req = 1
   static constexpr int most_classes = 32;
   static bool is_of_part(const Input& in) { return in.curve == Curve::part; }
   static Applies has_tension(const Input& in);
+  /// Curves of details are those of steel; the rules that reckon with a fatigue limit need a metal that has one.
+  static Applies lacks_limit(const Input& in) {
+    const bool endless = in.miner == MinerRule::modified || in.miner == MinerRule::elementary;
+    return where(lacks_fatigue_limit(in) && !(is_of_part(in) && endless));
+  }
   static Applies leaves_residue(const Input& in) {
     return where(in.sigma.is_series() && in.residue == Residue::ignored);
   }
@@ -108,7 +118,7 @@ n_req = 1
       ListField{&Input::blocks, "blocks", "cycles in blocks, in place of a series"}.may_be_missing(),
       Choice{&Input::stress, "stress", "what varies"}.may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::S_D, "S_D", ratio, "safety on stress against fatigue: of codes gamma_Ff gamma_Mf"}
@@ -134,18 +144,16 @@ n_req = 1
           .positive()
           .usually(30, 200)
           .may_be_missing(),
+      Choice{&Input::detail, "detail", "detail of DNV-RP-C203 in air, edition 2016, in place of lg_a"}.may_be_missing(),
       Field{&Input::lg_a, "lg_a", ratio,
-            "detail of DNV-RP-C203: lg a of its first branch, N = a S^-m_1, S the range in MPa; in air, edition 2016: "
-            "C 12.592, D 12.164, E 12.010, F 11.855, W3 10.970"}
+            "detail of DNV-RP-C203: lg a of its first branch, N = a S^-m_1, S the range in MPa; C in air 12.592"}
           .within(5, 40)
           .may_be_missing(),
       Field{&Input::m_1, "m_1", ratio, "the same: slope of the first branch; 3 where missing"}
           .within(1, 20)
           .may_be_missing(),
-      Field{&Input::m_2, "m_2", ratio, "the same: slope of the second branch; 5 where missing"}
-          .within(1, 40)
-          .may_be_missing(),
-      Field{&Input::N_1, "N_1", ratio, "the same: cycles where they meet; 1e7 where missing"}
+      Field{&Input::m_2, "m_2", ratio, "slope of the second branch; 5 where missing"}.within(1, 40).may_be_missing(),
+      Field{&Input::N_1, "N_1", ratio, "cycles where the branches meet; 1e7 where missing"}
           .at_least(1e4)
           .may_be_missing(),
       Choice{&Input::mean, "mean", "how mean stresses count, with the curve of a part"}.may_be_missing(),
@@ -160,11 +168,16 @@ n_req = 1
       diameter_at_heat_treatment(&Input::d_h),
       Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h"),
       Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
+      modulus_of_material(&Input::E),
+      density_of_material(&Input::rho),
       Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor(),
       Field{&Input::D_adm, "D_adm", ratio, "allowable damage sum; of the relative rule below 1, as 0.3"}
+          .within(0, 1)
           .positive()
           .usually(0.1, 1),
-      Field{&Input::n_req, "n_req", ratio, "how often the history has to be borne"}.positive().may_be_missing(),
+      Field{&Input::n_req, "n_req", ratio, "how often the history has to be borne, once at least"}
+          .at_least(1)
+          .may_be_missing(),
       Field{&Input::N_eq, "N_eq", ratio, "cycles of the equivalent stress of one size"}.positive().may_be_missing(),
       Field{&Input::t, "t", hour, "time of one passage; of a mechanism from its speed"}.positive().may_be_missing(),
       Count{&Input::classes, "classes", 0, most_classes,
@@ -220,7 +233,7 @@ n_req = 1
     Time L = unset<Time>;
     Stress S_eq = unset<Stress>;
     double u_y = unset<double>, u_F = unset<double>, u_m = unset<double>, u_D = unset<double>, x_N = unset<double>,
-           x_B = unset<double>, x_R = unset<double>, x_g = unset<double>;
+           x_B = unset<double>, x_R = unset<double>, x_g = unset<double>, x_O = unset<double>;
     List<Worst, most_worst> worst;
     std::vector<Cell> matrix;
     std::vector<RangePair> range_pairs;
@@ -264,6 +277,11 @@ n_req = 1
       Field{&Result::x_g, "x_g", ratio, "damage of the cycles that the gate leaves out, over that of all"}
           .limit(0, 0.01)
           .where_it_applies(),
+      Field{&Result::x_O, "x_O", ratio,
+            "where the original rule decides and a cycle is above the limit: share of the damage that those below do, "
+            "by Haibach; they count for nothing as long as all are below"}
+          .limit(0, 0.01)
+          .where_it_applies(),
       ListField{&Result::worst, "worst", "cycles that do most damage"},
       ListField{&Result::matrix, "matrix", "rainflow matrix, where it is not empty: all with the service factor"},
       ListField{&Result::range_pairs, "range_pairs", "range pairs, the largest first"},
@@ -274,6 +292,9 @@ n_req = 1
   static bool curve_given(const Input& in);
   static FieldFault missing_of_curve(const Input& in);
   static bool curve_alone(const Input& in);
+  static bool curve_is_of_dnv(const Input& in);
+  static bool comes_once(const Input& in);
+  static FieldFault comes_never(const Input& in);
   static bool mean_given(const Input& in);
   static bool slopes_fall(const Input& in);
   static bool mean_suits(const Input& in);
@@ -286,11 +307,18 @@ n_req = 1
       Rule<Input>{&one_source, "sigma, blocks", "give the stress sigma as a series, or blocks, one of the two"},
       Rule<Input>{&is_history, "sigma",
                   "one value is no history: take the series itself, without peak, max or mean, or give blocks"},
-      Rule<Input>{&curve_given, "curve, sigma_D, N_D, k, sigma_C, lg_a", "the curve lacks numbers", &missing_of_curve},
-      Rule<Input>{&curve_alone, "curve, sigma_D, N_D, k, sigma_C, lg_a, m_1, m_2, N_1",
+      Rule<Input>{&curve_given, "curve, sigma_D, N_D, k, sigma_C, detail, lg_a", "the curve lacks numbers",
+                  &missing_of_curve},
+      Rule<Input>{&curve_alone, "curve, sigma_D, N_D, k, sigma_C, detail, lg_a, m_1, m_2, N_1",
                   "give the numbers of the curve that is chosen alone: sigma_D, N_D and k of a part; sigma_C of "
-                  "EN 1993-1-9; lg_a of DNV-RP-C203"},
+                  "EN 1993-1-9; detail, or lg_a, of DNV-RP-C203"},
+      Rule<Input>{[](const Input& in) { return in.detail == Detail::untold || !(is_set(in.lg_a) || is_set(in.m_1)); },
+                  "detail, lg_a, m_1", "the detail has its own lg a and slope: give detail, or lg_a with m_1"},
       Rule<Input>{&slopes_fall, "m_1, m_2", "the second branch falls less than the first: m_2 is above m_1"},
+      Rule<Input>{&curve_is_of_dnv, "lg_a, m_1, m_2, N_1",
+                  "no detail of DNV-RP-C203 lasts so long: with m_1 = 3 lg_a is 12.592 at most, C in air, and 15.117 "
+                  "with 4, B1; 16.320 is that of a second branch. Take the curve by its name: detail = \"C\""},
+      Rule<Input>{&comes_once, "blocks, n_req", "what comes at all comes once", &comes_never},
       Rule<Input>{
           [](const Input& in) { return !(in.sigma_C > (in.stress == Stresses::shear ? 100.0 * MPa : 160.0 * MPa)); },
           "sigma_C, stress", "categories of EN 1993-1-9 end at 160 MPa, of shear at 100 MPa"},
@@ -315,13 +343,18 @@ n_req = 1
       yields_before_it_breaks<Input>()};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
-                                       Meaning{"sigma_D", limit_in_shear, "stress", "shear"}};
+                                       Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
+                                       Meaning{"sigma_a", "amplitude"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
       Mode<Input>{"fatigue", "fatigue under the history", &always<Input>}
-          .judged_by("u_D, u_m, x_N, x_B, x_R, x_g")
+          .judged_by("u_D, u_m, x_N, x_B, x_R, x_g, x_O")
           .wanting("n_req"),
+      Mode<Input>{"metal",
+                  "fatigue of a metal without a fatigue limit: on the curve of a part, by miner = \"modified\" or "
+                  "\"elementary\"",
+                  &lacks_limit},
       Mode<Input>{"mean", "mean stresses in tension, which the curve of r = -1 does not hold", &has_tension}.wanting(
           "mean"),
       Mode<Input>{"residue", "cycles of the residue, which are left out", &leaves_residue},
@@ -369,7 +402,8 @@ constexpr auto choices_of(History::Means) {
 }
 constexpr auto choices_of(History::MinerRule) {
   using M = History::MinerRule;
-  return std::array{ChoiceName<M>{M::original, "original", "cycles below the fatigue limit do no damage"},
+  return std::array{ChoiceName<M>{M::original, "original",
+                                  "cycles below the fatigue limit do no damage: true while none is above it"},
                     ChoiceName<M>{M::elementary, "elementary", "the slope k for all: no fatigue limit"},
                     ChoiceName<M>{M::modified, "modified", "Haibach: slope 2 k - 1 below the fatigue limit"},
                     ChoiceName<M>{M::consistent, "consistent", "the fatigue limit falls with the damage"},

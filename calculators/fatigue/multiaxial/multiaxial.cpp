@@ -172,6 +172,7 @@ Multiaxial::Result Multiaxial::evaluate(const Input& in, Tracer& trace) {
   r.samples = static_cast<double>(path.size());
   yield(in, path, r, trace);
   STEP_TO(r, x_D, in.tau_D / in.sigma_D, "0.5 by Tresca, 0.577 by von Mises, 0.8 towards brittle metals");
+  compare_cycles(in, r, trace);
   if (x_D < 0.5 - 1e-9 || x_D > 0.8 + 1e-9) return r;
   const DeviatorBall ball = deviator_ball(path);
   findley(in, path, r, trace);

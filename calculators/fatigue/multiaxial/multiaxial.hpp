@@ -9,9 +9,11 @@
 // Not covered: finite life, stresses across the surface, brittle and mild metals beyond 0.5 to 0.8 for tau_D/sigma_D.
 #pragma once
 
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
-#include "lib/calculator/heat_treatment.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -52,35 +54,43 @@ S_F = 1.5
     double K_A = 1.0;
     Stress sigma_D = unset<Stress>, tau_D = unset<Stress>;
     Length d_h = unset<Length>;
-    Stress R_e = unset<Stress>;
+    Stress R_e = unset<Stress>, E = unset<Stress>;
+    Density rho = unset<Density>;
     Criterion criterion = Criterion::worst;
-    double S_D = unset<double>, S_F = unset<double>;
+    double S_D = unset<double>, S_F = unset<double>, N = unset<double>, N_D = unset<double>;
   };
-  static constexpr Fields inputs{
-      Field{&Input::sigma_x, "sigma_x", MPa,
-            "normal stress along x: a series, whole, or { file, column, unit }, or { values, unit }; or one value"}
-          .load()
-          .may_be_missing(),
-      Field{&Input::sigma_y, "sigma_y", MPa, "normal stress along y, the same, at the same moments"}
-          .load()
-          .may_be_missing(),
-      Field{&Input::tau_xy, "tau_xy", MPa, "shear stress, the same, at the same moments"}.load().may_be_missing(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
-          .positive()
-          .usually(1, 4)
-          .factor(),
-      Field{&Input::sigma_D, "sigma_D", MPa, "fatigue limit of the point in normal stresses, r = -1"}
-          .positive()
-          .usually(5, 1500),
-      Field{&Input::tau_D, "tau_D", MPa, "the same in torsion, r = -1"}.positive().usually(3, 1000),
-      diameter_at_heat_treatment(&Input::d_h),
-      Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
-      Choice{&Input::criterion, "criterion", "criterion that decides"}.may_be_missing(),
-      Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the whole path"}
-          .at_least(1)
-          .usually(1, 6)
-          .factor(),
-      Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor()};
+  static constexpr Fields inputs = join(
+      Fields{
+          Field{&Input::sigma_x, "sigma_x", MPa,
+                "normal stress along x: a series, whole, or { file, column, unit }, or { values, unit }; or one value"}
+              .load()
+              .may_be_missing(),
+          Field{&Input::sigma_y, "sigma_y", MPa, "normal stress along y, the same, at the same moments"}
+              .load()
+              .may_be_missing(),
+          Field{&Input::tau_xy, "tau_xy", MPa, "shear stress, the same, at the same moments"}.load().may_be_missing(),
+          Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
+              .at_least(1)
+              .usually(1, 4)
+              .factor(),
+          Field{&Input::sigma_D, "sigma_D", MPa, "fatigue limit of the point in normal stresses, r = -1"}
+              .positive()
+              .usually(5, 1500),
+          Field{&Input::tau_D, "tau_D", MPa, "the same in torsion, r = -1"}.positive().usually(3, 1000),
+          diameter_at_heat_treatment(&Input::d_h),
+          Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
+          modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
+          Choice{&Input::criterion, "criterion", "criterion that decides"}.may_be_missing(),
+          Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the whole path"}
+              .at_least(1)
+              .usually(1, 6)
+              .factor(),
+          Field{&Input::S_F, "S_F", ratio, "safety against yielding"}
+              .at_least(1)
+              .usually(1, 6)
+              .may_be_missing()
+              .factor()},
+      cycles_of_metal<Input>());
 
   struct Result {
     double samples = unset<double>;
@@ -96,7 +106,7 @@ S_F = 1.5
     double n_F = unset<double>, n_M = unset<double>, n_C = unset<double>, n_DV = unset<double>, n_v = unset<double>;
     double n = unset<double>, n_y = unset<double>;
     double u_D = unset<double>, x_D = unset<double>, x_C = unset<double>, e_p = unset<double>;
-    double u_y = unset<double>, u_F = unset<double>;
+    double u_y = unset<double>, u_F = unset<double>, x_N = unset<double>;
   };
   static constexpr Fields results{
       Field{&Result::samples, "samples", ratio, "moments at which the path is known"},
@@ -145,7 +155,8 @@ S_F = 1.5
           .where_it_applies(),
       Field{&Result::e_p, "e_p", ratio, "planes: difference of two searches from other grids, over the larger"},
       Field{&Result::u_y, "u_y", ratio, "yielding: largest von Mises stress over the yield strength"}.check("R_e"),
-      Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F")};
+      Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
+      cycles_over_told<Result>(&Result::x_N)};
 
   static bool in_step(const Input& in);
   static bool varies(const Input& in);
@@ -166,6 +177,7 @@ S_F = 1.5
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the most stressed moment", &always<Input>}.judged_by("u_y, u_F"),
       Mode<Input>{"fatigue", "fatigue, without end, stresses out of phase", &always<Input>}.judged_by("u_D, x_D, x_C"),
+      fatigue_of_metal<&varies, Input>(),
       Mode<Input>{"rest", "what else acts at the same place", &unseen<Input>}.by_companions(),
       Mode<Input>{"across", "stresses across the surface: pressure, fretting, what lies beneath", &unseen<Input>},
       Mode<Input>{"surroundings", "corrosion, heat", &unseen<Input>}.special()};

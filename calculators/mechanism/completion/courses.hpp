@@ -34,9 +34,13 @@ class CourseNow {
   /// Beyond the points the nearest of them: whoever asks has `reaches` told.
   [[nodiscard]] double share(double argument) const;
   [[nodiscard]] bool reaches(double argument) const;
+  enum class By { crank_angle, time, stroke };
+  [[nodiscard]] By by() const { return by_; }
+  /// Its formula; null where it has points.
+  [[nodiscard]] const Law* formula() const { return formula_ ? &*formula_ : nullptr; }
+  [[nodiscard]] const std::vector<std::pair<double, double>>& points() const { return points_; }
 
  private:
-  enum class By { crank_angle, time, stroke };
   By by_ = By::time;
   std::vector<std::pair<double, double>> points_;
   std::optional<Law> formula_;

@@ -140,7 +140,11 @@ Cycle solve_cycle(const Mechanism::Input& in, const mechanism::Model& model, boo
   mechanism::ReleasedSystem system(model, redundant);
   Cycle cycle;
   cycle.first_failure = system.assemble();
-  const Schedule schedule = schedule_of(in, [&](std::size_t driver) { return system.coordinate(driver); });
+  const Assembled assembled = [&](std::size_t driver) { return system.coordinate(driver); };
+  const bool stands = cycle.first_failure == Status::closed;
+  if (stands) cycle.between = places_between(in, model, redundant, assembled);
+  Schedule schedule = stands ? schedule_of(in, assembled, cycle.between.places) : schedule_of(in, assembled);
+  schedule.is_uneven = cycle.between.inserted > 0;
   if (axis != nullptr) fill_axis(schedule, *axis);
   cycle.positions.assign(schedule.drives.size(), mechanism::blank_position(model));
   cycle.proofs.assign(schedule.drives.size(), {});

@@ -2,6 +2,7 @@
 // for.
 #pragma once
 
+#include "calculators/mechanism/cycle/between.hpp"
 #include "calculators/mechanism/cycle/schedule.hpp"
 #include "calculators/mechanism/words/law.hpp"
 #include "calculators/mechanism/words/mechanism.hpp"
@@ -58,6 +59,7 @@ struct Cycle {
     std::size_t at = 0;
   };
   std::optional<Threshold> stands_somewhere, stands_everywhere;
+  Between between;  // what stands between the positions that are asked for
   mechanism::Status first_failure = mechanism::Status::closed;
   mechanism::WholeSystem::Gap gap;            // at the first failure
   double worst_condition = 0.0;               // largest condition number of the constraints; 0: no position is closed

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace loadpath::planar {
 
@@ -13,42 +14,50 @@ namespace {
 
 using mechanism::Drive;
 
-/// Crank angles as the user counts them.
-std::vector<double> crank_angles(const planar::Crank& crank) {
-  std::vector<double> angles;
-  for (const auto& place : crank.at) angles.push_back(place.angle);
-  if (!angles.empty()) return angles;
+/// The crank angle at a place among the positions, as the user counts it; between two of them too.
+double crank_angle_at(const planar::Crank& crank, double k) {
+  if (!crank.at.empty()) {
+    const auto before = std::min(static_cast<std::size_t>(k), crank.at.size() - 1);
+    const double past = k - static_cast<double>(before), angle = crank.at[before].angle;
+    return past > 0.0 && before + 1 < crank.at.size() ? angle + past * (crank.at[before + 1].angle - angle) : angle;
+  }
   const double cycle = turning_sense(crank) * 2.0 * pi * crank.turns;
-  for (int k = 0; k < crank.positions; ++k) angles.push_back(crank.start + cycle * k / crank.positions);
-  return angles;
+  return crank.start + cycle * k / crank.positions;
+}
+
+/// As many places as there are positions.
+std::vector<double> evenly(std::size_t count) {
+  std::vector<double> places(count);
+  std::iota(places.begin(), places.end(), 0.0);
+  return places;
 }
 
 /// Of angles that differ by whole turns, the one nearest to the assembled position.
 double whole_turns(double wanted, double assembled) { return 2.0 * pi * std::round((assembled - wanted) / (2.0 * pi)); }
 
-double place_of(const planar::Cylinder& c, double assembled, std::size_t k, std::size_t count) {
+double place_of(const planar::Cylinder& c, double assembled, double k, std::size_t count) {
   const double from = is_set(c.from) ? in_si(c.from) : assembled;
   const double to = is_set(c.to) ? in_si(c.to) : from;
-  return count < 2 ? from : from + (to - from) * static_cast<double>(k) / static_cast<double>(count - 1);
+  return count < 2 ? from : from + (to - from) * k / static_cast<double>(count - 1);
 }
 
 double sense_of(planar::Impending impending) {
   return impending == planar::Impending::either ? 0.0 : impending == planar::Impending::forward ? 1.0 : -1.0;
 }
 
-Schedule schedule_by_speeds(const Mechanism::Input& in, const Assembled& assembled) {
+Schedule schedule_by_speeds(const Mechanism::Input& in, const Assembled& assembled, const std::vector<double>& places) {
   Schedule schedule;
-  const std::vector<double> angles = has_crank(in) ? crank_angles(in.crank) : std::vector<double>{};
-  const std::size_t count = has_crank(in) ? angles.size() : static_cast<std::size_t>(in.positions);
-  const double turns = has_crank(in) ? whole_turns(angles[0], assembled(0)) : 0.0;
-  for (std::size_t k = 0; k < count; ++k) {
+  const std::size_t count = positions_of(in);
+  const double turns = has_crank(in) ? whole_turns(crank_angle_at(in.crank, 0.0), assembled(0)) : 0.0;
+  for (const double k : places) {
     std::vector<Drive> drives;
-    if (has_crank(in)) drives.push_back(drive_of(in.crank, angles[k] + turns));
+    const double angle = has_crank(in) ? crank_angle_at(in.crank, k) : 0.0;
+    if (has_crank(in)) drives.push_back(drive_of(in.crank, angle + turns));
     for (const planar::Cylinder& c : in.cylinders) {
       drives.push_back({place_of(c, assembled(drives.size()), k, count), in_si(c.speed), in_si(c.acceleration),
                         sense_of(c.impending)});
     }
-    schedule.at.push_back(has_crank(in) ? angles[k] : drives.empty() ? 0.0 : drives[0].coordinate);
+    schedule.at.push_back(has_crank(in) ? angle : drives.empty() ? 0.0 : drives[0].coordinate);
     schedule.drives.push_back(std::move(drives));
   }
   schedule.turns = turns;
@@ -79,7 +88,7 @@ void let_rest(Schedule& schedule) {
 }
 
 /// Equal steps of time, from the first moment of a law to the last of one.
-Schedule schedule_by_laws(const Mechanism::Input& in, const Assembled& assembled) {
+Schedule schedule_by_laws(const Mechanism::Input& in, const Assembled& assembled, const std::vector<double>& places) {
   std::vector<DriveLaw> laws;
   std::vector<Drive> starts;
   if (has_crank(in)) {
@@ -99,9 +108,9 @@ Schedule schedule_by_laws(const Mechanism::Input& in, const Assembled& assembled
   }
   Schedule schedule;
   if (has_crank(in)) schedule.turns = whole_turns(drive_at(laws[0], starts[0], first, first).coordinate, assembled(0));
-  const Whole count = has_crank(in) ? in.crank.positions : in.positions;
-  for (int k = 0; k < count; ++k) {
-    const double t = count > 1 ? first + (last - first) * k / (count - 1) : first;
+  const std::size_t count = positions_of(in);
+  for (const double k : places) {
+    const double t = count > 1 ? first + (last - first) * k / static_cast<double>(count - 1) : first;
     schedule.at.push_back(t);
     schedule.drives.emplace_back();
     std::vector<Drive>& drives = schedule.drives.back();
@@ -124,15 +133,31 @@ Drive drive_of(const planar::Crank& crank, double coordinate) {
   return {coordinate, in_si(crank.speed), in_si(crank.acceleration), sense_of(crank.impending)};
 }
 
+std::size_t positions_of(const Mechanism::Input& in) {
+  if (!has_crank(in)) return static_cast<std::size_t>(in.positions);
+  return in.crank.at.empty() || has_law(in) ? static_cast<std::size_t>(in.crank.positions) : in.crank.at.size();
+}
+
 Schedule schedule_of(const Mechanism::Input& in, const Assembled& assembled) {
-  return has_law(in) ? schedule_by_laws(in, assembled) : schedule_by_speeds(in, assembled);
+  return schedule_of(in, assembled, evenly(positions_of(in)));
+}
+
+Schedule schedule_of(const Mechanism::Input& in, const Assembled& assembled, const std::vector<double>& places) {
+  return has_law(in) ? schedule_by_laws(in, assembled, places) : schedule_by_speeds(in, assembled, places);
 }
 
 void fill_axis(const Schedule& schedule, Axis& axis) {
   axis.at = schedule.at;
   axis.period = schedule.period;
   if (!axis.cyclic()) return;
-  axis.share.assign(axis.at.size(), 1.0 / static_cast<double>(axis.at.size()));  // the drive turns evenly
+  const std::size_t count = axis.at.size();
+  axis.share.assign(count, 1.0 / static_cast<double>(count));  // the drive turns evenly
+  if (!schedule.is_uneven) return;
+  for (std::size_t k = 0; k < count; ++k) {
+    const double before = k == 0 ? axis.at[count - 1] - axis.period : axis.at[k - 1];
+    const double after = k + 1 == count ? axis.at[0] + axis.period : axis.at[k + 1];
+    axis.share[k] = 0.5 * (after - before) / axis.period;
+  }
 }
 
 void set_loads(const CycleTask& task, mechanism::ReleasedSystem& system, const std::vector<Drive>& drives,

@@ -18,6 +18,7 @@ struct Schedule {
   std::vector<double> at;  // of the axis: crank angles, or the first cylinder's places, or times
   double turns = 0.0;      // by which the drive's coordinate is ahead of the crank angle, rad
   double period = 0.0;     // of the crank angle, signed; 0: not a whole turn
+  bool is_uneven = false;  // positions stand between those that were asked for
 };
 
 bool has_crank(const Mechanism::Input& in);
@@ -27,6 +28,10 @@ bool is_whole_turn(const Mechanism::Input& in);
 using Assembled = std::function<double(std::size_t driver)>;
 /// Drives without a stated place begin where they are.
 Schedule schedule_of(const Mechanism::Input& in, const Assembled& assembled);
+/// At other places: 2.5 is half way between the positions 2 and 3, counted from 0.
+Schedule schedule_of(const Mechanism::Input& in, const Assembled& assembled, const std::vector<double>& places);
+/// How many are asked for.
+std::size_t positions_of(const Mechanism::Input& in);
 
 /// 1 forward, -1 backward: in which order the positions follow.
 double turning_sense(const planar::Crank& crank);

@@ -56,10 +56,42 @@ void add_cams(const Mechanism::Input&, const mechanism::Model& model, std::vecto
   }
 }
 
+/// Steeper, the side thrust jams a follower in its guide; 30 deg are the custom of one that slides, 45 deg of one that
+/// turns (recalled).
+constexpr double steepest = 0.25 * pi;
+
+/// That the cam does not jam its follower.
+void judge_pressure_angle(const Solved& solved, std::size_t k, std::vector<account::Verdict>& verdicts) {
+  if (!guide_of(solved.given, k)) return;
+  double most = 0.0;
+  std::size_t at = 0;
+  const auto& positions = solved.proved.positions;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const auto alpha = cam_state(solved.given, k, positions[i]).pressure_angle;
+    if (!alpha || !(std::abs(*alpha) > most)) continue;
+    most = std::abs(*alpha);
+    at = i;
+  }
+  const mechanism::Joint& joint = solved.given.joints[k];
+  verdicts.push_back(
+      {.step = solved.step,
+       .symbol = "pressure_" + joint.name,
+       .meaning = say("largest pressure angle of the cam, joint '{1}': it does not jam the follower", joint.name),
+       .value = Quantity{most, "deg"},
+       .bound = say("up to {1}", format_quantity(steepest, "deg")),
+       .state = account::pass_if(most <= steepest * (1.0 + 1e-9)),
+       .note =
+           solved.axis == nullptr || at >= solved.axis->at.size()
+               ? Message{}
+               : say("at {1} ({2})", format_quantity(solved.axis->at[at], solved.axis->unit, 5), solved.axis->name())});
+}
+
 /// That the profile can be made, and the roller reaches all of it.
 void judge_cams(const Solved& solved, std::vector<account::Verdict>& verdicts) {
-  for (const mechanism::Joint& joint : solved.given.joints) {
+  for (std::size_t k = 0; k < solved.given.joints.size(); ++k) {
+    const mechanism::Joint& joint = solved.given.joints[k];
     if (joint.kind != JointKind::cam) continue;
+    judge_pressure_angle(solved, k, verdicts);
     const mechanism::Bends bends = mechanism::bends_of(*joint.profile);
     const bool flat = joint.contact == CamContact::flat;
     const std::string angle = angle_text(joint, bends.bulge_at);

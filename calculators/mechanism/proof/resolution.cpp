@@ -78,11 +78,14 @@ Peaks peaks_at(const Solved& solved, const std::vector<double>& angles) {
 
 /// The largest reaction between the neighbours of a position.
 Peak peak_beside(const Solved& solved, std::size_t top) {
-  const double step = solved.axis->at[1] - solved.axis->at[0];
+  const Axis& axis = *solved.axis;
+  const std::size_t last = axis.at.size() - 1;
+  const double before = top == 0 ? axis.at[last] - axis.period : axis.at[top - 1];
+  const double after = top == last ? axis.at[0] + axis.period : axis.at[top + 1];
   std::vector<double> angles;
   for (std::size_t i = 0; i <= parts; ++i) {
     const double share = 2.0 * static_cast<double>(i) / static_cast<double>(parts) - 1.0;
-    angles.push_back(solved.axis->at[top] + share * step);
+    angles.push_back(axis.at[top] + (share < 0.0 ? share * (axis.at[top] - before) : share * (after - axis.at[top])));
   }
   return peaks_at(solved, angles).reaction;
 }
@@ -139,7 +142,43 @@ std::optional<account::Verdict> hidden_corner(const Solved& solved) {
                           more_positions(solved, there.reaction, shown.reaction.force, "N"));
 }
 
+/// What laws do between the positions, where more are needed than can be inserted.
+account::Verdict unresolved(const Solved& solved) {
+  const Between& between = solved.proved.between;
+  const std::size_t asked = positions_of(solved.in);
+  const Message note =
+      between.needed == 0
+          ? say("{1} does more between the positions than can be followed: smooth it, or give it by points",
+                between.missed)
+          : say("{1} does more between the {2} positions than they show: {3} of them would show it", between.missed,
+                std::to_string(asked), std::to_string(between.needed));
+  return {.step = solved.step,
+          .symbol = "resolution",
+          .meaning = say("what laws of loads, drives and cams do between the positions"),
+          .value = say("{1} of {2}", std::to_string(asked),
+                       between.needed == 0 ? std::string("too many") : std::to_string(between.needed)),
+          .bound = say("every largest and least value, every corner"),
+          .state = account::State::not_judged,
+          .note = note};
+}
+
+/// The positions that were inserted show what laws do between the others.
+account::Verdict inserted(const Solved& solved) {
+  const Between& between = solved.proved.between;
+  return {.step = solved.step,
+          .symbol = "resolution",
+          .meaning = say("what laws of loads, drives and cams do between the positions"),
+          .value = say("{1} positions inserted", std::to_string(between.inserted)),
+          .bound = say("every largest and least value, every corner"),
+          .state = account::State::pass};
+}
+
 void judge_resolution(const Solved& solved, std::vector<account::Verdict>& verdicts) {
+  if (solved.axis != nullptr && !solved.proved.between.missed.empty()) {
+    verdicts.push_back(unresolved(solved));
+    return;
+  }
+  if (solved.axis != nullptr && solved.proved.between.inserted > 0) verdicts.push_back(inserted(solved));
   if (solved.axis == nullptr || !is_whole_turn(solved.in) || !solved.in.cylinders.empty()) return;
   if (auto hidden = hidden_corner(solved)) {
     verdicts.push_back(std::move(*hidden));

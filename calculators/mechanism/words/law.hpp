@@ -24,6 +24,8 @@ class DriveLaw {
   [[nodiscard]] double last() const { return last_; }
   /// Place, speed and acceleration at a time; before a law by points and after it the drive rests.
   [[nodiscard]] Jet at(double t) const;
+  /// Its formula; null where it has points.
+  [[nodiscard]] const Law* formula() const { return std::get_if<Law>(&motion_); }
 
  private:
   template <class Drive>

@@ -143,6 +143,9 @@ F_y = "0 N"
       Mode<Input>{"profile", "a cam that cannot be made, or that its roller does not reach", &always<Input>}
           .judged_by("profile_*, hollow_*")
           .of_shape(),
+      Mode<Input>{"pressure_angle", "a cam that jams its follower by its pressure angle", &always<Input>}
+          .judged_by("pressure_*")
+          .of_shape(),
       Mode<Input>{"uniqueness", "reactions that equilibrium alone does not decide", &always<Input>}
           .judged_by("determinate")
           .of_shape(),

@@ -59,7 +59,7 @@ theta_adm = "4 deg/m"
   static constexpr auto inputs =
       join(Fields{Field{&Input::T, "T", N_m, "torque"}.load(),
                   Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
-                      .positive()
+                      .at_least(1)
                       .usually(1, 4)
                       .factor()},
            contour_inputs<Input>(),
@@ -122,6 +122,7 @@ theta_adm = "4 deg/m"
       Rule<Input>{[](const Input& in) { return !is_set(in.theta_adm) || is_set(in.G); }, "theta_adm, G",
                   "theta_adm needs the shear modulus G (or a material)"}};
 
+  static constexpr std::array meanings{all_in_shear, all_in_normal};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, e_I, e_W"),
       Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, e_I, e_W"),

@@ -108,7 +108,7 @@ theta_adm = "0.5 deg/m"
   static constexpr auto inputs =
       join(Fields{Field{&Input::T, "T", N_m, "torque"}.load(),
                   Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
-                      .positive()
+                      .at_least(1)
                       .usually(1, 4)
                       .factor(),
                   ListField{&Input::cells, "cells", "closed cells"}.may_be_missing(),
@@ -229,6 +229,7 @@ theta_adm = "0.5 deg/m"
       Rule<Input>{[](const Input& in) { return !is_set(in.theta_adm) || is_set(in.G); }, "theta_adm, G",
                   "theta_adm needs the shear modulus G (or a material)"}};
 
+  static constexpr std::array meanings{all_in_shear, all_in_normal, Meaning{"walls.tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, w, w_s"),
       Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, w, w_s"),

@@ -1,5 +1,6 @@
 #include "calculators/shaft/design/bending.hpp"
 
+#include "calculators/shaft/design/places.hpp"
 #include "calculators/shaft/design/turn.hpp"
 #include "lib/numerics/magnitude.hpp"
 
@@ -21,7 +22,10 @@ beam::Row<double> named_places(const Input& in, const Weakest& weakest) {
   for (const Piece& piece : in.pieces) x.push_back(x.back() + in_si(piece.l));
   for (const Support& support : in.supports) x.push_back(in_si(support.x));
   for (const Seat& seat : in.seats) x.push_back(in_si(seat.x));
-  for (const Notched& notch : in.notches) x.push_back(in_si(notch.x));
+  for (const Notched& notch : in.notches) {
+    x.push_back(in_si(notch.x));
+    if (const Length end = other_end(in, notch); is_on(in, end)) x.push_back(in_si(end));
+  }
   const std::size_t named = x.size();
   for (const Weak& weak : weakest) {  // beside what has a name it is that
     const auto is_near = [&](double place) { return std::abs(place - weak.x) <= finest * in_si(length_of(in)); };

@@ -15,12 +15,12 @@
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"
-#include "calculators/load/steel.hpp"
+#include "calculators/load/heat_treatment.hpp"
+#include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/shaft/design/result.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/parts/ring.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/sizing.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -102,7 +102,7 @@ r_T = 0
           .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio,
             "service factor on all torques and forces, not on weight: what they do not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor(),
       Field{&Input::k_max, "k_max", ratio, "largest load, of a start or a jam, over that in service; for yield"}
@@ -298,6 +298,10 @@ r_T = 0
   static Applies passes_resonance(const Input& in);
   static Applies bears_discs(const Input& in);
   static Applies tired(const Input& in);
+  static Applies endless(const Input& in) {
+    const bool lacks = in.group >= fatigue::Endurance::Group::wrought_aluminium || lacks_fatigue_limit(in);
+    return lacks ? tired(in) : Applies::no;
+  }
   static Applies crowds(const Input& in) { return where(asks_fatigue(in) && !notches_apart(in)); }
   static Applies brittle(const Input& in) { return shown_by(in.group == fatigue::Endurance::Group::grey_iron); }
   static constexpr std::array meanings{Meaning{"sigma_W", fatigue::specimen_in_bending}};
@@ -308,6 +312,9 @@ r_T = 0
                      "safeties.x_DIN, x_E, s_max")
           .wanting("S_D, r_T")
           .in_service(),
+      Mode<Input>{"cycles",
+                  "fatigue of a metal without a fatigue limit: a fatigue.life of each section, with its cycles N",
+                  &endless},
       Mode<Input>{"neighbours", "fatigue where one notch feels the next", &crowds},
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
       Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y, s_max").of_service(),

@@ -1,9 +1,12 @@
 // What shaft.design asks of notches: that they fit where they are, stand apart, and leave no step untold.
+#include "calculators/fatigue/peterson.hpp"
 #include "calculators/shaft/design/places.hpp"
+#include "calculators/shaft/design/turn.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 #include <string>
 
 namespace loadpath::shaft {
@@ -19,7 +22,10 @@ Message fault_of_fields(const Notched& notch) {
   const bool rounded = kind == Kind::shoulder || kind == Kind::groove || kind == Kind::rectangular_groove;
   if (rounded && !is_set(notch.r)) return say("this notch needs the radius r of its root");
   if (kind == Kind::cross_hole && !is_set(notch.r)) return say("a cross hole needs its radius r");
-  if (is_groove(kind) != is_set(notch.t)) return say("a groove has a depth t, and nothing else has");
+  const bool cuts = is_groove(kind) || is_keyed(kind) || kind == Kind::beta;
+  if (is_groove(kind) && !is_set(notch.t)) return say("a groove has a depth t");
+  if (!cuts && is_set(notch.t)) return say("t is the depth of a groove, of a key's seat or of splines");
+  if (is_set(notch.l) && !is_keyed(kind)) return say("l is the length of a key");
   if ((kind == Kind::rectangular_groove) != is_set(notch.w))
     return say("a rectangular groove has a width w, and nothing else has");
   if ((kind == Kind::given) != is_set(notch.K_t) || is_set(notch.K_t) != is_set(notch.K_ts))
@@ -29,8 +35,7 @@ Message fault_of_fields(const Notched& notch) {
   if (is_set(notch.h) && kind != Kind::shoulder) return say("h is the least height of a shoulder");
   if (is_keyed(kind) && is_set(notch.r))
     return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give K_t and K_ts of another");
-  if (const bool rootless = kind == Kind::v_groove || kind == Kind::press_fit || kind == Kind::beta;
-      rootless && is_set(notch.r))
+  if (const bool rootless = kind == Kind::v_groove || kind == Kind::press_fit; rootless && is_set(notch.r))
     return say("its notch factor is of no radius: leave out r");
   if (kind == Kind::given && notch.K_t > 1.0 && !is_set(notch.r))
     return say("a given notch needs the radius r of its root, for the sensitivity to it");
@@ -84,6 +89,127 @@ Message fault_of_size(const Notched& notch, const Around& there) {
   return say("it is made for {1}, and the shaft has {2} at {3}", format(notch.d), format(own), format(notch.x));
 }
 
+/// What a fillet of this radius concentrates at least: the chart, at the nearer end of its range where it does not go
+/// so far, and nothing below it.
+double least_concentration(std::span<const fatigue::Fit> fits, Length h, Length r, Length D) {
+  if (h < fits.front().low * r) return 1.0;
+  return fatigue::concentration(fits, h, max(r, h / fits.back().high), D).K;
+}
+
+/// What a K_t becomes in fatigue; nothing is known of a metal whose strength is not.
+double in_fatigue(const Input& in, double K, Length r, fatigue::Endurance::Loading loading) {
+  using fatigue::Endurance;
+  if (!is_set(in.R_m) || in.group > Endurance::Group::cast_steel) return 1.0;
+  Endurance::Input e;
+  e.R_m = in.R_m, e.group = in.group, e.loading = loading, e.rule = Endurance::RuleOf::shigley;
+  e.school = Endurance::School::marin, e.K_t = K, e.r_n = r;
+  NoTrace quiet;
+  return Endurance::evaluate(e, quiet).K_f;
+}
+
+/// What is wrong with factors that are typed where the outer diameter changes: no step has less than its fillet makes.
+/// Charts and tests differ by a tenth or so; of hollow shafts there is no chart here, but a step they have.
+Message fault_of_typed_step(const Input& in, const Notched& notch, const Around& there) {
+  const Length d = there.sides.thinner().d, D = there.sides.larger(), r = notch.r;
+  if (d == D) return {};
+  if (!is_set(r))
+    return say("at {1} the diameter changes from {2} to {3}: give the radius r of its fillet, which bounds the factors",
+               format(notch.x), format(d), format(D));
+  constexpr double scatter_of_charts = 0.9, scatter_of_tests = 0.85;
+  const Length h = (D - d) / 2.0;
+  double bending = least_concentration(fatigue::shoulder_in_bending, h, r, D);
+  double torsion = least_concentration(fatigue::shoulder_in_torsion, h, r, D);
+  const bool tested = notch.kind == Notch::beta;
+  if (is_bored(in, notch.x)) {
+    bending = min(bending, 1.0 + 1e-9), torsion = min(torsion, 1.0 + 1e-9);
+  } else if (tested) {
+    bending = scatter_of_tests * in_fatigue(in, bending, r, fatigue::Endurance::Loading::bending);
+    torsion = scatter_of_tests * in_fatigue(in, torsion, r, fatigue::Endurance::Loading::torsion);
+  } else {
+    bending *= scatter_of_charts, torsion *= scatter_of_charts;
+  }
+  const double own = tested ? notch.beta_b : notch.K_t, own_t = tested ? notch.beta_t : notch.K_ts;
+  const auto too_low = [&](const char* key, double value, double least) {
+    return say("{1} = {2} at {3}, where a fillet of {4} from {5} to {6} makes {7} at least", key,
+               format_number(value, 3), format(notch.x), format(r), format(d), format(D), format_number(least, 3));
+  };
+  if (own < bending) return too_low(tested ? "beta_b" : "K_t", own, bending);
+  if (own_t < torsion) return too_low(tested ? "beta_t" : "K_ts", own_t, torsion);
+  return {};
+}
+
+/// What is wrong with the seat of a key, or splines, in a hollow shaft; empty where nothing is.
+Message fault_of_wall(const Input& in, const Notched& notch, const Around& there) {
+  const bool keyed = is_keyed(notch.kind);
+  if (!is_bored(in, notch.x) || !(keyed || is_set(notch.t))) return {};
+  if (!is_set(notch.t)) return say("in a hollow shaft give the depth t of the key's seat, or part = \"=key.notch\"");
+  const Length wall = (there.sides.thinner().d - max(there.sides.left.d_bore, there.sides.right.d_bore)) / 2.0;
+  const Length left = keyed ? wall - notch.t : wall;
+  if (!(left > 0.0 * mm))
+    return say("a seat of {1} cuts through the wall of {2} at {3}", format(notch.t), format(wall), format(notch.x));
+  if (left < notch.t)
+    return say(
+        "{1} of wall are left under a depth of {2} at {3}: no factor is told of so thin a one: give K_t, K_ts "
+        "and r",
+        format(left), format(notch.t), format(notch.x));
+  return {};
+}
+
+/// Whether any torque runs through the shaft beside a place; of one that nothing twists, none is missed.
+bool torque_beside(const Input& in, Length x) {
+  bool twisted = false;
+  for (std::size_t position = 0; position < positions_of(in); ++position) {
+    Moment before = 0.0 * N_m.one, behind = before, most = before;
+    for (std::size_t i = 0; i < in.seats.size(); ++i) {
+      const Moment T = torque_of(in, i, position);
+      most = max(most, abs(T));
+      if (in.seats[i].x < x && !are_one(in, in.seats[i].x, x)) before += T;
+      if (in.seats[i].x < x || are_one(in, in.seats[i].x, x)) behind += T;
+    }
+    if (most > 0.0 * N_m.one) twisted = true;
+    if (max(abs(before), abs(behind)) > 1e-6 * most) return true;
+  }
+  return !twisted;
+}
+
+/// What is wrong with the place of a hub's end: fits are up to 1.5 d long, so that their ends are nearer to the middle.
+Message fault_of_hub(const Input& in, const Notched& notch, Length d) {
+  Length nearest = 1.5 * d;
+  bool found = false, twists = false;
+  const auto meet = [&](Length x, bool is_twisted) {
+    if (abs(x - notch.x) > nearest) return;
+    nearest = abs(x - notch.x), found = true, twists = is_twisted;
+  };
+  for (const Support& support : in.supports) meet(support.x, false);
+  for (const Seat& seat : in.seats) meet(seat.x, is_set(seat.T) || seat.way == Way::balances);
+  if (!found) return say("no seat and no bearing is near a hub that ends at {1}", format(notch.x));
+  if (twists && !torque_beside(in, notch.x))
+    return say("no torque runs through the shaft at {1}: of a hub the end toward the torque decides", format(notch.x));
+  return {};
+}
+
+/// What is wrong with the place of a key's end, or a hub's; empty where nothing is.
+Message fault_of_place(const Input& in, const Notched& notch) {
+  if (notch.kind == Notch::press_fit) return fault_of_hub(in, notch, around(in, notch.x).sides.thinner().d);
+  if (!is_keyed(notch.kind)) return {};
+  if (!is_set(notch.l)) {
+    if (torque_beside(in, notch.x)) return {};
+    return say(
+        "no torque runs through the shaft at {1}: of a key the end toward the torque decides; give that, or the "
+        "length l of the key under its seat",
+        format(notch.x));
+  }
+  if (in.seats.empty()) return {};  // nothing loads it
+  const Length end = other_end(in, notch);
+  if (!is_set(end)) return say("no seat is held by a key of {1} that ends at {2}", format(notch.l), format(notch.x));
+  const Length aside = 10.0 * one_place * length_of(in), low = min(notch.x, end) + aside,
+               high = max(notch.x, end) - aside;
+  if (index_of_piece(in, max(low, 0.0 * mm)) != index_of_piece(in, min(high, length_of(in) - aside)))
+    return say("a key from {1} to {2} does not lie within one piece", format(min(notch.x, end)),
+               format(max(notch.x, end)));
+  return {};
+}
+
 /// What is wrong with a notch where pieces meet: a shoulder is where their diameters differ, others are not.
 Message fault_of_meeting(const Input& in, const Notched& notch, const Around& there) {
   const bool typed = notch.kind == Notch::given || notch.kind == Notch::beta;
@@ -99,6 +225,8 @@ Message fault_of_meeting(const Input& in, const Notched& notch, const Around& th
     return say("at {1} the diameter changes: a notch of both is one given by K_t and K_ts", format(notch.x));
   if (at_edge && !typed)
     return say("at {1} a taper begins: a notch of both is one given by K_t and K_ts", format(notch.x));
+  if (typed && at_step) return fault_of_typed_step(in, notch, there);
+  if (notch.kind == Notch::beta && is_set(notch.r)) return say("its notch factor is of no radius: leave out r");
   return {};
 }
 
@@ -116,6 +244,8 @@ Message fault_of(const Input& in, const Notched& notch) {
   if (has_factors(notch.kind) && !typed && in.group > fatigue::Endurance::Group::cast_steel)
     return say("its notch factor is told of steels alone: give K_t and K_ts");
   if (Message fault = fault_of_size(notch, there); !fault.empty()) return fault;
+  if (Message fault = fault_of_wall(in, notch, there); !fault.empty()) return fault;
+  if (Message fault = fault_of_place(in, notch); !fault.empty()) return fault;
   if (notch.r_T < in.r_T)
     return say("its torque runs back to {1} of the largest, and that of the shaft, r_T, to {2}",
                format_number(notch.r_T, 3), format_number(in.r_T, 3));
@@ -128,7 +258,7 @@ Length reach_of(const Input& in, const Notched& notch) {
   const Length none = 0.0 * mm;
   const Sides sides = around(in, notch.x).sides;
   const Length d = sides.left.d, next = sides.right.d;
-  const Length root = is_set(notch.r) ? notch.r : none, deep = is_set(notch.t) ? notch.t : none;
+  const Length root = is_set(notch.r) ? notch.r : none, deep = is_groove(notch.kind) ? notch.t : none;
   const Length cut = is_keyed(notch.kind) ? 0.1 * d : abs(d - next) / 2.0;
   return 2.0 * max(max(root, deep), cut);
 }

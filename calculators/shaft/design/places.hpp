@@ -16,6 +16,8 @@ inline bool are_one(const Design::Input& in, Length a, Length b) { return abs(a 
 /// Beyond the end of the shaft.
 inline bool is_off(const Design::Input& in, Length x) { return !(x <= (1.0 + one_place) * length_of(in)); }
 
+inline bool is_on(const Design::Input& in, Length x) { return x >= 0.0 * mm && !is_off(in, x); }
+
 /// "seats.gear.x", "seats[2].x".
 template <class Elements>
 std::string place_of(const char* list, const Elements& all, std::size_t i, const char* key) {
@@ -64,6 +66,22 @@ inline Around around(const Design::Input& in, Length x) {
   const std::size_t left = index_of_piece(in, x - aside), right = index_of_piece(in, x + aside);
   const auto ring = [&](std::size_t i) { return ring_at(in.pieces[i], x - start_of(in, i)); };
   return {in.pieces[left], in.pieces[right], {ring(left), ring(right)}};
+}
+
+/// The other end of a key: on the side where a seat lies over it, of two the one whose seat it has more in its middle.
+/// Unset where it has no length, or no seat.
+inline Length other_end(const Design::Input& in, const Notched& notch) {
+  if (!is_keyed(notch.kind) || !is_set(notch.l)) return unset<Length>;
+  Length found = unset<Length>, nearest = unset<Length>;
+  for (const Length& end : {notch.x - notch.l, notch.x + notch.l}) {
+    const Length middle = (notch.x + end) / 2.0;
+    for (const Seat& seat : in.seats) {
+      const Length apart = abs(seat.x - middle);
+      if (apart > notch.l / 2.0 + one_place * length_of(in) || apart >= nearest) continue;
+      found = end, nearest = apart;
+    }
+  }
+  return found;
 }
 
 /// Whether there is a bore on either side.

@@ -8,7 +8,7 @@ namespace loadpath::shaft {
 
 inline constexpr std::size_t most_pieces = 32, most_supports = 8, most_seats = 24, most_notches = 32;
 inline constexpr std::size_t most_orders = 12, most_whirls = 3;
-inline constexpr std::size_t most_places = 3 * most_pieces + 1 + most_supports + most_seats + most_notches;
+inline constexpr std::size_t most_places = 3 * most_pieces + 1 + most_supports + most_seats + 2 * most_notches;
 
 /// What a bearing carries, for bearing calculators to take whole.
 struct Carried {

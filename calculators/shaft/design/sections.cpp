@@ -1,6 +1,7 @@
 #include "calculators/shaft/design/sections.hpp"
 
 #include "calculators/shaft/design/fatigue.hpp"
+#include "calculators/shaft/design/places.hpp"
 #include "calculators/shaft/design/turn.hpp"
 #include "lib/numerics/magnitude.hpp"
 
@@ -32,14 +33,19 @@ Length place_of_most(const Stations& stations, const Turn& turn, std::size_t pie
 
 using Changes = List<There, most_places>;
 
-/// Of the taper; where it tires first, told apart from where it is stressed most.
-Name name_of(const Input& in, const Weak& weak) {
-  constexpr std::string_view apart = "_tires";
-  const Name& piece = in.pieces[weak.piece].name;
-  if (!weak.tires || piece.empty()) return piece;
-  List<char, Name::capacity + apart.size()> text(piece.view().begin(), piece.view().end());
+/// "key_end_far": a name with more behind it, where there is one.
+template <std::size_t more>
+Name told_apart(const Name& name, std::string_view apart) {
+  if (name.empty()) return name;
+  List<char, Name::capacity + more> text(name.view().begin(), name.view().end());
   text.insert(text.end(), apart.begin(), apart.end());
   return std::string_view(text.data(), text.size());
+}
+
+/// Of the taper; where it tires first, told apart from where it is stressed most.
+Name name_of(const Input& in, const Weak& weak) {
+  const Name& piece = in.pieces[weak.piece].name;
+  return weak.tires ? told_apart<6>(piece, "_tires") : piece;
 }
 
 /// Of what stands at one place the notch comes first, then what has a name.
@@ -68,6 +74,10 @@ class Gathering {
 Changes changes_of(const Input& in, const Stations& stations, const Turn& turn) {
   Gathering gathering(stations);
   for (const Notched& notch : in.notches) gathering.add(notch.x, notch.name, &notch);
+  for (const Notched& notch : in.notches) {
+    if (const Length end = other_end(in, notch); is_on(in, end))
+      gathering.add(end, told_apart<4>(notch.name, "_far"), &notch);
+  }
   for (const Seat& seat : in.seats) gathering.add(seat.x, seat.name);
   for (const Support& support : in.supports) gathering.add(support.x, support.name);
   Length x = 0.0 * mm;

@@ -75,7 +75,7 @@ phi_adm = "1 deg"
              Field{&Input::c_1, "c_1", N_m_per_rad, "stiffness of an elastic first end"}.positive().may_be_missing(),
              Field{&Input::c_2, "c_2", N_m_per_rad, "stiffness of an elastic second end"}.positive().may_be_missing(),
              Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
-                 .positive()
+                 .at_least(1)
                  .usually(1, 4)
                  .factor(),
              Field{&Input::G, "G", GPa, "shear modulus of what has none of its own"}.positive().usually(1, 500).from(
@@ -189,6 +189,8 @@ phi_adm = "1 deg"
       Rule<Input>{&side_by_side, "sleeves, segments",
                   "a sleeve fits around what it encloses, or inside of the bore: two members fill the same place"}};
 
+  static constexpr std::array meanings{all_in_shear, all_in_normal,
+                                       Meaning{"segments.tau_adm, sleeves.tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, s_max"),
       Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, s_max"),

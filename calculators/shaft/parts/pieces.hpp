@@ -157,7 +157,7 @@ struct Notched {
   Length x = unset<Length>;
   Notch kind = Notch::shoulder;
   Length d = unset<Length>, r = unset<Length>, t = unset<Length>, w = unset<Length>;
-  Length h = unset<Length>;
+  Length h = unset<Length>, l = unset<Length>;
   double K_t = unset<double>, K_ts = unset<double>, beta_b = unset<double>, beta_t = unset<double>, r_T = unset<double>;
   static constexpr Fields fields{
       NameField{&Notched::name, "name", "what it is"}.may_be_missing(),
@@ -169,9 +169,14 @@ struct Notched {
           .positive()
           .usually(0.1, 100)
           .may_be_missing(),
-      Field{&Notched::t, "t", mm, "depth of a groove"}.positive().may_be_missing(),
+      Field{&Notched::t, "t", mm, "depth of a groove; in a hollow shaft that of the seat of a key, or of splines"}
+          .positive()
+          .may_be_missing(),
       Field{&Notched::w, "w", mm, "width of a rectangular groove"}.positive().may_be_missing(),
       Field{&Notched::h, "h", mm, "least height of a shoulder, for what is set against it"}.positive().may_be_missing(),
+      Field{&Notched::l, "l", mm, "length of a key, from x over the seat that it holds: its other end counts as well"}
+          .positive()
+          .may_be_missing(),
       Field{&Notched::K_t, "K_t", ratio, "stress concentration in bending, on the net section, of a given notch"}
           .within(1, 10)
           .may_be_missing(),
@@ -217,20 +222,22 @@ constexpr auto choices_of(Notch) {
 /// The end of the seat of a key, for a shaft to take whole.
 struct KeyNotch {
   Notch kind = Notch::keyway;
-  Length d = unset<Length>;
+  Length d = unset<Length>, t = unset<Length>, l = unset<Length>;
   double r_T = unset<double>;
-  static constexpr Fields fields{Choice{&KeyNotch::kind, "kind", "kind of notch"},
-                                 Field{&KeyNotch::d, "d", mm, "diameter that it is made for"},
-                                 Field{&KeyNotch::r_T, "r_T", ratio, "-1 where the torque changes its sense"}};
+  static constexpr Fields fields{
+      Choice{&KeyNotch::kind, "kind", "kind of notch"}, Field{&KeyNotch::d, "d", mm, "diameter that it is made for"},
+      Field{&KeyNotch::t, "t", mm, "depth of the seat"}, Field{&KeyNotch::l, "l", mm, "length of the key"},
+      Field{&KeyNotch::r_T, "r_T", ratio, "-1 where the torque changes its sense"}};
 };
 
 /// The end of a spline, for a shaft to take whole; its notch factors are those of tests.
 struct SplineNotch {
   Notch kind = Notch::beta;
-  Length d = unset<Length>;
+  Length d = unset<Length>, t = unset<Length>;
   double beta_b = unset<double>, beta_t = unset<double>, r_T = unset<double>;
   static constexpr Fields fields{Choice{&SplineNotch::kind, "kind", "kind of notch"},
                                  Field{&SplineNotch::d, "d", mm, "diameter that it is made for"},
+                                 Field{&SplineNotch::t, "t", mm, "depth of its teeth below that"},
                                  Field{&SplineNotch::beta_b, "beta_b", ratio, "notch factor in bending"},
                                  Field{&SplineNotch::beta_t, "beta_t", ratio, "notch factor in torsion"},
                                  Field{&SplineNotch::r_T, "r_T", ratio, "-1 where the torque changes its sense"}};

@@ -32,7 +32,7 @@ constexpr auto torque_inputs() {
           .may_be_missing(),
       Choice{&Input::torque, "torque", "whether the torque changes its sense"}.may_be_missing(),
       Field<Input, double>{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
-          .positive()
+          .at_least(1)
           .usually(1, 4)
           .factor()};
 }
@@ -64,6 +64,16 @@ Applies torque_reverses(const Input& in) {
 template <class Input>
 Applies torque_varies(const Input& in) {
   return shown_by(in.K_A > 1.0 || in.torque == Sense::reversing);
+}
+
+/// A shear stress by the torque that any steel shaft bears, pulsating, with a keyway too: the old code for transmission
+/// shafts allows 41 MPa (ASME B17c; recalled).
+inline constexpr double light_torsion = 40.0;
+
+/// Whether the shaft itself can be twisted off: open below that, for any shaft bears it.
+inline Applies torsion_of(Stress tau_t) {
+  if (!(tau_t > 0.0 * MPa)) return Applies::no;
+  return shown_by(tau_t > light_torsion * MPa);
 }
 
 /// K_A acts once, on T and not on T_max, which is what the largest shock brings, whole.

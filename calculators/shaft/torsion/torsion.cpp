@@ -15,6 +15,9 @@ void raise(Quantity& largest, Quantity value) {
   if (is_set(largest) && !(size <= largest)) largest = size;
 }
 
+/// Of two that need not both be asked for.
+Length larger_of(Length a, Length b) { return !is_set(a) ? b : !is_set(b) ? a : max(a, b); }
+
 /// Moments and least diameters, stretch by stretch; the largest are those of the shaft.
 template <class Tracer>
 void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::Result& r, Tracer& trace) {
@@ -36,7 +39,7 @@ void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
     raise(stiffest, d_stiffness);
     if (is_set(c.d)) continue;
     any_open = true;
-    raise(open, is_set(d_stiffness) ? max(d_strength, d_stiffness) : d_strength);
+    raise(open, larger_of(d_strength, d_stiffness));
   }
   if (any_open) r.d = open;
   if (is_set(in.d)) r.d = in.d;
@@ -45,7 +48,14 @@ void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
 
 template <class Tracer>
 void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
-  trace.value("d_strength", r.d_strength, "largest of the shaft");
+  const bool by_strength = is_set(r.tau_all);
+  if (by_strength) trace.value("d_strength", r.d_strength, "largest of the shaft");
+  if (is_set(in.theta_adm) && !by_strength) {
+    trace.value("d_stiffness", r.d_stiffness, "largest of the shaft");
+    STEP_TO(r, d_min, r.d_stiffness, "by stiffness alone: no strength is given");
+    r.governs = Torsion::Governs::stiffness;
+    return;
+  }
   if (is_set(in.theta_adm)) {
     trace.value("d_stiffness", r.d_stiffness, "largest of the shaft");
     STEP_TO(r, D_star, 2.0 * r.tau_all / (in.G * in.theta_adm),
@@ -89,7 +99,9 @@ void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
 template <class Tracer>
 void judge(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   trace.value("tau_max", r.tau_max, "largest of the shaft");
-  STEP_TO(r, u_tau, r.tau_max / r.tau_all, "strength condition, [B19] (3)");
+  if (is_set(r.tau_all)) {
+    STEP_TO(r, u_tau, r.tau_max / r.tau_all, "strength condition, [B19] (3)");
+  }
   if (is_set(in.theta_adm)) {
     trace.value("theta_max", r.theta_max, "largest of the shaft");
     STEP_TO(r, u_theta, r.theta_max / in.theta_adm, "stiffness condition, [B19] (8)");

@@ -6,13 +6,13 @@
 // Not covered: bending (see shaft.overhung), fatigue, notches, keyways, buckling of thin tubes.
 #pragma once
 
+#include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/torsion/diagram.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/form.hpp"
-#include "lib/calculator/heat_treatment.hpp"
 #include "lib/calculator/join.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -108,7 +108,7 @@ theta_adm = "0.004 rad/m"
              Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
              diameter_at_heat_treatment(&Input::d_h),
              Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
-                 .positive()
+                 .at_least(1)
                  .usually(1, 4)
                  .factor(),
              Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G")},
@@ -186,7 +186,8 @@ theta_adm = "0.004 rad/m"
       Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"},
       Field{&Result::phi, "phi", deg, "twist of the right end against the left, positive like M"},
       Field{&Result::phi_max, "phi_max", deg, "largest twist between any two sections"},
-      Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}.check(),
+      Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}.check(
+          "tau_adm, sigma_adm, S"),
       Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check(
           "theta_adm"),
       Field{&Result::F_bend, "F_bend", N, "bending: transverse force, which torsion alone does not cover"}
@@ -200,10 +201,12 @@ theta_adm = "0.004 rad/m"
       Rule<Input>{[](const Input& in) { return is_set(in.T) == in.torques.empty(); }, "T, torques",
                   "give either T or torques"},
       Rule<Input>{[](const Input& in) {
-                    return is_set(in.tau_adm) || is_set(in.sigma_adm) || (is_set(in.R_e) && is_set(in.S));
+                    return is_set(in.tau_adm) || is_set(in.sigma_adm) || (is_set(in.R_e) && is_set(in.S)) ||
+                           (is_set(in.theta_adm) && !is_set(in.S));
                   },
                   "tau_adm, sigma_adm, R_e, S",
-                  "give tau_adm, or S with the yield strength R_e (or a material), or sigma_adm with behaviour"},
+                  "give tau_adm, or S with the yield strength R_e (or a material), or sigma_adm with behaviour; or "
+                  "theta_adm alone, which leaves the strength open"},
       Rule<Input>{[](const Input& in) {
                     return is_set(in.sigma_adm) == (in.behaviour != Behaviour::unsaid) &&
                            !(is_set(in.sigma_adm) && (is_set(in.tau_adm) || is_set(in.S)));
@@ -231,15 +234,16 @@ theta_adm = "0.004 rad/m"
                   "d_bore, never both"},
       heat_treated_before_turning<Input>()};
 
-  static constexpr auto modes =
-      with_modes_of_shafts(std::array{Mode<Input>{"yield", "yield in torsion", &loaded}.judged_by("u_tau"),
-                                      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta").of_service(),
-                                      Mode<Input>{"bending", "bending by forces across the shaft: a shaft.overhung",
-                                                  [](const Input& in) { return shown_by(is_set(in.F)); }}
-                                          .judged_by("F_bend")
-                                          .wanting("F")
-                                          .in_service(),
-                                      fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue")});
+  static constexpr std::array meanings{all_in_shear, all_in_normal};
+  static constexpr auto modes = with_modes_of_shafts(
+      std::array{Mode<Input>{"yield", "yield in torsion", &loaded}.judged_by("u_tau").wanting("tau_adm"),
+                 Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta").of_service(),
+                 Mode<Input>{"bending", "bending by forces across the shaft: a shaft.overhung",
+                             [](const Input& in) { return shown_by(is_set(in.F)); }}
+                     .judged_by("F_bend")
+                     .wanting("F")
+                     .in_service(),
+                 fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue")});
 
   static constexpr std::array forms{Form{"T, K_A, G, tau_adm, theta_adm",
                                          "d_strength, d_stiffness, d_min, D_star, tau_max, theta_max, u_tau, u_theta"},

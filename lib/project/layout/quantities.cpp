@@ -1,6 +1,6 @@
 #include "lib/project/layout/layout.hpp"
 #include "lib/quantity/literal.hpp"
-#include "lib/quantity/number.hpp"
+#include "lib/quantity/number/number.hpp"
 #include "lib/text/utf8.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include "lib/project/read/errors.hpp"
 #include "lib/project/read/reading.hpp"
-#include "lib/quantity/number.hpp"
+#include "lib/quantity/number/number.hpp"
 
 #include <algorithm>
 #include <cmath>

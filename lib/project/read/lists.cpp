@@ -18,10 +18,24 @@ void Reader::refuse_size(const Tree& tree, const FieldInfo& field, const std::st
          bounded ? Message{} : say("no list of a project has more"));
 }
 
+/// What is wrong with one row is wrong with all, mostly: it is said once, with the file.
+void Reader::keep_first_of_file(std::size_t before, const std::string& file) {
+  const auto is_error = [](const Issue& issue) { return issue.severity == Severity::error; };
+  const auto first = std::find_if(issues_.begin() + static_cast<std::ptrdiff_t>(before), issues_.end(), is_error);
+  if (first == issues_.end()) return;
+  const std::string inner = first->key;
+  first->message = say("'{1}', {2}: {3}", file, inner, first->message);
+  issues_.erase(std::remove_if(first + 1, issues_.end(), is_error), issues_.end());
+}
+
 void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (names_rows_file(tree) && find_field(field.fields, "name") == nullptr) {
-    const auto rows = read_rows_file(tree);
-    if (rows) return read_list(*rows, field, owner, path);
+    const auto rows = read_rows_file(tree, field.fields);
+    if (rows) {
+      const std::size_t before = issues_.size();
+      read_list(*rows, field, owner, path);
+      return keep_first_of_file(before, tree.entries[0].value.text);
+    }
     return say_at(tree.entries[0].value.place, path, rows.fault().message, rows.fault().hint);
   }
   const bool named = tree.type == Tree::Type::table && find_field(field.fields, "name") != nullptr &&

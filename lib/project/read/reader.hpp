@@ -53,6 +53,7 @@ class Reader {
   void read_name(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_formula(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
+  void keep_first_of_file(std::size_t before, const std::string& file);
   void refuse_size(const Tree& tree, const FieldInfo& field, const std::string& path, std::size_t count);
   /// A list, and how many of its elements a template has laid out.
   struct Target {

@@ -3,6 +3,7 @@
 #include "lib/project/read/reader.hpp"
 #include "lib/project/read/records.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/quantity/literal.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -47,6 +48,30 @@ std::optional<std::string> lone_reference(const toml::Tree& tree) {
   return parsed->references().front().path;
 }
 
+std::optional<toml::Tree> number_of(const toml::Tree& tree,
+                                    const std::function<const Value*(const std::string&)>& known) {
+  if (tree.type != toml::Tree::Type::text || !tree.text.starts_with('=')) return std::nullopt;
+  toml::Tree number = tree;
+  number.text = tree.text.substr(1);
+  const auto parsed = Expression::parse(number.text);
+  if (!parsed) return std::nullopt;
+  for (const auto& reference : parsed->references()) {
+    if (known(reference.path) == nullptr) return std::nullopt;
+  }
+  const auto value = parsed->evaluate([&](const std::string& path) -> const Value& { return *known(path); });
+  // A moment over radians is a moment to a field that takes the expression; a literal says what it is.
+  const Dimension& dimension = value.signature.dimension;
+  const bool has_angle = dimension != dimension.without_angle();
+  if (has_angle && !dimension.is_angle_or_number() && dimension != Dimension::of(0, 0, -1, 0, 1)) return std::nullopt;
+  const bool typed = static_cast<bool>(parse_literal(number.text));
+  if (typed && (!dimension.is_number() || number.text.ends_with("%"))) return number;
+  if (!std::isfinite(value.si[0])) return std::nullopt;
+  const std::string unit = si_unit(value.signature.dimension);
+  if (unit.empty()) number.type = toml::Tree::Type::number, number.number = value.si[0];
+  number.text = format_exact(value.si[0]) + (unit.empty() ? "" : " " + unit);
+  return number;
+}
+
 Issue missing_field(const Lacking& lacking, const std::string& prefix) {
   const FieldInfo& field = *lacking.field;
   const bool in_unit = field.type == Type::quantity && std::string_view(field.unit) != "-";
@@ -62,6 +87,11 @@ Message bounds_message(const FieldInfo& field) {
   if (std::isinf(b.high)) return say("must be {1}", low);
   if (std::isinf(b.low)) return say("must be {1}", high);
   return say("must be {1} and {2}", low, high);
+}
+
+Message unusual(const std::string& path, const FieldInfo& field, double si) {
+  return say("{1} = {2} is unusual: {3} to {4} is expected", path, format_quantity(si, field.unit),
+             format_quantity(field.plausible.low, field.unit), format_quantity(field.plausible.high, field.unit));
 }
 
 bool is_name(std::string_view text) {

@@ -8,6 +8,7 @@
 #include "lib/sweep/point/distribution.hpp"
 #include "lib/toml/tree.hpp"
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
@@ -23,10 +24,11 @@ struct Operand {
   std::string path;  // of the leaf, within the step
   Leaf leaf;
   Expression expression;
-  std::string text;        // as written, without the '='
-  Place place;             // of the text behind the '='
-  bool of_record = false;  // nobody typed it
-  bool may_lack = false;   // of a record: what that leaves open stays open
+  std::string text;                                         // as written, without the '='
+  Place place;                                              // of the text behind the '='
+  bool of_record = false;                                   // nobody typed it
+  bool may_lack = false;                                    // of a record: what that leaves open stays open
+  double early = std::numeric_limits<double>::quiet_NaN();  // SI, where it is known before any step is solved
 };
 
 /// What is taken whole from another step: a word, a list, a record, the row of a table.
@@ -63,6 +65,14 @@ struct Varied {
   std::size_t at = 0;  // of the words, the one that it has now
 };
 
+/// A value that was typed beside a record that has it too.
+struct TypedBeside {
+  std::string path;    // within the step
+  std::string source;  // of the record's value: "press.links.rod.l"
+  bool is_word = false;
+  bool is_load = false;  // what the part has to bear, as the record says
+};
+
 /// A field that has no value yet, and must have one.
 struct Lacking {
   std::string path;
@@ -85,8 +95,9 @@ struct Reading {
   std::vector<Operand> operands;
   std::vector<Operand> whole;  // of one value in the record, which the step makes itself of all positions of a series
   std::vector<Taken> taken;
-  std::vector<Taken> records;    // that are among the operands and the words now, field by field
-  std::vector<Lacking> lacking;  // that a record may fill, which is known when all steps are read
+  std::vector<Taken> records;     // that are among the operands and the words now, field by field
+  std::vector<TypedBeside> kept;  // typed, though a record has it too
+  std::vector<Lacking> lacking;   // that a record may fill, which is known when all steps are read
   std::vector<Search> searches;
   std::vector<Varied> varied;
   std::map<std::string, Typed> typed;  // by the path of the leaf; lists and groups by their own path too
@@ -94,6 +105,11 @@ struct Reading {
   std::vector<std::shared_ptr<const Axis>> axes;  // of series that files have given
   Place place;                                    // of the table
 };
+
+/// "=30 mm": the number as it is typed without its sign; nothing where the text refers to something, or is no
+/// expression. `known` gives values of references; nothing where it gives none.
+std::optional<toml::Tree> number_of(const toml::Tree& tree,
+                                    const std::function<const Value*(const std::string&)>& known);
 
 /// "=pick.section" alone: what it refers to; nothing where the text is another. An expression that cannot be read is
 /// none.
@@ -127,6 +143,11 @@ Reading read_record(const toml::Tree& table, const RecordType& type, const Templ
 
 /// "must be > 0 mm", from the bounds of a field.
 Message bounds_message(const FieldInfo& field);
+/// Whether a size, in SI, is beyond all machines, so that its powers could leave the range of numbers.
+bool is_out_of_proportion(double si);
+Message out_of_proportion(const std::string& path, const FieldInfo& field, double si);
+/// "d = 4500 mm is unusual: 5 mm to 2000 mm is expected".
+Message unusual(const std::string& path, const FieldInfo& field, double si);
 
 /// A name of a step, link or joint: letters, digits and '_', not starting with a digit.
 bool is_name(std::string_view text);

@@ -2,8 +2,11 @@
 
 #include "lib/project/read/history.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <optional>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <vector>
@@ -54,6 +57,15 @@ Column column_of(std::string_view heading) {
   return {std::string(trimmed(heading.substr(0, open))), unit == "-" || unit == "1" ? "" : unit};
 }
 
+/// "1,5" as "1.5", where the comma does not part cells; anything else as it is.
+std::string with_point(std::string_view cell) {
+  std::string text(cell);
+  const std::size_t comma = text.find(',');
+  if (comma == std::string::npos || text.find_first_not_of("0123456789+-eE,") != std::string::npos) return text;
+  text[comma] = '.';
+  return text;
+}
+
 /// As the number or the text would stand in the project file.
 Tree value_of(std::string_view cell, const Column& column, const Place& place) {
   Tree value;
@@ -71,7 +83,8 @@ Fault fault(Message message, Message hint) { return {0, 1, std::move(message), s
 
 class Rows {
  public:
-  Rows(const std::string& name, const Place& place) : name_(name), place_(place) {
+  Rows(const std::string& name, const Place& place, std::span<const FieldInfo> fields)
+      : name_(name), place_(place), fields_(fields) {
     rows_.type = Tree::Type::array;
     rows_.place = place;
   }
@@ -85,6 +98,9 @@ class Rows {
       if (kept.empty()) continue;
       if (columns_.empty()) {
         take_heading(kept);
+        if (auto wrong = fault_of_heading(number)) return *std::move(wrong);
+      } else if (rows_.items.empty() && lacks_unit(kept)) {
+        return missing_unit(kept);
       } else if (!take_row(kept)) {
         return fault(say("line {1} of '{2}' has not as many cells as its heading, {3}", std::to_string(number), name_,
                          std::to_string(columns_.size())),
@@ -102,18 +118,54 @@ class Rows {
     for (const std::string_view cell : cells_of(line, separator_)) columns_.push_back(column_of(cell));
   }
 
+  /// Every column is a field of the rows.
+  [[nodiscard]] std::optional<Fault> fault_of_heading(int number) const {
+    std::string keys;
+    for (const FieldInfo& field : fields_) keys += (keys.empty() ? "" : ", ") + std::string(field.key);
+    for (const Column& column : columns_) {
+      if (find_field(fields_, column.key) != nullptr) continue;
+      return fault(
+          say("line {1} of '{2}': the heading '{3}' is no field here", std::to_string(number), name_, column.key),
+          say("the fields are {1}; cells are parted by commas, semicolons or tabs", keys));
+    }
+    return std::nullopt;
+  }
+
+  /// The first column whose cells are numbers without a unit that its field has; null where there is none.
+  [[nodiscard]] const Column* without_unit(std::string_view line) const {
+    const auto cells = cells_of(line, separator_);
+    for (std::size_t k = 0; k < std::min(cells.size(), columns_.size()); ++k) {
+      const FieldInfo* const field = find_field(fields_, columns_[k].key);
+      const bool has_unit =
+          field != nullptr && field->type == FieldInfo::Type::quantity && std::string_view(field->unit) != "-";
+      const std::string cell = separator_ == ',' ? std::string(cells[k]) : with_point(cells[k]);
+      const bool bare = !cell.empty() && cell.find_first_not_of("0123456789+-eE.") == std::string::npos;
+      if (has_unit && bare && columns_[k].unit.empty()) return &columns_[k];
+    }
+    return nullptr;
+  }
+  [[nodiscard]] bool lacks_unit(std::string_view line) const { return without_unit(line) != nullptr; }
+  [[nodiscard]] Fault missing_unit(std::string_view line) const {
+    const std::string& key = without_unit(line)->key;
+    return fault(say("the heading '{1}' of '{2}' has no unit", key, name_),
+                 say("name the unit in the heading: {1} [{2}]", key, find_field(fields_, key)->unit));
+  }
+
   bool take_row(std::string_view line) {
     const auto cells = cells_of(line, separator_);
     if (cells.size() != columns_.size()) return false;
     Tree& row = rows_.items.emplace_back();
     row.place = place_;
     for (std::size_t k = 0; k < cells.size(); ++k)
-      row.entries.push_back({columns_[k].key, place_, value_of(cells[k], columns_[k], place_)});
+      row.entries.push_back(
+          {columns_[k].key, place_,
+           value_of(separator_ == ',' ? std::string(cells[k]) : with_point(cells[k]), columns_[k], place_)});
     return true;
   }
 
   const std::string& name_;
   const Place& place_;
+  std::span<const FieldInfo> fields_;
   Tree rows_;
   std::vector<Column> columns_;
   char separator_ = ',';
@@ -143,7 +195,7 @@ std::vector<std::string> files_in(const Tree& table) {
   return paths;
 }
 
-Outcome<Tree> read_rows_file(const Tree& tree) {
+Outcome<Tree> read_rows_file(const Tree& tree, std::span<const FieldInfo> fields) {
   const Tree& named = tree.entries[0].value;
   const std::filesystem::path path = path_of(named);
   std::error_code error;
@@ -154,7 +206,7 @@ Outcome<Tree> read_rows_file(const Tree& tree) {
   if (!there || !toml::read_file(path.string(), text))
     return fault(say("there is no file '{1}' that can be read", path.string()),
                  say("its path goes from the folder of the project file"));
-  return Rows(named.text, named.place).read(text);
+  return Rows(named.text, named.place, fields).read(text);
 }
 
 }  // namespace loadpath::project

@@ -4,9 +4,11 @@
 // or tabs; what follows a # is left out.
 #pragma once
 
+#include "lib/calculator/record.hpp"
 #include "lib/text/issue.hpp"
 #include "lib/toml/tree.hpp"
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,8 @@ bool names_rows_file(const toml::Tree& tree);
 /// The paths of all files that a table of a project names, of rows and of histories, from where the project was read.
 std::vector<std::string> files_in(const toml::Tree& table);
 
-/// The rows as they would stand in the project file. The path is taken from the folder of the project.
-Outcome<toml::Tree> read_rows_file(const toml::Tree& tree);
+/// The rows, which have these fields, as they would stand in the project file. The path is taken from the folder of the
+/// project.
+Outcome<toml::Tree> read_rows_file(const toml::Tree& tree, std::span<const FieldInfo> fields);
 
 }  // namespace loadpath::project

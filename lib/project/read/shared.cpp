@@ -3,7 +3,7 @@
 #include "lib/project/read/reading.hpp"
 #include "lib/project/read/spread.hpp"
 #include "lib/quantity/literal.hpp"
-#include "lib/quantity/number.hpp"
+#include "lib/quantity/number/number.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -16,12 +16,36 @@ using toml::Tree;
 
 constexpr std::string_view shared_prefix = "values.";
 constexpr std::size_t most_in_place = 1'000'000;  // values and tables that stand in the place of a name
-constexpr std::size_t deepest = 32;               // values that refer to one another
+constexpr std::size_t deepest = 32;               // values that stand in one another
+constexpr std::size_t longest_way = 1000;         // of references from value to value
 
 /// "=values.n": "n"; empty where the text is none that stands alone.
 std::string name_of_reference(const Tree& tree) {
   const auto path = lone_reference(tree);
   return path && path->starts_with(shared_prefix) ? path->substr(shared_prefix.size()) : "";
+}
+
+/// Every name behind "values." in a text.
+std::vector<std::string> names_in(std::string_view text) {
+  const auto in_name = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  };
+  std::vector<std::string> names;
+  for (std::size_t at = text.find(shared_prefix); at != std::string_view::npos; at = text.find(shared_prefix, at + 1)) {
+    if (at > 0 && (in_name(text[at - 1]) || text[at - 1] == '.')) continue;
+    std::size_t end = at + shared_prefix.size();
+    while (end < text.size() && in_name(text[end])) ++end;
+    names.emplace_back(text.substr(at + shared_prefix.size(), end - at - shared_prefix.size()));
+  }
+  return names;
+}
+
+/// What the texts of a tree name.
+void collect_names(const Tree& tree, std::vector<std::string>& names) {
+  if (tree.type == Tree::Type::text)
+    for (std::string& name : names_in(tree.text)) names.push_back(std::move(name));
+  for (const Tree& item : tree.items) collect_names(item, names);
+  for (const Tree::Entry& entry : tree.entries) collect_names(entry.value, names);
 }
 
 /// The value of a text or number that an expression may hold; without unit none of an angle is meant.
@@ -73,14 +97,105 @@ void Values::read(const Tree::Entry& table, std::vector<Issue>& issues) {
              say("a name has Latin letters, digits and '_', and does not start with a digit"));
       continue;
     }
-    Shared shared{entry.value, entry.place, {}, std::nullopt, false, false, false};
+    Shared shared;
+    shared.tree = entry.value;
+    shared.place = entry.place;
     if (auto literal = literal_of(entry.value)) {
       shared.literal = std::move(*literal);
       shared.is_literal = true;
     }
     all_[entry.key] = std::move(shared);
   }
-  refuse_circles(issues);
+  std::vector<std::string> path;
+  for (auto& [name, shared] : all_) settle(name, path, issues);
+}
+
+/// Reads the expression of a value, those that it refers to first, and writes them into it.
+void Values::settle(const std::string& name, std::vector<std::string>& path, std::vector<Issue>& issues) {
+  Shared& shared = all_.at(name);
+  if (shared.search == Shared::Search::done) return;
+  path.push_back(name);
+  if (shared.search == Shared::Search::open) {
+    refuse_circle(path, issues);
+    return path.pop_back();
+  }
+  if (path.size() > longest_way) {
+    if (!std::exchange(too_many_, true))
+      issues.push_back({shared.tree.place, "values", say("values refer to one another too deep"),
+                        say("at most {1} deep", std::to_string(longest_way)), Severity::error});
+    return path.pop_back();
+  }
+  shared.search = Shared::Search::open;
+  std::vector<std::string> names;
+  collect_names(shared.tree, names);
+  for (const std::string& other : names) {
+    const auto found = all_.find(other);
+    if (found == all_.end()) continue;  // told where it stands
+    if (other != name) found->second.is_used = true;
+    settle(other, path, issues);
+  }
+  path.pop_back();
+  shared.search = Shared::Search::done;
+  if (shared.in_circle || shared.tree.type != Tree::Type::text || !shared.tree.text.starts_with('=')) return;
+  Place start = shared.tree.place;
+  ++start.column;
+  const std::string text = shared.tree.text.substr(1);
+  auto expression = Expression::parse(text);
+  if (!expression) {
+    const Fault& fault = expression.fault();
+    issues.push_back(
+        {place_in(start, text, fault.at, fault.length), "values." + name, fault.message, fault.hint, Severity::error});
+    told_.insert(name);
+    return;
+  }
+  write_into(*expression, start, "values." + name, issues);
+  shared.expression = std::move(*expression);
+  const auto& references = shared.expression->references();
+  const auto value_of = [&](const std::string& reference) {
+    return reference.starts_with(shared_prefix) ? fixed(reference.substr(shared_prefix.size())) : nullptr;
+  };
+  if (std::any_of(references.begin(), references.end(), [&](const auto& r) { return value_of(r.path) == nullptr; }))
+    return;
+  shared.literal =
+      shared.expression->evaluate([&](const std::string& path_of) -> const Value& { return *value_of(path_of); });
+  shared.is_constant = true;
+}
+
+/// `names`: the way that comes back to the last of them.
+void Values::refuse_circle(const std::vector<std::string>& names, std::vector<Issue>& issues) {
+  const auto first = std::find(names.begin(), names.end(), names.back());
+  if (first + 2 == names.end()) return refuse_circle(names.back(), issues);
+  Shared& shared = all_.at(names.back());
+  std::string way;
+  bool told = false;
+  for (auto name = first; name != names.end(); ++name) {
+    way += (way.empty() ? "values." : " -> values.") + *name;
+    told = std::exchange(all_.at(*name).in_circle, true) && name + 1 != names.end();
+  }
+  if (!told)
+    issues.push_back({shared.tree.place, "values." + names.back(),
+                      say("the values refer to one another in a circle: {1}", way),
+                      say("give one of the circle a value"), Severity::error});
+}
+
+void Values::write_into(Expression& expression, const Place& place, const std::string& key,
+                        std::vector<Issue>& issues) const {
+  const bool fits = expression.write_out([&](const std::string& path) -> const Expression* {
+    if (!path.starts_with(shared_prefix)) return nullptr;
+    const auto found = all_.find(path.substr(shared_prefix.size()));
+    return found == all_.end() || !found->second.expression ? nullptr : &*found->second.expression;
+  });
+  if (!fits)
+    issues.push_back({place, key, say("the expression grows too large with the values that it refers to"),
+                      say("give one of them a value"), Severity::error});
+}
+
+void Values::note_uses(const Tree& tree) {
+  std::vector<std::string> names;
+  collect_names(tree, names);
+  for (const std::string& name : names) {
+    if (const auto found = all_.find(name); found != all_.end()) found->second.is_used = true;
+  }
 }
 
 /// Once for each value.
@@ -89,18 +204,6 @@ void Values::refuse_circle(const std::string& name, std::vector<Issue>& issues) 
   if (std::exchange(shared.in_circle, true)) return;
   issues.push_back({shared.tree.place, "values." + name, say("'values.{1}' refers to itself", name),
                     say("give one of the circle a value"), Severity::error});
-}
-
-void Values::refuse_circles(std::vector<Issue>& issues) {
-  for (const auto& [name, shared] : all_) {
-    std::set<std::string> seen{name};
-    for (std::string next = name_of_reference(shared.tree); all_.contains(next);
-         next = name_of_reference(all_[next].tree)) {
-      if (seen.insert(next).second) continue;
-      if (next == name) refuse_circle(name, issues);
-      break;
-    }
-  }
 }
 
 Message Values::nearest_to(const std::string& name) const {
@@ -122,6 +225,8 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
   }
   if (name.empty()) {
     Tree copy = tree;
+    const bool is_series = tree.find("values") != nullptr || tree.find("file") != nullptr;
+    if (tree.type == Tree::Type::table && (is_series || is_grid(tree) || is_uncertain(tree))) write_out_numbers(copy);
     for (Tree& item : copy.items) item = in_place(item, issues);
     for (Tree::Entry& entry : copy.entries) entry.value = in_place(entry.value, issues);
     return copy;
@@ -147,11 +252,33 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
   return value;
 }
 
+/// The numbers of ranges, distributions and histories are read at once: none of them waits for another step.
+void Values::write_out_numbers(Tree& tree) const {
+  const auto known = [&](const std::string& path) {
+    return path.starts_with(shared_prefix) ? fixed(path.substr(shared_prefix.size())) : nullptr;
+  };
+  const auto write_out = [&](Tree& one) {
+    if (auto number = number_of(one, known)) one = std::move(*number);
+  };
+  for (Tree::Entry& entry : tree.entries) {
+    write_out(entry.value);
+    if (entry.value.type == Tree::Type::array)
+      std::for_each(entry.value.items.begin(), entry.value.items.end(), write_out);
+  }
+}
+
+void Values::write_out_all_numbers(Tree& tree) const {
+  for (Tree& item : tree.items) write_out_all_numbers(item);
+  for (Tree::Entry& entry : tree.entries) write_out_all_numbers(entry.value);
+  write_out_numbers(tree);
+}
+
 Outcome<Signature> Values::signature(const std::string& name) {
   const auto found = all_.find(name);
   if (found == all_.end() && told_.contains(name)) return Fault{};
   if (found == all_.end()) return Fault{0, name.size(), say("there is no value '{1}'", name), nearest_to(name)};
   found->second.is_used = true;
+  if (found->second.expression || found->second.in_circle) return Fault{};  // written out, or told
   if (!found->second.is_literal) read_several(name, found->second);
   if (const auto text = found->second.is_literal ? open_count(found->second.tree) : std::nullopt)
     return Fault{0, name.size(), say("'{1}' is a speed in revolutions to some and a frequency to others", *text),
@@ -211,6 +338,22 @@ void Values::set(const std::string& name, double si) { all_.at(name).literal.si[
 const Value* Values::literal(const std::string& name) const {
   const auto found = all_.find(name);
   return found != all_.end() && found->second.is_literal ? &found->second.literal : nullptr;
+}
+
+const Value* Values::fixed(const std::string& name) const {
+  const auto found = all_.find(name);
+  const bool is_one =
+      found != all_.end() && !found->second.several && (found->second.is_literal || found->second.is_constant);
+  return is_one ? &found->second.literal : nullptr;
+}
+
+Meant Values::kind(const std::string& name) const {
+  const auto found = all_.find(name);
+  if (found == all_.end()) return Meant::nothing;
+  const Tree* tree = &found->second.tree;
+  while (tree->type == Tree::Type::array && !tree->items.empty()) tree = &tree->items.front();
+  while (tree->type == Tree::Type::table && !tree->entries.empty()) tree = &tree->entries.front().value;
+  return tree->type == Tree::Type::text ? kind_of_literal(tree->text) : Meant::nothing;
 }
 
 void Values::warn_of_unused(std::vector<Issue>& issues) const {

@@ -1,8 +1,9 @@
 // What a file writes once for many steps: [values]. A reference that stands alone, "=values.n", is as if the text were
-// typed there, be it a quantity, a word, a list; inside an expression, "=2*values.n", it is a literal.
+// typed there, be it a quantity, a word, a list; inside an expression, "=2*values.n", it is a literal, or the
+// expression that it is itself, in parentheses.
 #pragma once
 
-#include "lib/quantity/series.hpp"
+#include "lib/quantity/expression/expression.hpp"
 #include "lib/sweep/point/axis.hpp"
 #include "lib/sweep/point/distribution.hpp"
 #include "lib/text/issue.hpp"
@@ -39,6 +40,18 @@ class Values {
   [[nodiscard]] Outcome<Signature> signature(const std::string& name);
   /// Null where there is none.
   [[nodiscard]] const Value* literal(const std::string& name) const;
+  /// The same, of one that no sweep gives other values, calculated or not.
+  [[nodiscard]] const Value* fixed(const std::string& name) const;
+  /// What a literal says of its kind: "25 Hz".
+  [[nodiscard]] Meant kind(const std::string& name) const;
+  /// Writes values that are expressions in the place of the references to them. An Issue at `place` where that grows
+  /// out of bounds.
+  void write_into(Expression& expression, const Place& place, const std::string& key, std::vector<Issue>& issues) const;
+  /// Numbers that are written as expressions, as literals: of tables and expectations, which are read at once. What
+  /// refers to a step stays as it is.
+  void write_out_all_numbers(toml::Tree& tree) const;
+  /// Every value that the texts of a tree name is used: those of steps, of what is expected.
+  void note_uses(const toml::Tree& tree);
 
   [[nodiscard]] std::vector<Several> several() const;
   /// Gives such a value one of them.
@@ -52,14 +65,19 @@ class Values {
     Place place;  // of its name
     Value literal;
     std::optional<Several> several = {};  // of which the literal is one
+    std::optional<Expression> expression = {};
     bool is_literal = false;
+    bool is_constant = false;  // an expression that refers to no step; the literal is its value
     bool is_used = false;
-    bool in_circle = false;  // which has been told
+    bool in_circle = false;                                                         // which has been told
+    enum class Search : std::uint8_t { fresh, open, done } search = Search::fresh;  // of its references
   };
   static void read_several(const std::string& name, Shared& shared);
+  void write_out_numbers(toml::Tree& tree) const;
   [[nodiscard]] Message nearest_to(const std::string& name) const;
   void refuse_circle(const std::string& name, std::vector<Issue>& issues);
-  void refuse_circles(std::vector<Issue>& issues);
+  void refuse_circle(const std::vector<std::string>& names, std::vector<Issue>& issues);
+  void settle(const std::string& name, std::vector<std::string>& path, std::vector<Issue>& issues);
 
   std::map<std::string, Shared> all_;
   std::set<std::string> open_;  // while references are followed

@@ -46,6 +46,10 @@ void Reader::read_expression(const Tree& tree, const FieldInfo& field, void* own
   ++start.column;
   std::string text = tree.text.substr(1);
   auto parsed = Expression::parse(text);
+  const auto literal =
+      parsed ? Outcome<Literal>(Fault{}) : parse_literal(text, Expected{field.dimension, field.kind, field.unit});
+  if (literal)  // a number that is no expression: "2,5 kN", "20 °C", "1450 1/min"
+    parsed = Expression::parse(format_exact(literal->si) + " " + si_unit(literal->dimension));
   if (!parsed) return fault_at(start, text, path, parsed.fault());
   reading_.operands.push_back({path, {&field, owner}, std::move(*parsed), std::move(text), start});
 }
@@ -89,10 +93,13 @@ static std::optional<double> infinity_of(const std::string& text, const FieldInf
   return text == "-inf" ? std::optional(-infinity) : std::nullopt;
 }
 
-/// Whether a size, in SI, is beyond all machines, so that its powers could leave the range of numbers.
-static bool is_out_of_proportion(double si) {
+bool is_out_of_proportion(double si) {
   constexpr double largest = 1e30;
   return std::abs(si) > largest || (si != 0.0 && std::abs(si) < 1.0 / largest);
+}
+
+Message out_of_proportion(const std::string& path, const FieldInfo& field, double si) {
+  return say("{1} = {2} is out of all proportion", path, format_quantity(si, field.unit));
 }
 
 void Reader::read_literal(const std::string& text, const Tree& tree, const FieldInfo& field, void* owner,
@@ -117,10 +124,7 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
                   say("check the unit and the power of ten: no machine has that"));
   }
   if (!field.plausible.holds(si)) {
-    say_at(tree.place, path,
-           say("{1} = {2} is unusual: {3} to {4} is expected", path, format_quantity(si, field.unit),
-               format_quantity(field.plausible.low, field.unit), format_quantity(field.plausible.high, field.unit)),
-           say("check the unit"), Severity::warning);
+    say_at(tree.place, path, unusual(path, field, si), say("check the unit"), Severity::warning);
   }
   reading_.typed[path].text = text;
   field.set(owner, si);
@@ -171,7 +175,8 @@ void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, co
 }
 
 void Reader::read_formula(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
-  if (takes(tree, field, path)) return;
+  const bool refers = tree.type == Tree::Type::text && lone_reference(tree);
+  if (refers && takes(tree, field, path)) return;
   if (tree.type != Tree::Type::text)
     return say_at(tree.place, path, say("a formula is expected, not {1}", toml::word_for(tree.type)),
                   say("write it as a text: \"20 mm*sin(t/(1 s))\""));
@@ -179,7 +184,7 @@ void Reader::read_formula(const Tree& tree, const FieldInfo& field, void* owner,
     return say_at(tree.place, path, say("the formula is longer than {1} letters", std::to_string(field.capacity)),
                   say("shorten it"));
   }
-  field.set_text(owner, tree.text);
+  field.set_text(owner, std::string_view(tree.text).substr(tree.text.starts_with('=') ? 1 : 0));
 }
 
 }  // namespace loadpath::project

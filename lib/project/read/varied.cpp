@@ -26,6 +26,8 @@ bool Reader::read_one(const Tree& tree, const FieldInfo& field, void* owner, con
     return std::count_if(issues_.begin(), issues_.end(), [](const Issue& i) { return i.severity == Severity::error; });
   };
   const auto before = errors();
+  if (const auto number = number_of(tree, [](const std::string&) { return nullptr; }))
+    return read_one(*number, field, owner, path, si);
   if (field.type == Type::count)
     read_count(tree, field, owner, path);
   else if (tree.type == Tree::Type::text && tree.text.starts_with('='))

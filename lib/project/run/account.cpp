@@ -81,9 +81,11 @@ void Run::tell_unjudged(Account& account) const {
 void Run::fill_rows(Account& account) const {
   for (const auto& [group, row] : rows_) {
     const auto origin = origins_.find(group);
-    if (origin == origins_.end() || row.text.empty()) continue;
+    if (origin == origins_.end() || (row.text.empty() && !origin->second.searched)) continue;
+    Value none;  // of a search that has found nothing
+    if (row.text.empty()) none.si = {std::nan("")};
     account.inputs.insert(account.inputs.begin(),
-                          {group, "row of the tables", "-", Role::input, {}, origin->second, row.text});
+                          {group, "row of the tables", "-", Role::input, none, origin->second, row.text});
   }
 }
 
@@ -94,6 +96,10 @@ void Run::fill_inputs(Account& account) const {
     for (const Input& input : inputs_) {
       if (input.path == entry.path) entry.value = input.value;
     }
+  }
+  for (Entry& entry : account.inputs) {
+    if (const auto reason = reasons_.find(entry.path); reason != reasons_.end())
+      entry.origin.text = say("{1}; {2}", entry.origin.text, reason->second);
   }
   fill_rows(account);
 }

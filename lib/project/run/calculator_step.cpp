@@ -4,6 +4,7 @@
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -77,7 +78,9 @@ void CalculatorStep::check_stock(const Search& search, std::vector<Issue>& issue
                     did_you_mean(search.stock, input().tables->names_of(search.path)));
     for (const FieldInfo& field : input().calculator->input->fields) {
       if (field.provider.table != search.path || input().reading.typed.count(field.key) == 0) continue;
-      if (std::any_of(rows.begin(), rows.end(), [&](const table::Entry& row) { return gives(row, field); }))
+      // A number that no row has belongs to one row all the same: a rating, a warping constant.
+      if (field.is_number() ||
+          std::any_of(rows.begin(), rows.end(), [&](const table::Entry& row) { return gives(row, field); }))
         return refuse(say("'{1}' is given, and the {2} that is searched for gives it too", field.key, search.path),
                       say("leave out {1}, name the {2}, or search in a table without {1}", field.key, search.path));
     }
@@ -105,14 +108,86 @@ bool CalculatorStep::is_open(const std::string& field) const {
          std::any_of(provided_.begin(), provided_.end(), concerns);
 }
 
+bool CalculatorStep::is_pending(const std::string& field) const {
+  const auto concerns = [&](const auto& entry) { return head(entry.path) == field; };
+  const auto& reading = input().reading;
+  return reading.faulty.count(field) != 0 || names_row_for(field) ||
+         std::any_of(reading.operands.begin(), reading.operands.end(),
+                     [&](const Operand& operand) { return concerns(operand) && std::isnan(operand.early); }) ||
+         std::any_of(reading.taken.begin(), reading.taken.end(), concerns) ||
+         std::any_of(reading.varied.begin(), reading.varied.end(), concerns) ||
+         std::any_of(searches_.begin(), searches_.end(), concerns) ||
+         std::any_of(provided_.begin(), provided_.end(), concerns);
+}
+
+/// The leaves that have no value before the project is solved.
+std::vector<std::string> CalculatorStep::pending_leaves() const {
+  std::vector<std::string> paths;
+  for (const Operand& operand : input().reading.operands)
+    if (std::isnan(operand.early)) paths.push_back(operand.path);
+  for (const Taken& taken : input().reading.taken)
+    if (taken.field != nullptr) paths.push_back(taken.path);
+  for (const Varied& varied : input().reading.varied) paths.push_back(varied.path);
+  for (const Search& search : searches_) paths.push_back(search.path);
+  for (const Provided& provided : provided_) paths.push_back(provided.path);
+  return paths;
+}
+
+namespace {
+
+/// Values that an input may turn out to have: its bounds, and one between.
+std::array<double, 3> samples_of(const FieldInfo& field) {
+  constexpr double far = 1e6;  // in the unit of the field, where it has no bound
+  const auto& choices = field.choices;
+  if (field.type == FieldInfo::Type::choice)
+    return {0.0, static_cast<double>(choices.size() - 1), static_cast<double>(choices.size() / 2)};
+  const auto within = [&](double bound, double other) { return std::isfinite(bound) ? bound : other; };
+  const double most = field.type == FieldInfo::Type::count ? far : far * field.factor;
+  double low = within(field.bounds.low, -most), high = within(field.bounds.high, most);
+  if (field.bounds.low_open) low += 1e-9 * (high - low);
+  if (field.bounds.high_open) high -= 1e-9 * (high - low);
+  const double middle = 0.5 * (within(field.plausible.low, low) + within(field.plausible.high, high));
+  return {low, high, field.type == FieldInfo::Type::count ? std::floor(middle) : middle};
+}
+
+}  // namespace
+
+/// What is not known yet may make up for what a rule finds: it is broken where it is broken whatever is to come, and
+/// all rules are asked again when the project is solved.
 void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
   const Calculator& calculator = *input().calculator;
+  const auto is_list = [](const Taken& taken) {
+    return taken.field != nullptr && taken.field->type == FieldInfo::Type::list;
+  };
+  const auto& taken = input().reading.taken;
+  if (std::any_of(taken.begin(), taken.end(), is_list)) return;  // how many elements, nobody knows
+  const Record record = input().reading.record.clone();
+  for (const Operand& operand : input().reading.operands)
+    if (!std::isnan(operand.early)) find_leaf(record, operand.path).set(operand.early);
+  std::vector<Leaf> pending;
+  for (const std::string& path : pending_leaves()) {
+    const Leaf leaf = find_leaf(record, path);
+    if (leaf && leaf.field->get != nullptr) pending.push_back(leaf);
+  }
+  const auto unset = [&](const Leaf& leaf) {
+    return leaf.field->type == FieldInfo::Type::quantity ? std::nan("") : leaf.get();
+  };
+  const auto broken_whatever_comes = [&](std::size_t rule) {
+    std::vector<double> as_read;
+    for (const Leaf& leaf : pending) as_read.push_back(leaf.get());
+    bool broken = !calculator.holds(rule, record.data.get());
+    for (std::size_t sample = 0; broken && !pending.empty() && sample < 4; ++sample) {
+      for (const Leaf& leaf : pending) leaf.set(sample == 3 ? unset(leaf) : samples_of(*leaf.field)[sample]);
+      broken = !calculator.holds(rule, record.data.get());
+    }
+    for (std::size_t i = 0; i < pending.size(); ++i) pending[i].set(as_read[i]);
+    return broken;
+  };
   for (std::size_t i = 0; i < calculator.rules.size(); ++i) {
     if (calculator.rules[i].only_warns) continue;  // said once, when it is solved
     const auto fields = listed_keys(calculator.rules[i].fields);
-    if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_open(f); })) continue;
-    const Record& record = input().reading.record;
-    if (!calculator.holds(i, record.data.get())) issues.push_back(broken_rule(i, record, provided_));
+    if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_pending(f); })) continue;
+    if (broken_whatever_comes(i)) issues.push_back(broken_rule(i, record, provided_));
   }
 }
 
@@ -200,6 +275,70 @@ Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
   return Signature{found->dimension, varies ? axis_ : nullptr, found->is_load && !found->signed_load};
 }
 
+namespace {
+
+/// Whether other steps look at more than the number: factors that it holds, what it means.
+bool is_more_than_number(const Calculator& calculator, const FieldInfo& field) {
+  const auto means = [&](const Meaning& meaning) {
+    const auto keys = listed_keys(meaning.fields);
+    return std::find(keys.begin(), keys.end(), field.key) != keys.end();
+  };
+  return field.is_load || field.is_factor || std::any_of(calculator.meanings.begin(), calculator.meanings.end(), means);
+}
+
+/// Of an expression over inputs that are known beforehand.
+std::optional<Value> evaluate_beforehand(const Operand& operand, const Step::Beforehand& of) {
+  std::map<std::string, Value> values;
+  for (const auto& reference : operand.expression.references()) {
+    auto value = of(reference.path);
+    if (!value) return std::nullopt;
+    values[reference.path] = std::move(*value);
+  }
+  return operand.expression.evaluate([&](const std::string& path) -> const Value& { return values.at(path); });
+}
+
+}  // namespace
+
+std::optional<Value> CalculatorStep::value_beforehand(const std::string& path, bool settled,
+                                                      const Beforehand& of) const {
+  const Calculator& calculator = *input().calculator;
+  const Reading& reading = input().reading;
+  const auto is_it = [&](const auto& entry) { return entry.path == path; };
+  const Leaf leaf = find_leaf(reading.record, path);
+  if (find_field_at(calculator.result->fields, path) != nullptr || !leaf || !leaf.field->is_number() ||
+      leaf.field->takes_whole() || is_more_than_number(calculator, *leaf.field))
+    return std::nullopt;
+  const bool varies = std::any_of(reading.varied.begin(), reading.varied.end(), is_it);
+  if ((varies && settled) || std::any_of(reading.searches.begin(), reading.searches.end(), is_it)) return std::nullopt;
+  const auto operand = std::find_if(reading.operands.begin(), reading.operands.end(), is_it);
+  if (operand != reading.operands.end()) return operand->of_record ? std::nullopt : evaluate_beforehand(*operand, of);
+  const bool typed = reading.typed.contains(path);
+  const auto is_record = [](const Taken& taken) { return taken.field != nullptr && !taken.field->is_word(); };
+  if (!typed && (leaf.field->sought_unasked || std::any_of(reading.taken.begin(), reading.taken.end(), is_record)))
+    return std::nullopt;
+  if (!typed && names_row_for(path)) return row_beforehand(*leaf.field, of);
+  if (std::isnan(leaf.get())) return std::nullopt;
+  return Value{{leaf.field->dimension, nullptr}, {leaf.get()}};
+}
+
+/// Of a row that is named: at a size that is known too, or at none.
+std::optional<Value> CalculatorStep::row_beforehand(const FieldInfo& field, const Beforehand& of) const {
+  const Provider& from = field.provider;
+  const std::string& row = input().rows.at(from.table).text;
+  const auto entry = row.empty() ? Outcome<table::Entry>(Fault{}) : input().tables->find_row(from.table, row);
+  if (!entry) return std::nullopt;
+  double size = table::no_size;
+  for (const std::string& key : listed_keys(from.size)) {
+    const auto given = value_beforehand(key, true, of);
+    if (!given && (input().reading.typed.contains(key) || key == listed_keys(from.size).back())) return std::nullopt;
+    if (!given) continue;
+    size = given->si[0];
+    break;
+  }
+  const double si = look_up({field.key, &field, row, {}, *entry}, size).si;
+  return std::isnan(si) ? std::nullopt : std::optional(Value{{field.dimension, nullptr}, {si}});
+}
+
 /// Whether a path names an element that a list of the input does not have; of one that another step or a row fills that
 /// is not known yet.
 bool CalculatorStep::has_no_element(const std::string& path) const {
@@ -283,13 +422,27 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   leave_what_acts(known);
   Run run(*this, known, wanted.words);
   if (!run.take_from_others(issues) || !run.evaluate_operands(issues)) return;
+  if (!run.refuse_other_parts(issues)) return;
   if (!run.check_rules(issues)) return;
   if (!run.search(issues)) return;
   run.evaluate();
+  run.weigh_typed_values(wanted.unused, issues);
   run.trace_governing();
   if (wanted.unused) run.warn_of_unused(issues);
   run.fill(wanted, own_account());
+  compared_ = run.compared();
+  goes_point_by_point_ = run.holds_back() || (run.compared_by_size() &&
+                                              !(input().reading.varied.empty() && input().reading.operands.empty()));
   for (const auto& [group, row] : run.rows()) name_row(group, row.text);
+}
+
+void CalculatorStep::solve_without(const std::set<std::string>& inputs, const Known& known) {
+  Run run(*this, known, false);
+  std::vector<Issue> told;  // again when the step is solved whole
+  if (!run.take_from_others(told) || !run.evaluate_operands(told, inputs)) return;
+  run.evaluate();
+  run.trace_governing();
+  run.fill({.pictures = false, .formulas = false, .unused = false, .words = false}, own_account());
 }
 
 std::unique_ptr<Step> make_calculator_step(StepInput&& input) {

@@ -15,6 +15,9 @@ class CalculatorStep : public Step {
   [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
   /// What comes along with this step's own inputs goes on to who uses its results.
   [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
+  [[nodiscard]] std::optional<Value> value_beforehand(const std::string& path, bool settled,
+                                                      const Beforehand& of) const override;
+  void solve_without(const std::set<std::string>& inputs, const Known& known) override;
   void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) override;
 
   [[nodiscard]] const Axis* axis() const { return axis_; }
@@ -33,6 +36,10 @@ class CalculatorStep : public Step {
   [[nodiscard]] bool is_asked(const FieldInfo& check, const Record& record) const;
   /// Whether something comes along with its loads that it does not take.
   [[nodiscard]] bool leaves_loads() const { return !rest_.empty(); }
+  /// Known when it is solved: typed inputs that rows and records beside them were compared with, and whether that has
+  /// to be done at every point of a sweep.
+  [[nodiscard]] const std::vector<std::string>& compared() const { return compared_; }
+  [[nodiscard]] bool goes_point_by_point() const { return goes_point_by_point_; }
   /// Whether a rule of the calculator concerns an input, or the list that it is in.
   [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
 
@@ -42,8 +49,12 @@ class CalculatorStep : public Step {
   void check_stock(const Search& search, std::vector<Issue>& issues) const;
   void check_rules_of_literals(std::vector<Issue>& issues);
   [[nodiscard]] bool is_open(const std::string& field) const;
+  /// The same, but for expressions whose value is known already.
+  [[nodiscard]] bool is_pending(const std::string& field) const;
+  [[nodiscard]] std::vector<std::string> pending_leaves() const;
   /// Paths of others that the step takes.
   [[nodiscard]] std::set<std::string> taken_paths() const;
+  [[nodiscard]] std::optional<Value> row_beforehand(const FieldInfo& field, const Beforehand& of) const;
   [[nodiscard]] bool has_no_element(const std::string& path) const;
   [[nodiscard]] Fault missing_element(const std::string& path) const;
   [[nodiscard]] std::vector<std::string> rest_of_loads(const Companions& companions) const;
@@ -55,6 +66,8 @@ class CalculatorStep : public Step {
   std::vector<std::string> rest_;  // what comes along with the loads, and is not taken
   std::vector<Search> searches_;
   std::map<std::string, Origin> origins_;
+  std::vector<std::string> compared_;
+  bool goes_point_by_point_ = false;
 };
 
 /// The step of an ordinary calculator.

@@ -103,9 +103,23 @@ void Run::add_missing_load(Account& account) const {
   account.modes.push_back(std::move(mode));
 }
 
+/// A value that nothing here is held against goes on to other steps: what they say with it is no verdict.
+void Run::add_bolder(Account& account) const {
+  if (handed_on_.empty()) return;
+  account::Mode mode;
+  mode.step = step_.name();
+  mode.id = "typed_values";
+  mode.title = say("typed values that rows and records bear out");
+  mode.kind = ModeKind::shape;
+  mode.wants = handed_on_.front().wants;
+  mode.note = handed_on_.front().why;
+  account.modes.push_back(std::move(mode));
+}
+
 void Run::fill_modes(Account& account) const {
   add_missing_input(account);
   add_missing_load(account);
+  add_bolder(account);
   for (std::size_t k = 0; k < calculator_.modes.size(); ++k) {
     const ModeInfo& mode = calculator_.modes[k];
     const auto rows = rows_of(mode, account.verdicts);
@@ -114,7 +128,7 @@ void Run::fill_modes(Account& account) const {
     if (applies_[k] == Applies::no && std::all_of(rows.begin(), rows.end(), passes)) continue;
     std::string wants;
     const bool enough = is_judged(mode, account, wants);
-    account.modes.push_back(judged(step_, mode, applies_[k], rows, std::move(wants), enough));
+    account.modes.push_back(judged(step_, mode, applies_[k], rows, std::move(wants), enough, bolder_in(rows)));
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -118,9 +119,17 @@ bool Run::keeps_limits(bool criteria) {
   return std::all_of(fields.begin(), fields.end(),
                      [&](const FieldInfo& f) {
                        return f.role != Role::limit || !is_asked(f) || f.is_beside || f.is_criterion != criteria ||
-                              !first_outside(f);
+                              excused_.contains(&f) || !first_outside(f);
                      }) &&
          lists_pass(criteria);
+}
+
+/// The same of those that are excused too.
+bool Run::keeps_all_limits() {
+  const auto excused = std::exchange(excused_, {});
+  const bool kept = keeps_limits(false);
+  excused_ = excused;
+  return kept;
 }
 
 /// The first value of a limit that is outside of it, or that is missing; nothing where it is kept.

@@ -67,10 +67,12 @@ Run::Run(const CalculatorStep& step, const Known& known, bool in_words)
       origins_(step.origins()),
       applies_(calculator_.modes.size(), Applies::no) {}
 
-bool Run::evaluate_operands(std::vector<Issue>& issues) {
-  const std::size_t before = issues.size();
+bool Run::evaluate_operands(std::vector<Issue>& issues, const std::set<std::string>& left_open) {
+  bool sound = true;
   for (const Operand& operand : step_.input().reading.operands) {
+    if (left_open.contains(operand.path)) continue;
     auto value = evaluate_operand(operand, step_.name(), known_, issues);
+    sound = sound && value.has_value();
     if (!value || (operand.may_lack && !is_known(*value))) continue;
     add_input(
         {operand.path, map_leaf(operand.path), std::move(*value), expression_origin(*step_.input().tables, operand)});
@@ -81,7 +83,7 @@ bool Run::evaluate_operands(std::vector<Issue>& issues) {
       add_input(companion_input(provided));
     }
   }
-  return issues.size() == before;
+  return sound;
 }
 
 void Run::add_input(Input input) {

@@ -1,10 +1,14 @@
 // One solving of a calculator step: at one position, or at every position of a cycle.
 #pragma once
 
+#include "lib/calculator/strength_bounds.hpp"
+#include "lib/project/modes.hpp"
+#include "lib/project/run/beside.hpp"
 #include "lib/project/run/calculator_step.hpp"
 #include "lib/project/run/row_state.hpp"
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -24,7 +28,17 @@ class Run {
   /// Words, lists and rows of other steps; what a field refuses becomes an issue at the reference.
   bool take_from_others(std::vector<Issue>& issues);
   /// The values of expressions and companions; what a field refuses becomes an issue at its expression.
-  bool evaluate_operands(std::vector<Issue>& issues);
+  /// `left_open`: inputs that are passed over.
+  bool evaluate_operands(std::vector<Issue>& issues, const std::set<std::string>& left_open = {});
+  /// An issue for everything typed that says of the part what the row or the record beside it does not.
+  bool refuse_other_parts(std::vector<Issue>& issues) const;
+  /// After `evaluate`: of what is bolder than what stands beside it, the reason is kept, or the modes that it decides
+  /// are held back. `tells`: a reason that nothing needs is an issue.
+  void weigh_typed_values(bool tells, std::vector<Issue>& issues);
+  /// The typed inputs that were compared; whether with what depends on a size; whether modes are held back.
+  [[nodiscard]] const std::vector<std::string>& compared() const { return compared_; }
+  [[nodiscard]] bool compared_by_size() const { return compared_by_size_; }
+  [[nodiscard]] bool holds_back() const { return holds_back_; }
   /// The rules between inputs, at every position.
   bool check_rules(std::vector<Issue>& issues);
   /// Sets what is searched for: a size to the smallest of its stock with which every check passes at every position, a
@@ -56,6 +70,31 @@ class Run {
     const FieldInfo* field;
     std::vector<double> si;
   };
+
+  /// What stands beside a typed value.
+  struct Neighbour {
+    std::string path;
+    Leaf leaf;
+    Value value;
+    Message source;  // "the material 'S235JR'"
+    Beside kind = Beside::identity;
+    bool by_size = false;
+    std::string row_of = {};  // the table of the row; empty: of a record, or a strength
+  };
+  [[nodiscard]] double size_of(const FieldInfo& field) const;
+  [[nodiscard]] Value value_at(const std::string& path, const Leaf& leaf) const;
+  [[nodiscard]] bool answers_for_reduction(const std::string& path) const;
+  [[nodiscard]] const StrengthBound* bound_of(const std::string& path) const;
+  [[nodiscard]] double strength_of_part(const char* key) const;
+  void add_rows_beside(std::vector<Neighbour>& all) const;
+  void add_records_beside(std::vector<Neighbour>& all) const;
+  void add_strengths_beside(std::vector<Neighbour>& all) const;
+  [[nodiscard]] std::vector<Neighbour> neighbours() const;
+  [[nodiscard]] std::vector<Neighbour> bolder_ones();
+  [[nodiscard]] Message excess_of(const Neighbour& beside) const;
+  void set_value(const Neighbour& beside, const Value& value);
+  void mark_decided(const Neighbour& beside, const Bolder& bolder);
+  [[nodiscard]] Bolder bolder_in(const std::vector<const account::Verdict*>& rows) const;
 
   void take_word(const Taken& taken, std::vector<Issue>& issues);
   void take_list(const Taken& taken, std::vector<Issue>& issues);
@@ -107,9 +146,22 @@ class Run {
   };
   [[nodiscard]] Candidates candidates_of(const Search& wanted) const;
   void try_candidate(const Candidates& all, std::size_t i);
-  bool fits(const Candidates& all, std::size_t i, bool covered);
-  std::size_t first_that_fits(const Candidates& all, std::size_t from, bool covered);
-  bool take_largest(const Candidates& all);
+  bool fits(const Candidates& all, std::size_t i);
+  std::size_t first_that_fits(const Candidates& all, std::size_t from);
+  bool excuse_unmoved(const Candidates& all, std::size_t from);
+  /// How far a candidate is from passing: the largest check, and the factor by which it is beyond limits; 1 passes.
+  struct Lack {
+    double check = 1.0, limit = 1.0;
+  };
+  [[nodiscard]] Lack lack_of_candidate();
+  void add_lack_of(const FieldInfo& list, Lack& lack);
+  [[nodiscard]] static double excess_of(const FieldInfo& limit, double si);
+  std::size_t nearest(const Candidates& all, std::size_t from);
+  void leave_without(const Search& wanted, const Candidates& all, std::size_t from, std::vector<Issue>& issues);
+  void leave_open(const Search& wanted, Message why);
+  void warn_of_found(const Search& wanted, std::vector<Issue>& issues);
+  [[nodiscard]] Message other_methods() const;
+  bool keeps_all_limits();
   void search_first(const Search& wanted, std::vector<Issue>& issues);
   void search_most(const Search& wanted, std::vector<Issue>& issues);
   /// Sizes that are searched for together.
@@ -165,6 +217,7 @@ class Run {
   void fill_modes(Account& account) const;
   void add_missing_input(Account& account) const;
   void add_missing_load(Account& account) const;
+  void add_bolder(Account& account) const;
   [[nodiscard]] bool is_loaded() const;
   [[nodiscard]] bool is_load_told() const;
   /// Which modes concern the part as it is now in the record.
@@ -191,12 +244,18 @@ class Run {
   Message not_given_;  // a word or a list of another step that is not available; empty: there is none
   std::vector<Input> inputs_;
   std::map<std::string, Origin> origins_;  // of provided, kept and searched leaves
+  std::set<const FieldInfo*> excused_;     // limits that no candidate of a search changes
   std::vector<bool> concerned_;            // of every rule whether a search has to keep it, once that was asked
   double settled_ = 0.0;                   // the size that values of tables were asked at last
   Message missing_;                        // why a table's value is not available
   std::vector<Column> columns_;
-  std::vector<std::size_t> order_;  // of columns, for a walk over the result
-  std::vector<Applies> applies_;    // of every mode, over the positions
+  std::vector<std::size_t> order_;          // of columns, for a walk over the result
+  std::vector<Applies> applies_;            // of every mode, over the positions
+  std::map<std::string, Bolder> bolder_;    // by the check or limit that such a value decides
+  std::vector<Bolder> handed_on_;           // values without a reason that no check of the step sees, and others do
+  std::map<std::string, Message> reasons_;  // by the input: how it is bolder, and why
+  std::vector<std::string> compared_;
+  bool compared_by_size_ = false, holds_back_ = false;
   Trace trace_;
   std::size_t governing_ = 0;
   bool traced_ = false;

@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 namespace loadpath::project {
 
@@ -18,7 +20,8 @@ Run::Candidates Run::candidates_of(const Search& wanted) const {
   Candidates all{map_leaf(wanted.path), {}, {}};
   if (all.leaf) {
     all.sizes = stock_values(*step_.input().tables, wanted.stock);
-    std::erase_if(all.sizes, [&](double size) { return !all.leaf.field->bounds.holds(size); });
+    const FieldInfo& field = *all.leaf.field;  // typed, an unusual size would be warned of: none is found
+    std::erase_if(all.sizes, [&](double size) { return !field.bounds.holds(size) || !field.plausible.holds(size); });
   } else {
     for (const table::Entry& row : step_.input().tables->ordered_rows(wanted.path, wanted.stock))
       all.rows.push_back(row.row->name);
@@ -32,17 +35,49 @@ void Run::try_candidate(const Candidates& all, std::size_t i) {
   take_row(step_.searches().front().path, all.rows[i], lacks);
 }
 
-/// Whether the step passes with a candidate; `covered`: within the limits of all methods too.
-bool Run::fits(const Candidates& all, std::size_t i, bool covered) {
+/// Whether no check, criterion or limit of a method fails with a candidate, but for the limits that are excused.
+bool Run::fits(const Candidates& all, std::size_t i) {
   try_candidate(all, i);
-  return passes() && (!covered || keeps_limits(false));
+  return passes() && keeps_limits(false);
 }
 
-std::size_t Run::first_that_fits(const Candidates& all, std::size_t from, bool covered) {
+std::size_t Run::first_that_fits(const Candidates& all, std::size_t from) {
   for (std::size_t i = from; i < all.count(); ++i) {
-    if (fits(all, i, covered)) return i;
+    if (fits(all, i)) return i;
   }
   return all.count();
+}
+
+/// Excuses the limits of methods that no candidate changes: outside with one and the same value for the first and the
+/// last that keep the rules. They leave the step not covered, whatever is found. Whether there are any.
+bool Run::excuse_unmoved(const Candidates& all, std::size_t from) {
+  const auto values = [&] {
+    std::map<const FieldInfo*, double> outside;
+    for (const FieldInfo& f : calculator_.result->fields) {
+      if (f.role != Role::limit || !is_asked(f) || f.is_beside || f.is_criterion || excused_.contains(&f)) continue;
+      const auto bad = first_outside(f);
+      if (bad && !std::isnan(*bad)) outside[&f] = *bad;
+    }
+    return outside;
+  };
+  const auto tried = [&](std::size_t i) {
+    try_candidate(all, i);
+    settle_sizes();
+    return first_broken_rule() == calculator_.rules.size();
+  };
+  std::size_t first = from, last = all.count();
+  while (first < last && !tried(first)) ++first;
+  if (first == last) return false;
+  const auto smallest = values();
+  do --last;
+  while (last > first && !tried(last));
+  if (last == first) return false;  // a single one tells nothing
+  const std::size_t before = excused_.size();
+  for (const auto& [limit, value] : values()) {
+    const auto same = smallest.find(limit);
+    if (same != smallest.end() && std::abs(same->second - value) <= 1e-9 * std::abs(value)) excused_.insert(limit);
+  }
+  return excused_.size() > before;
 }
 
 /// Rows before the one that was found for which the step cannot be calculated: they are no failures, and may be what
@@ -105,16 +140,77 @@ Issue Run::aimless(const Search& wanted) const {
       say("give {1} itself, or what a check needs: {2}", wanted.path, names.empty() ? "" : names.substr(2)));
 }
 
-/// Sets the largest of the candidates with which every rule about it holds; false where none is, with the last one set.
-bool Run::take_largest(const Candidates& all) {
-  for (std::size_t i = all.count(); i-- > 0;) {
+/// How far beyond its bounds a value is, as a factor; 1 within them.
+double Run::excess_of(const FieldInfo& limit, double si) {
+  const Range& bounds = limit.bounds;
+  if (std::isnan(si)) return std::numeric_limits<double>::infinity();
+  if (bounds.holds(si)) return 1.0;
+  const double large = std::abs(si > bounds.high ? si : bounds.low);
+  const double small = std::abs(si > bounds.high ? bounds.high : si);
+  return small > 0.0 ? std::max(1.0, large / small) : std::numeric_limits<double>::infinity();
+}
+
+/// Adds what elements of a list lack, as they were evaluated last.
+void Run::add_lack_of(const FieldInfo& list, Lack& lack) {
+  for (std::size_t k = 0; k < list.size(result_.data.get()); ++k) {
+    for (const FieldInfo& f : list.fields) {
+      if (!is_held_against(f, true) && !is_held_against(f, false)) continue;
+      const double si = f.get(list.element(result_.data.get(), k));
+      if (std::isnan(si)) continue;  // what has no value is told by the limits
+      if (f.role == Role::check) lack.check = std::max(lack.check, si);
+      if (f.role == Role::limit) {
+        double& most = f.is_criterion ? lack.check : lack.limit;
+        most = std::max(most, excess_of(f, si));
+      }
+    }
+  }
+}
+
+/// What a candidate lacks. A check without a value counts where no limit says why.
+Run::Lack Run::lack_of_candidate() {
+  Lack lack;
+  bool missing = false;
+  for (const FieldInfo& f : calculator_.result->fields) {
+    if (f.type == FieldInfo::Type::list) {
+      for (std::size_t i = 0; i < positions(); ++i) {
+        if (!set_position(i)) continue;
+        calculator_.evaluate(record_.data.get(), result_.data.get());
+        add_lack_of(f, lack);
+      }
+    }
+    if (!is_asked(f) || f.is_beside || excused_.contains(&f)) continue;
+    if (f.role == Role::check) {
+      const double largest = largest_result(f);
+      missing = missing || (std::isnan(largest) && !f.where_set);
+      if (numerics::exceeds(largest, lack.check)) lack.check = largest;
+    } else if (f.role == Role::limit) {
+      const auto bad = first_outside(f);
+      if (!bad) continue;
+      lack.limit = std::max(lack.limit, excess_of(f, *bad));
+      if (f.is_criterion) lack.check = std::max(lack.check, lack.limit);
+    }
+  }
+  if (missing && lack.limit <= 1.0) lack.check = std::numeric_limits<double>::infinity();
+  return lack;
+}
+
+/// The candidate that lacks least: of those that fail nothing the one least beyond the methods, else the least
+/// utilised. None keeps the rules: past the last.
+std::size_t Run::nearest(const Candidates& all, std::size_t from) {
+  std::size_t best = all.count();
+  Lack least;
+  for (std::size_t i = from; i < all.count(); ++i) {
     try_candidate(all, i);
     settle_sizes();
-    if (first_broken_rule() == calculator_.rules.size()) return true;
+    if (first_broken_rule() < calculator_.rules.size()) continue;
+    const Lack lack = lack_of_candidate();
+    const bool better =
+        best == all.count() || lack.check < least.check || (lack.check == least.check && lack.limit < least.limit);
+    if (!better) continue;
+    best = i;
+    least = lack;
   }
-  try_candidate(all, all.count() - 1);
-  settle_sizes();
-  return false;
+  return best;
 }
 
 /// The first limit that is not kept, of the criteria before those of the methods.
@@ -192,35 +288,101 @@ void Run::search_first(const Search& wanted, std::vector<Issue>& issues) {
   const auto start = std::isnan(least) ? all.sizes.begin()
                                        : std::lower_bound(all.sizes.begin(), all.sizes.end(), least * (1.0 - 1e-12));
   const auto from = static_cast<std::size_t>(start - all.sizes.begin());
-  std::size_t found = first_that_fits(all, from, true);
-  if (found == all.count()) found = first_that_fits(all, from, false);
-  if (found == all.count() && all.count() > 0 && !take_largest(all)) {
+  for (const FieldInfo& f : calculator_.result->fields) {  // of the loads alone
+    if (f.is_sizeless) excused_.insert(&f);
+  }
+  std::size_t found = first_that_fits(all, from);
+  if (found == all.count() && excuse_unmoved(all, std::min(from, found))) found = first_that_fits(all, from);
+  if (found == all.count()) return leave_without(wanted, all, from, issues);
+  if (in_words_) warn_of_passed_over(wanted, all, found, issues);
+  try_candidate(all, found);
+  settle_sizes();
+  if (in_words_) warn_of_found(wanted, issues);
+  if (in_words_) tell_found(wanted, all, found);
+}
+
+/// Other words of the choice of a method, where the step has one: "; another method may cover it: johnson, ec3".
+Message Run::other_methods() const {
+  const FieldInfo* const method = find_field(calculator_.input->fields, "method");
+  if (method == nullptr || method->type != FieldInfo::Type::choice) return {};
+  const Leaf leaf = find_leaf(record_, "method");
+  std::string others;
+  for (std::size_t i = 0; i < method->choices.size(); ++i) {
+    if (static_cast<double>(i) != leaf.get())
+      others += (others.empty() ? "" : ", ") + std::string(method->choices[i].key);
+  }
+  return say("; another method may cover it: {1}", others);
+}
+
+/// Customs that what was found breaks, in the words in which a typed value would be warned of.
+void Run::warn_of_found(const Search& wanted, std::vector<Issue>& issues) {
+  for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule) {
+    if (!calculator_.rules[rule].only_warns || !waits_for_search(rule)) continue;
+    bool holds = true;
+    for (std::size_t i = 0; i < positions() && holds; ++i)
+      holds = !set_position(i) || calculator_.holds(rule, record_.data.get());
+    if (!holds) issues.push_back(step_.broken_rule(rule, record_, provided_));
+  }
+  if (!wanted.leaf || wanted.leaf.field->plausible.holds(map_leaf(wanted.path).get())) return;
+  Issue issue =
+      issue_at(step_.input(), wanted.path, unusual(wanted.path, *wanted.leaf.field, map_leaf(wanted.path).get()));
+  issue.place = wanted.place;
+  issue.severity = Severity::warning;
+  issues.push_back(std::move(issue));
+}
+
+/// No candidate passes: there is no result. Told is the nearest one, and what it fails by.
+void Run::leave_without(const Search& wanted, const Candidates& all, std::size_t from, std::vector<Issue>& issues) {
+  const std::string stock = wanted.stock.empty() ? wanted.path : wanted.stock;
+  if (all.count() == 0) return leave_open(wanted, say("{1} has no value that '{2}' may have", stock, wanted.path));
+  const std::size_t best = nearest(all, std::min(from, all.count() - 1));
+  if (best == all.count()) {
+    try_candidate(all, all.count() - 1);
+    settle_sizes();
     Issue issue = step_.broken_rule(first_broken_rule(), record_, provided_);
-    issue.hint = say("{1} = {2}, the largest of {3}, was tried last", wanted.path, all.name(all.count() - 1),
-                     wanted.stock.empty() ? wanted.path : wanted.stock);
+    issue.hint = say("{1} = {2}, the largest of {3}, was tried last", wanted.path, all.name(all.count() - 1), stock);
     return issues.push_back(std::move(issue));
   }
-  if (found < all.count()) {
-    if (in_words_) warn_of_passed_over(wanted, all, found, issues);
-    try_candidate(all, found);
-    settle_sizes();
+  try_candidate(all, best);
+  settle_sizes();
+  const bool uncovered = !(lack_of_candidate().check > 1.0);
+  Message fault =
+      say("{1} of {2}: none passes, nearest is {3}: {4}", wanted.path, stock, all.name(best), fault_of_candidate());
+  if (uncovered) fault = say("{1}: the method is not valid there{2}", fault, other_methods());
+  leave_open(wanted, std::move(fault));
+}
+
+/// The input that was searched for, and what a row would have given, have no value.
+void Run::leave_open(const Search& wanted, Message why) {
+  not_given_ = std::move(why);
+  Origin origin{not_given_, {}, false};
+  origin.searched = true;
+  if (wanted.leaf) {
+    map_leaf(wanted.path).set(std::nan(""));
+  } else {
+    const auto of_row = [&](const Provided& p) { return !p.row.empty() && p.field->provider.table == wanted.path; };
+    for (const Provided& provided : provided_) {
+      if (of_row(provided)) map_leaf(provided.path).set(std::nan(""));
+    }
+    std::erase_if(provided_, of_row);
+    rows_[wanted.path].text.clear();
   }
-  if (in_words_) tell_found(wanted, all, found);
+  origins_[wanted.path] = std::move(origin);
 }
 
 /// What was found, and why the one before it is too small.
 void Run::tell_found(const Search& wanted, const Candidates& all, std::size_t found) {
   const std::string stock = wanted.stock.empty() ? wanted.path : wanted.stock;
-  Message text = say("smallest of {1} that passes every check", stock);
-  if (found == all.count()) text = say("largest of {1}; none passes", stock);
-  if (found > 0 && found < all.count()) {
+  const bool covered = excused_.empty() || keeps_all_limits();
+  Message text = covered ? say("smallest of {1} that passes every check", stock)
+                         : say("smallest of {1} with which no assessed mode fails", stock);
+  if (found > 0) {
     try_candidate(all, found - 1);
     text = say("{1}; {2} fails: {3}", text, all.name(found - 1), fault_of_candidate());
     try_candidate(all, found);
     settle_sizes();
   }
-  if (found < all.count() && !keeps_limits(false))
-    text = say("{1}; beyond the range of its formulas: {2}", text, fault_of_limits());
+  if (!covered) text = say("{1}; beyond the range of its formulas: {2}", text, fault_of_limits());
   Origin origin = wanted.leaf ? stock_origin(*step_.input().tables, wanted.stock, std::move(text))
                               : Origin{std::move(text), {}, false};
   origin.searched = true;

@@ -60,6 +60,7 @@ void Run::search_most(const Search& wanted, std::vector<Issue>& issues) {
   const Message beyond = fault_of_candidate();
   if (!passes_with(leaf, found)) leaf.set(low);
   origins_[wanted.path] = {say("largest that passes every check; 1 % more: {1}", beyond), {}, false, true};
+  if (in_words_) warn_of_found(wanted, issues);
 }
 
 /// Without a value there is no result, and no verdict.

@@ -125,8 +125,12 @@ bool Run::is_spare(const std::string& path, const Leaf& leaf) {
   const double blank = untyped(path, *leaf.field), given = leaf.get();
   const bool may_lack = leaf.field->optional && leaf.field->type == Type::quantity;
   if (std::isnan(blank) && !may_lack) return false;
+  Effects before, after;
+  find_effects(before);
   leaf.set(blank);
-  const bool spare = keeps_rules();
+  bool spare = keeps_rules();
+  if (spare) find_effects(after);
+  spare = spare && equal(before, after);  // a check may be there with it alone, wherever it does not decide
   leaf.set(given);
   return spare;
 }

@@ -125,6 +125,9 @@ Outcome<SweptResult> read_column(const std::string& given, Project& project) {
   auto parsed = Expression::parse(text);
   if (!parsed) return parsed.fault();
   column.expression = std::move(*parsed);
+  std::vector<Issue> too_large;
+  project.values.write_into(column.expression, {}, name, too_large);
+  if (!too_large.empty()) return Fault{0, text.size(), too_large.front().message, too_large.front().hint};
   const auto signature = column.expression.check([&](const std::string& path) { return project.signature(path); });
   if (!signature) return signature.fault();
   if (signature->axis != nullptr)

@@ -134,7 +134,8 @@ bool Variants::solve_first(std::span<const double* const> in, std::size_t n) {
 
 /// Laid out at the first point that is solved; without one the next block is asked.
 void Variants::find_way(std::span<const double* const> in, std::size_t n) {
-  const bool hangs_on_others = leaves_modes(project_);
+  const bool solved_twice = project_.passes.size() != project_.order.size() || !project_.beforehand.empty();
+  const bool hangs_on_others = leaves_modes(project_) || solved_twice;
   if (!hangs_on_others && !solve_first(in, n)) return;
   way_ = !hangs_on_others && find_kernels() ? Way::columns : Way::alone;
 }

@@ -153,6 +153,8 @@ class Check {
       }
       case Rule::selection:
         return like(node, kids, "{1} and {2} cannot be compared");
+      case Rule::stresses:
+        return stresses(node, kids);
       default:
         return first;
     }
@@ -163,6 +165,16 @@ class Check {
     if (dimension) return *dimension;
     return fault(node, say("'{1}' cannot be taken of {2}", node.function->name, name_of(radicand)),
                  say("make it a number first: divide by 1 of its unit"));
+  }
+
+  [[nodiscard]] Dimensioned stresses(const Node& node, const Signatures& kids) const {
+    constexpr Dimension stress = Dimension::of(-1, 1, -2);
+    for (std::size_t i = 0; i < kids.size(); ++i) {
+      if (kids[i].dimension == stress) continue;
+      return fault(node.kids[i], say("'{1}' needs stresses, not {2}", node.function->name, name_of(kids[i].dimension)),
+                   say("write {1}: a normal stress, then a shear stress", node.function->form));
+    }
+    return stress;
   }
 
   /// A literal number is no angle, as outside of expressions; with pi in it, it is one in radians.

@@ -3,8 +3,8 @@
 #include "lib/quantity/expression/tree.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
-#include <numbers>
 
 namespace loadpath {
 
@@ -44,33 +44,22 @@ std::string_view unsigned_of(const Node& node, const Expression::Declared& decla
   return sign && is_extreme ? std::string_view() : name;
 }
 
-bool holds(const Node& node, const Dimension& dimension, const Expression::Declared& declared) {
-  if (node.operation == Operation::literal) return node.dimension == dimension;
-  if (node.operation == Operation::reference) {
-    const auto signature = declared(node.path);
-    return signature && signature->dimension == dimension;
-  }
-  return std::any_of(node.kids.begin(), node.kids.end(),
-                     [&](const Node& kid) { return holds(kid, dimension, declared); });
+constexpr std::size_t most_nodes = 4096;  // of an expression that others are written into
+
+std::size_t count_nodes(const Node& node) {
+  std::size_t count = 1;
+  for (const Node& kid : node.kids) count += count_nodes(kid);
+  return count;
 }
 
-bool holds_pi(const Node& node) {
-  const bool is_pi = node.operation == Operation::literal && node.si == std::numbers::pi && node.dimension.is_number();
-  return is_pi || std::any_of(node.kids.begin(), node.kids.end(), holds_pi);
+void move_to(Node& node, std::size_t at, std::size_t length) {
+  node.at = at, node.length = length;
+  for (Node& kid : node.kids) move_to(kid, at, length);
 }
 
-/// Null where there is none.
-const Node* power_over_frequency(const expression::Tree& tree, const Node& node, const Expression::Declared& declared) {
-  if (node.operation == Operation::divide) {
-    const auto power = check(tree, node.kids[0], declared), frequency = check(tree, node.kids[1], declared);
-    if (power && frequency && power->dimension == Dimension::of(2, 1, -3) &&
-        frequency->dimension == Dimension::of(0, 0, -1))
-      return &node;
-  }
-  for (const Node& kid : node.kids) {
-    if (const Node* const found = power_over_frequency(tree, kid, declared)) return found;
-  }
-  return nullptr;
+void collect_references(const Node& node, std::vector<Expression::Reference>& references) {
+  if (node.operation == Operation::reference) references.push_back({node.path, node.at});
+  for (const Node& kid : node.kids) collect_references(kid, references);
 }
 
 /// Whether a function gives one of what it is given.
@@ -80,8 +69,23 @@ bool keeps_quantity(expression::Rule rule) {
          rule == Rule::same;
 }
 
+bool calls(const Node& node) {
+  return node.operation == Operation::call || std::any_of(node.kids.begin(), node.kids.end(), calls);
+}
+
+/// What a number alone multiplies or divides, "1.2*shaft.tau_max"; null where it is anything else. A root or a function
+/// makes another of it: "sqrt(3)*shaft.tau_max".
+const Node* multiple_of(const Node& node) {
+  const auto is_number = [](const Node& kid) { return is_constant(kid) && !calls(kid); };
+  if (node.operation == Operation::divide) return is_number(node.kids[1]) ? &node.kids[0] : nullptr;
+  if (node.operation != Operation::multiply) return nullptr;
+  if (is_number(node.kids[0])) return &node.kids[1];
+  return is_number(node.kids[1]) ? &node.kids[0] : nullptr;
+}
+
 void add_handed_on(const Node& node, std::vector<Expression::Reference>& references) {
   if (node.operation == Operation::reference) references.push_back({node.path, node.at});
+  if (const Node* const multiplied = multiple_of(node)) return add_handed_on(*multiplied, references);
   const bool keeps = node.operation == Operation::negate || node.operation == Operation::add ||
                      node.operation == Operation::subtract ||
                      (node.operation == Operation::call && keeps_quantity(node.function->rule));
@@ -122,13 +126,39 @@ std::string_view Expression::unsigned_part(const Declared& declared) const {
   return unsigned_of(tree_->root, declared);
 }
 
-bool Expression::speaks_of(const Dimension& dimension, const Declared& declared) const {
-  return holds(tree_->root, dimension, declared);
+namespace {
+
+/// False where it grows out of bounds.
+bool write_into(Node& node, const std::function<const Node*(const std::string&)>& by, std::size_t& count) {
+  const Node* const other = node.operation == Operation::reference ? by(node.path) : nullptr;
+  if (other != nullptr) {
+    count += count_nodes(*other);
+    if (count > most_nodes) return false;
+    Node written = *other;
+    move_to(written, node.at, node.length);
+    node = std::move(written);
+    return true;
+  }
+  return std::all_of(node.kids.begin(), node.kids.end(), [&](Node& kid) { return write_into(kid, by, count); });
 }
 
-std::string Expression::work_of_cycle(const Declared& declared) const {
-  const Node* const work = power_over_frequency(*tree_, tree_->root, declared);
-  return work == nullptr || holds_pi(tree_->root) ? std::string() : tree_->written(*work);
+}  // namespace
+
+bool Expression::write_out(const Written& by) {
+  const auto root_of = [&](const std::string& path) -> const Node* {
+    const Expression* const other = by(path);
+    return other == nullptr ? nullptr : &other->tree_->root;
+  };
+  const bool any = std::any_of(references_.begin(), references_.end(),
+                               [&](const Reference& reference) { return by(reference.path) != nullptr; });
+  if (!any) return true;
+  auto tree = std::make_unique<expression::Tree>(*tree_);
+  std::size_t count = 0;
+  if (!write_into(tree->root, root_of, count)) return false;
+  references_.clear();
+  collect_references(tree->root, references_);
+  tree_ = std::move(tree);
+  return true;
 }
 
 Value Expression::evaluate(const Known& known) const {

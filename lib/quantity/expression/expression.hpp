@@ -6,13 +6,15 @@
 //           `2 N*m*lever.drive.phi`, `40 mm*cos(20 deg)`, `2 m*pi`); `1/min` and `W/(m*K)` are units
 //   name    always with a dot: lever.drive.M, shaft.segments[2].tau, shaft.segments.journal.tau; a part that is no
 //           name in quotes: tables.sections."IPE 330".I_y
-//   const   pi, g (9.80665 m/s^2; inside the unit of a number g is the gram: `5 g`, `2 kN/g`, but `80 kg * (g)`)
+//   const   pi, rev (one turn: rev*f is the angular speed of f turns per time), g (9.80665 m/s^2; inside the unit of a
+//           number g is the gram: `5 g`, `2 kN/g`, but `80 kg * (g)`)
 //   calls   peak min max mean rms amplitude range at(series, place) abs sqrt cbrt exp ln sin cos tan asin acos
-//           atan atan2
+//           atan atan2 mises(sigma, tau)
 //           max(a, b) and min(a, b) are element-wise, max(series) and min(series) reduce; at takes a place in the axis'
 //           unit
 #pragma once
 
+#include "lib/quantity/kinds.hpp"
 #include "lib/quantity/series.hpp"
 #include "lib/text/issue.hpp"
 
@@ -41,6 +43,26 @@ std::string of_kind(const Factors& factors, const std::string& kind);
 /// One of these that has no equal among the others; empty where every one has.
 std::string without_equal(const Factors& factors, const Factors& others);
 
+/// What is left of the series that a value comes from.
+struct Reduced {
+  enum class Left {
+    no_series,  // it comes from none
+    whole,      // every position: the series itself, times a constant, a sum or a resultant of such
+    square,     // the same, squared
+    peak,       // the largest magnitude
+    once,       // one reduction of a whole series, times a constant
+    less        // anything else
+  };
+  Left left = Left::no_series;
+  bool is_signed = false;     // it, or the series, is negative somewhere
+  bool of_load = false;       // the series is of a force, a moment, a stress, a power
+  std::string function = {};  // that reduced it: "mean"
+  std::string argument = {};  // of that function, as written: "press.joints.B.F"
+  std::string text = {};      // the part that lost the rest: "mean(press.joints.B.F)"
+  std::string factor = {};    // of a whole series: a constant number beside it, as written: "0.5"
+};
+using ReducedOf = std::function<Reduced(const std::string& path)>;
+
 class Expression {
  public:
   /// A reference as written and where it stands in the text (bytes).
@@ -64,8 +86,12 @@ class Expression {
   [[nodiscard]] const std::vector<Reference>& references() const;
   /// Whether it is one reference and nothing else: it may stand for what is no number.
   [[nodiscard]] bool is_reference() const;
+  /// Puts other expressions in the place of references: `by` gives the one for a path, null where the path stays. What
+  /// is said of them stands at the reference. False, and nothing is changed, where the whole would grow out of bounds.
+  using Written = std::function<const Expression*(const std::string& path)>;
+  bool write_out(const Written& by);
   /// The references whose value it hands on as it is, or as one of several: alone, "peak(limit.sigma_D)", in a sum.
-  /// What they are the whole is too; a product says itself what it makes.
+  /// times a number. What they are the whole is too; another product says itself what it makes.
   [[nodiscard]] std::vector<Reference> handed_on() const;
   /// Dimension and axis of the result, or the first fault: unknown names, unlike dimensions or axes, °C, wrong
   /// arguments.
@@ -73,14 +99,16 @@ class Expression {
   /// What makes the sign of the value another than that of tension and compression: a function, "peak", or a path,
   /// "press.joints.A.F"; empty where nothing does. A sign that is written before it stands for the one that is meant.
   [[nodiscard]] std::string_view unsigned_part(const Declared& declared) const;
-  /// Whether a number or a reference in it is of the dimension: 5 kW/(1450 rpm) speaks of a speed.
-  [[nodiscard]] bool speaks_of(const Dimension& dimension, const Declared& declared) const;
-  /// A power over a frequency in it, "5.5 kW/(2 Hz)", the energy of a cycle and no moment; empty where there is none,
-  /// or where pi in it makes radians of cycles.
-  [[nodiscard]] std::string work_of_cycle(const Declared& declared) const;
+  /// What the value is beyond its dimension (lib/quantity/kinds.hpp). A sum of unlike kinds is a fault.
+  using KindOf = std::function<Meant(const std::string& path)>;
+  [[nodiscard]] Outcome<Meant> kind(const KindOf& of, const Declared& declared) const;
+  /// Whether pi stands in it: 2*pi*f makes radians of turns.
+  [[nodiscard]] bool holds_pi() const;
   /// Those of its references: of a product all, of a quotient without those of the divisor, of a root of a square once.
   /// A factor that would count twice, and a sum of what holds one and what does not, are faults.
   [[nodiscard]] Outcome<Factors> factors(const FactorsOf& of) const;
+  /// What is left of the series in it, by what its references have left.
+  [[nodiscard]] Reduced reduced(const ReducedOf& of) const;
   /// The value. A result that is not finite is NaN (never an infinity).
   [[nodiscard]] Value evaluate(const Known& known) const;
   /// The same, to the bit, where every reference is one value, for many points at once: `column` gives the n values of

@@ -151,6 +151,7 @@ class Walk {
       case Rule::cycle_reduction:
       case Rule::selection:
       case Rule::same:
+      case Rule::stresses:
         return alike(node);
     }
     return alike(node);

@@ -1,3 +1,4 @@
+#include "lib/quantity/expression/interval_functions.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
 #include <algorithm>
@@ -23,11 +24,26 @@ constexpr Function reduction(std::string_view name, std::string_view form, doubl
   return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .reduce = f};
 }
 
+// The functions of a place, beside those over an interval.
+using expression::acos, expression::asin, expression::atan, expression::atan2, expression::cbrt, expression::cos;
+using expression::exp, expression::log, expression::sin, expression::sqrt, expression::tan;
+using loadpath::acos, loadpath::asin, loadpath::atan, loadpath::atan2, loadpath::cbrt, loadpath::cos, loadpath::exp;
+using loadpath::log, loadpath::sin, loadpath::sqrt, loadpath::tan;
+
 using JetOf = Jet (*)(const Jet&);
+using BoundsOf = IntervalJet (*)(const IntervalJet&);
 
 constexpr Function map(std::string_view name, std::string_view form, Rule rule, double (*f)(double), JetOf jet,
-                       int degree = 1) {
-  return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .map = f, .degree = degree, .jet = jet};
+                       BoundsOf bounds, int degree = 1) {
+  return {.name = name,
+          .form = form,
+          .rule = rule,
+          .least = 1,
+          .most = 1,
+          .map = f,
+          .degree = degree,
+          .jet = jet,
+          .bounds = bounds};
 }
 
 constexpr Function magnitude(Function f) {
@@ -45,34 +61,42 @@ constexpr Function functions[] = {
     {"max", "max(series) or max(a, b)", Rule::selection, 1, any_number, highest, nullptr, greater},
     {"min", "min(series) or min(a, b)", Rule::selection, 1, any_number, lowest, nullptr, smaller},
     magnitude(map(
-        "abs", "abs(x)", Rule::same, [](double x) { return std::abs(x); }, nullptr)),
+        "abs", "abs(x)", Rule::same, [](double x) { return std::abs(x); }, nullptr, nullptr)),
     magnitude(map(
-        "sqrt", "sqrt(x)", Rule::root, [](double x) { return std::sqrt(x); }, sqrt, 2)),
+        "sqrt", "sqrt(x)", Rule::root, [](double x) { return std::sqrt(x); }, sqrt, sqrt, 2)),
     map(
-        "cbrt", "cbrt(x)", Rule::root, [](double x) { return std::cbrt(x); }, cbrt, 3),
+        "cbrt", "cbrt(x)", Rule::root, [](double x) { return std::cbrt(x); }, cbrt, cbrt, 3),
     map(
-        "exp", "exp(x)", Rule::number, [](double x) { return std::exp(x); }, exp),
+        "exp", "exp(x)", Rule::number, [](double x) { return std::exp(x); }, exp, exp),
     map(
-        "ln", "ln(x)", Rule::number, [](double x) { return std::log(x); }, log),
+        "ln", "ln(x)", Rule::number, [](double x) { return std::log(x); }, log, log),
     map(
-        "sin", "sin(angle)", Rule::trigonometric, [](double x) { return std::sin(x); }, sin),
+        "sin", "sin(angle)", Rule::trigonometric, [](double x) { return std::sin(x); }, sin, sin),
     map(
-        "cos", "cos(angle)", Rule::trigonometric, [](double x) { return std::cos(x); }, cos),
+        "cos", "cos(angle)", Rule::trigonometric, [](double x) { return std::cos(x); }, cos, cos),
     map(
-        "tan", "tan(angle)", Rule::trigonometric, [](double x) { return std::tan(x); }, tan),
+        "tan", "tan(angle)", Rule::trigonometric, [](double x) { return std::tan(x); }, tan, tan),
     map(
-        "asin", "asin(x)", Rule::inverse, [](double x) { return std::asin(x); }, asin),
+        "asin", "asin(x)", Rule::inverse, [](double x) { return std::asin(x); }, asin, asin),
     map(
-        "acos", "acos(x)", Rule::inverse, [](double x) { return std::acos(x); }, acos),
+        "acos", "acos(x)", Rule::inverse, [](double x) { return std::acos(x); }, acos, acos),
     map(
-        "atan", "atan(x)", Rule::inverse, [](double x) { return std::atan(x); }, atan),
+        "atan", "atan(x)", Rule::inverse, [](double x) { return std::atan(x); }, atan, atan),
     {.name = "atan2",
      .form = "atan2(y, x)",
      .rule = Rule::ratio,
      .least = 2,
      .most = 2,
      .join = [](double y, double x) { return std::atan2(y, x); },
-     .jet_of_two = atan2},
+     .jet_of_two = atan2,
+     .bounds_of_two = atan2},
+    {.name = "mises",
+     .form = "mises(sigma, tau)",
+     .rule = Rule::stresses,
+     .least = 2,
+     .most = 2,
+     .join = [](double sigma, double tau) { return std::sqrt(sigma * sigma + 3.0 * tau * tau); },
+     .is_magnitude = true},
 };
 
 }  // namespace

@@ -1,7 +1,10 @@
 #include "lib/quantity/expression/law.hpp"
 
+#include "lib/quantity/expression/interval_functions.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace loadpath {
@@ -21,11 +24,30 @@ const Node* find_kink(const Node& node) {
   return nullptr;
 }
 
-Jet value_of(const Node& node, const Jet& variable) {
-  const auto kid = [&](std::size_t k) { return value_of(node.kids[k], variable); };
+struct AtPlace {
+  using Number = Jet;
+  static Jet constant(double value) { return {value}; }
+  static Jet of(const expression::Function& f, const Jet& a) { return f.jet(a); }
+  static Jet of(const expression::Function& f, const Jet& a, const Jet& b) { return f.jet_of_two(a, b); }
+};
+
+struct Between {
+  using Number = IntervalJet;
+  static IntervalJet constant(double value) { return {{value, value}, {}, {}}; }
+  static IntervalJet of(const expression::Function& f, const IntervalJet& a) { return f.bounds(a); }
+  static IntervalJet of(const expression::Function& f, const IntervalJet& a, const IntervalJet& b) {
+    return f.bounds_of_two(a, b);
+  }
+};
+
+/// The same walk at a place and over an interval.
+template <class How>
+typename How::Number value_of(const Node& node, const typename How::Number& variable) {
+  using expression::operator+, expression::operator-, expression::operator*, expression::operator/, expression::pow;
+  const auto kid = [&](std::size_t k) { return value_of<How>(node.kids[k], variable); };
   switch (node.operation) {
     case Operation::literal:
-      return {node.si};
+      return How::constant(node.si);
     case Operation::reference:
       return variable;
     case Operation::negate:
@@ -38,12 +60,26 @@ Jet value_of(const Node& node, const Jet& variable) {
       return kid(0) * kid(1);
     case Operation::divide:
       return kid(0) / kid(1);
-    case Operation::power:
-      return pow(kid(0), kid(1).value);  // the check has made sure that the exponent is constant
+    case Operation::power:  // the check has made sure that the exponent is constant
+      return pow(kid(0), constant(node.kids[1]));
     case Operation::call:
-      return node.function->jet != nullptr ? node.function->jet(kid(0)) : node.function->jet_of_two(kid(0), kid(1));
+      return node.function->jet != nullptr ? How::of(*node.function, kid(0)) : How::of(*node.function, kid(0), kid(1));
   }
   return {};
+}
+
+/// The function is no further from its tangent in the middle than its derivatives allow.
+void draw_closer(IntervalJet& bounds, const Jet& middle, const Interval& away) {
+  const auto at = [](double x) { return Interval{x, x}; };
+  const bool known = std::isfinite(middle.value) && std::isfinite(middle.first) && std::isfinite(middle.second);
+  if (!known) return;
+  if (bounds.second.is_bounded()) {
+    const double half = away.high;
+    const Interval bend = bounds.second * Interval{0.0, 0.5 * half * half};
+    bounds.first = both(bounds.first, at(middle.first) + bounds.second * away);
+    bounds.value = both(bounds.value, at(middle.value) + at(middle.first) * away + bend);
+  }
+  if (bounds.first.is_bounded()) bounds.value = both(bounds.value, at(middle.value) + bounds.first * away);
 }
 
 }  // namespace
@@ -79,6 +115,14 @@ Outcome<Law> Law::parse(std::string_view text, const Variable& variable, const D
   return law;
 }
 
-Jet Law::at(double variable) const { return value_of(tree_->root, {variable, 1.0, 0.0}); }
+Jet Law::at(double variable) const { return value_of<AtPlace>(tree_->root, {variable, 1.0, 0.0}); }
+
+IntervalJet Law::over(const Interval& places) const {
+  IntervalJet bounds = value_of<Between>(tree_->root, {places, {1.0, 1.0}, {}});
+  const double middle = 0.5 * (places.low + places.high);
+  const double half = std::max(places.high - middle, middle - places.low);
+  if (half > 0.0) draw_closer(bounds, at(middle), {-half, half});
+  return bounds;
+}
 
 }  // namespace loadpath

@@ -5,6 +5,7 @@
 
 #include "lib/numerics/jet.hpp"
 #include "lib/quantity/dimension.hpp"
+#include "lib/quantity/expression/interval.hpp"
 #include "lib/text/issue.hpp"
 
 #include <memory>
@@ -34,6 +35,10 @@ class Law {
 
   /// The value in SI and its derivatives; what is not finite where the law is not smooth, as a root of zero.
   [[nodiscard]] Jet at(double variable) const;
+
+  /// Intervals that hold the value and both derivatives everywhere between two places; without bounds where the law
+  /// may have a pole or leave its domain.
+  [[nodiscard]] IntervalJet over(const Interval& places) const;
 
  private:
   std::unique_ptr<const expression::Tree> tree_;

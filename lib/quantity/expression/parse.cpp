@@ -136,6 +136,7 @@ void Parser::unit(Node& literal) {
   }
   literal.si = unit->to_si(literal.si);
   literal.dimension = unit->dimension;
+  literal.kind = kind_of_unit(unit->dimension, unit->has(Mark::hertz), unit->has(Mark::work));
   if (!std::isfinite(literal.si)) {
     fail(from, end - from, say("the number is too large in '{1}'", written), say("choose another unit"));
   }
@@ -150,6 +151,7 @@ Node Parser::name() {
   const auto word = text_.substr(next_, end - next_);
   if (word == variable_) return reference(end);
   if (word == "pi") return constant(std::numbers::pi, {}, end);
+  if (word == "rev") return constant(2.0 * std::numbers::pi, Dimension::of(0, 0, 0, 0, 1), end);
   if (word == "g") return constant(9.80665, Dimension::of(1, 0, -2), end);  // standard acceleration, CGPM 1901
   fail_bare_name(end);
   return {};

@@ -3,6 +3,7 @@
 
 #include "lib/numerics/jet.hpp"
 #include "lib/quantity/expression/expression.hpp"
+#include "lib/quantity/expression/interval.hpp"
 
 #include <string>
 #include <string_view>
@@ -21,7 +22,8 @@ enum class Rule {
   trigonometric,    // an angle or a number to a number
   number,           // a number to a number
   inverse,          // a number to an angle
-  ratio             // two like quantities to an angle
+  ratio,            // two like quantities to an angle
+  stresses          // a normal and a shear stress to one stress
 };
 
 struct Function {
@@ -36,6 +38,8 @@ struct Function {
   bool is_magnitude = false;         // never negative, whatever it is taken of
   Jet (*jet)(const Jet&) = nullptr;  // of a smooth function of one argument; null where it has kinks
   Jet (*jet_of_two)(const Jet&, const Jet&) = nullptr;
+  IntervalJet (*bounds)(const IntervalJet&) = nullptr;  // where `jet` is set
+  IntervalJet (*bounds_of_two)(const IntervalJet&, const IntervalJet&) = nullptr;
 };
 
 /// Null where no function has the name.
@@ -49,6 +53,7 @@ struct Node {
   std::size_t at = 0, length = 0;      // bytes of the text
   double si = 0.0;                     // of a literal
   Dimension dimension;                 // of a literal
+  Meant kind = Meant::nothing;         // of a literal, by its unit
   std::string path;                    // of a reference
   const Function* function = nullptr;  // of a call
   std::vector<Node> kids;

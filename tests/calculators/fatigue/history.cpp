@@ -252,7 +252,8 @@ TEST_SUITE("fatigue.history") {
     CHECK(mode_with("fatigue.history", "blocks = [{ sigma_a = \"1 MPa\", sigma_m = \"700 MPa\", n = 1 }]", "fatigue") ==
           "fail");
     // Above the knee at 1e3 cycles another curve holds.
-    CHECK(mode_with("fatigue.history", "sigma_D = \"40 MPa\"\nn_req = 1e-3", "fatigue") == "not-covered");
+    CHECK(mode_with("fatigue.history", "sigma_D = \"40 MPa\"\nblocks = [{ sigma_a = \"180 MPa\", n = 1 }]",
+                    "fatigue") == "not-covered");
   }
 
   TEST_CASE("a history of a mechanism: one turn, whole") {

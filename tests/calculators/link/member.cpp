@@ -80,7 +80,16 @@ TEST_SUITE("link member") {
     CHECK(rel(ExampleStep("link.member", "")("tau"), 1.5 * 400 / 800e-6) < 1e-9);
     CHECK(rel(ExampleStep("link.member", "h = \nb = \nd = \"40 mm\"")("tau"), 4.0 / 3 * 400 / (pi * 400e-6)) < 1e-9);
     CHECK(rel(ExampleStep("link.member", "A_v = \"200 mm^2\"")("tau"), 400 / 200e-6) < 1e-9);
-    CHECK(mode_with("link.member", "h = \nb = \nsection = \"IPE 100\"\nkind = \"rolled_I\"", "shear") == "not-judged");
+    // EN 1993-1-1, 6.2.6 (5): even over the web between the flanges, 100 - 2 5.7 by 4.1 mm
+    const std::string rolled = "h = \nb = \nsection = \"IPE 100\"";
+    CHECK(rel(ExampleStep("link.member", rolled)("tau"), 400 / (88.6e-3 * 4.1e-3)) < 1e-9);
+    CHECK(mode_with("link.member", rolled, "shear") == "pass");
+    CHECK(mode_with("link.member", rolled + "\nV = \"60 kN\"", "shear") == "fail");
+    // by A and I alone nothing is known of a web
+    const std::string typed =
+        "h = \nb = \nA = \"1032 mm^2\"\nI_y = \"171 cm^4\"\nI_z = \"15.92 cm^4\"\nc_y = \"50 mm\"";
+    CHECK(mode_with("link.member", typed, "shear") == "not-judged");
+    CHECK(mode_with("link.member", typed + "\nA_v = \"363 mm^2\"", "shear") == "pass");
   }
 
   TEST_CASE("a link that is hardly pressed is judged as one that is not") {

@@ -76,7 +76,11 @@ TEST_SUITE("retaining rings") {
     CHECK(mode_with("shaft.circlip", "w = \"1 mm\"", "groove") == "not-covered");
     CHECK(mode_with("shaft.circlip", "w = \"1 mm\"\nq = 3", "groove") == "fail");
     CHECK(mode_with("shaft.circlip", "c = \"2 mm\"", "ring") == "fail");
-    CHECK(mode_with("shaft.circlip", "d_2 = \"8 mm\"\nw = \"20 mm\"", "groove") == "not-covered");  // a neck
+    const std::string of_its_own = "circlip = \nd_1 = \"18 mm\"\nw = \"20 mm\"\nd_2 = ";
+    CHECK(mode_with("shaft.circlip", of_its_own + "\"17 mm\"", "groove") == "pass");
+    CHECK(mode_with("shaft.circlip", of_its_own + "\"8 mm\"", "groove") == "not-covered");  // a neck
+    const test::ExampleStep other("shaft.circlip", "d_2 = \"8 mm\"");
+    CHECK(other.fault().find("the circlip '18x1.2' has 17 mm") != std::string::npos);
     CHECK(mode_with("shaft.circlip", "c = ", "ring") == "not-judged");
     CHECK(mode_with("shaft.circlip", "n = \"40000 rpm\"", "opening") == "fail");
   }

@@ -142,7 +142,7 @@ TEST_SUITE("project modes") {
   }
 
   TEST_CASE("customs that an input breaks stand with its step") {
-    Solved odd(axle + "T = \"100 N*m\"\nK_A = 0.001\n");
+    Solved odd(axle + "T = \"100 N*m\"\nK_A = 9\n");
     REQUIRE(odd.project.steps[0]->account().warnings.size() == 1);
     CHECK(contains(odd.project.steps[0]->account().warnings[0].text(), "K_A"));
   }
@@ -224,7 +224,7 @@ TEST_SUITE("project angles") {
     const std::string turning = axle + "d = \"40 mm\"\nT = \"100 N*m\"\nK_A = 1.5\n";
     const std::string life = "[life]\ncalculator = \"fatigue.cycle\"\nr = -1\n";
     const std::string limit = "sigma_D = \"60 MPa\"\nS_D = 1.5\n", taken = "cycle = \"=axle.cycle\"\n";
-    Solved alone(turning), apart(turning + life + limit + "sigma_max = \"=axle.tau_max\"\n");
+    Solved alone(turning), apart(turning + life + limit + "stress = \"shear\"\nsigma_max = \"=axle.tau_max\"\n");
     CHECK(alone.mode("axle.fatigue").state == State::not_judged);
     CHECK(account::reason(alone.mode("axle.fatigue")).text() ==
           "left to fatigue.cycle, of which no step takes =axle.cycle whole");

@@ -1,4 +1,4 @@
-#include "lib/project/order.hpp"
+#include "lib/project/references/order.hpp"
 
 #include "tests/lib/project/texts.hpp"
 

@@ -1,4 +1,4 @@
-#include "lib/quantity/number.hpp"
+#include "lib/quantity/number/number.hpp"
 
 #include <doctest/doctest.h>
 

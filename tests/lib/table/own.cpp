@@ -1,4 +1,4 @@
-#include "lib/table/own.hpp"
+#include "lib/table/own/own.hpp"
 
 #include "lib/table/tables.hpp"
 #include "tests/lib/table/tables.hpp"

@@ -43,7 +43,8 @@ bool ColumnStep::Parts::lay_out(const std::set<std::string>& wanted, const Point
 /// Nothing taken whole, nothing that acts and is not taken.
 bool ColumnStep::Parts::is_plain() const {
   const Reading& reading = step.input().reading;
-  return reading.taken.empty() && reading.whole.empty() && !step.leaves_loads() && !step.account().results.empty();
+  return reading.taken.empty() && reading.whole.empty() && !step.leaves_loads() && !step.goes_point_by_point() &&
+         !step.account().results.empty() && step.lacking_factor().empty();
 }
 
 bool ColumnStep::Parts::is_fed(std::string_view field) const {
@@ -53,6 +54,8 @@ bool ColumnStep::Parts::is_fed(std::string_view field) const {
 
 /// Where an input that varies lies in the record; nothing where that is not fixed, or more hangs on it than numbers.
 std::optional<std::size_t> ColumnStep::Parts::place_of(const FieldInfo& field, const std::string& path) const {
+  const auto& compared = step.compared();
+  if (std::find(compared.begin(), compared.end(), path) != compared.end()) return std::nullopt;
   if (field.is_factor || field.takes_whole() || !is_fixed(calculator.input->fields, path)) return std::nullopt;
   const Leaf leaf = find_leaf(record, path);
   const Value* const now = step.value(path);
@@ -200,6 +203,7 @@ void ColumnStep::Parts::add_rules() {
 void ColumnStep::Parts::add_judging() {
   for (std::size_t k = 0; k < calculator.modes.size(); ++k) {
     Judging judged{k};
+    judged.unjudged.never = is_doubtful(step, calculator.modes[k]);
     for (const std::string& key : listed_keys(calculator.modes[k].checks)) {
       const FieldInfo* const field = find_field(calculator.result->fields, key);
       const bool checks = field != nullptr && field->role == Role::check;

@@ -38,14 +38,8 @@ struct Size {
 
 /// How far the search of a point has come.
 struct Candidate {
-  static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
-  std::size_t first = 0, now = 0;
-  std::size_t beyond = none;  // the first that passes every check, outside the limits of the methods
-  bool may_be_covered = true;
+  std::size_t now = 0;
 };
-
-/// Whether a candidate passes every check, and keeps the limits of the methods too.
-enum class Fit { no, uncovered, covered };
 
 /// A size that is searched for in a stock.
 struct Sought {
@@ -132,8 +126,8 @@ struct ColumnStep::Parts {
   void run_for_least(PointColumns& points);
   void ask_candidates(PointColumns& points);
   bool is_found(std::size_t point);
-  [[nodiscard]] Fit fit_of(std::size_t point);
-  [[nodiscard]] bool may_be_covered(std::size_t point);
+  /// Whether no check, criterion or limit fails with the candidate of a point, but for limits that no size changes.
+  [[nodiscard]] bool fits(std::size_t point);
   [[nodiscard]] bool is_kept(Read& number, std::size_t point);
   void evaluate_read(std::size_t rows);
   void read_sizes(PointColumns& points, std::vector<double>& next);

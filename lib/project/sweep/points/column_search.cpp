@@ -18,7 +18,8 @@ bool ColumnStep::Parts::add_search() {
   const Value* const now = step.value(wanted.path);
   if (now == nullptr || now->si.empty()) return false;
   Sought own{.leaf = find_leaf(record, wanted.path), .stock = stock_values(*step.input().tables, wanted.stock)};
-  std::erase_if(own.stock, [&](double si) { return !own.leaf.field->bounds.holds(si); });
+  const FieldInfo& searched = *own.leaf.field;
+  std::erase_if(own.stock, [&](double si) { return !searched.bounds.holds(si) || !searched.plausible.holds(si); });
   own.offset = offset_in(record, own.leaf);
   own.leaf.set(now->si[0]);  // what asks for checks has a value
   if (const FieldInfo* const least = find_field(calculator.result->fields, wanted.path)) {
@@ -60,7 +61,7 @@ void ColumnStep::Parts::find_first_candidates(PointColumns& points) {
     for (std::size_t point = 0; point < points.count; ++point) {
       const double least = largest_of(size_rows, point, wanted.least->dimension).value;
       const auto start = std::lower_bound(wanted.stock.begin(), wanted.stock.end(), least * (1.0 - 1e-12));
-      wanted.at[point].first = wanted.at[point].now = static_cast<std::size_t>(start - wanted.stock.begin());
+      wanted.at[point].now = static_cast<std::size_t>(start - wanted.stock.begin());
       if (std::isnan(least) || start == wanted.stock.end()) leave(points, point);
     }
   }
@@ -111,29 +112,11 @@ void ColumnStep::Parts::search(PointColumns& points) {
 }
 
 /// Whether the candidate of a point is the one; else it has the next one to be tried. As the search of a single
-/// machine: the first that fits within the limits of all methods, and where there is none the first that fits without
-/// them.
+/// machine: the first with which nothing fails that a size changes. A point where none is found is another's.
 bool ColumnStep::Parts::is_found(std::size_t point) {
-  Candidate& at = sought->at[point];
-  if (at.now == at.first && at.may_be_covered) at.may_be_covered = may_be_covered(point);
-  const Fit fit = fit_of(point);
-  if (fit == Fit::covered || (fit == Fit::uncovered && !at.may_be_covered)) return true;
-  if (fit == Fit::uncovered && at.beyond == Candidate::none) at.beyond = at.now;
-  ++at.now;
-  if (at.now == sought->stock.size() && at.beyond != Candidate::none) {
-    at.now = at.beyond;
-    at.may_be_covered = false;
-  }
+  if (fits(point)) return true;
+  ++sought->at[point].now;
   return false;
-}
-
-/// False where a limit is not kept that no size changes.
-bool ColumnStep::Parts::may_be_covered(std::size_t point) {
-  return std::all_of(read.begin(), read.end(), [&](Read& number) {
-    const FieldInfo& field = *number.field;
-    const bool limits = number.is_row && field.role == Role::limit && !field.is_criterion && !field.is_beside;
-    return !limits || !field.is_sizeless || is_kept(number, point);
-  });
 }
 
 /// Which candidates break a rule, and which modes concern the part with them.
@@ -146,16 +129,10 @@ void ColumnStep::Parts::ask_candidates(PointColumns& points) {
   points.is_other = others;
 }
 
-Fit ColumnStep::Parts::fit_of(std::size_t point) {
-  if (sought->breaks[point] != 0) return Fit::no;
-  Fit fit = Fit::covered;
-  for (Read& number : read) {
-    const FieldInfo& field = *number.field;
-    if (!number.is_row || field.is_beside || is_kept(number, point)) continue;
-    if (field.role == Role::check || field.is_criterion) return Fit::no;
-    fit = Fit::uncovered;
-  }
-  return fit;
+bool ColumnStep::Parts::fits(std::size_t point) {
+  return sought->breaks[point] == 0 && std::all_of(read.begin(), read.end(), [&](Read& number) {
+           return !number.is_row || number.field->is_beside || number.field->is_sizeless || is_kept(number, point);
+         });
 }
 
 bool ColumnStep::Parts::is_kept(Read& number, std::size_t point) {

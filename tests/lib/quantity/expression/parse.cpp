@@ -180,7 +180,7 @@ TEST_SUITE("quantity") {
         {"Sqrt(2)", "Sqrt", "unknown function 'Sqrt'", "did you mean 'sqrt'?"},
         {"40 mm*cosine(2)", "cosine", "unknown function 'cosine'",
          "the functions are peak, amplitude, range, mean, rms, at, max, min, abs, sqrt, cbrt, exp, ln, sin, cos, tan, "
-         "asin, acos, atan, atan2"},
+         "asin, acos, atan, atan2, mises"},
         {"2*PI", "PI", "'PI' alone is no reference", "did you mean 'pi'?"},
         {"length + 2", "length", "'length' alone is no reference", "write step.path, as in lever.drive.M"},
         {"2*d", "d", "'d' alone is no reference", "write step.path, as in lever.drive.M; a unit needs a number: 1 d"},

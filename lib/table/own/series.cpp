@@ -1,5 +1,5 @@
 #include "lib/quantity/literal.hpp"
-#include "lib/table/own.hpp"
+#include "lib/table/own/own.hpp"
 
 #include <algorithm>
 #include <cmath>

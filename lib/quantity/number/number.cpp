@@ -1,6 +1,6 @@
-#include "lib/quantity/number.hpp"
+#include "lib/quantity/number/number.hpp"
 
-#include "lib/quantity/cursor.hpp"
+#include "lib/quantity/number/cursor.hpp"
 
 #include <array>
 #include <charconv>

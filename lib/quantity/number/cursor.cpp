@@ -1,4 +1,4 @@
-#include "lib/quantity/cursor.hpp"
+#include "lib/quantity/number/cursor.hpp"
 
 #include <algorithm>
 

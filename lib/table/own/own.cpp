@@ -1,4 +1,4 @@
-#include "lib/table/own.hpp"
+#include "lib/table/own/own.hpp"
 
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
@@ -13,7 +13,7 @@ namespace loadpath::table {
 
 namespace {
 
-constexpr std::string_view words[] = {"standard", "kind", "note", "aliases", "by_size", "source"};
+constexpr std::string_view words[] = {"standard", "kind", "note", "aliases", "by_size", "source", "because"};
 
 bool is_word(std::string_view key) { return std::find(std::begin(words), std::end(words), key) != std::end(words); }
 
@@ -133,16 +133,37 @@ void OwnReader::read_row(const Tree::Entry& entry, Table& table) {
       read_value(e, table, key, row.values);
     if (e.key == "kind") check_kind(e, key, table.group);
     if (e.key == "by_size") read_sizes(e.value, table, key, row);
+    if (e.key == "because") read_because(e, table, key, row);
   }
-  for (Value& value : row.values) value.sources = {source};
-  for (Step& step : row.by_size) {
-    for (Value& value : step.values) value.sources = {source};
-  }
+  const auto credit = [&](Value& value) {
+    const auto reason = row.because.find(value.key);
+    value.sources = {reason == row.because.end() ? source : source + "; " + reason->second};
+  };
+  std::for_each(row.values.begin(), row.values.end(), credit);
+  for (Step& step : row.by_size) std::for_each(step.values.begin(), step.values.end(), credit);
   if (issues_.size() == before && row.values.empty() && row.by_size.empty()) {
     const auto keys = keys_of(table);
     complain(entry.place, key, say("'{1}' has no value", entry.key), there_is(keys));
   }
+  if (issues_.size() == before) check_bounds(row, table, entry.place, key);
   if (is_new(row, table.group, entry.place, key)) table.rows.push_back(std::move(row));
+}
+
+/// because = { R_e = "certificate 4711" }: why a value is better than that of the built-in rows.
+void OwnReader::read_because(const Tree::Entry& entry, const Table& table, const std::string& key, Row& row) {
+  if (entry.value.type != Tree::Type::table)
+    return complain(entry.value.place, key + ".because", say("'{1}' is a table of reasons", "because"),
+                    say("name the columns: because = { R_e = \"certificate 4711\" }"));
+  for (const Tree::Entry& reason : entry.value.entries) {
+    const std::string path = key + ".because." + reason.key;
+    if (table.column(reason.key) == nullptr) {
+      const auto keys = keys_of(table);
+      complain(reason.place, path, say("the {1} tables have no column '{2}'", table.group, reason.key),
+               did_you_mean(reason.key, keys, there_is(keys)));
+    } else {
+      row.because[reason.key] = text_of(reason, path);
+    }
+  }
 }
 
 std::string OwnReader::read_source(const Tree& row, const Place& place, const std::string& key) {

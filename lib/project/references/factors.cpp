@@ -1,6 +1,6 @@
-#include "lib/project/factors.hpp"
+#include "lib/project/references/factors.hpp"
 
-#include "lib/project/references.hpp"
+#include "lib/project/references/references.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -96,9 +96,76 @@ class Check {
     }
     refuse_own();
     step_.hold(held_);
+    step_.lack_factor(lacking());
   }
 
  private:
+  /// What a load of another step lacks, and this step neither takes nor gives: a nominal load does not hold the factor
+  /// of the step that it comes from.
+  Message lacking() {
+    if (const Message peak = lacking_peak(); !peak.empty()) return peak;
+    if (gives("K_A") || !of_kind(held_, "K_A").empty()) return {};
+    for (const Operand& operand : step_.input().reading.operands) {
+      if (!operand.leaf.field->is_load) continue;
+      for (const auto& reference : operand.expression.references()) {
+        if (Message lost = lost_on_the_way(operand.path, reference.path); !lost.empty()) return lost;
+      }
+    }
+    for (const Taken& taken : step_.input().reading.taken) {
+      if (taken.field == nullptr || taken.field->type != FieldInfo::Type::list) continue;
+      const Step* const source = project_.find(split_step(taken.source).first);
+      if (source != nullptr && !source->lacking_factor().empty()) return source->lacking_factor();
+    }
+    return {};
+  }
+
+  Message lost_on_the_way(const std::string& load, const std::string& path) {
+    const auto [name, rest] = split_step(path);
+    const Step* const source = project_.find(name);
+    const FieldInfo* const field = source == nullptr ? nullptr : source->field(rest);
+    if (field == nullptr || !field->is_load) return {};
+    if (!source->lacking_factor().empty()) return source->lacking_factor();
+    const double factor = input_of(*source, "K_A");
+    const FieldInfo* const own = find_field(source->input().calculator->input->fields, "K_A");
+    if (own == nullptr || !own->is_factor || !counts(factor)) return {};
+    const auto with = listed_keys(field->factors);
+    if (std::find(with.begin(), with.end(), "K_A") != with.end()) return {};
+    const bool has_own = find_field(step_.input().calculator->input->fields, "K_A") != nullptr;
+    const Message lacks = say("'{1}' is nominal: it comes without {2}.K_A = {3}", load, name, format_number(factor, 4));
+    return has_own ? say("{1}; give K_A here", lacks) : say("{1}; write {2} = \"={3}.K_A*...\"", lacks, load, name);
+  }
+
+  /// A start or a jam raises the load of the shaft, and so that of the key or spline which it names as its part.
+  Message lacking_peak() {
+    const auto& inputs = step_.input().calculator->input->fields;
+    if (find_field(inputs, "T_max") == nullptr || find_field(inputs, "K_A") == nullptr) return {};
+    for (const auto& shaft : project_.steps) {
+      const FieldInfo* const field = find_field(shaft->input().calculator->input->fields, "k_max");
+      if (field == nullptr || !has_part(*shaft)) continue;
+      const double k_max = find_leaf(shaft->input().reading.record, "k_max").get();
+      if (!counts(k_max)) continue;
+      const double T = std::abs(own_value("K_A") * largest_own("T")), T_max = std::abs(largest_own("T_max"));
+      if (T_max >= k_max * T * (1.0 - 1e-9)) continue;
+      return say("T_max is missing or below {1}.k_max = {2} times K_A T; give T_max", shaft->name(),
+                 format_number(k_max, 4));
+    }
+    return {};
+  }
+
+  /// Whether a record of this step is a part of the other: "=seat.notch".
+  bool has_part(const Step& other) const {
+    const auto& records = other.input().reading.records;
+    return std::any_of(records.begin(), records.end(),
+                       [&](const Taken& taken) { return split_step(taken.source).first == step_.name(); });
+  }
+
+  /// Whether the user has given an input of the step.
+  bool gives(const std::string& key) const {
+    const auto& reading = step_.input().reading;
+    return reading.typed.contains(key) || std::any_of(reading.operands.begin(), reading.operands.end(),
+                                                      [&](const Operand& o) { return o.path == key; });
+  }
+
   void take(const Operand& operand) {
     auto factors = operand.expression.factors([&](const std::string& path) { return factors_at(project_, path); });
     Load load{operand.path, operand.text, operand.place, {}};
@@ -162,15 +229,30 @@ class Check {
   }
 
   double own_value(const std::string& key) {
-    static const Value none{{}, {std::numeric_limits<double>::quiet_NaN()}};
-    const auto known = [&](const std::string& path) -> const Value& {
-      const Value* const value = project_.value(path);
-      return value == nullptr ? none : *value;
-    };
+    const auto known = [&](const std::string& path) -> const Value& { return value_at(path); };
     for (const Operand& operand : step_.input().reading.operands) {
       if (operand.path == key) return factor_in(operand.expression.evaluate(known).si);
     }
     return find_leaf(step_.input().reading.record, key).get();
+  }
+
+  /// The same of a load: over a series the largest.
+  double largest_own(const std::string& key) {
+    for (const Operand& operand : step_.input().reading.operands) {
+      if (operand.path != key) continue;
+      const auto known = [&](const std::string& path) -> const Value& { return value_at(path); };
+      double most = 0.0;
+      for (const double si : operand.expression.evaluate(known).si) most = std::max(most, std::abs(si));
+      return most;
+    }
+    const double typed = find_leaf(step_.input().reading.record, key).get();
+    return std::isnan(typed) ? 0.0 : typed;
+  }
+
+  const Value& value_at(const std::string& path) const {
+    static const Value none{{}, {std::numeric_limits<double>::quiet_NaN()}};
+    const Value* const value = project_.value(path);
+    return value == nullptr ? none : *value;
   }
 
   Step& step_;

@@ -1,6 +1,6 @@
 #include "lib/quantity/literal.hpp"
 #include "lib/table/names.hpp"
-#include "lib/table/own.hpp"
+#include "lib/table/own/own.hpp"
 #include "lib/table/reader.hpp"
 #include "lib/table/tables.hpp"
 
@@ -82,6 +82,7 @@ void OwnReader::take_file(Library&& read, const std::string& file) {
       row.own = true;
       name_sources(read, row);
       check_signs(row, table, place);
+      check_bounds(row, table, place, row.name);
       is_new(row, table.group, place, row.name);
     }
     own_.tables.push_back(std::move(table));

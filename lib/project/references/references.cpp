@@ -1,7 +1,6 @@
-#include "lib/project/references.hpp"
+#include "lib/project/references/references.hpp"
 
 #include <algorithm>
-#include <functional>
 
 namespace loadpath::project {
 
@@ -134,7 +133,12 @@ class Settling {
         return member.key == std::string_view(path).substr(base.size()) && is_like(source, member, *leaf.field);
       });
       if (given == members.end()) return;
-      if (reading_.typed.count(path) != 0) return list(kept, given->key);
+      if (reading_.typed.count(path) != 0) {
+        const FieldInfo* const field = source.field(given->path);
+        reading_.kept.push_back(
+            {path, source.name() + "." + given->path, given->is_word, field != nullptr && field->is_load});
+        return list(kept, given->key);
+      }
       fill(taken, path, leaf, {given->key, source.name() + "." + given->path, given->is_word},
            may_lack(source, *given, path));
       list(filled, given->key);
@@ -181,77 +185,13 @@ class Settling {
 
 }  // namespace
 
-std::pair<std::string, std::string> split_step(const std::string& path) {
-  const std::size_t dot = path.find('.');
-  return {path.substr(0, dot), dot == std::string::npos ? "" : path.substr(dot + 1)};
-}
-
 void settle_references(Step& step, const Project& project, std::vector<Issue>& issues) {
   Settling(step, project, issues).run();
 }
 
-namespace {
-
-bool lists(std::string_view list, const std::string& key) {
-  const auto keys = listed_keys(list);
-  return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
-
-using WordOf = std::function<std::string(const std::string& choice)>;
-
-/// What the calculator says of a field where its choices have these words; null where it says nothing.
-const Meaning* meaning_of(const Calculator& calculator, const std::string& field, const WordOf& word_of) {
-  const auto said = [&](const Meaning& meaning) {
-    return lists(meaning.fields, field) && (*meaning.choice == '\0' || lists(meaning.words, word_of(meaning.choice)));
-  };
-  const auto found = std::find_if(calculator.meanings.begin(), calculator.meanings.end(), said);
-  return found == calculator.meanings.end() ? nullptr : &*found;
-}
-
-/// The word of a choice in a step that is not solved yet: taken from another, typed, or its default.
-std::string word_before(const Step& step, const Project& project, const std::string& choice) {
-  for (const Taken& taken : step.input().reading.taken) {
-    if (taken.path != choice) continue;
-    const auto [name, rest] = split_step(taken.source);
-    const Step* const source = project.find(name);
-    return source == nullptr ? "" : source->word(rest);
-  }
-  const Leaf leaf = find_leaf(step.input().reading.record, choice);
-  return leaf ? leaf.field->choices[static_cast<std::size_t>(leaf.get())].key : "";
-}
-
-/// "loading = \"bending\" there"
-Message reason(const Meaning& given, const Step& source) {
-  if (*given.choice == '\0') return {};
-  return say("'{1}' has {2} = \"{3}\"", source.name(), given.choice, source.word(given.choice));
-}
-
-void check(const Step& step, const Operand& operand, const Meaning& wanted, const Project& project,
-           std::vector<Issue>& issues) {
-  for (const auto& reference : operand.expression.handed_on()) {
-    const auto [name, rest] = split_step(reference.path);
-    const Step* const source = project.find(name);
-    if (source == nullptr) continue;
-    const Meaning* const given =
-        meaning_of(*source->input().calculator, rest, [&](const std::string& choice) { return source->word(choice); });
-    if (given == nullptr || std::string_view(given->what) == wanted.what) continue;
-    issues.push_back({place_in(operand.place, operand.text, reference.at, reference.path.size()),
-                      step.name() + "." + operand.path,
-                      say("'{1}' takes {2}, and '{3}' is {4}", operand.path, wanted.what, reference.path, given->what),
-                      reason(*given, *source), Severity::error});
-  }
-}
-
-}  // namespace
-
-void check_meanings(const Step& step, const Project& project, std::vector<Issue>& issues) {
-  const Calculator& calculator = *step.input().calculator;
-  if (calculator.meanings.empty()) return;
-  for (const Operand& operand : step.input().reading.operands) {
-    const Meaning* const wanted = meaning_of(
-        calculator, operand.path, [&](const std::string& choice) { return word_before(step, project, choice); });
-    if (wanted != nullptr) check(step, operand, *wanted, project, issues);
-  }
+bool is_reduction(const Meaning& meaning) {
+  const std::string_view what = meaning.what;
+  return what == "mean" || what == "amplitude" || what == "max" || what == "min";
 }
 
 }  // namespace loadpath::project

@@ -47,6 +47,22 @@ class OwnReader {
   std::string read_source(const Tree& row, const Place& place, const std::string& key);
   Table& table_of(const std::string& group);
 
+  /// A row as it was read, and where.
+  struct RowRead {
+    const Row& row;
+    const Table& table;
+    const Place& place;
+    const std::string& key;
+  };
+  /// An issue for what no part can have, and for what is better than the built-in rows without a reason.
+  void check_bounds(const Row& row, const Table& table, const Place& place, const std::string& key);
+  void check_strengths(const RowRead& read);
+  void check_shape(const RowRead& read);
+  void check_replaced(const RowRead& read, std::vector<std::string>& used);
+  void compare_with(const RowRead& read, const Entry& replaced, std::vector<std::string>& used);
+  void check_group(const RowRead& read, std::vector<std::string>& used);
+  void read_because(const Tree::Entry& entry, const Table& table, const std::string& key, Row& row);
+
   bool check_file(const Tree& file);
   void check_unit(const Tree::Entry& unit, const Table& known);
   void check_signs(const Row& row, const Table& table, const Place& place);

@@ -1,0 +1,78 @@
+// What tells that a metal has no fatigue limit: its modulus of elasticity and its density, which the row of a material
+// brings along. Of irons and steels the curve runs level; aluminium, copper, magnesium, titanium and zinc break at any
+// stress that comes often enough, [B20]: they are judged at a number of cycles, or not at all.
+#pragma once
+
+#include "calculators/load/steel.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/quantity/drive_units.hpp"
+
+namespace loadpath {
+
+template <class Input>
+constexpr auto density_of_material(Density Input::*at) {
+  return Field<Input, Density>{at, "rho", kg_per_m3, "density, which with the modulus tells an iron or a steel"}
+      .positive()
+      .usually(500, 20000)
+      .from("material", "rho")
+      .where_it_has();
+}
+
+/// Whether it is no iron and no steel; what is not known tells nothing. Grey iron has from some 78 GPa and 6.9 g/cm3
+/// on, steels up to some 235 GPa and 8.2 g/cm3; aluminium bronzes are as dense as steels, with the modulus of irons.
+inline bool lacks_fatigue_limit(Stress E, Density rho) {
+  const bool odd_modulus = E < 75.0 * GPa || E > 240.0 * GPa;
+  const bool odd_density = rho < 6800.0 * kg_per_m3 || rho > 8250.0 * kg_per_m3;
+  return odd_modulus || odd_density || (rho > 7450.0 * kg_per_m3 && E < 160.0 * GPa);
+}
+template <class Input>
+bool lacks_fatigue_limit(const Input& in) {
+  return lacks_fatigue_limit(in.E, in.rho);
+}
+
+/// The cycles that a part of such a metal must last, and those that its fatigue strength was measured at.
+template <class Input>
+constexpr auto cycles_of_metal() {
+  return Fields{
+      Field<Input, double>{&Input::N, "N", ratio, "cycles that it must last, of a metal without a fatigue limit"}
+          .at_least(1)
+          .may_be_missing(),
+      Field<Input, double>{&Input::N_D, "N_D", ratio, "cycles that the fatigue limit stands for, the same"}
+          .within(1e4, 1e10)
+          .may_be_missing()};
+}
+template <class Result>
+constexpr auto cycles_over_told(double Result::*at) {
+  return Field<Result, double>{at, "x_N", ratio,
+                               "metal without a fatigue limit: cycles that it must last over those that the limit "
+                               "stands for"}
+      .limit(0, 1 + 1e-9)
+      .where_it_applies();
+}
+template <class Input, class Result, class Tracer>
+void compare_cycles(const Input& in, Result& r, Tracer& trace) {
+  if (!lacks_fatigue_limit(in) || !is_set(in.N) || !is_set(in.N_D)) return;
+  STEP_TO(r, x_N, in.N / in.N_D, "no iron or steel: nothing is told beyond, [B20]");
+}
+/// `varies`: whether the load does.
+template <auto varies, class Input>
+constexpr Mode<Input> fatigue_of_metal() {
+  return Mode<Input>{
+      "cycles", "fatigue of a metal without a fatigue limit: by N and N_D, or by a fatigue.life with its cycles N",
+      [](const Input& in) { return where(lacks_fatigue_limit(in) && varies(in) > decltype(varies(in)){}); }}
+      .judged_by("x_N")
+      .wanting("N, N_D");
+}
+
+/// What the group says of the metal must be true of it. Of steels the modulus is held against theirs.
+template <class Input>
+constexpr Rule<Input> group_of_metal() {
+  return {[](const Input& in) {
+            using Group = decltype(in.group);
+            const bool iron = in.group >= Group::grey_iron && in.group < Group::wrought_aluminium;
+            return !(iron && lacks_fatigue_limit(in));
+          },
+          "group, material", "by its modulus and density the material is no iron: give the group that it is of"};
+}
+
+}  // namespace loadpath

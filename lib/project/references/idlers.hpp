@@ -1,0 +1,12 @@
+// Gears that the references of a project show to be idlers.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+namespace loadpath::project {
+
+/// Where the pinion of one pair is the wheel of another, z_1 = "=first.z_2", the teeth of that gear bend both ways in a
+/// turn: sets `idler` in both pairs; what is typed against it is an error. Before the steps are prepared.
+void find_idlers(Project& project, std::vector<Issue>& issues);
+
+}  // namespace loadpath::project

@@ -1,0 +1,122 @@
+#include "lib/project/references/kinds.hpp"
+
+#include "lib/project/references/references.hpp"
+#include "lib/table/tables.hpp"
+
+#include <algorithm>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr Dimension cycles_per_time = Dimension::of(0, 0, -1), turning = Dimension::of(0, 0, -1, 0, 1);
+
+/// The word of a choice, as far as it is known before the step is solved.
+std::string word_now(const Step& step, const Project& project, const std::string& choice) {
+  for (const Taken& taken : step.input().reading.taken) {
+    if (taken.path != choice) continue;
+    const auto [name, rest] = split_step(taken.source);
+    const Step* const source = project.find(name);
+    return source == nullptr || source == &step ? "" : word_now(*source, project, rest);
+  }
+  const Leaf leaf = find_leaf(step.input().reading.record, choice);
+  const bool is_choice = leaf && leaf.field->type == FieldInfo::Type::choice;
+  const auto at = is_choice ? leaf.get() : -1.0;
+  return at >= 0.0 ? leaf.field->choices[static_cast<std::size_t>(at)].key : "";
+}
+
+/// Which stress a step, or a record of it, is about: "normal", "shear"; empty where no choice says so.
+std::string stress_of(const Step& step, const Project& project, const std::string& path) {
+  for (const std::string& beside : {path.substr(0, path.rfind('.') + 1), std::string()}) {
+    const std::string choice = beside + "stress";
+    const FieldInfo* const field = step.field(choice);
+    if (field == nullptr || field->type != FieldInfo::Type::choice) continue;
+    const std::string word = step.word(choice);  // of a result when the step is solved
+    return word.empty() ? word_now(step, project, choice) : word;
+  }
+  return {};
+}
+
+/// Of a field of a step. Where a choice says which stress the step is about, its stresses without a name of their own
+/// are that.
+Meant kind_of(const Step& step, const Project& project, const std::string& path, const FieldInfo& field) {
+  const Meant kind = kind_of_field({field.key, field.doc, field.unit, field.dimension, field.kind});
+  const bool may_be_shear = kind == Meant::normal_stress || kind == Meant::nothing;
+  if (!may_be_shear || field.dimension != Dimension::of(-1, 1, -2) || !std::string_view(field.key).starts_with("sigma"))
+    return kind;
+  return stress_of(step, project, path) == "shear" ? Meant::shear_stress : kind;
+}
+
+Meant kind_at(const Project& project, const std::string& path) {
+  const auto [name, rest] = split_step(path);
+  const std::string_view last = std::string_view(path).substr(path.rfind('.') + 1);
+  if (name == "tables") {
+    const bool modulus = last == "E" || last == "G";
+    const auto row = project.tables->value_at(path);
+    return row && row->dimension == Dimension::of(-1, 1, -2) && !modulus ? Meant::strength : Meant::nothing;
+  }
+  const Step* const step = project.find(name);
+  if (step == nullptr) return name == "values" ? project.values.kind(rest) : Meant::nothing;
+  const FieldInfo* const field = step->field(rest);
+  return field == nullptr ? Meant::nothing : kind_of(*step, project, rest, *field);
+}
+
+struct WrongKind {
+  Message message, hint;
+};
+
+/// What a value of another angle stands for, and how to make it what is wanted.
+WrongKind wrong_angle(const Operand& operand, const Dimension& given) {
+  const Dimension& wanted = operand.leaf.field->dimension;
+  Message message = say("'{1}' takes a value of {2}, and this expression is one of {3}", operand.path, name_of(wanted),
+                        name_of(given));
+  if (wanted == turning)
+    return {std::move(message),
+            say("write rpm, rev/s or rad/s; rev*f for turns per time, 1 rad*x for radians per time")};
+  if (wanted == cycles_per_time) return {std::move(message), say("divide by rev for turns per time")};
+  if (wanted == Dimension::of(0, 0, 1)) return {std::move(message), say("multiply the number of turns by rev")};
+  return {std::move(message), say("divide by rev to count turns, by 1 rad for an arc over its radius")};
+}
+
+WrongKind wrong_kind(const Operand& operand, Meant wanted, Meant given) {
+  Message message = say("'{1}' is {2}, and this expression is {3}", operand.path, name_of(wanted), name_of(given));
+  const bool stresses = given == Meant::shear_stress || given == Meant::equivalent_stress;
+  if ((stresses && wanted != Meant::strength) || wanted == Meant::equivalent_stress)
+    return {std::move(message), say("write mises(sigma, tau)")};
+  if (given == Meant::work)
+    return {std::move(message), say("a power over a frequency is the energy of one cycle: divide by a speed in rpm or "
+                                    "rad/s, or by rev*f; an energy by its angle")};
+  if (wanted == Meant::work) return {std::move(message), say("multiply the moment by its angle")};
+  return {std::move(message), {}};
+}
+
+}  // namespace
+
+void check_kinds(const Step& step, const Project& project, const Declared& declared, std::vector<Issue>& issues) {
+  const auto of = [&](const std::string& path) { return kind_at(project, path); };
+  const auto check = [&](const Operand& operand) {
+    if (operand.of_record) return;  // its words come with it
+    const FieldInfo& field = *operand.leaf.field;
+    const auto refuse = [&](std::size_t at, std::size_t length, Message message, Message hint) {
+      issues.push_back({place_in(operand.place, operand.text, at, length), step.name() + "." + operand.path,
+                        std::move(message), std::move(hint), Severity::error});
+    };
+    const auto signature = operand.expression.check(declared);
+    if (!signature || signature->dimension.without_angle() != field.dimension.without_angle()) return;  // told
+    const auto given = operand.expression.kind(of, declared);
+    if (!given) return refuse(given.fault().at, given.fault().length, given.fault().message, given.fault().hint);
+    const bool turns = operand.expression.holds_pi();
+    if (!fits_but_for_angle(field.dimension, signature->dimension, *given, turns)) {
+      auto [message, hint] = wrong_angle(operand, signature->dimension);
+      return refuse(0, operand.text.size(), std::move(message), std::move(hint));
+    }
+    const Meant wanted = kind_of(step, project, operand.path, field);
+    if (takes_kind(wanted, *given) || signature->dimension != field.dimension) return;
+    auto [message, hint] = wrong_kind(operand, wanted, *given);
+    refuse(0, operand.text.size(), std::move(message), std::move(hint));
+  };
+  std::for_each(step.input().reading.operands.begin(), step.input().reading.operands.end(), check);
+  std::for_each(step.input().reading.whole.begin(), step.input().reading.whole.end(), check);
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,143 @@
+#include "lib/project/references/meanings.hpp"
+
+#include "lib/calculator/strength_bounds.hpp"
+#include "lib/project/references/references.hpp"
+
+#include <algorithm>
+#include <functional>
+
+namespace loadpath::project {
+
+namespace {
+
+using WordOf = std::function<std::string(const std::string& choice)>;
+
+/// What a value is, and the choice that says so.
+struct Said {
+  std::string_view what;
+  std::string choices;  // "loading = \"bending\""
+};
+
+bool has_key(std::string_view list, const std::string& key) {
+  const auto keys = listed_keys(list);
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+/// The words of the choices that decide together: "bending/grey-iron".
+std::string words_of(const char* choices, const WordOf& word_of) {
+  std::string words;
+  for (const auto& choice : listed_keys(choices)) words += (words.empty() ? "" : "/") + word_of(std::string(choice));
+  return words;
+}
+
+/// What the calculator says of a field where its choices have these words; null where it says nothing.
+const Meaning* declared(const Calculator& calculator, const std::string& field, const WordOf& word_of) {
+  const auto said = [&](const Meaning& meaning) {
+    if (is_reduction(meaning) || !has_key(meaning.fields, field)) return false;
+    return *meaning.choice == '\0' || has_key(meaning.words, words_of(meaning.choice, word_of));
+  };
+  const auto found = std::find_if(calculator.meanings.begin(), calculator.meanings.end(), said);
+  return found == calculator.meanings.end() ? nullptr : &*found;
+}
+
+/// The choices that decided, as they are typed.
+std::string typed_choices(const Meaning& meaning, const WordOf& word_of) {
+  std::string text;
+  for (const auto& choice : listed_keys(meaning.choice)) {
+    const std::string name(choice);
+    text += (text.empty() ? "" : ", ") + name + " = \"" + word_of(name) + "\"";
+  }
+  return text;
+}
+
+/// The word of a choice in a step that is not solved yet: taken from another, typed, or its default.
+std::string word_before(const Step& step, const Project& project, const std::string& choice) {
+  for (const Taken& taken : step.input().reading.taken) {
+    if (taken.path != choice) continue;
+    const auto [name, rest] = split_step(taken.source);
+    const Step* const source = project.find(name);
+    return source == nullptr ? "" : source->word(rest);
+  }
+  const Leaf leaf = find_leaf(step.input().reading.record, choice);
+  const bool is_choice = leaf && leaf.field->type == FieldInfo::Type::choice;
+  return is_choice ? leaf.field->choices[static_cast<std::size_t>(leaf.get())].key : "";
+}
+
+/// What the input is to be, as its calculator declares it.
+Said wanted_by(const Step& step, const Operand& operand, const Project& project) {
+  const WordOf word_of = [&](const std::string& choice) { return word_before(step, project, choice); };
+  const Meaning* const meaning = declared(*step.input().calculator, operand.path, word_of);
+  return meaning == nullptr || is_allowable(meaning->what) ? Said{} : Said{meaning->what, {}};
+}
+
+/// What a value of another step is.
+Said given_by(const Step& source, const std::string& path) {
+  const WordOf word_of = [&](const std::string& choice) { return source.word(choice); };
+  const Calculator* const calculator = source.input().calculator;
+  const Meaning* const meaning = calculator == nullptr ? nullptr : declared(*calculator, path, word_of);
+  return meaning == nullptr ? Said{} : Said{meaning->what, typed_choices(*meaning, word_of)};
+}
+
+class Checking {
+ public:
+  Checking(const Step& step, const Project& project, std::vector<Issue>& issues)
+      : step_(step), project_(project), issues_(issues) {}
+
+  void run() {
+    const std::size_t before = issues_.size();
+    for (const TypedBeside& kept : step_.input().reading.kept) {
+      if (kept.is_word) compare(kept);
+    }
+    if (issues_.size() > before) return;  // what the values are to be is not known
+    for (const Operand& operand : step_.input().reading.operands) check(operand);
+    for (const Operand& operand : step_.input().reading.whole) check(operand);
+  }
+
+ private:
+  void check(const Operand& operand) {
+    const Said wanted = wanted_by(step_, operand, project_);
+    if (wanted.what.empty()) return;
+    for (const auto& reference : operand.expression.handed_on()) {
+      const auto [name, rest] = split_step(reference.path);
+      const Step* const source = project_.find(name);
+      if (source == nullptr) continue;
+      const Said given = given_by(*source, rest);
+      if (given.what.empty() || given.what == wanted.what) continue;
+      refuse(operand, reference, wanted, given);
+    }
+  }
+
+  void refuse(const Operand& operand, const Expression::Reference& reference, const Said& wanted, const Said& given) {
+    Message hint =
+        given.choices.empty() ? Message{} : say("'{1}' has {2}", split_step(reference.path).first, given.choices);
+    issues_.push_back({place_in(operand.place, operand.text, reference.at, reference.path.size()),
+                       step_.name() + "." + operand.path,
+                       say("'{1}' takes {2}, and '{3}' is {4}", operand.path, wanted.what, reference.path, given.what),
+                       std::move(hint), Severity::error});
+  }
+
+  /// A word that is typed beside the record that has one.
+  void compare(const TypedBeside& beside) {
+    const auto [name, rest] = split_step(beside.source);
+    const Step* const source = project_.find(name);
+    if (source == nullptr) return;
+    const std::string there = source->word(rest), here = word_before(step_, project_, beside.path);
+    if (there.empty() || here.empty() || there == here) return;
+    issues_.push_back({step_.input().reading.typed.at(beside.path).place, step_.name() + "." + beside.path,
+                       say("'{1}' is \"{2}\" here, and '{3}' is \"{4}\"", beside.path, here, beside.source, there),
+                       say("leave it out: it comes with the record"), Severity::error});
+  }
+
+  const Step& step_;
+  const Project& project_;
+  std::vector<Issue>& issues_;
+};
+
+}  // namespace
+
+void check_meanings(const Step& step, const Project& project, std::vector<Issue>& issues) {
+  if (step.input().calculator == nullptr) return;
+  Checking(step, project, issues).run();
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,198 @@
+#include "lib/project/references/order.hpp"
+
+#include "lib/project/references/references.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace loadpath::project {
+
+namespace {
+
+/// One step takes something of another.
+struct Edge {
+  std::size_t to;
+  std::string path;
+};
+
+class Ordering {
+ public:
+  Ordering(Project& project, std::vector<Issue>& issues)
+      : project_(project), issues_(issues), state_(project.steps.size(), State::fresh), edges_(project.steps.size()) {}
+
+  void run() {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      for_each_reference(project_.steps[i]->input().reading, [&](const std::string& path) {
+        const std::size_t to = index_of(std::string_view(path).substr(0, path.find('.')));
+        if (to < edges_.size()) edges_[i].push_back({to, path});
+      });
+    }
+    take_beforehand();
+    leave_open();
+    put_behind_whole();
+    for (std::size_t i = 0; i < state_.size(); ++i) visit(i);
+    project_.order = std::move(order_);
+    plan_passes();
+  }
+
+ private:
+  enum class State { fresh, open, done, in_cycle };
+
+  std::size_t index_of(std::string_view name) const {
+    const auto found =
+        std::find_if(project_.steps.begin(), project_.steps.end(), [&](const auto& s) { return s->name() == name; });
+    return static_cast<std::size_t>(found - project_.steps.begin());
+  }
+
+  [[nodiscard]] bool reaches(std::size_t from, std::size_t to, std::set<std::size_t>& seen) const {
+    if (from == to) return true;
+    if (!seen.insert(from).second) return false;
+    return std::any_of(edges_[from].begin(), edges_[from].end(),
+                       [&](const Edge& edge) { return reaches(edge.to, to, seen); });
+  }
+
+  /// Edges to inputs that close a cycle, and need not.
+  void take_beforehand() {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      std::erase_if(edges_[i], [&](const Edge& edge) {
+        std::set<std::size_t> seen;
+        if (!reaches(edge.to, i, seen) || !value_beforehand(project_, edge.path)) return false;
+        project_.beforehand[edge.path] = {};
+        return true;
+      });
+    }
+  }
+
+  /// Operands of a step that it may do without, and that take an input of a step which needs this one.
+  void leave_open() {
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      std::erase_if(edges_[i], [&](const Edge& edge) {
+        std::set<std::size_t> seen;
+        if (edge.to == i || !reaches(edge.to, i, seen)) return false;
+        const std::string operand = waiting_operand(i, edge);
+        if (operand.empty()) return false;
+        waits_[i].push_back({edge.to, operand});
+        return true;
+      });
+    }
+  }
+
+  /// Who takes results of a step that waits, and is not waited for, comes when that is solved whole.
+  void put_behind_whole() {
+    for (const auto& [i, waits] : waits_) {
+      for (std::size_t x = 0; x < edges_.size(); ++x) {
+        const bool takes = std::any_of(edges_[x].begin(), edges_[x].end(), [&](const Edge& e) { return e.to == i; });
+        for (const Edge& wait : waits) {
+          std::set<std::size_t> seen;
+          if (takes && x != wait.to && !reaches(wait.to, x, seen)) edges_[x].push_back({wait.to, {}});
+        }
+      }
+    }
+  }
+
+  /// The input of a step that takes the path, where it can wait; empty where none can.
+  [[nodiscard]] std::string waiting_operand(std::size_t i, const Edge& edge) const {
+    const std::string rest = split_step(edge.path).second;
+    const Step& source = *project_.steps[edge.to];
+    const FieldInfo* const given = source.field(rest);
+    const bool is_input = given != nullptr && given->role == Role::input && !given->is_load && !given->is_factor;
+    if (!is_input || source.input().calculator->result == nullptr || project_.steps[i]->input().from != nullptr)
+      return {};
+    std::string found;
+    for (const Operand& operand : project_.steps[i]->input().reading.operands) {
+      const auto& references = operand.expression.references();
+      if (std::none_of(references.begin(), references.end(), [&](const auto& r) { return r.path == edge.path; }))
+        continue;
+      if (!found.empty() || !operand.leaf.field->optional || references.size() != 1) return {};
+      found = operand.path;
+    }
+    return is_taken(project_.steps[i]->name() + "." + found) ? std::string() : found;
+  }
+
+  [[nodiscard]] bool is_taken(const std::string& path) const {
+    return std::any_of(edges_.begin(), edges_.end(), [&](const auto& edges) {
+      return std::any_of(edges.begin(), edges.end(), [&](const Edge& edge) { return edge.path == path; });
+    });
+  }
+
+  /// A step that waits is solved without, and again as soon as what it waits for is there.
+  void plan_passes() {
+    std::set<std::size_t> solved;
+    std::vector<std::size_t> again;
+    for (const std::size_t i : project_.order) {
+      Pass pass{i, {}};
+      for (const Edge& wait : waits_[i])
+        if (!solved.contains(wait.to)) pass.without.insert(wait.path);
+      if (!pass.without.empty()) again.push_back(i);
+      solved.insert(i);
+      project_.passes.push_back(std::move(pass));
+      std::erase_if(again, [&](std::size_t other) {
+        const bool ready = std::all_of(waits_[other].begin(), waits_[other].end(),
+                                       [&](const Edge& wait) { return solved.contains(wait.to); });
+        if (ready && other != i) project_.passes.push_back({other, {}});
+        return ready && other != i;
+      });
+    }
+  }
+
+  bool visit(std::size_t i) {
+    if (state_[i] == State::done || state_[i] == State::in_cycle) return state_[i] == State::done;
+    if (state_[i] == State::open) return name_cycle(i);
+    state_[i] = State::open;
+    path_.push_back(i);
+    bool sound = true;
+    for (const Edge& edge : edges_[i])
+      if (!visit(edge.to)) sound = false;
+    path_.pop_back();
+    state_[i] = sound ? State::done : State::in_cycle;
+    if (sound) order_.push_back(i);
+    return sound;
+  }
+
+  bool name_cycle(std::size_t first) {
+    std::string members;
+    for (auto i = std::find(path_.begin(), path_.end(), first); i != path_.end(); ++i)
+      members += project_.steps[*i]->name() + " -> ";
+    const std::string& name = project_.steps[first]->name();
+    issues_.push_back({project_.steps[first]->input().place, name,
+                       say("the steps refer to one another in a circle: {1}", members + name),
+                       say("give one of them a value"), Severity::error});
+    return false;
+  }
+
+  Project& project_;
+  std::vector<Issue>& issues_;
+  std::vector<State> state_;
+  std::vector<std::vector<Edge>> edges_;
+  std::map<std::size_t, std::vector<Edge>> waits_;  // of operands, not of references
+  std::vector<std::size_t> path_;
+  std::vector<std::size_t> order_;
+};
+
+}  // namespace
+
+void put_in_order(Project& project, std::vector<Issue>& issues) { Ordering(project, issues).run(); }
+
+namespace {
+
+constexpr int deepest = 32;  // inputs that refer to one another
+
+std::optional<Value> value_of_input(const Project& project, const std::string& path, int depth) {
+  const auto [name, rest] = split_step(path);
+  const Step* const step = project.find(name);
+  if (step == nullptr) {
+    const Value* const shared = name == "values" ? project.values.fixed(rest) : nullptr;
+    return shared == nullptr ? std::nullopt : std::optional(*shared);
+  }
+  if (depth == deepest) return std::nullopt;
+  return step->value_beforehand(rest, depth > 0,
+                                [&](const std::string& other) { return value_of_input(project, other, depth + 1); });
+}
+
+}  // namespace
+
+std::optional<Value> value_beforehand(const Project& project, const std::string& path) {
+  return value_of_input(project, path, 0);
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,203 @@
+#include "lib/project/references/reductions.hpp"
+
+#include "lib/calculator/meaning.hpp"
+#include "lib/project/because.hpp"
+#include "lib/project/references/references.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace loadpath::project {
+
+namespace {
+
+using Left = Reduced::Left;
+
+/// A force, a moment, a stress, a power, an energy, and each of them per length.
+bool is_of_loads(const Dimension& dimension) {
+  return dimension.twelfths[1] == Dimension::one && dimension.twelfths[2] <= -2 * Dimension::one;
+}
+
+/// The last name of a path: "sigma_max" of "others[2].sigma_max".
+std::string last_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
+std::string before_last(const std::string& path) { return path.substr(0, path.size() - last_of(path).size()); }
+
+/// The reduction that a field is by its definition: "amplitude"; empty where it is the load itself.
+std::string reduction_of(const Calculator& calculator, const std::string& path) {
+  const std::string key = last_of(path);
+  for (const Meaning& meaning : calculator.meanings) {
+    if (!is_reduction(meaning)) continue;
+    const auto fields = listed_keys(meaning.fields);
+    if (std::find(fields.begin(), fields.end(), key) != fields.end()) return meaning.what;
+  }
+  return {};
+}
+
+bool is_negative(const Value& value) {
+  const double most = std::abs(largest(value).value);
+  return std::any_of(value.si.begin(), value.si.end(),
+                     [&](double x) { return x < -std::max(value.rounding, 1e-12 * most); });
+}
+
+bool holds_entry(const std::vector<Entry>& entries, const std::string& path) {
+  return std::any_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.path == path; });
+}
+
+/// Whether a value of a step comes from a load that is less than its series.
+bool is_reduced(const Step& step, const std::string& rest) {
+  const auto& loads = step.reduced_loads();
+  if (loads.empty()) return false;
+  if (std::any_of(loads.begin(), loads.end(), [&](const ReducedLoad& load) { return load.path == rest; })) return true;
+  return !holds_entry(step.account().inputs, rest);
+}
+
+/// What the value at a path of another step has left of its series.
+Reduced reduced_at(const Project& project, const std::string& path) {
+  const Value* const value = project.value(path);
+  Reduced reduced;
+  if (value == nullptr) return reduced;
+  const auto [name, rest] = split_step(path);
+  const Step* const step = project.find(name);
+  reduced.of_load = is_of_loads(value->signature.dimension);
+  reduced.is_signed = is_negative(*value);
+  if (value->is_series()) reduced.left = Left::whole;
+  if (step == nullptr) return reduced;
+  const bool is_result = rest.find('.') == std::string::npos && !holds_entry(step->account().inputs, rest);
+  const std::string own = is_result ? reduction_of(*step->input().calculator, rest) : "";
+  if (is_reduced(*step, rest) || own == "mean" || own == "amplitude") {
+    reduced.left = Left::less;
+    reduced.function = own;
+    reduced.text = path;
+  }
+  return reduced;
+}
+
+std::string without_spaces(std::string text) {
+  std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });
+  return text;
+}
+
+class ReductionCheck {
+ public:
+  ReductionCheck(Step& step, const Project& project) : step_(step), project_(project) {}
+
+  void run() {
+    for (const Operand& operand : step_.input().reading.operands) {
+      if (!operand.expression.references().empty()) take(operand);
+    }
+    for (const Taken& taken : step_.input().reading.taken) take(taken);
+    step_.reduce(std::move(loads_));
+  }
+
+ private:
+  [[nodiscard]] Reduced reduced(const Operand& operand) const {
+    return operand.expression.reduced([&](const std::string& path) { return reduced_at(project_, path); });
+  }
+
+  void take(const Operand& operand) {
+    const Reduced r = reduced(operand);
+    const bool concerned = operand.leaf.field->is_load || (r.of_load && r.left != Left::peak);
+    if (!concerned || is_accepted(operand, r) || is_reduction_justified(step_, operand.path)) return;
+    loads_.push_back({operand.path, message(operand, r)});
+  }
+
+  /// A list that is taken whole: its loads are those of the other step.
+  void take(const Taken& taken) {
+    if (taken.field == nullptr || taken.field->type != FieldInfo::Type::list) return;
+    const auto [name, rest] = split_step(taken.source);
+    const Step* const source = project_.find(name);
+    if (source == nullptr || !is_reduced(*source, rest) || is_reduction_justified(step_, taken.path)) return;
+    loads_.push_back({taken.path, source->reduced_loads().front().message});
+  }
+
+  [[nodiscard]] bool is_accepted(const Operand& operand, const Reduced& r) const {
+    switch (r.left) {
+      case Left::no_series:
+        return true;
+      case Left::whole:
+        return !is_extreme(operand) || is_alternating(operand);
+      case Left::peak:
+        return !operand.leaf.field->signed_load;
+      case Left::once:
+        return is_that_reduction(operand, r);
+      case Left::square:
+      case Left::less:
+        return false;
+    }
+    return false;
+  }
+
+  [[nodiscard]] bool is_extreme(const Operand& operand) const {
+    const std::string own = reduction_of(*step_.input().calculator, operand.path);
+    return own == "max" || own == "min";
+  }
+
+  /// One end of a cycle with r = -1 is safe whatever the sign of the series is; another ratio is not that of the
+  /// series.
+  [[nodiscard]] bool is_alternating(const Operand& operand) const {
+    const std::string path = before_last(operand.path) + "r";
+    const Leaf r = find_leaf(step_.input().reading.record, path);
+    const auto& operands = step_.input().reading.operands;
+    const bool known = std::none_of(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == path; });
+    return known && r && r.get() == -1.0;
+  }
+
+  /// A field that is just this: an amplitude; one extreme of a cycle, where the other is given beside it.
+  [[nodiscard]] bool is_that_reduction(const Operand& operand, const Reduced& r) const {
+    const std::string own = reduction_of(*step_.input().calculator, operand.path);
+    if (own == "amplitude" || own == "mean") return own == r.function;
+    return (own == "max" || own == "min") && has_other_extreme(operand, r);
+  }
+
+  /// "max(rod.N)/A" has "min(rod.N)/A" beside it.
+  [[nodiscard]] bool has_other_extreme(const Operand& operand, const Reduced& r) const {
+    const bool is_max = r.text.starts_with("max");
+    if (!is_max && !r.text.starts_with("min")) return false;
+    std::string other = operand.text;
+    const std::size_t at = other.find(r.text);
+    if (at == std::string::npos) return false;
+    other.replace(at, 3, is_max ? "min" : "max");
+    const Calculator& calculator = *step_.input().calculator;
+    return std::any_of(step_.input().reading.operands.begin(), step_.input().reading.operands.end(),
+                       [&](const Operand& beside) {
+                         const std::string of = reduction_of(calculator, beside.path);
+                         return &beside != &operand && (of == "max" || of == "min") &&
+                                before_last(beside.path) == before_last(operand.path) &&
+                                without_spaces(beside.text) == without_spaces(other);
+                       });
+  }
+
+  [[nodiscard]] Message message(const Operand& operand, const Reduced& r) const {
+    const std::string& path = operand.path;
+    const std::string reason = "because." + path + " = \"...\"";
+    if (r.left == Left::peak)
+      return say("{1} has a sign that decides, and peak(...) loses it: write the series itself, or {2}", path, reason);
+    if (r.text.find('(') == std::string::npos && r.left == Left::less && r.text.find('.') != std::string::npos &&
+        r.function.empty())
+      return say("{1} rests on '{2}', which is less than a load over its cycle: see there, or {3}", path, r.text,
+                 reason);
+    const std::string own = reduction_of(*step_.input().calculator, path);
+    if (own == "max" || own == "min")
+      return say("{1} is {2} alone: give the largest and the least stress, max(...) and min(...) of one series, or {3}",
+                 path, r.text.empty() ? operand.text : r.text, reason);
+    const std::string series = r.argument.empty() ? "the series itself" : "=" + r.argument;
+    return say("{1} is {2}, less than the load over the cycle: write {3}, or {4}", path,
+               r.text.empty() ? operand.text : r.text, series, reason);
+  }
+
+  Step& step_;
+  const Project& project_;
+  std::vector<ReducedLoad> loads_;
+};
+
+}  // namespace
+
+bool is_reduction_justified(const Step& step, const std::string& path) {
+  return reason_for(step.input(), path) != nullptr;
+}
+
+void check_reductions(Step& step, const Project& project) { ReductionCheck(step, project).run(); }
+
+}  // namespace loadpath::project

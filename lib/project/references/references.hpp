@@ -1,0 +1,16 @@
+// What a step takes whole from others: records become operands, one for each field that they fill; words, lists and
+// rows are compared with what they are to fill.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+namespace loadpath::project {
+
+/// Called in order of evaluation, before the step is prepared: the steps that it refers to are known.
+void settle_references(Step& step, const Project& project, std::vector<Issue>& issues);
+
+/// Whether a meaning is a reduction of a series, by its name among the functions of expressions: a field that is just
+/// the "amplitude" of a cycle, its "mean", its "max" or "min".
+bool is_reduction(const Meaning& meaning);
+
+}  // namespace loadpath::project

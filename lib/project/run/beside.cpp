@@ -1,0 +1,73 @@
+#include "lib/project/run/beside.hpp"
+
+#include "lib/quantity/literal.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <string>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double rounding_of_numbers = 1e-6, most_rounding = 0.01;
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// The number that a literal begins with, and how many of its digits stand behind the point.
+struct Digits {
+  std::string number;
+  int decimals = 0;
+};
+
+Digits digits_of(std::string_view text) {
+  Digits digits;
+  bool behind = false;
+  std::size_t i = 0;
+  for (; i < text.size(); ++i) {
+    const char c = text[i] == ',' ? '.' : text[i];
+    const bool is_sign = i == 0 && (c == '-' || c == '+');
+    if (!is_digit(c) && c != '.' && !is_sign) break;
+    if (c == '.' && behind) break;
+    if (is_digit(c) && behind) ++digits.decimals;
+    behind = behind || c == '.';
+    digits.number += c;
+  }
+  const bool has_power = i < text.size() && (text[i] == 'e' || text[i] == 'E') && i + 1 < text.size() &&
+                         (is_digit(text[i + 1]) || text[i + 1] == '-' || text[i + 1] == '+');
+  if (has_power) digits.number += text.substr(i, text.find_first_not_of("+-0123456789", i + 1) - i);
+  return digits;
+}
+
+}  // namespace
+
+Beside beside_of(const FieldInfo& field) {
+  if (field.is_load || field.larger_is_better || field.is_factor) return Beside::demand;
+  const auto& powers = field.dimension.twelfths;
+  const bool is_bearing = powers[Dimension::mass] > 0 && powers[Dimension::time] < 0;
+  return field.type == FieldInfo::Type::quantity && is_bearing ? Beside::capacity : Beside::identity;
+}
+
+double relative_rounding(std::string_view typed) {
+  if (typed.starts_with('=')) typed.remove_prefix(1);
+  while (typed.starts_with(' ')) typed.remove_prefix(1);
+  if (!parse_literal(typed)) return rounding_of_numbers;
+  const Digits digits = digits_of(typed);
+  const double number = std::abs(std::strtod(digits.number.c_str(), nullptr));
+  if (number == 0.0) return rounding_of_numbers;
+  const std::size_t power = digits.number.find_first_of("eE");
+  const double ten = power == std::string::npos ? 0.0 : std::strtod(digits.number.c_str() + power + 1, nullptr);
+  const double half_unit = 0.5 * std::pow(10.0, ten - digits.decimals);
+  return std::clamp(half_unit / number * (1.0 + 1e-9), rounding_of_numbers, most_rounding);
+}
+
+bool is_equal(double typed, double other, double rounding) {
+  return typed == other || std::abs(typed - other) <= rounding * std::abs(typed);
+}
+
+bool is_bolder(Beside beside, double typed, double other) {
+  return beside == Beside::capacity ? typed > other : std::abs(typed) < std::abs(other);
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,149 @@
+// Solves the steps of a project in their order.
+#include "lib/project/accept.hpp"
+#include "lib/project/modes.hpp"
+#include "lib/project/references/factors.hpp"
+#include "lib/project/references/kinds.hpp"
+#include "lib/project/references/meanings.hpp"
+#include "lib/project/references/order.hpp"
+#include "lib/project/references/reductions.hpp"
+#include "lib/project/solving/companions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::project {
+
+namespace {
+
+/// What expectations are held against.
+std::set<std::string> compared_series(const Project& project) {
+  std::set<std::string> compared;
+  for (const Expectation& e : project.expectations) {
+    for (const auto& reference : e.value.references()) compared.insert(reference.path);
+  }
+  return compared;
+}
+
+/// What the steps refer to, and what loads a part beside it.
+std::set<std::string> taken_series(const Project& project) {
+  std::set<std::string> taken(project.references.begin(), project.references.end());
+  for (const auto& step : project.steps) {
+    for_each_loading_reference(step->input().reading, [&](const std::string& path) {
+      for (std::string& companion : companions_of(project, path)) taken.insert(std::move(companion));
+    });
+  }
+  return taken;
+}
+
+/// What steps know of one another while the project is solved.
+Known known_of(const Project& project) {
+  static const Value none{{}, {std::numeric_limits<double>::quiet_NaN()}};
+  const auto value = [&project](const std::string& path) -> const Value& {
+    const Value* known = project.value(path);
+    return known == nullptr ? none : *known;
+  };
+  const auto word = [&project](const std::string& path) {
+    const auto [name, rest] = split_step(path);
+    const Step* const step = project.find(name);
+    return step == nullptr ? std::string() : step->word(rest);
+  };
+  const auto within = [&project](const std::string& path) {
+    const auto [name, rest] = split_step(path);
+    return project.find(name)->within(rest);
+  };
+  return {value, word, within};
+}
+
+/// A warning as it stands with its step: behind the path that it is about, where it does not start with that.
+Message of_step(const Issue& warning, const std::string& step) {
+  const std::string path = warning.key.substr(std::min(step.size() + 1, warning.key.size()));
+  return warning.message.text().starts_with(path) ? warning.message : say("{1}: {2}", path, warning.message);
+}
+
+/// Customs that the input breaks stand with the step that they are about.
+void hand_out_warnings(Project& project, const std::vector<Issue>& issues) {
+  for (const Issue& issue : issues) {
+    if (issue.severity != Severity::warning) continue;
+    for (const auto& step : project.steps) {
+      if ((issue.key + ".").starts_with(step->name() + ".")) step->warn(of_step(issue, step->name()));
+    }
+  }
+}
+
+}  // namespace
+
+Wanted with_references(const Project& project, Wanted wanted) {
+  wanted.taken.merge(taken_series(project));
+  wanted.compared.merge(compared_series(project));
+  return wanted;
+}
+
+void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
+  solve_again(project, issues, with_references(project, std::move(wanted)));
+}
+
+namespace {
+
+/// What steps take of one, by its path.
+using Handed = std::map<std::string, std::pair<std::vector<double>, std::string>>;
+
+/// What a step takes of another one as it is now.
+void note_taken(const Project& project, const Step& taker, const Step& of, Handed& taken) {
+  for_each_reference(taker.input().reading, [&](const std::string& path) {
+    const auto [name, rest] = split_step(path);
+    if (name != of.name()) return;
+    const Value* const value = project.value(path);
+    taken[path] = {value == nullptr ? std::vector<double>{} : value->si, of.word(rest)};
+  });
+}
+
+bool is_alike(const std::vector<double>& a, const std::vector<double>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
+}
+
+/// A step was solved without some inputs first: what others have taken of it must not hang on them.
+void refuse_other_values(const Handed& before, const Project& project, const Step& step, std::vector<Issue>& issues) {
+  for (const auto& [path, taken] : before) {
+    const Value* const value = project.value(path);
+    const bool same = is_alike(taken.first, value == nullptr ? std::vector<double>{} : value->si);
+    if (same && taken.second == step.word(split_step(path).second)) continue;
+    issues.push_back({step.input().place, step.name(),
+                      say("the steps refer to one another in a circle: '{1}' hangs on what follows from it", path),
+                      say("give one of them a value"), Severity::error});
+    return;
+  }
+}
+
+}  // namespace
+
+void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted) {
+  const Known known = known_of(project);
+  const Declared declared = [&](const std::string& path) { return project.signature(path); };
+  for (const auto& step : project.steps) step->forget();
+  for (auto& [path, value] : project.beforehand) value = value_beforehand(project, path).value_or(Value{});
+  std::map<std::size_t, Handed> provisional;
+  for (const Pass& pass : project.passes) {
+    Step& step = *project.steps[pass.step];
+    if (!pass.without.empty()) {
+      step.solve_without(pass.without, known);
+      provisional[pass.step] = {};
+      continue;
+    }
+    for (auto& [other, taken] : provisional) note_taken(project, step, *project.steps[other], taken);
+    step.forget();
+    check_factors(step, project, issues);
+    check_meanings(step, project, issues);
+    check_reductions(step, project);
+    if (wanted.words) check_kinds(step, project, declared, issues);
+    if (!has_errors(issues)) step.solve(known, wanted, issues);
+    if (has_errors(issues)) return;
+    if (const auto before = provisional.extract(pass.step)) refuse_other_values(before.mapped(), project, step, issues);
+    if (has_errors(issues)) return;
+  }
+  settle_left(project);
+  for (const auto& step : project.steps) warn_of_idle_acceptances(*step, issues);
+  hand_out_warnings(project, issues);
+}
+
+}  // namespace loadpath::project

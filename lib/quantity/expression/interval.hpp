@@ -1,0 +1,37 @@
+// Numbers between bounds: what holds a function everywhere between two places, whatever it does there. Each bound is
+// moved outwards by a rounding, so that it holds in floating point too.
+#pragma once
+
+#include <limits>
+
+namespace loadpath {
+
+struct Interval {
+  double low = 0.0, high = 0.0;
+
+  [[nodiscard]] static Interval everything() {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    return {-infinity, infinity};
+  }
+  [[nodiscard]] double width() const { return high - low; }
+  [[nodiscard]] double magnitude() const { return high > -low ? high : -low; }
+  [[nodiscard]] bool holds(double x) const { return x >= low && x <= high; }
+  [[nodiscard]] bool is_bounded() const;
+};
+
+Interval operator-(const Interval& a);
+Interval operator+(const Interval& a, const Interval& b);
+Interval operator-(const Interval& a, const Interval& b);
+Interval operator*(const Interval& a, const Interval& b);
+Interval operator/(const Interval& a, const Interval& b);
+/// What both hold; the first where they have nothing in common, which rounding alone can bring about.
+Interval both(const Interval& a, const Interval& b);
+/// The least interval that holds both.
+Interval joined(const Interval& a, const Interval& b);
+
+/// Bounds of a function of one variable and of its derivatives, by the rules of differentiation.
+struct IntervalJet {
+  Interval value, first, second;
+};
+
+}  // namespace loadpath

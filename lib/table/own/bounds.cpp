@@ -1,0 +1,182 @@
+// What rows of a project are held against: themselves, the built-in row that they replace, the rows of their group.
+#include "lib/quantity/format.hpp"
+#include "lib/table/own/own.hpp"
+#include "lib/table/search.hpp"
+#include "lib/table/section_shape.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace loadpath::table {
+
+namespace {
+
+constexpr double rounding_of_rows = 1.005;
+constexpr double beyond_group = 1.5;  // over the largest, or below the least, of the rows of a group
+
+/// Whole powers of a dimension; what has a temperature or an angle has none.
+struct Powers {
+  int length, mass, time;
+  bool is_whole;
+};
+
+Powers powers_of(const Dimension& dimension) {
+  const auto& t = dimension.twelfths;
+  const auto whole = [](int twelfths) { return twelfths % Dimension::one == 0; };
+  return {t[0] / Dimension::one, t[1] / Dimension::one, t[2] / Dimension::one,
+          whole(t[0]) && whole(t[1]) && whole(t[2]) && t[3] == 0 && t[4] == 0};
+}
+
+/// Whether more of it is a stronger part: stress, force; of sections and chains areas and moments of area.
+bool is_strength(const Dimension& dimension, std::string_view group) {
+  const Powers p = powers_of(dimension);
+  if (!p.is_whole) return false;
+  const bool is_area = p.mass == 0 && p.time == 0 && p.length >= 2;
+  return (p.mass == 1 && p.time == -2) || (is_area && (group == "section" || group == "chain"));
+}
+
+/// The length by which the rows of a group are alike: what a chain has grows with its pitch.
+std::string_view size_of_group(std::string_view group) {
+  if (group == "chain") return "p";
+  if (group == "key") return "b";
+  return group == "circlip" || group == "spline" ? "d_1" : "";
+}
+
+/// With which power of that length a value grows: areas, forces and masses per length with the second.
+std::optional<int> growth_of(const Dimension& dimension) {
+  const Powers p = powers_of(dimension);
+  if (!p.is_whole) return std::nullopt;
+  if (p.mass == 0 && p.time == 0 && p.length > 0) return p.length;
+  const bool is_force = p.mass == 1 && p.length == 1 && p.time == -2;
+  const bool is_line_density = p.mass == 1 && p.length == -1 && p.time == 0;
+  return is_force || is_line_density ? std::optional(2) : std::nullopt;
+}
+
+std::vector<double> sizes_in(const Row& row) {
+  std::vector<double> sizes{no_size};
+  for (const Step& step : row.by_size) sizes.push_back(step.size_max);
+  return sizes;
+}
+
+double value_at(const Entry& row, std::string_view key, double size) {
+  const auto found = property(row, key, size);
+  return found ? found->si : no_size;
+}
+
+struct Span {
+  double least = std::numeric_limits<double>::infinity(), most = 0.0;
+};
+
+/// What the built-in rows have, over the power of their size.
+Span span_of(std::string_view group, std::string_view key, std::string_view size, int power) {
+  Span span;
+  for (const Table* table : tables_of(group)) {
+    for (const Row& row : table->rows) {
+      const double ratio = searched_value(row, key) / std::pow(searched_value(row, size), power);
+      if (!(ratio > 0.0)) continue;
+      span.least = std::min(span.least, ratio), span.most = std::max(span.most, ratio);
+    }
+  }
+  return span;
+}
+
+}  // namespace
+
+void OwnReader::check_bounds(const Row& row, const Table& table, const Place& place, const std::string& key) {
+  const RowRead read{row, table, place, key};
+  check_strengths(read);
+  check_shape(read);
+  std::vector<std::string> used;
+  check_replaced(read, used);
+  check_group(read, used);
+  for (const auto& [column, reason] : row.because) {
+    if (std::find(used.begin(), used.end(), column) != used.end()) continue;
+    complain(place, key + ".because." + column, say("because.{1} of '{2}' is not needed", column, row.name),
+             say("leave it out"));
+  }
+}
+
+/// The yield strength is not above the tensile strength.
+void OwnReader::check_strengths(const RowRead& read) {
+  if (read.table.column("R_e") == nullptr || read.table.column("R_m") == nullptr) return;
+  const Entry entry{&read.table, &read.row};
+  for (const double size : sizes_in(read.row)) {
+    const double R_e = value_at(entry, "R_e", size), R_m = value_at(entry, "R_m", size);
+    if (!(R_e > R_m)) continue;
+    const char* const unit = "MPa";
+    return complain(read.place, read.key + ".R_e",
+                    say("R_e = {1} of '{2}' is above its R_m = {3}", format_quantity(R_e, unit, 5), read.row.name,
+                        format_quantity(R_m, unit, 5)),
+                    say("no material yields after it has broken: check both"));
+  }
+}
+
+void OwnReader::check_shape(const RowRead& read) {
+  if (read.table.group != "section") return;
+  const auto of = [&](const char* column) { return searched_value(read.row, column); };
+  const SectionShape shape{of("h"), of("b"),   of("d"),   of("t_f"),    of("t_w"),
+                           of("A"), of("I_y"), of("I_z"), read.row.kind};
+  if (const auto misfit = misfit_of(shape))
+    complain(read.place, read.key + "." + misfit->key, say("'{1}': {2}", read.row.name, misfit->message),
+             say("check the units: mm, cm^2, cm^4"));
+}
+
+/// A row in the place of a built-in one is not stronger without a reason.
+void OwnReader::check_replaced(const RowRead& read, std::vector<std::string>& used) {
+  std::vector<std::string> names = read.row.aliases;
+  names.push_back(read.row.name);
+  for (const std::string& name : names) {
+    const auto replaced = table::find_row(read.table.group, name);
+    if (replaced) compare_with(read, *replaced, used);
+  }
+}
+
+void OwnReader::compare_with(const RowRead& read, const Entry& replaced, std::vector<std::string>& used) {
+  const Entry own{&read.table, &read.row};
+  for (const Column& column : replaced.table->columns) {
+    if (!is_strength(column.dimension, read.table.group) || read.table.column(column.key) == nullptr) continue;
+    std::vector<double> sizes = sizes_in(*replaced.row);
+    const auto more = sizes_in(read.row);
+    sizes.insert(sizes.end(), more.begin(), more.end());
+    const auto stronger = [&](double size) {
+      return value_at(own, column.key, size) > rounding_of_rows * value_at(replaced, column.key, size);
+    };
+    const auto found = std::find_if(sizes.begin(), sizes.end(), stronger);
+    if (found == sizes.end()) continue;
+    if (std::find(used.begin(), used.end(), column.key) != used.end()) continue;
+    used.push_back(column.key);
+    if (read.row.because.contains(column.key)) continue;
+    complain(read.place, read.key + "." + column.key,
+             say("{1} = {2} of '{3}' is above the {4} of the built-in row that it replaces", column.key,
+                 format_quantity(value_at(own, column.key, *found), column.unit, 5), read.row.name,
+                 format_quantity(value_at(replaced, column.key, *found), column.unit, 5)),
+             say("say why, because.{1} = \"certificate 4711\", or give it a name of its own", column.key));
+  }
+}
+
+/// A row of a group that is alike in all sizes lies near the others.
+void OwnReader::check_group(const RowRead& read, std::vector<std::string>& used) {
+  const std::string_view size = size_of_group(read.table.group);
+  const double own_size = size.empty() ? no_size : searched_value(read.row, size);
+  if (std::isnan(own_size)) return;
+  for (const Value& value : read.row.values) {
+    const Column& column = *read.table.column(value.key);
+    const auto power = growth_of(column.dimension);
+    if (!power || value.key == size) continue;
+    const Span span = span_of(read.table.group, value.key, size, *power);
+    const double scale = std::pow(own_size, *power);
+    const double least = span.least / beyond_group * scale, most = span.most * beyond_group * scale;
+    if (!(span.most > 0.0) || (value.si >= least && value.si <= most)) continue;
+    if (std::find(used.begin(), used.end(), value.key) == used.end()) used.push_back(value.key);
+    if (read.row.because.contains(value.key)) continue;
+    complain(
+        read.place, read.key + "." + value.key,
+        say("{1} = {2} of '{3}' is far from what a {4} of its size has: {5} to {6}", value.key,
+            format_quantity(value.si, column.unit, 5), read.row.name, read.table.group,
+            format_quantity(span.least * scale, column.unit, 3), format_quantity(span.most * scale, column.unit, 3)),
+        say("check the unit, or say why: because.{1} = \"data sheet of the maker\"", value.key));
+  }
+}
+
+}  // namespace loadpath::table

@@ -1,0 +1,34 @@
+// Whether sizes, area and second moments are of one section: what is typed, and rows of a project, in other units than
+// meant or of two sections, do not fit together.
+#pragma once
+
+#include "lib/text/issue.hpp"
+
+#include <limits>
+#include <optional>
+#include <string>
+
+namespace loadpath::table {
+
+/// SI; what is not known is NaN. The kind is a word of column.buckling, "rolled_I", "solid"; empty where it is not
+/// said.
+struct SectionShape {
+  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  double h = unknown, b = unknown, d = unknown, t_f = unknown, t_w = unknown;
+  double A = unknown, I_y = unknown, I_z = unknown;
+  std::string kind = {};
+};
+
+struct Misfit {
+  std::string key;  // of the value that does not fit
+  Message message;
+};
+
+/// The first value that no section of these sizes has.
+std::optional<Misfit> misfit_of(const SectionShape& shape);
+
+/// Whether a section of this area and these second moments has its area about its centre as full ones have: no walls
+/// that could buckle, and hardly a twist.
+bool is_full(double A, double I_y, double I_z);
+
+}  // namespace loadpath::table

@@ -1,0 +1,86 @@
+// What must not pass again of kinds of stress: shear that is taken for a normal stress, and the reverse.
+#include "tests/found/modes.hpp"
+#include "tests/lib/project/solved.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+/// A shaft of 50 mm under 2 kN m: 81.5 MPa in shear.
+const std::string twisted_bar =
+    "[s]\ncalculator = \"shaft.torsion\"\nT = \"2 kN*m\"\nd = \"50 mm\"\ntau_adm = \"120 MPa\"\n";
+const std::string cycle_of_it =
+    "[c]\ncalculator = \"fatigue.cycle\"\nr = -1\nsigma_D = \"150 MPa\"\nS_D = 1.2\nR_e = \"150 MPa\"\nS_F = 1.2\n";
+
+std::string stress_errors(const std::string& text) { return Solved(text).errors(); }
+
+void refuses_stress(const std::string& text, const std::string& what) {
+  const std::string errors = stress_errors(text);
+  CHECK_MESSAGE(contains(errors, what), text, errors);
+}
+void takes_stress(const std::string& text) {
+  const std::string errors = stress_errors(text);
+  CHECK_MESSAGE(errors.empty(), text, errors);
+}
+
+}  // namespace
+
+TEST_SUITE("found kinds of stress") {
+  TEST_CASE("X1: shear is no normal stress, by whatever way it comes") {
+    const std::string wrong = "is a normal stress, and this expression is a shear stress";
+    for (const char* const value : {"=s.tau_max", "=1.2*s.tau_max", "=s.tau_max/2", "=-s.tau_max", "=s.tau_max + 5 MPa",
+                                    "=max(s.tau_max, 1 MPa)", "=s.segments[1].tau"})
+      refuses_stress(twisted_bar + cycle_of_it + "sigma_max = \"" + value + "\"\n", wrong);
+    refuses_stress("[values]\nown = \"=s.tau_max\"\n" + twisted_bar + cycle_of_it + "sigma_max = \"=values.own\"\n",
+                   wrong);
+    refuses_stress(
+        twisted_bar +
+            "[c]\ncalculator = \"fatigue.history\"\nblocks = [{ sigma_a = \"=s.tau_max\", n = 100 }]\nN_D = 1e6\n"
+            "k = 5\nsigma_D = \"150 MPa\"\n",
+        wrong);
+    refuses_stress(
+        twisted_bar +
+            "[c]\ncalculator = \"fatigue.life\"\nsigma_a = \"=s.tau_max\"\nr = -1\nsigma_D = \"150 MPa\"\ngroup = "
+            "\"carbon-steel\"\nR_m = \"690 MPa\"\nS_D = 1.2\n",
+        wrong);
+    const std::string combined =
+        "[c]\ncalculator = \"fatigue.combined\"\nsigma_D = \"180 MPa\"\ntau_D = \"110 MPa\"\nK_sigma = 1.7\nK_tau = "
+        "1.5\n"
+        "R_m = \"690 MPa\"\nS_D = 1.2\nsigma_m = \"0 MPa\"\ntau_m = \"0 MPa\"\n";
+    refuses_stress(twisted_bar + combined + "sigma_a = \"=s.tau_max\"\ntau_a = \"0 MPa\"\n", wrong);
+    takes_stress(twisted_bar + combined + "sigma_a = \"0 MPa\"\ntau_a = \"=0.5*s.tau_max\"\n");
+    // told as shear, or made a normal stress of
+    takes_stress(twisted_bar + cycle_of_it + "stress = \"shear\"\nsigma_max = \"=s.tau_max\"\n");
+    takes_stress(twisted_bar + cycle_of_it + "sigma_max = \"=mises(0 MPa, s.tau_max)\"\n");
+  }
+
+  TEST_CASE("a normal stress is no shear, and an equivalent one has no plane") {
+    const std::string normal = "[n]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"80 MPa\"\nr = -1\n";
+    refuses_stress(normal + cycle_of_it + "stress = \"shear\"\nsigma_max = \"=n.sigma_max\"\n",
+                   "is a shear stress, and this expression is a normal stress");
+    takes_stress(normal + cycle_of_it + "sigma_max = \"=n.sigma_max\"\n");
+    refuses_stress(normal +
+                       "[m]\ncalculator = \"fatigue.cycle\"\nstress = \"shear\"\nsigma_max = \"80 MPa\"\nr = -1\n" +
+                       cycle_of_it + "sigma_max = \"=m.sigma_a\"\n",
+                   "is a normal stress, and this expression is a shear stress");
+    const std::string path =
+        "[p]\ncalculator = \"fatigue.combined\"\nsigma_D = \"180 MPa\"\ntau_D = \"110 MPa\"\nK_sigma = 1.7\nK_tau = "
+        "1.5\n"
+        "R_m = \"690 MPa\"\nS_D = 1.2\nsigma_m = \"10 MPa\"\nsigma_a = \"20 MPa\"\ntau_m = \"0 MPa\"\ntau_a = \"9 "
+        "MPa\"\n";
+    refuses_stress(path + cycle_of_it + "sigma_max = \"=p.sigma_va\"\n", "this expression is an equivalent stress");
+  }
+
+  TEST_CASE("X3: a word that is typed beside the record that has another") {
+    refuses_stress(twisted_bar + cycle_of_it + "cycle = \"=s.cycle\"\nstress = \"normal\"\n",
+                   "'stress' is \"normal\" here, and 's.cycle.stress' is \"shear\"");
+    takes_stress(twisted_bar + cycle_of_it + "cycle = \"=s.cycle\"\nstress = \"shear\"\n");
+    takes_stress(twisted_bar + cycle_of_it + "cycle = \"=s.cycle\"\n");
+    // through a cycle, whole, to the life of it
+    refuses_stress(twisted_bar + cycle_of_it +
+                       "cycle = \"=s.cycle\"\n[l]\ncalculator = \"fatigue.life\"\ncycle = \"=c.cycle\"\nstress = "
+                       "\"normal\"\nsigma_D = \"150 MPa\"\ngroup = \"carbon-steel\"\nR_m = \"690 MPa\"\nS_D = 1.2\n",
+                   "'c.cycle.stress' is \"shear\"");
+  }
+}

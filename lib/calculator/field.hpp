@@ -128,7 +128,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   bool infinite = false;          // input: a plain number that may be typed as inf
   bool where_set = false;         // check or limit: exists only where the calculator gives it a value
   bool is_criterion = false;      // limit: outside its bounds the part fails
-  bool is_sizeless = false;       // limit: no size that is searched for changes it
+  bool is_sizeless = false;       // check, limit: no size that is searched for changes it
   const char* searched_in = "";   // input: where missing, the smallest value of this stock that passes every check
   bool sought_unasked = false;    // input: searched for where it is missing, too, not only where it is "?"
   bool larger_is_better = false;  // input: "?" is the largest value that passes
@@ -183,7 +183,8 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.is_criterion = true;
     return f;
   }
-  /// A limit that no size changes which is searched for, of the loads alone: where it is not kept, none keeps it.
+  /// A check or limit that no size changes which is searched for, of the loads or of another part: where one fails it,
+  /// all do.
   [[nodiscard]] constexpr Field sizeless() const {
     Field f = *this;
     f.is_sizeless = true;

@@ -97,7 +97,7 @@ TEST_SUITE("cli run") {
     const Ran o = desk.run({"run", "a.toml", "--report", "a.html"});
     CHECK(o.code == 2);
     CHECK(o.out.empty());
-    CHECK(o.error == "a.toml:5:9: error: K_A = -1: must be > 0\n5 | K_A = \"=1 - 2\"\n  |         ^^^^^\n");
+    CHECK(o.error == "a.toml:5:9: error: K_A = -1: must be >= 1\n5 | K_A = \"=1 - 2\"\n  |         ^^^^^\n");
     CHECK(desk.files() == std::vector<std::string>{"a.toml"});
   }
 

@@ -98,7 +98,8 @@ TEST_SUITE("found project") {
   }
 
   TEST_CASE("A30: a row of results that is not there leaves a step that is not available") {
-    for (const char* limit : {"=20*s.others.missing.sigma_a", "=20*s.others[7].sigma_a"}) {
+    for (const char* limit :
+         {"=20*s.others.missing.sigma_a/(1 MPa)*(1 MPa)", "=20*s.others[7].sigma_a/(1 MPa)*(1 MPa)"}) {
       CAPTURE(limit);
       CHECK(refusal(cycle + endurance(limit)) == "");
       CHECK(mode_of(solved_as_found(cycle + endurance(limit)), "e", "inputs") == "not-available");
@@ -106,7 +107,8 @@ TEST_SUITE("found project") {
   }
 
   TEST_CASE("C8: compared cycles have names, and are referred to by them") {
-    for (const char* limit : {"=20*s.others.below.sigma_a", "=20*s.others[1].sigma_a"}) {
+    for (const char* limit :
+         {"=20*s.others.below.sigma_a/(1 MPa)*(1 MPa)", "=20*s.others[1].sigma_a/(1 MPa)*(1 MPa)"}) {
       CAPTURE(limit);
       const project::Project project = solved_as_found(cycle + endurance(limit));
       CHECK(mode_of(project, "e", "inputs") == "none");

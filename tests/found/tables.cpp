@@ -83,8 +83,9 @@ TEST_SUITE("found tables") {
     const auto project = solved_as_found(own + wall("delta = \"10 mm\"\nmaterial = \"M\""));
     CHECK(project.value("wall.sigma_all")->si[0] == doctest::Approx(291e6 / 1.5));
     CHECK(first_error_of(wall("delta = \"10 mm\"\nmaterial = \"M\"")).starts_with("there is no material 'M'"));
-    const auto over = solved_as_found("[tables.materials.S235]\nsource = \"test\"\nR_e = \"300 MPa\"\nbecause.R_e = \"heat 4711\"\n" +
-                                      wall("delta = \"10 mm\"\nmaterial = \"S235\""));
+    const auto over =
+        solved_as_found("[tables.materials.S235]\nsource = \"test\"\nR_e = \"300 MPa\"\nbecause.R_e = \"heat 4711\"\n" +
+                        wall("delta = \"10 mm\"\nmaterial = \"S235\""));
     const auto plain = solved_as_found(wall("delta = \"10 mm\"\nmaterial = \"S235\""));
     CHECK(over.value("wall.sigma_all")->si[0] == doctest::Approx(200e6));
     CHECK(plain.value("wall.sigma_all")->si[0] == doctest::Approx(235e6 / 1.5));

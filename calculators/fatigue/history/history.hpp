@@ -344,7 +344,7 @@ n_req = 1
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
                                        Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
-                                       Meaning{"sigma_a", "amplitude"}};
+                                       Meaning{"blocks.sigma_a", "amplitude"}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),

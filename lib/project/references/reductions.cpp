@@ -30,7 +30,8 @@ std::string reduction_of(const Calculator& calculator, const std::string& path) 
   for (const Meaning& meaning : calculator.meanings) {
     if (!is_reduction(meaning)) continue;
     const auto fields = listed_keys(meaning.fields);
-    if (std::find(fields.begin(), fields.end(), key) != fields.end()) return meaning.what;
+    if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return last_of(f) == key; }))
+      return meaning.what;
   }
   return {};
 }

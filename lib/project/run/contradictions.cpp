@@ -31,6 +31,14 @@ double largest_in_row(const table::Entry& row, std::string_view column) {
   return most;
 }
 
+/// Whether a typed value may be above what a row has at one size and below it at another: not where the row has more
+/// at every size.
+bool hangs_on_size(const table::Entry& row, std::string_view column, double part, double typed) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const table::SizedProperty& at : table::values_by_size(row, column)) least = std::fmin(least, at.value.si);
+  return !(typed <= part * least);
+}
+
 /// The value of largest magnitude of those that are known.
 double largest_size(const Value& value) {
   double most = unknown;
@@ -86,7 +94,9 @@ void Run::add_rows_beside(std::vector<Neighbour>& all) const {
       double si = look_up({field.key, &field, named->second.text, {}, *row}, size).si;
       if (std::isnan(si) && std::isnan(size)) si = largest_in_row(*row, from.column);
       all.push_back({field.key, map_leaf(field.key), {{field.dimension, nullptr}, {si}}, source, beside_of(field)});
-      all.back().by_size = *from.size != '\0';
+      const bool is_capacity = all.back().kind == Beside::capacity;
+      const double typed = largest_size(value_at(field.key, all.back().leaf));
+      all.back().by_size = *from.size != '\0' && (!is_capacity || hangs_on_size(*row, from.column, 1.0, typed));
       all.back().row_of = from.table;
     }
     const Leaf instead = *from.unless == '\0' ? Leaf{} : map_leaf(from.unless);
@@ -143,6 +153,15 @@ double Run::strength_of_part(const char* key) const {
   return row ? largest_in_row(*row, key) : unknown;
 }
 
+/// Whether at another size, or with another strength of the part, a stress may be on the other side of its bound.
+bool Run::may_change(const char* column, double part, double typed) const {
+  const auto provided = std::find_if(provided_.begin(), provided_.end(), [&](const Provided& p) {
+    return p.path == column && p.field->provider.table == std::string_view("material");
+  });
+  if (provided == provided_.end() || is_typed(step_.input().reading, column)) return true;
+  return hangs_on_size(provided->entry, column, part, typed);
+}
+
 /// Typed stresses that the strength of the material bounds.
 void Run::add_strengths_beside(std::vector<Neighbour>& all) const {
   const auto named = rows_.find("material");
@@ -160,7 +179,9 @@ void Run::add_strengths_beside(std::vector<Neighbour>& all) const {
                    {{leaf.field->dimension, nullptr}, {most}},
                    say("{1} of {2}", lacks ? "R_m" : bound->text, of),
                    Beside::capacity});
-    all.back().by_size = map_leaf(lacks ? "R_m" : bound->column).field != nullptr;
+    const char* const column = lacks ? "R_m" : bound->column;
+    const double typed = largest_size(value_at(path, leaf));
+    all.back().by_size = map_leaf(column).field != nullptr && may_change(column, lacks ? 1.0 : bound->part, typed);
   });
 }
 

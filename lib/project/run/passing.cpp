@@ -49,7 +49,7 @@ bool Run::passes() {
   const auto& fields = calculator_.result->fields;
   return std::all_of(fields.begin(), fields.end(),
                      [&](const FieldInfo& f) {
-                       if (f.role != Role::check || !is_asked(f) || f.is_beside) return true;
+                       if (f.role != Role::check || !is_asked(f) || f.is_beside || excused_.contains(&f)) return true;
                        const double largest = largest_result(f);
                        return is_passed(largest) || (f.where_set && std::isnan(largest));
                      }) &&
@@ -124,10 +124,10 @@ bool Run::keeps_limits(bool criteria) {
          lists_pass(criteria);
 }
 
-/// The same of those that are excused too.
-bool Run::keeps_all_limits() {
+/// The same of what is excused too.
+bool Run::passes_whole() {
   const auto excused = std::exchange(excused_, {});
-  const bool kept = keeps_limits(false);
+  const bool kept = passes() && keeps_limits(false);
   excused_ = excused;
   return kept;
 }

@@ -86,6 +86,7 @@ class Run {
   [[nodiscard]] bool answers_for_reduction(const std::string& path) const;
   [[nodiscard]] const StrengthBound* bound_of(const std::string& path) const;
   [[nodiscard]] double strength_of_part(const char* key) const;
+  [[nodiscard]] bool may_change(const char* column, double part, double typed) const;
   void add_rows_beside(std::vector<Neighbour>& all) const;
   void add_records_beside(std::vector<Neighbour>& all) const;
   void add_strengths_beside(std::vector<Neighbour>& all) const;
@@ -136,6 +137,7 @@ class Run {
   [[nodiscard]] bool keeps(const FieldInfo& field, const void* owner, bool criteria) const;
   [[nodiscard]] bool element_passes(const FieldInfo& list, void* element, bool criteria) const;
   [[nodiscard]] std::optional<double> first_outside(const FieldInfo& limit);
+  [[nodiscard]] std::optional<double> failed(const FieldInfo& check);
   /// What a search goes through, ascending: sizes of a stock, or rows of a table.
   struct Candidates {
     Leaf leaf;  // without field: rows
@@ -161,7 +163,8 @@ class Run {
   void leave_open(const Search& wanted, Message why);
   void warn_of_found(const Search& wanted, std::vector<Issue>& issues);
   [[nodiscard]] Message other_methods() const;
-  bool keeps_all_limits();
+  bool passes_whole();
+  Message fault_of_excused();
   void search_first(const Search& wanted, std::vector<Issue>& issues);
   void search_most(const Search& wanted, std::vector<Issue>& issues);
   /// Sizes that are searched for together.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -48,14 +49,15 @@ std::size_t Run::first_that_fits(const Candidates& all, std::size_t from) {
   return all.count();
 }
 
-/// Excuses the limits of methods that no candidate changes: outside with one and the same value for the first and the
-/// last that keep the rules. They leave the step not covered, whatever is found. Whether there are any.
+/// Excuses the checks and limits that no candidate changes: failed with one and the same value by the first and the
+/// last that keep the rules. They decide the verdict of the step, whatever is found. Whether there are any.
 bool Run::excuse_unmoved(const Candidates& all, std::size_t from) {
   const auto values = [&] {
     std::map<const FieldInfo*, double> outside;
     for (const FieldInfo& f : calculator_.result->fields) {
-      if (f.role != Role::limit || !is_asked(f) || f.is_beside || f.is_criterion || excused_.contains(&f)) continue;
-      const auto bad = first_outside(f);
+      const bool judges = f.role == Role::limit || f.role == Role::check;
+      if (!judges || !is_asked(f) || f.is_beside || excused_.contains(&f)) continue;
+      const auto bad = f.role == Role::limit ? first_outside(f) : failed(f);
       if (bad && !std::isnan(*bad)) outside[&f] = *bad;
     }
     return outside;
@@ -78,6 +80,12 @@ bool Run::excuse_unmoved(const Candidates& all, std::size_t from) {
     if (same != smallest.end() && std::abs(same->second - value) <= 1e-9 * std::abs(value)) excused_.insert(limit);
   }
   return excused_.size() > before;
+}
+
+/// The largest value of a check that is not passed; nothing where it is.
+std::optional<double> Run::failed(const FieldInfo& check) {
+  const double largest = largest_result(check);
+  return numerics::exceeds(largest, 1.0) ? std::optional(largest) : std::nullopt;
 }
 
 /// Rows before the one that was found for which the step cannot be calculated: they are no failures, and may be what
@@ -213,11 +221,20 @@ std::size_t Run::nearest(const Candidates& all, std::size_t from) {
   return best;
 }
 
+/// What fails with every candidate.
+Message Run::fault_of_excused() {
+  const auto excused = std::exchange(excused_, {});
+  Message fault = fault_of_candidate();
+  excused_ = excused;
+  return fault;
+}
+
 /// The first limit that is not kept, of the criteria before those of the methods.
 Message Run::fault_of_limits() {
   for (const bool criteria : {true, false}) {
     for (const FieldInfo& f : calculator_.result->fields) {
       if (f.role != Role::limit || !is_asked(f) || f.is_beside || f.is_criterion != criteria) continue;
+      if (excused_.contains(&f)) continue;
       if (const auto bad = first_outside(f))
         return std::isnan(*bad) ? say("{1} is not available", f.key)
                                 : say("{1} = {2}: {3}", f.key, format_quantity(*bad, f.unit, 4), bounds_message(f));
@@ -254,7 +271,7 @@ Message Run::fault_of_candidate() {
   const FieldInfo* worst = nullptr;  // a check without a value may be so for a limit that is not kept
   double most = 1.0;
   for (const FieldInfo& f : calculator_.result->fields) {
-    if (f.role != Role::check || !is_asked(f) || f.is_beside) continue;
+    if (f.role != Role::check || !is_asked(f) || f.is_beside || excused_.contains(&f)) continue;
     const double largest = evaluated(f);
     if (!numerics::exceeds(largest, most)) continue;
     worst = &f;
@@ -373,16 +390,16 @@ void Run::leave_open(const Search& wanted, Message why) {
 /// What was found, and why the one before it is too small.
 void Run::tell_found(const Search& wanted, const Candidates& all, std::size_t found) {
   const std::string stock = wanted.stock.empty() ? wanted.path : wanted.stock;
-  const bool covered = excused_.empty() || keeps_all_limits();
+  const bool covered = excused_.empty() || passes_whole();
   Message text = covered ? say("smallest of {1} that passes every check", stock)
-                         : say("smallest of {1} with which no assessed mode fails", stock);
+                         : say("smallest of {1} that passes every check that depends on it", stock);
   if (found > 0) {
     try_candidate(all, found - 1);
     text = say("{1}; {2} fails: {3}", text, all.name(found - 1), fault_of_candidate());
     try_candidate(all, found);
     settle_sizes();
   }
-  if (!covered) text = say("{1}; beyond the range of its formulas: {2}", text, fault_of_limits());
+  if (!covered) text = say("{1}; whichever is taken: {2}", text, fault_of_excused());
   Origin origin = wanted.leaf ? stock_origin(*step_.input().tables, wanted.stock, std::move(text))
                               : Origin{std::move(text), {}, false};
   origin.searched = true;

@@ -80,8 +80,7 @@ sigma_adm = "140 MPa"
       Fields{Field{&Result::sigma_e, "sigma_e", MPa, "bending stress of flat ends, in their middle"},
              Field{&Result::u_e, "u_e", ratio, "flat ends: bending stress over the allowable one"}
                  .check("delta_e")
-                 .where_it_applies()
-                 .sizeless(),
+                 .where_it_applies(),
              Field{&Result::w_r, "w_r", ratio, "rings: distance over the length of wall that works with them"}.limit(
                  0, 1, "l_r")});
 

@@ -390,8 +390,8 @@ const Case drives[] = {
     {"chain.roller", "z_1 = 19\nz_2 = 19\na = \"1270 mm\"", "X_0", 2.0 * 1270 / 25.4 + 19},
     {"chain.roller", "z_1 = 19\nz_2 = 19", "alpha_1", pi},
     {"drive.train", R"(stages = [{ kind = "gear", z_1 = 20, z_2 = 20, eta = 1 }])", "P_loss", 0.0},
-    {"drive.train", R"(stages = [{ name = "worm", kind = "worm", z_1 = 2, z_2 = 40, eta = 0.72 }])",
-     "stages.worm.x_eta", 0.8},  // usual up to 0.9
+    {"drive.train", R"(stages = [{ kind = "worm", z_1 = 2, z_2 = 40, eta = 0.72 }])", "stages[1].x_eta",
+     0.8},  // usual up to 0.9
     {"chain.roller", "z_1 = 38", "f_2", std::pow(0.5, 1.08)},
     {"belt.course", R"(n_1 = "12.5 rad/s")", "v", 1.0},  // of a radius of 80 mm
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"", "L", 2.4 + 0.3 * pi},
@@ -615,7 +615,8 @@ TEST_SUITE("limit cases" * by_element) {
         const ExampleStep step(row.calculator, row.lines);
         CHECK_MESSAGE(step.fault().empty(), step.fault());
         if (!step.fault().empty()) continue;
-        CHECK_MESSAGE(is(step(row.result), row.si), "it is ", step(row.result), ", and the row says ", row.si);
+        const double si = step(row.result);  // a message may not fail itself
+        CHECK_MESSAGE(is(si, row.si), "it is ", si, ", and the row says ", row.si);
       }
     }
   }

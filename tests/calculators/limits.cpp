@@ -301,8 +301,6 @@ const Side pulleys[] = {
     {"belt.flat", "u_b", over, "E_b", R"("480 MPa")", R"("481 MPa")", R"(b = "100 mm")"},  // 6 MPa at 2.5/200
     {"belt.flat", "g_x", over, "a", R"("355.1 mm")", R"("354.9 mm")", "arrangement = \"crossed\"\nb = \"100 mm\""},
     {"belt.flat", "x_b", outside, "b", R"("299 mm")", R"("301 mm")"},
-    {"drive.train", "x_eta", outside, "stages", R"([{ kind = "worm", z_1 = 2, z_2 = 40, eta = 0.9 }])",
-     R"([{ kind = "worm", z_1 = 2, z_2 = 40, eta = 0.901 }])"},
 };
 
 const char* const large = "d_1 = \"140 mm\"\nd_2 = \"4000 mm\"";

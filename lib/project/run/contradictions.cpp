@@ -155,11 +155,12 @@ double Run::strength_of_part(const char* key) const {
 
 /// Whether at another size, or with another strength of the part, a stress may be on the other side of its bound.
 bool Run::may_change(const char* column, double part, double typed) const {
+  const Leaf own = map_leaf(column);
+  if (!own || std::isnan(largest_size(value_at(column, own)))) return false;  // the largest of the row stands there
   const auto provided = std::find_if(provided_.begin(), provided_.end(), [&](const Provided& p) {
     return p.path == column && p.field->provider.table == std::string_view("material");
   });
-  if (provided == provided_.end() || is_typed(step_.input().reading, column)) return true;
-  return hangs_on_size(provided->entry, column, part, typed);
+  return provided == provided_.end() || hangs_on_size(provided->entry, column, part, typed);
 }
 
 /// Typed stresses that the strength of the material bounds.
@@ -181,7 +182,7 @@ void Run::add_strengths_beside(std::vector<Neighbour>& all) const {
                    Beside::capacity});
     const char* const column = lacks ? "R_m" : bound->column;
     const double typed = largest_size(value_at(path, leaf));
-    all.back().by_size = map_leaf(column).field != nullptr && may_change(column, lacks ? 1.0 : bound->part, typed);
+    all.back().by_size = may_change(column, lacks ? 1.0 : bound->part, typed);
   });
 }
 

@@ -75,9 +75,12 @@ bool Run::excuse_unmoved(const Candidates& all, std::size_t from) {
   while (last > first && !tried(last));
   if (last == first) return false;  // a single one tells nothing
   const std::size_t before = excused_.size();
-  for (const auto& [limit, value] : values()) {
-    const auto same = smallest.find(limit);
-    if (same != smallest.end() && std::abs(same->second - value) <= 1e-9 * std::abs(value)) excused_.insert(limit);
+  for (const auto& [field, value] : values()) {
+    const auto same = smallest.find(field);
+    if (same == smallest.end()) continue;
+    const double change = value - same->second, rounding = 1e-9 * std::abs(value);
+    const bool unmoved = field->role == Role::check ? change >= -rounding : std::abs(change) <= rounding;
+    if (unmoved) excused_.insert(field);
   }
   return excused_.size() > before;
 }

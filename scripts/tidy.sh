@@ -40,7 +40,8 @@ read_sources() {
 }
 
 mkdir -p build/tidy
-whole="^$PWD/(lib|calculators|cli|api|build/tidy/(lib|calculators|cli))/"
+# With the batches of the build tree, without the sources that a build generates there.
+whole="^$PWD/(lib|calculators|cli|api|build/tidy/(lib|calculators|cli)/.*)/"
 case "${1:-}" in
   "") batches=ON pattern=$whole ;;
   --changed)

@@ -34,6 +34,7 @@ std::vector<double> times_of(const ForceOfMotion::Input& in) {
   constexpr double followed = 5e-3;  // of the largest acceleration
   constexpr std::size_t even = 65;   // corners of a law that is followed without more
   std::vector<double> times;
+  times.reserve(samples);
   for (int i = 0; i < samples; ++i)
     times.push_back(in_si(in.t_1 + (in.t_2 - in.t_1) * (static_cast<double>(i) / (samples - 1))));
   for (const LawText* text :

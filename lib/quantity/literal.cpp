@@ -160,8 +160,8 @@ Meant kind_of_literal(std::string_view text) {
 }
 
 bool counts_anything(const Dimension& dimension, std::string_view text) {
-  const auto names = [text](std::string_view unit) { return text.find(unit) != std::string_view::npos; };
-  return dimension == frequency && !names("Hz") && !names("s") && !names("rev");  // rpm/rev counts turns
+  const auto has = [text](std::string_view symbol) { return text.find(symbol) != std::string_view::npos; };
+  return dimension == frequency && !has("Hz") && !has("s") && !has("rev");  // rpm/rev counts turns
 }
 
 Outcome<UnitValue> parse_unit(std::string_view text) {

@@ -79,10 +79,12 @@ class Ordering {
 
   /// Who takes results of a step that waits, and is not waited for, comes when that is solved whole.
   void put_behind_whole() {
-    for (const auto& [i, waits] : waits_) {
+    for (const auto& entry : waits_) {
+      const std::size_t waiting = entry.first;
       for (std::size_t x = 0; x < edges_.size(); ++x) {
-        const bool takes = std::any_of(edges_[x].begin(), edges_[x].end(), [&](const Edge& e) { return e.to == i; });
-        for (const Edge& wait : waits) {
+        const bool takes =
+            std::any_of(edges_[x].begin(), edges_[x].end(), [&](const Edge& e) { return e.to == waiting; });
+        for (const Edge& wait : entry.second) {
           std::set<std::size_t> seen;
           if (takes && x != wait.to && !reaches(wait.to, x, seen)) edges_[x].push_back({wait.to, {}});
         }

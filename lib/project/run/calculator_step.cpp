@@ -139,8 +139,10 @@ namespace {
 std::array<double, 3> samples_of(const FieldInfo& field) {
   constexpr double far = 1e6;  // in the unit of the field, where it has no bound
   const auto& choices = field.choices;
-  if (field.type == FieldInfo::Type::choice)
-    return {0.0, static_cast<double>(choices.size() - 1), static_cast<double>(choices.size() / 2)};
+  if (field.type == FieldInfo::Type::choice) {
+    const std::size_t last = choices.size() - 1, half = choices.size() / 2;
+    return {0.0, static_cast<double>(last), static_cast<double>(half)};
+  }
   const auto within = [&](double bound, double other) { return std::isfinite(bound) ? bound : other; };
   const double most = field.type == FieldInfo::Type::count ? far : far * field.factor;
   double low = within(field.bounds.low, -most), high = within(field.bounds.high, most);
@@ -174,6 +176,7 @@ void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
   };
   const auto broken_whatever_comes = [&](std::size_t rule) {
     std::vector<double> as_read;
+    as_read.reserve(pending.size());
     for (const Leaf& leaf : pending) as_read.push_back(leaf.get());
     bool broken = !calculator.holds(rule, record.data.get());
     for (std::size_t sample = 0; broken && !pending.empty() && sample < 4; ++sample) {

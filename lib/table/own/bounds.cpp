@@ -92,8 +92,9 @@ void OwnReader::check_bounds(const Row& row, const Table& table, const Place& pl
   check_group(read, used);
   for (const auto& [column, reason] : row.because) {
     if (std::find(used.begin(), used.end(), column) != used.end()) continue;
-    complain(place, key + ".because." + column, say("because.{1} of '{2}' is not needed", column, row.name),
-             say("leave it out"));
+    std::string at = key;
+    at.append(".because.").append(column);
+    complain(place, at, say("because.{1} of '{2}' is not needed", column, row.name), say("leave it out"));
   }
 }
 

@@ -381,8 +381,13 @@ void Run::leave_open(const Search& wanted, Message why) {
     map_leaf(wanted.path).set(std::nan(""));
   } else {
     const auto of_row = [&](const Provided& p) { return !p.row.empty() && p.field->provider.table == wanted.path; };
+    const Record untouched(*calculator_.input);
     for (const Provided& provided : provided_) {
-      if (of_row(provided)) map_leaf(provided.path).set(std::nan(""));
+      if (!of_row(provided)) continue;
+      const Leaf leaf = map_leaf(provided.path);
+      const bool is_quantity = leaf.field->type == FieldInfo::Type::quantity;
+      const double si = is_quantity ? std::nan("") : find_leaf(untouched, provided.path).get();
+      if (is_quantity || !std::isnan(si)) leaf.set(si);  // a choice has no value that is none
     }
     std::erase_if(provided_, of_row);
     rows_[wanted.path].text.clear();

@@ -9,21 +9,13 @@ using namespace loadpath::test;
 
 namespace {
 
-std::string fault_in(const std::string& text) {
-  std::vector<Issue> issues;
-  project::Project project = project::read_project(text, "found.toml", catalogue(), issues);
-  if (!has_errors(issues)) project::solve(project, issues);
-  for (const Issue& issue : issues) {
-    if (issue.severity == Severity::error) return issue.message.text() + " | " + issue.hint.text();
-  }
-  return "";
-}
-
 std::string state_in(const std::string& text, const char* step, const char* id) {
   return mode_of(solved_as_found(text), step, id);
 }
 
-bool says(const std::string& text, const std::string& part) { return fault_in(text).find(part) != std::string::npos; }
+bool says(const std::string& text, const std::string& part) {
+  return first_error_of(text).find(part) != std::string::npos;
+}
 
 /// The text with another value of the first key of that name; without a value, without its line.
 std::string in_place(std::string text, const std::string& key, const std::string& value) {
@@ -76,10 +68,10 @@ TEST_SUITE("found beside") {
     CHECK(says(post("section = \"HEA 100\"\nA = \"100 cm^2\""), "the section 'HEA 100' has 2124 mm²"));
     CHECK(says(post("section = \"HEA 100\"\nA = \"=100 cm^2\""), "the section 'HEA 100' has 2124 mm²"));
     CHECK(says(post("section = \"HEA 100\"\nI_z = \"160 cm^4\""), "'HEA 100'"));
-    CHECK(fault_in(post("section = \"HEA 100\"\nA = \"21.2 cm^2\"")).empty());
+    CHECK(first_error_of(post("section = \"HEA 100\"\nA = \"21.2 cm^2\"")).empty());
     CHECK(says(post("section = \"HEA 100\"\nA = \"21.20 cm^2\""), "'HEA 100'"));
     CHECK(says(post("section = \"HEA 100\"\nA = \"2e3 mm^2\""), "'HEA 100'"));
-    CHECK(fault_in(post("section = \"HEA 100\"\nA = '=tables.sections.\"HEA 100\".A'")).empty());
+    CHECK(first_error_of(post("section = \"HEA 100\"\nA = '=tables.sections.\"HEA 100\".A'")).empty());
     CHECK(
         says("[ring]\ncalculator = \"shaft.circlip\"\ncirclip = \"18x1.2\"\nd_1 = \"60 mm\"\nF_a = \"1 kN\"\nS = "
              "1\nw = \"5 mm\"\nc = \"0 mm\"\nR_e = \"340 MPa\"\nn = \"0 rpm\"\n",
@@ -198,33 +190,33 @@ TEST_SUITE("found beside") {
     CHECK(says(head + "R_e = \"3550 MPa\"\nR_m = \"400 MPa\"\n" + eye, "is above its R_m = 400 MPa"));
     CHECK(says(head + "by_size = [{ size_max = \"40 mm\", R_e = \"500 MPa\", R_m = \"400 MPa\" }]\n" + eye,
                "is above its R_m"));
-    CHECK(fault_in(head + "R_e = \"355 MPa\"\nR_m = \"490 MPa\"\n" + eye).empty());
+    CHECK(first_error_of(head + "R_e = \"355 MPa\"\nR_m = \"490 MPa\"\n" + eye).empty());
     CHECK(says(own_chain("A = \"2100 mm^2\"\nF_uM = \"60 kN\""), "A = 2100 mm² of 'Y' is far"));
     CHECK(says(own_chain("A = \"210 mm^2\"\nF_uM = \"640 kN\""), "F_uM = 640 kN of 'Y' is far"));
-    CHECK(fault_in(own_chain("A = \"210 mm^2\"\nF_uM = \"60 kN\"")).empty());
-    CHECK(fault_in(own_chain("A = \"2100 mm^2\"\nF_uM = \"60 kN\"\nbecause.A = \"data sheet\"")).empty());
+    CHECK(first_error_of(own_chain("A = \"210 mm^2\"\nF_uM = \"60 kN\"")).empty());
+    CHECK(first_error_of(own_chain("A = \"2100 mm^2\"\nF_uM = \"60 kN\"\nbecause.A = \"data sheet\"")).empty());
     CHECK(says(own_chain("A = \"210 mm^2\"\nF_uM = \"60 kN\"\nbecause.A = \"data sheet\""), "not needed"));
   }
 
   TEST_CASE("own rows in the place of built-in ones are not stronger without a reason") {
     const std::string head = "[tables.materials.S235JR]\nE = \"210 GPa\"\nsource = \"certificate\"\n";
     CHECK(says(head + "R_e = \"300 MPa\"\n" + lug(""), "above the 235 MPa of the built-in row"));
-    CHECK(fault_in(head + "R_e = \"300 MPa\"\nbecause.R_e = \"no. 4711\"\n" + lug("")).empty());
+    CHECK(first_error_of(head + "R_e = \"300 MPa\"\nbecause.R_e = \"no. 4711\"\n" + lug("")).empty());
     // one value for all sizes is held against the thickest too, which has 175 MPa
     CHECK(says(head + "R_e = \"200 MPa\"\n" + lug(""), "above the 195 MPa of the built-in row"));
-    CHECK(fault_in(head + "R_e = \"175 MPa\"\n" + lug("")).empty());
-    CHECK(fault_in(head + "by_size = [{ size_max = \"40 mm\", R_e = \"200 MPa\" }]\n" + lug("")).empty());
+    CHECK(first_error_of(head + "R_e = \"175 MPa\"\n" + lug("")).empty());
+    CHECK(first_error_of(head + "by_size = [{ size_max = \"40 mm\", R_e = \"200 MPa\" }]\n" + lug("")).empty());
   }
 
   TEST_CASE("G8, O: sizes, area and second moments are of one section") {
     const std::string I = "I_y = \"1673 cm^4\"\nI_z = \"615.6 cm^4\"\n";
-    CHECK(fault_in(own_section("A = \"38.77 cm^2\"\n" + I)).empty());
+    CHECK(first_error_of(own_section("A = \"38.77 cm^2\"\n" + I)).empty());
     CHECK(says(own_section("A = \"388 cm^2\"\n" + I), "the area of h times b"));
     CHECK(says(own_section("A = \"38.77 cm^2\"\nI_y = \"16730 cm^4\"\nI_z = \"615.6 cm^4\"\n"), "A h^2/4"));
     CHECK(says(own_section("A = \"60 cm^2\"\n" + I), "not of these walls"));
     const std::string typed = "kind = \"rolled_I\"\nh = \"160 mm\"\nb = \"160 mm\"\nt_f = \"9 mm\"\nt_w = \"6 mm\"\n";
     CHECK(says(post(typed + "A = \"388 cm^2\"\n" + I), "the area of h times b"));
-    CHECK(fault_in(post(typed + "A = \"38.77 cm^2\"\n" + I)).empty());
+    CHECK(first_error_of(post(typed + "A = \"38.77 cm^2\"\n" + I)).empty());
     CHECK(says(post("kind = \"solid\"\nA = \"1567 mm^2\"\nI_y = \"4879 cm^4\"\nI_z = \"4879 cm^4\""), "it is hollow"));
     CHECK(says(post("section = \"CHS 60.3x4\"\nkind = \"solid\""), "it is hollow"));
   }

@@ -33,4 +33,15 @@ inline project::Project solved_as_found(const std::string& text) {
   return project;
 }
 
+/// The first error of a project and its hint; empty where it has none.
+inline std::string first_error_of(const std::string& text) {
+  std::vector<Issue> issues;
+  project::Project project = project::read_project(text, "found.toml", catalogue(), issues);
+  if (!has_errors(issues)) project::solve(project, issues);
+  for (const Issue& issue : issues) {
+    if (issue.severity == Severity::error) return issue.message.text() + " | " + issue.hint.text();
+  }
+  return "";
+}
+
 }  // namespace loadpath::test

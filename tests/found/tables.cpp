@@ -10,16 +10,6 @@ using namespace loadpath::test;
 
 namespace {
 
-std::string first_error_of(const std::string& text) {
-  std::vector<Issue> issues;
-  project::Project project = project::read_project(text, "found.toml", catalogue(), issues);
-  if (!has_errors(issues)) project::solve(project, issues);
-  for (const Issue& issue : issues) {
-    if (issue.severity == Severity::error) return issue.message.text() + " | " + issue.hint.text();
-  }
-  return "";
-}
-
 /// The name of the row that answers, or what is said where none does.
 std::string answer(const char* group, const std::string& name) {
   const auto found = table::find_row(group, name);

@@ -40,7 +40,53 @@ void set(Step& step, const Found& found, std::vector<Issue>& issues) {
   step.remark(say("idler = {1}: that gear is one of '{2}' too", word, found.other));
 }
 
+/// A number as far as it is known before the project is solved; NaN where it is not.
+double number_of(const Step& step, const std::string& key) {
+  const Reading& reading = step.input().reading;
+  for (const Operand& operand : reading.operands) {
+    if (operand.path == key) return operand.early;
+  }
+  const Leaf leaf = find_leaf(reading.record, key);
+  return leaf ? leaf.get() : std::nan("");
+}
+
+/// Whether the first gear of a pair may be the second of another: as many teeth of the same module.
+bool may_be_one_gear(const Step& step, const Step& other) {
+  return number_of(step, "z_1") == number_of(other, "z_2") && number_of(step, "m_n") == number_of(other, "m_n");
+}
+
+/// The pair whose second shaft drives the first gear of this one: its speed, torque or load comes from there.
+const Step* driver_of(const Step& step, const Project& project) {
+  for (const Operand& operand : step.input().reading.operands) {
+    if (operand.path != "n_1" && operand.path != "T_1") continue;
+    for (const auto& reference : operand.expression.references()) {
+      const auto [name, key] = split_step(reference.path);
+      const Step* const source = project.find(name);
+      const bool is_second = key == "n_2" || key == "T_2";
+      if (is_second && source != nullptr && source != &step && idler_of(*source) != nullptr) return source;
+    }
+  }
+  return nullptr;
+}
+
 }  // namespace
+
+void ask_for_idlers(const Project& project, std::vector<Issue>& issues) {
+  for (const auto& step : project.steps) {
+    const bool is_told = idler_of(*step) == nullptr || step->input().reading.typed.contains("idler");
+    const Step* const other = is_told ? nullptr : driver_of(*step, project);
+    if (other == nullptr || !may_be_one_gear(*step, *other)) continue;
+    const bool is_referred = find_leaf(step->input().reading.record, "idler").get() != 0.0;  // set by find_idlers
+    if (is_referred) continue;
+    issues.push_back(
+        issue_at(step->input(), "z_1",
+                 say("gear 1 turns with gear 2 of '{1}' and has the same module and number of teeth", other->name()),
+                 say("if it is the same gear, write z_1 = \"={1}.z_2\": its teeth bend both ways; if both are on one "
+                     "shaft, write "
+                     "idler = \"none\"",
+                     other->name())));
+  }
+}
 
 void find_idlers(Project& project, std::vector<Issue>& issues) {
   std::map<Step*, Found> all;

@@ -9,4 +9,8 @@ namespace loadpath::project {
 /// turn: sets `idler` in both pairs; what is typed against it is an error. Before the steps are prepared.
 void find_idlers(Project& project, std::vector<Issue>& issues);
 
+/// Two gears that turn together and have the same module and number of teeth are one gear, or two on one shaft: where
+/// `idler` is neither given nor found, that is an error. After early values are known.
+void ask_for_idlers(const Project& project, std::vector<Issue>& issues);
+
 }  // namespace loadpath::project

@@ -228,6 +228,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
     project.steps[i]->prepare(declared, companions, issues);
     check_kinds(*project.steps[i], project, declared, issues);
   }
+  ask_for_idlers(project, issues);
   if (ranges == Ranges::refused) refuse_ranges_of_values(project, issues);
   project.references = references_of(project);
   project.table_values = table_values_of(project);

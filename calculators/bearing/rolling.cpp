@@ -123,7 +123,7 @@ void life(const Input& in, const Stages& all, Result& r, Tracer& trace) {
   const AngularSpeed n_m = r.n_m;
   if (is_set(in.L_h) || is_set(in.L_m)) {
     const double L_req = is_set(in.L_m)
-                             ? trace.value("L_req", in.L_m, "millions of revolutions that are asked for")
+                             ? trace.value("L_req", in.L_m, "required life in millions of revolutions")
                              : NAMED_STEP("L_req", in.L_h * n_m / (2.0 * pi * 1e6), "millions of revolutions");
     STEP_TO(r, C_req, P_m * pow(L_req / in.a_1, 1.0 / p), "load rating that has this life, [ISO281]");
     STEP_TO(r, u_L, C_req / in.C, "against that of the bearing");

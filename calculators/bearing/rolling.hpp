@@ -102,9 +102,7 @@ s_0 = 2
           .at_least(1)
           .usually(1, 4)
           .factor(),
-      Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 of a bearing that stands"}
-          .at_least(0)
-          .may_be_missing(),
+      Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 at standstill"}.at_least(0).may_be_missing(),
       Field{&Input::n_max, "n_max", rpm, "highest speed of the maker's table for this lubrication"}
           .positive()
           .may_be_missing(),
@@ -130,7 +128,7 @@ s_0 = 2
           .may_be_missing(),
       Field{&Input::Y_0, "Y_0", ratio, "axial factor of the static load"}.at_least(0).usually(0.2, 5).may_be_missing(),
       Field{&Input::L_h, "L_h", hour, "life that is asked for"}.at_least(1).usually(100, 3e5).may_be_missing(),
-      Field{&Input::L_m, "L_m", ratio, "life that is asked for in millions of revolutions, in place of hours"}
+      Field{&Input::L_m, "L_m", ratio, "required life in millions of revolutions, in place of hours"}
           .positive()
           .usually(1, 1e5)
           .may_be_missing(),
@@ -207,9 +205,7 @@ s_0 = 2
           .holding("K_A"),
       Field{&Result::F_ao, "F_ao", N, "axial load that its kind cannot take"}.limit(0, 1e-3).criterion(),
       Field{&Result::F_ro, "F_ro", N, "radial load that its kind cannot take"}.limit(0, 1e-3).criterion(),
-      Field{&Result::u_L, "u_L", ratio, "life: load rating that it asks for over C"}
-          .check("L_h, L_m")
-          .where_it_applies(),
+      Field{&Result::u_L, "u_L", ratio, "life: required load rating over C"}.check("L_h, L_m").where_it_applies(),
       Field{&Result::x_P, "x_P", ratio, "largest P over the smaller of C/2 and C_0: beyond, no rating life"}
           .limit(0, 1)
           .where_it_applies(),
@@ -230,7 +226,7 @@ s_0 = 2
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.kind != Kind::unstated; }, "kind",
                   "state the kind of the bearing: its life exponent and the loads that it takes hang on it"},
-      Rule<Input>{&ratings_agree, "C, C_0", "C and C_0 are those of one bearing", &odd_ratings},
+      Rule<Input>{&ratings_agree, "C, C_0", "C and C_0 must belong to the same bearing", &odd_ratings},
       Rule<Input>{&factors_once, "f_0, e, Y", "give f_0, or e and Y, never both: f_0 of a deep groove ball bearing"},
       Rule<Input>{&factors_given, "e, Y, X, Y_1, f_0, C_0, F_a, kind", "this load needs the factors of the bearing",
                   &missing_factors},
@@ -241,17 +237,17 @@ s_0 = 2
       Rule<Input>{[](const Input& in) { return !is_set(in.F_a0) || is_set(in.F_r0); }, "F_a0, F_r0",
                   "give the radial load F_r0 beside F_a0, be it zero"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.L_h) && is_set(in.L_m)); }, "L_h, L_m",
-                  "give the life in hours or in revolutions, never both"},
+                  "give the life either in hours or in revolutions"},
       Rule<Input>{[](const Input& in) { return is_set(in.n) || is_set(in.L_m) || !in.blocks.empty(); },
                   "n, L_m, blocks",
-                  "give the speed n, 0 of a bearing that stands, or its life in millions of revolutions L_m"},
+                  "give the speed n, 0 at standstill, or the required life L_m in millions of revolutions"},
       Rule<Input>{[](const Input& in) {
                     return in.blocks.empty() || is_set(in.n) ||
                            std::all_of(in.blocks.begin(), in.blocks.end(), [](const Block& b) { return is_set(b.n); });
                   },
                   "n, blocks", "every block needs a speed: its own n, or that of the bearing"},
       Rule<Input>{[](const Input& in) { return !is_set(in.L_m) || !is_set(in.n) || in.n > 0.0 * rpm; }, "L_m, n",
-                  "a bearing that stands has no life in revolutions: leave out L_m, or n"},
+                  "a bearing at standstill has no life in revolutions: leave out L_m, or n"},
       Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || runs(in) == Applies::yes; }, "L_h, n, blocks",
                   "a bearing that stands has no life in hours: leave out L_h, or give the speed"},
       Rule<Input>{[](const Input& in) { return in.blocks.empty() || is_set(highest_speed(in)); }, "n, blocks",

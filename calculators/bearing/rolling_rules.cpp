@@ -89,8 +89,8 @@ bool Rolling::ratings_agree(const Input& in) {
 FieldFault Rolling::odd_ratings(const Input& in) {
   const RatioOfRatings usual = ratio_of_ratings(in.kind, in.C / kN);
   return {"C_0",
-          say("C_0 is {1} times C, and of this kind and size from {2} to {3} times", format_number(in.C_0 / in.C, 3),
-              format_number(usual.least, 3), format_number(usual.most, 3)),
+          say("C_0 is {1} times C; for a bearing of this type and size {2} to {3} is possible",
+              format_number(in.C_0 / in.C, 3), format_number(usual.least, 3), format_number(usual.most, 3)),
           say("take both from the same row of the maker's table")};
 }
 

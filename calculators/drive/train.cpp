@@ -61,7 +61,7 @@ template <class Tracer>
 void bound(const Stage& s, Train::StageResult& r, Tracer& trace) {
   if (s.kind != StageKind::worm) return;
   const auto eta = trace.value("eta", r.eta, "of the worm"), eta_high = trace.value("eta_high", r.eta_high, "usual");
-  STEP_TO(r, x_eta, eta / eta_high, "a worm has no less losses than usual");
+  STEP_TO(r, x_eta, eta / eta_high, "the losses of a worm gear are no smaller than usual");
 }
 
 /// Reference diameters of the wheels of a stage, as far as they are known.

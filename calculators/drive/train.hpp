@@ -182,7 +182,7 @@ stages = [
       Mode<Input>{"self_locking", "a worm that its wheel cannot drive",
                   [](const Input& in) { return where(drives_a_worm(in)); }}
           .of_shape(),
-      Mode<Input>{"efficiency", "losses of a worm, which no drive is without", &loads_a_worm}.judged_by("stages.x_eta"),
+      Mode<Input>{"efficiency", "losses of the worm gear", &loads_a_worm}.judged_by("stages.x_eta"),
       Mode<Input>{"strength", "strength of the stages that no step takes",
                   [](const Input& in) { return is_set(in.P) || is_set(in.T_1) ? Applies::unseen : Applies::no; }},
       Mode<Input>{"heat", "heat", &unseen<Input>}.special()};

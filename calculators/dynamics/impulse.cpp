@@ -57,8 +57,8 @@ Momentum impulse_of(const Written& law, const Impulse::Input& in) {
 FieldFault unresolved(const Impulse::Input& in) {
   for (const Written& law : laws_of(in)) {
     if (!resolved(law, in).complete)
-      return {law.key, say("the law does more from t_1 to t_2 than can be followed"),
-              say("it has a pole or too many waves there: give a shorter time, or a smoother law")};
+      return {law.key, say("the law has a pole or too many oscillations between t_1 and t_2"),
+              say("shorten the time, or give a smoother law")};
   }
   return {};
 }

@@ -63,7 +63,7 @@ S_F = 1.5
   static bool varies(const Input& in) { return in.sigma_a > 0.0 * MPa || in.tau_a > 0.0 * MPa; }
   static constexpr Fields inputs = join(
       Fields{
-          Field{&Input::sigma_m, "sigma_m", MPa, "mean normal stress, signed; compression is no help"}.load(),
+          Field{&Input::sigma_m, "sigma_m", MPa, "mean normal stress, signed; compression is not credited"}.load(),
           Field{&Input::sigma_a, "sigma_a", MPa, "amplitude of the normal stress"}.load().at_least(0),
           Field{&Input::tau_m, "tau_m", MPa, "mean shear stress"}.load(),
           Field{&Input::tau_a, "tau_a", MPa, "amplitude of the shear stress"}.load().at_least(0),

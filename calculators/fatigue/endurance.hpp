@@ -238,7 +238,7 @@ R_z = "6.3 um"
                   "school, T, P_s, k_a, k_b, k_c, h, b, turning, edition",
                   "T, P_s, k_a, k_b, k_c, h, b, turning and edition belong to Marin's school"},
       Rule<Input>{[](const Input& in) { return !is_set(in.k_b) || !(is_set(in.d) || is_set(in.h)); }, "k_b, d, h",
-                  "give the size factor k_b or the size that it follows from, never both"},
+                  "give either the size factor k_b or the size that it follows from"},
       Rule<Input>{[](const Input& in) { return is_set(in.h) == is_set(in.b) && !(is_set(in.h) && is_set(in.d)); },
                   "h, b, d", "give the diameter d, or height h and width b of a rectangle"},
       Rule<Input>{[](const Input& in) {

@@ -43,7 +43,7 @@ constexpr auto choices_of(Idler) {
   return std::array{ChoiceName<Idler>{Idler::none, "none", "no gear of the pair"},
                     ChoiceName<Idler>{Idler::gear_1, "gear_1", "gear 1, between two mates"},
                     ChoiceName<Idler>{Idler::gear_2, "gear_2", "gear 2, between two mates"},
-                    ChoiceName<Idler>{Idler::both, "both", "each of them has another mate"}};
+                    ChoiceName<Idler>{Idler::both, "both", "both gears"}};
 }
 /// Whether the teeth of gear 1 or 2 bend both ways.
 constexpr bool is_idler(Idler idler, Idler gear) { return idler == gear || idler == Idler::both; }

@@ -52,7 +52,7 @@ constexpr auto cycles_over_told(double Result::*at) {
 template <class Input, class Result, class Tracer>
 void compare_cycles(const Input& in, Result& r, Tracer& trace) {
   if (!lacks_fatigue_limit(in) || !is_set(in.N) || !is_set(in.N_D)) return;
-  STEP_TO(r, x_N, in.N / in.N_D, "no iron or steel: nothing is told beyond, [B20]");
+  STEP_TO(r, x_N, in.N / in.N_D, "no iron or steel: the strength beyond is not known, [B20]");
 }
 /// `varies`: whether the load does.
 template <auto varies, class Input>
@@ -72,7 +72,7 @@ constexpr Rule<Input> group_of_metal() {
             const bool iron = in.group >= Group::grey_iron && in.group < Group::wrought_aluminium;
             return !(iron && lacks_fatigue_limit(in));
           },
-          "group, material", "by its modulus and density the material is no iron: give the group that it is of"};
+          "group, material", "modulus and density are not those of an iron: give the group of the material"};
 }
 
 }  // namespace loadpath

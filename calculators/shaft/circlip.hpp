@@ -135,7 +135,7 @@ n = "1500 rpm"
           .judged_by("x_b")
           .of_shape(),
       Mode<Input>{"ring", "ring dished or pushed out", &loaded}.judged_by("u_R").wanting("c, F_R"),
-      Mode<Input>{"opening", "a ring that opens by its speed", &turns_round}
+      Mode<Input>{"opening", "a ring that opens at speed", &turns_round}
           .judged_by("u_n")
           .wanting("n, n_abl")
           .in_service(),

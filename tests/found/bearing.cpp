@@ -85,7 +85,7 @@ TEST_SUITE("found bearing") {
 }
 
 TEST_SUITE("found bearing ratings") {
-  TEST_CASE("P1: C and C_0 are those of one bearing") {
+  TEST_CASE("P1: C and C_0 must belong to the same bearing") {
     const auto fault = [](const std::string& lines) { return ExampleStep("bearing.rolling", lines).fault(); };
     CHECK(fault("").empty());
     CHECK_FALSE(fault("C_0 = \"179 kN\"").empty());

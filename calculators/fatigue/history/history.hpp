@@ -318,7 +318,7 @@ n_req = 1
       Rule<Input>{&curve_is_of_dnv, "lg_a, m_1, m_2, N_1",
                   "no detail of DNV-RP-C203 lasts so long: with m_1 = 3 lg_a is 12.592 at most, C in air, and 15.117 "
                   "with 4, B1; 16.320 is that of a second branch. Take the curve by its name: detail = \"C\""},
-      Rule<Input>{&comes_once, "blocks, n_req", "what comes at all comes once", &comes_never},
+      Rule<Input>{&comes_once, "blocks, n_req", "a block must occur at least once", &comes_never},
       Rule<Input>{
           [](const Input& in) { return !(in.sigma_C > (in.stress == Stresses::shear ? 100.0 * MPa : 160.0 * MPa)); },
           "sigma_C, stress", "categories of EN 1993-1-9 end at 160 MPa, of shear at 100 MPa"},

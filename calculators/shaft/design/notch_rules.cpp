@@ -184,7 +184,8 @@ Message fault_of_hub(const Input& in, const Notched& notch, Length d) {
   for (const Seat& seat : in.seats) meet(seat.x, is_set(seat.T) || seat.way == Way::balances);
   if (!found) return say("no seat and no bearing is near a hub that ends at {1}", format(notch.x));
   if (twists && !torque_beside(in, notch.x))
-    return say("no torque runs through the shaft at {1}: of a hub the end toward the torque decides", format(notch.x));
+    return say("the shaft carries no torque at {1}: the governing end of a hub is the one towards the torque",
+               format(notch.x));
   return {};
 }
 
@@ -195,7 +196,8 @@ Message fault_of_place(const Input& in, const Notched& notch) {
   if (!is_set(notch.l)) {
     if (torque_beside(in, notch.x)) return {};
     return say(
-        "no torque runs through the shaft at {1}: of a key the end toward the torque decides; give that, or the "
+        "the shaft carries no torque at {1}: the governing end of a key is the one towards the torque; give that, or "
+        "the "
         "length l of the key under its seat",
         format(notch.x));
   }

@@ -206,7 +206,7 @@ bool Run::refuse_other_parts(std::vector<Issue>& issues) const {
     const FieldInfo& field = *beside.leaf.field;
     issues.push_back(issue_at(
         step_.input(), beside.path,
-        say("{1} = {2} is typed, and {3} has {4}", beside.path, shown(field, typed), beside.source,
+        say("{1} = {2} contradicts {3}, which has {4}", beside.path, shown(field, typed), beside.source,
             shown(field, other)),
         beside.row_of.empty()
             ? say("leave out {1}, or what has it", field.key)

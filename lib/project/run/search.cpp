@@ -407,7 +407,7 @@ void Run::tell_found(const Search& wanted, const Candidates& all, std::size_t fo
     try_candidate(all, found);
     settle_sizes();
   }
-  if (!covered) text = say("{1}; whichever is taken: {2}", text, fault_of_excused());
+  if (!covered) text = say("{1}; not met at any size: {2}", text, fault_of_excused());
   Origin origin = wanted.leaf ? stock_origin(*step_.input().tables, wanted.stock, std::move(text))
                               : Origin{std::move(text), {}, false};
   origin.searched = true;

@@ -109,7 +109,7 @@ void OwnReader::check_strengths(const RowRead& read) {
     return complain(read.place, read.key + ".R_e",
                     say("R_e = {1} of '{2}' is above its R_m = {3}", format_quantity(R_e, unit, 5), read.row.name,
                         format_quantity(R_m, unit, 5)),
-                    say("no material yields after it has broken: check both"));
+                    say("yield strength cannot exceed tensile strength: check both"));
   }
 }
 

@@ -64,9 +64,9 @@ std::string own_chain(const std::string& values) {
 
 TEST_SUITE("found beside") {
   TEST_CASE("V1, V3, V5: sizes and kinds are those of the row, as far as the digits typed tell") {
-    CHECK(says(post("section = \"UPN 200\"\nkind = \"rolled_I\""), "the section 'UPN 200' has channel"));
-    CHECK(says(post("section = \"HEA 100\"\nA = \"100 cm^2\""), "the section 'HEA 100' has 2124 mm²"));
-    CHECK(says(post("section = \"HEA 100\"\nA = \"=100 cm^2\""), "the section 'HEA 100' has 2124 mm²"));
+    CHECK(says(post("section = \"UPN 200\"\nkind = \"rolled_I\""), "the section 'UPN 200', which has channel"));
+    CHECK(says(post("section = \"HEA 100\"\nA = \"100 cm^2\""), "the section 'HEA 100', which has 2124 mm²"));
+    CHECK(says(post("section = \"HEA 100\"\nA = \"=100 cm^2\""), "the section 'HEA 100', which has 2124 mm²"));
     CHECK(says(post("section = \"HEA 100\"\nI_z = \"160 cm^4\""), "'HEA 100'"));
     CHECK(first_error_of(post("section = \"HEA 100\"\nA = \"21.2 cm^2\"")).empty());
     CHECK(says(post("section = \"HEA 100\"\nA = \"21.20 cm^2\""), "'HEA 100'"));
@@ -75,7 +75,7 @@ TEST_SUITE("found beside") {
     CHECK(
         says("[ring]\ncalculator = \"shaft.circlip\"\ncirclip = \"18x1.2\"\nd_1 = \"60 mm\"\nF_a = \"1 kN\"\nS = "
              "1\nw = \"5 mm\"\nc = \"0 mm\"\nR_e = \"340 MPa\"\nn = \"0 rpm\"\n",
-             "the circlip '18x1.2' has 18 mm"));
+             "the circlip '18x1.2', which has 18 mm"));
   }
 
   TEST_CASE("V1: the row may come from another step, or be one of many") {

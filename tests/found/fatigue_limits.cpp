@@ -45,8 +45,10 @@ TEST_SUITE("found fatigue limits") {
     const std::string aluminium = "R_m = \nmaterial = \"EN AW-6082-T6\"\nd_h = \"20 mm\"\n";
     for (const char* const group : {"grey-iron", "ductile-iron", "malleable-iron"}) {
       const std::string of = aluminium + "group = \"" + std::string(group) + "\"\nrule = ";
-      refuses_limit("fatigue.endurance", of + "\"fkm\"\nloading = \"tension\"\nd = \"20 mm\"\n", "is no iron");
-      refuses_limit("fatigue.life", of + "\"goodman\"\nR_e = \nK_m = 1\nsigma_D = \"60 MPa\"\n", "is no iron");
+      refuses_limit("fatigue.endurance", of + "\"fkm\"\nloading = \"tension\"\nd = \"20 mm\"\n",
+                    "are not those of an iron");
+      refuses_limit("fatigue.life", of + "\"goodman\"\nR_e = \nK_m = 1\nsigma_D = \"60 MPa\"\n",
+                    "are not those of an iron");
     }
     const std::string strength =
         "[limit]\ncalculator = \"fatigue.endurance\"\nR_m = \"290 MPa\"\ngroup = \"wrought-aluminium\"\nrule = "
@@ -116,11 +118,11 @@ TEST_SUITE("found fatigue limits") {
     refuses_limit("fatigue.history", "detail = \"C\"", "that is chosen alone");
   }
 
-  TEST_CASE("P3: a history is borne once at least, and what comes comes once") {
+  TEST_CASE("P3: a history is borne once at least, and what comes occur at least once") {
     CHECK_FALSE(limit_fault("fatigue.history", "n_req = 0.001").empty());
     CHECK_FALSE(limit_fault("fatigue.history", "n_req = 0.999").empty());
     CHECK(limit_fault("fatigue.history", "n_req = 1").empty());
-    refuses_limit("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.001 }]", "what comes at all comes once");
+    refuses_limit("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.001 }]", "what comes at all occur at least once");
     CHECK(limit_fault("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.001 }]\nn_req = 1000").empty());
     CHECK(limit_fault("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.5 }]").empty());
   }

@@ -198,7 +198,7 @@ TEST_SUITE("column buckling") {
       CAPTURE(lines);
       CHECK(complaints(bar + lines).find("needs the distance of the extreme fibre") != std::string::npos);
     }
-    CHECK(complaints(bar + I + "kind = \"tee\"\ne_y = \"5 mm\"\n").find("the section 'IPE 200' has rolled_I") !=
+    CHECK(complaints(bar + I + "kind = \"tee\"\ne_y = \"5 mm\"\n").find("the section 'IPE 200', which has rolled_I") !=
           std::string::npos);
   }
 
@@ -319,7 +319,8 @@ TEST_SUITE("column buckling") {
     }
     CHECK(complaints("calculator = \"column.buckling\"\nl = \"2 m\"\nends = \"pinned_pinned\"\nE = \"210 GPa\"\nR_e = "
                      "\"235 MPa\"\nmethod = \"johnson\"\nsection = \"RHS 60x40x3\"\nkind = \"cold_hollow\"\n")
-              .find("kind = cold_hollow is typed, and the section 'RHS 60x40x3' has hot_hollow") != std::string::npos);
+              .find("kind = cold_hollow contradicts the section 'RHS 60x40x3', which has hot_hollow") !=
+          std::string::npos);
   }
 
   TEST_CASE("SP 16: phi is the smaller root of its quadratic, falls from 1, and ends with its table") {

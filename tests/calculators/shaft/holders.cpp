@@ -80,7 +80,7 @@ TEST_SUITE("retaining rings") {
     CHECK(mode_with("shaft.circlip", of_its_own + "\"17 mm\"", "groove") == "pass");
     CHECK(mode_with("shaft.circlip", of_its_own + "\"8 mm\"", "groove") == "not-covered");  // a neck
     const test::ExampleStep other("shaft.circlip", "d_2 = \"8 mm\"");
-    CHECK(other.fault().find("the circlip '18x1.2' has 17 mm") != std::string::npos);
+    CHECK(other.fault().find("the circlip '18x1.2', which has 17 mm") != std::string::npos);
     CHECK(mode_with("shaft.circlip", "c = ", "ring") == "not-judged");
     CHECK(mode_with("shaft.circlip", "n = \"40000 rpm\"", "opening") == "fail");
   }

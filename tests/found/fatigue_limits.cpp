@@ -118,11 +118,12 @@ TEST_SUITE("found fatigue limits") {
     refuses_limit("fatigue.history", "detail = \"C\"", "that is chosen alone");
   }
 
-  TEST_CASE("P3: a history is borne once at least, and what comes occur at least once") {
+  TEST_CASE("P3: a history is repeated once at least, and every block of it occurs") {
     CHECK_FALSE(limit_fault("fatigue.history", "n_req = 0.001").empty());
     CHECK_FALSE(limit_fault("fatigue.history", "n_req = 0.999").empty());
     CHECK(limit_fault("fatigue.history", "n_req = 1").empty());
-    refuses_limit("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.001 }]", "what comes at all occur at least once");
+    refuses_limit("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.001 }]",
+                  "a block must occur at least once");
     CHECK(limit_fault("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.001 }]\nn_req = 1000").empty());
     CHECK(limit_fault("fatigue.history", "blocks = [{ sigma_a = \"300 MPa\", n = 0.5 }]").empty());
   }

@@ -93,8 +93,8 @@ FieldFault History::comes_never(const Input& in) {
   const std::size_t i = rare_block(in);
   if (i == in.blocks.size()) return {};
   return {"blocks[" + std::to_string(i + 1) + "].n",
-          say("with n_req = {1} this block occurs {2} times: a block must occur at least once",
-              format_number(in.n_req), format_number(in.n_req * in.blocks[i].n)),
+          say("with n_req = {1} this block occurs {2} times: a block must occur at least once", format_number(in.n_req),
+              format_number(in.n_req * in.blocks[i].n)),
           say("raise n, or n_req")};
 }
 

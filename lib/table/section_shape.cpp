@@ -61,7 +61,7 @@ std::optional<Misfit> misfit_of(const SectionShape& s) {
                               format_quantity(s.A, "mm^2", 5))};
   const double walls = area_of_walls(s);
   if (s.A > most_fillets * walls || s.A * most_fillets < walls)
-    return Misfit{"A", say("A = {1} is not of these walls, which have {2}", format_quantity(s.A, "mm^2", 5),
+    return Misfit{"A", say("A = {1} does not match its walls, which give {2}", format_quantity(s.A, "mm^2", 5),
                            format_quantity(walls, "mm^2", 5))};
   return std::nullopt;
 }

@@ -213,7 +213,7 @@ TEST_SUITE("found beside") {
     CHECK(first_error_of(own_section("A = \"38.77 cm^2\"\n" + I)).empty());
     CHECK(says(own_section("A = \"388 cm^2\"\n" + I), "the area of h times b"));
     CHECK(says(own_section("A = \"38.77 cm^2\"\nI_y = \"16730 cm^4\"\nI_z = \"615.6 cm^4\"\n"), "A h^2/4"));
-    CHECK(says(own_section("A = \"60 cm^2\"\n" + I), "not of these walls"));
+    CHECK(says(own_section("A = \"60 cm^2\"\n" + I), "does not match its walls"));
     const std::string typed = "kind = \"rolled_I\"\nh = \"160 mm\"\nb = \"160 mm\"\nt_f = \"9 mm\"\nt_w = \"6 mm\"\n";
     CHECK(says(post(typed + "A = \"388 cm^2\"\n" + I), "the area of h times b"));
     CHECK(first_error_of(post(typed + "A = \"38.77 cm^2\"\n" + I)).empty());

@@ -114,7 +114,7 @@ const double* Caller::feed(std::size_t which, std::size_t first, std::size_t n) 
 void Caller::mark_refused(std::size_t row) {
   for (std::size_t k = 0; k < out_.size(); ++k) {
     const Kind kind = variants_.columns()[k].kind;
-    out_[k][row] = kind == Kind::state ? project::refused_state : kind == Kind::passes ? 0.0 : nan;
+    out_[k][row] = kind == Kind::state ? account::refused_state : kind == Kind::passes ? 0.0 : nan;
   }
 }
 

@@ -1,5 +1,6 @@
 #include "api/translate.hpp"
 
+#include "lib/account/conclusion.hpp"
 #include "lib/account/mode.hpp"
 #include "lib/export/unit_name.hpp"
 #include "lib/project/sweep/columns.hpp"
@@ -15,8 +16,8 @@ namespace loadpath::api {
 static_assert(static_cast<int>(State::fail) == static_cast<int>(account::State::fail) &&
                   static_cast<int>(State::not_covered) == static_cast<int>(account::State::not_covered) &&
                   static_cast<int>(State::pass) == static_cast<int>(account::State::pass) &&
-                  static_cast<double>(State::refused) == project::refused_state &&
-                  static_cast<double>(State::absent) == project::absent_state,
+                  static_cast<double>(State::refused) == account::refused_state &&
+                  static_cast<double>(State::absent) == account::absent_state,
               "the numbers of states are handed out");
 
 Sources sources_of(const project::Project& project, Sources own) {
@@ -120,6 +121,7 @@ Mode mode_of(const account::Mode& mode) {
   m.id = mode.id;
   m.meaning = mode.title.text();
   m.state = static_cast<State>(mode.state);
+  m.group = account::key(account::group_of(mode));
   if (mode.utilisation) m.utilisation = *mode.utilisation;
   m.governs = mode.governs;
   m.reason = account::reason(mode).text();
@@ -155,8 +157,9 @@ Solution solution_of(project::Project& project, std::vector<loadpath::Issue> iss
   for (const account::Verdict& verdict : project::verdicts(project)) solution.checks.push_back(check_of(verdict));
   solution.warnings = issues_of(issues);
   solution.state = static_cast<State>(account::overall(modes));
+  solution.headline = account::word(account::conclude(modes).headline);
   solution.verdict = account::scope(modes).text();
-  solution.passes = account::rank(account::worst(modes)) <= account::rank(account::State::open);
+  solution.passes = account::passes(modes);
   return solution;
 }
 

@@ -12,7 +12,7 @@
 namespace loadpath::cli {
 
 /// Exit codes, as the help text tells them.
-enum Exit : int { passed = 0, not_passed = 1, wrong_input = 2, fault = 3, interrupted = 130 };
+enum Exit : int { passed = 0, not_passed = 1, wrong_input = 2, fault = 3, incomplete = 4, interrupted = 130 };
 
 /// What every solving command can write.
 struct OutputOptions {

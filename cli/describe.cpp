@@ -100,17 +100,23 @@ void show_patterns(std::span<const ResultPattern> patterns) {
   std::cout << "Results, NAME as in the project file\n" << terminal::columns(rows) << "\n";
 }
 
-/// The ways in which the part can fail, and what judges each.
+std::string assessor_of(const ModeInfo& mode) {
+  if (*mode.checks != '\0') return mode.checks;
+  if (*mode.judge != '\0') return std::string("add a step of ") + mode.judge;
+  if (*mode.wants != '\0') return std::string("give ") + mode.wants;
+  if (*mode.use != '\0') return std::string("use ") + mode.use;
+  if (*mode.add != '\0') return std::string("add a step of ") + mode.add;
+  return "no calculator assesses it";
+}
+
+/// The failure modes of the part, and what assesses each.
 void show_modes(const Calculator& calculator) {
   Rows rows;
   for (const ModeInfo& mode : calculator.modes) {
-    const std::string judge = *mode.checks != '\0'  ? mode.checks
-                              : *mode.judge != '\0' ? std::string("left to ") + mode.judge
-                                                    : "nothing in loadpath judges it";
-    rows.push_back({std::string("  ") + mode.id, mode.title, judge});
+    rows.push_back({std::string("  ") + mode.id, mode.title, assessor_of(mode)});
   }
   if (rows.empty()) return;
-  std::cout << "Modes of failure, and what judges them; accept.MODE = \"reason\" answers for one that is not judged\n"
+  std::cout << "Failure modes, and what assesses them; accept.MODE = \"reason\" answers for one that is not assessed\n"
             << terminal::columns(rows) << "\n";
 }
 

@@ -102,12 +102,30 @@ class Objects {
   std::string all_;
 };
 
+const char* word_of(int code) {
+  switch (code) {
+    case passed:
+      return "pass";
+    case not_passed:
+      return "does not pass";
+    case incomplete:
+      return "incomplete";
+    default:
+      return "not solved";
+  }
+}
+
+/// The exit code of several projects: wrong input before a failure, and this before what is incomplete.
+int worst_of(const std::vector<int>& codes) {
+  const auto rank = [](int code) { return code == passed ? 0 : code == incomplete ? 1 : code + 1; };
+  return *std::ranges::max_element(codes, {}, rank);
+}
+
 /// How every project came out, in a line each.
 void tell_all(const std::vector<ProjectFile>& projects, const std::vector<int>& codes) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < projects.size(); ++i) {
-    const char* const word = codes[i] == passed ? "pass" : codes[i] == not_passed ? "does not pass" : "not solved";
-    rows.push_back({"  " + std::string(word), projects[i].path});
+    rows.push_back({"  " + std::string(word_of(codes[i])), projects[i].path});
   }
   std::cout << projects.size() << " projects\n" << terminal::columns(rows);
 }
@@ -129,7 +147,7 @@ int run_several(const RunOptions& options) {
   }
   if (options.output.json) std::cout << objects.list();
   if (shown) tell_all(projects, codes);
-  return *std::max_element(codes.begin(), codes.end());
+  return worst_of(codes);
 }
 
 }  // namespace

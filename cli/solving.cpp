@@ -1,6 +1,7 @@
 #include "cli/solving.hpp"
 
 #include "cli/output.hpp"
+#include "lib/account/conclusion.hpp"
 #include "lib/export/json.hpp"
 #include "lib/project/verify.hpp"
 
@@ -63,7 +64,14 @@ std::vector<terminal::SourceText> with_files_of(const project::Project& project,
 }
 
 int exit_for(const account::Modes& modes) {
-  return account::rank(account::worst(modes)) <= account::rank(account::State::open) ? passed : not_passed;
+  switch (account::conclude(modes).headline) {
+    case account::Headline::pass:
+      return passed;
+    case account::Headline::incomplete:
+      return incomplete;
+    default:
+      return not_passed;
+  }
 }
 
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,

@@ -187,6 +187,7 @@ void bind_solutions(py::module_& m) {
       .def_property_readonly("state", [](const api::Mode& mode) { return api::word_of(mode.state); })
       .def_readonly("utilisation", &api::Mode::utilisation)
       .def_readonly("governs", &api::Mode::governs)
+      .def_readonly("group", &api::Mode::group)
       .def_readonly("reason", &api::Mode::reason)
       .def("__repr__",
            [](const api::Mode& mode) { return mode.step + "." + mode.id + ": " + api::word_of(mode.state); });
@@ -199,6 +200,7 @@ void bind_solutions(py::module_& m) {
       .def_property_readonly("state", [](const api::Check& check) { return api::word_of(check.state); });
   py::class_<api::Solution>(m, "Solution")
       .def_property_readonly("state", [](const api::Solution& s) { return api::word_of(s.state); })
+      .def_readonly("headline", &api::Solution::headline)
       .def_readonly("verdict", &api::Solution::verdict)
       .def_readonly("passes", &api::Solution::passes)
       .def_readonly("modes", &api::Solution::modes)

@@ -46,6 +46,8 @@ struct Quantity {
 struct Mode {
   std::string step, id, meaning;
   State state = State::not_judged;
+  /// "fails", "needs_input", "outside_scope", "not_considered", "accepted" or "passes".
+  std::string group;
   double utilisation = std::numeric_limits<double>::quiet_NaN();  // where there is one
   std::string governs;                                            // the check that decides
   std::string reason;
@@ -64,9 +66,10 @@ struct Solution {
   std::vector<Check> checks;
   std::vector<Issue> warnings;
   State state = State::open;
-  std::string verdict;  // "fail: rod.buckling; not judged: rod.bending"
+  std::string headline;  // "PASS", "FAIL", "NO SOLUTION" or "INCOMPLETE"
+  std::string verdict;   // "fail: rod.buckling; not assessed: rod.bending"
 
-  /// Whether everything that applies is judged or accepted: what the exit code 0 of the program says.
+  /// Whether every mode that applies passes, or is accepted: what the exit code 0 of the program says.
   bool passes = false;
 
   /// Null where there is none of the name.

@@ -271,7 +271,9 @@ s_0 = 2
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
       Mode<Input>{"film", "wear and fatigue where the film is thin or the oil dirty: a_ISO", &unseen<Input>}.special(),
       Mode<Input>{"heat", "heat, and the life of the grease", &unseen<Input>}.special(),
-      Mode<Input>{"tilt", "tilt of its rings: slope of the shaft, alignment of the seats", &unseen<Input>}.special(),
+      Mode<Input>{"tilt", "tilt of its rings: slope of the shaft, alignment of the seats", &unseen<Input>}
+          .special()
+          .assessed_beside("shaft.design"),
       Mode<Input>{"seats", "rings that creep on their seats: fits, circlips, shoulders", &unseen<Input>}.special(),
       Mode<Input>{"standstill", "marks by vibration at standstill, current, rust", &unseen<Input>}.special()};
 

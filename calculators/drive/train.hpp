@@ -184,7 +184,8 @@ stages = [
           .of_shape(),
       Mode<Input>{"efficiency", "losses of the worm gear", &loads_a_worm}.judged_by("stages.x_eta"),
       Mode<Input>{"strength", "strength of the stages that no step takes",
-                  [](const Input& in) { return is_set(in.P) || is_set(in.T_1) ? Applies::unseen : Applies::no; }},
+                  [](const Input& in) { return is_set(in.P) || is_set(in.T_1) ? Applies::unseen : Applies::no; }}
+          .assessed_beside("gear.pair, gear.planetary, chain.roller, belt.v, belt.flat"),
       Mode<Input>{"heat", "heat", &unseen<Input>}.special()};
 
   template <class Tracer>

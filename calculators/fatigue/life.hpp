@@ -263,8 +263,10 @@ S_F = 1.5
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),
       Mode<Input>{"fatigue", "fatigue, in this cycle alone", &varies}.judged_by("u_D, x_m, x_B, x_N, x_D, x_f, x_E"),
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
-      Mode<Input>{"multiaxial", "shear beside normal stresses: a fatigue.combined", &unseen<Input>},
-      Mode<Input>{"history", "larger and smaller cycles beside this one", &unseen<Input>},
+      Mode<Input>{"multiaxial", "shear beside normal stresses: a fatigue.combined", &unseen<Input>}.assessed_in(
+          "fatigue.combined"),
+      Mode<Input>{"history", "larger and smaller cycles beside this one", &unseen<Input>}.assessed_in(
+          "fatigue.history"),
       Mode<Input>{"surroundings", "corrosion, creep, fretting under press fits", &unseen<Input>}.special()};
 
   template <class Tracer>

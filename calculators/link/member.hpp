@@ -169,7 +169,7 @@ S = 1.5
       Mode<Input>{"lateral_torsional", "lateral-torsional buckling by the moment", &twisting_when_bent}
           .judged_by("u_t")
           .wanting("S"),
-      Mode<Input>{"net_section", "net section at holes and pins: pin.lug", &unseen<Input>},
+      Mode<Input>{"net_section", "net section at holes and pins: pin.lug", &unseen<Input>}.assessed_beside("pin.lug"),
       Mode<Input>{"fatigue", "fatigue, at holes and changes of section first", &unseen<Input>}
           .left_to("fatigue.cycle", "cycle.fatigue")
           .in_service(),

@@ -125,7 +125,9 @@ tau_adm_1 = "40 MPa"
       Mode<Input>{"fatigue", "fatigue of the pin, by what the loading allows", &varies}.judged_by("u_tau"),
       Mode<Input>{"variation", "fatigue of a pin whose loading is not said to vary", &may_vary}.in_service().wanting(
           "loading = pulsating"),
-      Mode<Input>{"shaft_fatigue", "fatigue of the shaft at the edge of the hole", &shaft_varies}.in_service(),
+      Mode<Input>{"shaft_fatigue", "fatigue of the shaft at the edge of the hole", &shaft_varies}
+          .in_service()
+          .assessed_beside("shaft.design"),
       Mode<Input>{"wall", "the wall of the hub beside the pin", &unseen<Input>},
       Mode<Input>{"other_loads", "what comes along with the torque: forces on the hub", &unseen<Input>}.by_companions(),
       Mode<Input>{"fretting", "a hub that is loose on its shaft and beats the pin out", &unseen<Input>}.special()};

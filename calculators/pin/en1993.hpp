@@ -175,7 +175,7 @@ e_c2 = "35 mm"
       Mode<Input>{"plate_2", "outer plates torn or sheared out at the bore", &loaded}.judged_by("u_a2, u_c2"),
       Mode<Input>{"replacing", "a pin that cannot be drawn any more", &replaced}.judged_by(
           "u_ms, u_s1, u_s2, u_h1, u_h2"),
-      Mode<Input>{"fatigue", "fatigue of pin and plates", &unseen<Input>}.in_service(),
+      Mode<Input>{"fatigue", "fatigue of pin and plates", &unseen<Input>}.in_service().assessed_beside("fatigue.life"),
       Mode<Input>{"other_loads", "what comes along with the force, and is not taken", &unseen<Input>}.by_companions(),
       Mode<Input>{"wear", "wear of pin and bores where they turn", &unseen<Input>}.special()};
 

@@ -114,7 +114,7 @@ tau_adm = "30 MPa"
       Mode<Input>{"shear", "yield at the neutral axis, in shear", &loaded}.judged_by("u_Q"),
       Mode<Input>{"torsion", "torsion alone", [](const Input& in) { return where(is_set(in.tau_adm)); }}.judged_by(
           "u_tau"),
-      fatigue_of_shaft<Input>()});
+      fatigue_of_shaft<Input>().assessed_in("shaft.design")});
 
   static constexpr std::array forms{Form{"F, a, T, K_A, sigma_adm, tau_adm"},
                                     Form{"F, a, T, K_A, d, sigma_adm, tau_adm"}, Form{"F, a, T, K_A, sigma_adm"},

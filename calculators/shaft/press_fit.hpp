@@ -208,7 +208,8 @@ dT_adm = "250 K"
       Mode<Input>{"shrinking", "a hub that heat does not get on", &always<Input>}.judged_by("u_A").of_service(),
       Mode<Input>{"fatigue", "fatigue of the shaft under the edge of the hub, and fretting",
                   [](const Input& in) { return shown_by(in.K_A > 1.0); }}
-          .in_service(),
+          .in_service()
+          .assessed_beside("shaft.design"),
       Mode<Input>{"opening", "a hub that gapes or creeps by the forces that come with the torque", &unseen<Input>}
           .by_companions(),
       Mode<Input>{"speed", "interference that is lost by the speed", &unseen<Input>}.special(),

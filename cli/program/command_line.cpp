@@ -12,8 +12,8 @@ constexpr auto footer = R"(Examples:
   loadpath mechanism planar --file examples/toggle-press/project.toml --svg press.svg
   loadpath convert "2700 lbf*in" "N*m"
 
-Exit codes: 0 solved, and every mode of failure that applies is judged and passes, or accepted; 1 solved, but one fails,
-is not judged, not covered or not available;
+Exit codes: 0 every failure mode that applies passes, or the user accepts it; 1 one fails, or a search has no result;
+4 incomplete: none fails, but some have not been assessed, or are outside the scope;
 2 the input is wrong, nothing is written; 3 a fault of the program, or of standard output; 130 interrupted.)";
 
 void setup_run(CLI::App& app, RunOptions& options, Action& action) {
@@ -45,7 +45,7 @@ void setup_watch(CLI::App& app, WatchOptions& options, Action& action) {
   sub->add_option("--port", options.port, "port on the loopback address; a free one where missing")
       ->type_name("N")
       ->check(CLI::Range(1, 65535));
-  sub->add_flag("--strict", options.strict, "count modes of failure that are open as not judged");
+  sub->add_flag("--strict", options.strict, "count failure modes that were not considered as not assessed");
   sub->footer(
       "The page keeps up with the file, at the place that it is read at; what is wrong with the file lies over "
       "it. Ends by Ctrl-C.");

@@ -77,7 +77,7 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
   add("title", "title of the report", "TEXT");
   if (!calculator.modes.empty()) {
     app.add_option("--accept", options.accepted,
-                   "answer for a mode of failure that is not judged: --accept fatigue=\"stands still\"")
+                   "answer for a failure mode that is not assessed: --accept fatigue=\"stands still\"")
         ->type_name("MODE=REASON")
         ->expected(1)
         ->take_all()

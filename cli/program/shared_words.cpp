@@ -52,7 +52,7 @@ void add_output(CLI::App& app, OutputOptions& output) {
                  "write the drawing to scale for CAD (DXF R12, mm) as FILE.dxf; several into a folder")
       ->type_name("PATH");
   app.add_flag("--quiet", output.quiet, "print errors only");
-  app.add_flag("--strict", output.strict, "count modes of failure that are open as not judged: exit code 1");
+  app.add_flag("--strict", output.strict, "count failure modes that were not considered as not assessed: exit code 4");
 }
 
 void add_settings(CLI::App& app, std::vector<std::string>& settings) {

@@ -74,7 +74,7 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
       ->check(CLI::Range(1, 1024));
   sub->add_flag("--json", options.json, "print what is found as one JSON object");
   sub->add_flag("--quiet", options.quiet, "print errors only");
-  sub->add_flag("--strict", options.strict, "count modes of failure that are open as not judged");
+  sub->add_flag("--strict", options.strict, "count failure modes that were not considered as not assessed");
   sub->callback([&] {
     if (options.file.empty() && options.status.empty()) throw CLI::RequiredError("file");
     action = [&] { return sweep(options); };

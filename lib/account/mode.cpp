@@ -1,5 +1,6 @@
 #include "lib/account/mode.hpp"
 
+#include "lib/account/fold.hpp"
 #include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
@@ -11,7 +12,12 @@ namespace loadpath::account {
 
 namespace {
 
-/// Where it stands in a list: what needs a hand first.
+bool is_outside(const Mode& mode) { return mode.state == State::not_judged && !mode.is_assessable; }
+
+/// Whether two are told together.
+bool is_alike(const Mode& a, const Mode& b) { return a.state == b.state && is_outside(a) == is_outside(b); }
+
+/// The place in a list: what needs a hand first.
 int place(State state) {
   constexpr std::array order{State::fail, State::not_available, State::not_covered, State::not_judged,
                              State::pass, State::accepted,      State::open};
@@ -28,39 +34,43 @@ Message names_of(Part first, Part last, std::ptrdiff_t most) {
   for (auto mode = first; mode != last; ++mode) {
     if (!is_remote(*mode)) names += (names.empty() ? "" : ", ") + mode->step + "." + mode->id;
   }
-  if (remote > 0) names += (names.empty() ? "" : ", ") + std::to_string(remote) + " judged by nothing here";
+  if (remote > 0) names += (names.empty() ? "" : ", ") + std::to_string(remote) + " more";
   return say("{1}", names);
 }
 
 /// State by state; `most`: how many of a state are named.
 template <class Most>
 Message told(const Modes& modes, const Most& most) {
-  if (modes.empty()) return say("nothing is judged here");
+  if (modes.empty()) return say("no failure mode is assessed here");
   const Modes sorted = in_order(modes);
   Message all;
   for (auto first = sorted.begin(); first != sorted.end();) {
-    const auto last = std::find_if(first, sorted.end(), [&](const Mode& m) { return m.state != first->state; });
-    const Message part = say("{1}: {2}", word(first->state), names_of(first, last, most(first->state)));
+    const auto last = std::find_if(first, sorted.end(), [&](const Mode& m) { return !is_alike(m, *first); });
+    const Message part = say("{1}: {2}", shown(*first), names_of(first, last, most(first->state)));
     all = all.empty() ? part : say("{1}; {2}", all, part);
     first = last;
   }
   return all;
 }
 
+Folded folded(const Modes& modes) {
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  Folded all;
+  for (const Mode& mode : modes)
+    all = all.with_mode(number(mode.state), mode.utilisation.value_or(none), number(State::open));
+  return all;
+}
+
 }  // namespace
 
 State worst(const Modes& modes) {
-  State state = State::pass;
-  for (const Mode& mode : modes) state = worse(state, mode.state);
-  return state;
+  const double state = folded(modes).worst;
+  return state < 0.0 ? State::pass : state_of(state);
 }
 
-State overall(const Modes& modes) {
-  const State state = worst(modes);
-  if (rank(state) > rank(State::open)) return state;
-  const bool judged = std::any_of(modes.begin(), modes.end(), [](const Mode& m) { return m.state != State::open; });
-  return judged ? State::pass : State::open;
-}
+State overall(const Modes& modes) { return state_of(folded(modes).whole()); }
+
+bool passes(const Modes& modes) { return rank(worst(modes)) <= rank(State::open); }
 
 Modes strictly(Modes modes) {
   for (Mode& mode : modes) {
@@ -72,10 +82,13 @@ Modes strictly(Modes modes) {
 Modes in_order(Modes modes) {
   std::stable_sort(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) {
     if (a.state != b.state) return place(a.state) < place(b.state);
+    if (is_outside(a) != is_outside(b)) return is_outside(b);
     return numerics::exceeds(a.utilisation.value_or(-1.0), b.utilisation.value_or(-1.0));
   });
   return modes;
 }
+
+Message shown(const Mode& mode) { return is_outside(mode) ? say("outside the scope") : shown(mode.state); }
 
 Message scope(const Modes& modes) {
   return told(modes, [](State) { return std::numeric_limits<std::ptrdiff_t>::max(); });
@@ -93,8 +106,10 @@ Message reason(const Mode& mode) {
     return mode.note.empty() ? say("{1}", mode.governs) : say("{1} {2}", mode.governs, mode.note);
   if (!mode.note.empty()) return mode.note;
   if (!mode.wants.empty()) return say("give {1}", mode.wants);
-  if (!mode.judge.empty()) return say("left to {1}", mode.judge);
-  return say("nothing in loadpath judges it");
+  if (!mode.judge.empty()) return say("add a step of {1}", mode.judge);
+  if (!mode.use.empty()) return say("use {1}", mode.use);
+  if (!mode.add.empty()) return say("add a step of {1}", mode.add);
+  return say("no calculator assesses it");
 }
 
 bool is_remote(const Mode& mode) {

@@ -42,8 +42,10 @@ constexpr State worse(State a, State b) { return rank(a) < rank(b) ? b : a; }
 
 constexpr State pass_if(bool holds) { return holds ? State::pass : State::fail; }
 
-/// "pass", "not covered".
+/// The word of JSON, CSV and the programming interfaces: "pass", "not covered".
 Message word(State state);
+/// What the terminal and reports say: "pass", "method not valid".
+Message shown(State state);
 /// The word as one name: "not-covered".
 std::string slug(State state);
 /// A sign that says the same without colour.

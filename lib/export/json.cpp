@@ -1,5 +1,6 @@
 #include "lib/export/json.hpp"
 
+#include "lib/account/conclusion.hpp"
 #include "lib/export/json_writer.hpp"
 #include "lib/export/unit_name.hpp"
 #include "lib/project/project.hpp"
@@ -76,6 +77,10 @@ void write_modes(const project::Project& project, JsonWriter& out) {
   const account::Modes modes = project::modes(project);
   out.key("verdict").open_object();
   if (project.strict) out.member("strict", true);
+  const account::Conclusion conclusion = account::conclude(modes);
+  out.member("headline", account::word(conclusion.headline));
+  for (const account::Group group : account::all_groups)
+    out.member(account::key(group), static_cast<double>(conclusion.count(group)));
   out.member("state", word_of(account::overall(modes)));
   out.member("scope", account::scope(modes).text());
   out.key("modes").open_array();
@@ -85,9 +90,12 @@ void write_modes(const project::Project& project, JsonWriter& out) {
     out.member("mode", mode.id);
     out.member("meaning", mode.title.text());
     out.member("state", word_of(mode.state));
+    if (mode.subject == account::Subject::mode) out.member("group", account::key(account::group_of(mode)));
     if (mode.utilisation) out.member("utilisation", *mode.utilisation);
     if (!mode.governs.empty()) out.member("governs", mode.governs);
     if (!mode.judge.empty()) out.member("left_to", mode.judge);
+    if (!mode.use.empty()) out.member("use", mode.use);
+    if (!mode.add.empty()) out.member("add", mode.add);
     if (!mode.wants.empty()) out.member("wants", mode.wants);
     out.member("reason", account::reason(mode).text());
     out.close_object();

@@ -97,6 +97,8 @@ void write_modes(const Calculator& calculator, JsonWriter& out) {
     out.member("title", mode.title);
     if (*mode.checks != '\0') out.member("checks", mode.checks);
     if (*mode.judge != '\0') out.member("left_to", mode.judge);
+    if (*mode.use != '\0') out.member("use", mode.use);
+    if (*mode.add != '\0') out.member("add", mode.add);
     out.close_object();
   }
   out.close_array();

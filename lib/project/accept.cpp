@@ -35,9 +35,9 @@ Message instead_of_accepted(const std::string& id, const account::Modes& modes) 
   using account::State;
   const auto mode = std::find_if(modes.begin(), modes.end(), [&](const account::Mode& m) { return m.id == id; });
   if (mode == modes.end()) return say("{1} does not apply here", id);
-  if (mode->state == State::pass) return say("{1} is judged, and passes", id);
+  if (mode->state == State::pass) return say("{1} is assessed and passes", id);
   if (mode->state == State::fail) return say("{1} fails, and a failure is never accepted", id);
-  return say("{1} is {2}, which is never accepted", id, word(mode->state));
+  return say("{1}: {2}, which cannot be accepted", id, account::shown(mode->state));
 }
 
 }  // namespace

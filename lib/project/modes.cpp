@@ -162,6 +162,22 @@ std::string still_wanted(const Step& step, const char* wants) {
   return left;
 }
 
+/// The field that a key of a mode names: "u_tau", "segments.u_tau".
+const FieldInfo* field_of(const RecordType& result, std::string_view key) {
+  const std::size_t dot = key.find('.');
+  const FieldInfo* field = find_field(result.fields, key.substr(0, dot));
+  return field == nullptr || dot == std::string_view::npos ? field : find_field(field->fields, key.substr(dot + 1));
+}
+
+void add_words(std::string_view words, std::string& to) {
+  if (!words.empty() && to.find(words) == std::string::npos) to += (to.empty() ? "" : ", ") + std::string(words);
+}
+
+/// Whether a mode of strength rests on a load that is less than its series (lib/project/references/reductions.hpp).
+bool is_doubtful(const Step& step, const ModeInfo& info) {
+  return info.kind == ModeKind::strength && !step.reduced_loads().empty();
+}
+
 }  // namespace
 
 void settle_left(Project& project) {
@@ -197,64 +213,104 @@ std::vector<const account::Verdict*> rows_of(const ModeInfo& mode, const std::ve
   return rows;
 }
 
-bool is_doubtful(const Step& step, const ModeInfo& info) {
-  return info.kind == ModeKind::strength && !step.reduced_loads().empty();
+CheckNeeds needs_of(const ModeInfo& mode, const RecordType& result,
+                    const std::function<bool(const FieldInfo&)>& is_asked) {
+  CheckNeeds needs;
+  for (const std::string& key : listed_keys(mode.checks)) {
+    const FieldInfo* const field = field_of(result, key);
+    if (field == nullptr || field->role != Role::check) continue;
+    needs.needs_checks = true;
+    if (!is_asked(*field)) add_words(field->asked_by, needs.wants);
+  }
+  return needs;
 }
 
-State state_of(const Step& step, const ModeInfo& info, Applies applies, std::optional<State> worst, bool enough) {
-  const bool rest = info.by_rest && !step.left_of_loads().empty();
-  if (applies == Applies::unseen && (rest || (info.by_service && step.load_varies()))) applies = Applies::yes;
-  const State state = worst && (*worst != State::pass || enough) ? *worst : unjudged(info, applies);
+account::Unjudged unjudged_of(const Step& step, const ModeInfo& info, const CheckNeeds& needs) {
+  const bool doubtful = is_doubtful(step, info);
+  const bool shows_service = (info.by_rest && !step.left_of_loads().empty()) || (info.by_service && step.load_varies());
+  account::Unjudged by{.needs_checks = needs.needs_checks, .never = doubtful || !needs.wants.empty()};
+  for (const Applies applies : {Applies::no, Applies::unseen, Applies::yes}) {
+    const Applies when = applies == Applies::unseen && shows_service ? Applies::yes : applies;
+    const State state = doubtful && applies != Applies::no ? State::not_judged : unjudged(info, when);
+    by.state[static_cast<std::size_t>(applies)] = account::number(state);
+  }
   // What holds under a load that lacks its factor may break under the whole one.
   const bool lacks = info.kind == ModeKind::strength && !step.lacking_factor().empty();
-  if (lacks && state == State::pass) return State::not_judged;
-  const bool passes = state == State::pass || state == State::open;
-  return passes && is_doubtful(step, info) && applies != Applies::no ? State::not_judged : state;
+  if (lacks) by.passed = account::number(State::not_judged);
+  return by;
 }
 
-account::Mode judged(const Step& step, const ModeInfo& info, Applies applies,
-                     const std::vector<const account::Verdict*>& rows, std::string wants, bool enough,
-                     const Bolder& bolder) {
-  const bool rest = info.by_rest && !step.left_of_loads().empty();
+namespace {
+
+account::Folded folded(const std::vector<const account::Verdict*>& rows) {
+  account::Folded all;
+  for (const account::Verdict* row : rows)
+    all = all.with_row(account::number(row->state), row->utilisation.value_or(NAN), row->utilisation.has_value());
+  return all;
+}
+
+/// What is missing for the mode, or why it may concern the part: of one that its rows do not decide.
+void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<const account::Verdict*>& rows,
+                      const CheckNeeds& needs, account::Mode& mode) {
+  mode.wants = needs.wants.empty() ? still_wanted(step, info.wants) : needs.wants;
+  mode.judge = info.judge;
+  mode.use = info.use;
+  mode.add = info.add;
+  if (mode.wants.empty() && *info.checks != '\0') mode.note = say("{1} has no value here", info.checks);
+  if (mode.state == State::not_judged && *info.judge != '\0') {
+    const std::string records = records_of(info, step.input().calculator->result->fields, step.name());
+    mode.note = mode.wants.empty()
+                    ? say("add a step of {1} that takes {2}", info.judge, records)
+                    : say("give {1}, or add a step of {3} that takes {2}", mode.wants, records, info.judge);
+  }
+  const bool passes = !rows.empty() && governing(rows).state == State::pass;
+  if (passes && !step.lacking_factor().empty()) {
+    mode.wants.clear();
+    mode.note = step.lacking_factor();
+  }
+  if (info.by_rest && !step.left_of_loads().empty())
+    mode.note = say("not included, although it acts with the load: {1}; assess it by hand: accept.{2} = \"...\"",
+                    step.left_of_loads(), info.id);
+  // A row that judges nothing says itself why.
+  if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();
+  if (mode.state == State::not_judged && is_doubtful(step, info)) {
+    mode.wants.clear();
+    mode.note = step.reduced_loads().front().message;
+  }
+}
+
+void explain_decided(const std::vector<const account::Verdict*>& rows, const Bolder& bolder, account::Mode& mode) {
+  mode.governs = governing(rows).symbol;
+  mode.note = governing(rows).note;
+  if (!bolder.why.empty())
+    mode.note = mode.note.empty() ? say("with {1}", bolder.why) : say("{1}, with {2}", mode.note, bolder.why);
+}
+
+}  // namespace
+
+std::optional<account::Mode> judged(const Step& step, const ModeInfo& info, Applies applies,
+                                    const std::vector<const account::Verdict*>& rows, const CheckNeeds& needs,
+                                    const Bolder& bolder) {
   account::Mode mode;
   mode.step = step.name();
   mode.id = info.id;
   mode.title = say(info.title);
   mode.kind = info.kind;
-  mode.state =
-      state_of(step, info, applies, rows.empty() ? std::nullopt : std::optional(governing(rows).state), enough);
+  const account::Judged came =
+      account::judged(folded(rows), static_cast<double>(static_cast<int>(applies)), unjudged_of(step, info, needs));
+  if (came.state == account::absent_state) return std::nullopt;
+  mode.state = account::state_of(came.state);
+  mode.is_assessable = is_assessable(info);
+  if (!std::isnan(came.utilisation)) mode.utilisation = came.utilisation;
   if (!bolder.wants.empty() && mode.state == State::pass) {
     mode.state = State::not_judged;
+    mode.utilisation.reset();
     mode.wants = bolder.wants;
     mode.note = bolder.why;
   } else if (mode.state == State::open || mode.state == State::not_judged) {
-    mode.wants = wants.empty() ? still_wanted(step, info.wants) : std::move(wants);
-    mode.judge = info.judge;
-    if (mode.wants.empty() && *info.checks != '\0') mode.note = say("{1} has no value here", info.checks);
-    if (mode.state == State::not_judged && *info.judge != '\0') {
-      const std::string records = records_of(info, step.input().calculator->result->fields, step.name());
-      mode.note = mode.wants.empty() ? say("left to {1}, of which no step takes {2} whole", info.judge, records)
-                                     : say("give {1}, or take {2} whole in a {3}", mode.wants, records, info.judge);
-    }
-    if (!rows.empty() && governing(rows).state == State::pass && !step.lacking_factor().empty()) {
-      mode.wants.clear();
-      mode.note = step.lacking_factor();
-    }
-    if (rest)
-      mode.note = say("not taken, though it comes with the load: {1}; judge it by hand: accept.{2} = \"...\"",
-                      step.left_of_loads(), info.id);
-    // A row that judges nothing says itself why.
-    if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();
-    if (mode.state == State::not_judged && is_doubtful(step, info)) {
-      mode.wants.clear();
-      mode.note = step.reduced_loads().front().message;
-    }
+    explain_unjudged(step, info, rows, needs, mode);
   } else {
-    mode.governs = governing(rows).symbol;
-    mode.utilisation = utilisation_of(rows);
-    mode.note = governing(rows).note;
-    if (!bolder.why.empty())
-      mode.note = mode.note.empty() ? say("with {1}", bolder.why) : say("{1}, with {2}", mode.note, bolder.why);
+    explain_decided(rows, bolder, mode);
   }
   accept(step.input(), mode);
   return mode;

@@ -193,7 +193,7 @@ draw::Flow::Part part_of(const Step& step, const Modes& all) {
   const State state = modes.empty() ? State::open : overall(modes);
   std::string below = sizes_text(step);
   if (below.empty()) below = step.input().calculator->title;
-  return {name_of(step), std::move(below), modes.empty() ? "" : word(state).text(), tone_of(state)};
+  return {name_of(step), std::move(below), modes.empty() ? "" : account::shown(state).text(), tone_of(state)};
 }
 
 }  // namespace

@@ -267,7 +267,7 @@ Document build(const Project& project, std::string_view program, Detail detail, 
   document.meta.emplace_back(say("Project file"), project.file);
   for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
   if (project.strict)
-    document.meta.emplace_back(say("Judged strictly"), say("what is open counts as not judged").text());
+    document.meta.emplace_back(say("Strict"), say("failure modes not considered count as not assessed").text());
   if (!input.empty()) document.meta.emplace_back(say("Input"), fingerprint(input, project));
   document.meta.emplace_back(say("Program"), std::string(program));
   document.paper = project.paper;

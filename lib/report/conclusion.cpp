@@ -1,7 +1,8 @@
-#include "lib/report/conclusion.hpp"
+#include "lib/account/conclusion.hpp"
 
 #include "lib/numerics/magnitude.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/report/conclusion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,15 +10,24 @@
 namespace loadpath::report {
 
 Message tally(const Modes& modes) {
-  const Modes sorted = account::in_order(modes);
+  Modes sorted = account::in_order(modes);
+  std::erase_if(sorted, [](const Mode& mode) { return mode.subject != account::Subject::mode; });
   std::string counts;
   for (auto first = sorted.begin(); first != sorted.end();) {
-    const auto last = std::find_if(first, sorted.end(), [&](const Mode& m) { return m.state != first->state; });
-    counts += (counts.empty() ? "" : ", ") + std::to_string(last - first) + " " + word(first->state).text();
+    const auto last = std::find_if(first, sorted.end(),
+                                   [&](const Mode& m) { return account::shown(m).id != account::shown(*first).id; });
+    counts += (counts.empty() ? "" : ", ") + std::to_string(last - first) + " " + account::shown(*first).text();
     first = last;
   }
-  return modes.size() == 1 ? say("Of the one mode of failure: {1}.", counts)
-                           : say("Of {1} modes of failure: {2}.", std::to_string(modes.size()), counts);
+  return sorted.size() == 1 ? say("Of the one failure mode: {1}.", counts)
+                            : say("Of {1} failure modes: {2}.", std::to_string(sorted.size()), counts);
+}
+
+Message conclusion_of(const Modes& modes) {
+  using account::Headline;
+  const Headline headline = account::conclude(modes).headline;
+  const bool is_counted = headline == Headline::pass || headline == Headline::incomplete;  // by the tally
+  return is_counted ? tally(modes) : say("{1}. {2}", account::explanation(modes), tally(modes));
 }
 
 const Mode* most_utilised(const Modes& modes) {
@@ -66,9 +76,7 @@ Message proved(const Modes& modes) {
 
 Message remote(const Modes& modes) {
   const std::string names = names_of(modes, account::is_remote);
-  return names.empty()
-             ? Message{}
-             : say("Open, where nothing says that they concern the part, and judged by nothing here: {1}.", names);
+  return names.empty() ? Message{} : say("Not considered, because nothing says that they apply: {1}.", names);
 }
 
 std::string Numbering::heading(int level) {

@@ -7,7 +7,10 @@
 
 namespace loadpath::report {
 
-/// How many came out how: "Of 6 modes of failure: 1 not judged, 4 pass, 1 open."
+/// What stands behind the headline: what fails, or which search has no result, and how many modes came out how.
+Message conclusion_of(const Modes& modes);
+
+/// How many came out how: "Of 6 failure modes: 1 not assessed, 4 pass, 1 not considered."
 Message tally(const Modes& modes);
 
 /// The mode with the highest utilisation, or none, and what it is announced with.
@@ -17,7 +20,7 @@ Message utilisation(const Mode& mode);
 /// Whether the mode passes by a proof or a condition, without a utilisation: worth no row of its own.
 bool is_proved(const Mode& mode);
 /// The modes that have a row of their own, in order: those that do not pass, and those that do. What passes by proof,
-/// and what is open and judged by nothing, is told in a line each, empty where there is none.
+/// and what was not considered and no calculator assesses, is told in a line each, empty where there is none.
 Modes doubtful(const Modes& modes);
 Modes passing(const Modes& modes);
 Message proved(const Modes& modes);

@@ -130,7 +130,7 @@ void compare_typed(const Typed& before, const Typed& after, const std::string& p
   }
 }
 
-std::string word_of(account::State state) { return account::word(state).text(); }
+std::string word_of(account::State state) { return account::shown(state).text(); }
 
 /// "yield by u_tau", empty where no mode decides.
 std::string deciding_words(const account::Modes& modes) {

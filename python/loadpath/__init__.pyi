@@ -65,6 +65,7 @@ class Mode:
     id: str
     meaning: str
     state: str
+    group: str
     utilisation: float
     governs: str
     reason: str
@@ -79,6 +80,7 @@ class Check:
 
 class Solution:
     state: str
+    headline: str
     verdict: str
     passes: bool
     modes: list[Mode]

@@ -83,7 +83,7 @@ TEST_SUITE("cli diff") {
     CHECK(contains(in_words(title.out), "\n heading revision none -> 2\n"));
     const Ran accepted = diff(shaft, shaft + "accept.fatigue = \"stands still\"\n");
     CHECK(contains(in_words(accepted.out), "\n input accept.fatigue none -> stands still"));
-    CHECK(contains(in_words(accepted.out), "\n verdict fatigue open -> accepted"));
+    CHECK(contains(in_words(accepted.out), "\n verdict fatigue not considered -> accepted by user"));
   }
 
   TEST_CASE("as JSON every difference is told, with its relative change") {

@@ -117,7 +117,6 @@ std::optional<account::Modes> modes_under(const project::Step& step, double load
 }
 
 /// Whether the program would end as passed: all that applies is judged, accepted or open.
-bool passes(const account::Modes& modes) { return account::rank(account::worst(modes)) <= account::rank(State::open); }
 
 bool has_strength(const Calculator& calculator) {
   return std::any_of(calculator.modes.begin(), calculator.modes.end(),

@@ -113,7 +113,7 @@ bool same(double a, double b) {
 /// What a machine of its own says of a column.
 double alone(project::Project& project, const project::SweptResult& column, bool refused) {
   using Kind = project::SweptResult::Kind;
-  if (refused) return column.kind == Kind::state ? project::refused_state : std::nan("");
+  if (refused) return column.kind == Kind::state ? account::refused_state : std::nan("");
   if (column.kind == Kind::expression) {
     static const Value none{{}, {std::nan("")}};
     const Value value = column.expression.evaluate([&](const std::string& path) -> const Value& {
@@ -128,7 +128,7 @@ double alone(project::Project& project, const project::SweptResult& column, bool
       modes.push_back(mode);
   }
   if (column.kind == Kind::state) {
-    if (modes.empty()) return column.mode.empty() ? static_cast<double>(account::State::open) : project::absent_state;
+    if (modes.empty()) return column.mode.empty() ? static_cast<double>(account::State::open) : account::absent_state;
     return static_cast<double>(column.mode.empty() ? account::overall(modes) : account::worst(modes));
   }
   double most = std::nan("");

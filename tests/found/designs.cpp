@@ -1,5 +1,6 @@
 // Single designs that an engineer must reject, found by use: sizes that do not fit, searches without a result, factors
 // that a load lost. Each kind with a sound neighbour.
+#include "lib/account/conclusion.hpp"
 #include "tests/found/modes.hpp"
 
 #include <cmath>
@@ -136,7 +137,8 @@ TEST_SUITE("found searches") {
     const auto project = solved_as_found(bar + "method = \"euler\"\nsigma_P = \"290 MPa\"\n");
     CHECK(mode_of(project, "c", "buckling") == "not-available");
     const account::Mode& inputs = project.steps[0]->account().modes.front();
-    CHECK(inputs.id == "inputs");
+    CHECK(inputs.id == "search");
+    CHECK(account::conclude(project::modes(project)).headline == account::Headline::no_solution);
     // pi sqrt(E/sigma_P) = 84.54; 840 mm over 40 mm/4 is 84
     CHECK_MESSAGE(holds(inputs.note.text(), "nearest is 40 mm: r_1 = 1.006"), inputs.note.text());
     CHECK(holds(inputs.note.text(), "johnson"));

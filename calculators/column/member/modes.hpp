@@ -87,8 +87,9 @@ constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
           .by_companions(),
       Mode<Input>{"tension", "yield in tension", &pulled<Input>}.judged_by("x_t, u_t"),
       Mode<Input>{"tension_bent", "yield in tension with bending", &pulled_and_bent<Input>},
-      Mode<Input>{"net_section", "net section in tension, at holes and pins", &pulled_at_holes<Input>},
-      Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service(),
+      Mode<Input>{"net_section", "net section in tension, at holes and pins", &pulled_at_holes<Input>}.assessed_beside(
+          "pin.lug"),
+      Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_beside("fatigue.life, fatigue.history"),
       Mode<Input>{"weight", "bending by its own weight", &unseen<Input>}.special()};
 }
 

@@ -359,7 +359,8 @@ n_req = 1
           "mean"),
       Mode<Input>{"residue", "cycles of the residue, which are left out", &leaves_residue},
       Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
-      Mode<Input>{"multiaxial", "other stresses of the same place", &unseen<Input>}.by_companions(),
+      Mode<Input>{"multiaxial", "other stresses of the same place", &unseen<Input>}.by_companions().assessed_beside(
+          "fatigue.multiaxial"),
       Mode<Input>{"surroundings", "corrosion, heat, fretting", &unseen<Input>}.special()};
 
   static constexpr bool takes_series = false;

@@ -50,14 +50,14 @@ account::Modes modes_of(const project::Step& step, const Mechanism::Input& in, c
   for (const auto& mode : Mechanism::modes) {
     const auto rows = project::rows_of(mode, step.account().verdicts);
     if (rows.empty() && *mode.checks != '\0') continue;
-    modes.push_back(project::judged(step, mode, mode.applies(in), rows, {}, true));
-    if (modes.back().id != "strength") continue;
-    const std::string left = left_alone(step.name(), in, wanted.taken);
-    if (left.empty()) {
-      modes.pop_back();
-    } else if (modes.back().state == account::State::open) {
-      modes.back().note = say("taken by no step: {1}", left);
+    auto judged = project::judged(step, mode, mode.applies(in), rows);
+    if (!judged) continue;
+    if (judged->id == "strength") {
+      const std::string left = left_alone(step.name(), in, wanted.taken);
+      if (left.empty()) continue;
+      if (judged->state == account::State::open) judged->note = say("taken by no step: {1}", left);
     }
+    modes.push_back(std::move(*judged));
   }
   return modes;
 }

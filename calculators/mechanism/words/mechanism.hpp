@@ -159,7 +159,8 @@ F_y = "0 N"
       Mode<Input>{"resolution", "a largest reaction between the positions", &always<Input>}
           .judged_by("resolution")
           .of_shape(),
-      Mode<Input>{"strength", "strength of the links and pins that no step takes", &unseen<Input>},
+      Mode<Input>{"strength", "strength of the links and pins that no step takes", &unseen<Input>}.assessed_beside(
+          "link.member, pin.joint, column.buckling, shaft.design"),
       Mode<Input>{"pins", "wear of pins: pressure times speed", &unseen<Input>}.special()};
 };
 

@@ -314,7 +314,8 @@ r_T = 0
           .in_service(),
       Mode<Input>{"cycles",
                   "fatigue of a metal without a fatigue limit: a fatigue.life of each section, with its cycles N",
-                  &endless},
+                  &endless}
+          .assessed_beside("fatigue.life"),
       Mode<Input>{"neighbours", "fatigue where one notch feels the next", &crowds},
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
       Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y, s_max").of_service(),
@@ -354,7 +355,8 @@ r_T = 0
       Mode<Input>{"abutment", "height of shoulders for what is set against them", &abuts}
           .judged_by("sections.u_h")
           .of_shape(),
-      Mode<Input>{"hub", "keys, press fits and splines of what sits on it", &unseen<Input>},
+      Mode<Input>{"hub", "keys, press fits and splines of what sits on it", &unseen<Input>}.assessed_beside(
+          "shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw"),
       Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &brittle}.special(),
       Mode<Input>{"corrosion", "corrosion and fretting", &unseen<Input>}.special()};

@@ -45,12 +45,18 @@ constexpr auto with_modes_of_shafts(const std::array<Mode<Input>, judged>& own) 
   const std::array common{
       Mode<Input>{"other_loads", "what comes along with its loads, and is not taken; F_z bends by F_z d_w/2",
                   &unseen<Input>}
-          .by_companions(),
-      Mode<Input>{"critical_bending", "critical speed in bending", &unseen<Input>}.in_service(),
-      Mode<Input>{"critical_torsion", "critical speed in torsion", &unseen<Input>}.in_service(),
-      Mode<Input>{"deflection", "deflection, and slope at bearings and meshes", &unseen<Input>}.of_service(),
-      Mode<Input>{"keyway", "yield at keyways and other notches", &unseen<Input>},
-      Mode<Input>{"hub", "slip of what is pressed or clamped on it", &unseen<Input>},
+          .by_companions()
+          .assessed_in("shaft.design"),
+      Mode<Input>{"critical_bending", "critical speed in bending", &unseen<Input>}.in_service().assessed_in(
+          "shaft.design"),
+      Mode<Input>{"critical_torsion", "critical speed in torsion", &unseen<Input>}.in_service().assessed_in(
+          "shaft.design"),
+      Mode<Input>{"deflection", "deflection, and slope at bearings and meshes", &unseen<Input>}
+          .of_service()
+          .assessed_in("shaft.design"),
+      Mode<Input>{"keyway", "yield at keyways and other notches", &unseen<Input>}.assessed_in("shaft.design"),
+      Mode<Input>{"hub", "slip of what is pressed or clamped on it", &unseen<Input>}.assessed_beside(
+          "shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw"),
       Mode<Input>{"wall", "buckling of a thin wall", &thin_wall<Input>},
       Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special()};
   return join(own, common);

@@ -35,7 +35,7 @@ std::vector<double> shown(const std::vector<double>& si, const std::string& unit
 }
 
 std::string word_of(double state) {
-  if (state == project::refused_state) return "refused";
+  if (state == account::refused_state) return "refused";
   return account::slug(static_cast<account::State>(static_cast<int>(state)));
 }
 

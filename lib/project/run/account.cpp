@@ -73,7 +73,7 @@ void Run::tell_unjudged(Account& account) const {
   }
   if (names.empty()) return;
   for (Entry& entry : account.inputs) {
-    if (entry.origin.searched) entry.origin.text = say("{1}; not judged: {2}", entry.origin.text, names);
+    if (entry.origin.searched) entry.origin.text = say("{1}; not assessed: {2}", entry.origin.text, names);
   }
 }
 
@@ -167,7 +167,7 @@ account::Verdict Run::check_verdict(const Column& column) const {
                      .bound = say("passes at 1 or less"),
                      .state = beyond_table                ? account::State::not_covered
                               : std::isnan(largest.value) ? account::State::not_available
-                                                          : state_of_check(largest.value)};
+                                                          : account::state_of_check(largest.value)};
   if (std::isnan(largest.value))
     v.note = missing_.empty() ? missing_input() : missing_;
   else
@@ -178,14 +178,14 @@ account::Verdict Run::check_verdict(const Column& column) const {
 
 account::Verdict Run::limit_verdict(const Column& column) const {
   const Range& bounds = column.field->bounds;
-  const double worst = farthest_from(bounds, column.si);
+  const double worst = account::farthest_from(bounds, column.si);
   return {.step = step_.name(),
           .symbol = column.path,
           .meaning = say(column.field->doc),
           .value = account::Quantity{worst, column.field->unit, 4},
           .bound = bounds_of(*column.field),
           .state = std::isnan(worst) ? account::State::not_available
-                                     : state_of_limit(bounds, column.field->is_criterion, worst)};
+                                     : account::state_of_limit(bounds, column.field->is_criterion, worst)};
 }
 
 /// Where a limit is not kept, a check without a value is no gap in the input: the formula does not reach so far.

@@ -50,8 +50,7 @@ bool Run::passes() {
   return std::all_of(fields.begin(), fields.end(),
                      [&](const FieldInfo& f) {
                        if (f.role != Role::check || !is_asked(f) || f.is_beside || excused_.contains(&f)) return true;
-                       const double largest = largest_result(f);
-                       return is_passed(largest) || (f.where_set && std::isnan(largest));
+                       return account::is_kept(f, largest_result(f));
                      }) &&
          keeps_limits(true);
 }
@@ -64,10 +63,7 @@ bool Run::is_held_against(const FieldInfo& f, bool criteria) const {
 
 /// Whether what is held against a part keeps to it: a field of the result, or of an element of its lists.
 bool Run::keeps(const FieldInfo& f, const void* owner, bool criteria) const {
-  if (!is_held_against(f, criteria)) return true;
-  const double si = f.get(owner);
-  if (std::isnan(si)) return f.where_set;
-  return f.role == Role::check ? is_passed(si) : f.bounds.holds(si);
+  return !is_held_against(f, criteria) || account::is_kept(f, f.get(owner));
 }
 
 /// Whether an element of a list passes its checks and keeps its criteria, or the limits of its methods.
@@ -138,7 +134,7 @@ std::optional<double> Run::first_outside(const FieldInfo& limit) {
     if (!set_position(i)) continue;
     calculator_.evaluate(record_.data.get(), result_.data.get());
     const double si = limit.get(result_.data.get());
-    if (std::isnan(si) ? !limit.where_set : !limit.bounds.holds(si)) return si;
+    if (!account::is_kept(limit, si)) return si;
   }
   return std::nullopt;
 }

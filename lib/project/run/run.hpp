@@ -1,11 +1,11 @@
 // One solving of a calculator step: at one position, or at every position of a cycle.
 #pragma once
 
+#include "lib/account/rows.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/run/beside.hpp"
 #include "lib/project/run/calculator_step.hpp"
-#include "lib/project/run/row_state.hpp"
 
 #include <optional>
 #include <set>
@@ -227,7 +227,6 @@ class Run {
   void ask_modes();
   /// Of a part that is not known: any may.
   void doubt_modes();
-  [[nodiscard]] bool is_judged(const ModeInfo& mode, const Account& account, std::string& wants) const;
   void excuse_uncovered(Account& account) const;
   [[nodiscard]] Message missing_input() const;
   [[nodiscard]] account::Verdict check_verdict(const Column& column) const;
@@ -245,6 +244,7 @@ class Run {
   Rows rows_;
   std::vector<Provided> provided_;
   Message not_given_;  // a word or a list of another step that is not available; empty: there is none
+  bool search_failed_ = false;
   std::vector<Input> inputs_;
   std::map<std::string, Origin> origins_;  // of provided, kept and searched leaves
   std::set<const FieldInfo*> excused_;     // limits that no candidate of a search changes

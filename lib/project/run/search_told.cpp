@@ -126,6 +126,7 @@ void Run::leave_without(const Search& wanted, const Candidates& all, std::size_t
 /// The input that was searched for, and what a row would have given, have no value.
 void Run::leave_open(const Search& wanted, Message why) {
   not_given_ = std::move(why);
+  search_failed_ = true;
   Origin origin{not_given_, {}, false};
   origin.searched = true;
   if (wanted.leaf) {

@@ -1,8 +1,8 @@
 // What a sweep reads off every point: expressions over results, and how the modes of failure came out.
 #pragma once
 
+#include "lib/account/fold.hpp"
 #include "lib/project/project.hpp"
-#include "lib/project/sweep/points/loops.hpp"
 
 #include <optional>
 #include <string>

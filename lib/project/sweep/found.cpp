@@ -56,7 +56,7 @@ void Tally::add(std::uint64_t first, std::span<const double> state, std::span<co
   };
   const double front = state.front();
   count(front);
-  for (double which = absent_state; left > 0 && which < static_cast<double>(states); ++which) {
+  for (double which = account::absent_state; left > 0 && which < static_cast<double>(states); ++which) {
     if (which != front) count(which);
   }
   const double here = sweep::largest_of(utilisation);

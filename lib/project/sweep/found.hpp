@@ -31,14 +31,16 @@ struct Keep {
 
 /// How often a mode, or the whole, came out as what, and where its utilisation is largest.
 struct Tally {
-  static constexpr std::size_t states = 8;  // of account::State, and refused_state
+  static constexpr std::size_t states = 8;  // of account::State, and account::refused_state
   std::array<std::uint64_t, states> counts{};
   sweep::Extreme largest;
 
   void add(std::uint64_t first, std::span<const double> state, std::span<const double> utilisation);
   void merge(const Tally& other);
   [[nodiscard]] std::uint64_t of(account::State state) const { return counts[static_cast<std::size_t>(state)]; }
-  [[nodiscard]] std::uint64_t refused_points() const { return counts[static_cast<std::size_t>(refused_state)]; }
+  [[nodiscard]] std::uint64_t refused_points() const {
+    return counts[static_cast<std::size_t>(account::refused_state)];
+  }
   /// Points that it concerns.
   [[nodiscard]] std::uint64_t total() const;
   /// Those that are judged and pass, or are accepted or open.

@@ -102,7 +102,7 @@ void Variants::solve_alone(std::span<const double* const> in, std::span<double* 
     const SweptResult& column = columns_[k];
     const bool is_state = column.kind == SweptResult::Kind::state;
     const bool is_flag = column.kind == SweptResult::Kind::passes;
-    out[k][row] = solved ? read(column) : is_state ? refused_state : is_flag ? 0.0 : nan;
+    out[k][row] = solved ? read(column) : is_state ? account::refused_state : is_flag ? 0.0 : nan;
   }
 }
 
@@ -213,7 +213,7 @@ void Variants::read_verdicts(std::span<double* const> out, std::size_t n) {
 
 void Variants::find_modes_of_columns() {
   for (const SweptResult& column : columns_) {
-    std::vector<const ModeColumns*>& modes = of_column_.emplace_back();
+    std::vector<const account::ModeColumns*>& modes = of_column_.emplace_back();
     for (std::size_t s = 0; s < kernels_.size(); ++s) {
       const Step& step = *project_.steps[project_.order[s]];
       for (std::size_t m = 0; m < modes_[s].size(); ++m) {
@@ -255,8 +255,7 @@ double Variants::read(const SweptResult& column) const {
   using Kind = SweptResult::Kind;
   if (column.kind == Kind::utilisation) return utilisation_of(column);
   if (column.kind == Kind::state) return state_of(column);
-  if (column.kind == Kind::passes)
-    return account::rank(account::worst(modes_in(project_, column))) <= account::rank(account::State::open) ? 1.0 : 0.0;
+  if (column.kind == Kind::passes) return account::passes(modes_in(project_, column)) ? 1.0 : 0.0;
   static const Value none{{}, {nan}};
   const Value value = column.expression.evaluate([&](const std::string& path) -> const Value& {
     const Value* const known = project_.value(path);
@@ -267,7 +266,7 @@ double Variants::read(const SweptResult& column) const {
 
 double Variants::state_of(const SweptResult& column) const {
   const account::Modes modes = modes_in(project_, column);
-  if (modes.empty()) return column.mode.empty() ? static_cast<double>(account::State::open) : absent_state;
+  if (modes.empty()) return column.mode.empty() ? static_cast<double>(account::State::open) : account::absent_state;
   return static_cast<double>(column.mode.empty() ? account::overall(modes) : account::worst(modes));
 }
 

@@ -61,15 +61,15 @@ class Variants final : public sweep::Function {
   std::vector<SweptInput> axes_;
   std::vector<SweptResult> columns_;
   Wanted wanted_;
-  Together together_;
+  account::VerdictColumns together_;
   enum class Way { unknown, columns, alone };
   Way way_ = Way::unknown;
   std::vector<std::unique_ptr<PointStep>> kernels_;  // in order of evaluation
   PointColumns points_;
   std::vector<const double*> from_;  // of a batch
   std::vector<double*> to_;
-  std::vector<std::vector<ModeColumns>> modes_;             // of each step in order of evaluation
-  std::vector<std::vector<const ModeColumns*>> of_column_;  // that a column speaks of
+  std::vector<std::vector<account::ModeColumns>> modes_;             // of each step in order of evaluation
+  std::vector<std::vector<const account::ModeColumns*>> of_column_;  // that a column speaks of
   std::vector<Refusal> refusals_;
   std::size_t alone_ = 0;
 };

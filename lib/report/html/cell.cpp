@@ -1,3 +1,4 @@
+#include "lib/account/conclusion.hpp"
 #include "lib/formula/formula.hpp"
 #include "lib/report/html/html.hpp"
 #include "lib/report/worked.hpp"
@@ -42,10 +43,22 @@ std::string_view shapes() {
 )";
 }
 
-std::string state(State state) {
+namespace {
+
+std::string marked(State state, const std::string& words) {
   const std::string name = slug(state);
   return "<span class=\"state " + name + "\"><svg class=\"shape\" aria-hidden=\"true\"><use href=\"#shape-" + name +
-         "\"/></svg>" + escaped(word(state).text()) + "</span>";
+         "\"/></svg>" + escaped(words) + "</span>";
+}
+
+}  // namespace
+
+std::string state(State state) { return marked(state, account::shown(state).text()); }
+
+std::string state_of(const Mode& mode) { return marked(mode.state, account::shown(mode).text()); }
+
+std::string headline(const Modes& modes) {
+  return marked(account::overall(modes), account::word(account::conclude(modes).headline));
 }
 
 }  // namespace loadpath::report::page

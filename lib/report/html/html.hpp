@@ -21,6 +21,10 @@ std::string table(const Table& table, const std::string& caption);
 /// The shapes that verdicts refer to; once in a page.
 std::string_view shapes();
 std::string state(State state);
+/// The same of a mode: "outside the scope" where no calculator assesses it.
+std::string state_of(const Mode& mode);
+/// "INCOMPLETE", marked as the worst of the modes is.
+std::string headline(const Modes& modes);
 
 std::string derivation(const Derivation& derivation);
 /// Links a row to the heading of its step where the page has one.

@@ -28,7 +28,7 @@ std::string table_of(const Modes& rows, const std::set<std::string>& anchors) {
   out += "</tr></thead>\n<tbody>\n";
   for (const Mode& mode : rows) {
     out += "<tr><td class=\"subject\">" + subject(mode, anchors) + "</td><td class=\"number\">" + value(mode) +
-           "</td><td class=\"verdict\">" + state(mode.state) + "</td></tr>\n";
+           "</td><td class=\"verdict\">" + state_of(mode) + "</td></tr>\n";
   }
   out += "</tbody></table></div>\n";
   return out;
@@ -38,7 +38,7 @@ std::string table_of(const Modes& rows, const std::set<std::string>& anchors) {
 
 std::string conclusion(const Modes& modes) {
   if (modes.empty()) return {};
-  std::string out = "<p class=\"conclusion\">" + state(overall(modes)) + "<span>" + escaped(tally(modes).text());
+  std::string out = "<p class=\"conclusion\">" + headline(modes) + "<span>" + escaped(conclusion_of(modes).text());
   if (const Mode* mode = most_utilised(modes)) out += " " + escaped(utilisation(*mode).text());
   return out + "</span></p>\n";
 }

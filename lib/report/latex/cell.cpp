@@ -1,3 +1,4 @@
+#include "lib/account/conclusion.hpp"
 #include "lib/formula/formula.hpp"
 #include "lib/report/latex/tex.hpp"
 #include "lib/report/worked.hpp"
@@ -30,9 +31,20 @@ std::string symbol(std::string_view path) {
 
 std::string cell(const Cell& cell) { return std::visit(CellText{}, cell); }
 
-std::string state(State state) {
-  return "\\lpstate{" + std::string(colour_of(state)) + "}{" + account::mark(state) + "}{" +
-         latex_text(word(state).text()) + "}";
+namespace {
+
+std::string marked(State state, const std::string& words) {
+  return "\\lpstate{" + std::string(colour_of(state)) + "}{" + account::mark(state) + "}{" + latex_text(words) + "}";
+}
+
+}  // namespace
+
+std::string state(State state) { return marked(state, account::shown(state).text()); }
+
+std::string state_of(const Mode& mode) { return marked(mode.state, account::shown(mode).text()); }
+
+std::string headline(const Modes& modes) {
+  return marked(account::overall(modes), account::word(account::conclude(modes).headline));
 }
 
 }  // namespace loadpath::report::tex

@@ -19,7 +19,7 @@ struct Plain {
   std::string operator()(const Message& message) const { return message.text(); }
   std::string operator()(const Quantity& q) const { return formula::quantity_plain(written(q)); }
   std::string operator()(const Symbol& s) const { return formula::symbol_plain(s.name); }
-  std::string operator()(State s) const { return word(s).text(); }
+  std::string operator()(State s) const { return account::shown(s).text(); }
 };
 
 /// Of the words between blanks the longest; an underscore is a place for a break too.

@@ -15,6 +15,10 @@ using Linked = std::function<std::string(const std::string& step)>;
 std::string symbol(std::string_view path);
 std::string cell(const Cell& cell);
 std::string state(State state);
+/// The same of a mode: "outside the scope" where no calculator assesses it.
+std::string state_of(const Mode& mode);
+/// "INCOMPLETE", marked as the worst of the modes is.
+std::string headline(const Modes& modes);
 
 /// What is too wide in any type becomes several tables below each other.
 std::string table(const Table& table);

@@ -29,7 +29,7 @@ std::string table_of(const Modes& modes, const Linked& linked) {
   std::string rows;
   for (const Mode& mode : modes) {
     rows += row_of({linked(mode.step) + ": " + latex_text(mode.title.text()) + below(account::reason(mode)),
-                    mode.utilisation ? latex_text(format_number(*mode.utilisation, 3)) : "–", state(mode.state)});
+                    mode.utilisation ? latex_text(format_number(*mode.utilisation, 3)) : "–", state_of(mode)});
   }
   return framed("L{0.68\\linewidth}rl",
                 row_of({latex_text(say("mode of failure").text()), latex_text(say("utilisation").text()),
@@ -60,7 +60,7 @@ std::string verdicts(const Verdicts& verdicts, const Linked& linked) {
 
 std::string conclusion(const Modes& modes) {
   if (modes.empty()) return {};
-  std::string out = "\\lpconclusion{" + state(overall(modes)) + ": " + latex_text(tally(modes).text());
+  std::string out = "\\lpconclusion{" + headline(modes) + ": " + latex_text(conclusion_of(modes).text());
   if (const Mode* mode = most_utilised(modes)) out += " " + latex_text(utilisation(*mode).text());
   return out + "}\n\n";
 }

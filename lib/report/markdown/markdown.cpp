@@ -1,3 +1,4 @@
+#include "lib/account/conclusion.hpp"
 #include "lib/formula/formula.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/conclusion.hpp"
@@ -19,10 +20,12 @@ std::string symbol(std::string_view path) {
   return where + (is_word(named.symbol) ? text(named.symbol) : inline_math(formula::symbol_tex(named.symbol)));
 }
 
-std::string state(State s) {
-  const std::string name = text(word(s).text());
+std::string marked(State s, const std::string& words) {
+  const std::string name = text(words);
   return mark(s) + (s == State::fail ? " **" + name + "**" : " " + name);
 }
+
+std::string state(State s) { return marked(s, account::shown(s).text()); }
 
 struct CellText {
   std::string operator()(const std::string& words) const { return text(words); }
@@ -52,7 +55,8 @@ std::string verdicts(const Verdicts& verdicts) {
 
 std::string conclusion(const Modes& all) {
   if (all.empty()) return {};
-  std::string out = state(overall(all)) + ": " + text(tally(all).text());
+  std::string out = marked(account::overall(all), account::word(account::conclude(all).headline)) + ": " +
+                    text(conclusion_of(all).text());
   if (const Mode* mode = most_utilised(all)) out += " " + text(utilisation(*mode).text());
   return out + "\n\n";
 }
@@ -65,7 +69,7 @@ std::string table_of(const Modes& rows) {
   for (const Mode& mode : rows) {
     const std::string subject = mode.step + ": " + mode.title.text() + "; " + account::reason(mode).text();
     const std::string value = mode.utilisation ? format_number(*mode.utilisation, 3) : "–";
-    grid.rows.push_back({text(subject), text(value), state(mode.state)});
+    grid.rows.push_back({text(subject), text(value), marked(mode.state, account::shown(mode).text())});
   }
   return md::table(grid);
 }

@@ -26,7 +26,7 @@ struct Decided {
 };
 
 Verdict verdict_of(double state) {
-  if (state == project::refused_state || std::isnan(state)) return Verdict::none;
+  if (state == account::refused_state || std::isnan(state)) return Verdict::none;
   const auto s = static_cast<State>(static_cast<int>(state));
   if (s == State::fail) return Verdict::fails;
   return s == State::pass || s == State::accepted ? Verdict::passes : Verdict::open;
@@ -38,7 +38,7 @@ Decided decided(const SolvedPoints& points, std::size_t asked, std::size_t i) {
   double most = std::nan("");
   for (std::size_t t = 1; asked + 2 * t + 1 < points.results.size(); ++t) {
     const double state = points.results[asked + 2 * t][i], used = points.results[asked + 2 * t + 1][i];
-    if (!(state >= 0.0) || state == project::refused_state) continue;
+    if (!(state >= 0.0) || state == account::refused_state) continue;
     const int rank = account::rank(static_cast<State>(static_cast<int>(state)));
     if (rank < worst || (rank == worst && !(used > most) && !(std::isnan(most) && !std::isnan(used)))) continue;
     worst = rank;

@@ -211,7 +211,7 @@ Paragraph conclusion(const SweepPlan& plan, const Found& found) {
   const std::uint64_t gaps = n - fails - all.passing() - all.refused_points();
   std::string text = "Of " + number(n) + " points " + number(all.passing()) +
                      " pass: " + share_text(all.passing(), n, is_sample(plan)) + "; " + number(fails) + " fail";
-  if (gaps > 0) text += "; " + number(gaps) + " are not judged, not covered or not available";
+  if (gaps > 0) text += "; " + number(gaps) + " are not assessed, have no valid method or no result";
   if (all.refused_points() > 0) text += "; " + number(all.refused_points()) + " are no machine";
   text += ".";
   if (plan.inputs.empty()) text += " Nothing varies: it is the one machine of the project.";

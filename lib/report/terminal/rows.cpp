@@ -32,6 +32,16 @@ std::string plain_formula(const account::Step& line) {
 
 std::string name_of(const Mode& mode, bool of_project) { return of_project ? mode.step + "." + mode.id : mode.id; }
 
+/// Modes that no input of their step would let be assessed, by what would.
+void add_remote(const std::string& reason, const std::string& name,
+                std::vector<std::pair<std::string, std::string>>& remote) {
+  const auto same = std::ranges::find(remote, reason, &std::pair<std::string, std::string>::first);
+  if (same == remote.end())
+    remote.emplace_back(reason, name);
+  else
+    same->second += ", " + name;
+}
+
 }  // namespace
 
 std::string value_text(const Entry& e) {
@@ -57,22 +67,23 @@ Row line_row(const account::Derived& line, bool in_element) {
 }
 
 Row mode_row(const Mode& mode, const std::string& name) {
-  return {"  " + state_word(mode.state), name, mode.utilisation ? format_quantity(*mode.utilisation, "-", 4) : "",
+  return {"  " + mode_word(mode), name, mode.utilisation ? format_quantity(*mode.utilisation, "-", 4) : "",
           mode.title.text() + "; " + account::reason(mode).text()};
 }
 
 std::string mode_columns(const account::Modes& modes, bool of_project) {
   std::vector<Row> rows;
-  std::string remote;
+  std::vector<std::pair<std::string, std::string>> remote;  // what would assess them, and which they are
   for (const Mode& mode : account::in_order(modes)) {
     if (account::is_remote(mode))
-      remote += (remote.empty() ? "" : ", ") + name_of(mode, of_project);
+      add_remote(account::reason(mode).text(), name_of(mode, of_project), remote);
     else
       rows.push_back(mode_row(mode, name_of(mode, of_project)));
   }
-  if (remote.empty()) return columns(rows);
-  return columns(rows) +
-         columns({{"  " + state_word(account::State::open), say("and judged by nothing here: {1}", remote).text()}});
+  std::string all = columns(rows);
+  for (const auto& [reason, names] : remote)
+    all += columns({{"  " + state_word(account::State::open), say("{1}: {2}", reason, names).text()}});
+  return all;
 }
 
 }  // namespace loadpath::terminal

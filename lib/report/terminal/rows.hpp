@@ -19,8 +19,8 @@ Row line_row(const account::Derived& line, bool in_element);
 /// How a mode came out, by the name that it has where it stands: "rod.yield" of a project, "yield" of a step.
 Row mode_row(const account::Mode& mode, const std::string& name);
 
-/// The modes as columns, what needs a hand first; those that are open and judged by nothing share the last line.
-/// `of_project`: named with their steps.
+/// The modes as columns, what needs a hand first; those that no input would let be assessed share a line for each
+/// reason. `of_project`: named with their steps.
 std::string mode_columns(const account::Modes& modes, bool of_project);
 
 }  // namespace loadpath::terminal

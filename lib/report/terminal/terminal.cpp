@@ -1,5 +1,6 @@
 #include "lib/report/terminal/terminal.hpp"
 
+#include "lib/account/conclusion.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/build.hpp"
 #include "lib/report/terminal/answer.hpp"
@@ -158,13 +159,40 @@ void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>
   std::cerr << (isatty(STDERR_FILENO) != 0 ? with_short_hints(text) : text);
 }
 
-std::string state_word(account::State state) {
+namespace {
+
+std::string coloured(account::State state, const std::string& words) {
   if (state == account::State::fail) return in_colour("FAIL", "31;1");
-  return in_colour(account::word(state).text(), state == account::State::pass ? "32" : "33");
+  return in_colour(words, state == account::State::pass ? "32" : "33");
+}
+
+const char* colour_of(account::Headline headline) {
+  switch (headline) {
+    case account::Headline::pass:
+      return "32;1";
+    case account::Headline::incomplete:
+      return "33;1";
+    default:
+      return "31;1";
+  }
+}
+
+}  // namespace
+
+std::string state_word(account::State state) { return coloured(state, account::shown(state).text()); }
+
+std::string mode_word(const account::Mode& mode) { return coloured(mode.state, account::shown(mode).text()); }
+
+void show_headline(const account::Modes& modes) {
+  const auto headline = account::conclude(modes).headline;
+  const std::string words = account::explanation(modes).text();
+  std::cout << in_colour(account::word(headline), colour_of(headline))
+            << (headline == account::Headline::pass ? " (" + words + ")" : "  " + words) << "\n";
 }
 
 void show_project(const project::Project& project, report::Detail detail) {
   const bool in_full = detail == report::Detail::full;
+  show_headline(project::modes(project));
   if (!project.title.empty()) std::cout << project.title << "\n\n";
   if (detail != report::Detail::brief) {
     for (const auto& step : project.steps) show_step(*step, in_full);

@@ -32,5 +32,9 @@ void show_tables(const std::vector<account::Block>& blocks);
 
 /// One coloured word for a state: "pass", "FAIL".
 std::string state_word(account::State state);
+/// The verdict in one line.
+void show_headline(const account::Modes& modes);
+/// The same of a mode: "outside the scope" where no calculator assesses it.
+std::string mode_word(const account::Mode& mode);
 
 }  // namespace loadpath::terminal

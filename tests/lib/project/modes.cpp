@@ -101,13 +101,13 @@ TEST_SUITE("project modes") {
     };
     CHECK(warnings(gears + "accept.pitting_1 = \"rated\"\n").empty());
     CHECK(warnings(gears + strength + "accept.root_1 = \"it holds\"\n") ==
-          "accept.root_1 has no effect: root_1 is judged, and passes\n");
+          "accept.root_1 has no effect: root_1 is assessed and passes\n");
     CHECK(warnings(gears + "sigma_adm_1 = \"20 MPa\"\nsigma_adm_2 = \"20 MPa\"\naccept.root_1 = \"it holds\"\n") ==
           "accept.root_1 has no effect: root_1 fails, and a failure is never accepted\n");
     CHECK(warnings(gears.substr(0, gears.find("T_1")) + "accept.root_1 = \"it holds\"\n") ==
           "accept.root_1 has no effect: root_1 does not apply here\n");
     CHECK(warnings(axle + "T = \"=1 N*m / 0\"\naccept.yield = \"it holds\"\n") ==
-          "accept.yield has no effect: yield is not available, which is never accepted\n");
+          "accept.yield has no effect: yield: no result, which cannot be accepted\n");
   }
 
   TEST_CASE("a step without results for want of an input has not passed") {
@@ -118,8 +118,8 @@ TEST_SUITE("project modes") {
 
   TEST_CASE("a pass is never said without what it covers") {
     CHECK(contains(account::scope(project::modes(Solved(gears + strength).project)).text(), "; pass: gears."));
-    CHECK(account::scope({}).text() == "nothing is judged here");
-    CHECK(account::brief_scope({}).text() == "nothing is judged here");
+    CHECK(account::scope({}).text() == "no failure mode is assessed here");
+    CHECK(account::brief_scope({}).text() == "no failure mode is assessed here");
     CHECK(account::overall({}) == State::open);
   }
 
@@ -136,9 +136,10 @@ TEST_SUITE("project modes") {
     add(State::pass, "9");
     add(State::open, "5");
     for (int k = 1; k <= 9; ++k) add(State::not_judged, "n" + std::to_string(k));
-    CHECK(account::brief_scope(modes).text() ==
-          "not judged: part.n1, part.n2, part.n3, part.n4, part.n5, part.n6, part.n7, part.n8, part.n9; pass: 9 modes "
-          "above; open: 5 modes above");
+    CHECK(
+        account::brief_scope(modes).text() ==
+        "not assessed: part.n1, part.n2, part.n3, part.n4, part.n5, part.n6, part.n7, part.n8, part.n9; pass: 9 modes "
+        "above; not considered: 5 modes above");
   }
 
   TEST_CASE("customs that an input breaks stand with its step") {
@@ -226,8 +227,7 @@ TEST_SUITE("project angles") {
     const std::string limit = "sigma_D = \"60 MPa\"\nS_D = 1.5\n", taken = "cycle = \"=axle.cycle\"\n";
     Solved alone(turning), apart(turning + life + limit + "stress = \"shear\"\nsigma_max = \"=axle.tau_max\"\n");
     CHECK(alone.mode("axle.fatigue").state == State::not_judged);
-    CHECK(account::reason(alone.mode("axle.fatigue")).text() ==
-          "left to fatigue.cycle, of which no step takes =axle.cycle whole");
+    CHECK(account::reason(alone.mode("axle.fatigue")).text() == "add a step of fatigue.cycle that takes =axle.cycle");
     CHECK(apart.mode("axle.fatigue").state == State::not_judged);
     Solved judged(turning + life + limit + taken);
     REQUIRE_MESSAGE(!has_errors(judged.issues), judged.messages());

@@ -203,7 +203,7 @@ TEST_SUITE("largest values") {
         "[bar]\ncalculator = \"column.buckling\"\nl = \"1 m\"\nends = \"pinned_pinned\"\nmaterial = \"S355\"\n"
         "d = \"?\"\nN = \"25 kN\"\nmethod = \"johnson\"\nn_st = 3\n");
     REQUIRE_MESSAGE(!has_errors(pulled.issues), pulled.messages());
-    CHECK_MESSAGE(contains(pulled.origin("bar", "d"), "; not judged: tension"), pulled.origin("bar", "d"));
+    CHECK_MESSAGE(contains(pulled.origin("bar", "d"), "; not assessed: tension"), pulled.origin("bar", "d"));
   }
 
   TEST_CASE("a chain is found by its pitch") {

@@ -56,10 +56,10 @@ Known AloneStep::known() const {
           .within = [](const std::string&) { return std::vector<std::pair<std::string, const Entry*>>(); }};
 }
 
-void AloneStep::evaluate(PointColumns& points, std::vector<ModeColumns>& modes) {
+void AloneStep::evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) {
   modes.resize(step_.input().calculator->modes.size());
-  for (ModeColumns& mode : modes) {
-    mode.state.assign(points.count, absent_state);
+  for (account::ModeColumns& mode : modes) {
+    mode.state.assign(points.count, account::absent_state);
     mode.utilisation.assign(points.count, nan);
   }
   for (const Told& told : told_) {
@@ -107,13 +107,13 @@ bool AloneStep::solve(PointColumns& points, std::size_t point) {
   return !has_errors(issues);
 }
 
-bool AloneStep::take_modes(std::size_t point, std::vector<ModeColumns>& modes) const {
+bool AloneStep::take_modes(std::size_t point, std::vector<account::ModeColumns>& modes) const {
   const auto& known = step_.input().calculator->modes;
   for (const account::Mode& mode : step_.account().modes) {
     const auto same =
         std::find_if(known.begin(), known.end(), [&](const ModeInfo& info) { return info.id == mode.id; });
     if (same == known.end()) return false;  // that an input or a load is missing
-    ModeColumns& columns = modes[static_cast<std::size_t>(same - known.begin())];
+    account::ModeColumns& columns = modes[static_cast<std::size_t>(same - known.begin())];
     columns.state[point] = static_cast<double>(mode.state);
     columns.utilisation[point] = mode.utilisation.value_or(nan);
   }

@@ -19,7 +19,7 @@ class AloneStep final : public PointStep {
   static std::unique_ptr<AloneStep> of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
                                        const PointColumns& points);
 
-  void evaluate(PointColumns& points, std::vector<ModeColumns>& modes) override;
+  void evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) override;
   [[nodiscard]] bool reads_axes() const override;
 
  private:
@@ -30,7 +30,7 @@ class AloneStep final : public PointStep {
   bool solve(PointColumns& points, std::size_t point);
   bool take_values(PointColumns& points, std::size_t point);
   [[nodiscard]] bool keeps_axes(bool with_speed);
-  bool take_modes(std::size_t point, std::vector<ModeColumns>& modes) const;
+  bool take_modes(std::size_t point, std::vector<account::ModeColumns>& modes) const;
 
   /// A value that others refer to.
   struct Told {

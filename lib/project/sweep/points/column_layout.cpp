@@ -1,7 +1,7 @@
 // What a ColumnStep finds out when its step was solved at one point.
+#include "lib/account/rows.hpp"
 #include "lib/project/accept.hpp"
 #include "lib/project/modes.hpp"
-#include "lib/project/run/row_state.hpp"
 #include "lib/project/sweep/points/column_parts.hpp"
 #include "lib/sweep/nan.hpp"
 
@@ -202,22 +202,20 @@ void ColumnStep::Parts::add_rules() {
 
 void ColumnStep::Parts::add_judging() {
   for (std::size_t k = 0; k < calculator.modes.size(); ++k) {
-    Judging judged{k};
-    judged.unjudged.never = is_doubtful(step, calculator.modes[k]);
-    for (const std::string& key : listed_keys(calculator.modes[k].checks)) {
-      const FieldInfo* const field = find_field(calculator.result->fields, key);
-      const bool checks = field != nullptr && field->role == Role::check;
-      judged.unjudged.needs_checks = judged.unjudged.needs_checks || checks;
-      if (checks && *field->asked_by != '\0' && !step.is_asked(*field, record)) judged.unjudged.never = true;
+    const ModeInfo& mode = calculator.modes[k];
+    const CheckNeeds needs =
+        needs_of(mode, *calculator.result, [&](const FieldInfo& check) { return step.is_asked(check, record); });
+    Judging judged{.mode = k, .unjudged = unjudged_of(step, mode, needs)};
+    for (const std::string& key : listed_keys(mode.checks)) {
       for (std::size_t i = 0; i < read.size(); ++i) {
         if (read[i].is_row && names_row(key, read[i].field->key)) judged.rows.push_back(i);
       }
     }
-    for (const Applies when : {Applies::no, Applies::unseen, Applies::yes}) {
-      const State state = state_of(step, calculator.modes[k], when, std::nullopt, false);
-      const bool accepted = is_accepted(step.input(), calculator.modes[k].id, state);
-      judged.unjudged.state[static_cast<std::size_t>(when)] = static_cast<double>(accepted ? State::accepted : state);
-    }
+    const auto accept = [&](double& state) {
+      if (is_accepted(step.input(), mode.id, account::state_of(state))) state = account::number(State::accepted);
+    };
+    std::ranges::for_each(judged.unjudged.state, accept);
+    accept(judged.unjudged.passed);
     judging.push_back(std::move(judged));
   }
 }
@@ -226,7 +224,7 @@ void ColumnStep::Parts::look_for_loads() {
   for_each_leaf(record, [&](const std::string& path, const Leaf& leaf) {
     if (!leaf.field->is_load) return;
     is_load_told = is_load_told || step.input().reading.typed.contains(path);
-    if (!is_fed(path) && (leaf.field->get == nullptr || acts(leaf.get()))) is_loaded = true;
+    if (!is_fed(path) && (leaf.field->get == nullptr || account::acts(leaf.get()))) is_loaded = true;
   });
 }
 

@@ -64,7 +64,7 @@ std::size_t offset_in(const Record& record, const Leaf& leaf);
 struct Judging {
   std::size_t mode;
   std::vector<std::size_t> rows = {};
-  Fold::Unjudged unjudged = {};
+  account::Unjudged unjudged = {};
 };
 
 struct ColumnStep::Parts {
@@ -90,7 +90,7 @@ struct ColumnStep::Parts {
   std::vector<char> other_rows;                    // over the positions
   std::vector<double> sizes, next_sizes, size_rows;
   Value slice;  // of a series, at one point
-  Fold fold;
+  account::RowColumns fold;
   bool is_loaded = false;  // whatever varies
   bool is_load_told = false;
 
@@ -139,7 +139,7 @@ struct ColumnStep::Parts {
   void check_inputs(PointColumns& points);
   void ask(PointColumns& points, std::span<const char> asked_rules);
   void gather(PointColumns& points);
-  void judge(const PointColumns& points, std::vector<ModeColumns>& modes);
+  void judge(const PointColumns& points, std::vector<account::ModeColumns>& modes);
   void leave_unloaded(PointColumns& points) const;
   void fold_rows(const Judging& judged, std::size_t n);
   std::span<const double> worst_of(Read& number, std::size_t n);

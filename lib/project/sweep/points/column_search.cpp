@@ -1,5 +1,5 @@
 // A size that is searched for in a stock, at every point: the smallest with which every check passes.
-#include "lib/project/run/row_state.hpp"
+#include "lib/account/rows.hpp"
 #include "lib/project/sweep/points/column_parts.hpp"
 #include "lib/sweep/nan.hpp"
 
@@ -140,11 +140,10 @@ bool ColumnStep::Parts::is_kept(Read& number, std::size_t point) {
   if (field.role == Role::check) {
     const double most = largest_of(number.si, point, field.dimension).value;
     if (axis != nullptr) number.worst[point] = most;
-    return is_passed(most) || (field.where_set && std::isnan(most));
+    return account::is_kept(field, most);
   }
   const auto here = std::span(number.si).subspan(point * positions(), positions());
-  return std::all_of(here.begin(), here.end(),
-                     [&](double si) { return std::isnan(si) ? field.where_set : field.bounds.holds(si); });
+  return std::all_of(here.begin(), here.end(), [&](double si) { return account::is_kept(field, si); });
 }
 
 }  // namespace loadpath::project

@@ -1,6 +1,7 @@
 #include "lib/project/sweep/points/column_step.hpp"
 
-#include "lib/project/run/row_state.hpp"
+#include "lib/account/rows.hpp"
+#include "lib/project/sweep/points/bounds.hpp"
 #include "lib/project/sweep/points/column_parts.hpp"
 #include "lib/sweep/nan.hpp"
 #include "lib/sweep/statistics/lanes.hpp"
@@ -96,7 +97,7 @@ void ColumnStep::Parts::leave_unloaded(PointColumns& points) const {
   for (std::size_t point = 0; point < points.count; ++point) {
     const auto loads = [&](const Fed& f) {
       const auto first = f.si().begin() + static_cast<std::ptrdiff_t>(point * positions());
-      return f.field().is_load && std::any_of(first, first + static_cast<std::ptrdiff_t>(positions()), acts);
+      return f.field().is_load && std::any_of(first, first + static_cast<std::ptrdiff_t>(positions()), account::acts);
     };
     if (std::none_of(fed.begin(), fed.end(), loads)) leave(points, point);
   }
@@ -223,7 +224,7 @@ std::span<const double> ColumnStep::Parts::worst_of(Read& number, std::size_t n)
     const auto here = std::span(number.si).subspan(point * positions(), positions());
     number.worst[point] = number.field->role == Role::check
                               ? largest_of(number.si, point, number.field->dimension).value
-                              : farthest_from(number.field->bounds, here);
+                              : account::farthest_from(number.field->bounds, here);
   }
   return number.worst;
 }
@@ -240,11 +241,11 @@ void ColumnStep::Parts::fold_rows(const Judging& judged, std::size_t n) {
   }
 }
 
-void ColumnStep::Parts::judge(const PointColumns& points, std::vector<ModeColumns>& modes) {
+void ColumnStep::Parts::judge(const PointColumns& points, std::vector<account::ModeColumns>& modes) {
   modes.resize(calculator.modes.size());
   for (const Judging& judged : judging) {
     if (judged.rows.empty()) {
-      leave_mode(applies[judged.mode], judged.unjudged, modes[judged.mode]);
+      account::leave_mode(applies[judged.mode], judged.unjudged, modes[judged.mode]);
     } else {
       fold_rows(judged, points.count);
       fold.judge(applies[judged.mode], judged.unjudged, modes[judged.mode]);
@@ -262,7 +263,7 @@ std::unique_ptr<ColumnStep> ColumnStep::of(CalculatorStep& step, const std::set<
   return std::unique_ptr<ColumnStep>(new ColumnStep(std::move(parts)));
 }
 
-void ColumnStep::evaluate(PointColumns& points, std::vector<ModeColumns>& modes) {
+void ColumnStep::evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) {
   parts_->feed(points);
   parts_->check_inputs(points);
   parts_->tell_found(points);

@@ -23,7 +23,7 @@ class ColumnStep final : public PointStep {
                                         const PointColumns& points);
   ~ColumnStep() override;
 
-  void evaluate(PointColumns& points, std::vector<ModeColumns>& modes) override;
+  void evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) override;
 
  private:
   struct Parts;

@@ -1,6 +1,6 @@
 #include "lib/project/sweep/points/fed.hpp"
 
-#include "lib/project/sweep/points/loops.hpp"
+#include "lib/project/sweep/points/bounds.hpp"
 
 #include <algorithm>
 #include <cmath>

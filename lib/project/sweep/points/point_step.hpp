@@ -1,7 +1,7 @@
 // A step of a project at many points at once.
 #pragma once
 
-#include "lib/project/sweep/points/loops.hpp"
+#include "lib/account/fold.hpp"
 #include "lib/project/sweep/points/point_columns.hpp"
 
 #include <vector>
@@ -15,7 +15,7 @@ class PointStep {
   /// Takes its inputs from the columns, adds its values to them, and says how its modes came out, in the order of the
   /// calculator. A point where things do not take their ordinary course is told to be another's, who solves it as a
   /// machine of its own.
-  virtual void evaluate(PointColumns& points, std::vector<ModeColumns>& modes) = 0;
+  virtual void evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) = 0;
   /// Whether it looks at the axes of others' series, how fast they run, and not at the places of the numbers alone.
   [[nodiscard]] virtual bool reads_axes() const { return false; }
 };

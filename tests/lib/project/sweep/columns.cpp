@@ -86,7 +86,7 @@ double state_of(const project::SweptResult& column, const project::Project& mach
     if ((column.step.empty() || mode.step == column.step) && (column.mode.empty() || mode.id == column.mode))
       modes.push_back(mode);
   }
-  if (modes.empty()) return column.mode.empty() ? static_cast<double>(account::State::open) : project::absent_state;
+  if (modes.empty()) return column.mode.empty() ? static_cast<double>(account::State::open) : account::absent_state;
   return static_cast<double>(column.mode.empty() ? account::overall(modes) : account::worst(modes));
 }
 

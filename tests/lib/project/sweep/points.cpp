@@ -111,7 +111,7 @@ TEST_SUITE("points of a sweep") {
         "mm\"\nd_h = [\"35 mm\", \"10 mm\", \"35 mm\"]\n",
         {"shaft.tau_max"});
     REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
-    CHECK(swept.column("state")[1] == project::refused_state);
+    CHECK(swept.column("state")[1] == account::refused_state);
     CHECK(std::isnan(swept.column("shaft.tau_max")[1]));
     CHECK(swept.refusals.size() == 1);
     CHECK(swept.column("shaft.tau_max")[0] == swept.column("shaft.tau_max")[2]);

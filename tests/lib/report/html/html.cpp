@@ -158,13 +158,13 @@ TEST_SUITE("report") {
       State state;
       const char *shape, *word;
     };
-    for (const Row& row : std::vector<Row>{{State::pass, "#shape-pass", "pass"},
-                                           {State::fail, "#shape-fail", "fail"},
-                                           {State::not_covered, "#shape-not-covered", "not covered"},
-                                           {State::not_judged, "#shape-not-judged", "not judged"},
-                                           {State::open, "#shape-open", "open"},
-                                           {State::accepted, "#shape-pass", "pass"},
-                                           {State::not_available, "#shape-not-available", "not available"}}) {
+    for (const Row& row : std::vector<Row>{{State::pass, "#shape-pass", "PASS"},
+                                           {State::fail, "#shape-fail", "FAIL"},
+                                           {State::not_covered, "#shape-not-covered", "INCOMPLETE"},
+                                           {State::not_judged, "#shape-not-judged", "INCOMPLETE"},
+                                           {State::open, "#shape-open", "PASS"},
+                                           {State::accepted, "#shape-pass", "PASS"},
+                                           {State::not_available, "#shape-not-available", "INCOMPLETE"}}) {
       Document document = shaft_document();
       document.summary[0].state = row.state;
       const std::string conclusion = between(html(document), "<p class=\"conclusion\">", "</p>");
@@ -175,16 +175,16 @@ TEST_SUITE("report") {
   TEST_CASE("the conclusion counts the modes by their state and names the highest utilisation") {
     Document document = shaft_document();
     CHECK(contains(html(document),
-                   "Of the one mode of failure: 1 pass. The highest utilisation is 0.83, of shaft: yield in torsion."));
+                   "Of the one failure mode: 1 pass. The highest utilisation is 0.83, of shaft: yield in torsion."));
     document.summary.push_back(mode(1.274, State::fail));
     document.summary.push_back(mode(0.5, State::not_covered));
     CHECK(contains(html(document),
-                   "Of 3 modes of failure: 1 fail, 1 not covered, 1 pass. The highest utilisation is 1.27"));
+                   "Of 3 failure modes: 1 fail, 1 method not valid, 1 pass. The highest utilisation is 1.27"));
     document.summary.clear();
     CHECK_FALSE(contains(html(document), "<p class=\"conclusion\""));
   }
 
-  TEST_CASE("modes that are open and judged by nothing are told in one line") {
+  TEST_CASE("modes that were not considered and nothing would assess are told in one line") {
     Document document = shaft_document();
     account::Mode wear = mode(0.0, State::open);
     wear.kind = ModeKind::special;
@@ -192,7 +192,7 @@ TEST_SUITE("report") {
     wear.governs.clear();
     document.summary.push_back(wear);
     const std::string page = html(document);
-    CHECK(contains(page, "judged by nothing here: shaft: wear."));
+    CHECK(contains(page, "nothing says that they apply: shaft: wear."));
     CHECK_FALSE(contains(page, "wear<br>"));
   }
 

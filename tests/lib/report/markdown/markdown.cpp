@@ -15,7 +15,7 @@ TEST_SUITE("report") {
           "- Project file: shaft.toml\n"
           "- Program: loadpath 1.0\n"
           "\n"
-          "✓ pass: Of the one mode of failure: 1 pass. The highest utilisation is 0.83, of shaft: yield in torsion.\n"
+          "✓ PASS: Of the one failure mode: 1 pass. The highest utilisation is 0.83, of shaft: yield in torsion.\n"
           "\n"
           "| mode of failure                | utilisation | verdict |\n"
           "| :----------------------------- | ----------: | :------ |\n"

@@ -1,16 +1,17 @@
-// How a check or a limit came out that has a value.
+// How a check or a limit came out at a value.
 #pragma once
 
 #include "lib/account/state.hpp"
-#include "lib/calculator/field.hpp"
+#include "lib/calculator/record.hpp"
 #include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <span>
 
-namespace loadpath::project {
+namespace loadpath::account {
 
 /// Of a utilisation: a size that is just the least one passes, and what is just zero may have a sign.
 constexpr double rounding_of_utilisation = 1e-9;
@@ -20,14 +21,25 @@ constexpr bool is_passed(double utilisation) {
 }
 
 /// No utilisation is negative: such a check is beyond its method.
-constexpr account::State state_of_check(double utilisation) {
-  if (utilisation < -rounding_of_utilisation) return account::State::not_covered;
-  return account::pass_if(is_passed(utilisation));
+constexpr State state_of_check(double utilisation) {
+  if (utilisation < -rounding_of_utilisation) return State::not_covered;
+  return pass_if(is_passed(utilisation));
 }
 
-constexpr account::State state_of_limit(const Range& bounds, bool is_criterion, double si) {
-  if (bounds.holds(si)) return account::State::pass;
-  return is_criterion ? account::State::fail : account::State::not_covered;
+constexpr State state_of_limit(const Range& bounds, bool is_criterion, double si) {
+  if (bounds.holds(si)) return State::pass;
+  return is_criterion ? State::fail : State::not_covered;
+}
+
+/// How the field of a check or a limit came out; nothing where the calculator leaves it unset because it does not
+/// apply.
+inline std::optional<State> state_of_row(const FieldInfo& row, double si) {
+  if (std::isnan(si)) return row.where_set ? std::nullopt : std::optional(State::not_available);
+  return row.role == Role::check ? state_of_check(si) : state_of_limit(row.bounds, row.is_criterion, si);
+}
+/// Whether a search may take a candidate with that row.
+inline bool is_kept(const FieldInfo& row, double si) {
+  return state_of_row(row, si).value_or(State::pass) == State::pass;
 }
 
 /// Whether a load is there and not zero.
@@ -46,4 +58,4 @@ inline double farthest_from(const Range& bounds, std::span<const double> si) {
                            [&](double a, double b) { return numerics::exceeds(distance(b), distance(a)); });
 }
 
-}  // namespace loadpath::project
+}  // namespace loadpath::account

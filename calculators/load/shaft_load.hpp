@@ -19,6 +19,7 @@ struct ShaftLoad {
   Force F = unset<Force>, F_x = unset<Force>, F_y = unset<Force>, F_z = unset<Force>;
   Length d_w = unset<Length>, x_w = unset<Length>;
   AngularSpeed n = unset<AngularSpeed>;
+  Length d_f = unset<Length>, h_t = unset<Length>;
 
   static constexpr Fields fields{
       Field{&ShaftLoad::T, "T", N_m, "torque, with the service factor"}.load().with("F|F_x|F_y, F_z").holding("K_A"),
@@ -37,7 +38,9 @@ struct ShaftLoad {
           .holding("K_A"),
       Field{&ShaftLoad::d_w, "d_w", mm, "diameter that the forces act at"},
       Field{&ShaftLoad::x_w, "x_w", mm, "from the axis to the point where the forces act, along x"},
-      Field{&ShaftLoad::n, "n", rpm, "speed of the shaft; of gears counter-clockwise positive"}};
+      Field{&ShaftLoad::n, "n", rpm, "speed of the shaft; of gears counter-clockwise positive"},
+      Field{&ShaftLoad::d_f, "d_f", mm, "of an external gear: root circle"},
+      Field{&ShaftLoad::h_t, "h_t", mm, "of an external gear: height of its teeth"}};
 };
 
 /// Forces on a shaft in its own frame.
@@ -48,7 +51,9 @@ struct ShaftForces {
 /// Of design loads, with the service factor. `side`: 1 where they act at the point next to the mate, -1 at the one away
 /// from it, as on a wheel in a ring, 0 at the axis, as the pull of a belt.
 inline ShaftLoad shaft_load(Moment T, const ShaftForces& own, Length d_w, AngularSpeed n, double side = 1.0) {
-  return {abs(T), sqrt(own.x * own.x + own.y * own.y), own.x, own.y, own.z, d_w, side * d_w / 2.0, n};
+  return {
+      abs(T),       sqrt(own.x * own.x + own.y * own.y), own.x, own.y, own.z, d_w, side * d_w / 2.0, n, unset<Length>,
+      unset<Length>};
 }
 
 }  // namespace loadpath

@@ -54,6 +54,7 @@ Cross::Result Cross::evaluate(const Input& in, Tracer& trace) {
   if (is_set(in.R_m) && !is_set(in.tau_adm))
     compare_with_steel(in.E, r, "the shares of R_m are those of steels", trace);
   STEP_TO(r, x_d, in.d / in.d_w, "pins of 0.2 to 0.3 of the shaft are usual, [RM-9]");
+  r.connection = connection_for(T_d, in.d_w);
   return r;
 }
 

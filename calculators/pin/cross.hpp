@@ -7,6 +7,7 @@
 // diameter and lower allowable values, the notch of the hole in fatigue, the wall of the hub, bending of the shaft.
 #pragma once
 
+#include "calculators/load/connection.hpp"
 #include "calculators/load/steel.hpp"
 #include "calculators/pin/loading.hpp"
 #include "lib/calculator/field.hpp"
@@ -94,6 +95,7 @@ tau_adm_1 = "40 MPa"
     Stress tau = unset<Stress>, p_1 = unset<Stress>, p_2 = unset<Stress>, tau_t = unset<Stress>;
     double u_tau = unset<double>, u_1 = unset<double>, u_2 = unset<double>, u_t = unset<double>, x_d = unset<double>;
     double x_E = unset<double>;
+    Connection connection;
   };
   static constexpr Fields results{
       Field{&Result::T_d, "T_d", N_m, "torque that counts: with the service factor"}.holding("K_A"),
@@ -107,7 +109,8 @@ tau_adm_1 = "40 MPa"
       Field{&Result::u_t, "u_t", ratio, "torsion of the shaft over the allowable stress"}.check("tau_adm_1"),
       Field{&Result::x_d, "x_d", ratio, "pin over shaft: thicker pins leave no shaft to calculate with"}.limit(
           0, 0.3 + 1e-9),
-      modulus_over_steel<Result>(&Result::x_E)};
+      modulus_over_steel<Result>(&Result::x_E),
+      Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.d < in.d_w; }, "d, d_w", "the pin must be thinner than the shaft"},

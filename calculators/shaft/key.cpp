@@ -101,6 +101,7 @@ Key::Result Key::evaluate(const Input& in, Tracer& trace) {
   reversal(in, r, trace);
   torsion_of_shaft(in, r, trace);
   fits(in, r, trace);
+  r.connection = connection_for(in.K_A * abs(in.T), in.d, in.t_2);
   r.notch.kind = in.i == 2 ? Notch::two_keyways : Notch::keyway;
   r.notch.d = in.d, r.notch.t = in.t_1, r.notch.l = in.l;
   if (in.torque == Sense::reversing) r.notch.r_T = -1.0;

@@ -8,6 +8,7 @@
 // along the key (method B); keys that are pressed in; three keys and more.
 #pragma once
 
+#include "calculators/load/connection.hpp"
 #include "calculators/shaft/parts/pieces.hpp"
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
@@ -134,6 +135,7 @@ R_e_k = "420 MPa"
     Stress tau_t = unset<Stress>;
     double u_t = unset<double>, x_b = unset<double>, x_t = unset<double>;
     KeyNotch notch;
+    Connection connection;
   };
   static constexpr Fields results{
       Field{&Result::T_eq, "T_eq", N_m, "torque that counts: with the service factor, or that of the shock"}.holding(
@@ -175,7 +177,8 @@ R_e_k = "420 MPa"
       Field{&Result::x_w, "x_w", ratio, "depth of the seat over the wall that it leaves of a hollow shaft, own bound"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
-      Group{&Result::notch, "notch", "the end of its seat, for a notch of shaft.design: part"}.handed_over()};
+      Group{&Result::notch, "notch", "the end of its seat, for a notch of shaft.design: part"}.handed_over(),
+      Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr auto rules = join(
       rules_of_sides<Input>(),

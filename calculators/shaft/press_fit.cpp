@@ -126,6 +126,7 @@ PressFit::Result PressFit::evaluate(const Input& in, Tracer& trace) {
   yield(in, r, trace);
   torsion_of_shaft(in, r, trace);
   assembly(in, r, trace);
+  if (is_set(in.T)) r.connection = connection_for(in.K_A * abs(in.T), in.d);
   return r;
 }
 

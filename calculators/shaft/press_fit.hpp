@@ -9,6 +9,7 @@
 // the shear by the torque.
 #pragma once
 
+#include "calculators/load/connection.hpp"
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
@@ -145,6 +146,7 @@ dT_adm = "250 K"
     double u_s = unset<double>, u_1 = unset<double>, u_2 = unset<double>, u_F = unset<double>, u_A = unset<double>;
     Stress tau_t = unset<Stress>;
     double u_t = unset<double>, x_l = unset<double>;
+    Connection connection;
   };
   static Applies twisted(const Input& in);
   static constexpr Fields results{
@@ -176,7 +178,8 @@ dT_adm = "250 K"
           "R_e_1"),
       Field{&Result::x_l, "x_l", ratio,
             "length over diameter: the torque does not come through to the end of longer fits"}
-          .limit(0, 1.5 + 1e-9)};
+          .limit(0, 1.5 + 1e-9),
+      Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.d_i < in.d && in.d < in.D; }, "d_i, d, D",

@@ -57,6 +57,7 @@ SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
   if (is_set(in.d_s)) {
     STEP_TO(r, x_d, in.d_s / in.d, "a larger screw does not bear on the round");
   }
+  r.connection = connection_for(in.K_A * abs(in.T), in.d);
   return r;
 }
 

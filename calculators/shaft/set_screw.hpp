@@ -8,6 +8,7 @@
 // round. Not covered: screws that loosen by vibration, a screw in tension.
 #pragma once
 
+#include "calculators/load/connection.hpp"
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
@@ -93,6 +94,7 @@ S = 2
     Moment T_h = unset<Moment>;
     Stress tau_t = unset<Stress>;
     double u = unset<double>, u_S = unset<double>, u_t = unset<double>, x_d = unset<double>;
+    Connection connection;
   };
   static constexpr Fields results{
       Field{&Result::F_t, "F_t", N, "force around the shaft at its surface"}.holding("K_A"),
@@ -106,7 +108,8 @@ S = 2
           "R_e_1"),
       Field{&Result::x_d, "x_d", ratio, "diameter of a screw over that of the shaft: its point must bear, own bound"}
           .limit(0, 0.5 * (1 + 1e-9))
-          .where_it_applies()};
+          .where_it_applies(),
+      Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d); }, "d_bore, d",

@@ -8,6 +8,7 @@
 // and not on T_max. Not covered: bending of the teeth, the burst of a thin hub, DIN 5466 but by its factors.
 #pragma once
 
+#include "calculators/load/connection.hpp"
 #include "calculators/shaft/parts/pieces.hpp"
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
@@ -139,6 +140,7 @@ R_e_2 = "300 MPa"
     double u_1 = unset<double>, u_2 = unset<double>, u_w = unset<double>, u_tau = unset<double>, u_W = unset<double>;
     double u_t = unset<double>, x_l = unset<double>, x_s = unset<double>;
     SplineNotch notch;
+    Connection connection;
   };
   static constexpr Fields results{
       Field{&Result::T_eq, "T_eq", N_m, "torque that counts: with the service factor, or that of the shock"}.holding(
@@ -166,7 +168,8 @@ R_e_2 = "300 MPa"
           .where_it_applies(),
       Field{&Result::x_s, "x_s", ratio, "d_2 over d_1: splines of ISO 14 and DIN 5480 have up to 1.5, own bound"}.limit(
           0, 1.5),
-      Group{&Result::notch, "notch", "the end of the spline, for a notch of shaft.design: part"}.handed_over()};
+      Group{&Result::notch, "notch", "the end of the spline, for a notch of shaft.design: part"}.handed_over(),
+      Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr auto rules = join(
       rules_of_sides<Input>(),

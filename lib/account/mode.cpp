@@ -105,6 +105,7 @@ Message reason(const Mode& mode) {
   if (!mode.governs.empty())
     return mode.note.empty() ? say("{1}", mode.governs) : say("{1} {2}", mode.governs, mode.note);
   if (!mode.note.empty()) return mode.note;
+  if (!mode.wants.empty() && !mode.add.empty()) return say("give {1} (by a step of {2})", mode.wants, mode.add);
   if (!mode.wants.empty()) return say("give {1}", mode.wants);
   if (!mode.judge.empty()) return say("add a step of {1}", mode.judge);
   if (!mode.use.empty()) return say("use {1}", mode.use);

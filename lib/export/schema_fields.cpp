@@ -26,7 +26,10 @@ json::object one_or_more(json::object one) {
 
 json::object choice(const FieldInfo& field) {
   json::array words;
-  for (std::string& word : words_to_type(field)) words.emplace_back(std::move(word));
+  for (std::string& word : words_to_type(field)) {
+    if (word == "true" || word == "false") words.emplace_back(word == "true");
+    words.emplace_back(std::move(word));
+  }
   return either(one_or_more({{"enum", std::move(words)}}), expression());
 }
 

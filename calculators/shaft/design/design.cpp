@@ -1,6 +1,7 @@
 #include "calculators/shaft/design/design.hpp"
 
 #include "calculators/shaft/design/bending.hpp"
+#include "calculators/shaft/design/connections.hpp"
 #include "calculators/shaft/design/sections.hpp"
 #include "calculators/shaft/design/torsion.hpp"
 #include "calculators/shaft/design/turn.hpp"
@@ -41,7 +42,8 @@ class Movement {
     }
     for (std::size_t i = 0; i < in.seats.size(); ++i) {
       const bool turns = is_set(in.seats[i].T) || in.seats[i].way == Way::balances;
-      r.seats.push_back({in.seats[i].name, in.seats[i].x, turns ? none : unset<Moment>, 0.0 * mm, 0.0, unset<double>});
+      r.seats.push_back({in.seats[i].name, in.seats[i].x, turns ? none : unset<Moment>, 0.0 * mm, 0.0, unset<double>,
+                         unset<double>, unset<double>});
     }
   }
 
@@ -172,6 +174,7 @@ Design::Result Design::evaluate(const Input& in, Tracer& trace) {
   stiffness(in, r, trace);
   critical_speed(in, *elastic, r, trace);
   judge_torsion(in, r, trace);
+  judge_connections(in, r, trace);
   return r;
 }
 

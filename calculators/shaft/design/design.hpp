@@ -218,6 +218,8 @@ r_T = 0
   static FieldFault slips(const Input& in);
   static bool notches_fit(const Input& in);
   static FieldFault misfit(const Input& in);
+  static bool connections_match(const Input& in);
+  static FieldFault other_diameter(const Input& in);
   static bool notches_apart(const Input& in);
   static FieldFault crowd(const Input& in);
   static bool steps_are_notched(const Input& in);
@@ -247,6 +249,8 @@ r_T = 0
                   "one bearing alone takes forces along the shaft: holds = \"both\""},
       Rule<Input>{&speeds_agree, "n, seats", "all that sits on one shaft turns at one speed, which is not zero"},
       Rule<Input>{&notches_fit, "notches, pieces, r_T, group", "the notches fit the shaft", &misfit},
+      Rule<Input>{&connections_match, "seats, pieces", "connections are made for the shaft that they sit on",
+                  &other_diameter},
       Rule<Input>{&notches_apart, "notches, pieces", "notches stand apart", &crowd, true},
       Rule<Input>{&steps_are_notched, "notches, pieces, S_D", "fatigue begins where the diameter changes", &bare_step},
       Rule<Input>{&slopes_of_all, "supports, seats",
@@ -297,6 +301,9 @@ r_T = 0
   static Applies running(const Input& in);
   static Applies passes_resonance(const Input& in);
   static Applies bears_discs(const Input& in);
+  static Applies lacks_connection(const Input& in);
+  static Applies has_connection(const Input& in);
+  static Applies bears_rims(const Input& in);
   static Applies tired(const Input& in);
   static Applies endless(const Input& in) {
     const bool lacks = in.group >= fatigue::Endurance::Group::wrought_aluminium || lacks_fatigue_limit(in);
@@ -355,8 +362,15 @@ r_T = 0
       Mode<Input>{"abutment", "height of shoulders for what is set against them", &abuts}
           .judged_by("sections.u_h")
           .of_shape(),
-      Mode<Input>{"hub", "keys, press fits and splines of what sits on it", &unseen<Input>}.assessed_beside(
-          "shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw"),
+      Mode<Input>{"hub", "shaft-hub connections that no step assesses, of seats without integral = true",
+                  &lacks_connection}
+          .wanting("seats connection")
+          .assessed_beside("shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw, pin.cross"),
+      Mode<Input>{"connection", "torque above that which a shaft-hub connection is assessed for", &has_connection}
+          .judged_by("seats.u_c"),
+      Mode<Input>{"rim", "thin rim of a gear between root circle and shaft, over its keyway", &bears_rims}
+          .judged_by("seats.m_R")
+          .of_shape(),
       Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &brittle}.special(),
       Mode<Input>{"corrosion", "corrosion and fretting", &unseen<Input>}.special()};

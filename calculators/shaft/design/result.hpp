@@ -49,14 +49,22 @@ struct Seated {
   Length x = unset<Length>;
   Moment T = unset<Moment>;
   Length v = unset<Length>;
-  double beta = unset<double>, u_beta = unset<double>;
+  double beta = unset<double>, u_beta = unset<double>, u_c = unset<double>, m_R = unset<double>;
   static constexpr Fields fields{
       NameField{&Seated::name, "name", "what sits there"},
       Field{&Seated::x, "x", mm, "its place"},
       Field{&Seated::T, "T", N_m, "torque that it gives to the shaft, the largest over a turn"}.holding("K_A"),
       Field{&Seated::v, "v", mm, "deflection"},
       Field{&Seated::beta, "beta", deg, "slope"},
-      Field{&Seated::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies()};
+      Field{&Seated::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies(),
+      Field{&Seated::u_c, "u_c", ratio, "torque over that which its connection is assessed for"}
+          .check()
+          .where_it_applies(),
+      Field{&Seated::m_R, "m_R", ratio,
+            "rim of a gear between root circle and shaft, over its keyway, in heights of its teeth: the formulas of "
+            "roots hold from 1.2"}
+          .limit(1.2 * (1 - 1e-9), 1e6)
+          .where_it_applies()};
 };
 
 /// A place of the shaft where something changes: the thinner of its two sides, with the larger moments.

@@ -54,6 +54,8 @@ struct Support {
 };
 
 enum class Way { takes, drives, balances };
+/// Whether what sits there is one piece with the shaft.
+enum class Integral { no, yes };
 
 /// What sits on the shaft and loads it: a gear, a pulley, a sprocket, a coupling, a weight; a crank, whose forces are
 /// known over a turn.
@@ -72,6 +74,9 @@ struct Seat {
   Length b = unset<Length>;
   Moment k_T = unset<Moment>;
   double beta_adm = unset<double>;
+  Integral integral = Integral::no;
+  Moment T_c = unset<Moment>;
+  Length d_c = unset<Length>, t_c = unset<Length>, d_f = unset<Length>, h_t = unset<Length>;
   static constexpr Fields fields{
       NameField{&Seat::name, "name", "what sits there"}.may_be_missing(),
       Field{&Seat::x, "x", mm, "its middle, from the left end of the shaft"}.at_least(0),
@@ -116,7 +121,21 @@ struct Seat {
       Field{&Seat::beta_adm, "beta_adm", deg, "allowable slope of the shaft under it"}
           .positive()
           .usually(0.005, 5)
-          .may_be_missing()};
+          .may_be_missing(),
+      Choice{&Seat::integral, "integral", "whether it is one piece with the shaft: no connection is needed"}
+          .may_be_missing(),
+      RecordField<Seat>{"connection",
+                        "the key, spline, press fit, set screw or pin that fastens it, whole: connection = "
+                        "\"=key.connection\""},
+      Field{&Seat::T_c, "T_c", N_m, "torque that its connection is assessed for, with the service factor; a rating"}
+          .positive()
+          .may_be_missing(),
+      Field{&Seat::d_c, "d_c", mm, "shaft diameter that its connection is made for"}.positive().may_be_missing(),
+      Field{&Seat::t_c, "t_c", mm, "depth of the keyway in the hub"}.at_least(0).may_be_missing(),
+      Field{&Seat::d_f, "d_f", mm, "root circle of a gear, for the rim between it and the shaft"}
+          .positive()
+          .may_be_missing(),
+      Field{&Seat::h_t, "h_t", mm, "height of the teeth of a gear"}.positive().may_be_missing()};
 };
 
 /// What comes h times in a turn and can make the shaft swing.
@@ -204,6 +223,10 @@ constexpr auto choices_of(Way) {
   return std::array{ChoiceName<Way>{Way::takes, "takes", "takes the torque from the shaft"},
                     ChoiceName<Way>{Way::drives, "drives", "drives the shaft"},
                     ChoiceName<Way>{Way::balances, "balances", "gives or takes what the others leave: a coupling"}};
+}
+constexpr auto choices_of(Integral) {
+  return std::array{ChoiceName<Integral>{Integral::no, "false", "it is fastened to the shaft"},
+                    ChoiceName<Integral>{Integral::yes, "true", "it is one piece with the shaft"}};
 }
 constexpr auto choices_of(Notch) {
   return std::array{ChoiceName<Notch>{Notch::shoulder, "shoulder", "fillet of radius r where the diameter changes"},

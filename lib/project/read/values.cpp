@@ -151,7 +151,8 @@ void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, 
   if (takes(tree, field, path)) return;
   if (tree.type == Tree::Type::array) return read_words(tree, field, owner, path);
   const std::vector<std::string> words = words_to_type(field);
-  if (tree.type != Tree::Type::text || std::find(words.begin(), words.end(), tree.text) == words.end()) {
+  const bool is_word = tree.type == Tree::Type::text || tree.type == Tree::Type::boolean;  // integral = true
+  if (!is_word || std::find(words.begin(), words.end(), tree.text) == words.end()) {
     const std::string written =
         tree.type == Tree::Type::text ? "'" + tree.text + "'" : std::string(toml::word_for(tree.type));
     return say_at(tree.place, path, say("{1} is none of the words for '{2}'", written, path), one_of(tree.text, words));

@@ -155,6 +155,7 @@ void write_step(const project::Step& step, const SeriesChoice& choice, JsonWrite
   out.member("name", step.name());
   out.member("calculator", step.input().calculator->id);
   out.member("title", step.input().title);
+  if (!step.input().body.text.empty()) out.member("body", step.input().body.text);
   out.key("inputs").open_object();
   for (const Entry& e : account.inputs) write_entry(e, out);
   out.close_object();

@@ -87,6 +87,8 @@ json::object step_schema(const Calculator& calculator, Definitions& definitions)
   json::object& properties = step["properties"].as_object();
   properties["calculator"] = json::object{{"const", calculator.id}, {"description", calculator.scope}};
   for (const char* key : {"title", "note"}) properties[key] = text();
+  properties["body"] = json::object{
+      {"type", "string"}, {"minLength", 1}, {"description", "the physical part that several steps describe: one size"}};
   for (const std::string& group : table_groups(calculator)) properties[group] = definitions.row(group);
   if (calculator.result != nullptr) properties["display"] = display_schema(calculator);
   properties["accept"] = accept_schema(calculator);

@@ -18,7 +18,8 @@ constexpr std::array reserved{"project", "values", "tables", "expect"};
 constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker",
                                      "date",  "note",   "paper",    "tables", "sweep"};
 constexpr std::array papers{"A4", "letter"};
-const std::vector<std::string> step_keys{"calculator", "template", "title", "note", "display", "accept", "because"};
+const std::vector<std::string> step_keys{"calculator", "template", "title",   "note",
+                                         "display",    "accept",   "because", "body"};
 
 const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
   const auto* id = entry.value.find("calculator");
@@ -270,6 +271,8 @@ std::unique_ptr<Step> read_step(const Tree::Entry& entry, const Project& project
   if (!read_template(entry.value, input, issues)) return nullptr;
   if (const auto* title = entry.value.find("title")) input.title = text_of(*title, entry.key + ".title", issues);
   if (const auto* note = entry.value.find("note")) input.note = text_of(*note, entry.key + ".note", issues);
+  if (const auto* body = entry.value.find("body"))
+    input.body = {text_of(*body, entry.key + ".body", issues), body->value.place};
   read_display(entry.value, input, issues);
   read_accepted(entry.value, input, issues);
   read_because(entry.value, input, issues);

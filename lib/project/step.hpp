@@ -54,6 +54,8 @@ struct StepInput {
   std::map<std::string, Typed> accepted;
   /// Why a typed value is better than a row or a record beside it says: "R_e" -> "certificate 4711".
   std::map<std::string, Typed> because;
+  /// The physical part that the step describes, where several do: they share its size.
+  Typed body;
   /// Display units of results that the user prefers: "d" -> "in".
   std::map<std::string, std::string> display;
   Place place;  // of the step's name
@@ -75,6 +77,12 @@ struct Known {
 struct ReducedLoad {
   std::string path;      // of the input: "F"
   Message message = {};  // what was used, and what to write in its place
+};
+/// A size that the other steps of the same body have, of an input that this one searches for.
+struct BodySize {
+  double si = 0.0;
+  bool is_given = false;  // typed there; else the least that it may be
+  std::string by;         // the step that asks for it
 };
 /// What else loads the part that takes a path's value: full paths (Step::companions_of).
 using Companions = std::function<std::vector<std::string>(const std::string& path)>;
@@ -149,6 +157,10 @@ class Step {
   /// What the report says of the step's inputs.
   void remark(Message remark) { remarks_.push_back(std::move(remark)); }
   [[nodiscard]] const std::vector<Message>& remarks() const { return remarks_; }
+  /// By the input: what the body asks for (lib/project/solving/bodies.hpp).
+  [[nodiscard]] const std::map<std::string, BodySize>& body_sizes() const { return body_sizes_; }
+  void set_body_size(const std::string& path, BodySize size) { body_sizes_[path] = std::move(size); }
+  void forget_body_sizes() { body_sizes_.clear(); }
   /// Of what it was solved to before, nothing is left.
   void forget() {
     account_ = {};
@@ -171,6 +183,7 @@ class Step {
   Message lacking_factor_;
   std::vector<ReducedLoad> reduced_loads_;
   std::vector<Message> remarks_;
+  std::map<std::string, BodySize> body_sizes_;
   bool load_varies_ = false;
   std::string left_of_loads_;
 };

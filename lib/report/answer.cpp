@@ -198,14 +198,34 @@ draw::Flow::Part part_of(const Step& step, const Modes& all) {
 
 }  // namespace
 
+namespace {
+
+/// Adds a step to the part that describes the same body; false where there is none.
+bool join_body(const ChosenPart& part, std::vector<ChosenPart>& parts) {
+  const auto same = std::find_if(parts.begin(), parts.end(), [&](const ChosenPart& other) {
+    return !part.body.empty() && other.body == part.body;
+  });
+  if (same == parts.end()) return false;
+  same->step = part.body;
+  if (part.sizes != same->sizes) same->sizes += (same->sizes.empty() || part.sizes.empty() ? "" : ", ") + part.sizes;
+  if (part.reasons != same->reasons) same->reasons += "; " + part.reasons;
+  const auto used = [](const ChosenPart& p) { return p.governing ? p.governing->utilisation.value_or(0.0) : -1.0; };
+  if (used(part) > used(*same)) same->governing = part.governing;
+  same->state = account::worse(same->state, part.state);
+  return true;
+}
+
+}  // namespace
+
 std::vector<ChosenPart> chosen_parts(const Project& project) {
   std::vector<ChosenPart> parts;
   const Modes all = project::modes(project);
   for (const auto& step : project.steps) {
     const Modes modes = modes_of(*step, all);
-    ChosenPart part{step->name(), sizes_text(*step), reasons_text(*step), telling(modes),
-                    modes.empty() ? State::open : overall(modes)};
+    ChosenPart part{step->name(),        step->input().body.text, sizes_text(*step),
+                    reasons_text(*step), telling(modes),          modes.empty() ? State::open : overall(modes)};
     if (part.governing && !part.governing->utilisation) part.governing.reset();
+    if (join_body(part, parts)) continue;
     if (!part.sizes.empty() || part.governing) parts.push_back(std::move(part));
   }
   return parts;

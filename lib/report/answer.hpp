@@ -12,7 +12,8 @@ namespace loadpath::report {
 
 /// A part that has a size, or a mode of failure with a utilisation.
 struct ChosenPart {
-  std::string step;
+  std::string step;  // or the body that several steps describe
+  std::string body = {};
   std::string sizes;              // "d = 45 mm", "IPE 200"; may be empty
   std::string reasons;            // "smallest of R40 that passes every check; 42.5 mm fails: u_theta = 1.065"
   std::optional<Mode> governing;  // that has a utilisation

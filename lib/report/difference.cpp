@@ -172,6 +172,7 @@ std::vector<Difference> differences_of(const Step& before, const Step& after) {
   std::vector<Difference> found;
   compare_words("title", before.input().title, after.input().title, found);
   compare_words("note", before.input().note, after.input().note, found);
+  compare_words("body", before.input().body.text, after.input().body.text, found);
   compare_words("calculator", before.input().calculator->id, after.input().calculator->id, found);
   compare_typed(before.input().rows, after.input().rows, "", found);
   compare_typed(before.input().accepted, after.input().accepted, "accept.", found);

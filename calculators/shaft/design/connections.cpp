@@ -82,7 +82,7 @@ void judge_connections(const Input& in, Design::Result& r, Tracer& trace) {
     [[maybe_unused]] const auto here = trace.scope("seats", i);
     if (is_set(seat.T_c) && needs_connection(in, i)) {
       const Moment T = s.T, T_c = trace.value("T_c", seat.T_c, "torque that the connection is assessed for");
-      STEP_TO(s, u_c, abs(T) / T_c, "the connection is assessed for no less");
+      STEP_TO(s, x_c, abs(T) / T_c, "the connection is assessed for no less");
     }
     if (!has_rim(seat)) continue;
     const Length d = trace.value("d", diameter_under(in, seat), "of the shaft under the gear");

@@ -367,7 +367,7 @@ r_T = 0
           .wanting("seats connection")
           .assessed_beside("shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw, pin.cross"),
       Mode<Input>{"connection", "torque above that which a shaft-hub connection is assessed for", &has_connection}
-          .judged_by("seats.u_c"),
+          .judged_by("seats.x_c"),
       Mode<Input>{"rim", "thin rim of a gear between root circle and shaft, over its keyway", &bears_rims}
           .judged_by("seats.m_R")
           .of_shape(),

@@ -147,6 +147,8 @@ class Run {
     [[nodiscard]] Message name(std::size_t i) const;
   };
   [[nodiscard]] Candidates candidates_of(const Search& wanted) const;
+  bool takes_size_of_body(const Search& wanted);
+  void keep_to_body(const std::string& path, Candidates& all) const;
   void try_candidate(const Candidates& all, std::size_t i);
   bool fits(const Candidates& all, std::size_t i);
   std::size_t first_that_fits(const Candidates& all, std::size_t from);

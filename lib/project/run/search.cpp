@@ -29,6 +29,24 @@ Run::Candidates Run::candidates_of(const Search& wanted) const {
   return all;
 }
 
+/// What another step of the same body gives is not searched for: this one is assessed at it. Whether that is so.
+bool Run::takes_size_of_body(const Search& wanted) {
+  const auto body = step_.body_sizes().find(wanted.path);
+  if (body == step_.body_sizes().end() || !body->second.is_given) return false;
+  map_leaf(wanted.path).set(body->second.si);
+  origins_[wanted.path] = {say("of {1}, the same body '{2}'", body->second.by, step_.input().body.text), {}, false};
+  origins_[wanted.path].searched = true;
+  settle_sizes();
+  return true;
+}
+
+/// No size is smaller than what the other steps of the same body ask for.
+void Run::keep_to_body(const std::string& path, Candidates& all) const {
+  const auto body = step_.body_sizes().find(path);
+  if (body == step_.body_sizes().end()) return;
+  std::erase_if(all.sizes, [&](double size) { return size < body->second.si * (1.0 - 1e-12); });
+}
+
 void Run::try_candidate(const Candidates& all, std::size_t i) {
   if (all.leaf) return all.leaf.set(all.sizes[i]);
   std::vector<Issue> lacks;
@@ -237,13 +255,15 @@ bool Run::search(std::vector<Issue>& issues) {
 }
 
 void Run::search_first(const Search& wanted, std::vector<Issue>& issues) {
+  if (takes_size_of_body(wanted)) return;
   settle_sizes();
   const FieldInfo* result = wanted.leaf ? find_field(calculator_.result->fields, wanted.path) : nullptr;
   const double least = result == nullptr ? std::nan("") : largest_result(*result);
   if (result != nullptr && std::isnan(least)) return;  // not even a least size: the checks say why
   if (result == nullptr && !is_any_asked()) return issues.push_back(aimless(wanted));
   keep_sizing_results(wanted.path);
-  const Candidates all = candidates_of(wanted);
+  Candidates all = candidates_of(wanted);
+  keep_to_body(wanted.path, all);
   const auto start = std::isnan(least) ? all.sizes.begin()
                                        : std::lower_bound(all.sizes.begin(), all.sizes.end(), least * (1.0 - 1e-12));
   const auto from = static_cast<std::size_t>(start - all.sizes.begin());

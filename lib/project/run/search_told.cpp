@@ -153,6 +153,9 @@ void Run::tell_found(const Search& wanted, const Candidates& all, std::size_t fo
   const bool covered = excused_.empty() || passes_whole();
   Message text = covered ? say("smallest of {1} that passes every check", stock)
                          : say("smallest of {1} that passes every check that depends on it", stock);
+  const auto body = step_.body_sizes().find(wanted.path);
+  if (body != step_.body_sizes().end())
+    text = say("{1}; the body '{2}' has this size: {3}", text, step_.input().body.text, body->second.by);
   if (found > 0) {
     try_candidate(all, found - 1);
     text = say("{1}; {2} fails: {3}", text, all.name(found - 1), fault_of_candidate());

@@ -7,6 +7,7 @@
 #include "lib/project/references/kinds.hpp"
 #include "lib/project/references/order.hpp"
 #include "lib/project/references/references.hpp"
+#include "lib/project/solving/bodies.hpp"
 #include "lib/project/solving/companions.hpp"
 #include "lib/table/tables.hpp"
 
@@ -217,6 +218,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   for (const auto& step : project.steps) refuse_own_rows(*step, issues);
   if (ranges == Ranges::refused) refuse_ranges(project, issues);
   find_idlers(project, issues);
+  check_bodies(project, issues);
   put_in_order(project, issues);
   const Declared declared = [&](const std::string& path) { return project.signature(path); };
   for (const std::size_t i : project.order) {

@@ -6,6 +6,7 @@
 #include "lib/project/references/meanings.hpp"
 #include "lib/project/references/order.hpp"
 #include "lib/project/references/reductions.hpp"
+#include "lib/project/solving/bodies.hpp"
 #include "lib/project/solving/companions.hpp"
 
 #include <algorithm>
@@ -117,7 +118,10 @@ void refuse_other_values(const Handed& before, const Project& project, const Ste
 
 }  // namespace
 
-void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted) {
+namespace {
+
+/// All steps in their order, with the sizes that bodies ask for as they are known now.
+void solve_steps(Project& project, std::vector<Issue>& issues, const Wanted& wanted) {
   const Known known = known_of(project);
   const Declared declared = [&](const std::string& path) { return project.signature(path); };
   for (const auto& step : project.steps) step->forget();
@@ -141,6 +145,24 @@ void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wan
     if (const auto before = provisional.extract(pass.step)) refuse_other_values(before.mapped(), project, step, issues);
     if (has_errors(issues)) return;
   }
+}
+
+}  // namespace
+
+void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted) {
+  constexpr int most_rounds = 20;
+  for (const auto& step : project.steps) step->forget_body_sizes();
+  const std::size_t before = issues.size();
+  for (int round = 0; true; ++round) {
+    solve_steps(project, issues, wanted);
+    if (has_errors(issues) || !hand_out_sizes(project, issues)) break;
+    issues.resize(before);  // they are told again with the sizes that the bodies have
+    if (round < most_rounds) continue;
+    issues.push_back({project.steps.front()->input().place, "body", say("the sizes of the bodies do not settle"),
+                      say("give one of them a value"), Severity::error});
+    break;
+  }
+  if (has_errors(issues)) return;
   settle_left(project);
   for (const auto& step : project.steps) warn_of_idle_acceptances(*step, issues);
   hand_out_warnings(project, issues);

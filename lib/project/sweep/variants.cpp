@@ -121,6 +121,12 @@ bool leaves_modes(const Project& project) {
   });
 }
 
+/// Whether steps share the size of a part.
+bool has_bodies(const Project& project) {
+  return std::any_of(project.steps.begin(), project.steps.end(),
+                     [](const auto& step) { return !step->input().body.text.empty(); });
+}
+
 }  // namespace
 
 /// The first of a few points that is a machine is solved; false where none is.
@@ -135,7 +141,7 @@ bool Variants::solve_first(std::span<const double* const> in, std::size_t n) {
 /// Laid out at the first point that is solved; without one the next block is asked.
 void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   const bool solved_twice = project_.passes.size() != project_.order.size() || !project_.beforehand.empty();
-  const bool hangs_on_others = leaves_modes(project_) || solved_twice;
+  const bool hangs_on_others = leaves_modes(project_) || solved_twice || has_bodies(project_);
   if (!hangs_on_others && !solve_first(in, n)) return;
   way_ = !hangs_on_others && find_kernels() ? Way::columns : Way::alone;
 }

@@ -1,0 +1,142 @@
+#include "lib/project/solving/bodies.hpp"
+
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace loadpath::project {
+
+namespace {
+
+using Members = std::vector<Step*>;
+
+std::map<std::string, Members> bodies_of(const Project& project) {
+  std::map<std::string, Members> bodies;
+  for (const auto& step : project.steps) {
+    const std::string& body = step->input().body.text;
+    if (!body.empty()) bodies[body].push_back(step.get());
+  }
+  return bodies;
+}
+
+const FieldInfo* size_field(const Step& step, std::string_view key) {
+  const FieldInfo* const field = find_field(step.input().calculator->input->fields, key);
+  return field != nullptr && field->type == FieldInfo::Type::quantity ? field : nullptr;
+}
+
+/// Inputs that a calculator can search for, and that another step of the body has too.
+std::vector<std::string> sizes_in_common(const Members& members) {
+  std::map<std::string, std::pair<std::size_t, bool>> keys;  // steps that have it, and whether one can search for it
+  for (const Step* step : members) {
+    for (const FieldInfo& field : step->input().calculator->input->fields) {
+      if (field.type != FieldInfo::Type::quantity) continue;
+      auto& [count, is_searchable] = keys[field.key];
+      ++count;
+      is_searchable = is_searchable || *field.searched_in != '\0';
+    }
+  }
+  std::vector<std::string> sizes;
+  for (const auto& [key, use] : keys) {
+    if (use.first > 1 && use.second) sizes.push_back(key);
+  }
+  return sizes;
+}
+
+/// A step with a size of the body that has a value.
+struct Sized {
+  Step* step;
+  double si;
+  bool is_given;
+};
+
+std::vector<Sized> sized_of(const Members& members, const std::string& key) {
+  std::vector<Sized> all;
+  for (Step* step : members) {
+    const auto& inputs = step->account().inputs;
+    const auto entry = std::find_if(inputs.begin(), inputs.end(), [&](const Entry& e) { return e.path == key; });
+    if (entry == inputs.end() || entry->value.is_series() || entry->value.si.empty()) continue;
+    const double si = entry->value.si[0];
+    if (!std::isnan(si)) all.push_back({step, si, !entry->origin.searched});
+  }
+  return all;
+}
+
+bool is_same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); }
+
+/// The size that the body has to have: what is given, else the largest that was found.
+const Sized& required(const std::vector<Sized>& all) {
+  return *std::max_element(all.begin(), all.end(), [](const Sized& a, const Sized& b) {
+    return a.is_given != b.is_given ? b.is_given : a.si < b.si;
+  });
+}
+
+Issue contradiction(const std::string& body, const std::string& key, const Sized& a, const Sized& b) {
+  const std::string unit = size_field(*a.step, key)->unit;
+  Issue issue = issue_at(b.step->input(), key,
+                         say("the body '{1}' has one {2}: {3} has {4}, and {5} has {6}", body, key, a.step->name(),
+                             format_quantity(a.si, unit), b.step->name(), format_quantity(b.si, unit)),
+                         say("give it once, in [values], or let it be searched for: {1} = \"?\"", key));
+  return issue;
+}
+
+/// Whether a search of the body begins anew.
+bool hand_out(const std::string& body, const std::string& key, const Members& members, std::vector<Issue>& issues) {
+  const std::vector<Sized> all = sized_of(members, key);
+  if (all.size() < 2) return false;
+  const Sized& whole = required(all);
+  bool changed = false;
+  for (const Sized& one : all) {
+    if (is_same(one.si, whole.si)) continue;
+    if (one.is_given) {
+      issues.push_back(contradiction(body, key, whole, one));
+    } else {
+      one.step->set_body_size(key, {whole.si, whole.is_given, whole.step->name()});
+      changed = true;
+    }
+  }
+  return changed;
+}
+
+}  // namespace
+
+void check_bodies(const Project& project, std::vector<Issue>& issues) {
+  std::vector<std::string> names;
+  const auto bodies = bodies_of(project);
+  for (const auto& [body, members] : bodies) names.push_back(body);
+  for (const auto& [body, members] : bodies) {
+    const StepInput& first = members.front()->input();
+    const auto others = [&] {
+      std::vector<std::string> all = names;
+      std::erase(all, body);
+      return all;
+    };
+    if (members.size() == 1) {
+      issues.push_back(
+          {first.body.place, first.name + ".body", say("no other step describes the body '{1}'", body),
+           did_you_mean(body, others(), say("give it to the other steps of the same part, or leave it out")),
+           Severity::error});
+      continue;
+    }
+    const auto sizes = sizes_in_common(members);
+    for (const Step* step : members) {
+      const auto has = [&](const std::string& key) { return size_field(*step, key) != nullptr; };
+      if (std::any_of(sizes.begin(), sizes.end(), has)) continue;
+      issues.push_back({step->input().body.place, step->name() + ".body",
+                        say("'{1}' has no size in common with the other steps of the body '{2}'",
+                            step->input().calculator->id, body),
+                        say("leave out 'body', and refer to the size: d = \"=step.d\""), Severity::error});
+    }
+  }
+}
+
+bool hand_out_sizes(Project& project, std::vector<Issue>& issues) {
+  bool changed = false;
+  for (const auto& [body, members] : bodies_of(project)) {
+    for (const std::string& key : sizes_in_common(members)) changed = hand_out(body, key, members, issues) || changed;
+  }
+  return changed && !has_errors(issues);
+}
+
+}  // namespace loadpath::project

@@ -25,6 +25,16 @@ void collect_steps(const Tree& tree, std::vector<std::string>& steps) {
   for (const Tree::Entry& entry : tree.entries) collect_steps(entry.value, steps);
 }
 
+/// The steps that describe the same physical part: its size is the largest that they require.
+void collect_body(const Tree& project, const Tree::Entry& step, std::vector<std::string>& steps) {
+  const Tree::Entry* const body = step.value.find("body");
+  if (body == nullptr) return;
+  for (const Tree::Entry& other : project.entries) {
+    const Tree::Entry* const same = other.value.find("body");
+    if (same != nullptr && same->value.text == body->value.text) steps.push_back(other.key);
+  }
+}
+
 /// What every part of a project needs.
 bool is_of_all(std::string_view key) { return key == "project" || key == "values" || key == "tables"; }
 
@@ -38,7 +48,9 @@ std::set<std::string> needed_steps(const Tree& project, std::string_view calcula
     const std::string name = std::move(open.back());
     open.pop_back();
     const Tree::Entry* step = needed.insert(name).second ? project.find(name) : nullptr;
-    if (step != nullptr) collect_steps(step->value, open);
+    if (step == nullptr) continue;
+    collect_steps(step->value, open);
+    collect_body(project, *step, open);
   }
   return needed;
 }

@@ -147,6 +147,7 @@ class Run {
     [[nodiscard]] Message name(std::size_t i) const;
   };
   [[nodiscard]] Candidates candidates_of(const Search& wanted) const;
+  void note_found(const Search& wanted);
   bool takes_size_of_body(const Search& wanted);
   void keep_to_body(const std::string& path, Candidates& all) const;
   void try_candidate(const Candidates& all, std::size_t i);

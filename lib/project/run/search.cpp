@@ -254,6 +254,14 @@ bool Run::search(std::vector<Issue>& issues) {
   return !has_errors(issues);
 }
 
+/// Without words: a body asks which sizes were found.
+void Run::note_found(const Search& wanted) {
+  if (!wanted.leaf) return;
+  Origin& origin = origins_[wanted.path];
+  origin.text = say("found");
+  origin.searched = true;
+}
+
 void Run::search_first(const Search& wanted, std::vector<Issue>& issues) {
   if (takes_size_of_body(wanted)) return;
   settle_sizes();
@@ -276,8 +284,9 @@ void Run::search_first(const Search& wanted, std::vector<Issue>& issues) {
   if (in_words_) warn_of_passed_over(wanted, all, found, issues);
   try_candidate(all, found);
   settle_sizes();
-  if (in_words_) warn_of_found(wanted, issues);
-  if (in_words_) tell_found(wanted, all, found);
+  if (!in_words_) return note_found(wanted);
+  warn_of_found(wanted, issues);
+  tell_found(wanted, all, found);
 }
 
 }  // namespace loadpath::project

@@ -111,7 +111,7 @@ s_0 = 2
           .usually(8, 18)
           .may_be_missing(),
       Field{&Input::e, "e", ratio, "F_a/F_r beyond which X and Y count, of the maker's table"}
-          .positive()
+          .within(0.01, 3)
           .usually(0.1, 2)
           .may_be_missing(),
       Field{&Input::X, "X", ratio, "radial factor beyond e; that of the kind where missing"}

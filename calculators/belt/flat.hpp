@@ -90,7 +90,8 @@ E_b = "40 MPa"
           .may_be_missing(),
       Choice{&Input::arrangement, "arrangement", "course of the belt"}.may_be_missing(),
       Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.05),
-      Field{&Input::mu, "mu", ratio, "coefficient of friction of the belt on the pulleys"}.positive().usually(0.1, 1),
+      Field{&Input::mu, "mu", ratio, "coefficient of friction of the belt on the pulleys"}.within(0.01, 1.5).usually(
+          0.1, 1),
       Choice{&Input::kind, "kind", "of the belt: decides the largest speed"}.may_be_missing(),
       Field{&Input::delta, "delta", mm, "thickness of the belt"}.positive().usually(0.3, 20),
       Field{&Input::b, "b", mm, "width of the belt"}.positive().usually(5, 2000).searched("R20").may_be_missing(),

@@ -103,7 +103,7 @@ L = "2650 mm"
       Choice{&Input::C_K_end, "C_K_end", "end of the range of the count factor, basis iso"}.may_be_missing(),
       Choice{&Input::tensioning, "tensioning", "what keeps the tension"}.may_be_missing(),
       Field{&Input::mu, "mu", ratio, "coefficient of friction, for the grip of the grooves"}
-          .positive()
+          .within(0.01, 1.5)
           .usually(0.1, 0.6)
           .may_be_missing(),
       Field{&Input::v_rim_adm, "v_rim_adm", m_per_s, "largest speed of the rim; cast iron 35 m/s"}.positive().usually(

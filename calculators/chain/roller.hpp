@@ -170,7 +170,7 @@ P_R = "5.5 kW"
       Field{&Result::delta_2, "delta_2", ratio, "the same at the driven sprocket"},
       Field{&Result::T_1, "T_1", N_m, "torque of the driving sprocket, nominal"}.load().with("F_W"),
       Field{&Result::T_2, "T_2", N_m, "torque of the driven sprocket, nominal, without losses"}.load().with("F_W"),
-      Field{&Result::F_t, "F_t", N, "pull of the chain, nominal"},
+      Field{&Result::F_t, "F_t", N, "pull of the chain, nominal"}.load(),
       Field{&Result::F_c, "F_c", N, "centrifugal force"},
       Field{&Result::F_f, "F_f", N, "pull by sag"},
       Field{&Result::F, "F", N, "largest pull: with the service factor, centrifugal force and sag"}.holding("K_A"),

@@ -27,7 +27,6 @@ Objection of_max(Stress sigma_max, double r) {
     return {"where r is infinite sigma_max is zero and says nothing about the size of the cycle",
             "give sigma_min, sigma_m or sigma_a with r"};
   }
-  if (sigma_max == zero) return {"sigma_max = 0 belongs to an infinite r alone", "give sigma_min in place of r"};
   if (sigma_max > zero && r > 1.0) return {"with r > 1 both stresses are compressions: sigma_max must be negative", ""};
   if (sigma_max < zero && r < 1.0) return {"a negative sigma_max needs r >= 1: sigma_min is a larger compression", ""};
   return {};

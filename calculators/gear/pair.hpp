@@ -13,6 +13,7 @@
 
 #include "calculators/gear/pair_choices.hpp"
 #include "calculators/gear/pair_result.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -148,11 +149,11 @@ sigma_adm_2 = "200 MPa"
       Choice{&Input::cutting, "cutting", "how the teeth are made, for the velocity factor"}.may_be_missing(),
       Choice{&Input::idler, "idler", "gear whose teeth bend both ways in a turn"}.may_be_missing(),
       Field{&Input::Y_1, "Y_1", ratio, "Lewis' factor of gear 1; missing: from the form of its tooth"}
-          .positive()
+          .within(0.01, 1)
           .usually(0.15, 0.8)
           .may_be_missing(),
       Field{&Input::Y_2, "Y_2", ratio, "Lewis' factor of gear 2; missing: from the form of its tooth"}
-          .positive()
+          .within(0.01, 1)
           .usually(0.15, 0.8)
           .may_be_missing(),
       Field{&Input::sigma_adm_1, "sigma_adm_1", MPa,
@@ -219,10 +220,14 @@ sigma_adm_2 = "200 MPa"
                   "a ring or a rack has no bore: leave out bore_2"}};
 
   static constexpr bool turns = true;
+  static constexpr std::array senses{SenseClaim{"T_1, P", "idler", "none, gear_1, gear_2", "both"}};
   static constexpr std::array modes{
       Mode<Input>{"dynamic", "dynamic load of running teeth",
-                  [](const Input& in) { return where(carries(in) && is_set(in.n_1) && in.cutting == Cutting::none); }}
-          .wanting("cutting"),
+                  [](const Input& in) {
+                    return carries(in) && in.cutting == Cutting::none ? shown_by(is_set(in.n_1)) : Applies::no;
+                  }}
+          .wanting("n_1, cutting")
+          .in_service(),
       Mode<Input>{"root_1", "tooth root of gear 1 in bending, by Lewis",
                   [](const Input& in) { return where(carries(in)); }}
           .judged_by("u_F1, v_share"),

@@ -110,13 +110,14 @@ inline constexpr Fields pair_results{
     Field{&PairResult::v, "v", m_per_s, "pitch line velocity; of a rack its speed"},
     Field{&PairResult::T_2, "T_2", N_m, "torque of gear 2 on its shaft, without losses"}.load().with(
         "F_x2, F_y2, F_z2"),
-    Field{&PairResult::F_t, "F_t", N, "tangential force at the reference circle, nominal, for strength"},
+    Field{&PairResult::F_t, "F_t", N, "tangential force at the reference circle, nominal, for strength"}.load().with(
+        "F_rw, F_a, T_1|T_2|gear_1.T|gear_2.T"),
     Field{&PairResult::F_tw, "F_tw", N, "tangential force at the working circle, for the bearings"}.load().with(
         "F_rw, F_a, T_1|T_2|gear_1.T|gear_2.T"),
     Field{&PairResult::F_rw, "F_rw", N, "radial force at the working circle"}.load().with(
         "F_tw, F_a, T_1|T_2|gear_1.T|gear_2.T"),
     Field{&PairResult::F_a, "F_a", N, "axial force"}.load().with("F_tw, F_rw, T_1|T_2|gear_1.T|gear_2.T"),
-    Field{&PairResult::F_bn, "F_bn", N, "force along the normal of the tooth"},
+    Field{&PairResult::F_bn, "F_bn", N, "force along the normal of the tooth"}.load().with("T_1|T_2|gear_1.T|gear_2.T"),
     Field{&PairResult::F_x1, "F_x1", N, "force on gear 1 along x, from axis 1 to the pitch point"}.load().with(
         "F_y1, F_z1, T_1|gear_1.T"),
     Field{&PairResult::F_y1, "F_y1", N, "force on gear 1 along y, in the frame of F_x1"}.load().with(

@@ -152,9 +152,17 @@ bool Member::stands_on_edge(const Input& in) {
   return rectangle && in.h > in.b;
 }
 
+/// Second moments of a section that no row and no outline tells, as different as those of a rectangle of h = 2 b: it
+/// bends about its stronger axis, and may tip over.
+bool Member::is_lean(const Input& in) {
+  constexpr double lean = 4.0;
+  const bool is_bare = column::Buckling::outline_of(in) != column::Outline::closed && !is_set(in.d) && !is_set(in.h);
+  return is_bare && is_set(in.I_y) && in.I_y > lean * in.I_z;
+}
+
 Applies Member::twisting_when_bent(const Input& in) {
   const column::Outline outline = column::Buckling::outline_of(in);
-  if (stands_on_edge(in)) return where(abs(in.M_b) > 0.0 * N_m.one);
+  if (stands_on_edge(in) || is_lean(in)) return where(abs(in.M_b) > 0.0 * N_m.one);
   if (outline == column::Outline::solid && is_set(in.A) && !is_set(in.d)) return Applies::unseen;
   if (outline <= column::Outline::closed) return Applies::no;
   return where(abs(in.M_b) > 0.0 * N_m.one);

@@ -125,6 +125,7 @@ S = 1.5
   static bool force_given(const Input& in);
   static bool fibre_known(const Input& in);
   static bool ends_in_plane(const Input& in);
+  static bool is_lean(const Input& in);
   static Applies loaded(const Input& in);
   static Applies sheared(const Input& in);
   static Applies compressed_and_bent(const Input& in);

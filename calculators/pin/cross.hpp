@@ -119,6 +119,7 @@ tau_adm_1 = "40 MPa"
           [](const Input& in) { return !is_set(in.R_m) || is_set(in.tau_adm) || in.loading != Loading::unsaid; },
           "R_m, loading", "the share of R_m that is allowed follows from how the torque varies: say loading"}};
 
+  static constexpr std::array senses{SenseClaim{"T", "loading", "steady, pulsating", "alternating"}};
   static constexpr std::array meanings{Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
       Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau, x_E"),

@@ -13,6 +13,7 @@
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/join.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
@@ -198,6 +199,7 @@ R_e_k = "420 MPa"
           Rule<Input>{[](const Input& in) { return !(in.l < in.l_min) && !(in.l > in.l_max); }, "l, l_min, l_max",
                       "the standard has no key of this section in that length", nullptr, true}});
 
+  static constexpr std::array senses{SenseClaim{"T", "torque", "one_way", "reversing"}};
   static constexpr std::array modes{
       Mode<Input>{"shaft", "side of the seat in the shaft crushed", &torque_loads<Input>}.judged_by("u_1"),
       Mode<Input>{"hub", "side of the seat in the hub crushed", &torque_loads<Input>}.judged_by("u_2"),

@@ -12,7 +12,9 @@
 #include "calculators/load/connection.hpp"
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/fit_units.hpp"
 #include "lib/text/issue.hpp"
@@ -96,7 +98,7 @@ dT_adm = "250 K"
       Field{&Input::Rz_1, "Rz_1", um, "roughness of the shaft, which is pressed flat"}.at_least(0).usually(0.4, 40),
       Field{&Input::Rz_2, "Rz_2", um, "roughness of the hub"}.at_least(0).usually(0.4, 40),
       Field{&Input::mu, "mu", ratio, "friction against slip: dry steel on steel 0.12 to 0.2, oiled less"}
-          .positive()
+          .within(0.001, 1)
           .usually(0.05, 0.25)
           .may_be_missing(),
       Field{&Input::S_r, "S_r", ratio, "safety against slip"}.at_least(1).usually(1.2, 3).may_be_missing().factor(),
@@ -202,6 +204,7 @@ dT_adm = "250 K"
       Rule<Input>{[](const Input& in) { return !(least_usable(in) <= 0.0 * mm.one); }, "U_min, Rz_1, Rz_2, dT_1, dT_2",
                   "the smallest fit has no usable interference", &nothing_left}};
 
+  static constexpr std::array meanings{Meaning{"R_e_1, R_e_2", yield_strength}};
   static constexpr std::array modes{
       Mode<Input>{"slip", "slip of the hub", &loaded}.judged_by("u_s, x_l").wanting("T, mu, S_r"),
       Mode<Input>{"shaft", "yield of the shaft under the hub", &always<Input>}.judged_by("u_1"),

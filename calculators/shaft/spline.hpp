@@ -13,6 +13,7 @@
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/join.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
@@ -187,6 +188,7 @@ R_e_2 = "300 MPa"
                  Rule<Input>{[](const Input& in) { return is_set(in.beta_b) == is_set(in.beta_t); }, "beta_b, beta_t",
                              "give beta_b and beta_t, or none of them"}});
 
+  static constexpr std::array senses{SenseClaim{"T", "torque", "one_way", "reversing"}};
   static constexpr std::array modes{
       Mode<Input>{"shaft", "flanks of the shaft crushed", &torque_loads<Input>}.judged_by("u_1"),
       Mode<Input>{"hub", "flanks of the hub crushed", &torque_loads<Input>}.judged_by("u_2"),

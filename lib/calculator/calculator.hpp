@@ -98,6 +98,7 @@ struct Calculator {
   SweepLoop sweep = nullptr;
   Sizing sizing;
   std::span<const Meaning> meanings;
+  std::span<const SenseClaim> senses;
   /// Whether an input may be a series: not where it decides on one thing for all its loads, a belt and its tension, a
   /// section. At every position of a cycle it would find another.
   bool takes_series = true;

@@ -12,4 +12,13 @@ struct Meaning {
   const char* words = "";   // the words at which it is that: "bending, tension"
 };
 
+/// What an input says of the sense of a load: that a torque never changes it, how small it becomes. lib/project
+/// compares it with the series that the load comes from, whole or reduced.
+struct SenseClaim {
+  const char* loads;         // "T", "seats.T", "T_1, P"
+  const char* field;         // the choice that says it, or a number: the least value over the largest
+  const char* words = "";    // of the choice: at which the load keeps one sense; empty: the field is a number
+  const char* instead = "";  // the word for a load that changes it
+};
+
 }  // namespace loadpath

@@ -10,6 +10,7 @@ namespace loadpath {
 inline constexpr auto allowable_in_normal = "an allowable normal stress";
 inline constexpr auto allowable_in_shear = "an allowable shear stress";
 
+inline constexpr auto yield_strength = "a yield strength of the material";
 inline constexpr auto crushing_stress = "a crushing stress";
 
 inline constexpr auto limit_in_normal = "a fatigue limit of a part in normal stresses";
@@ -31,6 +32,7 @@ struct StrengthBound {
 inline constexpr double shear_over_normal = 0.57735026918962576;
 inline constexpr double most_fatigue_limit = 0.7;
 inline constexpr std::array strength_bounds{
+    StrengthBound{yield_strength, "R_e", 1.0, "R_e"},
     StrengthBound{allowable_in_normal, "R_e", 1.0, "R_e"},
     StrengthBound{allowable_in_shear, "R_e", shear_over_normal, "R_e/sqrt(3)"},
     StrengthBound{crushing_stress, "R_m", 1.0, "R_m"},

@@ -192,7 +192,7 @@ const Axis* check_operands(const Reading& reading, const std::string& step, bool
   const Axis* shared = nullptr;  // of what is lifted
   const Axis* whole = nullptr;   // of what is taken whole
   const auto take = [&](const Axis* axis, const std::string& path, const Place& start, const std::string& text,
-                        bool takes_whole = false) {
+                        bool takes_whole = false, bool of_record = false) {
     if (axis == nullptr) return;
     const Axis*& other = takes_whole ? whole : shared;
     const auto refuse = [&](Message message, Message hint) {
@@ -201,7 +201,11 @@ const Axis* check_operands(const Reading& reading, const std::string& step, bool
     };
     if (!lifted && !takes_whole)
       refuse(say("'{1}' takes one value, and this is a series over {2}", path, axis->name()),
-             say("reduce it with peak, max, min, mean, rms or at"));
+             of_record
+                 ? say("its record has a series, and this calculator takes one value: type {1}, or use a calculator "
+                       "that goes through the cycle",
+                       path)
+                 : say("reduce it with peak, max, min, mean, rms or at"));
     else if (other != nullptr && other != axis)
       refuse(say("this is a series over {1}, and another input is one over {2}", axis->name(), other->name()),
              say("reduce one of them with peak, max, min, mean, rms or at"));
@@ -210,7 +214,7 @@ const Axis* check_operands(const Reading& reading, const std::string& step, bool
   };
   for (const Operand& operand : reading.operands)
     take(check_operand(operand, step, declared, issues), operand.path, operand.place, operand.text,
-         operand.leaf.field->takes_whole());
+         operand.leaf.field->takes_whole(), operand.of_record);
   for (const Taken& taken : reading.taken) take(taken.axis, taken.path, taken.place, taken.source);
   return shared;
 }

@@ -8,6 +8,7 @@
 #include "lib/project/series_choice.hpp"
 
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -72,6 +73,11 @@ struct Known {
   std::function<std::vector<std::pair<std::string, const Entry*>>(const std::string& path)> within;
 
   const Value& operator()(const std::string& path) const { return value(path); }
+};
+/// A load that changes its sense over a cycle.
+struct Reversal {
+  Message text;        // "'press.drive.M', from -375 N·m to 375 N·m"
+  double ratio = 0.0;  // the smaller extreme over the larger one, negative
 };
 /// A load that is not all of the series that it comes from.
 struct ReducedLoad {
@@ -154,6 +160,9 @@ class Step {
   /// judged by them, here and where the results go; known when it is solved.
   [[nodiscard]] const std::vector<ReducedLoad>& reduced_loads() const { return reduced_loads_; }
   void reduce(std::vector<ReducedLoad> loads) { reduced_loads_ = std::move(loads); }
+  /// A load of the step that changes its sense; known when it is solved.
+  [[nodiscard]] const std::optional<Reversal>& reversal() const { return reversal_; }
+  void reverse(std::optional<Reversal> reversal) { reversal_ = std::move(reversal); }
   /// What the report says of the step's inputs.
   void remark(Message remark) { remarks_.push_back(std::move(remark)); }
   [[nodiscard]] const std::vector<Message>& remarks() const { return remarks_; }
@@ -182,6 +191,7 @@ class Step {
   Factors factors_;
   Message lacking_factor_;
   std::vector<ReducedLoad> reduced_loads_;
+  std::optional<Reversal> reversal_;
   std::vector<Message> remarks_;
   std::map<std::string, BodySize> body_sizes_;
   bool load_varies_ = false;

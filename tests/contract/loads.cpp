@@ -37,6 +37,7 @@ constexpr std::array alone{
     Reason{"gear.planetary F_t", "it loads a tooth; on the shaft of the sun the planets balance"},
     Reason{"gear.planetary sun_mesh.T_1", "one mesh of several, for gear.pair; on the shaft of the sun they balance"},
     Reason{"gear.planetary ring_mesh.T_1", "one mesh of several, for gear.pair; on the ring they balance"},
+    Reason{"chain.roller F_t", "it loads the chain; what the shafts take is shaft_1, shaft_2"},
     Reason{"shaft.torsion cycle.sigma_max", of_stress},
     Reason{"shaft.held cycle.sigma_max", of_stress},
     Reason{"shaft.held R_1", "it loads what holds the bar"},

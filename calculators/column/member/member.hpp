@@ -59,11 +59,11 @@ constexpr auto held_inputs() {
           .may_be_missing(),
       Field<Input, double>{&Input::beta_y, "beta_y", ratio, "effective length factor about y, in place of the ends"}
           .at_least(0.3)
-          .usually(0.3, 5)
+          .usually(0.5, 5)
           .may_be_missing(),
       Field<Input, double>{&Input::beta_z, "beta_z", ratio, "effective length factor about z, in place of the ends"}
           .at_least(0.3)
-          .usually(0.3, 5)
+          .usually(0.5, 5)
           .may_be_missing(),
       ListField<Input, List<Member::Support, most_supports>>{
           &Input::supports_y, "supports_y", "rigid supports between the ends that hinder bending about y"}

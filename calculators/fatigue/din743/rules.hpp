@@ -40,6 +40,8 @@ constexpr auto din743_section_rules() {
                   "a shoulder or a groove needs the larger diameter D, above d"},
       Rule<Input>{[](const Input& in) { return !needs_radius(in.notch) || is_set(in.r); }, "r, notch",
                   "this notch needs its radius r"},
+      Rule<Input>{[](const Input& in) { return in.notch != Notch::smooth || !is_set(in.r); }, "r, notch",
+                  "a smooth section has no radius: of a shoulder write notch = \"shoulder\" with D"},
       Rule<Input>{[](const Input& in) { return in.notch != Notch::rectangular_groove || is_set(in.w); }, "w, notch",
                   "a rectangular groove needs its width w"},
       Rule<Input>{[](const Input& in) { return !needs_roughness(in.notch) || is_set(in.R_z); }, "R_z, notch",

@@ -21,6 +21,7 @@
 #include "calculators/shaft/design/result.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/parts/ring.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/sizing.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -301,6 +302,8 @@ r_T = 0
   static Applies running(const Input& in);
   static Applies passes_resonance(const Input& in);
   static Applies bears_discs(const Input& in);
+  /// Bearings of a shaft that turns have a life, whatever its loads come from.
+  static Applies bears_bearings(const Input& in) { return std::max(Applies::unseen, running(in)); }
   static Applies lacks_connection(const Input& in);
   static Applies has_connection(const Input& in);
   static Applies bears_rims(const Input& in);
@@ -311,6 +314,7 @@ r_T = 0
   }
   static Applies crowds(const Input& in) { return where(asks_fatigue(in) && !notches_apart(in)); }
   static Applies brittle(const Input& in) { return shown_by(in.group == fatigue::Endurance::Group::grey_iron); }
+  static constexpr std::array senses{SenseClaim{"seats.T", "r_T"}};
   static constexpr std::array meanings{Meaning{"sigma_W", fatigue::specimen_in_bending}};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v, s_max"),
@@ -352,7 +356,7 @@ r_T = 0
           .in_service(),
       Mode<Input>{"resonance", "running through a resonance in torsion", &passes_resonance}.special(),
       Mode<Input>{"train", "torsional vibration of the train that it is coupled to", &unseen<Input>}.special(),
-      Mode<Input>{"bearings", "life and static safety of its bearings", &unseen<Input>}
+      Mode<Input>{"bearings", "life and static safety of its bearings", &bears_bearings}
           .left_to("bearing.rolling",
                    "bearings.fatigue, bearings.static, bearings.axial, bearings.radial, bearings.ribs, bearings.mate, "
                    "bearings.skidding, bearings.speed")

@@ -19,7 +19,7 @@ const FieldInfo* idler_of(const Step& step) {
   return idler != nullptr && idler->type == FieldInfo::Type::choice ? idler : nullptr;
 }
 
-/// Which gears of a pair are idlers, and what the other pair is called.
+/// Which gears of a pair are idlers, and what the other pair or the planetary gear is called.
 struct Found {
   bool first = false, second = false;
   std::string other;
@@ -93,8 +93,15 @@ void find_idlers(Project& project, std::vector<Issue>& issues) {
   for (const auto& step : project.steps) {
     if (idler_of(*step) == nullptr) continue;
     for (const Operand& operand : step->input().reading.operands) {
-      if (operand.path != "z_1" || !operand.expression.is_reference()) continue;
+      const bool is_first = operand.path == "z_1";
+      if ((!is_first && operand.path != "z_2") || !operand.expression.is_reference()) continue;
       const auto [name, key] = split_step(operand.expression.references().front().path);
+      if (key == "z_p") {  // a planet meshes with the sun and with the ring
+        (is_first ? all[step.get()].first : all[step.get()].second) = true;
+        all[step.get()].other = name;
+        continue;
+      }
+      if (!is_first) continue;
       const auto first = std::find_if(project.steps.begin(), project.steps.end(),
                                       [&, wanted = name](const auto& s) { return s->name() == wanted; });
       if (key != "z_2" || first == project.steps.end() || *first == step || idler_of(**first) == nullptr) continue;

@@ -101,6 +101,7 @@ class Settling {
 
   void refuse(const Taken& taken, const Fault& fault) {
     refused_ = true;
+    if (fault.message.empty()) return;  // the errors of the other step, which are told
     issues_.push_back({place_in(taken.place, taken.source, fault.at, fault.length), step_.name() + "." + taken.path,
                        fault.message, fault.hint, Severity::error});
   }

@@ -45,6 +45,9 @@ Digits digits_of(std::string_view text) {
 Beside beside_of(const FieldInfo& field) {
   if (field.is_load || field.larger_is_better || field.is_factor) return Beside::demand;
   const auto& powers = field.dimension.twelfths;
+  // Another modulus is another metal, stronger or not.
+  const std::string_view column = field.provider.column;
+  if (column == "E" || column == "G") return Beside::modulus;
   const bool is_bearing = powers[Dimension::mass] > 0 && powers[Dimension::time] < 0;
   return field.type == FieldInfo::Type::quantity && is_bearing ? Beside::capacity : Beside::identity;
 }
@@ -62,7 +65,9 @@ double relative_rounding(std::string_view typed) {
   return std::clamp(half_unit / number * (1.0 + 1e-9), rounding_of_numbers, most_rounding);
 }
 
-bool is_equal(double typed, double other, double rounding) {
+bool is_equal(Beside beside, double typed, double other, double rounding) {
+  constexpr double of_moduli = 0.06;  // books have 200 to 210 GPa for the same steel
+  if (beside == Beside::modulus) rounding = std::max(rounding, of_moduli);
   return typed == other || std::abs(typed - other) <= rounding * std::abs(typed);
 }
 

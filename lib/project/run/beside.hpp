@@ -12,6 +12,7 @@ namespace loadpath::project {
 /// What a field is about, which its declaration tells.
 enum class Beside {
   identity,  // geometry, kind, numbers: of one part only
+  modulus,   // the same, as far as books agree on it
   capacity,  // strengths and ratings: stress, force, moment, power
   demand     // loads, lengths of which the largest is sought, factors of safety and service
 };
@@ -22,7 +23,7 @@ Beside beside_of(const FieldInfo& field);
 double relative_rounding(std::string_view typed);
 
 /// Whether the typed value is the other one, as far as its digits tell.
-bool is_equal(double typed, double other, double rounding);
+bool is_equal(Beside beside, double typed, double other, double rounding);
 /// Whether it is on the side that wants a reason: more than the part has, or less than it has to bear.
 bool is_bolder(Beside beside, double typed, double other);
 

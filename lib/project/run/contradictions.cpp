@@ -199,10 +199,10 @@ std::vector<Run::Neighbour> Run::neighbours() const {
 bool Run::refuse_other_parts(std::vector<Issue>& issues) const {
   const std::size_t before = issues.size();
   for (const Neighbour& beside : neighbours()) {
-    if (beside.kind != Beside::identity) continue;
+    if (beside.kind != Beside::identity && beside.kind != Beside::modulus) continue;
     const double typed = largest_size(value_at(beside.path, beside.leaf)), other = largest_size(beside.value);
     const auto text = step_.input().reading.typed.find(beside.path);
-    if (std::isnan(typed) || is_equal(typed, other, relative_rounding(text->second.text))) continue;
+    if (std::isnan(typed) || is_equal(beside.kind, typed, other, relative_rounding(text->second.text))) continue;
     const FieldInfo& field = *beside.leaf.field;
     issues.push_back(issue_at(
         step_.input(), beside.path,
@@ -230,10 +230,10 @@ std::vector<Run::Neighbour> Run::bolder_ones() {
   for (Neighbour& beside : neighbours()) {
     compared_.push_back(beside.path);
     compared_by_size_ = compared_by_size_ || beside.by_size;
-    if (beside.kind == Beside::identity) continue;
+    if (beside.kind == Beside::identity || beside.kind == Beside::modulus) continue;
     const double typed = largest_size(value_at(beside.path, beside.leaf)), other = largest_size(beside.value);
     const std::string& text = step_.input().reading.typed.at(beside.path).text;
-    if (std::isnan(typed) || is_equal(typed, other, relative_rounding(text))) continue;
+    if (std::isnan(typed) || is_equal(beside.kind, typed, other, relative_rounding(text))) continue;
     if (is_bolder(beside.kind, typed, other)) bolder.push_back(std::move(beside));
   }
   return bolder;

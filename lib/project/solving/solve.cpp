@@ -6,6 +6,7 @@
 #include "lib/project/references/meanings.hpp"
 #include "lib/project/references/order.hpp"
 #include "lib/project/references/reductions.hpp"
+#include "lib/project/references/senses.hpp"
 #include "lib/project/solving/bodies.hpp"
 #include "lib/project/solving/companions.hpp"
 
@@ -139,6 +140,7 @@ void solve_steps(Project& project, std::vector<Issue>& issues, const Wanted& wan
     check_factors(step, project, issues);
     check_meanings(step, project, issues);
     check_reductions(step, project);
+    check_senses(step, project, issues);
     if (wanted.words) check_kinds(step, project, declared, issues);
     if (!has_errors(issues)) step.solve(known, wanted, issues);
     if (has_errors(issues)) return;

@@ -1,6 +1,8 @@
 #include "lib/project/run/calculator_step.hpp"
 
-#include "lib/project/run/run.hpp"
+#include "lib/project/run/account.hpp"
+#include "lib/project/run/input_effects.hpp"
+#include "lib/project/run/search.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
@@ -361,29 +363,31 @@ void CalculatorStep::leave_what_acts(const Known& known) {
 
 void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) {
   leave_what_acts(known);
-  Run run(*this, known, wanted.words);
-  if (!run.take_from_others(issues) || !run.evaluate_operands(issues)) return;
-  if (!run.refuse_other_parts(issues)) return;
-  if (!run.check_rules(issues)) return;
-  if (!run.search(issues)) return;
-  run.evaluate();
-  run.weigh_typed_values(wanted.unused, issues);
-  run.trace_governing();
-  if (wanted.unused) run.warn_of_unused(issues);
-  run.fill(wanted, own_account());
-  compared_ = run.compared();
-  goes_point_by_point_ = run.holds_back() || (run.compared_by_size() &&
-                                              !(input().reading.varied.empty() && input().reading.operands.empty()));
-  for (const auto& [group, row] : run.rows()) name_row(group, row.text);
+  Evaluation evaluation(*this, known);
+  Inputs& inputs = evaluation.inputs();
+  if (!inputs.take_from_others(issues) || !inputs.evaluate_operands(issues)) return;
+  if (!refuse_other_parts(evaluation, known, issues) || !evaluation.check_rules(issues)) return;
+  if (!run_search(evaluation, wanted.words, issues)) return;
+  Findings found{.results = evaluate_all(evaluation)};
+  found.weighed = weigh_typed_values(evaluation, found.results, known, wanted.unused, issues);
+  found.governing = evaluate_governing(evaluation, found.results, wanted.words);
+  if (wanted.unused) warn_of_unused(evaluation, found.results, found.governing, issues);
+  fill_account(evaluation, found, wanted, own_account());
+  const WeighedValues& weighed = found.weighed;
+  compared_ = weighed.compared;
+  goes_point_by_point_ = weighed.holds_back || (weighed.compared_by_size &&
+                                                !(input().reading.varied.empty() && input().reading.operands.empty()));
+  for (const auto& [group, row] : inputs.rows()) name_row(group, row.text);
 }
 
 void CalculatorStep::solve_without(const std::set<std::string>& inputs, const Known& known) {
-  Run run(*this, known, false);
+  Evaluation evaluation(*this, known);
   std::vector<Issue> told;  // again when the step is solved whole
-  if (!run.take_from_others(told) || !run.evaluate_operands(told, inputs)) return;
-  run.evaluate();
-  run.trace_governing();
-  run.fill({.pictures = false, .formulas = false, .unused = false, .words = false}, own_account());
+  if (!evaluation.inputs().take_from_others(told) || !evaluation.inputs().evaluate_operands(told, inputs)) return;
+  Findings found{.results = evaluate_all(evaluation)};
+  found.governing = evaluate_governing(evaluation, found.results, false);
+  fill_account(evaluation, found, {.pictures = false, .formulas = false, .unused = false, .words = false},
+               own_account());
 }
 
 std::unique_ptr<Step> make_calculator_step(StepInput&& input) {

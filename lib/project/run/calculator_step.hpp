@@ -1,5 +1,5 @@
 // The step that runs a calculator: expressions into inputs, values from tables, a search for sizes, the calculation at
-// every position of a cycle where an input is a series (lib/project/run/run.hpp).
+// every position of a cycle where an input is a series (lib/project/run/evaluation.hpp).
 #pragma once
 
 #include "lib/project/run/providers.hpp"

@@ -27,13 +27,41 @@ double size_of(const Provider& provider, const Record& record) {
 
 std::string head(std::string_view path) { return std::string(path.substr(0, path.find_first_of(".["))); }
 
+/// Paths of others that the step takes.
+std::set<std::string> taken_paths(const Reading& reading, const std::vector<Provided>& all) {
+  std::set<std::string> taken;
+  for_each_reference(reading, [&](const std::string& path) { taken.insert(path); });
+  for (const Provided& provided : all) taken.insert(provided.companions.begin(), provided.companions.end());
+  return taken;
+}
+
+/// What comes along with the loads that are referred to, and neither another input nor a provider takes.
+std::vector<std::string> rest_of_loads(const Reading& reading, const std::vector<Provided>& provided,
+                                       const Companions& companions) {
+  std::set<std::string> taken = taken_paths(reading, provided);
+  std::vector<std::string> rest;
+  const auto add = [&](const std::string& reference) {
+    for (const std::string& path : companions(reference)) {
+      if (taken.insert(path).second) rest.push_back(path);
+    }
+  };
+  for (const Operand& operand : reading.operands) {
+    if (!operand.leaf.field->is_load) continue;  // a length brings nothing along
+    for (const auto& reference : operand.expression.references()) add(reference.path);
+  }
+  for (const Taken& list : reading.taken) {
+    if (list.field != nullptr && list.field->type == FieldInfo::Type::list) add(list.source);
+  }
+  return rest;
+}
+
 }  // namespace
 
 void CalculatorStep::prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) {
   axis_ = check_operands(input().reading, name(), input().calculator->takes_series, declared, issues);
   provided_ = provided_by_rows(input(), input().rows, issues);
   for (Provided& provided : provided_by_companions(input(), companions)) provided_.push_back(std::move(provided));
-  rest_ = rest_of_loads(companions);
+  rest_ = rest_of_loads(input().reading, provided_, companions);
   origins_ = fill_lists(input(), input().rows, input().reading.record);
   find_searches(issues);
   check_rules_of_literals(issues);
@@ -109,31 +137,6 @@ bool CalculatorStep::is_open(const std::string& field) const {
          std::any_of(provided_.begin(), provided_.end(), concerns);
 }
 
-bool CalculatorStep::is_pending(const std::string& field) const {
-  const auto concerns = [&](const auto& entry) { return head(entry.path) == field; };
-  const auto& reading = input().reading;
-  return reading.faulty.count(field) != 0 || names_row_for(field) ||
-         std::any_of(reading.operands.begin(), reading.operands.end(),
-                     [&](const Operand& operand) { return concerns(operand) && std::isnan(operand.early); }) ||
-         std::any_of(reading.taken.begin(), reading.taken.end(), concerns) ||
-         std::any_of(reading.varied.begin(), reading.varied.end(), concerns) ||
-         std::any_of(searches_.begin(), searches_.end(), concerns) ||
-         std::any_of(provided_.begin(), provided_.end(), concerns);
-}
-
-/// The leaves that have no value before the project is solved.
-std::vector<std::string> CalculatorStep::pending_leaves() const {
-  std::vector<std::string> paths;
-  for (const Operand& operand : input().reading.operands)
-    if (std::isnan(operand.early)) paths.push_back(operand.path);
-  for (const Taken& taken : input().reading.taken)
-    if (taken.field != nullptr) paths.push_back(taken.path);
-  for (const Varied& varied : input().reading.varied) paths.push_back(varied.path);
-  for (const Search& search : searches_) paths.push_back(search.path);
-  for (const Provided& provided : provided_) paths.push_back(provided.path);
-  return paths;
-}
-
 bool CalculatorStep::is_asked(const FieldInfo& check, const Record& record) const {
   std::string_view inputs = check.asked_by;
   if (inputs.empty()) return true;
@@ -167,18 +170,16 @@ const Provided* lacking_row(const RuleInfo& rule, const Record& record, const st
   return nullptr;
 }
 
-}  // namespace
-
 /// A row that has no value for an input, or none for the size of the part.
-Issue CalculatorStep::lacking_value(const Provided& provided, const Record& record) const {
+Issue lacking_value(const StepInput& input, const Provided& provided, const Record& record) {
   const FieldInfo& field = *provided.field;
   const Provider& from = field.provider;
   const std::string instead = *from.unless == '\0' ? field.key : from.unless;
   const auto issue = [&](Message message, Message hint) {
-    return Issue{place_in(input().rows.at(from.table).place, provided.row, 0, provided.row.size()),
-                 name() + "." + from.table, std::move(message), std::move(hint), Severity::error};
+    return Issue{place_in(input.rows.at(from.table).place, provided.row, 0, provided.row.size()),
+                 input.name + "." + from.table, std::move(message), std::move(hint), Severity::error};
   };
-  const auto entry = input().tables->find_row(from.table, provided.row);
+  const auto entry = input.tables->find_row(from.table, provided.row);
   if (entry && table::covered_size(*entry, from.column) > 0.0) {
     const double size = size_of(from, record);
     Lookup found = look_up(provided, size);
@@ -193,10 +194,12 @@ Issue CalculatorStep::lacking_value(const Provided& provided, const Record& reco
                                     : say("name another, or give {1} in its place", from.unless));
 }
 
+}  // namespace
+
 Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record, const std::vector<Provided>& provided) const {
   const Calculator& calculator = *input().calculator;
   if (const Provided* lacking = lacking_row(calculator.rules[rule], record, provided))
-    return lacking_value(*lacking, record);
+    return lacking_value(input(), *lacking, record);
   FieldFault fault = calculator.fault_of(rule, record.data.get());
   for (const std::string& field : listed_keys(calculator.rules[rule].fields)) {
     if (fault.path.empty() && input().reading.typed.count(field) != 0) fault.path = field;
@@ -206,11 +209,45 @@ Issue CalculatorStep::broken_rule(std::size_t rule, const Record& record, const 
   return issue;
 }
 
+namespace {
+
+/// Whether a path names an element that a list of the input does not have; of one that another step or a row fills that
+/// is not known yet.
+bool has_no_element(const StepInput& input, const std::string& path) {
+  const FieldInfo* const list = find_field(input.calculator->input->fields, head(path));
+  if (list == nullptr || list->type != FieldInfo::Type::list || list->provider.kind == Provider::Kind::table)
+    return false;
+  const auto& taken = input.reading.taken;
+  const bool later = std::any_of(taken.begin(), taken.end(), [&](const Taken& t) { return t.path == list->key; });
+  return !later && !find_leaf(input.reading.record, path);
+}
+
+Fault missing_element(const StepInput& input, const std::string& path) {
+  const FieldInfo& list = *find_field(input.calculator->input->fields, head(path));
+  const std::size_t count = list.size(input.reading.record.data.get());
+  return {0, path.size(), say("'{1}' has no element '{2}'", input.name, path),
+          say("{1} has {2}, counted from 1", list.key, std::to_string(count))};
+}
+
+Fault unknown_path(const StepInput& input, const std::string& path) {
+  std::vector<std::string> known;
+  Record blank(*input.calculator->result);
+  for_each_leaf(blank, [&](const std::string& leaf, const Leaf&) { known.push_back(leaf); });
+  for (const FieldInfo& f : input.calculator->result->fields) {
+    if (f.is_handed_over) known.emplace_back(f.key);
+    for (const FieldInfo& inner : f.fields) known.push_back(std::string(f.key) + "[1]." + inner.key);
+  }
+  return {0, path.size(), say("'{1}' has no result '{2}'", input.name, path),
+          did_you_mean(path, known, say("`loadpath describe {1}` lists them", input.calculator->id), input.name + ".")};
+}
+
+}  // namespace
+
 Outcome<Signature> CalculatorStep::signature(const std::string& path) const {
   const FieldInfo* const found = field(path);
-  if (found == nullptr || !found->is_number()) return unknown_path(path);
+  if (found == nullptr || !found->is_number()) return unknown_path(input(), path);
   const bool is_result = find_field_at(input().calculator->result->fields, path) != nullptr;
-  if (!is_result && has_no_element(path)) return missing_element(path);
+  if (!is_result && has_no_element(input(), path)) return missing_element(input(), path);
   // A size that is found and a value of a row are the same at all positions.
   const auto is_it = [&](const auto& one) { return one.path == path; };
   const bool is_found = std::any_of(searches_.begin(), searches_.end(), is_it) || names_row_for(path);
@@ -282,36 +319,6 @@ std::optional<Value> CalculatorStep::row_beforehand(const FieldInfo& field, cons
   return std::isnan(si) ? std::nullopt : std::optional(Value{{field.dimension, nullptr}, {si}});
 }
 
-/// Whether a path names an element that a list of the input does not have; of one that another step or a row fills that
-/// is not known yet.
-bool CalculatorStep::has_no_element(const std::string& path) const {
-  const FieldInfo* const list = find_field(input().calculator->input->fields, head(path));
-  if (list == nullptr || list->type != FieldInfo::Type::list || list->provider.kind == Provider::Kind::table)
-    return false;
-  const auto& taken = input().reading.taken;
-  const bool later = std::any_of(taken.begin(), taken.end(), [&](const Taken& t) { return t.path == list->key; });
-  return !later && !find_leaf(input().reading.record, path);
-}
-
-Fault CalculatorStep::missing_element(const std::string& path) const {
-  const FieldInfo& list = *find_field(input().calculator->input->fields, head(path));
-  const std::size_t count = list.size(input().reading.record.data.get());
-  return {0, path.size(), say("'{1}' has no element '{2}'", name(), path),
-          say("{1} has {2}, counted from 1", list.key, std::to_string(count))};
-}
-
-Fault CalculatorStep::unknown_path(const std::string& path) const {
-  std::vector<std::string> known;
-  Record blank(*input().calculator->result);
-  for_each_leaf(blank, [&](const std::string& leaf, const Leaf&) { known.push_back(leaf); });
-  for (const FieldInfo& f : input().calculator->result->fields) {
-    if (f.is_handed_over) known.emplace_back(f.key);
-    for (const FieldInfo& inner : f.fields) known.push_back(std::string(f.key) + "[1]." + inner.key);
-  }
-  return {0, path.size(), say("'{1}' has no result '{2}'", name(), path),
-          did_you_mean(path, known, say("`loadpath describe {1}` lists them", input().calculator->id), name() + ".")};
-}
-
 std::vector<std::string> CalculatorStep::companions_of(const std::string& path) const {
   std::vector<std::string> all;
   const std::string beside = name() + "." + path.substr(0, path.rfind('.') + 1);  // "train.shafts[2]."
@@ -321,32 +328,6 @@ std::vector<std::string> CalculatorStep::companions_of(const std::string& path) 
   for (const Provided& provided : provided_)
     all.insert(all.end(), provided.companions.begin(), provided.companions.end());
   return all;
-}
-
-std::set<std::string> CalculatorStep::taken_paths() const {
-  std::set<std::string> taken;
-  for_each_reference(input().reading, [&](const std::string& path) { taken.insert(path); });
-  for (const Provided& provided : provided_) taken.insert(provided.companions.begin(), provided.companions.end());
-  return taken;
-}
-
-/// What comes along with the loads that are referred to, and neither another input nor a provider takes.
-std::vector<std::string> CalculatorStep::rest_of_loads(const Companions& companions) const {
-  std::set<std::string> taken = taken_paths();
-  std::vector<std::string> rest;
-  const auto add = [&](const std::string& reference) {
-    for (const std::string& path : companions(reference)) {
-      if (taken.insert(path).second) rest.push_back(path);
-    }
-  };
-  for (const Operand& operand : input().reading.operands) {
-    if (!operand.leaf.field->is_load) continue;  // a length brings nothing along
-    for (const auto& reference : operand.expression.references()) add(reference.path);
-  }
-  for (const Taken& list : input().reading.taken) {
-    if (list.field != nullptr && list.field->type == FieldInfo::Type::list) add(list.source);
-  }
-  return rest;
 }
 
 /// Those of them that are not nothing: a spur gear has no axial force.

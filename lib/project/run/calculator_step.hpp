@@ -44,22 +44,12 @@ class CalculatorStep : public Step {
   [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
 
  private:
-  [[nodiscard]] Issue lacking_value(const Provided& provided, const Record& record) const;
   void find_searches(std::vector<Issue>& issues);
   void check_stock(const Search& search, std::vector<Issue>& issues) const;
   void check_rules_of_literals(std::vector<Issue>& issues);
   [[nodiscard]] bool is_open(const std::string& field) const;
-  /// The same, but for expressions whose value is known already.
-  [[nodiscard]] bool is_pending(const std::string& field) const;
-  [[nodiscard]] std::vector<std::string> pending_leaves() const;
-  /// Paths of others that the step takes.
-  [[nodiscard]] std::set<std::string> taken_paths() const;
   [[nodiscard]] std::optional<Value> row_beforehand(const FieldInfo& field, const Beforehand& of) const;
-  [[nodiscard]] bool has_no_element(const std::string& path) const;
-  [[nodiscard]] Fault missing_element(const std::string& path) const;
-  [[nodiscard]] std::vector<std::string> rest_of_loads(const Companions& companions) const;
   void leave_what_acts(const Known& known);
-  [[nodiscard]] Fault unknown_path(const std::string& path) const;
 
   const Axis* axis_ = nullptr;  // of the series among the inputs; null: one position
   std::vector<Provided> provided_;

@@ -257,9 +257,9 @@ ColumnStep::~ColumnStep() = default;
 
 std::unique_ptr<ColumnStep> ColumnStep::of(CalculatorStep& step, const std::set<std::string>& wanted,
                                            const PointColumns& points) {
-  auto parts = std::make_unique<Parts>(step);
-  if (!parts->lay_out(wanted, points)) return nullptr;
-  return std::unique_ptr<ColumnStep>(new ColumnStep(std::move(parts)));
+  auto plan = plan_columns(step, wanted, points);
+  if (!plan) return nullptr;
+  return std::unique_ptr<ColumnStep>(new ColumnStep(std::make_unique<Parts>(std::move(*plan))));
 }
 
 void ColumnStep::evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) {

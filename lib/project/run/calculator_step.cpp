@@ -339,7 +339,7 @@ void CalculatorStep::leave_what_acts(const Known& known) {
         std::any_of(value.si.begin(), value.si.end(), [&](double x) { return !(std::abs(x) <= value.rounding); });
     if (acts) names += (names.empty() ? "" : ", ") + path;
   }
-  leave_of_loads(names);
+  loads().left = std::move(names);
 }
 
 void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) {

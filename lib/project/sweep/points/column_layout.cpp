@@ -66,7 +66,7 @@ bool ColumnLayout::lay_out(const std::set<std::string>& wanted, const PointColum
 bool ColumnLayout::is_plain() const {
   const Reading& reading = step.input().reading;
   return reading.taken.empty() && reading.whole.empty() && !step.leaves_loads() && !step.goes_point_by_point() &&
-         !step.account().results.empty() && step.lacking_factor().empty();
+         !step.account().results.empty() && step.loads().lacking_factor.empty();
 }
 
 bool ColumnLayout::is_fed(std::string_view field) const {

@@ -1,7 +1,7 @@
 // What the calculation says at the position that governs.
 #pragma once
 
-#include "lib/project/run/results.hpp"
+#include "lib/project/run/evaluation/results.hpp"
 
 namespace loadpath::project {
 

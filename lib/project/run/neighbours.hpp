@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lib/project/run/beside.hpp"
-#include "lib/project/run/results.hpp"
+#include "lib/project/run/evaluation/results.hpp"
 
 #include <string>
 #include <vector>

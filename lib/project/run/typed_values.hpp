@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lib/project/modes.hpp"
-#include "lib/project/run/results.hpp"
+#include "lib/project/run/evaluation/results.hpp"
 
 #include <map>
 #include <string>

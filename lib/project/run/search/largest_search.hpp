@@ -1,7 +1,7 @@
 // The search for the largest value of a load, a length, a speed with which a step passes.
 #pragma once
 
-#include "lib/project/run/passing.hpp"
+#include "lib/project/run/search/passing.hpp"
 
 #include <vector>
 

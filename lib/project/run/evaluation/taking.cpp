@@ -1,5 +1,5 @@
 // What a step takes whole from other steps: words, lists, rows of tables.
-#include "lib/project/run/inputs.hpp"
+#include "lib/project/run/evaluation/inputs.hpp"
 
 #include <algorithm>
 

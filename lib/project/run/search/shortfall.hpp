@@ -1,7 +1,7 @@
 // What a candidate of a search fails, and how far it is from passing.
 #pragma once
 
-#include "lib/project/run/passing.hpp"
+#include "lib/project/run/search/passing.hpp"
 
 namespace loadpath::project {
 

@@ -1,6 +1,6 @@
-#include "lib/project/run/evaluation.hpp"
+#include "lib/project/run/evaluation/evaluation.hpp"
 
-#include "lib/project/run/searched_rules.hpp"
+#include "lib/project/run/evaluation/searched_rules.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ constexpr double not_available = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-Evaluation::Evaluation(const CalculatorStep& step, const Known& known)
+Evaluation::Evaluation(const PreparedStep& step, const Known& known)
     : step_(step), calculator_(*step.input().calculator), inputs_(step, known), result_(*calculator_.result) {}
 
 Issue Evaluation::broken_rule(std::size_t rule) const { return step_.broken_rule(rule, record(), inputs_.provided()); }

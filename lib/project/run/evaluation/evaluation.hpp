@@ -2,7 +2,7 @@
 // the sizes that follow from them.
 #pragma once
 
-#include "lib/project/run/inputs.hpp"
+#include "lib/project/run/evaluation/inputs.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -11,9 +11,9 @@ namespace loadpath::project {
 
 class Evaluation {
  public:
-  Evaluation(const CalculatorStep& step, const Known& known);
+  Evaluation(const PreparedStep& step, const Known& known);
 
-  [[nodiscard]] const CalculatorStep& step() const { return step_; }
+  [[nodiscard]] const PreparedStep& step() const { return step_; }
   [[nodiscard]] const Calculator& calculator() const { return calculator_; }
   [[nodiscard]] Inputs& inputs() { return inputs_; }
   [[nodiscard]] const Inputs& inputs() const { return inputs_; }
@@ -58,7 +58,7 @@ class Evaluation {
   [[nodiscard]] double first_size();
   [[nodiscard]] Message unsettled_size(double two_before, double before, double now) const;
 
-  const CalculatorStep& step_;
+  const PreparedStep& step_;
   const Calculator& calculator_;
   Inputs inputs_;
   Record result_;

@@ -1,7 +1,7 @@
 // Several sizes of one part that are searched for together, as the calculator lets them go together.
 #pragma once
 
-#include "lib/project/run/inputs.hpp"
+#include "lib/project/run/evaluation/inputs.hpp"
 
 #include <cstddef>
 #include <string>
@@ -16,7 +16,7 @@ using SizeIndices = std::vector<std::size_t>;
 /// diameter without a step). For any least sizes there is so one part, the lightest of those that keep to them.
 class JointSizes {
  public:
-  JointSizes(const CalculatorStep& step, const Inputs& inputs);
+  JointSizes(const PreparedStep& step, const Inputs& inputs);
   JointSizes(const JointSizes&) = delete;  // what is sought refers to the sizes
   JointSizes& operator=(const JointSizes&) = delete;
 

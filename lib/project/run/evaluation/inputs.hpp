@@ -2,7 +2,7 @@
 // cycle, and values of table rows.
 #pragma once
 
-#include "lib/project/run/calculator_step.hpp"
+#include "lib/project/run/evaluation/prepared_step.hpp"
 
 #include <map>
 #include <set>
@@ -23,7 +23,7 @@ struct ComputedInput {
 
 class Inputs {
  public:
-  Inputs(const CalculatorStep& step, const Known& known);
+  Inputs(const PreparedStep& step, const Known& known);
   Inputs(const Inputs&) = delete;  // leaves refer to the record
   Inputs& operator=(const Inputs&) = delete;
 
@@ -75,7 +75,7 @@ class Inputs {
   [[nodiscard]] ComputedInput companion_input(const Provided& provided) const;
   [[nodiscard]] bool is_given(std::string_view input) const;
 
-  const CalculatorStep& step_;
+  const PreparedStep& step_;
   const Known& known_;
   Record record_;
   Rows rows_;

@@ -1,5 +1,5 @@
 // Rules over literals alone, before any step is solved: what is not known yet may make up for what they find.
-#include "lib/project/run/calculator_step.hpp"
+#include "lib/project/run/evaluation/prepared_step.hpp"
 
 #include <algorithm>
 #include <array>
@@ -29,7 +29,7 @@ std::array<double, 3> samples_of(const FieldInfo& field) {
 
 /// Whether an input is known only when the project is solved, or is wrong already; expressions whose value is known
 /// already are not pending.
-bool is_pending(const CalculatorStep& step, const std::string& field) {
+bool is_pending(const PreparedStep& step, const std::string& field) {
   const auto concerns = [&](const auto& entry) {
     return entry.path.substr(0, entry.path.find_first_of(".[")) == field;
   };
@@ -44,7 +44,7 @@ bool is_pending(const CalculatorStep& step, const std::string& field) {
 }
 
 /// The leaves that have no value before the project is solved.
-std::vector<std::string> pending_leaves(const CalculatorStep& step) {
+std::vector<std::string> pending_leaves(const PreparedStep& step) {
   std::vector<std::string> paths;
   for (const Operand& operand : step.input().reading.operands)
     if (std::isnan(operand.early)) paths.push_back(operand.path);
@@ -60,7 +60,7 @@ std::vector<std::string> pending_leaves(const CalculatorStep& step) {
 
 /// What is not known yet may make up for what a rule finds: it is broken where it is broken whatever is to come, and
 /// all rules are asked again when the project is solved.
-void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
+void PreparedStep::check_rules_of_literals(std::vector<Issue>& issues) {
   const Calculator& calculator = *input().calculator;
   const auto is_list = [](const Taken& taken) {
     return taken.field != nullptr && taken.field->type == FieldInfo::Type::list;

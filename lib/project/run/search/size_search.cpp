@@ -1,7 +1,7 @@
-#include "lib/project/run/size_search.hpp"
+#include "lib/project/run/search/size_search.hpp"
 
 #include "lib/numerics/magnitude.hpp"
-#include "lib/project/run/search.hpp"
+#include "lib/project/run/search/search.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/table/tables.hpp"
 

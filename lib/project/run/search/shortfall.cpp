@@ -1,4 +1,4 @@
-#include "lib/project/run/shortfall.hpp"
+#include "lib/project/run/search/shortfall.hpp"
 
 #include "lib/numerics/magnitude.hpp"
 #include "lib/quantity/format.hpp"

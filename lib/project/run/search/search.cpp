@@ -1,9 +1,9 @@
-#include "lib/project/run/search.hpp"
+#include "lib/project/run/search/search.hpp"
 
-#include "lib/project/run/joint_search.hpp"
-#include "lib/project/run/largest_search.hpp"
-#include "lib/project/run/searched_rules.hpp"
-#include "lib/project/run/size_search.hpp"
+#include "lib/project/run/evaluation/searched_rules.hpp"
+#include "lib/project/run/search/joint_search.hpp"
+#include "lib/project/run/search/largest_search.hpp"
+#include "lib/project/run/search/size_search.hpp"
 
 #include <algorithm>
 
@@ -21,7 +21,7 @@ bool holds_throughout(Evaluation& evaluation, std::size_t rule) {
 }  // namespace
 
 bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues) {
-  const CalculatorStep& step = evaluation.step();
+  const PreparedStep& step = evaluation.step();
   if (step.searches().empty()) return true;
   const Search& wanted = step.searches().front();
   if (step.sizes_together())
@@ -33,7 +33,7 @@ bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issue
   return !has_errors(issues);
 }
 
-Issue aimless_search(const CalculatorStep& step, const Search& wanted) {
+Issue aimless_search(const PreparedStep& step, const Search& wanted) {
   std::vector<std::string> asking;
   const auto ask = [&](const FieldInfo& f) {
     if (f.role != Role::check || *f.asked_by == '\0') return;

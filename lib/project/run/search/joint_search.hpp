@@ -6,8 +6,8 @@
 // several ways in which the sizes go together; each is searched, and the cheapest is taken.
 #pragma once
 
-#include "lib/project/run/joint_sizes.hpp"
-#include "lib/project/run/passing.hpp"
+#include "lib/project/run/search/joint_sizes.hpp"
+#include "lib/project/run/search/passing.hpp"
 
 #include <cstddef>
 #include <vector>

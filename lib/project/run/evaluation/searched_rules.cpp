@@ -1,11 +1,11 @@
-#include "lib/project/run/searched_rules.hpp"
+#include "lib/project/run/evaluation/searched_rules.hpp"
 
 #include <algorithm>
 #include <string>
 
 namespace loadpath::project {
 
-bool concerns_search(const CalculatorStep& step, std::size_t rule) {
+bool concerns_search(const PreparedStep& step, std::size_t rule) {
   const Search& wanted = step.searches().front();
   if (wanted.leaf && wanted.leaf.field->is_load) return true;
   if (wanted.leaf) return step.is_about(rule, wanted.path);
@@ -17,7 +17,7 @@ bool concerns_search(const CalculatorStep& step, std::size_t rule) {
   });
 }
 
-bool waits_for_search(const CalculatorStep& step, std::size_t rule) {
+bool waits_for_search(const PreparedStep& step, std::size_t rule) {
   if (step.searches().empty()) return false;
   const Search& wanted = step.searches().front();
   return !(wanted.leaf && wanted.leaf.field->sought_unasked) && concerns_search(step, rule);

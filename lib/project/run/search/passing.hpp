@@ -1,7 +1,7 @@
 // Whether a step passes as it is now: what a search asks of every candidate.
 #pragma once
 
-#include "lib/project/run/evaluation.hpp"
+#include "lib/project/run/evaluation/evaluation.hpp"
 
 #include <cstddef>
 #include <optional>

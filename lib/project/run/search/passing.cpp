@@ -1,7 +1,7 @@
-#include "lib/project/run/passing.hpp"
+#include "lib/project/run/search/passing.hpp"
 
 #include "lib/account/rows.hpp"
-#include "lib/project/run/searched_rules.hpp"
+#include "lib/project/run/evaluation/searched_rules.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "lib/project/run/results.hpp"
+#include "lib/project/run/evaluation/results.hpp"
 
 #include <algorithm>
 #include <cmath>

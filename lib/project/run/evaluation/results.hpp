@@ -1,7 +1,7 @@
 // All results of a step at all positions, and what was found with them.
 #pragma once
 
-#include "lib/project/run/evaluation.hpp"
+#include "lib/project/run/evaluation/evaluation.hpp"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
-#include "lib/project/run/largest_search.hpp"
+#include "lib/project/run/search/largest_search.hpp"
 
-#include "lib/project/run/search.hpp"
-#include "lib/project/run/shortfall.hpp"
+#include "lib/project/run/search/search.hpp"
+#include "lib/project/run/search/shortfall.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 // to the first of its table, a load to the largest.
 #pragma once
 
-#include "lib/project/run/evaluation.hpp"
+#include "lib/project/run/evaluation/evaluation.hpp"
 
 #include <vector>
 
@@ -13,7 +13,7 @@ namespace loadpath::project {
 bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues);
 
 /// A search without a check; its hint names what asks for one.
-Issue aimless_search(const CalculatorStep& step, const Search& wanted);
+Issue aimless_search(const PreparedStep& step, const Search& wanted);
 /// Customs that what was found breaks, in the words in which a typed value would be warned of.
 void warn_of_found(Evaluation& evaluation, const Search& wanted, std::vector<Issue>& issues);
 

@@ -1,4 +1,4 @@
-#include "lib/project/run/inputs.hpp"
+#include "lib/project/run/evaluation/inputs.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -32,7 +32,7 @@ bool is_of_row(const Provided& provided, const std::string& group) {
 
 }  // namespace
 
-Inputs::Inputs(const CalculatorStep& step, const Known& known)
+Inputs::Inputs(const PreparedStep& step, const Known& known)
     : step_(step),
       known_(known),
       record_(step.input().reading.record.clone()),

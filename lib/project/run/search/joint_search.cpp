@@ -1,8 +1,8 @@
-#include "lib/project/run/joint_search.hpp"
+#include "lib/project/run/search/joint_search.hpp"
 
 #include "lib/numerics/magnitude.hpp"
-#include "lib/project/run/search.hpp"
-#include "lib/project/run/shortfall.hpp"
+#include "lib/project/run/search/search.hpp"
+#include "lib/project/run/search/shortfall.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <cmath>

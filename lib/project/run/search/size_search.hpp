@@ -1,7 +1,7 @@
 // The search for a size or a row: the first, from small to large, with which the step passes.
 #pragma once
 
-#include "lib/project/run/shortfall.hpp"
+#include "lib/project/run/search/shortfall.hpp"
 
 #include <cstddef>
 #include <string>

@@ -1,4 +1,4 @@
-#include "lib/project/run/joint_sizes.hpp"
+#include "lib/project/run/search/joint_sizes.hpp"
 
 #include <algorithm>
 #include <numeric>
@@ -19,7 +19,7 @@ std::optional<std::size_t> index_of(double size, const std::vector<double>& stoc
 
 }  // namespace
 
-JointSizes::JointSizes(const CalculatorStep& step, const Inputs& inputs)
+JointSizes::JointSizes(const PreparedStep& step, const Inputs& inputs)
     : inputs_(inputs), sizing_(step.input().calculator->sizing) {
   for (const Search& search : step.searches()) {
     searches_.push_back(&search);

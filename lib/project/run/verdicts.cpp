@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -24,24 +25,35 @@ Message bounds_of(const FieldInfo& field) {
   return say("{1} from {2} to {3}", verb, low, high);
 }
 
+/// Why a check has no value: the size does not settle, a table does not reach so far, an input lacks.
+struct Gap {
+  account::State state;
+  Message why;
+};
+
+Gap gap_of(const Evaluation& evaluation) {
+  const Message& table_gap = evaluation.inputs().table_gap();
+  if (evaluation.is_settled() && !table_gap.empty()) return {account::State::not_covered, table_gap};
+  return {account::State::not_available, evaluation.missing()};
+}
+
 account::Verdict check_verdict(const Evaluation& evaluation, const ResultSeries& series) {
   const Axis* const axis = evaluation.axis();
   const Extreme largest = axis == nullptr ? Extreme{series.value.si[0], 0.0, 0} : maximum(series.value);
-  const Message& table_gap = evaluation.inputs().table_gap();
-  const bool beyond_table = std::isnan(largest.value) && !table_gap.empty();
   account::Verdict v{.step = evaluation.step().name(),
                      .symbol = series.path,
                      .meaning = say(series.field->doc),
                      .value = account::Quantity{largest.value, "-", 4},
-                     .bound = say("passes at 1 or less"),
-                     .state = beyond_table                ? account::State::not_covered
-                              : std::isnan(largest.value) ? account::State::not_available
-                                                          : account::state_of_check(largest.value)};
-  if (std::isnan(largest.value))
-    v.note = table_gap.empty() ? evaluation.missing() : table_gap;
-  else
-    v.utilisation = largest.value;
-  if (axis != nullptr && v.utilisation) v.note = at_place(largest, *axis);
+                     .bound = say("passes at 1 or less")};
+  if (std::isnan(largest.value)) {
+    Gap gap = gap_of(evaluation);
+    v.state = gap.state;
+    v.note = std::move(gap.why);
+    return v;
+  }
+  v.state = account::state_of_check(largest.value);
+  v.utilisation = largest.value;
+  if (axis != nullptr) v.note = at_place(largest, *axis);
   return v;
 }
 
@@ -59,15 +71,14 @@ account::Verdict limit_verdict(const Evaluation& evaluation, const ResultSeries&
 
 /// A check where nothing could be computed.
 account::Verdict open_verdict(const Evaluation& evaluation, const FieldInfo& check) {
-  const Message& table_gap = evaluation.inputs().table_gap();
-  const account::State state = table_gap.empty() ? account::State::not_available : account::State::not_covered;
+  Gap gap = gap_of(evaluation);
   return {.step = evaluation.step().name(),
           .symbol = check.key,
           .meaning = say(check.doc),
-          .value = state,
+          .value = gap.state,
           .bound = say("passes at 1 or less"),
-          .state = state,
-          .note = table_gap.empty() ? evaluation.missing() : table_gap};
+          .state = gap.state,
+          .note = std::move(gap.why)};
 }
 
 /// Where a limit is not kept, a check without a value is no gap in the input: the formula does not reach so far.

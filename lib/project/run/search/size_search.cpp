@@ -84,7 +84,8 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   const auto& results = evaluation_.calculator().result->fields;
   const FieldInfo* const result = wanted_.leaf ? find_field(results, wanted_.path) : nullptr;
   const double least = result == nullptr ? std::nan("") : evaluation_.largest_result(*result);
-  if (result != nullptr && std::isnan(least)) return;  // not even a least size: the checks say why
+  // Not even a least size: the checks say why. One that does not settle excludes no candidate, for these have a size.
+  if (result != nullptr && std::isnan(least) && evaluation_.is_settled()) return;
   if (result == nullptr && !passing_.is_any_asked())
     return issues.push_back(aimless_search(evaluation_.step(), wanted_));
   keep_sizing_results();

@@ -175,7 +175,7 @@ void add_words(std::string_view words, std::string& to) {
 
 /// Whether a mode of strength rests on a load that is less than its series (lib/project/references/reductions.hpp).
 bool is_doubtful(const Step& step, const ModeInfo& info) {
-  return info.kind == ModeKind::strength && !step.reduced_loads().empty();
+  return info.kind == ModeKind::strength && !step.loads().reduced.empty();
 }
 
 }  // namespace
@@ -227,7 +227,7 @@ CheckNeeds needs_of(const ModeInfo& mode, const RecordType& result,
 
 account::Unjudged unjudged_of(const Step& step, const ModeInfo& info, const CheckNeeds& needs) {
   const bool doubtful = is_doubtful(step, info);
-  const bool shows_service = (info.by_rest && !step.left_of_loads().empty()) || (info.by_service && step.load_varies());
+  const bool shows_service = (info.by_rest && !step.loads().left.empty()) || (info.by_service && step.loads().vary);
   account::Unjudged by{.needs_checks = needs.needs_checks, .never = doubtful || !needs.wants.empty()};
   for (const Applies applies : {Applies::no, Applies::unseen, Applies::yes}) {
     const Applies when = applies == Applies::unseen && shows_service ? Applies::yes : applies;
@@ -235,7 +235,7 @@ account::Unjudged unjudged_of(const Step& step, const ModeInfo& info, const Chec
     by.state[static_cast<std::size_t>(applies)] = account::number(state);
   }
   // What holds under a load that lacks its factor may break under the whole one.
-  const bool lacks = info.kind == ModeKind::strength && !step.lacking_factor().empty();
+  const bool lacks = info.kind == ModeKind::strength && !step.loads().lacking_factor.empty();
   if (lacks) by.passed = account::number(State::not_judged);
   return by;
 }
@@ -264,18 +264,18 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
                     : say("give {1}, or add a step of {3} that takes {2}", mode.wants, records, info.judge);
   }
   const bool passes = !rows.empty() && governing(rows).state == State::pass;
-  if (passes && !step.lacking_factor().empty()) {
+  if (passes && !step.loads().lacking_factor.empty()) {
     mode.wants.clear();
-    mode.note = step.lacking_factor();
+    mode.note = step.loads().lacking_factor;
   }
-  if (info.by_rest && !step.left_of_loads().empty())
+  if (info.by_rest && !step.loads().left.empty())
     mode.note = say("not included, although it acts with the load: {1}; assess it by hand: accept.{2} = \"...\"",
-                    step.left_of_loads(), info.id);
+                    step.loads().left, info.id);
   // A row that judges nothing says itself why.
   if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();
   if (mode.state == State::not_judged && is_doubtful(step, info)) {
     mode.wants.clear();
-    mode.note = step.reduced_loads().front().message;
+    mode.note = step.loads().reduced.front().message;
   }
 }
 

@@ -90,6 +90,21 @@ struct BodySize {
   bool is_given = false;  // typed there; else the least that it may be
   std::string by;         // the step that asks for it
 };
+/// What is known of the loads of a step.
+struct LoadFacts {
+  bool vary = false;  // what loads the part comes from something that turns, or varies: known when the project is read
+  /// What comes along with them, and the step does not take: "lever.links.rod.M_b"; known when it is solved.
+  std::string left = {};
+  /// What the loads hold that the step has taken: its own results hold it too; known when it is solved.
+  Factors factors = {};
+  /// Of a factor that its loads lack, and that nothing gives here: "T comes without gears.K_A = 1.75: give K_A"; empty
+  /// where there is none. Loads that are taken from it lack it too. Known when it is solved.
+  Message lacking_factor = {};
+  /// Loads that are less than the series that they come from, and that nobody answers for: no mode of strength is
+  /// judged by them, here and where the results go; known when it is solved.
+  std::vector<ReducedLoad> reduced = {};
+  std::optional<Reversal> reversal = {};  // of a load that changes its sense; known when the step is solved
+};
 /// What else loads the part that takes a path's value: full paths (Step::companions_of).
 using Companions = std::function<std::vector<std::string>(const std::string& path)>;
 
@@ -144,25 +159,8 @@ class Step {
   [[nodiscard]] const Account& account() const { return account_; }
   /// What is said of its modes of failure, where other steps have a word in it.
   [[nodiscard]] account::Modes& modes() { return account_.modes; }
-  /// Whether what loads the part comes from something that turns, or varies: known when the project is read.
-  [[nodiscard]] bool load_varies() const { return load_varies_; }
-  void set_load_varies(bool varies) { load_varies_ = varies; }
-  /// What comes along with the loads of the step, and it does not take: "lever.links.rod.M_b"; after `prepare`.
-  [[nodiscard]] const std::string& left_of_loads() const { return left_of_loads_; }
-  /// What the loads hold that the step has taken: its own results hold it too; known when it is solved.
-  [[nodiscard]] const Factors& factors() const { return factors_; }
-  void hold(Factors factors) { factors_ = std::move(factors); }
-  /// Of a factor that its loads lack, and that nothing gives here: "T comes without gears.K_A = 1.75: give K_A"; empty
-  /// where there is none. Loads that are taken from it lack it too. Known when it is solved.
-  [[nodiscard]] const Message& lacking_factor() const { return lacking_factor_; }
-  void lack_factor(Message what) { lacking_factor_ = std::move(what); }
-  /// Loads that are less than the series that they come from, and that nobody answers for: no mode of strength is
-  /// judged by them, here and where the results go; known when it is solved.
-  [[nodiscard]] const std::vector<ReducedLoad>& reduced_loads() const { return reduced_loads_; }
-  void reduce(std::vector<ReducedLoad> loads) { reduced_loads_ = std::move(loads); }
-  /// A load of the step that changes its sense; known when it is solved.
-  [[nodiscard]] const std::optional<Reversal>& reversal() const { return reversal_; }
-  void reverse(std::optional<Reversal> reversal) { reversal_ = std::move(reversal); }
+  [[nodiscard]] const LoadFacts& loads() const { return loads_; }
+  [[nodiscard]] LoadFacts& loads() { return loads_; }
   /// What the report says of the step's inputs.
   void remark(Message remark) { remarks_.push_back(std::move(remark)); }
   [[nodiscard]] const std::vector<Message>& remarks() const { return remarks_; }
@@ -182,20 +180,14 @@ class Step {
   /// The row that the step has found for a table.
   void name_row(const std::string& group, std::string row) { rows_found_[group] = std::move(row); }
   [[nodiscard]] Account& own_account() { return account_; }
-  void leave_of_loads(std::string names) { left_of_loads_ = std::move(names); }
 
  private:
   StepInput input_;
   Account account_;
   std::map<std::string, std::string> rows_found_;
-  Factors factors_;
-  Message lacking_factor_;
-  std::vector<ReducedLoad> reduced_loads_;
-  std::optional<Reversal> reversal_;
+  LoadFacts loads_;
   std::vector<Message> remarks_;
   std::map<std::string, BodySize> body_sizes_;
-  bool load_varies_ = false;
-  std::string left_of_loads_;
 };
 
 /// What a lone reference names.

@@ -11,21 +11,21 @@ using Type = FieldInfo::Type;
 /// What a list without a bound takes: no rule of any calculator, but what has more is a slip, and fills the memory.
 constexpr std::size_t most_elements = 100'000;
 
-void Reader::refuse_size(const Tree& tree, const FieldInfo& field, const std::string& path, std::size_t count) {
+static Fault too_many(const FieldInfo& field, std::size_t count) {
   const bool bounded = field.capacity != no_bound;
   const std::size_t most = bounded ? field.capacity : most_elements;
-  say_at(tree.place, path, say("at most {1} {2}; here are {3}", std::to_string(most), field.key, std::to_string(count)),
-         bounded ? Message{} : say("no list of a project has more"));
+  return {0, 0, say("at most {1} {2}; here are {3}", std::to_string(most), field.key, std::to_string(count)),
+          bounded ? Message{} : say("no list of a project has more")};
 }
 
 /// What is wrong with one row is wrong with all, mostly: it is said once, with the file.
-void Reader::keep_first_of_file(std::size_t before, const std::string& file) {
+static void keep_first_of_file(std::vector<Issue>& issues, std::size_t before, const std::string& file) {
   const auto is_error = [](const Issue& issue) { return issue.severity == Severity::error; };
-  const auto first = std::find_if(issues_.begin() + static_cast<std::ptrdiff_t>(before), issues_.end(), is_error);
-  if (first == issues_.end()) return;
+  const auto first = std::find_if(issues.begin() + static_cast<std::ptrdiff_t>(before), issues.end(), is_error);
+  if (first == issues.end()) return;
   const std::string inner = first->key;
   first->message = say("'{1}', {2}: {3}", file, inner, first->message);
-  issues_.erase(std::remove_if(first + 1, issues_.end(), is_error), issues_.end());
+  issues.erase(std::remove_if(first + 1, issues.end(), is_error), issues.end());
 }
 
 void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
@@ -34,7 +34,7 @@ void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, co
     if (rows) {
       const std::size_t before = issues_.size();
       read_list(*rows, field, owner, path);
-      return keep_first_of_file(before, tree.entries[0].value.text);
+      return keep_first_of_file(issues_, before, tree.entries[0].value.text);
     }
     return say_at(tree.entries[0].value.place, path, rows.fault().message, rows.fault().hint);
   }
@@ -51,7 +51,10 @@ void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, co
     const auto is_new = [&](const Tree::Entry& entry) { return target.find_given(entry.key) == nullptr; };
     count = target.given + static_cast<std::size_t>(std::count_if(tree.entries.begin(), tree.entries.end(), is_new));
   }
-  if (count > std::min(field.capacity, most_elements)) return refuse_size(tree, field, path, count);
+  if (count > std::min(field.capacity, most_elements)) {
+    Fault fault = too_many(field, count);
+    return say_at(tree.place, path, std::move(fault.message), std::move(fault.hint));
+  }
   field.reserve(owner, count);  // operands point into elements
   if (named) {
     for (const Tree::Entry& entry : tree.entries) read_element(entry.value, target, path, &entry);

@@ -133,9 +133,9 @@ static bool may_come(const Reading& reading, const std::string& path) {
 }
 
 /// Whether a record stands beside the fields, be it right or wrong.
-bool Reader::is_record_typed(std::span<const FieldInfo> fields, const std::string& path) const {
+static bool is_record_typed(const Reading& reading, std::span<const FieldInfo> fields, const std::string& path) {
   return std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
-    return f.type == Type::record && reading_.typed.count(joined(path, f.key)) != 0;
+    return f.type == Type::record && reading.typed.count(joined(path, f.key)) != 0;
   });
 }
 
@@ -147,17 +147,14 @@ void Reader::require(std::span<const FieldInfo> fields, void* owner, const std::
       require(field.fields, field.element(owner, 0), inner, place);
     } else if (is_missing(field, owner)) {
       const Lacking lacking{inner, &field, place};
-      if (may_come(reading_, inner) || is_record_typed(fields, path))
+      if (may_come(reading_, inner) || is_record_typed(reading_, fields, path)) {
         reading_.lacking.push_back(lacking);
-      else
-        say_missing(lacking);
+        continue;
+      }
+      Issue issue = missing_field(lacking, prefix_);
+      say_at(issue.place, lacking.path, std::move(issue.message), std::move(issue.hint));
     }
   }
-}
-
-void Reader::say_missing(const Lacking& lacking) {
-  Issue issue = missing_field(lacking, prefix_);
-  say_at(issue.place, lacking.path, std::move(issue.message), std::move(issue.hint));
 }
 
 }  // namespace loadpath::project

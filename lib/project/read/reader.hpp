@@ -53,8 +53,6 @@ class Reader {
   void read_name(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_formula(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
-  void keep_first_of_file(std::size_t before, const std::string& file);
-  void refuse_size(const Tree& tree, const FieldInfo& field, const std::string& path, std::size_t count);
   /// A list, and how many of its elements a template has laid out.
   struct Target {
     const FieldInfo& list;
@@ -67,8 +65,6 @@ class Reader {
   void read_aggregate(const Tree& tree, const FieldInfo& field, void* inner, const std::string& path);
   void read_array(const Tree& tree, const FieldInfo& field, void* inner, const std::string& path);
   void require(std::span<const FieldInfo> fields, void* owner, const std::string& path, const Place& place);
-  [[nodiscard]] bool is_record_typed(std::span<const FieldInfo> fields, const std::string& path) const;
-  void say_missing(const Lacking& lacking);
   void check_names(const FieldInfo& list, void* owner, const std::string& path, const Place& place);
 
   void say_at(const Place& place, const std::string& path, Message message, Message hint = {},

@@ -59,7 +59,7 @@ Factors factors_at(const Project& project, const std::string& path) {
   const Step* const step = project.find(name);
   const FieldInfo* const field = step == nullptr ? nullptr : step->field(rest);
   if (step == nullptr) return {};
-  if (field == nullptr) return step->factors();  // of a mechanism: its reactions hold what its loads do
+  if (field == nullptr) return step->loads().factors;  // of a mechanism: its reactions hold what its loads do
   Factors held;
   const auto add = [&](const std::string& key, const std::string& of) {
     if (const double factor = input_of(*step, key); counts(factor)) held[of] = factor;
@@ -68,7 +68,7 @@ Factors factors_at(const Project& project, const std::string& path) {
     add(rest, path);
     return held;
   }
-  if (carries(*field)) held = step->factors();
+  if (carries(*field)) held = step->loads().factors;
   for (const std::string& key : listed_keys(field->factors)) add(key, std::string(name).append(".").append(key));
   return held;
 }
@@ -95,8 +95,8 @@ class Check {
         take_list(taken, taken.field->fields, "[1].");
     }
     refuse_own();
-    step_.hold(held_);
-    step_.lack_factor(lacking());
+    step_.loads().factors = held_;
+    step_.loads().lacking_factor = lacking();
   }
 
  private:
@@ -114,7 +114,7 @@ class Check {
     for (const Taken& taken : step_.input().reading.taken) {
       if (taken.field == nullptr || taken.field->type != FieldInfo::Type::list) continue;
       const Step* const source = project_.find(split_step(taken.source).first);
-      if (source != nullptr && !source->lacking_factor().empty()) return source->lacking_factor();
+      if (source != nullptr && !source->loads().lacking_factor.empty()) return source->loads().lacking_factor;
     }
     return {};
   }
@@ -124,7 +124,7 @@ class Check {
     const Step* const source = project_.find(name);
     const FieldInfo* const field = source == nullptr ? nullptr : source->field(rest);
     if (field == nullptr || !field->is_load) return {};
-    if (!source->lacking_factor().empty()) return source->lacking_factor();
+    if (!source->loads().lacking_factor.empty()) return source->loads().lacking_factor;
     const double factor = input_of(*source, "K_A");
     const FieldInfo* const own = find_field(source->input().calculator->input->fields, "K_A");
     if (own == nullptr || !own->is_factor || !counts(factor)) return {};

@@ -48,7 +48,7 @@ bool holds_entry(const std::vector<Entry>& entries, const std::string& path) {
 
 /// Whether a value of a step comes from a load that is less than its series.
 bool is_reduced(const Step& step, const std::string& rest) {
-  const auto& loads = step.reduced_loads();
+  const auto& loads = step.loads().reduced;
   if (loads.empty()) return false;
   if (std::any_of(loads.begin(), loads.end(), [&](const ReducedLoad& load) { return load.path == rest; })) return true;
   return !holds_entry(step.account().inputs, rest);
@@ -89,7 +89,7 @@ class ReductionCheck {
       if (!operand.expression.references().empty()) take(operand);
     }
     for (const Taken& taken : step_.input().reading.taken) take(taken);
-    step_.reduce(std::move(loads_));
+    step_.loads().reduced = std::move(loads_);
   }
 
  private:
@@ -110,7 +110,7 @@ class ReductionCheck {
     const auto [name, rest] = split_step(taken.source);
     const Step* const source = project_.find(name);
     if (source == nullptr || !is_reduced(*source, rest) || is_reduction_justified(step_, taken.path)) return;
-    loads_.push_back({taken.path, source->reduced_loads().front().message});
+    loads_.push_back({taken.path, source->loads().reduced.front().message});
   }
 
   [[nodiscard]] bool is_accepted(const Operand& operand, const Reduced& r) const {

@@ -40,7 +40,7 @@ std::optional<Reversal> reversal_of(const Operand& operand, const Project& proje
     const auto [name, rest] = split_step(reference.path);
     const Step* const source = project.find(name);
     const FieldInfo* const field = source == nullptr ? nullptr : source->field(rest);
-    if (field != nullptr && field->is_load && source->reversal()) return source->reversal();
+    if (field != nullptr && field->is_load && source->loads().reversal) return source->loads().reversal;
   }
   return std::nullopt;
 }
@@ -97,13 +97,13 @@ void compare_number(const Step& step, const SenseClaim& claim, const std::string
 }  // namespace
 
 void check_senses(Step& step, const Project& project, std::vector<Issue>& issues) {
-  step.reverse({});
+  step.loads().reversal.reset();
   const auto& claims = step.input().calculator->senses;
   for (const Operand& operand : step.input().reading.operands) {
     if (!operand.leaf.field->is_load || is_whole(operand, project)) continue;
     const auto reversal = reversal_of(operand, project);
     if (!reversal) continue;
-    step.reverse(reversal);
+    step.loads().reversal = reversal;
     for (const SenseClaim& claim : claims) {
       if (!is_of(claim, operand.path)) continue;
       if (*claim.words != '\0')

@@ -17,6 +17,8 @@ enum class Beside {
   demand     // loads, lengths of which the largest is sought, factors of safety and service
 };
 Beside beside_of(const FieldInfo& field);
+/// Whether a different value is another part.
+constexpr bool is_of_one_part(Beside beside) { return beside == Beside::identity || beside == Beside::modulus; }
 
 /// Half a unit of the last digit of a literal over its number, or of a lone literal behind '='; of another text nothing
 /// but rounding. Never more than 1 %, for "1e2 mm" is no 140 mm.

@@ -1,71 +1,24 @@
 // The step that runs a calculator: expressions into inputs, values from tables, a search for sizes, the calculation at
-// every position of a cycle where an input is a series (lib/project/run/run.hpp).
+// every position of a cycle where an input is a series.
 #pragma once
 
-#include "lib/project/run/providers.hpp"
-#include "lib/project/step.hpp"
+#include "lib/project/run/evaluation/prepared_step.hpp"
 
 namespace loadpath::project {
 
-class CalculatorStep : public Step {
+class CalculatorStep : public PreparedStep {
  public:
-  using Step::Step;
+  using PreparedStep::PreparedStep;
 
-  void prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) override;
-  [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
-  /// What comes along with this step's own inputs goes on to who uses its results.
-  [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
-  [[nodiscard]] std::optional<Value> value_beforehand(const std::string& path, bool settled,
-                                                      const Beforehand& of) const override;
   void solve_without(const std::set<std::string>& inputs, const Known& known) override;
   void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) override;
 
-  [[nodiscard]] const Axis* axis() const { return axis_; }
-  [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
-  [[nodiscard]] const std::vector<Search>& searches() const { return searches_; }
-  /// Whether they are sizes that the calculator wants to be found together.
-  [[nodiscard]] bool sizes_together() const;
-  /// Where the elements of lists come from that a row has filled, by leaf.
-  [[nodiscard]] const std::map<std::string, Origin>& origins() const { return origins_; }
-  /// The issue that an input makes by breaking a rule: where the rule says, else at the first of its fields that was
-  /// typed.
-  [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record, const std::vector<Provided>& provided) const;
-  /// Whether a table is to fill the input, be there such a row or not.
-  [[nodiscard]] bool names_row_for(const std::string& field) const;
-  /// Whether a check or a limit is asked for: by an input that has a value, or that a row is to give.
-  [[nodiscard]] bool is_asked(const FieldInfo& check, const Record& record) const;
-  /// Whether something comes along with its loads that it does not take.
-  [[nodiscard]] bool leaves_loads() const { return !rest_.empty(); }
   /// Known when it is solved: typed inputs that rows and records beside them were compared with, and whether that has
   /// to be done at every point of a sweep.
   [[nodiscard]] const std::vector<std::string>& compared() const { return compared_; }
   [[nodiscard]] bool goes_point_by_point() const { return goes_point_by_point_; }
-  /// Whether a rule of the calculator concerns an input, or the list that it is in.
-  [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
 
  private:
-  [[nodiscard]] Issue lacking_value(const Provided& provided, const Record& record) const;
-  void find_searches(std::vector<Issue>& issues);
-  void check_stock(const Search& search, std::vector<Issue>& issues) const;
-  void check_rules_of_literals(std::vector<Issue>& issues);
-  [[nodiscard]] bool is_open(const std::string& field) const;
-  /// The same, but for expressions whose value is known already.
-  [[nodiscard]] bool is_pending(const std::string& field) const;
-  [[nodiscard]] std::vector<std::string> pending_leaves() const;
-  /// Paths of others that the step takes.
-  [[nodiscard]] std::set<std::string> taken_paths() const;
-  [[nodiscard]] std::optional<Value> row_beforehand(const FieldInfo& field, const Beforehand& of) const;
-  [[nodiscard]] bool has_no_element(const std::string& path) const;
-  [[nodiscard]] Fault missing_element(const std::string& path) const;
-  [[nodiscard]] std::vector<std::string> rest_of_loads(const Companions& companions) const;
-  void leave_what_acts(const Known& known);
-  [[nodiscard]] Fault unknown_path(const std::string& path) const;
-
-  const Axis* axis_ = nullptr;  // of the series among the inputs; null: one position
-  std::vector<Provided> provided_;
-  std::vector<std::string> rest_;  // what comes along with the loads, and is not taken
-  std::vector<Search> searches_;
-  std::map<std::string, Origin> origins_;
   std::vector<std::string> compared_;
   bool goes_point_by_point_ = false;
 };

@@ -57,8 +57,8 @@ void find_varying_loads(Project& project, const Declared& declared) {
       const Step* const source = project.find(split_step(path).first);
       if (source == nullptr) return;
       const auto signature = declared(path);
-      if (source->input().calculator->turns || source->load_varies() || (signature && signature->axis != nullptr))
-        step.set_load_varies(true);
+      if (source->input().calculator->turns || source->loads().vary || (signature && signature->axis != nullptr))
+        step.loads().vary = true;
     });
   }
 }

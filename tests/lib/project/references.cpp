@@ -356,7 +356,7 @@ torques = "=line.torques"
         "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"?\"\nload = \"=gears.gear_2\"\n"
         "[neighbour]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"=axle.d\"\nT = \"10 N*m\"\n");
     REQUIRE_MESSAGE(!has_errors(beside.issues), beside.errors());
-    CHECK(beside.project.find("neighbour")->left_of_loads().empty());
+    CHECK(beside.project.find("neighbour")->loads().left.empty());
   }
 
   TEST_CASE("a record that is mistyped is told with the one that was meant") {

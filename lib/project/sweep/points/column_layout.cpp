@@ -2,7 +2,7 @@
 #include "lib/account/rows.hpp"
 #include "lib/project/accept.hpp"
 #include "lib/project/modes.hpp"
-#include "lib/project/sweep/points/column_parts.hpp"
+#include "lib/project/sweep/points/column_plan.hpp"
 #include "lib/sweep/nan.hpp"
 
 #include <algorithm>
@@ -15,6 +15,28 @@ namespace {
 using account::State;
 
 std::string head_of(std::string_view path) { return std::string(path.substr(0, path.find_first_of(".["))); }
+
+/// A plan that is being made.
+struct ColumnLayout : ColumnPlan {
+  using ColumnPlan::ColumnPlan;
+
+  bool lay_out(const std::set<std::string>& wanted, const PointColumns& points);
+  [[nodiscard]] bool is_plain() const;
+  bool add_fed(const PointColumns& points);
+  [[nodiscard]] std::optional<std::size_t> place_of(const FieldInfo& field, const std::string& path) const;
+  bool add_companions(const PointColumns& points);
+  bool add_absent(const Provided& provided, const PointColumns& points);
+  bool add_values_of_rows();
+  [[nodiscard]] std::string size_field() const;
+  [[nodiscard]] Size size_of(const std::string& field) const;
+  bool add_read(const std::set<std::string>& wanted);
+  [[nodiscard]] bool is_fed(std::string_view field) const;
+  void add_rules();
+  void add_judging();
+  bool add_search();
+  void add_rules_of_search();
+  void look_for_loads();
+};
 
 }  // namespace
 
@@ -29,7 +51,7 @@ std::size_t offset_in(const Record& record, const Leaf& leaf) {
   return static_cast<std::size_t>(reinterpret_cast<const char*>(leaf.field->address(leaf.owner)) - start);
 }
 
-bool ColumnStep::Parts::lay_out(const std::set<std::string>& wanted, const PointColumns& points) {
+bool ColumnLayout::lay_out(const std::set<std::string>& wanted, const PointColumns& points) {
   if (!is_plain() || !add_fed(points) || !add_companions(points) || !add_search() || !add_values_of_rows() ||
       !add_read(wanted))
     return false;
@@ -41,19 +63,19 @@ bool ColumnStep::Parts::lay_out(const std::set<std::string>& wanted, const Point
 }
 
 /// Nothing taken whole, nothing that acts and is not taken.
-bool ColumnStep::Parts::is_plain() const {
+bool ColumnLayout::is_plain() const {
   const Reading& reading = step.input().reading;
   return reading.taken.empty() && reading.whole.empty() && !step.leaves_loads() && !step.goes_point_by_point() &&
-         !step.account().results.empty() && step.lacking_factor().empty();
+         !step.account().results.empty() && step.loads().lacking_factor.empty();
 }
 
-bool ColumnStep::Parts::is_fed(std::string_view field) const {
+bool ColumnLayout::is_fed(std::string_view field) const {
   return std::any_of(fed.begin(), fed.end(),
                      [&](const Fed& f) { return std::string_view(f.path()).substr(step.name().size() + 1) == field; });
 }
 
 /// Where an input that varies lies in the record; nothing where that is not fixed, or more hangs on it than numbers.
-std::optional<std::size_t> ColumnStep::Parts::place_of(const FieldInfo& field, const std::string& path) const {
+std::optional<std::size_t> ColumnLayout::place_of(const FieldInfo& field, const std::string& path) const {
   const auto& compared = step.compared();
   if (std::find(compared.begin(), compared.end(), path) != compared.end()) return std::nullopt;
   if (field.is_factor || field.takes_whole() || !is_fixed(calculator.input->fields, path)) return std::nullopt;
@@ -63,7 +85,7 @@ std::optional<std::size_t> ColumnStep::Parts::place_of(const FieldInfo& field, c
   return offset_in(record, leaf);
 }
 
-bool ColumnStep::Parts::add_fed(const PointColumns& points) {
+bool ColumnLayout::add_fed(const PointColumns& points) {
   const Reading& reading = step.input().reading;
   for (const Varied& varied : reading.varied) {
     const auto place = varied.leaf && varied.words.empty() ? place_of(*varied.leaf.field, varied.path) : std::nullopt;
@@ -82,7 +104,7 @@ bool ColumnStep::Parts::add_fed(const PointColumns& points) {
 }
 
 /// What does not come along now; false where that is a series.
-bool ColumnStep::Parts::add_absent(const Provided& provided, const PointColumns& points) {
+bool ColumnLayout::add_absent(const Provided& provided, const PointColumns& points) {
   for (const std::string& path : provided.companions) {
     const auto signature = points.signatures.find(path);
     if (signature == points.signatures.end() || signature->second.dimension != provided.field->dimension) continue;
@@ -93,7 +115,7 @@ bool ColumnStep::Parts::add_absent(const Provided& provided, const PointColumns&
 }
 
 /// What comes along with loads, where there is such a thing.
-bool ColumnStep::Parts::add_companions(const PointColumns& points) {
+bool ColumnLayout::add_companions(const PointColumns& points) {
   for (const Provided& provided : step.provided()) {
     if (!provided.row.empty()) continue;
     if (step.value(provided.path) == nullptr) {
@@ -108,7 +130,7 @@ bool ColumnStep::Parts::add_companions(const PointColumns& points) {
 }
 
 /// The first of the sizes that rows are asked at which is given, "d_h, d", else the last; empty where none is asked.
-std::string ColumnStep::Parts::size_field() const {
+std::string ColumnLayout::size_field() const {
   for (const Provided& provided : step.provided()) {
     if (provided.row.empty() || *provided.field->provider.size == '\0') continue;
     const auto keys = listed_keys(provided.field->provider.size);
@@ -121,7 +143,7 @@ std::string ColumnStep::Parts::size_field() const {
   return {};
 }
 
-Size ColumnStep::Parts::size_of(const std::string& field) const {
+Size ColumnLayout::size_of(const std::string& field) const {
   const bool is_sought = sought && step.searches().front().path == field;
   if (const FieldInfo* const found = find_field(calculator.result->fields, field))
     return {.result = offset_in(result, find_leaf(result, field)), .field = found};
@@ -133,7 +155,7 @@ Size ColumnStep::Parts::size_of(const std::string& field) const {
 }
 
 /// False where a row lacks a value.
-bool ColumnStep::Parts::add_values_of_rows() {
+bool ColumnLayout::add_values_of_rows() {
   const std::string field = size_field();
   const Size all = field.empty() ? Size{} : size_of(field);
   const bool varies = all.result || all.fed || all.is_sought;
@@ -154,7 +176,7 @@ bool ColumnStep::Parts::add_values_of_rows() {
 }
 
 /// Checks and limits that are asked for, and what others refer to. Lists must be empty, or judge nothing.
-bool ColumnStep::Parts::add_read(const std::set<std::string>& wanted) {
+bool ColumnLayout::add_read(const std::set<std::string>& wanted) {
   std::set<std::string> left;
   for (const std::string& path : wanted) {
     if (path.starts_with(step.name() + ".") &&
@@ -183,7 +205,7 @@ bool ColumnStep::Parts::add_read(const std::set<std::string>& wanted) {
   return true;
 }
 
-void ColumnStep::Parts::add_rules() {
+void ColumnLayout::add_rules() {
   rules.assign(calculator.rules.size(), 0);
   no_rules = rules;
   for (std::size_t rule = 0; rule < calculator.rules.size(); ++rule) {
@@ -200,7 +222,46 @@ void ColumnStep::Parts::add_rules() {
   }
 }
 
-void ColumnStep::Parts::add_judging() {
+/// False where it is no search for one size.
+bool ColumnLayout::add_search() {
+  const auto& searches = step.searches();
+  if (searches.empty()) return true;
+  const Search& wanted = searches.front();
+  const bool is_size = searches.size() == 1 && wanted.leaf && !wanted.stock.empty() && !wanted.leaf.field->is_load;
+  if (!is_size || step.sizes_together() || !is_fixed(calculator.input->fields, wanted.path)) return false;
+  const Value* const now = step.value(wanted.path);
+  if (now == nullptr || now->si.empty()) return false;
+  Sought own{.leaf = find_leaf(record, wanted.path), .stock = stock_values(*step.input().tables, wanted.stock)};
+  const FieldInfo& searched = *own.leaf.field;
+  std::erase_if(own.stock, [&](double si) { return !searched.bounds.holds(si) || !searched.plausible.holds(si); });
+  own.offset = offset_in(record, own.leaf);
+  own.leaf.set(now->si[0]);  // what asks for checks has a value
+  if (const FieldInfo* const least = find_field(calculator.result->fields, wanted.path)) {
+    if (!is_fixed(calculator.result->fields, wanted.path)) return false;
+    own.least = least;
+    own.least_offset = offset_in(result, find_leaf(result, wanted.path));
+  }
+  for (const FieldInfo& field : calculator.input->fields) {
+    const FieldInfo* const found = find_field(calculator.result->fields, field.key);
+    if (field.kept && found != nullptr && std::isnan(find_leaf(record, field.key).get()))
+      own.kept.push_back(offset_in(result, find_leaf(result, field.key)));
+  }
+  sought = std::move(own);
+  return true;
+}
+
+/// Which rules a candidate has to keep, and which hold before there is one.
+void ColumnLayout::add_rules_of_search() {
+  if (!sought) return;
+  sought->rules.assign(calculator.rules.size(), 0);
+  for (std::size_t rule = 0; rule < calculator.rules.size(); ++rule) {
+    if (calculator.rules[rule].only_warns || !step.is_about(rule, step.searches().front().path)) continue;
+    sought->rules[rule] = 1;
+    rules[rule] = static_cast<char>(sought->leaf.field->sought_unasked ? rules[rule] : 0);
+  }
+}
+
+void ColumnLayout::add_judging() {
   for (std::size_t k = 0; k < calculator.modes.size(); ++k) {
     const ModeInfo& mode = calculator.modes[k];
     const CheckNeeds needs =
@@ -220,12 +281,19 @@ void ColumnStep::Parts::add_judging() {
   }
 }
 
-void ColumnStep::Parts::look_for_loads() {
+void ColumnLayout::look_for_loads() {
   for_each_leaf(record, [&](const std::string& path, const Leaf& leaf) {
     if (!leaf.field->is_load) return;
     is_load_told = is_load_told || step.input().reading.typed.contains(path);
     if (!is_fed(path) && (leaf.field->get == nullptr || account::acts(leaf.get()))) is_loaded = true;
   });
+}
+
+std::optional<ColumnPlan> plan_columns(CalculatorStep& step, const std::set<std::string>& wanted,
+                                       const PointColumns& points) {
+  ColumnLayout layout(step);
+  if (!layout.lay_out(wanted, points)) return std::nullopt;
+  return std::optional<ColumnPlan>(std::move(layout));
 }
 
 }  // namespace loadpath::project

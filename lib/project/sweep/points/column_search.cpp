@@ -8,45 +8,6 @@
 
 namespace loadpath::project {
 
-/// False where it is no search for one size.
-bool ColumnStep::Parts::add_search() {
-  const auto& searches = step.searches();
-  if (searches.empty()) return true;
-  const Search& wanted = searches.front();
-  const bool is_size = searches.size() == 1 && wanted.leaf && !wanted.stock.empty() && !wanted.leaf.field->is_load;
-  if (!is_size || step.sizes_together() || !is_fixed(calculator.input->fields, wanted.path)) return false;
-  const Value* const now = step.value(wanted.path);
-  if (now == nullptr || now->si.empty()) return false;
-  Sought own{.leaf = find_leaf(record, wanted.path), .stock = stock_values(*step.input().tables, wanted.stock)};
-  const FieldInfo& searched = *own.leaf.field;
-  std::erase_if(own.stock, [&](double si) { return !searched.bounds.holds(si) || !searched.plausible.holds(si); });
-  own.offset = offset_in(record, own.leaf);
-  own.leaf.set(now->si[0]);  // what asks for checks has a value
-  if (const FieldInfo* const least = find_field(calculator.result->fields, wanted.path)) {
-    if (!is_fixed(calculator.result->fields, wanted.path)) return false;
-    own.least = least;
-    own.least_offset = offset_in(result, find_leaf(result, wanted.path));
-  }
-  for (const FieldInfo& field : calculator.input->fields) {
-    const FieldInfo* const found = find_field(calculator.result->fields, field.key);
-    if (field.kept && found != nullptr && std::isnan(find_leaf(record, field.key).get()))
-      own.kept.push_back(offset_in(result, find_leaf(result, field.key)));
-  }
-  sought = std::move(own);
-  return true;
-}
-
-/// Which rules a candidate has to keep, and which hold before there is one.
-void ColumnStep::Parts::add_rules_of_search() {
-  if (!sought) return;
-  sought->rules.assign(calculator.rules.size(), 0);
-  for (std::size_t rule = 0; rule < calculator.rules.size(); ++rule) {
-    if (calculator.rules[rule].only_warns || !step.is_about(rule, step.searches().front().path)) continue;
-    sought->rules[rule] = 1;
-    rules[rule] = static_cast<char>(sought->leaf.field->sought_unasked ? rules[rule] : 0);
-  }
-}
-
 /// What a search begins with: the least size that is calculated without one.
 void ColumnStep::Parts::find_first_candidates(PointColumns& points) {
   Sought& wanted = *sought;

@@ -73,15 +73,14 @@ void ColumnStep::Parts::read_sizes(PointColumns& points, std::vector<double>& ne
 
 /// A strength falls with the size that it is asked for, so the size only grows from one round to the next.
 void ColumnStep::Parts::settle_sizes(PointColumns& points) {
-  constexpr int rounds = 20;
   if (!size || size->fed) return;
-  for (int round = 0; round < rounds; ++round) {
+  for (int round = 0; round < most_size_rounds; ++round) {
     read_sizes(points, next_sizes);
     bool settled = true;
     for (std::size_t point = 0; point < points.count; ++point) {
       const double next = next_sizes[point];
       if (is_other(points, point) || std::isnan(next) || next == sizes[point]) continue;
-      if (round + 1 == rounds) leave(points, point);
+      if (round + 1 == most_size_rounds) leave(points, point);  // who tells what it alternates between
       sizes[point] = next;
       settled = false;
     }
@@ -258,9 +257,9 @@ ColumnStep::~ColumnStep() = default;
 
 std::unique_ptr<ColumnStep> ColumnStep::of(CalculatorStep& step, const std::set<std::string>& wanted,
                                            const PointColumns& points) {
-  auto parts = std::make_unique<Parts>(step);
-  if (!parts->lay_out(wanted, points)) return nullptr;
-  return std::unique_ptr<ColumnStep>(new ColumnStep(std::move(parts)));
+  auto plan = plan_columns(step, wanted, points);
+  if (!plan) return nullptr;
+  return std::unique_ptr<ColumnStep>(new ColumnStep(std::make_unique<Parts>(std::move(*plan))));
 }
 
 void ColumnStep::evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) {

@@ -4,7 +4,7 @@
 #include "calculators/shaft/design/design.hpp"
 #include "lib/numerics/magnitude.hpp"
 #include "lib/project/run/calculator_step.hpp"
-#include "lib/project/run/providers.hpp"
+#include "lib/project/run/evaluation/providers.hpp"
 #include "tests/lib/project/solved.hpp"
 #include "tests/parts.hpp"
 #include "tests/tries.hpp"

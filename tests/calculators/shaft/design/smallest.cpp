@@ -1,7 +1,7 @@
 // Of random shafts whose diameters are found together: none can be a size smaller beside the others as they are, and
 // what it is said to fail is what it fails.
 #include "lib/numerics/magnitude.hpp"
-#include "lib/project/run/providers.hpp"
+#include "lib/project/run/evaluation/providers.hpp"
 #include "tests/lib/project/solved.hpp"
 
 #include <doctest/doctest.h>

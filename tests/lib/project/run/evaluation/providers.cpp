@@ -1,4 +1,4 @@
-#include "lib/project/run/providers.hpp"
+#include "lib/project/run/evaluation/providers.hpp"
 
 #include "tests/lib/project/texts.hpp"
 

@@ -1,5 +1,5 @@
-// What a run takes whole from other steps: words, lists, rows of tables.
-#include "lib/project/run/run.hpp"
+// What a step takes whole from other steps: words, lists, rows of tables.
+#include "lib/project/run/evaluation/inputs.hpp"
 
 #include <algorithm>
 
@@ -20,9 +20,20 @@ void name_element(const FieldInfo& list, void* element, const std::string& here)
     name->set_text(element, std::string_view(here).substr(1));
 }
 
+/// What has no value in the other step.
+Message unavailable(const Taken& taken) { return say("'{1}' is not available: {2}", taken.path, taken.source); }
+
+Issue refused_length(const std::string& step, const Taken& taken) {
+  return {place_in(taken.place, taken.source, 0, taken.source.size()),
+          step + "." + taken.path,
+          say("at most {1} {2}; '{3}' has more", std::to_string(taken.field->capacity), taken.field->key, taken.source),
+          {},
+          Severity::error};
+}
+
 }  // namespace
 
-bool Run::take_from_others(std::vector<Issue>& issues) {
+bool Inputs::take_from_others(std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   for (const Taken& taken : step_.input().reading.taken) {
     if (taken.field != nullptr && taken.field->type == FieldInfo::Type::list)
@@ -36,10 +47,10 @@ bool Run::take_from_others(std::vector<Issue>& issues) {
   return issues.size() == before;
 }
 
-void Run::take_word(const Taken& taken, std::vector<Issue>& issues) {
+void Inputs::take_word(const Taken& taken, std::vector<Issue>& issues) {
   const std::string word = known_.word(taken.source);
   if (word.empty()) {
-    if (!taken.may_lack) leave_open(taken);
+    if (!taken.may_lack) set_unavailable(unavailable(taken));
     return;
   }
   const auto refuse = [&](Message message) {
@@ -53,59 +64,36 @@ void Run::take_word(const Taken& taken, std::vector<Issue>& issues) {
     std::vector<Issue> found;
     take_row(taken.path, word, found);
     if (!found.empty()) refuse(say("{1} = {2}: {3}", taken.source, word, found.front().message));
-  } else if (!set_word(map_leaf(taken.path), word)) {
+  } else if (!set_word(leaf(taken.path), word)) {
     refuse(say("{1} = {2} is no word for '{3}'", taken.source, word, taken.path));
   }
   origins_[taken.path] = {say("= {1}", taken.source), {}, false};
 }
 
-void Run::leave_open(const Taken& taken) { not_given_ = say("'{1}' is not available: {2}", taken.path, taken.source); }
-
-void Run::take_row(const std::string& group, const std::string& row, std::vector<Issue>& issues) {
-  rows_[group].text = row;
-  const auto of_group = [&](const Provided& p) { return !p.row.empty() && p.field->provider.table == group; };
-  for (const Provided& provided : provided_) {  // what the next row lacks is not what the last one had
-    if (of_group(provided)) map_leaf(provided.path).set(find_leaf(step_.input().reading.record, provided.path).get());
-  }
-  std::erase_if(provided_, of_group);
-  for (Provided& provided : provided_by_rows(step_.input(), {{group, rows_[group]}}, issues))
-    provided_.push_back(std::move(provided));
-  origins_.merge(fill_lists(step_.input(), {{group, rows_[group]}}, record_));
-}
-
-void Run::refuse_length(const Taken& taken, std::vector<Issue>& issues) const {
-  issues.push_back(
-      {place_in(taken.place, taken.source, 0, taken.source.size()),
-       step_.name() + "." + taken.path,
-       say("at most {1} {2}; '{3}' has more", std::to_string(taken.field->capacity), taken.field->key, taken.source),
-       {},
-       Severity::error});
-}
-
 /// Elements by number or name, leaves by their keys; a series stays one. All elements are there before a leaf of one is
 /// kept.
-void Run::take_list(const Taken& taken, std::vector<Issue>& issues) {
+void Inputs::take_list(const Taken& taken, std::vector<Issue>& issues) {
   void* const owner = find_member(record_.type->fields, record_.data.get(), taken.path).owner;
   const auto given = known_.within(taken.source);
   std::vector<std::string> elements;
   for (const auto& [behind, entry] : given) {
     const std::string here = split_element(behind).first;
     if (!elements.empty() && elements.back() == here) continue;
-    if (elements.size() == taken.field->capacity) return refuse_length(taken, issues);
+    if (elements.size() == taken.field->capacity) return issues.push_back(refused_length(step_.name(), taken));
     elements.push_back(here);
     name_element(*taken.field, taken.field->push(owner), here);
   }
-  if (elements.empty()) return leave_open(taken);
+  if (elements.empty()) return set_unavailable(unavailable(taken));
   std::size_t element = 0;
   for (const auto& [behind, entry] : given) {
     const auto [here, key] = split_element(behind);
     if (here != elements[element]) ++element;
     const std::string path = taken.path + element_path(*taken.field, owner, element) + "." + key;
-    const Leaf leaf = map_leaf(path);
-    if (!leaf || leaf.field->role != Role::input) continue;
-    if (leaf.field->is_word()) set_word(leaf, entry->word);
-    if (leaf.field->is_number() && !entry->value.si.empty())
-      add_input({path, leaf, entry->value, {say("= {1}", taken.source + behind), {}, false}});
+    const Leaf member = leaf(path);
+    if (!member || member.field->role != Role::input) continue;
+    if (member.field->is_word()) set_word(member, entry->word);
+    if (member.field->is_number() && !entry->value.si.empty())
+      add_computed({path, member, entry->value, {say("= {1}", taken.source + behind), {}, false}});
   }
 }
 

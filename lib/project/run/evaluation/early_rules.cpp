@@ -1,5 +1,5 @@
 // Rules over literals alone, before any step is solved: what is not known yet may make up for what they find.
-#include "lib/project/run/calculator_step.hpp"
+#include "lib/project/run/evaluation/prepared_step.hpp"
 
 #include <algorithm>
 #include <array>
@@ -27,11 +27,40 @@ std::array<double, 3> samples_of(const FieldInfo& field) {
   return {low, high, field.type == FieldInfo::Type::count ? std::floor(middle) : middle};
 }
 
+/// Whether an input is known only when the project is solved, or is wrong already; expressions whose value is known
+/// already are not pending.
+bool is_pending(const PreparedStep& step, const std::string& field) {
+  const auto concerns = [&](const auto& entry) {
+    return entry.path.substr(0, entry.path.find_first_of(".[")) == field;
+  };
+  const auto& reading = step.input().reading;
+  return reading.faulty.count(field) != 0 || step.names_row_for(field) ||
+         std::any_of(reading.operands.begin(), reading.operands.end(),
+                     [&](const Operand& operand) { return concerns(operand) && std::isnan(operand.early); }) ||
+         std::any_of(reading.taken.begin(), reading.taken.end(), concerns) ||
+         std::any_of(reading.varied.begin(), reading.varied.end(), concerns) ||
+         std::any_of(step.searches().begin(), step.searches().end(), concerns) ||
+         std::any_of(step.provided().begin(), step.provided().end(), concerns);
+}
+
+/// The leaves that have no value before the project is solved.
+std::vector<std::string> pending_leaves(const PreparedStep& step) {
+  std::vector<std::string> paths;
+  for (const Operand& operand : step.input().reading.operands)
+    if (std::isnan(operand.early)) paths.push_back(operand.path);
+  for (const Taken& taken : step.input().reading.taken)
+    if (taken.field != nullptr) paths.push_back(taken.path);
+  for (const Varied& varied : step.input().reading.varied) paths.push_back(varied.path);
+  for (const Search& search : step.searches()) paths.push_back(search.path);
+  for (const Provided& provided : step.provided()) paths.push_back(provided.path);
+  return paths;
+}
+
 }  // namespace
 
 /// What is not known yet may make up for what a rule finds: it is broken where it is broken whatever is to come, and
 /// all rules are asked again when the project is solved.
-void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
+void PreparedStep::check_rules_of_literals(std::vector<Issue>& issues) {
   const Calculator& calculator = *input().calculator;
   const auto is_list = [](const Taken& taken) {
     return taken.field != nullptr && taken.field->type == FieldInfo::Type::list;
@@ -42,7 +71,7 @@ void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
   for (const Operand& operand : input().reading.operands)
     if (!std::isnan(operand.early)) find_leaf(record, operand.path).set(operand.early);
   std::vector<Leaf> pending;
-  for (const std::string& path : pending_leaves()) {
+  for (const std::string& path : pending_leaves(*this)) {
     const Leaf leaf = find_leaf(record, path);
     if (leaf && leaf.field->get != nullptr) pending.push_back(leaf);
   }
@@ -64,7 +93,7 @@ void CalculatorStep::check_rules_of_literals(std::vector<Issue>& issues) {
   for (std::size_t i = 0; i < calculator.rules.size(); ++i) {
     if (calculator.rules[i].only_warns) continue;  // said once, when it is solved
     const auto fields = listed_keys(calculator.rules[i].fields);
-    if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_pending(f); })) continue;
+    if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_pending(*this, f); })) continue;
     if (broken_whatever_comes(i)) issues.push_back(broken_rule(i, record, provided_));
   }
 }

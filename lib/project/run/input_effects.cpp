@@ -1,8 +1,6 @@
-// Inputs that were typed and have no effect: said, for who typed them believes that they count.
-#include "lib/project/run/run.hpp"
+#include "lib/project/run/input_effects.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -40,6 +38,12 @@ std::vector<double> others(const FieldInfo& field, double value) {
 
 bool may_be(const FieldInfo& field, double value) { return field.type == Type::choice || field.bounds.holds(value); }
 
+/// What an input can move: results, which modes of failure concern the part, which customs it breaks.
+struct Effects {
+  std::vector<double> numbers;
+  std::string words;
+};
+
 /// Adds what the results hold.
 void add_effects(std::span<const FieldInfo> fields, void* data, Effects& effects) {
   for (const FieldInfo& field : fields) {
@@ -59,57 +63,57 @@ bool equal(const Effects& a, const Effects& b) {
                                           [](double x, double y) { return !differs(x, y); });
 }
 
-}  // namespace
-
-/// Of the inputs as they are in the record: results, which modes concern the part, which customs it breaks.
-void Run::find_effects(Effects& effects) {
-  effects = {};
-  calculator_.evaluate(record_.data.get(), result_.data.get());
-  add_effects(calculator_.result->fields, result_.data.get(), effects);
-  for (std::size_t k = 0; k < calculator_.modes.size(); ++k)
-    effects.numbers.push_back(static_cast<double>(calculator_.applies(k, record_.data.get())));
-  for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule)
-    effects.numbers.push_back(calculator_.holds(rule, record_.data.get()) ? 1.0 : 0.0);
+/// Of the inputs as they are in the record.
+Effects effects_of(Evaluation& evaluation) {
+  const Calculator& calculator = evaluation.calculator();
+  const void* const input = evaluation.record().data.get();
+  Effects effects;
+  evaluation.evaluate_record();
+  add_effects(calculator.result->fields, evaluation.result().data.get(), effects);
+  for (std::size_t k = 0; k < calculator.modes.size(); ++k)
+    effects.numbers.push_back(static_cast<double>(calculator.applies(k, input)));
+  for (std::size_t rule = 0; rule < calculator.rules.size(); ++rule)
+    effects.numbers.push_back(evaluation.holds(rule) ? 1.0 : 0.0);
+  return effects;
 }
 
-bool Run::keeps_rules() const {
-  for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule) {
-    if (!calculator_.rules[rule].only_warns && !calculator_.holds(rule, record_.data.get())) return false;
+bool keeps_rules(const Evaluation& evaluation) {
+  const auto& rules = evaluation.calculator().rules;
+  for (std::size_t rule = 0; rule < rules.size(); ++rule) {
+    if (!rules[rule].only_warns && !evaluation.holds(rule)) return false;
   }
   return true;
 }
 
 /// Whether another value of the leaf changes anything at the position; also where it may have no other.
-bool Run::has_effect(const Leaf& leaf, std::size_t position) {
-  if (!set_position(position)) return false;
-  Effects before, after;
-  find_effects(before);
+bool has_effect(Evaluation& evaluation, const Leaf& leaf, std::size_t position) {
+  if (!evaluation.set_position(position)) return false;
+  const Effects before = effects_of(evaluation);
   const double given = leaf.get();
   bool tried = false, moved = false;
   for (const double value : others(*leaf.field, given)) {
     if (moved || !may_be(*leaf.field, value)) continue;
     leaf.set(value);
-    if (!keeps_rules()) continue;
+    if (!keeps_rules(evaluation)) continue;
     tried = true;
-    find_effects(after);
-    moved = !equal(before, after);
+    moved = !equal(before, effects_of(evaluation));
   }
   leaf.set(given);
   return moved || !tried;
 }
 
 /// Where inputs are tried: a few places of a cycle, and the one that governs.
-std::vector<std::size_t> Run::probes() const {
-  const std::size_t count = positions();
-  const std::set<std::size_t> places{governing_, 0, count / 4, count / 2, 3 * count / 4};
+std::vector<std::size_t> probes(const Evaluation& evaluation, const Governing& governing) {
+  const std::size_t count = evaluation.positions();
+  const std::set<std::size_t> places{governing.position, 0, count / 4, count / 2, 3 * count / 4};
   return {places.begin(), places.end()};
 }
 
 /// What the leaf is where nobody types it; NaN where it has to be typed, or its list is inside of another one.
-double Run::untyped(const std::string& path, const FieldInfo& field) const {
-  const Record blank(*calculator_.input);
+double untyped(const RecordType& input, const std::string& path, const FieldInfo& field) {
+  const Record blank(input);
   const std::string head = path.substr(0, path.find_first_of(".["));
-  const FieldInfo* const top = find_field(calculator_.input->fields, head);
+  const FieldInfo* const top = find_field(input.fields, head);
   std::string place = path;
   if (top != nullptr && top->type == Type::list) {
     top->push(blank.data.get());
@@ -121,62 +125,65 @@ double Run::untyped(const std::string& path, const FieldInfo& field) const {
 }
 
 /// Whether who typed the input could have left it out: nothing and no rule asks for it.
-bool Run::is_spare(const std::string& path, const Leaf& leaf) {
-  const double blank = untyped(path, *leaf.field), given = leaf.get();
+bool is_spare(Evaluation& evaluation, const std::string& path, const Leaf& leaf) {
+  const double blank = untyped(*evaluation.calculator().input, path, *leaf.field), given = leaf.get();
   const bool may_lack = leaf.field->optional && leaf.field->type == Type::quantity;
   if (std::isnan(blank) && !may_lack) return false;
-  Effects before, after;
-  find_effects(before);
-  leaf.set(blank);
-  bool spare = keeps_rules();
-  if (spare) find_effects(after);
-  spare = spare && equal(before, after);  // a check may be there with it alone, wherever it does not decide
+  const Effects before = effects_of(evaluation);
+  leaf.set(blank);  // a check may be there with it alone, wherever it does not decide
+  const bool spare = keeps_rules(evaluation) && equal(before, effects_of(evaluation));
   leaf.set(given);
   return spare;
 }
 
 /// Whether a check that is asked for has no value: what it would be moved by cannot be told.
-bool Run::lacks_checks() const {
-  return std::any_of(columns_.begin(), columns_.end(), [&](const Column& column) {
-    const bool is_check = column.field->role == Role::check && applies(column);
-    return is_check && std::all_of(column.si.begin(), column.si.end(), [](double x) { return std::isnan(x); });
+bool lacks_checks(const Evaluation& evaluation, const Results& results) {
+  return std::any_of(results.series.begin(), results.series.end(), [&](const ResultSeries& series) {
+    const bool is_check = series.field->role == Role::check && is_reported(evaluation, series);
+    return is_check &&
+           std::all_of(series.value.si.begin(), series.value.si.end(), [](double x) { return std::isnan(x); });
   });
 }
 
 /// Whether nobody typed the input: the record of another step has it.
-static bool is_of_record(const Reading& reading, const std::string& path) {
+bool is_of_record(const Reading& reading, const std::string& path) {
   const auto fills = [&](const auto& taken) { return taken.of_record && taken.path == path; };
   return std::any_of(reading.operands.begin(), reading.operands.end(), fills) ||
          std::any_of(reading.taken.begin(), reading.taken.end(), fills);
 }
 
 /// Whether a series is so long that trying every input would take minutes.
-bool Run::takes_long() const {
+bool takes_long(const Record& record) {
   constexpr std::size_t long_series = 100'000;
   bool found = false;
-  for_each_leaf(record_, [&](const std::string&, const Leaf& leaf) {
+  for_each_leaf(record, [&](const std::string&, const Leaf& leaf) {
     const Value* const series = leaf.field->takes_whole() ? leaf.field->series(leaf.owner) : nullptr;
     found = found || (series != nullptr && series->si.size() > long_series);
   });
   return found;
 }
 
-void Run::warn_of_unused(std::vector<Issue>& issues) {
-  if (!traced_ || lacks_checks() || takes_long()) return;
-  const std::vector<std::size_t> places = probes();
-  for (const auto& entry : step_.input().reading.typed) {
+}  // namespace
+
+void warn_of_unused(Evaluation& evaluation, const Results& results, const Governing& governing,
+                    std::vector<Issue>& issues) {
+  if (!governing.is_evaluated || lacks_checks(evaluation, results) || takes_long(evaluation.record())) return;
+  const StepInput& step = evaluation.step().input();
+  const std::vector<std::size_t> places = probes(evaluation, governing);
+  for (const auto& entry : step.reading.typed) {
     const std::string& path = entry.first;
-    const Leaf leaf = map_leaf(path);
+    const Leaf leaf = evaluation.inputs().leaf(path);
     if (!leaf || leaf.field->get == nullptr || !std::isfinite(leaf.get())) continue;
-    if (path == size_field() || is_of_record(step_.input().reading, path)) continue;  // tables are asked with the size
-    const auto counts = [&](std::size_t position) { return has_effect(leaf, position); };
-    if (std::any_of(places.begin(), places.end(), counts) || !is_spare(path, leaf)) continue;
-    Issue issue = issue_at(step_.input(), path, say("'{1}' has no effect here: no result changes with it", path));
+    if (path == evaluation.inputs().size_field()) continue;  // tables are asked with the size
+    if (is_of_record(step.reading, path)) continue;
+    const auto counts = [&](std::size_t position) { return has_effect(evaluation, leaf, position); };
+    if (std::any_of(places.begin(), places.end(), counts) || !is_spare(evaluation, path, leaf)) continue;
+    Issue issue = issue_at(step, path, say("'{1}' has no effect here: no result changes with it", path));
     issue.severity = Severity::warning;
     issues.push_back(std::move(issue));
   }
-  set_position(governing_);
-  calculator_.evaluate(record_.data.get(), result_.data.get());  // as it was
+  evaluation.set_position(governing.position);
+  evaluation.evaluate_record();  // as it was
 }
 
 }  // namespace loadpath::project

@@ -35,6 +35,9 @@ std::vector<Provided> provided_by_companions(const StepInput& input, const Compa
 /// Fills the lists of a record that take a row's values at all its sizes, and says by leaf where these come from.
 std::map<std::string, Origin> fill_lists(const StepInput& input, const Rows& rows, const Record& record);
 
+/// Rounds after which a size that follows from values of rows at that size is given up.
+constexpr int most_size_rounds = 20;
+
 /// The value of a table's row, at a size where it depends on one; none where that is not known (NaN).
 Lookup look_up(const Provided& provided, double size);
 

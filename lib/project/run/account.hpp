@@ -1,0 +1,17 @@
+// What an evaluation has found, as an account.
+#pragma once
+
+#include "lib/project/run/governing.hpp"
+#include "lib/project/run/typed_values.hpp"
+
+namespace loadpath::project {
+
+/// What was found in a solving.
+struct Findings {
+  Results results;
+  WeighedValues weighed = {};
+  Governing governing = {};
+};
+void fill_account(const Evaluation& evaluation, const Findings& found, const Wanted& wanted, Account& account);
+
+}  // namespace loadpath::project

@@ -1,0 +1,90 @@
+// The inputs of a step while it is solved: the record of its calculator, values of other steps at the positions of a
+// cycle, and values of table rows.
+#pragma once
+
+#include "lib/project/run/evaluation/prepared_step.hpp"
+
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::project {
+
+/// An input whose value comes from other steps: set anew at every position, or once where it takes a series whole.
+struct ComputedInput {
+  std::string path;
+  Leaf leaf;
+  Value value;
+  Origin origin;
+  bool is_whole = false;
+};
+
+class Inputs {
+ public:
+  Inputs(const PreparedStep& step, const Known& known);
+  Inputs(const Inputs&) = delete;  // leaves refer to the record
+  Inputs& operator=(const Inputs&) = delete;
+
+  /// Words, lists and rows of other steps; what a field refuses becomes an issue at the reference.
+  bool take_from_others(std::vector<Issue>& issues);
+  /// The values of expressions and companions; what a field refuses becomes an issue at its expression.
+  /// `left_open`: inputs that are passed over.
+  bool evaluate_operands(std::vector<Issue>& issues, const std::set<std::string>& left_open = {});
+  void take_row(const std::string& group, const std::string& row, std::vector<Issue>& issues);
+  /// Leaves a row open, and the inputs that it gives.
+  void clear_row(const std::string& group);
+  /// Sets the values of rows at a size; where a table has none, `table_gap` says why.
+  void set_values_of_rows(double size);
+  /// Puts the computed inputs at position i into the record; false where one of them is not available there.
+  bool set_position(std::size_t i);
+  /// Sets an input at every position.
+  void set_value(const std::string& path, const Leaf& leaf, const Value& value);
+  void set_origin(const std::string& path, Origin origin) { origins_[path] = std::move(origin); }
+  /// An input is not available, which leaves the step without results. `subject`: what the report says it of.
+  void set_unavailable(Message why, account::Subject subject = account::Subject::input) {
+    unavailable_ = std::move(why);
+    subject_ = subject;
+  }
+
+  [[nodiscard]] const Record& record() const { return record_; }
+  [[nodiscard]] Leaf leaf(std::string_view path) const { return find_leaf(record_, path); }
+  [[nodiscard]] const std::vector<ComputedInput>& computed() const { return computed_; }
+  /// The computed input at a path; null where there is none.
+  [[nodiscard]] const ComputedInput* find_computed(std::string_view path) const;
+  [[nodiscard]] Value value_of(const std::string& path, const Leaf& leaf) const;
+  [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
+  /// By their groups, those that were found among them.
+  [[nodiscard]] const Rows& rows() const { return rows_; }
+  /// The input or result that the rows are asked at: the first of the sizes that is given, "d_h, d", else the last.
+  [[nodiscard]] std::string_view size_field() const;
+  [[nodiscard]] Origin origin_of(const std::string& path, const Leaf& leaf) const;
+  /// Where a row comes from that was taken from another step or found; null for one that the step names itself.
+  [[nodiscard]] const Origin* origin_of_row(const std::string& group) const;
+  /// Why a table's value is not available; empty where all are.
+  [[nodiscard]] const Message& table_gap() const { return table_gap_; }
+  /// Which of the inputs has no value somewhere; empty where all have.
+  [[nodiscard]] Message missing() const;
+  [[nodiscard]] account::Subject subject_of_missing() const { return subject_; }
+
+ private:
+  void take_word(const Taken& taken, std::vector<Issue>& issues);
+  void take_list(const Taken& taken, std::vector<Issue>& issues);
+  void add_computed(ComputedInput input);
+  [[nodiscard]] ComputedInput companion_input(const Provided& provided) const;
+  [[nodiscard]] bool is_given(std::string_view input) const;
+
+  const PreparedStep& step_;
+  const Known& known_;
+  Record record_;
+  Rows rows_;
+  std::vector<Provided> provided_;
+  std::vector<ComputedInput> computed_;
+  std::map<std::string, Origin> origins_;  // of rows, and of leaves that were provided, kept or searched for
+  Message unavailable_;                    // a word, a list, or what a search has not found; empty: there is none
+  account::Subject subject_ = account::Subject::input;
+  Message table_gap_;
+};
+
+}  // namespace loadpath::project

@@ -1,0 +1,341 @@
+#include "lib/project/run/evaluation/prepared_step.hpp"
+
+#include "lib/table/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace loadpath::project {
+
+namespace {
+
+/// What a field is, from its meaning: "yield strength, with S in place of tau_adm".
+std::string noun_of(std::string_view doc) { return std::string(doc.substr(0, doc.find_first_of(",;:"))); }
+
+/// The size that a row is asked at: the first that is given of those that the provider names.
+double size_of(const Provider& provider, const Record& record) {
+  for (const std::string& key : listed_keys(provider.size)) {
+    const Leaf size = find_leaf(record, key);
+    if (size && !std::isnan(size.get())) return size.get();
+  }
+  return table::no_size;
+}
+
+std::string head(std::string_view path) { return std::string(path.substr(0, path.find_first_of(".["))); }
+
+/// Paths of others that the step takes.
+std::set<std::string> taken_paths(const Reading& reading, const std::vector<Provided>& all) {
+  std::set<std::string> taken;
+  for_each_reference(reading, [&](const std::string& path) { taken.insert(path); });
+  for (const Provided& provided : all) taken.insert(provided.companions.begin(), provided.companions.end());
+  return taken;
+}
+
+/// What comes along with the loads that are referred to, and neither another input nor a provider takes.
+std::vector<std::string> rest_of_loads(const Reading& reading, const std::vector<Provided>& provided,
+                                       const Companions& companions) {
+  std::set<std::string> taken = taken_paths(reading, provided);
+  std::vector<std::string> rest;
+  const auto add = [&](const std::string& reference) {
+    for (const std::string& path : companions(reference)) {
+      if (taken.insert(path).second) rest.push_back(path);
+    }
+  };
+  for (const Operand& operand : reading.operands) {
+    if (!operand.leaf.field->is_load) continue;  // a length brings nothing along
+    for (const auto& reference : operand.expression.references()) add(reference.path);
+  }
+  for (const Taken& list : reading.taken) {
+    if (list.field != nullptr && list.field->type == FieldInfo::Type::list) add(list.source);
+  }
+  return rest;
+}
+
+}  // namespace
+
+void PreparedStep::prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) {
+  axis_ = check_operands(input().reading, name(), input().calculator->takes_series, declared, issues);
+  provided_ = provided_by_rows(input(), input().rows, issues);
+  for (Provided& provided : provided_by_companions(input(), companions)) provided_.push_back(std::move(provided));
+  rest_ = rest_of_loads(input().reading, provided_, companions);
+  origins_ = fill_lists(input(), input().rows, input().reading.record);
+  find_searches(issues);
+  check_rules_of_literals(issues);
+}
+
+/// Searches that were written, and inputs that are searched for where they are missing.
+void PreparedStep::find_searches(std::vector<Issue>& issues) {
+  searches_ = input().reading.searches;
+  void* data = input().reading.record.data.get();
+  for (const FieldInfo& field : input().calculator->input->fields) {
+    if (field.sought_unasked && input().reading.typed.count(field.key) == 0) {
+      searches_.push_back({field.key, {&field, data}, field.searched_in, input().place});
+    }
+  }
+  for (const Search& search : searches_) check_stock(search, issues);
+  if (searches_.size() > 1 && !input().reading.searches.empty() && !sizes_together()) {
+    issues.push_back({searches_[1].place, name() + "." + searches_[1].path,
+                      say("one field at a time can be searched for"), say("give '{1}' a value", searches_[1].path),
+                      Severity::error});
+  }
+}
+
+bool PreparedStep::sizes_together() const {
+  const Calculator& calculator = *input().calculator;
+  return *calculator.sizing.list != '\0' && !searches_.empty() &&
+         std::all_of(searches_.begin(), searches_.end(), [&](const Search& search) {
+           return search.leaf && !search.stock.empty() && head(search.path) == calculator.sizing.list;
+         });
+}
+
+/// Whether there is anything to search in.
+void PreparedStep::check_stock(const Search& search, std::vector<Issue>& issues) const {
+  const auto refuse = [&](Message message, Message hint) {
+    issues.push_back({search.place, name() + "." + search.path, std::move(message), std::move(hint), Severity::error});
+  };
+  if (search.leaf.field == nullptr) {
+    if (table::order_of(search.path).empty())
+      return refuse(say("'{1}' cannot be searched for: its rows have no order", search.path),
+                    say("name one; `loadpath tables` lists them"));
+    const auto rows = input().tables->ordered_rows(search.path, search.stock);
+    if (rows.empty())
+      return refuse(say("there is no table or kind of {1} '{2}'", search.path, search.stock),
+                    did_you_mean(search.stock, input().tables->names_of(search.path)));
+    for (const FieldInfo& field : input().calculator->input->fields) {
+      if (field.provider.table != search.path || input().reading.typed.count(field.key) == 0) continue;
+      // A number that no row has belongs to one row all the same: a rating, a warping constant.
+      if (field.is_number() ||
+          std::any_of(rows.begin(), rows.end(), [&](const table::Entry& row) { return gives(row, field); }))
+        return refuse(say("'{1}' is given, and the {2} that is searched for gives it too", field.key, search.path),
+                      say("leave out {1}, name the {2}, or search in a table without {1}", field.key, search.path));
+    }
+  } else if (!search.stock.empty() && stock_values(*input().tables, search.stock).empty()) {
+    refuse(say("there is no stock '{1}'", search.stock), did_you_mean(search.stock, input().tables->series_names()));
+  }
+}
+
+bool PreparedStep::names_row_for(const std::string& field) const {
+  const FieldInfo* info = find_field(input().calculator->input->fields, field);
+  const auto& typed = input().reading.typed;
+  return info != nullptr && input().rows.count(info->provider.table) != 0 && typed.count(field) == 0 &&
+         typed.count(info->provider.unless) == 0;
+}
+
+/// Whether an input is known only when the project is solved, or is wrong already.
+bool PreparedStep::is_open(const std::string& field) const {
+  const auto concerns = [&](const auto& entry) { return head(entry.path) == field; };
+  const auto& reading = input().reading;
+  return reading.faulty.count(field) != 0 || names_row_for(field) ||
+         std::any_of(reading.operands.begin(), reading.operands.end(), concerns) ||
+         std::any_of(reading.taken.begin(), reading.taken.end(), concerns) ||
+         std::any_of(reading.varied.begin(), reading.varied.end(), concerns) ||
+         std::any_of(searches_.begin(), searches_.end(), concerns) ||
+         std::any_of(provided_.begin(), provided_.end(), concerns);
+}
+
+bool PreparedStep::is_asked(const FieldInfo& check, const Record& record) const {
+  std::string_view inputs = check.asked_by;
+  if (inputs.empty()) return true;
+  // Whether a row that the step names is to give the input, and must have it.
+  const auto comes_from_row = [&](std::string_view input, const FieldInfo& field) {
+    return names_row_for(std::string(input)) && !field.provider.may_lack;
+  };
+  while (!inputs.empty()) {  // asked for every candidate of a search: no list of keys is made
+    const std::string_view input = inputs.substr(0, inputs.find(", "));
+    const Leaf asking = find_leaf(record, input);
+    if (asking && (!std::isnan(asking.get()) || comes_from_row(input, *asking.field))) return true;
+    inputs.remove_prefix(std::min(input.size() + 2, inputs.size()));
+  }
+  return false;
+}
+
+bool PreparedStep::is_about(std::size_t rule, const std::string& path) const {
+  const auto fields = listed_keys(input().calculator->rules[rule].fields);
+  return std::find(fields.begin(), fields.end(), head(path)) != fields.end();
+}
+
+namespace {
+
+/// The input of a rule that a row was to fill, and the row has no such value; null where there is none.
+const Provided* lacking_row(const RuleInfo& rule, const Record& record, const std::vector<Provided>& all) {
+  const auto fields = listed_keys(rule.fields);
+  for (const Provided& provided : all) {
+    const bool concerned = std::find(fields.begin(), fields.end(), provided.path) != fields.end();
+    if (concerned && !provided.row.empty() && std::isnan(find_leaf(record, provided.path).get())) return &provided;
+  }
+  return nullptr;
+}
+
+/// A row that has no value for an input, or none for the size of the part.
+Issue lacking_value(const StepInput& input, const Provided& provided, const Record& record) {
+  const FieldInfo& field = *provided.field;
+  const Provider& from = field.provider;
+  const std::string instead = *from.unless == '\0' ? field.key : from.unless;
+  const auto issue = [&](Message message, Message hint) {
+    return Issue{place_in(input.rows.at(from.table).place, provided.row, 0, provided.row.size()),
+                 input.name + "." + from.table, std::move(message), std::move(hint), Severity::error};
+  };
+  const auto entry = input.tables->find_row(from.table, provided.row);
+  if (entry && table::covered_size(*entry, from.column) > 0.0) {
+    const double size = size_of(from, record);
+    Lookup found = look_up(provided, size);
+    const bool of_input = find_field(record.type->fields, std::string_view(from.size).substr(
+                                                              0, std::string_view(from.size).find(','))) != nullptr;
+    if (of_input && std::isnan(size))
+      return issue(std::move(found.reason), say("give {1}, or {2}", listed_keys(from.size).back(), instead));
+    return issue(std::move(found.reason), say("name another, or give {1}", instead));
+  }
+  return issue(say("the {1} '{2}' has no {3} {4}", from.table, provided.row, noun_of(field.doc), field.key),
+               *from.unless == '\0' ? say("name another, or give {1}", field.key)
+                                    : say("name another, or give {1} in its place", from.unless));
+}
+
+}  // namespace
+
+Issue PreparedStep::broken_rule(std::size_t rule, const Record& record, const std::vector<Provided>& provided) const {
+  const Calculator& calculator = *input().calculator;
+  if (const Provided* lacking = lacking_row(calculator.rules[rule], record, provided))
+    return lacking_value(input(), *lacking, record);
+  FieldFault fault = calculator.fault_of(rule, record.data.get());
+  for (const std::string& field : listed_keys(calculator.rules[rule].fields)) {
+    if (fault.path.empty() && input().reading.typed.count(field) != 0) fault.path = field;
+  }
+  Issue issue = issue_at(input(), fault.path, std::move(fault.message), std::move(fault.hint));
+  if (calculator.rules[rule].only_warns) issue.severity = Severity::warning;
+  return issue;
+}
+
+namespace {
+
+/// Whether a path names an element that a list of the input does not have; of one that another step or a row fills that
+/// is not known yet.
+bool has_no_element(const StepInput& input, const std::string& path) {
+  const FieldInfo* const list = find_field(input.calculator->input->fields, head(path));
+  if (list == nullptr || list->type != FieldInfo::Type::list || list->provider.kind == Provider::Kind::table)
+    return false;
+  const auto& taken = input.reading.taken;
+  const bool later = std::any_of(taken.begin(), taken.end(), [&](const Taken& t) { return t.path == list->key; });
+  return !later && !find_leaf(input.reading.record, path);
+}
+
+Fault missing_element(const StepInput& input, const std::string& path) {
+  const FieldInfo& list = *find_field(input.calculator->input->fields, head(path));
+  const std::size_t count = list.size(input.reading.record.data.get());
+  return {0, path.size(), say("'{1}' has no element '{2}'", input.name, path),
+          say("{1} has {2}, counted from 1", list.key, std::to_string(count))};
+}
+
+Fault unknown_path(const StepInput& input, const std::string& path) {
+  std::vector<std::string> known;
+  Record blank(*input.calculator->result);
+  for_each_leaf(blank, [&](const std::string& leaf, const Leaf&) { known.push_back(leaf); });
+  for (const FieldInfo& f : input.calculator->result->fields) {
+    if (f.is_handed_over) known.emplace_back(f.key);
+    for (const FieldInfo& inner : f.fields) known.push_back(std::string(f.key) + "[1]." + inner.key);
+  }
+  return {0, path.size(), say("'{1}' has no result '{2}'", input.name, path),
+          did_you_mean(path, known, say("`loadpath describe {1}` lists them", input.calculator->id), input.name + ".")};
+}
+
+}  // namespace
+
+Outcome<Signature> PreparedStep::signature(const std::string& path) const {
+  const FieldInfo* const found = field(path);
+  if (found == nullptr || !found->is_number()) return unknown_path(input(), path);
+  const bool is_result = find_field_at(input().calculator->result->fields, path) != nullptr;
+  if (!is_result && has_no_element(input(), path)) return missing_element(input(), path);
+  // A size that is found and a value of a row are the same at all positions.
+  const auto is_it = [&](const auto& one) { return one.path == path; };
+  const bool is_found = std::any_of(searches_.begin(), searches_.end(), is_it) || names_row_for(path);
+  const bool varies = is_result || (is_open(head(path)) && !is_found);
+  return Signature{found->dimension, varies ? axis_ : nullptr, found->is_load && !found->signed_load};
+}
+
+namespace {
+
+/// Whether other steps look at more than the number: factors that it holds, what it means.
+bool is_more_than_number(const Calculator& calculator, const FieldInfo& field) {
+  const auto means = [&](const Meaning& meaning) {
+    const auto keys = listed_keys(meaning.fields);
+    return std::find(keys.begin(), keys.end(), field.key) != keys.end();
+  };
+  return field.is_load || field.is_factor || std::any_of(calculator.meanings.begin(), calculator.meanings.end(), means);
+}
+
+/// Of an expression over inputs that are known beforehand.
+std::optional<Value> evaluate_beforehand(const Operand& operand, const Step::Beforehand& of) {
+  std::map<std::string, Value> values;
+  for (const auto& reference : operand.expression.references()) {
+    auto value = of(reference.path);
+    if (!value) return std::nullopt;
+    values[reference.path] = std::move(*value);
+  }
+  return operand.expression.evaluate([&](const std::string& path) -> const Value& { return values.at(path); });
+}
+
+}  // namespace
+
+std::optional<Value> PreparedStep::value_beforehand(const std::string& path, bool settled, const Beforehand& of) const {
+  const Calculator& calculator = *input().calculator;
+  const Reading& reading = input().reading;
+  const auto is_it = [&](const auto& entry) { return entry.path == path; };
+  const Leaf leaf = find_leaf(reading.record, path);
+  if (find_field_at(calculator.result->fields, path) != nullptr || !leaf || !leaf.field->is_number() ||
+      leaf.field->takes_whole() || is_more_than_number(calculator, *leaf.field))
+    return std::nullopt;
+  const bool varies = std::any_of(reading.varied.begin(), reading.varied.end(), is_it);
+  if ((varies && settled) || std::any_of(reading.searches.begin(), reading.searches.end(), is_it)) return std::nullopt;
+  const auto operand = std::find_if(reading.operands.begin(), reading.operands.end(), is_it);
+  if (operand != reading.operands.end()) return operand->of_record ? std::nullopt : evaluate_beforehand(*operand, of);
+  const bool typed = reading.typed.contains(path);
+  const auto is_record = [](const Taken& taken) { return taken.field != nullptr && !taken.field->is_word(); };
+  if (!typed && (leaf.field->sought_unasked || std::any_of(reading.taken.begin(), reading.taken.end(), is_record)))
+    return std::nullopt;
+  if (!typed && names_row_for(path)) return row_beforehand(*leaf.field, of);
+  if (std::isnan(leaf.get())) return std::nullopt;
+  return Value{{leaf.field->dimension, nullptr}, {leaf.get()}};
+}
+
+/// Of a row that is named: at a size that is known too, or at none.
+std::optional<Value> PreparedStep::row_beforehand(const FieldInfo& field, const Beforehand& of) const {
+  const Provider& from = field.provider;
+  const std::string& row = input().rows.at(from.table).text;
+  const auto entry = row.empty() ? Outcome<table::Entry>(Fault{}) : input().tables->find_row(from.table, row);
+  if (!entry) return std::nullopt;
+  double size = table::no_size;
+  for (const std::string& key : listed_keys(from.size)) {
+    const auto given = value_beforehand(key, true, of);
+    if (!given && (input().reading.typed.contains(key) || key == listed_keys(from.size).back())) return std::nullopt;
+    if (!given) continue;
+    size = given->si[0];
+    break;
+  }
+  const double si = look_up({field.key, &field, row, {}, *entry}, size).si;
+  return std::isnan(si) ? std::nullopt : std::optional(Value{{field.dimension, nullptr}, {si}});
+}
+
+std::vector<std::string> PreparedStep::companions_of(const std::string& path) const {
+  std::vector<std::string> all;
+  const std::string beside = name() + "." + path.substr(0, path.rfind('.') + 1);  // "train.shafts[2]."
+  if (const FieldInfo* const found = field(path)) {
+    for (const std::string& key : listed_keys(found->companions)) all.push_back(beside + key);
+  }
+  for (const Provided& provided : provided_)
+    all.insert(all.end(), provided.companions.begin(), provided.companions.end());
+  return all;
+}
+
+/// Those of them that are not nothing: a spur gear has no axial force.
+void PreparedStep::leave_what_acts(const Known& known) {
+  std::string names;
+  for (const std::string& path : rest_) {
+    const Value& value = known(path);
+    const bool acts =
+        std::any_of(value.si.begin(), value.si.end(), [&](double x) { return !(std::abs(x) <= value.rounding); });
+    if (acts) names += (names.empty() ? "" : ", ") + path;
+  }
+  loads().left = std::move(names);
+}
+
+}  // namespace loadpath::project

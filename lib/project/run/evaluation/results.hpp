@@ -1,0 +1,29 @@
+// All results of a step at all positions, and what was found with them.
+#pragma once
+
+#include "lib/project/run/evaluation/evaluation.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+/// A number of the result at every position.
+struct ResultSeries {
+  std::string path;
+  const FieldInfo* field;
+  Value value;
+};
+
+struct Results {
+  std::vector<ResultSeries> series;  // empty where no position is available
+  std::vector<Applies> applies;      // of every mode, over the positions
+};
+
+/// At the sizes that follow from the values of rows.
+Results evaluate_all(Evaluation& evaluation);
+
+/// Whether a result is asked for, and is not one that the calculator has left unset.
+bool is_reported(const Evaluation& evaluation, const ResultSeries& series);
+
+}  // namespace loadpath::project

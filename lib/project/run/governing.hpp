@@ -1,0 +1,18 @@
+// What the calculation says at the position that governs.
+#pragma once
+
+#include "lib/project/run/evaluation/results.hpp"
+
+namespace loadpath::project {
+
+/// The position where the largest check is largest, or the first that is available.
+struct Governing {
+  std::size_t position = 0;
+  bool is_evaluated = false;  // else there are no results
+  Trace trace;                // empty where no words are wanted
+};
+
+/// Leaves the evaluation at the governing position. `in_words`: with the lines of the calculation.
+Governing evaluate_governing(Evaluation& evaluation, const Results& results, bool in_words);
+
+}  // namespace loadpath::project

@@ -1,0 +1,193 @@
+#include "lib/project/run/neighbours.hpp"
+
+#include "lib/calculator/strength_bounds.hpp"
+#include "lib/project/modes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace loadpath::project {
+
+double largest_magnitude(const Value& value) {
+  double most = std::numeric_limits<double>::quiet_NaN();
+  for (const double x : value.si) {
+    if (!std::isnan(x) && !(std::abs(x) <= std::abs(most))) most = x;
+  }
+  return most;
+}
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Whether the user typed it: a record may have filled it.
+bool is_typed(const Reading& reading, const std::string& path) {
+  const auto fills = [&](const auto& taken) { return taken.of_record && taken.path == path; };
+  return reading.typed.contains(path) && std::none_of(reading.operands.begin(), reading.operands.end(), fills) &&
+         std::none_of(reading.taken.begin(), reading.taken.end(), fills);
+}
+
+/// The largest value of a column, which is that of the least size; NaN where the row has none.
+double largest_in_row(const table::Entry& row, std::string_view column) {
+  if (const auto same = table::property(row, column)) return same->si;
+  double most = unknown;
+  for (const table::SizedProperty& at : table::values_by_size(row, column)) most = std::fmax(most, at.value.si);
+  return most;
+}
+
+/// Whether a typed value may be above what a row has at one size and below it at another: not where the row has more
+/// at every size.
+bool hangs_on_size(const table::Entry& row, std::string_view column, double part, double typed) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const table::SizedProperty& at : table::values_by_size(row, column)) least = std::fmin(least, at.value.si);
+  return !(typed <= part * least);
+}
+
+bool is_comparable(const FieldInfo& field) {
+  return field.get != nullptr && !field.takes_whole() && (field.is_number() || field.type == FieldInfo::Type::choice);
+}
+
+/// The size that a row is asked at, as it came out: an input, or a result.
+double size_of_row(const Inputs& inputs, const Results& results, const FieldInfo& field) {
+  double size = table::no_size;
+  for (const std::string& key : listed_keys(field.provider.size)) {
+    const Leaf given = inputs.leaf(key);
+    if (given && !std::isnan(given.get())) return given.get();
+    for (const ResultSeries& series : results.series) {
+      if (series.path == key) size = largest_magnitude(series.value);
+    }
+  }
+  return size;
+}
+
+/// What a material bounds of a field, by its meaning; null: nothing.
+const StrengthBound* bound_of(const Evaluation& evaluation, const std::string& path) {
+  for (const Meaning& meaning : evaluation.calculator().meanings) {
+    const auto keys = listed_keys(meaning.fields);
+    if (std::none_of(keys.begin(), keys.end(), [&](const std::string& key) { return names_row(key, path); })) continue;
+    const StrengthBound* const bound = strength_bound_of(meaning.what);
+    if (bound == nullptr || *meaning.choice == '\0') return bound;
+    const Leaf choice = evaluation.inputs().leaf(meaning.choice);
+    const auto words = listed_keys(meaning.words);
+    if (std::find(words.begin(), words.end(), word_of(choice)) != words.end()) return bound;
+  }
+  return nullptr;
+}
+
+/// Typed fields that a row fills as well, and those that stand in place of one that it would fill.
+void add_rows_beside(const Evaluation& evaluation, const Results& results, std::vector<Neighbour>& all) {
+  const Inputs& inputs = evaluation.inputs();
+  const StepInput& step = evaluation.step().input();
+  for (const FieldInfo& field : evaluation.calculator().input->fields) {
+    const Provider& from = field.provider;
+    const auto named = inputs.rows().find(from.table);
+    if (from.kind != Provider::Kind::table || named == inputs.rows().end() || named->second.text.empty()) continue;
+    const auto row = step.tables->find_row(from.table, named->second.text);
+    if (!row) continue;
+    const Message source = say("the {1} '{2}'", from.table, named->second.text);
+    if (field.is_leaf() && is_typed(step.reading, field.key) && gives(*row, field)) {
+      const double size = size_of_row(inputs, results, field);
+      double si = look_up({field.key, &field, named->second.text, {}, *row}, size).si;
+      if (std::isnan(si) && std::isnan(size)) si = largest_in_row(*row, from.column);
+      all.push_back({field.key, inputs.leaf(field.key), {{field.dimension, nullptr}, {si}}, source, beside_of(field)});
+      const bool is_capacity = all.back().kind == Beside::capacity;
+      const double typed = largest_magnitude(inputs.value_of(field.key, all.back().leaf));
+      all.back().by_size = *from.size != '\0' && (!is_capacity || hangs_on_size(*row, from.column, 1.0, typed));
+      all.back().row_of = from.table;
+    }
+    const Leaf instead = *from.unless == '\0' ? Leaf{} : inputs.leaf(from.unless);
+    if (!instead || from.unless == std::string_view(field.key) || !is_typed(step.reading, from.unless) ||
+        bound_of(evaluation, from.unless) != nullptr || beside_of(*instead.field) != Beside::capacity)
+      continue;
+    const double most = largest_in_row(*row, from.column);
+    all.push_back({from.unless, instead, {{instead.field->dimension, nullptr}, {most}}, source, Beside::capacity});
+  }
+}
+
+/// Typed fields that a record has as well.
+void add_records_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
+  for (const TypedBeside& kept : evaluation.step().input().reading.kept) {
+    const Leaf leaf = evaluation.inputs().leaf(kept.path);
+    if (!leaf || !is_comparable(*leaf.field)) continue;
+    Value value{{leaf.field->dimension, nullptr}, {unknown}};
+    if (kept.is_word) {
+      const std::string word = known.word(kept.source);
+      for (std::size_t k = 0; k < leaf.field->choices.size(); ++k) {
+        if (word == leaf.field->choices[k].key) value.si = {static_cast<double>(k)};
+      }
+    } else {
+      value = known(kept.source);
+    }
+    all.push_back({kept.path, leaf, std::move(value), say("'{1}'", kept.source),
+                   kept.is_load ? Beside::demand : beside_of(*leaf.field)});
+    all.back().by_size = true;  // at another point the record has another value
+  }
+}
+
+/// The material that the step names; empty where it names none.
+std::string named_material(const Inputs& inputs) {
+  const auto named = inputs.rows().find("material");
+  return named == inputs.rows().end() ? "" : named->second.text;
+}
+
+/// A strength of the part: of the input, else of the material that the step names.
+double strength_of_part(const Evaluation& evaluation, const char* key) {
+  const Inputs& inputs = evaluation.inputs();
+  const Leaf own = inputs.leaf(key);
+  const double si = own && own.field->is_number() ? largest_magnitude(inputs.value_of(key, own)) : unknown;
+  if (!std::isnan(si)) return si;
+  const std::string material = named_material(inputs);
+  if (material.empty()) return unknown;
+  const auto row = evaluation.step().input().tables->find_row("material", material);
+  return row ? largest_in_row(*row, key) : unknown;
+}
+
+/// Whether at another size, or with another strength of the part, a stress may be on the other side of its bound.
+bool may_change(const Evaluation& evaluation, const char* column, double part, double typed) {
+  const Inputs& inputs = evaluation.inputs();
+  const Leaf own = inputs.leaf(column);
+  // Of what is not known the largest of the row stands there.
+  if (!own || std::isnan(largest_magnitude(inputs.value_of(column, own)))) return false;
+  const auto& provided = inputs.provided();
+  const auto of_material = std::find_if(provided.begin(), provided.end(), [&](const Provided& p) {
+    return p.path == column && p.field->provider.table == std::string_view("material");
+  });
+  return of_material == provided.end() || hangs_on_size(of_material->entry, column, part, typed);
+}
+
+/// Typed stresses that the strength of the material bounds.
+void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
+  const Reading& reading = evaluation.step().input().reading;
+  const std::string material = named_material(evaluation.inputs());
+  const Message of = material.empty() ? say("the part") : say("the material '{1}'", material);
+  for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
+    const StrengthBound* const bound = is_typed(reading, path) ? bound_of(evaluation, path) : nullptr;
+    if (bound == nullptr || !is_comparable(*leaf.field)) return;
+    const double strength = strength_of_part(evaluation, bound->column), whole = strength_of_part(evaluation, "R_m");
+    const bool lacks = std::isnan(strength);
+    if (lacks && std::isnan(whole)) return;
+    const double most = lacks ? whole : bound->part * strength;
+    all.push_back({path,
+                   leaf,
+                   {{leaf.field->dimension, nullptr}, {most}},
+                   say("{1} of {2}", lacks ? "R_m" : bound->text, of),
+                   Beside::capacity});
+    const char* const column = lacks ? "R_m" : bound->column;
+    const double typed = largest_magnitude(evaluation.inputs().value_of(path, leaf));
+    all.back().by_size = may_change(evaluation, column, lacks ? 1.0 : bound->part, typed);
+  });
+}
+
+}  // namespace
+
+std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results& results, const Known& known) {
+  std::vector<Neighbour> all;
+  add_rows_beside(evaluation, results, all);
+  add_records_beside(evaluation, known, all);
+  add_strengths_beside(evaluation, all);
+  std::erase_if(all, [](const Neighbour& beside) { return std::isnan(largest_magnitude(beside.value)); });
+  return all;
+}
+
+}  // namespace loadpath::project

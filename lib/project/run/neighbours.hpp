@@ -1,0 +1,29 @@
+// What stands beside typed values: a row of a table or a record that has the same field, or a strength that bounds it.
+#pragma once
+
+#include "lib/project/run/beside.hpp"
+#include "lib/project/run/evaluation/results.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+/// What stands beside a typed value.
+struct Neighbour {
+  std::string path;
+  Leaf leaf;
+  Value value;
+  Message source;  // "the material 'S235JR'"
+  Beside kind = Beside::identity;
+  bool by_size = false;
+  std::string row_of = {};  // the table of the row; empty: of a record, or a strength
+};
+
+/// `results`: rows are asked at the size that came out, where there are any yet.
+std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results& results, const Known& known);
+
+/// The value of largest magnitude of those that are known.
+double largest_magnitude(const Value& value);
+
+}  // namespace loadpath::project

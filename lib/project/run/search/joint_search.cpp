@@ -1,0 +1,249 @@
+#include "lib/project/run/search/joint_search.hpp"
+
+#include "lib/numerics/magnitude.hpp"
+#include "lib/project/run/search/search.hpp"
+#include "lib/project/run/search/shortfall.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+
+namespace loadpath::project {
+
+/// All alike, from the middle of the stocks in wide steps, down while they pass or up until they do; then one by one.
+bool JointSearch::find_start(SizeIndices& least) {
+  const std::vector<double> levels = sizes_.levels();
+  const auto fits = [&](std::size_t level) {
+    least = sizes_.first_from(levels[level]);
+    return passes_with(least);
+  };
+  constexpr std::size_t stride = 8;
+  std::size_t level = levels.size() / 2;
+  if (fits(level)) {
+    while (level >= stride && fits(level - stride)) level -= stride;
+  } else {
+    do level += stride;
+    while (level < levels.size() && !fits(level));
+  }
+  if (level >= levels.size()) {  // perhaps there are too large ones among them
+    level = 0;
+    while (level < levels.size() && !fits(level)) ++level;
+    return level < levels.size();
+  }
+  for (std::size_t step = stride / 2; step > 0; step /= 2) {
+    if (level >= step && fits(level - step)) level -= step;
+  }
+  return fits(level);
+}
+
+/// Lowers one as far as everything holds, in steps of four sizes and then of one; whether it went down.
+bool JointSearch::lower_one(SizeIndices& least, std::size_t which) {
+  const std::size_t before = least[which];
+  sizes_.set(least);
+  const SizeIndices laid = sizes_.now();
+  const auto lowers_to = [&](std::size_t lower) {
+    SizeIndices lowered = least;
+    lowered[which] = lower;
+    if (!sizes_.set(lowered) || (sizes_.now() != laid && (lower == 0 || !passes()))) return false;
+    least = std::move(lowered);
+    return true;
+  };
+  if (lowers_to(0)) return before > 0;  // its neighbours hold it up
+  for (const std::size_t step : {std::size_t{4}, std::size_t{1}}) {
+    while (least[which] >= step && lowers_to(least[which] - step)) {
+    }
+  }
+  return least[which] < before;
+}
+
+void JointSearch::lower(SizeIndices& least) {
+  for (bool lowered = true; lowered;) {
+    sizes_.set(least);
+    lowered = false;
+    for (const std::size_t which : sizes_.largest_first()) lowered = lower_one(least, which) || lowered;
+  }
+  lower_alone(least);
+  sizes_.set(least);
+  evaluation_.settle_sizes();
+}
+
+/// Each beside the others as they are: what went down with one may be what failed.
+void JointSearch::lower_alone(SizeIndices& least) {
+  for (bool lowered = true; lowered;) {
+    sizes_.set(least);
+    least = sizes_.now();
+    lowered = false;
+    for (const std::size_t which : sizes_.largest_first()) {
+      while (sizes_.is_first(which) && sizes_.set_smaller(least, which) && passes()) {
+        least = sizes_.now();
+        lowered = true;
+      }
+    }
+  }
+}
+
+/// Whether what is judged at the places of one of them, and of those of one size with it, passes beside the others.
+bool JointSearch::places_pass(std::size_t first) {
+  evaluation_.settle_sizes_again();
+  if (!passing_.keeps_rules()) return true;  // of the others, as far as they are known
+  for (std::size_t i = 0; i < evaluation_.positions(); ++i) {
+    if (evaluation_.evaluate_at(i) && !elements_pass(first)) return false;
+  }
+  return true;
+}
+
+bool JointSearch::elements_pass(std::size_t first) const {
+  void* const result = evaluation_.result().data.get();
+  for (const FieldInfo& list : evaluation_.calculator().result->fields) {
+    if (list.type != FieldInfo::Type::list) continue;
+    for (std::size_t k = 0; k < list.size(result); ++k) {
+      void* const element = list.element(result, k);
+      if (sizes_.is_place_of(first, list, element) && !passing_.element_passes(list, element)) return false;
+    }
+  }
+  return true;
+}
+
+/// The sizes one after the other, ascending: the least of the rest bound the cost, and what is judged at places whose
+/// sizes are all set excludes most of what follows.
+struct JointSearch::Branching {
+  SizeIndices firsts;  // of those of one size
+  SizeIndices least, best;
+  double lowest;
+  int trials;  // that are left
+};
+
+void JointSearch::branch(Branching& b, std::size_t depth) {
+  const std::size_t first = b.firsts[depth];
+  const auto set_least = [&](std::size_t at) {
+    for (std::size_t i = 0; i < sizes_.count(); ++i) {
+      if (sizes_.at(i).like >= first) b.least[i] = sizes_.at(i).like == first ? at : 0;
+    }
+  };
+  const auto keeps_what_is_set = [&] {
+    for (std::size_t i = 0; i < sizes_.count(); ++i) {
+      if (sizes_.at(i).like <= first && sizes_.at(i).at != b.least[i]) return false;
+    }
+    return true;
+  };
+  for (std::size_t at = 0; at < sizes_.sizes(first).size() && b.trials > 0; ++at) {
+    set_least(at);
+    if (!sizes_.set(b.least) || !keeps_what_is_set()) continue;
+    const double cost = sizes_.cost();
+    if (!numerics::exceeds(b.lowest, cost)) break;
+    --b.trials;
+    if (depth + 1 == b.firsts.size()) {
+      if (!passes()) continue;
+      b.lowest = cost;
+      b.best = b.least;
+      break;
+    }
+    if (depth == 0 || places_pass(b.firsts[depth - 1])) branch(b, depth + 1);
+  }
+}
+
+/// From what a first search has found, if anything; true where there is a cheaper part.
+bool JointSearch::find_cheaper(double lowest, SizeIndices& least) {
+  constexpr int most_trials = 20000;
+  Branching b{sizes_.firsts(), least, {}, lowest, most_trials};
+  branch(b, 0);
+  if (b.best.empty()) return false;
+  least = b.best;
+  sizes_.set(least);
+  return true;
+}
+
+/// The cheapest part that passes, of all ways in which the sizes go together; where none does, the first way.
+bool JointSearch::find_cheapest(SizeIndices& least) {
+  double lowest = std::numeric_limits<double>::infinity();
+  std::size_t best_way = 0;
+  SizeIndices best;
+  const auto keep = [&](std::size_t way) {
+    lowest = sizes_.cost();
+    best_way = way;
+    best = least;
+  };
+  for (std::size_t way = 0; sizes_.arrange(way); ++way) {  // a good one first: it bounds the rest
+    if (!find_start(least)) continue;
+    lower(least);
+    if (numerics::exceeds(lowest, sizes_.cost())) keep(way);
+  }
+  for (std::size_t way = 0; sizes_.arrange(way); ++way) {
+    least.assign(sizes_.count(), 0);
+    if (find_cheaper(lowest, least)) keep(way);
+  }
+  sizes_.arrange(best_way);
+  if (best.empty()) return false;
+  least = best;
+  return sizes_.set(least);
+}
+
+/// Where none pass: the largest with which every rule about them holds.
+bool JointSearch::set_largest(SizeIndices& least) {
+  const std::vector<double> levels = sizes_.levels();
+  for (std::size_t level = levels.size(); level-- > 0;) {
+    least = sizes_.first_from(levels[level]);
+    if (!sizes_.set(least)) continue;
+    evaluation_.settle_sizes();
+    if (passing_.keeps_rules()) return true;
+  }
+  return false;
+}
+
+/// Whether a check has a value now.
+bool JointSearch::has_check() const {
+  bool has = false;
+  for_each_leaf(evaluation_.result(), [&](const std::string&, const Leaf& leaf) {
+    const bool is_check = leaf.field->role == Role::check && evaluation_.is_judged(*leaf.field);
+    has = has || (is_check && !std::isnan(leaf.get()));
+  });
+  return has;
+}
+
+void JointSearch::run(std::vector<Issue>& issues) {
+  SizeIndices least(sizes_.count(), 0);
+  const Search& first = sizes_.search(0);
+  const bool smallest = passes_with(least);
+  if (smallest && !has_check()) return issues.push_back(aimless_search(evaluation_.step(), first));
+  const bool found = find_cheapest(least);
+  if (!found && !set_largest(least)) {
+    return issues.push_back(issue_at(evaluation_.step().input(), first.path,
+                                     say("no sizes go together with what is given"),
+                                     say("give '{1}' a value, or let more of them be searched for", first.path)));
+  }
+  if (in_words_) return tell(least, found);
+  sizes_.set(least);
+  evaluation_.settle_sizes();
+}
+
+/// What one of them fails where it is a size smaller beside the others as they are.
+Message JointSearch::fault_of_less(const SizeIndices& laid, std::size_t which) {
+  const Message held = say("no smaller one goes with the others");
+  if (!sizes_.shrink(laid, which)) return held;
+  const std::string less = format_quantity(sizes_.at(which).size(), sizes_.search(which).leaf.field->unit);
+  for (std::size_t i = 0; i < sizes_.count(); ++i) {
+    if (sizes_.at(i).like != sizes_.at(which).like) continue;
+    const Message unsound = sizes_.fault(i);
+    if (!unsound.empty()) return say("{1}: {2}", less, unsound);
+  }
+  if (!sizes_.set_smaller(laid, which)) return held;
+  return say("{1}: {2}", less, fault_of_candidate(evaluation_, passing_));
+}
+
+/// Of each what was found, and why it is no less.
+void JointSearch::tell(const SizeIndices& least, bool found) {
+  for (std::size_t i = 0; i < sizes_.count(); ++i) {
+    Message text = found ? say("smallest of {1} that passes every check, with the others", sizes_.stock(i))
+                         : say("largest of {1}; none passes", sizes_.stock(i));
+    if (found && sizes_.at(i).at > 0) text = say("{1}; {2}", text, fault_of_less(least, i));
+    sizes_.set(least);
+    Origin origin = stock_origin(*evaluation_.step().input().tables, sizes_.stock(i), std::move(text));
+    origin.searched = true;
+    evaluation_.inputs().set_origin(sizes_.search(i).path, std::move(origin));
+  }
+  evaluation_.settle_sizes();
+}
+
+}  // namespace loadpath::project

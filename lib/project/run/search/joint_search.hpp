@@ -1,0 +1,53 @@
+// The search for several sizes of one part at once: from sizes that pass, all alike but for what their neighbours ask,
+// each is lowered as far as everything holds, the largest first, until none can be; at first with those that go down
+// with it, at last alone, so that in the end no single one can be a size smaller.
+//
+// Then sizes are traded as long as the part gets cheaper: some go down while others go up. The calculator may know
+// several ways in which the sizes go together; each is searched, and the cheapest is taken.
+#pragma once
+
+#include "lib/project/run/search/joint_sizes.hpp"
+#include "lib/project/run/search/passing.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace loadpath::project {
+
+class JointSearch {
+ public:
+  /// `in_words`: what is found says why it is no smaller.
+  JointSearch(Evaluation& evaluation, bool in_words)
+      : evaluation_(evaluation),
+        passing_(evaluation),
+        sizes_(evaluation.step(), evaluation.inputs()),
+        in_words_(in_words) {}
+  void run(std::vector<Issue>& issues);
+
+ private:
+  struct Branching;
+
+  [[nodiscard]] bool has_check() const;
+  /// Whether the sizes as they are pass.
+  bool passes() { return sizes_.is_sound() && passing_.passes_again(); }
+  bool passes_with(const SizeIndices& least) { return sizes_.set(least) && passes(); }
+  bool find_start(SizeIndices& least);
+  void lower(SizeIndices& least);
+  bool lower_one(SizeIndices& least, std::size_t which);
+  void lower_alone(SizeIndices& least);
+  bool find_cheapest(SizeIndices& least);
+  bool find_cheaper(double lowest, SizeIndices& least);
+  void branch(Branching& at, std::size_t depth);
+  bool places_pass(std::size_t first);
+  [[nodiscard]] bool elements_pass(std::size_t first) const;
+  bool set_largest(SizeIndices& least);
+  [[nodiscard]] Message fault_of_less(const SizeIndices& laid, std::size_t which);
+  void tell(const SizeIndices& least, bool found);
+
+  Evaluation& evaluation_;
+  Passing passing_;
+  JointSizes sizes_;
+  bool in_words_;
+};
+
+}  // namespace loadpath::project

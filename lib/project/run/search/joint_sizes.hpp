@@ -1,0 +1,65 @@
+// Several sizes of one part that are searched for together, as the calculator lets them go together.
+#pragma once
+
+#include "lib/project/run/evaluation/inputs.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+/// For each of the sizes which of its stock it is.
+using SizeIndices = std::vector<std::size_t>;
+
+/// What is set is the least that each size may be; the calculator raises it as its neighbours ask (a shoulder, one
+/// diameter without a step). For any least sizes there is so one part, the lightest of those that keep to them.
+class JointSizes {
+ public:
+  JointSizes(const PreparedStep& step, const Inputs& inputs);
+  JointSizes(const JointSizes&) = delete;  // what is sought refers to the sizes
+  JointSizes& operator=(const JointSizes&) = delete;
+
+  [[nodiscard]] std::size_t count() const { return sought_.size(); }
+  [[nodiscard]] const Search& search(std::size_t i) const { return *searches_[i]; }
+  [[nodiscard]] const std::string& stock(std::size_t i) const { return stocks_[i]; }
+  /// All that one may be, ascending.
+  [[nodiscard]] const std::vector<double>& sizes(std::size_t i) const { return sizes_[i]; }
+  [[nodiscard]] const Sought& at(std::size_t i) const { return sought_[i]; }
+  [[nodiscard]] SizeIndices now() const;
+  [[nodiscard]] SizeIndices largest_first() const;
+  /// The first of each group of those that are of one size.
+  [[nodiscard]] SizeIndices firsts() const;
+  [[nodiscard]] bool is_first(std::size_t i) const { return sought_[i].like == i; }
+  /// All sizes of all stocks, each once, ascending.
+  [[nodiscard]] std::vector<double> levels() const;
+  /// Of each the first size that is not below.
+  [[nodiscard]] SizeIndices first_from(double size) const;
+
+  /// Lets the sizes go together in one of the calculator's ways; false where there are no more.
+  bool arrange(std::size_t way);
+  /// Sets sizes that go together, none of which is below its least; false where there are none.
+  bool set(const SizeIndices& least);
+  /// Makes one of them, with those that are of one size with it, a size smaller than `laid`, in no record yet; false
+  /// where there is none.
+  bool shrink(const SizeIndices& laid, std::size_t which);
+  /// Sets it so beside the others as they are; false where they hold it up.
+  bool set_smaller(const SizeIndices& laid, std::size_t which);
+  /// What the calculator finds at fault with one of the sizes as they are; empty where nothing is.
+  [[nodiscard]] Message fault(std::size_t i) const;
+  [[nodiscard]] bool is_sound() const;
+  /// What is to be least, with the sizes as they are.
+  [[nodiscard]] double cost() const;
+  /// Whether an element of a result's list is about one of the sizes that are like `first`.
+  [[nodiscard]] bool is_place_of(std::size_t first, const FieldInfo& list, const void* element) const;
+
+ private:
+  const Inputs& inputs_;
+  const Sizing& sizing_;
+  std::vector<const Search*> searches_;
+  std::vector<std::string> stocks_;
+  std::vector<std::vector<double>> sizes_;
+  std::vector<Sought> sought_;
+};
+
+}  // namespace loadpath::project

@@ -1,0 +1,83 @@
+#include "lib/project/run/search/largest_search.hpp"
+
+#include "lib/project/run/search/search.hpp"
+#include "lib/project/run/search/shortfall.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double growth = 1.25;       // between the values that are tried first
+constexpr double least_share = 1e-9;  // of the largest one
+constexpr int digits = 4;             // of what is found
+
+/// The number of four digits that is not larger.
+double rounded_down(double value, double unit) {
+  const double number = value / unit;
+  const double one = std::pow(10.0, std::floor(std::log10(number)) + 1.0 - digits);
+  return std::floor(number / one * (1.0 + 1e-12)) * one * unit;
+}
+
+/// Beyond it no machine has such a value; in SI.
+double largest_of(const FieldInfo& field) {
+  const double usual = std::isinf(field.plausible.high) ? 1e6 * field.factor : 10.0 * field.plausible.high;
+  return std::min(usual, field.bounds.high);
+}
+
+}  // namespace
+
+bool LargestSearch::passes_with(double value) {
+  leaf_.set(value);
+  return leaf_.field->bounds.holds(value) && passing_.passes();
+}
+
+/// The largest value up to which all that are tried pass, from the least one that does; between it and the next, by
+/// halves.
+void LargestSearch::run(bool in_words, std::vector<Issue>& issues) {
+  const double most = largest_of(*leaf_.field);
+  double low = most * least_share;
+  leaf_.set(low);  // a load is what asks for its checks
+  if (!passing_.is_any_asked()) return issues.push_back(aimless_search(evaluation_.step(), wanted_));
+  while (low < most && !passes_with(low)) low *= growth;
+  if (low >= most) return tell_none(most * least_share, issues);
+  double high = low * growth;
+  for (; high < most && passes_with(high); high *= growth) low = high;
+  if (high >= most) {
+    return issues.push_back(issue_at(evaluation_.step().input(), wanted_.path,
+                                     say("'{1}' has no largest value: it passes up to {2}", wanted_.path,
+                                         format_quantity(most, leaf_.field->unit, digits)),
+                                     say("give what limits it, or a value")));
+  }
+  while (high > low * (1.0 + 1e-6)) {
+    const double middle = 0.5 * (low + high);
+    (passes_with(middle) ? low : high) = middle;
+  }
+  keep(low);
+  if (in_words) warn_of_found(evaluation_, wanted_, issues);
+}
+
+/// Rounded down, where that passes too.
+void LargestSearch::keep(double largest) {
+  const double rounded = rounded_down(largest, leaf_.field->factor);
+  leaf_.set(1.01 * rounded);
+  const Message beyond = fault_of_candidate(evaluation_, passing_);
+  if (!passes_with(rounded)) leaf_.set(largest);
+  evaluation_.inputs().set_origin(wanted_.path,
+                                  {say("largest that passes every check; 1 % more: {1}", beyond), {}, false, true});
+}
+
+/// Without a value there is no result, and no verdict.
+void LargestSearch::tell_none(double value, std::vector<Issue>& issues) {
+  leaf_.set(value);
+  if (const auto rule = passing_.first_broken_rule()) return issues.push_back(evaluation_.broken_rule(*rule));
+  evaluation_.inputs().set_unavailable(say("no '{1}' passes: at {2} {3}", wanted_.path,
+                                           format_quantity(value, leaf_.field->unit, digits),
+                                           fault_of_candidate(evaluation_, passing_)));
+  leaf_.set(std::nan(""));
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,52 @@
+// Whether a step passes as it is now: what a search asks of every candidate.
+#pragma once
+
+#include "lib/project/run/evaluation/evaluation.hpp"
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace loadpath::project {
+
+class Passing {
+ public:
+  explicit Passing(Evaluation& evaluation) : evaluation_(evaluation) {}
+
+  /// Whether no rule about what is searched for, no check, criterion or limit of a method fails, but for what is
+  /// excused. What passes beyond its formulas is no size to take.
+  bool passes();
+  /// The same with nothing excused, from the size that was found last, and of a part without positions from one
+  /// evaluation.
+  bool passes_again();
+  /// Whether an element of a list passes its checks, and keeps its criteria and the limits of its methods.
+  [[nodiscard]] bool element_passes(const FieldInfo& list, void* element) const;
+  /// Whether the rules about what is searched for hold at the sizes that were settled.
+  bool keeps_rules() { return evaluation_.is_settled() && !first_broken_rule(); }
+  /// The first of them that is broken at a position.
+  std::optional<std::size_t> first_broken_rule();
+  /// Whether a check is asked for: else any candidate would pass.
+  [[nodiscard]] bool is_any_asked() const;
+
+  /// Leaves a check or a limit out of account that no candidate improves.
+  void excuse(const FieldInfo& field) { excused_.insert(&field); }
+  [[nodiscard]] std::size_t count_of_excused() const { return excused_.size(); }
+  /// Whether a check or a limit of the result is judged, and not excused.
+  [[nodiscard]] bool counts(const FieldInfo& field) const;
+  /// The first value of a limit that is outside of it, or that is missing; nothing where it is kept.
+  std::optional<double> first_outside(const FieldInfo& limit);
+
+ private:
+  bool keeps_limits(bool criteria);
+  bool lists_pass(bool criteria);
+  [[nodiscard]] bool is_held_against(const FieldInfo& field, bool criteria) const;
+  [[nodiscard]] bool keeps(const FieldInfo& field, const void* owner, bool criteria) const;
+  [[nodiscard]] bool element_keeps(const FieldInfo& list, void* element, bool criteria) const;
+
+  Evaluation& evaluation_;
+  std::set<const FieldInfo*> excused_;
+  std::vector<bool> concerned_;  // of every rule whether a search has to keep it, once that was asked
+};
+
+}  // namespace loadpath::project

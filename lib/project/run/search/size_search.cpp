@@ -1,0 +1,290 @@
+#include "lib/project/run/search/size_search.hpp"
+
+#include "lib/numerics/magnitude.hpp"
+#include "lib/project/run/search/search.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/table/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace loadpath::project {
+
+namespace {
+
+using FailedValues = std::map<const FieldInfo*, double>;
+
+Candidates candidates_of(const Evaluation& evaluation, const Search& wanted) {
+  const table::Tables& tables = *evaluation.step().input().tables;
+  Candidates all{evaluation.inputs().leaf(wanted.path), {}, {}};
+  if (all.leaf) {
+    all.sizes = stock_values(tables, wanted.stock);
+    const FieldInfo& field = *all.leaf.field;  // typed, an unusual size would be warned of: none is found
+    std::erase_if(all.sizes, [&](double size) { return !field.bounds.holds(size) || !field.plausible.holds(size); });
+  } else {
+    for (const table::Entry& row : tables.ordered_rows(wanted.path, wanted.stock)) all.rows.push_back(row.row->name);
+  }
+  return all;
+}
+
+/// The largest value of a check that is not passed; nothing where it is.
+std::optional<double> failed(Evaluation& evaluation, const FieldInfo& check) {
+  const double largest = evaluation.largest_result(check);
+  return numerics::exceeds(largest, 1.0) ? std::optional(largest) : std::nullopt;
+}
+
+/// Checks and limits that the candidate fails, and with which value.
+FailedValues failed_values(Evaluation& evaluation, Passing& passing) {
+  FailedValues outside;
+  for (const FieldInfo& f : evaluation.calculator().result->fields) {
+    if (!passing.counts(f)) continue;
+    const auto bad = f.role == Role::limit ? passing.first_outside(f) : failed(evaluation, f);
+    if (bad && !std::isnan(*bad)) outside[&f] = *bad;
+  }
+  return outside;
+}
+
+/// Whether what fails with the smallest and the largest candidate is no better with the largest.
+bool is_unmoved(const FieldInfo& field, double with_smallest, double with_largest) {
+  const double change = with_largest - with_smallest, rounding = 1e-9 * std::abs(with_largest);
+  return field.role == Role::check ? change >= -rounding : std::abs(change) <= rounding;
+}
+
+/// Other words of the choice of a method, where the step has one: "; another method may cover it: johnson, ec3".
+Message other_methods(const Evaluation& evaluation) {
+  const FieldInfo* const method = find_field(evaluation.calculator().input->fields, "method");
+  if (method == nullptr || method->type != FieldInfo::Type::choice) return {};
+  const Leaf leaf = evaluation.inputs().leaf("method");
+  std::string others;
+  for (std::size_t i = 0; i < method->choices.size(); ++i) {
+    if (static_cast<double>(i) != leaf.get())
+      others += (others.empty() ? "" : ", ") + std::string(method->choices[i].key);
+  }
+  return say("; another method may cover it: {1}", others);
+}
+
+}  // namespace
+
+Message Candidates::name(std::size_t i) const {
+  return leaf ? say("{1}", format_quantity(sizes[i], leaf.field->unit)) : say("{1}", rows[i]);
+}
+
+SizeSearch::SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words)
+    : evaluation_(evaluation),
+      wanted_(wanted),
+      in_words_(in_words),
+      candidates_(candidates_of(evaluation, wanted)),
+      passing_(evaluation) {}
+
+const BodySize* SizeSearch::size_of_body() const {
+  const auto& sizes = evaluation_.step().body_sizes();
+  const auto found = sizes.find(wanted_.path);
+  return found == sizes.end() ? nullptr : &found->second;
+}
+
+bool SizeSearch::takes_size_of_body() {
+  const BodySize* const body = size_of_body();
+  if (body == nullptr || !body->is_given) return false;
+  candidates_.leaf.set(body->si);
+  Message text = say("of {1}, the same body '{2}'", body->by, evaluation_.step().input().body.text);
+  evaluation_.inputs().set_origin(wanted_.path, {.text = std::move(text), .sources = {}, .searched = true});
+  evaluation_.settle_sizes();
+  return true;
+}
+
+void SizeSearch::keep_to_body() {
+  const BodySize* const body = size_of_body();
+  if (body == nullptr) return;
+  std::erase_if(candidates_.sizes, [&](double size) { return size < body->si * (1.0 - 1e-12); });
+}
+
+void SizeSearch::run(std::vector<Issue>& issues) {
+  if (takes_size_of_body()) return;
+  evaluation_.settle_sizes();
+  const auto& results = evaluation_.calculator().result->fields;
+  const FieldInfo* const result = wanted_.leaf ? find_field(results, wanted_.path) : nullptr;
+  const double least = result == nullptr ? std::nan("") : evaluation_.largest_result(*result);
+  // Not even a least size: the checks say why. One that does not settle excludes no candidate, for these have a size.
+  if (result != nullptr && std::isnan(least) && evaluation_.is_settled()) return;
+  if (result == nullptr && !passing_.is_any_asked())
+    return issues.push_back(aimless_search(evaluation_.step(), wanted_));
+  keep_sizing_results();
+  keep_to_body();
+  const auto& sizes = candidates_.sizes;
+  const auto start =
+      std::isnan(least) ? sizes.begin() : std::lower_bound(sizes.begin(), sizes.end(), least * (1.0 - 1e-12));
+  const auto from = static_cast<std::size_t>(start - sizes.begin());
+  for (const FieldInfo& f : results) {  // of the loads alone
+    if (f.is_sizeless) passing_.excuse(f);
+  }
+  std::size_t found = first_that_passes(from);
+  if (found == candidates_.count() && excuse_unmoved(from)) found = first_that_passes(from);
+  if (found == candidates_.count()) return tell_none(from, issues);
+  if (in_words_) warn_of_passed_over(found, issues);
+  try_candidate(found);
+  evaluation_.settle_sizes();
+  if (!in_words_) return note_found();
+  warn_of_found(evaluation_, wanted_, issues);
+  tell_found(found);
+}
+
+void SizeSearch::try_candidate(std::size_t i) {
+  if (candidates_.leaf) return candidates_.leaf.set(candidates_.sizes[i]);
+  std::vector<Issue> lacks;
+  evaluation_.inputs().take_row(wanted_.path, candidates_.rows[i], lacks);
+}
+
+bool SizeSearch::keeps_rules_with(std::size_t i) {
+  try_candidate(i);
+  evaluation_.settle_sizes();
+  return passing_.keeps_rules();
+}
+
+std::size_t SizeSearch::first_that_passes(std::size_t from) {
+  for (std::size_t i = from; i < candidates_.count(); ++i) {
+    try_candidate(i);
+    if (passing_.passes()) return i;
+  }
+  return candidates_.count();
+}
+
+/// Excuses what no candidate improves: limits that the first and the last that keep the rules fail with the same value,
+/// and checks that are no better with the last. They decide the verdict of the step, whatever is found. Whether there
+/// are any.
+bool SizeSearch::excuse_unmoved(std::size_t from) {
+  std::size_t first = from, last = candidates_.count();
+  while (first < last && !keeps_rules_with(first)) ++first;
+  if (first == last) return false;
+  const FailedValues smallest = failed_values(evaluation_, passing_);
+  do --last;
+  while (last > first && !keeps_rules_with(last));
+  if (last == first) return false;  // a single one tells nothing
+  const std::size_t before = passing_.count_of_excused();
+  for (const auto& [field, value] : failed_values(evaluation_, passing_)) {
+    const auto same = smallest.find(field);
+    if (same != smallest.end() && is_unmoved(*field, same->second, value)) passing_.excuse(*field);
+  }
+  return passing_.count_of_excused() > before;
+}
+
+/// The candidate that lacks least: of those that fail nothing the one least beyond the methods, else the least
+/// utilised. None keeps the rules: past the last.
+std::size_t SizeSearch::nearest(std::size_t from) {
+  std::size_t best = candidates_.count();
+  Shortfall least;
+  for (std::size_t i = from; i < candidates_.count(); ++i) {
+    if (!keeps_rules_with(i)) continue;
+    const Shortfall here = shortfall_of_candidate(evaluation_, passing_);
+    const bool is_better = here.check < least.check || (here.check == least.check && here.limit < least.limit);
+    if (best != candidates_.count() && !is_better) continue;
+    best = i;
+    least = here;
+  }
+  return best;
+}
+
+/// What the sizing run has found for inputs that were left open and stay as they are when the size is rounded up.
+void SizeSearch::keep_sizing_results() {
+  for (const FieldInfo& field : evaluation_.calculator().input->fields) {
+    const Leaf leaf = evaluation_.inputs().leaf(field.key);
+    const FieldInfo* const result = find_field(evaluation_.calculator().result->fields, field.key);
+    if (!field.kept || result == nullptr || !std::isnan(leaf.get())) continue;
+    const double si = evaluation_.largest_result(*result);
+    if (std::isnan(si) || si == 0.0) continue;
+    leaf.set(si);
+    const Message text = say("of the least {1}, kept when it is rounded up", wanted_.path);
+    evaluation_.inputs().set_origin(field.key, {text, {}, false});
+  }
+}
+
+/// There is no result. Told is the nearest candidate, and what it fails by.
+void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
+  if (candidates_.count() == 0) return leave_open(say("{1} has no value that '{2}' may have", source(), wanted_.path));
+  const std::size_t best = nearest(std::min(from, candidates_.count() - 1));
+  if (best == candidates_.count()) return refuse_all(issues);
+  try_candidate(best);
+  evaluation_.settle_sizes();
+  const bool uncovered = !(shortfall_of_candidate(evaluation_, passing_).check > 1.0);
+  Message fault = say("{1} of {2}: none passes, nearest is {3}: {4}", wanted_.path, source(), candidates_.name(best),
+                      fault_of_candidate(evaluation_, passing_));
+  if (uncovered) fault = say("{1}: the method is not valid there{2}", fault, other_methods(evaluation_));
+  leave_open(std::move(fault));
+}
+
+/// No candidate keeps the rules, or has a size that settles.
+void SizeSearch::refuse_all(std::vector<Issue>& issues) {
+  const std::size_t last = candidates_.count() - 1;
+  keeps_rules_with(last);
+  const auto rule = passing_.first_broken_rule();
+  if (!rule) {
+    return leave_open(say("{1} of {2}: none passes, nearest is {3}: {4}", wanted_.path, source(),
+                          candidates_.name(last), fault_of_candidate(evaluation_, passing_)));
+  }
+  Issue issue = evaluation_.broken_rule(*rule);
+  issue.hint = say("{1} = {2}, the largest of {3}, was tried last", wanted_.path, candidates_.name(last), source());
+  issues.push_back(std::move(issue));
+}
+
+/// The input that was searched for, and what a row would have given, have no value.
+void SizeSearch::leave_open(Message why) {
+  Inputs& inputs = evaluation_.inputs();
+  if (wanted_.leaf)
+    inputs.leaf(wanted_.path).set(std::nan(""));
+  else
+    inputs.clear_row(wanted_.path);
+  inputs.set_origin(wanted_.path, {.text = why, .sources = {}, .searched = true});
+  inputs.set_unavailable(std::move(why), account::Subject::search);
+}
+
+/// Rows before the one that was found for which the step cannot be calculated: they are no failures, and may be what
+/// the user would rather have.
+void SizeSearch::warn_of_passed_over(std::size_t found, std::vector<Issue>& issues) {
+  std::size_t count = 0;
+  Issue first;
+  for (std::size_t i = 0; i < found && !candidates_.leaf; ++i) {
+    keeps_rules_with(i);
+    const auto rule = passing_.first_broken_rule();
+    if (!rule || count++ > 0) continue;
+    const Issue fault = evaluation_.broken_rule(*rule);
+    first = issue_at(evaluation_.step().input(), wanted_.path, say("{1}: {2}", candidates_.name(i), fault.message),
+                     fault.hint);
+  }
+  if (count == 0) return;
+  first.message =
+      say("of the rows that were tried {1} are passed over, the first is {2}", std::to_string(count), first.message);
+  first.place = wanted_.place;
+  first.severity = Severity::warning;
+  issues.push_back(std::move(first));
+}
+
+/// Without words: a body asks which sizes were found.
+void SizeSearch::note_found() {
+  if (wanted_.leaf)
+    evaluation_.inputs().set_origin(wanted_.path, {.text = say("found"), .sources = {}, .searched = true});
+}
+
+/// What was found, and why the one before it is too small.
+void SizeSearch::tell_found(std::size_t found) {
+  Passing whole(evaluation_);  // of what is excused too
+  const bool covered = passing_.count_of_excused() == 0 || whole.passes();
+  Message text = covered ? say("smallest of {1} that passes every check", source())
+                         : say("smallest of {1} that passes every check that depends on it", source());
+  if (const BodySize* const body = size_of_body())
+    text = say("{1}; the body '{2}' has this size: {3}", text, evaluation_.step().input().body.text, body->by);
+  if (found > 0) {
+    try_candidate(found - 1);
+    text = say("{1}; {2} fails: {3}", text, candidates_.name(found - 1), fault_of_candidate(evaluation_, passing_));
+    try_candidate(found);
+    evaluation_.settle_sizes();
+  }
+  if (!covered) text = say("{1}; not met at any size: {2}", text, fault_of_candidate(evaluation_, whole));
+  Origin origin = wanted_.leaf ? stock_origin(*evaluation_.step().input().tables, wanted_.stock, std::move(text))
+                               : Origin{std::move(text), {}, false};
+  origin.searched = true;
+  evaluation_.inputs().set_origin(wanted_.path, std::move(origin));
+}
+
+}  // namespace loadpath::project

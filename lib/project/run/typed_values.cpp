@@ -1,0 +1,155 @@
+#include "lib/project/run/typed_values.hpp"
+
+#include "lib/project/because.hpp"
+#include "lib/project/run/neighbours.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace loadpath::project {
+
+namespace {
+
+Message shown(const FieldInfo& field, double si) {
+  if (field.type == FieldInfo::Type::choice) return say("{1}", field.choices[static_cast<std::size_t>(si)].key);
+  return say("{1}", field.type == FieldInfo::Type::count ? format_number(si) : format_quantity(si, field.unit, 5));
+}
+
+double typed_value(const Evaluation& evaluation, const Neighbour& beside) {
+  return largest_magnitude(evaluation.inputs().value_of(beside.path, beside.leaf));
+}
+
+/// How a value is bolder than it should be: "R_e = 960 MPa, above 225 MPa of the material 'S235JR'".
+Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
+  const FieldInfo& field = *beside.leaf.field;
+  const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
+  return beside.kind == Beside::capacity
+             ? say("{1} = {2}, above {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source)
+             : say("{1} = {2}, below {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
+}
+
+/// Those that are bolder than what stands beside them.
+std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& results, const Known& known,
+                                   WeighedValues& weighed) {
+  std::vector<Neighbour> bolder;
+  for (Neighbour& beside : neighbours_of(evaluation, results, known)) {
+    weighed.compared.push_back(beside.path);
+    weighed.compared_by_size = weighed.compared_by_size || beside.by_size;
+    if (is_of_one_part(beside.kind)) continue;
+    const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
+    const std::string& text = evaluation.step().input().reading.typed.at(beside.path).text;
+    if (std::isnan(typed) || is_equal(beside.kind, typed, other, relative_rounding(text))) continue;
+    if (is_bolder(beside.kind, typed, other)) bolder.push_back(std::move(beside));
+  }
+  return bolder;
+}
+
+/// Whether a result is the same in other results; what is not available is like itself.
+bool is_same_in(const Results& others, const ResultSeries& series) {
+  const auto is_it = [&](const ResultSeries& other) { return other.path == series.path; };
+  const auto other = std::find_if(others.series.begin(), others.series.end(), is_it);
+  if (other == others.series.end()) return false;
+  const std::vector<double>&a = series.value.si, &b = other->value.si;
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [](double x, double y) { return x == y || (x != x && y != y); });
+}
+
+/// Evaluates with what stands beside a typed value in its place.
+Results results_with(Evaluation& evaluation, const Neighbour& beside) {
+  Inputs& inputs = evaluation.inputs();
+  const Value typed = inputs.value_of(beside.path, beside.leaf);
+  Value instead = beside.value;
+  const bool may_be_series = inputs.find_computed(beside.path) != nullptr;
+  if (instead.is_series() && (!may_be_series || instead.signature.axis != evaluation.axis()))
+    instead = {{instead.signature.dimension, nullptr}, {largest_magnitude(instead)}};
+  inputs.set_value(beside.path, beside.leaf, instead);
+  Results results = evaluate_all(evaluation);
+  inputs.set_value(beside.path, beside.leaf, typed);
+  return results;
+}
+
+/// The checks and limits that come out otherwise with what stands beside the value.
+void mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, WeighedValues& weighed) {
+  bool decides = false, changes = false;
+  for (const ResultSeries& series : with_typed.series) {
+    if (is_same_in(with_other, series)) continue;
+    changes = true;
+    if (series.field->role != Role::check && series.field->role != Role::limit) continue;
+    decides = true;
+    weighed.decided.emplace(series.path, bolder);
+  }
+  if (changes && !decides && !bolder.wants.empty()) weighed.handed_on.push_back(bolder);
+}
+
+/// Whether a reason may be about a load that is less than its series (lib/project/references/reductions.hpp).
+bool answers_for_reduction(const Reading& reading, const std::string& path) {
+  const auto& operands = reading.operands;
+  return std::any_of(operands.begin(), operands.end(), [&](const Operand& o) {
+    return o.path == path && !o.of_record && !o.expression.references().empty();
+  });
+}
+
+/// Reasons that no typed value needs.
+void refuse_idle_reasons(const StepInput& step, const std::set<const Typed*>& used, std::vector<Issue>& issues) {
+  for (const auto& [key, reason] : step.because) {
+    if (used.contains(&reason) || answers_for_reduction(step.reading, key)) continue;
+    issues.push_back({reason.place, step.name + ".because." + key,
+                      say("because.{1} is not needed: no row or record says less of {1}", key),
+                      say("leave it out; what a mode of failure needs is accept.MODE"), Severity::error});
+  }
+}
+
+}  // namespace
+
+bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::vector<Issue>& issues) {
+  const std::size_t before = issues.size();
+  const StepInput& step = evaluation.step().input();
+  for (const Neighbour& beside : neighbours_of(evaluation, {}, known)) {
+    if (!is_of_one_part(beside.kind)) continue;
+    const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
+    const auto text = step.reading.typed.find(beside.path);
+    if (std::isnan(typed) || is_equal(beside.kind, typed, other, relative_rounding(text->second.text))) continue;
+    const FieldInfo& field = *beside.leaf.field;
+    issues.push_back(issue_at(
+        step, beside.path,
+        say("{1} = {2} contradicts {3}, which has {4}", beside.path, shown(field, typed), beside.source,
+            shown(field, other)),
+        beside.row_of.empty()
+            ? say("leave out {1}, or what has it", field.key)
+            : say("leave out {1}; another part is a row of your own: [tables.{2}s.NAME]", field.key, beside.row_of)));
+  }
+  return issues.size() == before;
+}
+
+WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results, const Known& known, bool tells,
+                                 std::vector<Issue>& issues) {
+  WeighedValues weighed;
+  const StepInput& step = evaluation.step().input();
+  std::set<const Typed*> used;
+  std::vector<Neighbour> all = bolder_ones(evaluation, results, known, weighed);
+  const auto reason_of = [&](const Neighbour& beside) { return reason_for(step, beside.path); };
+  // What holds a mode back is told before what does not.
+  std::stable_partition(all.begin(), all.end(), [&](const Neighbour& beside) { return reason_of(beside) == nullptr; });
+  const bool has_results = !results.series.empty();
+  for (const Neighbour& beside : all) {
+    const Typed* const reason = reason_of(beside);
+    const Message excess = excess_of(evaluation, beside);
+    if (reason != nullptr) {
+      used.insert(reason);
+      weighed.reasons.emplace(beside.path, say("{1}: {2}", excess, reason->text));
+    }
+    weighed.holds_back = weighed.holds_back || (reason == nullptr && has_results);
+    if (!has_results || (reason != nullptr && !tells)) continue;
+    const Bolder bolder = reason != nullptr ? Bolder{"", weighed.reasons.at(beside.path)}
+                                            : Bolder{"because." + beside.path,
+                                                     say("{1}; say why: because.{2} = \"...\"", excess, beside.path)};
+    mark_decided(results, results_with(evaluation, beside), bolder, weighed);
+  }
+  if (!all.empty() && has_results) evaluate_all(evaluation);  // as it was
+  if (tells && has_results && step.reading.varied.empty()) refuse_idle_reasons(step, used, issues);
+  return weighed;
+}
+
+}  // namespace loadpath::project

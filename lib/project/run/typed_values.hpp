@@ -1,0 +1,33 @@
+// What was typed beside a row of a table, a record, or a strength that bounds it: another part is refused; what is
+// bolder than they say holds back the modes that it decides, until the user says why (lib/project/run/beside.hpp).
+#pragma once
+
+#include "lib/project/modes.hpp"
+#include "lib/project/run/evaluation/results.hpp"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+/// Typed values that are bolder than what stands beside them, and what they decide.
+struct WeighedValues {
+  std::map<std::string, Bolder> decided;   // by the check or limit that such a value decides
+  std::vector<Bolder> handed_on;           // without a reason, and no check of the step sees them: others do
+  std::map<std::string, Message> reasons;  // by the input: how it is bolder, and why
+  std::vector<std::string> compared;       // typed inputs that something stands beside
+  bool compared_by_size = false;           // whether what stands beside one of them depends on a size
+  bool holds_back = false;                 // whether modes are held back
+};
+
+/// An issue for everything typed that says of the part what the row or the record beside it does not: what was typed
+/// may not make another part of it.
+bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::vector<Issue>& issues);
+
+/// Of what is bolder than what stands beside it, the reason is kept, or the modes that it
+/// decides are held back. `tells`: a reason that nothing needs is an issue.
+WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results, const Known& known, bool tells,
+                                 std::vector<Issue>& issues);
+
+}  // namespace loadpath::project

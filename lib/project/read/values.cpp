@@ -31,6 +31,9 @@ void Reader::read_quantity(const Tree& tree, const FieldInfo& field, void* owner
 
 void Reader::read_text_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (tree.text == "?") return read_search(tree, field, owner, path);
+  if (tree.text.starts_with('?'))
+    return say_at(tree.place, path, say("'{1}' is no search", tree.text),
+                  say("write {1} = \"?\", or {1} = { stock = \"R20\" }", field.key));
   if (!tree.text.starts_with('=')) return read_literal(tree.text, tree, field, owner, path);
   read_expression(tree, field, owner, path);
 }
@@ -61,6 +64,9 @@ void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner,
   if (const auto* stock = tree.find("stock")) {
     if (*field.searched_in == '\0')
       return say_at(stock->place, path, say("'{1}' cannot be searched for", path), say("give a value"));
+    if (stock->value.type != Tree::Type::text)
+      return say_at(stock->value.place, path, say("a stock is one name, not {1}", toml::word_for(stock->value.type)),
+                    say("`loadpath tables` lists the stocks: {1} = { stock = \"R20\" }", field.key));
     refuse_others(tree, {"stock"}, path);
     reading_.searches.push_back({path, {&field, owner}, stock->value.text, stock->value.place, true});
     return;

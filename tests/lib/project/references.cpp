@@ -191,9 +191,9 @@ TEST_SUITE("largest values") {
     // lambda = 300 is more than the 200 that are allowed, at every load
     const Solved load(bar + "d = \"40 mm\"\nP = \"?\"\nmethod = \"euler\"\nsigma_P = \"190 MPa\"\nn_st = 3\n");
     REQUIRE_MESSAGE(!has_errors(load.issues), load.messages());
-    REQUIRE(load.has("bar.inputs"));
-    CHECK(load.mode("bar.inputs").state == State::not_available);
-    CHECK_MESSAGE(contains(load.mode("bar.inputs").note.text(), "no 'P' passes"), load.mode("bar.inputs").note.text());
+    REQUIRE(load.has("bar.search"));
+    CHECK(load.mode("bar.search").state == State::not_available);
+    CHECK_MESSAGE(contains(load.mode("bar.search").note.text(), "no 'P' passes"), load.mode("bar.search").note.text());
     const Solved unsafe(bar + "d = \"40 mm\"\nP = \"?\"\nmethod = \"johnson\"\n");
     CHECK_MESSAGE(contains(unsafe.errors(), "n_st"), unsafe.errors());
   }

@@ -207,13 +207,15 @@ void JointSearch::run(std::vector<Issue>& issues) {
   const Search& first = sizes_.search(0);
   const bool smallest = passes_with(least);
   if (smallest && !has_check()) return issues.push_back(aimless_search(evaluation_.step(), first));
-  const bool found = find_cheapest(least);
+  bool found = find_cheapest(least);
+  if (!found && excuse_unmoved()) found = find_cheapest(least);
   if (!found && !set_largest(least)) {
     return issues.push_back(issue_at(evaluation_.step().input(), first.path,
                                      say("no sizes go together with what is given"),
                                      say("give '{1}' a value, or let more of them be searched for", first.path)));
   }
-  if (in_words_) return tell(least, found);
+  if (!found) return leave_open(least);
+  if (in_words_) return tell(least);
   sizes_.set(least);
   evaluation_.settle_sizes();
 }
@@ -232,12 +234,65 @@ Message JointSearch::fault_of_less(const SizeIndices& laid, std::size_t which) {
   return say("{1}: {2}", less, fault_of_candidate(evaluation_, passing_));
 }
 
-/// Of each what was found, and why it is no less.
-void JointSearch::tell(const SizeIndices& least, bool found) {
+/// Leaves out of account what no size mends: what fails with the smallest and the largest sizes that keep the rules,
+/// all alike, and is no better with the largest. Whether there is any.
+bool JointSearch::excuse_unmoved() {
+  const auto keeps_rules_at = [&](double level) {
+    if (!sizes_.set(sizes_.first_from(level))) return false;
+    evaluation_.settle_sizes();
+    return passing_.keeps_rules();
+  };
+  const std::vector<double> levels = sizes_.levels();
+  std::size_t first = 0, last = levels.size();
+  while (first < last && !keeps_rules_at(levels[first])) ++first;
+  if (first == last) return false;
+  const FailedValues smallest = failed_values(evaluation_, passing_);
+  do --last;
+  while (last > first && !keeps_rules_at(levels[last]));
+  if (last == first) return false;
+  const FailedValues unmoved = unmoved_values(smallest, failed_values(evaluation_, passing_));
+  for (const auto& [field, value] : unmoved) passing_.excuse(*field);
+  return !unmoved.empty();
+}
+
+/// No sizes pass together: none has a value. Told is what the nearest fail, all alike but for what their neighbours
+/// ask.
+void JointSearch::leave_open(SizeIndices nearest) {
+  Shortfall least;
+  bool is_first = true;
+  for (const double level : sizes_.levels()) {
+    const SizeIndices all = sizes_.first_from(level);
+    if (!sizes_.set(all)) continue;
+    evaluation_.settle_sizes();
+    if (!passing_.keeps_rules()) continue;
+    const Shortfall here = shortfall_of_candidate(evaluation_, passing_);
+    if (!is_first && !here.is_less_than(least)) continue;
+    is_first = false;
+    least = here;
+    nearest = sizes_.now();
+  }
+  sizes_.set(nearest);
+  evaluation_.settle_sizes();
+  std::string sizes;
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
-    Message text = found ? say("smallest of {1} that passes every check, with the others", sizes_.stock(i))
-                         : say("largest of {1}; none passes", sizes_.stock(i));
-    if (found && sizes_.at(i).at > 0) text = say("{1}; {2}", text, fault_of_less(least, i));
+    const std::string size = format_quantity(sizes_.at(i).size(), sizes_.search(i).leaf.field->unit);
+    sizes += (i == 0 ? "" : ", ") + sizes_.search(i).path + " = " + size;
+  }
+  const Message why =
+      say("no sizes pass together, nearest are {1}: {2}", sizes, fault_of_candidate(evaluation_, passing_));
+  for (std::size_t i = 0; i < sizes_.count(); ++i) {
+    const std::string& path = sizes_.search(i).path;
+    evaluation_.inputs().leaf(path).set(std::nan(""));
+    evaluation_.inputs().set_origin(path, {.text = why, .sources = {}, .searched = true});
+  }
+  evaluation_.inputs().set_unavailable(why, account::Subject::search);
+}
+
+/// Of each what was found, and why it is no less.
+void JointSearch::tell(const SizeIndices& least) {
+  for (std::size_t i = 0; i < sizes_.count(); ++i) {
+    Message text = say("smallest of {1} that passes every check, with the others", sizes_.stock(i));
+    if (sizes_.at(i).at > 0) text = say("{1}; {2}", text, fault_of_less(least, i));
     sizes_.set(least);
     Origin origin = stock_origin(*evaluation_.step().input().tables, sizes_.stock(i), std::move(text));
     origin.searched = true;

@@ -42,7 +42,9 @@ class JointSearch {
   [[nodiscard]] bool elements_pass(std::size_t first) const;
   bool set_largest(SizeIndices& least);
   [[nodiscard]] Message fault_of_less(const SizeIndices& laid, std::size_t which);
-  void tell(const SizeIndices& least, bool found);
+  bool excuse_unmoved();
+  void leave_open(SizeIndices nearest);
+  void tell(const SizeIndices& least);
 
   Evaluation& evaluation_;
   Passing passing_;

@@ -43,6 +43,10 @@ void LargestSearch::run(bool in_words, std::vector<Issue>& issues) {
   leaf_.set(low);  // a load is what asks for its checks
   if (!passing_.is_any_asked()) return issues.push_back(aimless_search(evaluation_.step(), wanted_));
   while (low < most && !passes_with(low)) low *= growth;
+  if (low >= most && excuse_unmoved(most)) {
+    low = most * least_share;
+    while (low < most && !passes_with(low)) low *= growth;
+  }
   if (low >= most) return tell_none(most * least_share, issues);
   double high = low * growth;
   for (; high < most && passes_with(high); high *= growth) low = high;
@@ -60,9 +64,27 @@ void LargestSearch::run(bool in_words, std::vector<Issue>& issues) {
   if (in_words) warn_of_found(evaluation_, wanted_, issues);
 }
 
-/// Rounded down, where that passes too.
+/// Leaves limits out of account that fail whatever the load is, and checks that no smaller load mends.
+bool LargestSearch::excuse_unmoved(double most) {
+  const auto failed_with = [&](double value) {
+    passes_with(value);
+    return failed_values(evaluation_, passing_);
+  };
+  const FailedValues small = failed_with(most * least_share), larger = failed_with(most * std::sqrt(least_share));
+  std::size_t excused = 0;
+  for (const auto& [field, value] : unmoved_values(small, larger)) {
+    if (field->role != Role::limit) continue;  // a check that grows with the load is the load's own
+    passing_.excuse(*field);
+    ++excused;
+  }
+  return excused > 0;
+}
+
+/// Rounded to four digits: the largest such number that passes.
 void LargestSearch::keep(double largest) {
-  const double rounded = rounded_down(largest, leaf_.field->factor);
+  const double unit = leaf_.field->factor;
+  const double next = rounded_down(largest * (1.0 + 2e-6), unit);  // the halving stops a little below the limit
+  const double rounded = next > largest && passes_with(next) ? next : rounded_down(largest, unit);
   leaf_.set(1.01 * rounded);
   const Message beyond = fault_of_candidate(evaluation_, passing_);
   if (!passes_with(rounded)) leaf_.set(largest);
@@ -74,9 +96,10 @@ void LargestSearch::keep(double largest) {
 void LargestSearch::tell_none(double value, std::vector<Issue>& issues) {
   leaf_.set(value);
   if (const auto rule = passing_.first_broken_rule()) return issues.push_back(evaluation_.broken_rule(*rule));
-  evaluation_.inputs().set_unavailable(say("no '{1}' passes: at {2} {3}", wanted_.path,
-                                           format_quantity(value, leaf_.field->unit, digits),
-                                           fault_of_candidate(evaluation_, passing_)));
+  evaluation_.inputs().set_unavailable(
+      say("no '{1}' passes: at {2} {3}", wanted_.path, format_quantity(value, leaf_.field->unit, digits),
+          fault_of_candidate(evaluation_, passing_)),
+      account::Subject::search);
   leaf_.set(std::nan(""));
 }
 

@@ -16,6 +16,7 @@ class LargestSearch {
 
  private:
   bool passes_with(double value);
+  bool excuse_unmoved(double most);
   void keep(double largest);
   /// Not even `value` passes.
   void tell_none(double value, std::vector<Issue>& issues);

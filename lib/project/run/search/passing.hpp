@@ -17,8 +17,7 @@ class Passing {
   /// Whether no rule about what is searched for, no check, criterion or limit of a method fails, but for what is
   /// excused. What passes beyond its formulas is no size to take.
   bool passes();
-  /// The same with nothing excused, from the size that was found last, and of a part without positions from one
-  /// evaluation.
+  /// The same from the size that was found last, and of a part without positions from one evaluation.
   bool passes_again();
   /// Whether an element of a list passes its checks, and keeps its criteria and the limits of its methods.
   [[nodiscard]] bool element_passes(const FieldInfo& list, void* element) const;

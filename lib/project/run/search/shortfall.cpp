@@ -6,10 +6,19 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <string>
 
 namespace loadpath::project {
 
 namespace {
+
+/// With as many digits as tell that it is above 1.
+std::string beyond_one(double utilisation) {
+  int precision = 4;
+  while (precision < 12 && format_number(utilisation, precision) == "1") ++precision;
+  return format_number(utilisation, precision);
+}
 
 /// How far beyond its bounds a value is, as a factor; 1 within them.
 double excess_over(const Range& bounds, double si) {
@@ -44,7 +53,7 @@ Message fault_of_lists(Evaluation& evaluation, double most) {
       if (!listed || leaf.field->role != Role::check || !evaluation.is_judged(*leaf.field)) return;
       if (!numerics::exceeds(leaf.get(), most)) return;
       most = leaf.get();
-      worst = say("{1} = {2}", path, format_number(most, 4));
+      worst = say("{1} = {2}", path, beyond_one(most));
     });
   }
   return worst;
@@ -60,10 +69,42 @@ Message fault_of_limits(const Evaluation& evaluation, Passing& passing) {
                                 : say("{1} = {2}: {3}", f.key, format_quantity(*bad, f.unit, 4), bounds_message(f));
     }
   }
-  return say("a check has no value");
+  const Message& gap = evaluation.inputs().table_gap();
+  return gap.empty() ? say("a check has no value") : gap;
+}
+
+/// The largest value of a check that is not passed; nothing where it is.
+std::optional<double> failed_value(Evaluation& evaluation, const FieldInfo& check) {
+  const double largest = evaluation.largest_result(check);
+  return numerics::exceeds(largest, 1.0) ? std::optional(largest) : std::nullopt;
+}
+
+/// Whether what fails with the smallest and the largest candidate is no better with the largest.
+bool is_unmoved(const FieldInfo& field, double with_smallest, double with_largest) {
+  const double change = with_largest - with_smallest, rounding = 1e-9 * std::abs(with_largest);
+  return field.role == Role::check ? change >= -rounding : std::abs(change) <= rounding;
 }
 
 }  // namespace
+
+FailedValues failed_values(Evaluation& evaluation, Passing& passing) {
+  FailedValues outside;
+  for (const FieldInfo& f : evaluation.calculator().result->fields) {
+    if (!passing.counts(f)) continue;
+    const auto bad = f.role == Role::limit ? passing.first_outside(f) : failed_value(evaluation, f);
+    if (bad && !std::isnan(*bad)) outside[&f] = *bad;
+  }
+  return outside;
+}
+
+FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& larger) {
+  FailedValues unmoved;
+  for (const auto& [field, value] : larger) {
+    const auto same = smaller.find(field);
+    if (same != smaller.end() && is_unmoved(*field, same->second, value)) unmoved.emplace(field, value);
+  }
+  return unmoved;
+}
 
 /// A check without a value counts where no limit says why.
 Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing) {
@@ -103,7 +144,7 @@ Message fault_of_candidate(Evaluation& evaluation, Passing& passing) {
     most = largest;
   }
   if (const Message listed = fault_of_lists(evaluation, most); !listed.empty()) return listed;
-  if (worst != nullptr) return say("{1} = {2}", worst->key, format_number(most, 4));
+  if (worst != nullptr) return say("{1} = {2}", worst->key, beyond_one(most));
   return fault_of_limits(evaluation, passing);
 }
 

@@ -3,14 +3,28 @@
 
 #include "lib/project/run/search/passing.hpp"
 
+#include <algorithm>
+#include <map>
+
 namespace loadpath::project {
 
 /// The largest check, and the factor by which limits are exceeded; 1 passes.
 struct Shortfall {
   double check = 1.0, limit = 1.0;
+  /// Nearer to passing: the largest of both decides, then the check.
+  [[nodiscard]] bool is_less_than(const Shortfall& other) const {
+    const double own = std::max(check, limit), others = std::max(other.check, other.limit);
+    return own < others || (own == others && check < other.check);
+  }
 };
 /// At the sizes that were settled.
 Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing);
+
+/// Checks and limits that a candidate fails, and with which value.
+using FailedValues = std::map<const FieldInfo*, double>;
+FailedValues failed_values(Evaluation& evaluation, Passing& passing);
+/// Of those that fail with a smaller and with a larger candidate: which are no better with the larger.
+FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& larger);
 
 /// What the candidate is refused for, at the sizes that follow from it.
 Message fault_of_candidate(Evaluation& evaluation, Passing& passing);

@@ -1,21 +1,17 @@
 #include "lib/project/run/search/size_search.hpp"
 
-#include "lib/numerics/magnitude.hpp"
+#include "lib/account/rows.hpp"
 #include "lib/project/run/search/search.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <optional>
 #include <utility>
 
 namespace loadpath::project {
 
 namespace {
-
-using FailedValues = std::map<const FieldInfo*, double>;
 
 Candidates candidates_of(const Evaluation& evaluation, const Search& wanted) {
   const table::Tables& tables = *evaluation.step().input().tables;
@@ -28,29 +24,6 @@ Candidates candidates_of(const Evaluation& evaluation, const Search& wanted) {
     for (const table::Entry& row : tables.ordered_rows(wanted.path, wanted.stock)) all.rows.push_back(row.row->name);
   }
   return all;
-}
-
-/// The largest value of a check that is not passed; nothing where it is.
-std::optional<double> failed(Evaluation& evaluation, const FieldInfo& check) {
-  const double largest = evaluation.largest_result(check);
-  return numerics::exceeds(largest, 1.0) ? std::optional(largest) : std::nullopt;
-}
-
-/// Checks and limits that the candidate fails, and with which value.
-FailedValues failed_values(Evaluation& evaluation, Passing& passing) {
-  FailedValues outside;
-  for (const FieldInfo& f : evaluation.calculator().result->fields) {
-    if (!passing.counts(f)) continue;
-    const auto bad = f.role == Role::limit ? passing.first_outside(f) : failed(evaluation, f);
-    if (bad && !std::isnan(*bad)) outside[&f] = *bad;
-  }
-  return outside;
-}
-
-/// Whether what fails with the smallest and the largest candidate is no better with the largest.
-bool is_unmoved(const FieldInfo& field, double with_smallest, double with_largest) {
-  const double change = with_largest - with_smallest, rounding = 1e-9 * std::abs(with_largest);
-  return field.role == Role::check ? change >= -rounding : std::abs(change) <= rounding;
 }
 
 /// Other words of the choice of a method, where the step has one: "; another method may cover it: johnson, ec3".
@@ -107,21 +80,24 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   const auto& results = evaluation_.calculator().result->fields;
   const FieldInfo* const result = wanted_.leaf ? find_field(results, wanted_.path) : nullptr;
   const double least = result == nullptr ? std::nan("") : evaluation_.largest_result(*result);
-  // Not even a least size: the checks say why. One that does not settle excludes no candidate, for these have a size.
-  if (result != nullptr && std::isnan(least) && evaluation_.is_settled()) return;
+  // Not even a least size: the checks say why. One that does not settle, or that is beyond the sizes of a row, excludes
+  // no candidate, for these have a size.
+  const bool is_beyond_table = !evaluation_.inputs().table_gap().empty();
+  if (result != nullptr && std::isnan(least) && evaluation_.is_settled() && !is_beyond_table) return;
   if (result == nullptr && !passing_.is_any_asked())
     return issues.push_back(aimless_search(evaluation_.step(), wanted_));
   keep_sizing_results();
   keep_to_body();
+  constexpr double rounding = account::rounding_of_utilisation;  // what passes may be as much below the least size
   const auto& sizes = candidates_.sizes;
   const auto start =
-      std::isnan(least) ? sizes.begin() : std::lower_bound(sizes.begin(), sizes.end(), least * (1.0 - 1e-12));
+      std::isnan(least) ? sizes.begin() : std::lower_bound(sizes.begin(), sizes.end(), least * (1.0 - rounding));
   const auto from = static_cast<std::size_t>(start - sizes.begin());
   for (const FieldInfo& f : results) {  // of the loads alone
     if (f.is_sizeless) passing_.excuse(f);
   }
   std::size_t found = first_that_passes(from);
-  if (found == candidates_.count() && excuse_unmoved(from)) found = first_that_passes(from);
+  if (found == candidates_.count() && excuse_unmoved(from)) found = first_that_passes(0);
   if (found == candidates_.count()) return tell_none(from, issues);
   if (in_words_) warn_of_passed_over(found, issues);
   try_candidate(found);
@@ -151,9 +127,8 @@ std::size_t SizeSearch::first_that_passes(std::size_t from) {
   return candidates_.count();
 }
 
-/// Excuses what no candidate improves: limits that the first and the last that keep the rules fail with the same value,
-/// and checks that are no better with the last. They decide the verdict of the step, whatever is found. Whether there
-/// are any.
+/// Excuses what no candidate mends: checks and limits that all fail, and that are no better with the last candidate
+/// than with the first. They decide the verdict of the step, whatever is found. Whether there are any.
 bool SizeSearch::excuse_unmoved(std::size_t from) {
   std::size_t first = from, last = candidates_.count();
   while (first < last && !keeps_rules_with(first)) ++first;
@@ -162,24 +137,24 @@ bool SizeSearch::excuse_unmoved(std::size_t from) {
   do --last;
   while (last > first && !keeps_rules_with(last));
   if (last == first) return false;  // a single one tells nothing
-  const std::size_t before = passing_.count_of_excused();
-  for (const auto& [field, value] : failed_values(evaluation_, passing_)) {
-    const auto same = smallest.find(field);
-    if (same != smallest.end() && is_unmoved(*field, same->second, value)) passing_.excuse(*field);
+  FailedValues unmoved = unmoved_values(smallest, failed_values(evaluation_, passing_));
+  for (std::size_t i = first + 1; i < last && !unmoved.empty(); ++i) {
+    if (!keeps_rules_with(i)) continue;
+    const FailedValues here = failed_values(evaluation_, passing_);
+    std::erase_if(unmoved, [&](const auto& failed) { return !here.contains(failed.first); });
   }
-  return passing_.count_of_excused() > before;
+  for (const auto& [field, value] : unmoved) passing_.excuse(*field);
+  return !unmoved.empty();
 }
 
-/// The candidate that lacks least: of those that fail nothing the one least beyond the methods, else the least
-/// utilised. None keeps the rules: past the last.
+/// The candidate that is nearest to passing. None keeps the rules: past the last.
 std::size_t SizeSearch::nearest(std::size_t from) {
   std::size_t best = candidates_.count();
   Shortfall least;
   for (std::size_t i = from; i < candidates_.count(); ++i) {
     if (!keeps_rules_with(i)) continue;
     const Shortfall here = shortfall_of_candidate(evaluation_, passing_);
-    const bool is_better = here.check < least.check || (here.check == least.check && here.limit < least.limit);
-    if (best != candidates_.count() && !is_better) continue;
+    if (best != candidates_.count() && !here.is_less_than(least)) continue;
     best = i;
     least = here;
   }
@@ -200,15 +175,21 @@ void SizeSearch::keep_sizing_results() {
   }
 }
 
+/// "d of R40", "section".
+Message SizeSearch::what_is_searched() const {
+  return wanted_.stock.empty() ? say("{1}", wanted_.path) : say("{1} of {2}", wanted_.path, wanted_.stock);
+}
+
 /// There is no result. Told is the nearest candidate, and what it fails by.
 void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
   if (candidates_.count() == 0) return leave_open(say("{1} has no value that '{2}' may have", source(), wanted_.path));
-  const std::size_t best = nearest(std::min(from, candidates_.count() - 1));
+  std::size_t best = nearest(std::min(from, candidates_.count() - 1));
+  if (best == candidates_.count()) best = nearest(0);
   if (best == candidates_.count()) return refuse_all(issues);
   try_candidate(best);
   evaluation_.settle_sizes();
   const bool uncovered = !(shortfall_of_candidate(evaluation_, passing_).check > 1.0);
-  Message fault = say("{1} of {2}: none passes, nearest is {3}: {4}", wanted_.path, source(), candidates_.name(best),
+  Message fault = say("{1}: none passes, nearest is {2}: {3}", what_is_searched(), candidates_.name(best),
                       fault_of_candidate(evaluation_, passing_));
   if (uncovered) fault = say("{1}: the method is not valid there{2}", fault, other_methods(evaluation_));
   leave_open(std::move(fault));
@@ -220,8 +201,8 @@ void SizeSearch::refuse_all(std::vector<Issue>& issues) {
   keeps_rules_with(last);
   const auto rule = passing_.first_broken_rule();
   if (!rule) {
-    return leave_open(say("{1} of {2}: none passes, nearest is {3}: {4}", wanted_.path, source(),
-                          candidates_.name(last), fault_of_candidate(evaluation_, passing_)));
+    return leave_open(say("{1}: none passes, nearest is {2}: {3}", what_is_searched(), candidates_.name(last),
+                          fault_of_candidate(evaluation_, passing_)));
   }
   Issue issue = evaluation_.broken_rule(*rule);
   issue.hint = say("{1} = {2}, the largest of {3}, was tried last", wanted_.path, candidates_.name(last), source());

@@ -44,6 +44,7 @@ class SizeSearch {
   void tell_found(std::size_t found);
   void note_found();
   [[nodiscard]] const BodySize* size_of_body() const;
+  [[nodiscard]] Message what_is_searched() const;
   /// The stock or the table that is searched in.
   [[nodiscard]] const std::string& source() const { return wanted_.stock.empty() ? wanted_.path : wanted_.stock; }
 

@@ -266,7 +266,7 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
     const Swept swept(rod, {"rod.d"}, 1, {}, with_gapped());
     CHECK(swept.column("rod.d").front() == doctest::Approx(0.0315));
-    CHECK(swept.column("rod.d").back() > 0.0315);
+    CHECK(std::isnan(swept.column("rod.d").back()));  // too thin, and the method is told of no thicker one
   }
 
   TEST_CASE("a force beside the torque, which no diameter lets torsion cover") {

@@ -38,11 +38,15 @@ TEST_SUITE("project providers") {
   }
 
   TEST_CASE("beyond the largest size of a row the check is not covered") {
-    const auto project = told(axle + "T = \"100 kN*m\"\nS = 2\nmaterial = \"C45E\"\n").project;
-    const auto verdicts = project::verdicts(project);
+    const std::string shaft = axle + "T = \"100 kN*m\"\nS = 2\nmaterial = \"C45E\"\n";
+    const auto given = told(shaft + "d = \"120 mm\"\n").project;
+    const auto verdicts = project::verdicts(given);
     REQUIRE_FALSE(verdicts.empty());
     CHECK(verdicts[0].state == account::State::not_covered);
     CHECK_FALSE(verdicts[0].note.empty());
+    const auto searched = told(shaft).project;  // 100 mm is too thin, and nothing is known beyond
+    CHECK(project::verdicts(searched)[0].state == account::State::not_available);
+    CHECK(project::verdicts(searched)[0].note.text().find("nearest is 100 mm") != std::string::npos);
   }
 
   TEST_CASE("a material that does not exist is told with the nearest one, once") {

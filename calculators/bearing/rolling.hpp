@@ -102,7 +102,10 @@ s_0 = 2
           .at_least(1)
           .usually(1, 4)
           .factor(),
-      Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 at standstill"}.at_least(0).may_be_missing(),
+      Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 at standstill"}
+          .at_least_that_of_source("n")
+          .at_least(0)
+          .may_be_missing(),
       Field{&Input::n_max, "n_max", rpm, "highest speed of the maker's table for this lubrication"}
           .positive()
           .may_be_missing(),

@@ -65,7 +65,8 @@ tau_adm_1 = "40 MPa"
           .factor(),
       Choice{&Input::loading, "loading", "how the torque varies"}.may_be_missing(),
       Field{&Input::d, "d", mm, "diameter of the pin; of a taper pin the mean one"}.positive().usually(1, 100),
-      Field{&Input::d_w, "d_w", mm, "diameter of the shaft"}.positive().usually(4, 500),
+      Field{&Input::d_w, "d_w", mm, "diameter of the shaft"}.positive().usually(4, 500).at_most_that_of_source(
+          "d, d_max"),
       Field{&Input::D, "D", mm, "outer diameter of the hub"}.positive().usually(6, 1000),
       Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
           .positive()

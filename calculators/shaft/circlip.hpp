@@ -62,7 +62,11 @@ n = "1500 rpm"
           .at_least(1)
           .usually(1, 5)
           .factor(),
-      Field{&Input::d_1, "d_1", mm, "diameter of the shaft"}.positive().usually(3, 300).from("circlip", "d_1"),
+      Field{&Input::d_1, "d_1", mm, "diameter of the shaft"}
+          .at_most_that_of_source("d, d_max")
+          .positive()
+          .usually(3, 300)
+          .from("circlip", "d_1"),
       Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
       Field{&Input::d_2, "d_2", mm, "diameter of the groove"}.positive().from("circlip", "d_2"),
       Field{&Input::m, "m", mm, "width of the groove"}.positive().from("circlip", "m").where_it_has(),

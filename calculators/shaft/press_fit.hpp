@@ -87,7 +87,7 @@ dT_adm = "250 K"
           .at_least(1)
           .usually(1, 4)
           .factor(),
-      Field{&Input::d, "d", mm, "diameter of the fit"}.positive().usually(3, 1000),
+      Field{&Input::d, "d", mm, "diameter of the fit"}.positive().usually(3, 1000).at_most_that_of_source("d, d_max"),
       Field{&Input::d_i, "d_i", mm, "bore of the shaft"}.at_least(0),
       Field{&Input::D, "D", mm, "outer diameter of the hub; of a gear its root circle"}.positive().usually(5, 3000),
       Field{&Input::l, "l", mm, "length of the fit"}.positive().usually(2, 2000).findable("R20"),

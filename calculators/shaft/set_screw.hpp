@@ -66,7 +66,10 @@ S = 2
           .usually(1, 4)
           .factor(),
       Choice{&Input::load_case, "load_case", "how the loads come"}.may_be_missing(),
-      Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(1.5, 120),
+      Field{&Input::d, "d", mm, "diameter of the shaft"}
+          .at_most_that_of_source("d, d_max")
+          .positive()
+          .usually(1.5, 120),
       Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
       Field{&Input::d_s, "d_s", mm, "diameter of a screw"}.positive().from("set_screw", "d_s").where_it_has(),
       Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft, for its torsion"}

@@ -71,6 +71,7 @@ R_e_2 = "300 MPa"
           Field{&Input::z, "z", ratio, "teeth of the spline"}.within(3, 500).from("spline", "z"),
           Field{&Input::d_1, "d_1", mm,
                 "inner diameter of the flanks that bear; of an involute one the hub's tip diameter"}
+              .at_most_that_of_source("d, d_max")
               .positive()
               .usually(5, 500)
               .from("spline", "d_1"),

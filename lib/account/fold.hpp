@@ -37,14 +37,14 @@ struct Folded {
     const bool worse = state > worst;
     const bool more = (used > utilisation) | ((utilisation != utilisation) & (used == used));
     const bool governs = worse | ((state == worst) & more);
-    return {worse ? state : worst, is_check & (state >= 0.0) ? 1.0 : counted, governs ? used : utilisation};
+    return {worse ? state : worst, (is_check & (state >= 0.0)) ? 1.0 : counted, governs ? used : utilisation};
   }
   /// A mode. `instead_of_open`: what a mode counts as that was not considered.
   [[nodiscard]] constexpr Folded with_mode(double state, double used, double instead_of_open) const {
     constexpr double open = number(State::open);
     const double here = state == open ? instead_of_open : state;
     const bool more = (used > utilisation) | (utilisation != utilisation);
-    return {here > worst ? here : worst, (here >= 0.0) & (here != open) ? 1.0 : counted, more ? used : utilisation};
+    return {here > worst ? here : worst, ((here >= 0.0) & (here != open)) ? 1.0 : counted, more ? used : utilisation};
   }
   /// Of all modes of a step or of the project: pass where one was assessed, and none stands against it.
   [[nodiscard]] constexpr double whole() const {

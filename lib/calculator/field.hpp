@@ -124,19 +124,21 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   Range bounds;     // outside: refused (input), not covered (limit)
   Range plausible;  // outside: a warning
   Provider provider;
-  const char* asked_by = "";      // check or limit: exists only where one of these inputs is given ("N, P")
-  bool infinite = false;          // input: a plain number that may be typed as inf
-  bool where_set = false;         // check or limit: exists only where the calculator gives it a value
-  bool is_criterion = false;      // limit: outside its bounds the part fails
-  bool is_sizeless = false;       // check, limit: no size that is searched for changes it
-  const char* searched_in = "";   // input: where missing, the smallest value of this stock that passes every check
-  bool sought_unasked = false;    // input: searched for where it is missing, too, not only where it is "?"
-  bool larger_is_better = false;  // input: "?" is the largest value that passes
-  bool kept = false;              // input: where missing in a search, the result of the same key of the sizing run
-  const char* companions = "";    // what acts together with it on the same part: keys beside its own, "F_t, F_r"
-  bool signed_load = false;       // input: its sign decides, so that a magnitude is no value for it
-  const char* factors = "";       // result: inputs that it holds already, so that none may apply them again: "K_A"
-  bool is_factor = false;         // input: raises a load or lowers a strength; the report lists where each is applied
+  const char* asked_by = "";         // check or limit: exists only where one of these inputs is given ("N, P")
+  bool infinite = false;             // input: a plain number that may be typed as inf
+  bool where_set = false;            // check or limit: exists only where the calculator gives it a value
+  bool is_criterion = false;         // limit: outside its bounds the part fails
+  bool is_sizeless = false;          // check, limit: no size that is searched for changes it
+  const char* searched_in = "";      // input: where missing, the smallest value of this stock that passes every check
+  bool sought_unasked = false;       // input: searched for where it is missing, too, not only where it is "?"
+  const char* most_of_source = "";   // input: see at_most_that_of_source
+  const char* least_of_source = "";  // input: see at_least_that_of_source
+  bool larger_is_better = false;     // input: "?" is the largest value that passes
+  bool kept = false;                 // input: where missing in a search, the result of the same key of the sizing run
+  const char* companions = "";       // what acts together with it on the same part: keys beside its own, "F_t, F_r"
+  bool signed_load = false;          // input: its sign decides, so that a magnitude is no value for it
+  const char* factors = "";          // result: inputs that it holds already, so that none may apply them again: "K_A"
+  bool is_factor = false;  // input: raises a load or lowers a strength; the report lists where each is applied
 
   constexpr Field(Member Owner::*member, const char* k, Unit<Quantity> u, const char* d)
       : Base{k, d}, at{member}, unit{u} {}
@@ -212,6 +214,18 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   [[nodiscard]] constexpr Field findable(const char* stock) const {
     Field f = *this;
     f.searched_in = stock;
+    return f;
+  }
+  /// A size of the part that the step's loads come from, by its keys there, "d, d_max": a larger one wants a reason.
+  [[nodiscard]] constexpr Field at_most_that_of_source(const char* key) const {
+    Field f = *this;
+    f.most_of_source = key;
+    return f;
+  }
+  /// The same of a demand: a smaller one wants a reason.
+  [[nodiscard]] constexpr Field at_least_that_of_source(const char* key) const {
+    Field f = *this;
+    f.least_of_source = key;
     return f;
   }
   /// A length, a speed of which "?" is the largest value that passes.

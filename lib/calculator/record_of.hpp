@@ -66,6 +66,8 @@ constexpr FieldInfo info_of(const Field<Owner, Quantity, Member>& f) {
   info.is_sizeless = f.is_sizeless;
   info.searched_in = f.searched_in;
   info.sought_unasked = f.sought_unasked;
+  info.most_of_source = f.most_of_source;
+  info.least_of_source = f.least_of_source;
   info.larger_is_better = f.larger_is_better;
   info.kept = f.kept;
   info.companions = f.companions;

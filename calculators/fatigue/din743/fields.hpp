@@ -56,8 +56,10 @@ template <class Input>
 constexpr auto din743_section() {
   return Fields{
       Choice<Input, Notch>{&Input::notch, "notch", "what is cut into the section, or sits on it"},
-      Field<Input, Length>{&Input::d, "d", mm, "diameter of the section, at the root of the notch"}.positive().usually(
-          5, 500),
+      Field<Input, Length>{&Input::d, "d", mm, "diameter of the section, at the root of the notch"}
+          .at_most_that_of_source("d, d_max")
+          .positive()
+          .usually(5, 500),
       Field<Input, Length>{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0),
       Field<Input, Length>{&Input::D, "D", mm, "larger diameter, of a shoulder or beside a groove"}
           .positive()

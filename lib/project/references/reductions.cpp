@@ -99,6 +99,8 @@ class ReductionCheck {
 
   void take(const Operand& operand) {
     const Reduced r = reduced(operand);
+    if (r.left == Left::whole && is_turned_over(operand) && !is_reduction_justified(step_, operand.path))
+      loads_.push_back({operand.path, turned_over_message(operand)});
     const bool concerned = operand.leaf.field->is_load || (r.of_load && r.left != Left::peak);
     if (!concerned || is_accepted(operand, r) || is_reduction_justified(step_, operand.path)) return;
     loads_.push_back({operand.path, message(operand, r)});
@@ -128,6 +130,27 @@ class ReductionCheck {
         return false;
     }
     return false;
+  }
+
+  /// Whether a field whose sign decides takes the negative of a load: tension for compression.
+  [[nodiscard]] bool is_turned_over(const Operand& operand) const {
+    static const Value none{{}, {std::nan("")}};
+    if (!operand.leaf.field->signed_load || operand.expression.references().size() != 1) return false;
+    const auto value_at = [&](const std::string& path) -> const Value& {
+      const Value* const value = project_.value(path);
+      return value == nullptr ? none : *value;
+    };
+    const Value& series = value_at(operand.expression.references().front().path);
+    const Value taken = operand.expression.evaluate(value_at);
+    if (!is_of_loads(series.signature.dimension) || series.si.size() != taken.si.size()) return false;
+    const auto most = std::max_element(series.si.begin(), series.si.end(),
+                                       [](double a, double b) { return std::abs(a) < std::abs(b); });
+    return *most * taken.si[static_cast<std::size_t>(most - series.si.begin())] < 0.0;
+  }
+
+  [[nodiscard]] static Message turned_over_message(const Operand& operand) {
+    return say("{1} is the negative of '{2}', tension for compression: write ={2}, or because.{1} = \"...\"",
+               operand.path, operand.expression.references().front().path);
   }
 
   [[nodiscard]] bool is_extreme(const Operand& operand) const {

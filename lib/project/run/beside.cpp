@@ -42,14 +42,17 @@ Digits digits_of(std::string_view text) {
 
 }  // namespace
 
+Beside beside_of_dimension(const Dimension& dimension) {
+  const auto& powers = dimension.twelfths;
+  return powers[Dimension::mass] > 0 && powers[Dimension::time] < 0 ? Beside::capacity : Beside::identity;
+}
+
 Beside beside_of(const FieldInfo& field) {
   if (field.is_load || field.larger_is_better || field.is_factor) return Beside::demand;
-  const auto& powers = field.dimension.twelfths;
   // Another modulus is another metal, stronger or not.
   const std::string_view column = field.provider.column;
   if (column == "E" || column == "G") return Beside::modulus;
-  const bool is_bearing = powers[Dimension::mass] > 0 && powers[Dimension::time] < 0;
-  return field.type == FieldInfo::Type::quantity && is_bearing ? Beside::capacity : Beside::identity;
+  return field.type == FieldInfo::Type::quantity ? beside_of_dimension(field.dimension) : Beside::identity;
 }
 
 double relative_rounding(std::string_view typed) {

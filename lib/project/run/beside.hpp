@@ -17,6 +17,8 @@ enum class Beside {
   demand     // loads, lengths of which the largest is sought, factors of safety and service
 };
 Beside beside_of(const FieldInfo& field);
+/// By the dimension alone: what bears or loads a part is a capacity.
+Beside beside_of_dimension(const Dimension& dimension);
 /// Whether a different value is another part.
 constexpr bool is_of_one_part(Beside beside) { return beside == Beside::identity || beside == Beside::modulus; }
 

@@ -2,10 +2,13 @@
 
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/modes.hpp"
+#include "lib/project/project.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
+#include <string>
 
 namespace loadpath::project {
 
@@ -179,6 +182,33 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
   });
 }
 
+/// Typed sizes and speeds of the part that the loads come from: a key sits on the shaft whose torque it takes.
+void add_sources_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
+  const Reading& reading = evaluation.step().input().reading;
+  for (const FieldInfo& field : evaluation.calculator().input->fields) {
+    const bool is_size = *field.most_of_source != '\0';
+    const auto keys = listed_keys(is_size ? field.most_of_source : field.least_of_source);
+    if (keys.empty() || !is_typed(reading, field.key)) continue;
+    std::set<std::string> seen;
+    for (const Operand& operand : reading.operands) {
+      if (!operand.leaf.field->is_load) continue;
+      for (const auto& reference : operand.expression.references()) {
+        const bool is_load = beside_of_dimension(known(reference.path).signature.dimension) == Beside::capacity;
+        const std::string step = split_step(reference.path).first;
+        if (!is_load || !seen.insert(step).second) continue;
+        const auto key = std::find_if(keys.begin(), keys.end(), [&](const std::string& k) {
+          return known(step + "." + k).signature.dimension == field.dimension;
+        });
+        if (key == keys.end()) continue;
+        const std::string path = step + "." + *key;
+        all.push_back({field.key, evaluation.inputs().leaf(field.key), known(path), say("'{1}'", path),
+                       is_size ? Beside::capacity : Beside::demand});
+        all.back().by_size = true;  // at another point the source has another value
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results& results, const Known& known) {
@@ -186,6 +216,7 @@ std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results
   add_rows_beside(evaluation, results, all);
   add_records_beside(evaluation, known, all);
   add_strengths_beside(evaluation, all);
+  add_sources_beside(evaluation, known, all);
   std::erase_if(all, [](const Neighbour& beside) { return std::isnan(largest_magnitude(beside.value)); });
   return all;
 }

@@ -1,0 +1,127 @@
+// Values that reach a step by another way than the one that is looked at: a size, a speed, a sign, a factor.
+#include "tests/found/modes.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+const std::string thin_shaft =
+    "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"200 N*m\"\ntau_adm = \"40 MPa\"\nd = \"30 mm\"\n\n";
+
+std::string key_on(const std::string& T, const std::string& d, const std::string& more = "") {
+  return "[key]\ncalculator = \"shaft.key\"\nT = \"" + T + "\"\ntorque = \"one_way\"\nd = \"" + d +
+         "\"\nkey = \"14x9\"\nl = \"70 mm\"\nl_n = \"75 mm\"\nR_e_1 = \"370 MPa\"\nR_e_2 = \"300 MPa\"\n"
+         "R_e_k = \"420 MPa\"\n" +
+         more;
+}
+
+const std::string press = R"([press]
+calculator = "mechanism.planar"
+template = "slider_crank"
+r = "50 mm"
+l = "400 mm"
+crank = { speed = "60 rpm", positions = 90 }
+loads = [{ name = "F", link = "slider", at = "B", F_x = "-12 kN", F_y = "0 N" }]
+
+)";
+
+std::string rod_with(const std::string& N, const std::string& more = "") {
+  return press + "[rod]\ncalculator = \"column.buckling\"\nN = \"" + N +
+         "\"\nl = \"400 mm\"\nd = \"30 mm\"\nends = \"pinned_pinned\"\nmaterial = \"S355\"\nmethod = \"johnson\"\n"
+         "n_st = 2\nn_t = 1.5\n" +
+         more;
+}
+
+}  // namespace
+
+TEST_SUITE("found routes") {
+  TEST_CASE("a key for a thicker shaft than the one whose torque it takes wants a reason") {
+    CHECK(mode_of(solved_as_found(thin_shaft + key_on("=shaft.T", "50 mm")), "key", "hub") == "not-judged");
+    CHECK(mode_of(solved_as_found(thin_shaft + key_on("=shaft.M_max", "50 mm")), "key", "hub") == "not-judged");
+    CHECK(mode_of(solved_as_found(thin_shaft + key_on("200 N*m", "50 mm")), "key", "hub") == "pass");
+    const std::string reason = "because.d = \"on the flange of the next shaft\"\n";
+    CHECK(mode_of(solved_as_found(thin_shaft + key_on("=shaft.T", "50 mm", reason)), "key", "hub") == "pass");
+  }
+
+  TEST_CASE("a bearing that turns slower than the shaft whose force it takes wants a reason") {
+    const auto bearing = [](const std::string& n) {
+      return "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nn = \"1450 rpm\"\n"
+             "pieces = [{ l = \"300 mm\", d = \"40 mm\" }]\n"
+             "supports = [{ name = \"left\", x = \"20 mm\", holds = \"both\" }, { name = \"right\", x = \"280 mm\" }]\n"
+             "seats = [{ name = \"load\", x = \"150 mm\", F_x = \"4 kN\" }]\nS_F = 1.5\n\n"
+             "[left]\ncalculator = \"bearing.rolling\"\nF_r = \"=shaft.bearings.left.F_r\"\n"
+             "kind = \"deep_groove_ball\"\nC = \"29.1 kN\"\nC_0 = \"17.9 kN\"\nf_0 = 14\nL_h = \"5000 h\"\ns_0 = 1\n"
+             "n = \"" +
+             n + "\"\n";
+    };
+    CHECK(mode_of(solved_as_found(bearing("10 rpm")), "left", "fatigue") == "not-judged");
+    CHECK(mode_of(solved_as_found(bearing("1450 rpm")), "left", "fatigue") == "pass");
+    CHECK(mode_of(solved_as_found(bearing("1450 rpm")), "shaft", "bearings") == "not-judged");  // the right one
+  }
+
+  TEST_CASE("the negative of a force of a link is tension for compression") {
+    CHECK(mode_of(solved_as_found(rod_with("=press.links.rod.N")), "rod", "buckling") == "pass");
+    for (const char* N : {"=-press.links.rod.N", "=-1.2*press.links.rod.N"})
+      CHECK(mode_of(solved_as_found(rod_with(N)), "rod", "tension") == "not-judged");
+    const std::string reason = "because.N = \"the force on the other half of the bar\"\n";
+    CHECK(mode_of(solved_as_found(rod_with("=-press.links.rod.N", reason)), "rod", "tension") == "pass");
+  }
+
+  TEST_CASE("a plate on edge tips over, given by its second moments, too") {
+    const auto beam = [](const std::string& b) {
+      return "[r]\ncalculator = \"section.rectangle\"\nh = \"200 mm\"\nb = \"" + b +
+             "\"\n\n[beam]\ncalculator = \"link.member\"\nN = \"0 kN\"\nV = \"1 kN\"\nM_b = \"5 kN*m\"\nl = \"3 m\"\n"
+             "A = \"=r.A\"\nI_y = \"=r.I_y\"\nI_z = \"=r.I_z\"\nc_y = \"100 mm\"\nA_v = \"600 mm^2\"\n"
+             "ends = \"pinned_pinned\"\nmaterial = \"S235JR\"\nmethod = \"johnson\"\nn_st = 2\nS = 1.2\n";
+    };
+    CHECK(mode_of(solved_as_found(beam("5 mm")), "beam", "lateral_torsional") == "not-judged");
+    CHECK(mode_of(solved_as_found(beam("150 mm")), "beam", "lateral_torsional") == "open");
+  }
+
+  TEST_CASE("a modulus of another metal contradicts the material, one of another book does not") {
+    const std::string shaft =
+        "[s]\ncalculator = \"shaft.torsion\"\nT = \"90 N*m\"\nmaterial = \"C45E\"\nS = 2\n"
+        "theta_adm = \"0.25 deg/m\"\n";
+    CHECK(first_error_of(shaft + "G = \"26 GPa\"\n").find("contradicts the material") != std::string::npos);
+    CHECK(first_error_of(shaft + "G = \"79 GPa\"\n") == "");
+  }
+
+  TEST_CASE("strengths of a press fit above its material want a reason") {
+    CHECK(mode_with("shaft.press_fit", "material = \"S235JR\"\nR_e_1 = \"900 MPa\"\nR_e_2 = \"900 MPa\"", "hub") ==
+          "not-judged");
+  }
+
+  TEST_CASE("forces of teeth are nominal whichever way they are taken") {
+    const std::string gears =
+        "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nT_1 = \"60 N*m\"\nb = \"25 mm\"\n"
+        "K_A = 2\n\n";
+    for (const char* T : {"=gears.F_t*gears.d_1/2", "=gears.F_bn*gears.d_1/2"}) {
+      const auto project = solved_as_found(gears + "[s]\ncalculator = \"shaft.torsion\"\nT = \"" + T +
+                                           "\"\ntau_adm = \"30 MPa\"\nd = \"25 mm\"\n");
+      CHECK(mode_of(project, "s", "yield") == "not-judged");
+    }
+  }
+
+  TEST_CASE("teeth whose torque comes from something that turns have a dynamic load, speed or not") {
+    const std::string train =
+        "[t]\ncalculator = \"drive.train\"\nP = \"5 kW\"\nn_1 = \"1450 rpm\"\nstages = [{ z_1 = 20, z_2 = 57 }]\n\n";
+    const std::string gears =
+        "[g]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nb = \"25 mm\"\n"
+        "sigma_adm_1 = \"300 MPa\"\nsigma_adm_2 = \"300 MPa\"\n";
+    CHECK(mode_of(solved_as_found(train + gears + "T_1 = \"=t.shafts[1].T\"\n"), "g", "dynamic") == "not-judged");
+    CHECK(mode_of(solved_as_found(gears + "T_1 = \"30 N*m\"\n"), "g", "dynamic") == "open");
+  }
+
+  TEST_CASE("a planet bends its teeth both ways, taken by its number of teeth, too") {
+    const auto project = solved_as_found(
+        "[w]\ncalculator = \"gear.planetary\"\nz_s = 24\nz_p = 30\nz_r = 84\nN_p = 3\nn_s = \"100 rpm\"\nh_ar = 0.9\n\n"
+        "[g]\ncalculator = \"gear.pair\"\nz_1 = \"=w.z_s\"\nz_2 = \"=w.z_p\"\nm_n = \"3 mm\"\nb = \"30 mm\"\n"
+        "T_1 = \"100 N*m\"\nsigma_adm_1 = \"300 MPa\"\nsigma_adm_2 = \"300 MPa\"\n");
+    CHECK(project.find("g")->word("idler") == "gear_2");
+  }
+
+  TEST_CASE("a smooth section has no radius") {
+    CHECK(ExampleStep("fatigue.din743", "notch = \"smooth\"").fault().find("r") != std::string::npos);
+  }
+}

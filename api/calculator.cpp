@@ -2,6 +2,7 @@
 #include "api/given.hpp"
 #include "calculators/catalogue.hpp"
 #include "lib/calculator/choice_words.hpp"
+#include "lib/project/solving/read_project.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 #include "api/calling.hpp"
 
 #include "calculators/catalogue.hpp"
+#include "lib/project/solving/read_project.hpp"
 #include "lib/project/sweep/blocks.hpp"
 #include "lib/project/sweep/variants.hpp"
 #include "lib/sweep/ordered.hpp"

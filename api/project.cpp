@@ -1,6 +1,7 @@
 #include "api/translate.hpp"
 #include "calculators/catalogue.hpp"
 #include "lib/export/sweep/json.hpp"
+#include "lib/project/solving/read_project.hpp"
 #include "lib/project/sweep/sweep.hpp"
 #include "lib/toml/tree.hpp"
 

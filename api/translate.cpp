@@ -3,6 +3,7 @@
 #include "lib/account/conclusion.hpp"
 #include "lib/account/mode.hpp"
 #include "lib/export/unit_name.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/project/sweep/columns.hpp"
 #include "lib/quantity/format.hpp"
 

@@ -1,7 +1,9 @@
+#include "cli/commands.hpp"
 #include "cli/output.hpp"
 #include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
 #include "lib/project/selection.hpp"
+#include "lib/project/solving/read_project.hpp"
 #include "lib/toml/tree.hpp"
 
 #include <algorithm>

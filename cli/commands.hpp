@@ -1,6 +1,9 @@
 // The commands of the program, one source each: plain options in, an exit code out.
 #pragma once
 
+#include "cli/exit.hpp"
+#include "cli/options.hpp"
+#include "cli/version.hpp"
 #include "lib/calculator/calculator.hpp"
 
 #include <cstdint>
@@ -10,29 +13,6 @@
 #include <vector>
 
 namespace loadpath::cli {
-
-/// Exit codes, as the help text tells them.
-enum Exit : int { passed = 0, not_passed = 1, wrong_input = 2, fault = 3, incomplete = 4, interrupted = 130 };
-
-/// What every solving command can write.
-struct OutputOptions {
-  std::vector<std::string> reports;  // .html, .md, .tex, .pdf
-  bool json = false;
-  std::string csv;                  // folder, or a .csv file for the one step that has series
-  std::string svg;                  // folder for every figure, or an .svg file for the leading one
-  std::string dxf;                  // file for the drawing to scale, or folder for several
-  std::vector<std::string> series;  // patterns of those that JSON and CSV hold; none: all
-  std::string detail;               // brief, normal, full; empty: as the command has it
-  bool quiet = false;
-  bool strict = false;  // what is open counts as not judged
-};
-
-/// The points of a sweep, where the project does not say them.
-struct PointOptions {
-  std::optional<std::uint64_t> samples, seed;
-  bool latin = false;
-  std::vector<std::string> zip;  // "shaft.T,shaft.n"
-};
 
 struct RunOptions {
   std::vector<std::string> files;      // and folders of them
@@ -158,8 +138,5 @@ int schema();
 
 /// A language server on standard input and output, for editors, until it is told to exit.
 int language_server();
-
-/// "loadpath 0.1.0"
-std::string program();
 
 }  // namespace loadpath::cli

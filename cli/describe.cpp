@@ -5,6 +5,7 @@
 #include "lib/project/parts.hpp"
 #include "lib/report/build.hpp"
 #include "lib/report/terminal/terminal.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
 
 #include <algorithm>

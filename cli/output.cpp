@@ -2,6 +2,7 @@
 
 #include "cli/browser.hpp"
 #include "cli/staged.hpp"
+#include "cli/version.hpp"
 #include "lib/draw/dxf.hpp"
 #include "lib/export/csv.hpp"
 #include "lib/export/json.hpp"

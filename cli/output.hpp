@@ -1,7 +1,7 @@
 // What solving commands write: report files, JSON, CSV. Everything is made before anything is written.
 #pragma once
 
-#include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "lib/project/project.hpp"
 #include "lib/report/detail.hpp"
 #include "lib/report/document.hpp"

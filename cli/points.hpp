@@ -1,7 +1,7 @@
 // The points of a project's sweep, as the file and the shell say them.
 #pragma once
 
-#include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "lib/project/sweep/blocks.hpp"
 
 namespace loadpath::cli {

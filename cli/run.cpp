@@ -4,6 +4,7 @@
 #include "cli/points.hpp"
 #include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
+#include "lib/project/solving/read_project.hpp"
 #include "lib/toml/tree.hpp"
 
 #include <algorithm>

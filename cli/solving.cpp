@@ -1,8 +1,12 @@
 #include "cli/solving.hpp"
 
+#include "cli/exit.hpp"
 #include "cli/output.hpp"
+#include "cli/version.hpp"
 #include "lib/account/conclusion.hpp"
 #include "lib/export/json.hpp"
+#include "lib/project/solving/solve.hpp"
+#include "lib/project/unknown_series.hpp"
 #include "lib/project/verify.hpp"
 
 #include <algorithm>
@@ -31,7 +35,7 @@ project::Wanted wanted_by(const OutputOptions& output, report::Detail detail) {
 
 /// Patterns that choose nothing; which series there are is known when the project is solved.
 void check_series(const project::Project& project, const OutputOptions& output, std::vector<Issue>& issues) {
-  for (const FieldFault& fault : project::SeriesChoice(output.series).check(project))
+  for (const FieldFault& fault : project::unknown_series(project::SeriesChoice(output.series), project))
     issues.push_back({{"--series", 0, 0, 1}, "", fault.message, fault.hint, Severity::error});
 }
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/catalogue.hpp"
-#include "cli/commands.hpp"
+#include "cli/options.hpp"
 #include "lib/report/terminal/terminal.hpp"
 
 #include <functional>

@@ -1,6 +1,6 @@
 #include "cli/staged.hpp"
 
-#include "cli/commands.hpp"
+#include "cli/exit.hpp"
 
 #include <algorithm>
 #include <cerrno>

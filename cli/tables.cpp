@@ -2,6 +2,7 @@
 #include "lib/export/json_catalogue.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/terminal/terminal.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/search.hpp"
 #include "lib/table/table.hpp"
 

@@ -4,6 +4,8 @@
 #include "cli/commands.hpp"
 #include "lib/export/json_writer.hpp"
 #include "lib/export/unit_name.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/text/embedded.hpp"

@@ -3,6 +3,7 @@
 #include "cli/commands.hpp"
 #include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/toml/tree.hpp"
 
 #include <iostream>

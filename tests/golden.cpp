@@ -2,6 +2,8 @@
 //   loadpath run examples/NAME/project.toml --report tests/golden/NAME.md
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/report/build.hpp"
 #include "lib/toml/tree.hpp"
 #include "tests/parts.hpp"

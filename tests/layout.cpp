@@ -1,7 +1,10 @@
-// The rooms of the sources: which folder may include from which is said once, in docs/architecture.md.
+// The rooms of the sources: which folder may include from which is said once, in docs/architecture.md. Within a room
+// the modules, each a header with its source, go down too.
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -17,7 +20,9 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t largest_room = 26;  // files
 
-using Graph = std::map<std::string, std::set<std::string>>;  // a room and those that it needs
+using Graph = std::map<std::string, std::set<std::string>>;  // a room, or a module, and those that it needs
+using Texts = std::map<std::string, std::string>;            // of files: "lib/draw/svg.cpp"
+using Homes = std::map<std::string, std::string>;            // the modules of sources that have no header of their name
 struct Arrow {
   std::string from;  // a file: "lib/draw/svg.cpp"
   std::string to;
@@ -37,8 +42,8 @@ int height_of(const std::string& storey) {
   return storey == "lib" ? 0 : storey == "calculators" ? 1 : storey == "cli" || storey == "api" ? 2 : 3;
 }
 
-/// The graph between "```rooms" and "```": a room, a colon, the rooms that it needs.
-Graph read_graph(const std::string& page) {
+/// The graph between "```rooms" and "```": a room, a colon, the rooms that it needs; each once.
+Graph read_graph(const std::string& page, std::vector<std::string>& faults) {
   Graph graph;
   const std::size_t from = page.find("```rooms\n"), to = page.find("```", from + 9);
   REQUIRE(from != std::string::npos);
@@ -49,29 +54,109 @@ Graph read_graph(const std::string& page) {
     std::string room, needed;
     if (!(words >> room)) continue;
     if (room.back() == ':') room.pop_back();
+    if (graph.count(room) != 0) faults.push_back(room + ": drawn twice in docs/architecture.md");
     auto& needs = graph[room];
     while (words >> needed) needs.insert(needed);
   }
   return graph;
 }
 
-/// Every source of the program with what it includes of the program.
-std::vector<Arrow> includes_of(const fs::path& root, std::vector<std::string>& files) {
-  std::vector<Arrow> arrows;
-  const std::regex include("#include \"([^\"]+)\"");
+/// Every source of the program.
+Texts read_sources(const fs::path& root) {
+  Texts texts;
   for (const char* const storey : {"lib", "calculators", "cli", "api"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / storey)) {
       if (entry.path().extension() != ".hpp" && entry.path().extension() != ".cpp") continue;
-      files.push_back(fs::relative(entry.path(), root).generic_string());
-      const std::string text = text_of(entry.path());
-      for (std::sregex_iterator i(text.begin(), text.end(), include), end; i != end; ++i)
-        arrows.push_back({files.back(), (*i)[1].str()});
+      texts[fs::relative(entry.path(), root).generic_string()] = text_of(entry.path());
     }
+  }
+  return texts;
+}
+
+std::vector<std::string> files_of(const Texts& texts) {
+  std::vector<std::string> files;
+  for (const auto& [file, text] : texts) files.push_back(file);
+  return files;
+}
+
+/// What the sources include of the program.
+std::vector<Arrow> includes_of(const Texts& texts) {
+  std::vector<Arrow> arrows;
+  const std::regex include("#include \"([^\"]+)\"");
+  for (const auto& [file, text] : texts) {
+    for (std::sregex_iterator i(text.begin(), text.end(), include), end; i != end; ++i)
+      arrows.push_back({file, (*i)[1].str()});
   }
   return arrows;
 }
 
-/// A way from `room` back to it, in rooms; empty where there is none.
+/// "lib/draw/svg" of "lib/draw/svg.cpp" and of its header.
+std::string stem_of(const std::string& file) { return fs::path(file).replace_extension().generic_string(); }
+
+/// The word that ends before a place of a text; empty where none does.
+std::string word_before(const std::string& text, std::size_t at) {
+  std::size_t from = at;
+  while (from > 0 && (std::isalnum(static_cast<unsigned char>(text[from - 1])) != 0 || text[from - 1] == '_')) --from;
+  return text.substr(from, at - from);
+}
+
+/// The functions that a header names.
+std::set<std::string> named_in(const std::string& text) {
+  std::set<std::string> names;
+  for (std::size_t at = text.find('('); at != std::string::npos; at = text.find('(', at + 1))
+    names.insert(word_before(text, at));
+  names.erase("");
+  return names;
+}
+
+/// The functions that a source defines: they begin at the left edge.
+std::set<std::string> defined_in(const std::string& text) {
+  std::set<std::string> names;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || std::isalpha(static_cast<unsigned char>(line[0])) == 0) continue;
+    const std::size_t at = line.find('(');
+    if (at != std::string::npos && line.find('=') > at) names.insert(word_before(line, at));
+  }
+  names.erase("");
+  return names;
+}
+
+/// The headers of its own room that a file includes, directly or over others of the room.
+std::set<std::string> headers_of(const std::string& file, const std::vector<Arrow>& arrows) {
+  std::set<std::string> found;
+  std::vector<std::string> left{file};
+  while (!left.empty()) {
+    const std::string from = left.back();
+    left.pop_back();
+    for (const Arrow& arrow : arrows) {
+      if (arrow.from == from && room_of(arrow.to) == room_of(file) && found.insert(arrow.to).second)
+        left.push_back(arrow.to);
+    }
+  }
+  return found;
+}
+
+/// A source without a header of its name belongs to the header that names most of the functions that it defines; where
+/// none does it stands alone.
+Homes homes_of(const Texts& texts, const std::vector<Arrow>& arrows) {
+  Homes homes;
+  for (const auto& [file, text] : texts) {
+    if (fs::path(file).extension() != ".cpp" || texts.count(stem_of(file) + ".hpp") != 0) continue;
+    const std::set<std::string> defined = defined_in(text);
+    std::ptrdiff_t most = 0;
+    for (const std::string& header : headers_of(file, arrows)) {
+      if (texts.count(header) == 0) continue;
+      const std::set<std::string> named = named_in(texts.at(header));
+      const auto count = std::count_if(defined.begin(), defined.end(),
+                                       [&](const std::string& name) { return named.count(name) != 0; });
+      if (count > most) most = count, homes[file] = stem_of(header);
+    }
+  }
+  return homes;
+}
+
+/// A way from `room` back to it; empty where there is none.
 std::string circle_through(const Graph& graph, const std::string& room) {
   std::vector<std::vector<std::string>> ways{{room}};
   std::set<std::string> seen;
@@ -95,10 +180,29 @@ std::string circle_through(const Graph& graph, const std::string& room) {
   return "";
 }
 
+/// Circles of modules within a room.
+std::vector<std::string> circles_of_modules(const std::vector<Arrow>& arrows, const Homes& homes) {
+  const auto module_of = [&](const std::string& file) {
+    const auto home = homes.find(file);
+    return home == homes.end() ? stem_of(file) : home->second;
+  };
+  Graph used;
+  for (const Arrow& arrow : arrows) {
+    const std::string from = module_of(arrow.from), to = module_of(arrow.to);
+    if (from != to && room_of(from) == room_of(to)) used[from].insert(to);
+  }
+  std::vector<std::string> found;
+  for (const auto& [module, needs] : used) {
+    const std::string circle = circle_through(used, module);
+    if (!circle.empty()) found.push_back("a circle of modules: " + circle);
+  }
+  return found;
+}
+
 /// What is wrong with the way in which these files lie and include one another, given the rooms that are drawn.
 std::vector<std::string> faults(const Graph& drawn, const std::vector<std::string>& files,
-                                const std::vector<Arrow>& arrows) {
-  std::vector<std::string> found;
+                                const std::vector<Arrow>& arrows, const Homes& homes = {}) {
+  std::vector<std::string> found = circles_of_modules(arrows, homes);
   std::map<std::string, std::size_t> sizes;
   for (const std::string& file : files) {
     const std::string room = room_of(file);
@@ -145,11 +249,13 @@ bool tells(const std::vector<std::string>& found, const std::string& words) {
 
 TEST_SUITE("layout") {
   TEST_CASE("the sources lie and include one another as docs/architecture.md draws it") {
-    std::vector<std::string> files;
-    const auto arrows = includes_of(LOADPATH_ROOT, files);
+    const Texts texts = read_sources(LOADPATH_ROOT);
+    const auto arrows = includes_of(texts);
     REQUIRE(arrows.size() > 1000);
-    const Graph drawn = read_graph(text_of(fs::path(LOADPATH_ROOT) / "docs/architecture.md"));
-    for (const std::string& fault : faults(drawn, files, arrows)) FAIL_CHECK(fault);
+    std::vector<std::string> found;
+    const Graph drawn = read_graph(text_of(fs::path(LOADPATH_ROOT) / "docs/architecture.md"), found);
+    for (const std::string& fault : found) FAIL_CHECK(fault);
+    for (const std::string& fault : faults(drawn, files_of(texts), arrows, homes_of(texts, arrows))) FAIL_CHECK(fault);
   }
 
   TEST_CASE("a circle of folders is told") {
@@ -157,6 +263,43 @@ TEST_SUITE("layout") {
     const auto found =
         faults(drawn, {"lib/a/x.hpp", "lib/b/y.hpp"}, {{"lib/a/x.hpp", "lib/b/y.hpp"}, {"lib/b/y.hpp", "lib/a/x.hpp"}});
     CHECK(tells(found, "a circle of folders: lib/a -> lib/b -> lib/a"));
+  }
+
+  TEST_CASE("a circle of modules is told, also one over a third") {
+    const Graph drawn{{"lib/a", {}}};
+    const auto over = [&](const std::vector<Arrow>& arrows) {
+      return faults(drawn, {"lib/a/x.hpp", "lib/a/x.cpp", "lib/a/y.hpp", "lib/a/z.hpp"}, arrows);
+    };
+    CHECK(tells(over({{"lib/a/x.cpp", "lib/a/y.hpp"}, {"lib/a/y.hpp", "lib/a/x.hpp"}}),
+                "a circle of modules: lib/a/x -> lib/a/y -> lib/a/x"));
+    CHECK(tells(over({{"lib/a/x.cpp", "lib/a/y.hpp"}, {"lib/a/y.hpp", "lib/a/z.hpp"}, {"lib/a/z.hpp", "lib/a/x.hpp"}}),
+                "a circle of modules: lib/a/x -> lib/a/y -> lib/a/z -> lib/a/x"));
+    CHECK(
+        over({{"lib/a/x.cpp", "lib/a/x.hpp"}, {"lib/a/x.cpp", "lib/a/y.hpp"}, {"lib/a/y.hpp", "lib/a/z.hpp"}}).empty());
+  }
+
+  TEST_CASE("a source without a header of its name belongs to the one whose functions it defines") {
+    const Texts texts{{"lib/a/x.hpp", "#include \"lib/a/y.hpp\"\nstruct X {\n  double area(double d);\n};\n"},
+                      {"lib/a/y.hpp", "double width(double d);\n"},
+                      {"lib/a/rules.cpp",
+                       "#include \"lib/a/x.hpp\"\n#include \"lib/a/z.hpp\"\n"
+                       "double X::area(double d) {\n  return width(d);\n}\n"},
+                      {"lib/a/z.hpp", "#include \"lib/a/x.hpp\"\n"},
+                      {"lib/a/alone.cpp", "#include \"lib/a/x.hpp\"\nint main() {}\n"}};
+    const auto arrows = includes_of(texts);
+    const Homes homes = homes_of(texts, arrows);
+    REQUIRE(homes.count("lib/a/rules.cpp") == 1);
+    CHECK(homes.at("lib/a/rules.cpp") == "lib/a/x");
+    CHECK(homes.count("lib/a/alone.cpp") == 0);
+    CHECK(tells(faults({{"lib/a", {}}}, files_of(texts), arrows, homes), "a circle of modules: lib/a/x -> lib/a/z"));
+  }
+
+  TEST_CASE("a room that is drawn twice is told") {
+    std::vector<std::string> found;
+    const Graph drawn = read_graph("```rooms\nlib/a:\nlib/b: lib/a\nlib/a:\n```\n", found);
+    CHECK(drawn.size() == 2);
+    REQUIRE(found.size() == 1);
+    CHECK(found[0] == "lib/a: drawn twice in docs/architecture.md");
   }
 
   TEST_CASE("an arrow that points up is told") {
@@ -186,13 +329,11 @@ TEST_SUITE("layout") {
   }
 
   TEST_CASE("a source that a comment names is there") {
-    std::vector<std::string> files;
-    includes_of(LOADPATH_ROOT, files);
+    const Texts texts = read_sources(LOADPATH_ROOT);
     std::set<std::string> names;
-    for (const std::string& file : files) names.insert(fs::path(file).filename().string());
+    for (const std::string& file : files_of(texts)) names.insert(fs::path(file).filename().string());
     const std::regex comment("// ?[^\n]*"), source("[a-z_0-9]+[.][ch]pp");
-    for (const std::string& file : files) {
-      const std::string text = text_of(fs::path(LOADPATH_ROOT) / file);
+    for (const auto& [file, text] : texts) {
       for (std::sregex_iterator i(text.begin(), text.end(), comment), end; i != end; ++i) {
         const std::string line = i->str();
         for (std::sregex_iterator k(line.begin(), line.end(), source); k != end; ++k)

@@ -7,6 +7,7 @@
 // (belt.flat), shafts that are not parallel, losses, slip between the pulleys.
 #pragma once
 
+#include "calculators/belt/course_types.hpp"
 #include "calculators/belt/loop.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
@@ -20,7 +21,7 @@
 
 namespace loadpath::belt {
 
-struct Course {
+struct Course : CourseTypes {
   static constexpr auto id = "belt.course";
   static constexpr auto title = "Belt around any pulleys";
   static constexpr auto scope =
@@ -49,44 +50,6 @@ pulleys = [
 ]
 )";
 
-  enum class Side { inside, outside };
-  enum class Turns { ccw, cw };
-
-  struct Pulley {
-    Name name;
-    Length x = unset<Length>, y = unset<Length>, d = unset<Length>;
-    Side side = Side::inside;
-    Power P = unset<Power>;
-    double along = unset<double>, mu = unset<double>;
-    static constexpr Fields fields{
-        NameField{&Pulley::name, "name", "name of the pulley"}.may_be_missing(),
-        Field{&Pulley::x, "x", mm, "place of its axis"},
-        Field{&Pulley::y, "y", mm, "place of its axis"},
-        Field{&Pulley::d, "d", mm, "diameter at the middle of the belt, or at its datum line"}.positive().usually(10,
-                                                                                                                  3000),
-        Choice{&Pulley::side, "side", "which side of the loop it is on"}.may_be_missing(),
-        Field{&Pulley::P, "P", kW, "power that it takes out of the belt; negative where it drives too"}
-            .load()
-            .may_be_missing(),
-        Field{&Pulley::mu, "mu", ratio,
-              "coefficient of friction on this pulley: a flat pulley of a V-belt, the belt's back; that of all if "
-              "missing"}
-            .within(0.01, 10)
-            .usually(0.1, 2)
-            .may_be_missing(),
-        Field{&Pulley::along, "along", deg, "direction in which this pulley moves until the belt has the length L"}
-            .may_be_missing()};
-  };
-
-  struct Input {
-    List<Pulley, most_pulleys> pulleys;
-    Turns turns = Turns::ccw;
-    Length L = unset<Length>;
-    AngularSpeed n_1 = unset<AngularSpeed>;
-    double mu = unset<double>;
-    LineDensity q = 0.0 * kg_per_m;
-    Force S_0 = unset<Force>, S_adm = unset<Force>;
-  };
   static constexpr Fields inputs{
       ListField{&Input::pulleys, "pulleys", "pulleys in the order in which the belt runs; the first one drives"},
       Choice{&Input::turns, "turns", "sense of rotation of the first pulley"}.may_be_missing(),
@@ -105,39 +68,6 @@ pulleys = [
           .positive()
           .may_be_missing()};
 
-  struct PulleyResult {
-    Name name;
-    Length x = unset<Length>, y = unset<Length>;
-    double alpha = unset<double>;
-    Length l_s = unset<Length>;
-    AngularSpeed n = unset<AngularSpeed>;
-    Moment T = unset<Moment>;
-    Force S = unset<Force>, R_x = unset<Force>, R_y = unset<Force>, R = unset<Force>;
-    double mu_req = unset<double>;
-    static constexpr Fields fields{
-        NameField{&PulleyResult::name, "name", "pulley"},
-        Field{&PulleyResult::x, "x", mm, "place of its axis"},
-        Field{&PulleyResult::y, "y", mm, "place of its axis"},
-        Field{&PulleyResult::alpha, "alpha", deg, "wrap"},
-        Field{&PulleyResult::l_s, "l_s", mm, "span behind it, between the points of contact"},
-        Field{&PulleyResult::n, "n", rpm, "speed, counter-clockwise positive"},
-        Field{&PulleyResult::T, "T", N_m, "torque of the belt on it, counter-clockwise positive"}.load().with(
-            "R|R_x|R_y"),
-        Field{&PulleyResult::S, "S", N, "tension of the span behind it"},
-        Field{&PulleyResult::R_x, "R_x", N, "load of its shaft, along x"}.load().with("T, R_y"),
-        Field{&PulleyResult::R_y, "R_y", N, "load of its shaft, along y"}.load().with("T, R_x"),
-        Field{&PulleyResult::R, "R", N, "load of its shaft"}.load().with("T"),
-        Field{&PulleyResult::mu_req, "mu_req", ratio, "coefficient of friction that is used"}};
-  };
-  struct Result {
-    Length L = unset<Length>, s = unset<Length>;
-    Speed v = unset<Speed>;
-    AngularSpeed f_B = unset<AngularSpeed>;
-    Power P_1 = unset<Power>;
-    Force F_c = unset<Force>, S_0_min = unset<Force>, S_0 = unset<Force>, S_max = unset<Force>, N_min = unset<Force>;
-    double u_S = unset<double>, u_T = unset<double>;
-    List<PulleyResult, most_pulleys> pulleys;
-  };
   static constexpr Fields results{
       Field{&Result::L, "L", mm, "length of the belt"},
       Field{&Result::s, "s", mm, "way of the pulley that moves, positive in its direction"},
@@ -195,17 +125,5 @@ pulleys = [
   static Result evaluate(const Input& in, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
-
-constexpr auto choices_of(Course::Side) {
-  using Side = Course::Side;
-  return std::array{
-      ChoiceName<Side>{Side::inside, "inside", "inside of the belt"},
-      ChoiceName<Side>{Side::outside, "outside", "outside: the belt's back runs on it, and it turns back"}};
-}
-constexpr auto choices_of(Course::Turns) {
-  using Turns = Course::Turns;
-  return std::array{ChoiceName<Turns>{Turns::ccw, "ccw", "counter-clockwise"},
-                    ChoiceName<Turns>{Turns::cw, "cw", "clockwise"}};
-}
 
 }  // namespace loadpath::belt

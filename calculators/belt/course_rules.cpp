@@ -1,3 +1,4 @@
+#include "calculators/belt/course.hpp"
 #include "calculators/belt/course_parts.hpp"
 #include "lib/quantity/format.hpp"
 

@@ -33,7 +33,7 @@ void add_load(const MemberResult& r, Point at, Drawing::View& view) {
 }
 
 /// Upright, its start below; the deflection as large as it is well seen.
-Drawing::View bar_view(const Buckling::Input& in, const MemberResult& r, AxisName axis) {
+Drawing::View bar_view(const BucklingInput& in, const MemberResult& r, AxisName axis) {
   const double l = in_si(in.l), reach = 0.09 * l;
   const Bar bar = bar_of(in, axis);
   const Shape shape = buckled_shape(bar, buckling_parameter(bar));
@@ -94,7 +94,7 @@ struct Sides {
 };
 
 /// A section whose outline the input says; nothing of others: of channels, tees, angles their centre is not known.
-std::optional<Sides> add_section(const Buckling::Input& in, Drawing::View& view) {
+std::optional<Sides> add_section(const BucklingInput& in, Drawing::View& view) {
   const std::string name = say("section").text();
   const auto level = [&](double x, double y, const char* symbol, double value, Drawing::Side side) {
     view.lengths.push_back({{x, y}, {x + value, y}, {symbol, value, "mm"}, side});
@@ -140,7 +140,7 @@ std::optional<Sides> add_section(const Buckling::Input& in, Drawing::View& view)
   return Sides{h, b};
 }
 
-std::optional<Drawing::View> section_view(const Buckling::Input& in) {
+std::optional<Drawing::View> section_view(const BucklingInput& in) {
   Drawing::View view;
   view.title = say("section").text();
   view.room = 30.0, view.most_height = 260.0;
@@ -154,7 +154,7 @@ std::optional<Drawing::View> section_view(const Buckling::Input& in) {
   return view;
 }
 
-bool is_shown(const Buckling::Input& in, const MemberResult& r, AxisName axis) {
+bool is_shown(const BucklingInput& in, const MemberResult& r, AxisName axis) {
   const bool about_y = axis == AxisName::y;
   if (is_set(about_y ? in.beta_y : in.beta_z)) return false;  // the factor alone does not say how the ends are held
   return r.axes.size() == 2 && std::isfinite(buckling_parameter(bar_of(in, axis)));
@@ -162,7 +162,7 @@ bool is_shown(const Buckling::Input& in, const MemberResult& r, AxisName axis) {
 
 }  // namespace
 
-std::optional<draw::Figure> bar_figure(const Buckling::Input& in, const MemberResult& r) {
+std::optional<draw::Figure> bar_figure(const BucklingInput& in, const MemberResult& r) {
   auto drawing = std::make_shared<Drawing>();
   for (const auto axis : {AxisName::y, AxisName::z}) {
     if (is_shown(in, r, axis)) drawing->views.push_back(bar_view(in, r, axis));

@@ -10,10 +10,10 @@
 // transverse loads, biaxial eccentricity.
 #pragma once
 
+#include "calculators/column/buckling_input.hpp"
 #include "calculators/column/member/modes.hpp"
 #include "calculators/column/member/result.hpp"
 #include "calculators/column/member/rules.hpp"
-#include "calculators/column/member/section.hpp"
 #include "lib/calculator/form.hpp"
 #include "lib/calculator/join.hpp"
 #include "lib/calculator/trace.hpp"
@@ -49,7 +49,7 @@ method = "euler"
 n_st = 3
 )";
 
-  struct Input : Member, Section {};
+  using Input = BucklingInput;
   static constexpr auto inputs = join(held_inputs<Input>(), section_inputs<Input>(), material_inputs<Input>(),
                                       derived_section_inputs<Input>(), method_inputs<Input>());
 

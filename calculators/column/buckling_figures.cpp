@@ -1,4 +1,5 @@
 // The chart of critical stresses over the slenderness with the bar's own point, and its buckled shapes.
+#include "calculators/column/buckling.hpp"
 #include "calculators/column/buckling_parts.hpp"
 
 #include <algorithm>

@@ -1,9 +1,10 @@
 // What the sources of column.buckling share.
 #pragma once
 
-#include "calculators/column/buckling.hpp"
+#include "calculators/column/buckling_input.hpp"
 #include "calculators/column/codes/eurocode.hpp"
 #include "calculators/column/member/parts.hpp"
+#include "calculators/column/member/result.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <optional>
@@ -33,22 +34,22 @@ inline const Sp16Type& sp16_type(Profile kind) {
 }
 
 /// With what its section adds.
-inline Material material_of(const Buckling::Input& in) {
+inline Material material_of(const BucklingInput& in) {
   Material material = material_of(static_cast<const Member&>(in));
   material.sp16 = sp16_type(in.kind);
   return material;
 }
 
-Plates plates_of(const Buckling::Input& in);
+Plates plates_of(const BucklingInput& in);
 /// Its distance from the axis: as given, else half the side of a section that is symmetric to the axis; unset of a
 /// channel about z, of a tee about y, of an angle.
-Length extreme_fibre(const Buckling::Input& in, AxisName axis);
+Length extreme_fibre(const BucklingInput& in, AxisName axis);
 /// Whether it is for every eccentricity.
-bool fibre_known(const Buckling::Input& in);
+bool fibre_known(const BucklingInput& in);
 /// About an axis: as given, else by the kind of section.
-Curve curve_of(const Buckling::Input& in, AxisName axis);
+Curve curve_of(const BucklingInput& in, AxisName axis);
 
 /// The bar as it buckles about each axis whose ends are known, beside its section; nothing where none is.
-std::optional<draw::Figure> bar_figure(const Buckling::Input& in, const MemberResult& r);
+std::optional<draw::Figure> bar_figure(const BucklingInput& in, const MemberResult& r);
 
 }  // namespace loadpath::column

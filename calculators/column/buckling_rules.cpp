@@ -1,4 +1,5 @@
 // The rules of column.buckling about the section, and what they say of an input that breaks them.
+#include "calculators/column/buckling.hpp"
 #include "calculators/column/buckling_parts.hpp"
 #include "calculators/column/member/rules.hpp"
 
@@ -74,5 +75,28 @@ bool Buckling::needs_of_method(const Input& in) { return lack(in, has_curves(in)
 FieldFault Buckling::missing_for_method(const Input& in) { return column::missing_for_method(in, has_curves(in)); }
 
 bool Buckling::extreme_fibre_known(const Input& in) { return fibre_known(in); }
+
+/// By its kind; without one a bar of d, or of h and b, is known too, and what is full by its area and moments.
+Outline Buckling::outline_of(const Input& in) {
+  switch (in.kind) {
+    case Profile::rolled_I:
+    case Profile::welded_I:
+      return Outline::two_flanges;
+    case Profile::channel:
+    case Profile::tee:
+    case Profile::angle:
+      return Outline::open;
+    case Profile::hot_hollow:
+    case Profile::cold_hollow:
+    case Profile::welded_box:
+      return Outline::closed;
+    case Profile::solid:
+      return Outline::solid;
+    case Profile::unsaid:
+      break;
+  }
+  if (is_set(in.d)) return is_set(in.A) || in.d_bore > 0.0 * mm ? Outline::closed : Outline::solid;
+  return is_set(in.A) && !is_full(in) ? Outline::unknown : Outline::solid;
+}
 
 }  // namespace loadpath::column

@@ -1,13 +1,13 @@
 #include "calculators/drive/stage.hpp"
 
-#include "calculators/gear/planetary.hpp"
+#include "calculators/gear/planetary/planetary.hpp"
 
 #include <algorithm>
 
 namespace loadpath::drive {
 
-Set planetary_set(const Train::Stage& s) {
-  using Member = Train::Member;
+Set planetary_set(const TrainTypes::Stage& s) {
+  using Member = TrainTypes::Member;
   gear::Planetary::Input set;
   set.z_s = s.z_s, set.z_r = s.z_r, set.z_p = Whole(std::max(1.0, (s.z_r - s.z_s) / 2.0)), set.N_p = 1;
   set.eta_0 = s.eta;

@@ -1,7 +1,7 @@
 // What a stage of a train makes of its kind.
 #pragma once
 
-#include "calculators/drive/train.hpp"
+#include "calculators/drive/train_types.hpp"
 
 namespace loadpath::drive {
 
@@ -9,15 +9,15 @@ namespace loadpath::drive {
 struct Set {
   double i, eta;
 };
-Set planetary_set(const Train::Stage& s);
+Set planetary_set(const TrainTypes::Stage& s);
 
 struct Usual {
   double low, high;
 };
 /// The usual efficiencies of a kind. The ranges are a warning, no limit: [B40] gives that of chains, [Efficiencies] the
 /// others.
-inline Usual usual_of(Train::StageKind kind) {
-  using StageKind = Train::StageKind;
+inline Usual usual_of(TrainTypes::StageKind kind) {
+  using StageKind = TrainTypes::StageKind;
   switch (kind) {
     case StageKind::gear:
     case StageKind::internal:

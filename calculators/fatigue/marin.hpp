@@ -1,7 +1,7 @@
 // Marin's factors after Shigley: what surface, size, load, temperature and reliability leave of a fatigue limit.
 #pragma once
 
-#include "calculators/fatigue/endurance.hpp"
+#include "calculators/fatigue/endurance_types.hpp"
 #include "lib/numerics/quantile.hpp"
 
 #include <cmath>
@@ -13,8 +13,8 @@ struct MarinSurface {
 };
 
 /// Table 6-2 of [Shigley6].
-inline MarinSurface surface_of_9th(Endurance::Finish finish) {
-  using F = Endurance::Finish;
+inline MarinSurface surface_of_9th(EnduranceTypes::Finish finish) {
+  using F = EnduranceTypes::Finish;
   switch (finish) {
     case F::ground:
       return {1.58, -0.085};
@@ -29,8 +29,8 @@ inline MarinSurface surface_of_9th(Endurance::Finish finish) {
 }
 
 /// The same of the 11th edition.
-inline MarinSurface surface_of_11th(Endurance::Finish finish) {
-  using F = Endurance::Finish;
+inline MarinSurface surface_of_11th(EnduranceTypes::Finish finish) {
+  using F = EnduranceTypes::Finish;
   switch (finish) {
     case F::ground:
       return {1.38, -0.067};
@@ -45,10 +45,10 @@ inline MarinSurface surface_of_11th(Endurance::Finish finish) {
 }
 
 template <class Tracer>
-double marin_surface(const Endurance::Input& in, Tracer& trace) {
+double marin_surface(const EnduranceTypes::Input& in, Tracer& trace) {
   using std::pow;
   if (is_set(in.k_a)) return trace.value("k_a", in.k_a, "surface, as given");
-  const bool ninth = in.edition == Endurance::Edition::ninth;
+  const bool ninth = in.edition == EnduranceTypes::Edition::ninth;
   const auto [a, b] = ninth ? surface_of_9th(in.finish) : surface_of_11th(in.finish);
   const char* const why = ninth ? "of the finish, [Shigley6] table 6-2"
                                 : "of the finish, 11th edition: ground as in [Shigley-SM6], the others recalled";
@@ -60,16 +60,16 @@ double marin_surface(const Endurance::Input& in, Tracer& trace) {
 
 /// Of what stands only two sides are highly stressed in bending: it is as strong as a thinner bar that turns.
 template <class Tracer>
-Length marin_diameter(const Endurance::Input& in, Tracer& trace) {
-  const bool bends = in.loading == Endurance::Loading::bending;
+Length marin_diameter(const EnduranceTypes::Input& in, Tracer& trace) {
+  const bool bends = in.loading == EnduranceTypes::Loading::bending;
   if (is_set(in.h)) return NAMED_STEP("d_e", 0.808 * sqrt(in.h * in.b), "rectangle that stands, [Shigley6] table 6-3");
-  if (in.turning == Endurance::Turning::standing && bends)
+  if (in.turning == EnduranceTypes::Turning::standing && bends)
     return NAMED_STEP("d_e", 0.370 * in.d, "round bar that stands, [Shigley6] (6-24)");
   return in.d;
 }
 
 template <class Tracer>
-double marin_size(const Endurance::Input& in, Endurance::Result& r, Tracer& trace) {
+double marin_size(const EnduranceTypes::Input& in, EnduranceTypes::Result& r, Tracer& trace) {
   using std::pow;
   if (is_set(in.k_b)) return trace.value("k_b", in.k_b, "size, as given");
   const bool sized = is_set(in.d) || is_set(in.h);
@@ -77,7 +77,7 @@ double marin_size(const Endurance::Input& in, Endurance::Result& r, Tracer& trac
     if (sized) r.x_d = 0.0;
     return trace.value("k_b", in.k_b, "given");
   }
-  if (!sized || in.loading == Endurance::Loading::tension) {
+  if (!sized || in.loading == EnduranceTypes::Loading::tension) {
     if (sized) r.x_d = 0.0;
     return NAMED_STEP("k_b", 1.0, "no size effect: tension, or no d given, [Shigley6]");
   }
@@ -90,7 +90,7 @@ double marin_size(const Endurance::Input& in, Endurance::Result& r, Tracer& trac
 
 /// Steels by the polynomial that [Shigley6] fits to tensile strengths, in degrees Fahrenheit.
 template <class Tracer>
-double marin_heat(const Endurance::Input& in, Endurance::Result& r, Tracer& trace) {
+double marin_heat(const EnduranceTypes::Input& in, EnduranceTypes::Result& r, Tracer& trace) {
   if (!is_set(in.T)) return trace.value("k_d", 1.0, "no T given: R_m is that of the temperature of the part");
   STEP(T_F, in.T / kelvin * 1.8 - 459.67, "temperature in degF, in which the fit is published");
   STEP_TO(r, x_T, (T_F - 68.0) / (1000.0 - 68.0), "20 degC to 1000 degF, [Shigley6] (6-27)");
@@ -101,7 +101,7 @@ double marin_heat(const Endurance::Input& in, Endurance::Result& r, Tracer& trac
 }
 
 template <class Tracer>
-double marin_reliability(const Endurance::Input& in, Tracer& trace) {
+double marin_reliability(const EnduranceTypes::Input& in, Tracer& trace) {
   if (!is_set(in.P_s)) return trace.value("k_e", 1.0, "no P_s given: one half of the parts");
   const double z_a = trace.value("z_a", numerics::normal_quantile(in.P_s), "standard normal deviate of P_s");
   return NAMED_STEP("k_e", 1.0 - 0.08 * z_a, "fatigue limits scatter by 8 %, [Shigley6] (6-29)");
@@ -109,7 +109,7 @@ double marin_reliability(const Endurance::Input& in, Tracer& trace) {
 
 /// The whole of K_D where load, temperature or reliability take part.
 template <class Tracer>
-double marin_service(const Endurance::Input& in, Endurance::Result& r, Tracer& trace) {
+double marin_service(const EnduranceTypes::Input& in, EnduranceTypes::Result& r, Tracer& trace) {
   r.k_c = is_set(in.k_c) ? trace.value("k_c", in.k_c, "load: sigma_W was measured in rotating bending")
                          : trace.value("k_c", 1.0, "sigma_m1 is that of this loading already");
   r.k_d = marin_heat(in, r, trace);

@@ -2,7 +2,7 @@
 // tooth_form.hpp.
 #pragma once
 
-#include "calculators/gear/tooth_form.hpp"
+#include "calculators/gear/rack.hpp"
 #include "calculators/gear/trigonometry.hpp"
 
 #include <numbers>

@@ -7,9 +7,9 @@
 namespace loadpath::gear {
 
 /// Gear 1 at the origin, the middle of a tooth along x.
-[[nodiscard]] Body first_body(const Pair::Input& in, const PairResult& r);
+[[nodiscard]] Body first_body(const PairInput& in, const PairResult& r);
 /// Gear 2 at its centre distance, on the right, of a ring on the left; the middle of a space faces that tooth.
-[[nodiscard]] Body second_body(const Pair::Input& in, const PairResult& r);
+[[nodiscard]] Body second_body(const PairInput& in, const PairResult& r);
 
 /// A closed polygon close to a circle.
 [[nodiscard]] std::vector<draw::Point> rim_of(draw::Point centre, double radius);

@@ -1,4 +1,5 @@
 // The pair drawn in the transverse plane: whole, with its circles, and where it meshes, with the path of contact.
+#include "calculators/gear/pair.hpp"
 #include "calculators/gear/pair_bodies.hpp"
 #include "lib/figure/drawing.hpp"
 #include "lib/text/issue.hpp"

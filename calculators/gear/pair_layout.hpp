@@ -9,7 +9,7 @@ namespace loadpath::gear {
 namespace layout {
 
 template <class Tracer>
-void reference_circles(const Pair::Input& in, PairResult& r, Tracer& trace) {
+void reference_circles(const PairInput& in, PairResult& r, Tracer& trace) {
   STEP_TO(r, alpha_t, atan(tan(in.alpha_n) / cos(in.beta)), "transverse pressure angle, [ISO21771]");
   STEP_TO(r, m_t, in.m_n / cos(in.beta), "transverse module");
   STEP_TO(r, d_1, m_t * in.z_1, "reference circle");
@@ -22,7 +22,7 @@ void reference_circles(const Pair::Input& in, PairResult& r, Tracer& trace) {
 
 /// The profile shift follows from the centre distance.
 template <class Tracer>
-void shift_from_distance(const Pair::Input& in, double g, PairResult& r, Tracer& trace) {
+void shift_from_distance(const PairInput& in, double g, PairResult& r, Tracer& trace) {
   STEP(inv_t, tan(r.alpha_t) - r.alpha_t, "involute function of the pressure angle");
   STEP_TO(r, alpha_wt, acos(r.a * cos(r.alpha_t) / in.a_w),
           "working pressure angle at the centre distance, [ISO21771]");
@@ -36,7 +36,7 @@ void shift_from_distance(const Pair::Input& in, double g, PairResult& r, Tracer&
 
 /// The centre distance follows from the profile shifts.
 template <class Tracer>
-void distance_from_shift(const Pair::Input& in, double g, PairResult& r, Tracer& trace) {
+void distance_from_shift(const PairInput& in, double g, PairResult& r, Tracer& trace) {
   const double x_2 = r.x_2 = is_set(in.x_2) ? in.x_2 : 0.0;
   trace.value("x_2", x_2, is_set(in.x_2) ? "as given" : "none, as neither it nor a centre distance is given");
   STEP(inv_t, tan(r.alpha_t) - r.alpha_t, "involute function of the pressure angle");
@@ -49,7 +49,7 @@ void distance_from_shift(const Pair::Input& in, double g, PairResult& r, Tracer&
 }
 
 template <class Tracer>
-void diameters(const Pair::Input& in, double g, PairResult& r, Tracer& trace) {
+void diameters(const PairInput& in, double g, PairResult& r, Tracer& trace) {
   STEP_TO(r, d_w1, 2.0 * r.a_w * in.z_1 / (in.z_2 + g * in.z_1), "working pitch circle");
   STEP_TO(r, d_w2, 2.0 * r.a_w * in.z_2 / (in.z_2 + g * in.z_1), "working pitch circle");
   if (in.shortening == Shortening::none) {
@@ -72,7 +72,7 @@ void diameters(const Pair::Input& in, double g, PairResult& r, Tracer& trace) {
 
 /// Against a rack the pitch circle is the reference circle wherever the rack stands.
 template <class Tracer>
-void lay_out_rack(const Pair::Input& in, PairResult& r, Tracer& trace) {
+void lay_out_rack(const PairInput& in, PairResult& r, Tracer& trace) {
   r.a = 0.5 * r.d_1, r.a_w = in.a_w, r.k = 0.0;
   if (!is_set(in.a_w)) {
     STEP_TO(r, a_w, r.d_1 / 2.0 + in.x_1 * in.m_n, "from the axis to the reference line of the rack, no backlash");
@@ -92,7 +92,7 @@ void lay_out_rack(const Pair::Input& in, PairResult& r, Tracer& trace) {
 
 /// Reference circles, centre distance or profile shift, diameters and clearances.
 template <class Tracer>
-void lay_out(const Pair::Input& in, PairResult& r, Tracer& trace) {
+void lay_out(const PairInput& in, PairResult& r, Tracer& trace) {
   using namespace layout;
   reference_circles(in, r, trace);
   if (in.mesh == Mesh::rack) return lay_out_rack(in, r, trace);

@@ -9,13 +9,13 @@ namespace loadpath::gear {
 namespace load {
 
 template <class Tracer>
-Moment torque(const Pair::Input& in, Tracer& trace) {
+Moment torque(const PairInput& in, Tracer& trace) {
   if (!is_set(in.P)) return in.T_1;
   return NAMED_STEP("T_1", in.P / in.n_1, "torque from the power, nominal");
 }
 
 template <class Tracer>
-void speeds(const Pair::Input& in, PairResult& r, Tracer& trace) {
+void speeds(const PairInput& in, PairResult& r, Tracer& trace) {
   STEP_TO(r, v, in.n_1 * r.d_w1 / 2.0, "pitch line velocity");
   if (in.mesh == Mesh::rack) return;
   const double g = trace.value("g", sign_of(in.mesh), "1 with a wheel, -1 with a ring");
@@ -25,7 +25,7 @@ void speeds(const Pair::Input& in, PairResult& r, Tracer& trace) {
 /// What the shafts take, each in its own frame. The axes of the results point from axis 1 to the pitch point, which is
 /// toward axis 2 where that is of a wheel, away from it where a ring is around gear 1. `w`: 1 where gear 1 turns
 /// counter-clockwise, else -1.
-inline void hand_over(const Pair::Input& in, Moment T_1, double w, PairResult& r) {
+inline void hand_over(const PairInput& in, Moment T_1, double w, PairResult& r) {
   const double K_A = in.K_A, to_2 = K_A * sign_of(in.mesh);
   r.gear_1 = shaft_load(K_A * T_1, {to_2 * r.F_x1, to_2 * r.F_y1, K_A * r.F_z1}, r.d_w1, w * in.n_1, sign_of(in.mesh));
   r.gear_1.d_f = r.d_f1, r.gear_1.h_t = (r.d_a1 - r.d_f1) / 2.0;
@@ -36,7 +36,7 @@ inline void hand_over(const Pair::Input& in, Moment T_1, double w, PairResult& r
 
 /// [Vortarus], with the hand of the helix and the sense of rotation; the working circle gives what the bearings feel.
 template <class Tracer>
-void forces(const Pair::Input& in, Moment T_1, PairResult& r, Tracer& trace) {
+void forces(const PairInput& in, Moment T_1, PairResult& r, Tracer& trace) {
   STEP(w, in.turns == Turns::ccw ? 1.0 : -1.0, "1 where gear 1 turns counter-clockwise, -1 clockwise");
   STEP(h, in.hand == Hand::right ? 1.0 : -1.0, "1 for a right-hand helix of gear 1, -1 for a left-hand one");
   STEP_TO(r, F_t, 2.0 * abs(T_1) / r.d_1, "at the reference circle");
@@ -57,10 +57,10 @@ void forces(const Pair::Input& in, Moment T_1, PairResult& r, Tracer& trace) {
 
 /// [Shigley14] (14-4a) to (14-6b); the speeds up to which they are used are recalled.
 template <class Tracer>
-void velocity_factor(const Pair::Input& in, PairResult& r, Tracer& trace) {
+void velocity_factor(const PairInput& in, PairResult& r, Tracer& trace) {
   if (in.cutting == Cutting::none) {
     const bool runs = is_set(in.n_1);
-    if (!(runs && Pair::asks_strength(in))) r.v_share = 0.0;  // else nobody knows how fast such teeth may run
+    if (!(runs && asks_strength(in))) r.v_share = 0.0;  // else nobody knows how fast such teeth may run
     r.K_v = trace.value("K_v", 1.0, runs ? "not counted: how the teeth are cut is not given" : "load at rest");
   } else if (in.cutting == Cutting::cast) {
     STEP_TO(r, K_v, (3.05 + r.v / m_per_s) / 3.05, "cast teeth, Barth, [Shigley14]");
@@ -78,7 +78,7 @@ void velocity_factor(const Pair::Input& in, PairResult& r, Tracer& trace) {
 }
 
 /// Lewis' factor of a wheel, from the spur gear with the same normal section.
-inline double form_factor(const Pair::Input& in, double z, double x, double k) {
+inline double form_factor(const PairInput& in, double z, double x, double k) {
   const double c = cos(in.beta), z_n = z / (c * c * c);
   const Rack rack{in.alpha_n, in.h_fP, in.rho_fP};
   return lewis_factor(rack, z_n, x, 0.5 * z_n + in.h_aP + x - k);
@@ -101,7 +101,7 @@ struct Bending {
 };
 
 template <class Tracer>
-Bending bend(const Pair::Input& in, const PairResult& r, const Tooth& tooth, Tracer& trace) {
+Bending bend(const PairInput& in, const PairResult& r, const Tooth& tooth, Tracer& trace) {
   const double Y = is_set(tooth.Y_given) ? tooth.Y_given : form_factor(in, tooth.z, tooth.x, tooth.k);
   trace.value("Y", Y, is_set(tooth.Y_given) ? "Lewis' factor as given" : from_form);
   trace.value(tooth.Y, Y, "of this gear");
@@ -120,7 +120,7 @@ Bending bend(const Pair::Input& in, const PairResult& r, const Tooth& tooth, Tra
 }
 
 template <class Tracer>
-void bend_all(const Pair::Input& in, PairResult& r, Tracer& trace) {
+void bend_all(const PairInput& in, PairResult& r, Tracer& trace) {
   const Tooth first{in.z_1, in.x_1,     r.k,   in.Y_1, in.sigma_adm_1, is_idler(in.idler, Idler::gear_1),
                     "Y_1",  "sigma_F1", "u_F1"};
   const Bending one = bend(in, r, first, trace);
@@ -137,7 +137,7 @@ void bend_all(const Pair::Input& in, PairResult& r, Tracer& trace) {
 
 /// Speeds, torques, forces, bending by Lewis; only what the load that is given allows.
 template <class Tracer>
-void load_teeth(const Pair::Input& in, PairResult& r, Tracer& trace) {
+void load_teeth(const PairInput& in, PairResult& r, Tracer& trace) {
   using namespace load;
   if (is_set(in.n_1)) speeds(in, r, trace);
   const Moment T_1 = torque(in, trace);

@@ -8,13 +8,13 @@ namespace loadpath::gear {
 namespace mesh {
 
 template <class Tracer>
-double tips_over_bases(const Pair::Input& in, const PairResult& r, Tracer& trace) {
+double tips_over_bases(const PairInput& in, const PairResult& r, Tracer& trace) {
   if (in.mesh == Mesh::rack) return NAMED_STEP("q_a", r.d_a1 / r.d_b1, "the flank begins at the base circle");
   return NAMED_STEP("q_a", min(r.d_a1 / r.d_b1, r.d_a2 / r.d_b2), "flanks begin at the base circle");
 }
 
 template <class Tracer>
-void path_of_contact(const Pair::Input& in, PairResult& r, Tracer& trace) {
+void path_of_contact(const PairInput& in, PairResult& r, Tracer& trace) {
   STEP_TO(r, p_et, pi * r.m_t * cos(r.alpha_t), "transverse base pitch");
   r.q_a = tips_over_bases(in, r, trace);
   STEP(rho_a1, sqrt(r.d_a1 * r.d_a1 - r.d_b1 * r.d_b1) / 2.0, "radius of the flank at the tip of gear 1");
@@ -32,7 +32,7 @@ void path_of_contact(const Pair::Input& in, PairResult& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void overlap(const Pair::Input& in, PairResult& r, Tracer& trace) {
+void overlap(const PairInput& in, PairResult& r, Tracer& trace) {
   r.b = in.b;
   if (is_set(in.psi_m)) {
     STEP_TO(r, b, in.psi_m * in.m_n, "face width");
@@ -46,7 +46,7 @@ void overlap(const Pair::Input& in, PairResult& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void undercut(const Pair::Input& in, double h_Ff, PairResult& r, Tracer& trace) {
+void undercut(const PairInput& in, double h_Ff, PairResult& r, Tracer& trace) {
   STEP_TO(r, x_min1, h_Ff - in.z_1 * pow<2>(sin(r.alpha_t)) / (2.0 * cos(in.beta)),
           "the straight flank ends at the base circle");
   if (in.mesh != Mesh::external) {
@@ -60,7 +60,7 @@ void undercut(const Pair::Input& in, double h_Ff, PairResult& r, Tracer& trace) 
 
 /// How far the tips of wheel and ring pass each other where their circles cross, away from the line of action.
 template <class Tracer>
-double tips_apart(const Pair::Input& in, const PairResult& r, Tracer& trace) {
+double tips_apart(const PairInput& in, const PairResult& r, Tracer& trace) {
   STEP(alpha_a1, acos(r.d_b1 / r.d_a1), "pressure angle at the tip of the wheel");
   STEP(alpha_a2, acos(r.d_b2 / r.d_a2), "pressure angle at the tip of the ring");
   if (r.d_a2 / 2.0 - r.a_w > r.d_a1 / 2.0) return 1e3;  // the tip circles do not cross
@@ -77,7 +77,7 @@ double tips_apart(const Pair::Input& in, const PairResult& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void interference(const Pair::Input& in, double h_Ff, PairResult& r, Tracer& trace) {
+void interference(const PairInput& in, double h_Ff, PairResult& r, Tracer& trace) {
   STEP(rho_F1, max(0.0 * mm, r.d_1 / 2.0 * sin(r.alpha_t) - (h_Ff - in.x_1) * in.m_n / sin(r.alpha_t)),
        "flank of gear 1 where its fillet begins");
   STEP(f_1, (r.d_w1 / 2.0 * sin(r.alpha_wt) - r.g_f - rho_F1) / in.m_n,
@@ -103,7 +103,7 @@ void interference(const Pair::Input& in, double h_Ff, PairResult& r, Tracer& tra
 
 /// Path of contact and contact ratios; undercut and interference.
 template <class Tracer>
-void bring_to_mesh(const Pair::Input& in, PairResult& r, Tracer& trace) {
+void bring_to_mesh(const PairInput& in, PairResult& r, Tracer& trace) {
   using namespace mesh;
   path_of_contact(in, r, trace);
   overlap(in, r, trace);

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "calculators/gear/angles.hpp"
-#include "calculators/gear/pair.hpp"
+#include "calculators/gear/pair_input.hpp"
+#include "calculators/gear/pair_result.hpp"
+#include "lib/calculator/trace.hpp"
 
 #include <cmath>
 
@@ -12,7 +14,7 @@ namespace loadpath::gear {
 inline double sign_of(Mesh mesh) { return mesh == Mesh::internal ? -1.0 : 1.0; }
 
 /// Whether the profile shifts leave teeth that have a form; limits tell where they do not.
-inline bool has_teeth(const Pair::Input& in, const PairResult& r) {
+inline bool has_teeth(const PairInput& in, const PairResult& r) {
   return r.q_a >= 1.0 && (in.mesh == Mesh::rack || std::abs(r.x_2) <= most_shift) && r.s_a > 0.0;
 }
 

@@ -22,7 +22,7 @@ struct Wheel {
 };
 
 template <class Tracer>
-Length tip_thickness(const Pair::Input& in, const PairResult& r, const Wheel& w, Length s_n, const Symbols& name,
+Length tip_thickness(const PairInput& in, const PairResult& r, const Wheel& w, Length s_n, const Symbols& name,
                      Tracer& trace) {
   trace.value("d", w.d, "reference circle of the wheel");
   trace.value("d_a", w.d_a, "its tip circle");
@@ -37,7 +37,7 @@ Length tip_thickness(const Pair::Input& in, const PairResult& r, const Wheel& w,
 
 /// Over as many teeth as touch near the circle d + 2 x m_n.
 template <class Tracer>
-double spanned_teeth(const Pair::Input& in, const PairResult& r, const Wheel& w, Tracer&) {
+double spanned_teeth(const PairInput& in, const PairResult& r, const Wheel& w, Tracer&) {
   if (w.spanned > 0) return w.spanned;
   const double tan_b = tan(in.beta) * cos(r.alpha_t);  // of the helix at the base cylinder
   const double ratio_v = w.d_b / (w.d + 2.0 * w.x * in.m_n);
@@ -49,7 +49,7 @@ double spanned_teeth(const Pair::Input& in, const PairResult& r, const Wheel& w,
 }
 
 template <class Tracer>
-Length base_tangent(const Pair::Input& in, const PairResult& r, const Wheel& w, double k_W, const Symbols& name,
+Length base_tangent(const PairInput& in, const PairResult& r, const Wheel& w, double k_W, const Symbols& name,
                     Tracer& trace) {
   trace.value(name.k_W, k_W, w.spanned > 0 ? "teeth spanned, as given" : "teeth spanned, contact near d + 2 x m_n");
   trace.value("k_W", k_W, "teeth spanned");
@@ -64,7 +64,7 @@ Length base_tangent(const Pair::Input& in, const PairResult& r, const Wheel& w, 
 
 /// Whether the jaws of a gauge find both flanks: the base tangent of a helical tooth leans along the helix, by the
 /// angle that the helix has at the base cylinder.
-inline bool is_wide_enough(const Pair::Input& in, const PairResult& r, Length W) {
+inline bool is_wide_enough(const PairInput& in, const PairResult& r, Length W) {
   return !is_set(r.b) || r.b > W * (sin(in.beta) * cos(in.alpha_n));
 }
 
@@ -75,7 +75,7 @@ struct Span {
 };
 
 template <class Tracer>
-Span span(const Pair::Input& in, const PairResult& r, const Wheel& w, const Symbols& name, Tracer& trace) {
+Span span(const PairInput& in, const PairResult& r, const Wheel& w, const Symbols& name, Tracer& trace) {
   NoTrace quiet;
   const double k = spanned_teeth(in, r, w, trace);
   if (!is_wide_enough(in, r, base_tangent(in, r, w, k, name, quiet))) return {};
@@ -86,7 +86,7 @@ Span span(const Pair::Input& in, const PairResult& r, const Wheel& w, const Symb
 
 /// Thickness at the reference circle and at the tip, backlash, base-tangent length.
 template <class Tracer>
-void measure_teeth(const Pair::Input& in, PairResult& r, Tracer& trace) {
+void measure_teeth(const PairInput& in, PairResult& r, Tracer& trace) {
   using namespace teeth;
   const bool both_shifts_given = is_set(in.a_w) && (is_set(in.x_2) || in.mesh == Mesh::rack);
   STEP_TO(r, s_n1, in.m_n * (pi / 2.0 + 2.0 * in.x_1 * tan(in.alpha_n)) + in.A_s1,

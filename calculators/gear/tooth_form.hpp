@@ -3,14 +3,9 @@
 // Lengths in modules. Coordinates of the gear: y runs from the axis through the middle of a tooth, x across it.
 #pragma once
 
-namespace loadpath::gear {
+#include "calculators/gear/rack.hpp"
 
-/// The generating rack in one plane: its dedendum becomes the root of the tooth.
-struct Rack {
-  double alpha = 0.0;  // pressure angle, rad
-  double h_f = 0.0;    // dedendum
-  double rho = 0.0;    // radius of its rounded corner
-};
+namespace loadpath::gear {
 
 struct FormPoint {
   double x = 0.0;  // half the thickness of the tooth

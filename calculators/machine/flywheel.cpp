@@ -1,6 +1,5 @@
 #include "calculators/machine/flywheel.hpp"
 
-#include "calculators/machine/flywheel_step.hpp"
 #include "calculators/motion/laws.hpp"
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/expression/resolved.hpp"

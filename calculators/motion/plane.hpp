@@ -6,6 +6,7 @@
 // Sign: angles counter-clockwise from x. Source: [B29].
 #pragma once
 
+#include "calculators/motion/plane_types.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -18,7 +19,7 @@
 
 namespace loadpath::motion {
 
-struct Plane {
+struct Plane : PlaneTypes {
   static constexpr auto id = "motion.plane";
   static constexpr auto title = "Plane motion of a body";
   static constexpr auto scope =
@@ -39,35 +40,6 @@ alpha_B = "0 deg"
 points = [{ name = "C", x = "1.5 m", y = "2 m" }]
 )toml";
 
-  enum class Case { given, meeting, tips, inclined };
-  enum class Kind { rotation, translation, rest };
-
-  struct Place {
-    Length x = unset<Length>, y = unset<Length>;
-    static constexpr Fields fields{Field{&Place::x, "x", m, "coordinate x"}.may_be_missing(),
-                                   Field{&Place::y, "y", m, "coordinate y"}.may_be_missing()};
-  };
-  struct Point {
-    Name name;
-    Length x = unset<Length>, y = unset<Length>;
-    static constexpr Fields fields{NameField{&Point::name, "name", "name of the point"}.may_be_missing(),
-                                   Field{&Point::x, "x", m, "coordinate x"}, Field{&Point::y, "y", m, "coordinate y"}};
-  };
-  static constexpr std::size_t most_points = 16;
-
-  struct Input {
-    Place A, B;
-    Speed v_A = unset<Speed>;
-    double alpha_A = 0.0;
-    AngularSpeed omega = unset<AngularSpeed>;
-    Speed v_B = unset<Speed>;
-    double alpha_B = unset<double>;
-    Acceleration a_A = unset<Acceleration>;
-    double alpha_aA = 0.0;
-    AngularAcceleration epsilon = unset<AngularAcceleration>;
-    double alpha_aB = unset<double>;
-    List<Point, most_points> points;
-  };
   static constexpr Fields inputs{
       Group{&Input::A, "A", "place of A: [x, y]"}.as_array(),
       Group{&Input::B, "B", "place of B: [x, y]"}.as_array().may_be_missing(),
@@ -90,37 +62,6 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
           .may_be_missing(),
       ListField{&Input::points, "points", "further points of the body"}.may_be_missing()};
 
-  struct PointState {
-    Name name;
-    Length x = unset<Length>, y = unset<Length>;
-    Speed v_x = unset<Speed>, v_y = unset<Speed>, v = unset<Speed>;
-    double gamma = unset<double>;
-    Acceleration a_x = unset<Acceleration>, a_y = unset<Acceleration>, a = unset<Acceleration>;
-    static constexpr Fields fields{NameField{&PointState::name, "name", "name of the point"},
-                                   Field{&PointState::x, "x", m, "coordinate x"},
-                                   Field{&PointState::y, "y", m, "coordinate y"},
-                                   Field{&PointState::v_x, "v_x", m_per_s, "velocity along x"},
-                                   Field{&PointState::v_y, "v_y", m_per_s, "velocity along y"},
-                                   Field{&PointState::v, "v", m_per_s, "speed"},
-                                   Field{&PointState::gamma, "gamma", deg, "direction of the velocity, from x"},
-                                   Field{&PointState::a_x, "a_x", m_per_s2, "acceleration along x"},
-                                   Field{&PointState::a_y, "a_y", m_per_s2, "acceleration along y"},
-                                   Field{&PointState::a, "a", m_per_s2, "acceleration"}};
-  };
-
-  struct Result {
-    Case found = Case::given;
-    Kind kind = Kind::rotation;
-    Length AB = unset<Length>;
-    double beta = unset<double>;
-    Speed v_B = unset<Speed>;
-    AngularSpeed omega = unset<AngularSpeed>;
-    Length x_P = unset<Length>, y_P = unset<Length>, PA = unset<Length>;
-    AngularAcceleration epsilon = unset<AngularAcceleration>;
-    Acceleration a_B = unset<Acceleration>;
-    Length x_Q = unset<Length>, y_Q = unset<Length>;
-    List<PointState, most_points + 2> states;
-  };
   static constexpr Fields results{
       Choice{&Result::found, "found", "what the angular speed follows from"},
       Choice{&Result::kind, "kind", "what the body does at this instant"},
@@ -170,20 +111,5 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
   static Result evaluate(const Input& in, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
-
-constexpr auto choices_of(Plane::Case) {
-  using C = Plane::Case;
-  return std::array{
-      ChoiceName<C>{C::given, "given", "the angular speed is given"},
-      ChoiceName<C>{C::meeting, "meeting", "the perpendiculars to the velocities meet in the pole"},
-      ChoiceName<C>{C::tips, "tips", "both velocities are perpendicular to AB: the line through their tips"},
-      ChoiceName<C>{C::inclined, "inclined", "parallel velocities, oblique to AB: a translation"}};
-}
-constexpr auto choices_of(Plane::Kind) {
-  using K = Plane::Kind;
-  return std::array{ChoiceName<K>{K::rotation, "rotation", "turns about the pole of velocities"},
-                    ChoiceName<K>{K::translation, "translation", "all points have one velocity; no pole"},
-                    ChoiceName<K>{K::rest, "rest", "no point moves"}};
-}
 
 }  // namespace loadpath::motion

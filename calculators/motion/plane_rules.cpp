@@ -1,4 +1,5 @@
 // What motion.plane asks of its input beyond the bounds of its fields.
+#include "calculators/motion/plane.hpp"
 #include "calculators/motion/plane_parts.hpp"
 #include "lib/quantity/format.hpp"
 

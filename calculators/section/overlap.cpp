@@ -1,6 +1,7 @@
 // Whether the parts of a built-up section overlap, or stand apart: rules of section.built_up.
 //
 // Every shape is rectangles and rings; fillets and roundings are left out.
+#include "calculators/section/built_up.hpp"
 #include "calculators/section/part.hpp"
 
 #include <algorithm>

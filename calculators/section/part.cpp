@@ -9,6 +9,7 @@
 #include "calculators/section/shapes/rectangle.hpp"
 #include "calculators/section/shapes/ring.hpp"
 #include "calculators/section/shapes/tee.hpp"
+#include "lib/table/library.hpp"
 
 #include <string>
 
@@ -16,8 +17,8 @@ namespace loadpath::section {
 
 namespace {
 
-using Part = BuiltUp::Part;
-using Shape = BuiltUp::Shape;
+using Part = BuiltUpTypes::Part;
+using Shape = BuiltUpTypes::Shape;
 
 /// A length that a shape needs, and its key.
 struct Needed {

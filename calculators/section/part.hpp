@@ -1,7 +1,8 @@
 // A part of a built-up section before it is put to its place: what its own calculator or its row of a table says of it.
 #pragma once
 
-#include "calculators/section/built_up.hpp"
+#include "calculators/section/built_up_types.hpp"
+#include "lib/text/issue.hpp"
 
 #include <optional>
 
@@ -14,14 +15,14 @@ struct Shaped {
 };
 
 /// What is wrong with a part; nothing where it is whole.
-std::optional<FieldFault> fault_of(const BuiltUp::Part& part);
+std::optional<FieldFault> fault_of(const BuiltUpTypes::Part& part);
 
 /// The shape that a whole part has, or that its row of a table stands for.
-BuiltUp::Part as_shape(const BuiltUp::Part& part);
+BuiltUpTypes::Part as_shape(const BuiltUpTypes::Part& part);
 
 /// Of a part that is whole.
-Shaped shaped(const BuiltUp::Part& part);
+Shaped shaped(const BuiltUpTypes::Part& part);
 /// For drawing, in the same axes.
-Contours contours(const BuiltUp::Part& part);
+Contours contours(const BuiltUpTypes::Part& part);
 
 }  // namespace loadpath::section

@@ -3,6 +3,8 @@
 #include "cli/files/commands.hpp"
 #include "cli/solving.hpp"
 #include "lib/export/json_writer.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/difference.hpp"
 #include "lib/toml/tree.hpp"

@@ -3,6 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "cli/settings/settings.hpp"
 #include "lib/project/layout/layout.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/text/embedded.hpp"
 #include "lib/toml/tree.hpp"
 

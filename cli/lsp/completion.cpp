@@ -7,6 +7,7 @@
 #include "cli/lsp/words.hpp"
 #include "lib/calculator/choice_words.hpp"
 #include "lib/project/parts.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>

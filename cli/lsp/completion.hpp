@@ -1,30 +1,13 @@
 // What can be typed where the cursor stands, also in a file that does not parse.
 #pragma once
 
+#include "cli/lsp/completions.hpp"
 #include "cli/lsp/open_file.hpp"
 
 #include <string>
 #include <vector>
 
 namespace loadpath::cli::lsp {
-
-/// By the numbers of the protocol.
-enum class Kind : int { function = 3, field = 5, module = 9, unit = 11, value = 12, enumeration = 20, structure = 22 };
-
-struct Completion {
-  std::string label;
-  Kind kind = Kind::value;
-  std::string detail = {};
-  std::string meaning = {};
-  std::string text = {};     // that is put in; empty: the label
-  std::string snippet = {};  // the same with places to fill in: "d = \"$1 mm\""; empty: the text
-  int rank = 1;              // lower ones come first
-};
-
-struct Completions {
-  Range range;  // that they take the place of
-  std::vector<Completion> items;
-};
 
 Completions completions_at(const OpenFile& file, std::size_t offset);
 

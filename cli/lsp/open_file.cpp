@@ -2,6 +2,8 @@
 
 #include "calculators/catalogue.hpp"
 #include "cli/points.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 
 #include <algorithm>
 #include <charconv>

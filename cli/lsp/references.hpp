@@ -1,7 +1,7 @@
 // What an expression may refer to where the cursor stands in it: steps and their results, values, functions.
 #pragma once
 
-#include "cli/lsp/completion.hpp"
+#include "cli/lsp/completions.hpp"
 #include "lib/calculator/record.hpp"
 
 namespace loadpath::cli::lsp {

@@ -1,6 +1,7 @@
 #include "cli/settings/settings.hpp"
 
 #include "calculators/catalogue.hpp"
+#include "lib/project/solving/read_project.hpp"
 
 #include <algorithm>
 #include <array>

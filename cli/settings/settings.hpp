@@ -2,6 +2,7 @@
 #pragma once
 
 #include "lib/project/project.hpp"
+#include "lib/project/solving/read_project.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/toml/tree.hpp"
 

@@ -4,6 +4,8 @@
 #include "cli/files/starters.hpp"
 #include "lib/calculator/choice_words.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
 #include "lib/toml/tree.hpp"
 

@@ -15,6 +15,7 @@
 #include "lib/export/sweep/hdf5.hpp"
 #include "lib/export/sweep/json.hpp"
 #include "lib/export/sweep/store.hpp"
+#include "lib/project/solving/read_project.hpp"
 #include "lib/report/sweep/best.hpp"
 #include "lib/report/sweep/influence.hpp"
 #include "lib/toml/tree.hpp"

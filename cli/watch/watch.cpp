@@ -4,6 +4,8 @@
 #include "cli/watch/opening.hpp"
 #include "cli/watch/server.hpp"
 #include "cli/watch/watched.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/report/build.hpp"
 #include "lib/report/conclusion.hpp"
 

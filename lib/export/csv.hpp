@@ -1,6 +1,7 @@
 // The series of a solved project as comma-separated columns, one file per axis; the unit stands in the column's name.
 #pragma once
 
+#include "lib/project/project.hpp"
 #include "lib/project/series_choice.hpp"
 
 #include <string>

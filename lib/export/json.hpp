@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lib/calculator/calculator.hpp"
+#include "lib/project/project.hpp"
 #include "lib/project/series_choice.hpp"
 
 #include <string>

@@ -1,6 +1,7 @@
 #include "lib/export/schema_fields.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/unit_table.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "lib/formula/formula.hpp"
+#include "lib/formula/tree.hpp"
 
 #include <algorithm>
 

@@ -1,62 +1,14 @@
-// The small language in which STEP texts are written: C++ expressions over symbols, read back for the report.
-//
-//   + - * / ?: comparisons && || unary - parentheses, calls (sqrt cbrt pow<n> root<n> pow(x, y) abs sin cos
-//   tan asin acos atan exp log min max is_set), numbers, unit names (`d / mm`, `10.0 * mm`), and names that are
-//   symbols: d, alone or as a member of what it is read from: in.d of the input, r.F_c of the result, pulley.d of an
-//   element of a list. A choice is compared with one of its words: in.kind == Kind::wide.
+// Formulas as they are shown: in MathML, in TeX, as plain text.
 #pragma once
 
+#include "lib/formula/tree.hpp"
+
 #include <cstddef>
-#include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace loadpath::formula {
-
-enum class Kind { number, symbol, negate, binary, call, choose };
-
-struct Node {
-  Kind kind = Kind::number;
-  std::string text;  // the number, name, operator or function as written; pow<3> keeps its argument: "pow<3>"
-  std::vector<Node> kids;
-};
-
-/// The tree of a formula, or nothing where the text is not in the language. A name keeps what it is read from ("in.d");
-/// a word of a choice takes it from its choice: in.kind == Kind::wide compares "in.kind" with "in.kind::wide".
-std::optional<Node> parse(std::string_view cpp);
-
-/// The names of a tree, each once, as they stand there.
-std::vector<std::string> names(const Node& tree);
-
-/// The d of "in.d", the wide of "in.kind::wide".
-std::string_view symbol_of(std::string_view name);
-
-/// The formula as it is shown: of every name its symbol.
-std::string shown(std::string_view cpp);
-
-/// The SI value of a symbol or unit name; nothing where it is unknown.
-using Known = std::function<std::optional<double>(std::string_view name)>;
-
-/// The value of the tree over SI values; NaN where a name is unknown. `pi` and the units of lib/formula/units.cpp need
-/// no `known`.
-double value(const Node& tree, const Known& known);
-
-/// What a tree comes to where its outermost choices are settled by what is known.
-const Node& chosen(const Node& tree, const Known& known);
-
-/// Whether the value is an angle for sure: an inverse function, or an angle that is `known`, beside numbers and pi
-/// only.
-bool is_angle(const Node& tree, const std::function<bool(std::string_view name)>& known);
-
-/// How a symbol's value is written when it is substituted: number and printed unit ("2700", "N·m"); nothing: keep the
-/// name.
-struct Written {
-  std::string number;
-  std::string unit;
-};
-using Substituted = std::function<std::optional<Written>(std::string_view name)>;
 
 /// A name as a symbol of the field: tau_adm, sigma_m1, d_i: Greek spelt out, subscript after the first '_', a second
 /// '_' a comma, m1 after sigma or tau a -1, words of two or more Latin letters upright. MathML and TeX are fragments:

@@ -2,8 +2,8 @@
 // by the notation.
 #pragma once
 
-#include "lib/formula/formula.hpp"
 #include "lib/formula/names.hpp"
+#include "lib/formula/tree.hpp"
 
 #include <string>
 #include <string_view>

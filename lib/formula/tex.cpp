@@ -1,3 +1,4 @@
+#include "lib/formula/formula.hpp"
 #include "lib/formula/print.hpp"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
-#include "lib/formula/formula.hpp"
 #include "lib/formula/names.hpp"
+#include "lib/formula/tree.hpp"
 
 #include <algorithm>
 #include <charconv>

@@ -3,6 +3,7 @@
 #include "lib/project/accept.hpp"
 #include "lib/project/because.hpp"
 #include "lib/project/read/errors.hpp"
+#include "lib/project/read/read_record.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>

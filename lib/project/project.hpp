@@ -55,24 +55,6 @@ std::pair<std::string, std::string> split_step(const std::string& path);
 /// Whether a path names a value of a table: "tables.materials.S355.E".
 bool is_of_tables(const std::string& path);
 
-/// Whether an input may be a range or a list of values: `run` takes one value, a sweep goes through all.
-enum class Ranges { refused, taken };
-
-/// Reads a whole project and checks everything that can be known before it runs. With an error among the issues the
-/// project must not be solved.
-Project read_project(std::string_view text, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues,
-                     Ranges ranges = Ranges::refused);
-/// The same from a tree that is not a file's: the words of the shell.
-Project read_project(const toml::Tree& tree, const std::string& file, Catalogue catalogue, std::vector<Issue>& issues,
-                     Ranges ranges = Ranges::refused);
-
-/// Solves the steps in order; stops at the first step with an issue.
-void solve(Project& project, std::vector<Issue>& issues, Wanted wanted = {});
-/// What is wanted, and what steps and expectations take of one another.
-Wanted with_references(const Project& project, Wanted wanted);
-/// The same as `solve`, as often as inputs are changed: of wants with references.
-void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted);
-
 /// The checks and limits of all steps.
 std::vector<account::Verdict> verdicts(const Project& project);
 /// How the modes of failure of all parts came out, as strictly as the project is judged: the verdict.

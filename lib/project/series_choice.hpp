@@ -2,15 +2,16 @@
 // ? for one.
 #pragma once
 
-#include "lib/text/issue.hpp"
-
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace loadpath::project {
 
-struct Project;
+/// Whether a name is of this pattern.
+bool fits_pattern(std::string_view name, std::string_view pattern);
+/// Whether the path is, alone or behind the name of its step.
+bool fits_pattern(std::string_view step, std::string_view path, std::string_view pattern);
 
 class SeriesChoice {
  public:
@@ -23,8 +24,7 @@ class SeriesChoice {
 
   /// Whether the series of this path in this step is one of them.
   [[nodiscard]] bool holds(std::string_view step, std::string_view path) const;
-  /// The patterns that choose no series of a solved project, with what they may have meant.
-  [[nodiscard]] std::vector<FieldFault> check(const Project& project) const;
+  [[nodiscard]] const std::vector<std::string>& patterns() const { return patterns_; }
 
  private:
   std::vector<std::string> patterns_;

@@ -1,6 +1,7 @@
 #include "lib/quantity/decimal.hpp"
 
 #include "lib/quantity/format.hpp"
+#include "lib/quantity/number/power_of_ten.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +14,6 @@
 
 namespace loadpath {
 namespace {
-
-constexpr std::array<double, 23> powers = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
-                                           1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-constexpr int exact_powers = static_cast<int>(powers.size()) - 1;
 
 // Integers up to here, of fifteen digits, are doubles, and no two of them are the same double at any power of ten.
 constexpr double most = 1e15;
@@ -113,9 +110,9 @@ void append_multiple(double number, int power, std::string& text) {
   const double value = std::abs(number) * 1e4;
   if (size == 0) {
     text += '0';
-  } else if (power < 0 && power >= -18 && value >= powers[static_cast<std::size_t>(-power)]) {
+  } else if (power < 0 && power >= -18 && value >= powers_of_ten[static_cast<std::size_t>(-power)]) {
     append_with_point(size, -power, number < 0.0, text);
-  } else if (power >= 0 && power <= 15 && std::abs(number) < powers[static_cast<std::size_t>(15 - power)]) {
+  } else if (power >= 0 && power <= 15 && std::abs(number) < powers_of_ten[static_cast<std::size_t>(15 - power)]) {
     append_whole(size, power, number < 0.0, text);
   } else {
     append_with_exponent(size, power, number < 0.0, text);
@@ -126,13 +123,6 @@ void append_multiple(double number, int power, std::string& text) {
 int bounded(double power) { return static_cast<int>(std::clamp(power, -400.0, 400.0)); }
 
 }  // namespace
-
-double times_power_of_ten(double x, int ten) {
-  for (; ten > exact_powers; ten -= exact_powers) x *= powers.back();
-  for (; ten < -exact_powers; ten += exact_powers) x /= powers.back();
-  const double power = powers[static_cast<std::size_t>(std::abs(ten))];
-  return ten < 0 ? x / power : x * power;
-}
 
 Decimals Decimals::within(double rounding) { return Decimals(bounded(std::floor(std::log10(rounding)))); }
 Decimals Decimals::beyond(double rounding) { return Decimals(bounded(std::ceil(std::log10(rounding)))); }
@@ -150,7 +140,7 @@ void Decimals::append_nearest(double value, std::string& text) const {
 
 void Decimals::append_exact(double value, std::string& text) const {
   const double number = whole(value, power_);
-  const bool read_back = std::abs(power_) <= exact_powers && times_power_of_ten(number, power_) == value;
+  const bool read_back = std::abs(power_) <= exact_power_of_ten && times_power_of_ten(number, power_) == value;
   if (!read_back) return loadpath::append_exact(value, text);
   append_multiple(number, power_, text);
 }

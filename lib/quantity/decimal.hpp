@@ -6,9 +6,6 @@
 
 namespace loadpath {
 
-/// x * 10^ten; up to 10^22 a power of ten is exact and the result is rounded once.
-double times_power_of_ten(double x, int ten);
-
 /// Multiples of a power of ten.
 class Decimals {
  public:

@@ -1,7 +1,7 @@
 #include "lib/quantity/unit.hpp"
 
-#include "lib/quantity/decimal.hpp"
 #include "lib/quantity/number/cursor.hpp"
+#include "lib/quantity/number/power_of_ten.hpp"
 #include "lib/quantity/unit_hint.hpp"
 
 #include <array>

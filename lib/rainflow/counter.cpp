@@ -3,7 +3,6 @@
 #include "lib/rainflow/stack.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace loadpath::rainflow {
 
@@ -14,19 +13,6 @@ constexpr std::size_t chunk = 4096, block = 8192;
 constexpr std::size_t room = block + chunk + 256;
 
 }  // namespace
-
-std::optional<Fault> contradiction(const Rules& rules) {
-  if (!(rules.gate >= 0.0) || !std::isfinite(rules.gate))
-    return Fault{0, 1, say("the gate must be a range, 0 or more"), {}};
-  if (rules.residue != Residue::repeated) return std::nullopt;
-  if (rules.method == Method::astm)
-    return Fault{0, 1, say("ASTM E1049 counts its residue as half cycles, and none is left to be repeated"),
-                 say("count one period as periodic, or by the four-point method")};
-  if (rules.method == Method::hcm)
-    return Fault{0, 1, say("HCM leaves no start that a repetition could come back to"),
-                 say("count one period as periodic, or by the four-point method")};
-  return std::nullopt;
-}
 
 Counter::Counter(const Rules& rules, Consumer& consumer, Course course)
     : rules_(rules),

@@ -2,11 +2,11 @@
 // takes the memory of a block and of the residue, and finds the same cycles however the series is cut.
 #pragma once
 
-#include "lib/rainflow/comparisons.hpp"
 #include "lib/rainflow/cycle.hpp"
 #include "lib/rainflow/elimination.hpp"
 #include "lib/rainflow/gate.hpp"
 #include "lib/rainflow/loops.hpp"
+#include "lib/rainflow/rules.hpp"
 #include "lib/rainflow/turning_points.hpp"
 #include "lib/text/issue.hpp"
 
@@ -19,29 +19,7 @@
 
 namespace loadpath::rainflow {
 
-/// Which loops close: lib/rainflow/methods.hpp.
-enum class Method { four_point, hcm, astm };
-
-/// What becomes of the turning points that close nothing.
-enum class Residue {
-  ignore,
-  half_cycles,  // each range is half a cycle
-  repeated,     // the history repeats: what closes when the residue comes once more is counted, after ISO 12110-2
-  astm,         // as ASTM E1049 counts it, in its order; half cycles too
-};
-
-struct Rules {
-  Method method = Method::four_point;
-  Residue residue = Residue::half_cycles;
-  double gate = 0.0;    // ranges below are not counted, in the unit of the series
-  bool placed = false;  // whether it is told where a cycle begins and ends
-  bool blocks = true;   // whether loops that close at once are taken out first; never with places
-  Instructions instructions = best_instructions();
-};
-
-/// What of the rules contradicts: the residue of ASTM E1049 is in half cycles, and HCM has forgotten the start that a
-/// repetition comes back to (count_periodic has not); a gate below zero.
-std::optional<Fault> contradiction(const Rules& rules);
+class Stack;
 
 class Counter {
  public:
@@ -63,8 +41,6 @@ class Counter {
   [[nodiscard]] std::uint64_t samples() const { return turning_points_.samples(); }
   /// The turning points that have not closed; of a finished series with their rule applied or not.
   [[nodiscard]] Points residue() const;
-
-  class Stack;
 
  private:
   void fill(std::size_t count);

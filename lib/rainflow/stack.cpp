@@ -45,7 +45,7 @@ class Joined {
 };
 
 template <class Counting, bool placed>
-class StackOf final : public Counter::Stack {
+class StackOf final : public Stack {
  public:
   StackOf(Counting counting, Consumer& consumer) : Stack(consumer), counting_(std::move(counting)) {}
 
@@ -78,7 +78,7 @@ class StackOf final : public Counter::Stack {
 };
 
 template <bool placed>
-std::unique_ptr<Counter::Stack> stack_by(const Rules& rules, bool period, Consumer& consumer) {
+std::unique_ptr<Stack> stack_by(const Rules& rules, bool period, Consumer& consumer) {
   const AtStart at_start = period                             ? AtStart::whole
                            : rules.residue == Residue::ignore ? AtStart::nothing
                                                               : AtStart::half;
@@ -95,7 +95,7 @@ std::unique_ptr<Counter::Stack> stack_by(const Rules& rules, bool period, Consum
 
 }  // namespace
 
-std::unique_ptr<Counter::Stack> Counter::Stack::by(const Rules& rules, bool period, Consumer& consumer) {
+std::unique_ptr<Stack> Stack::by(const Rules& rules, bool period, Consumer& consumer) {
   return rules.placed ? stack_by<true>(rules, period, consumer) : stack_by<false>(rules, period, consumer);
 }
 

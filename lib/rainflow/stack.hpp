@@ -1,11 +1,15 @@
 // A method of counting with its residue, without its type.
 #pragma once
 
-#include "lib/rainflow/counter.hpp"
+#include "lib/rainflow/cycle.hpp"
+#include "lib/rainflow/loops.hpp"
+#include "lib/rainflow/rules.hpp"
+
+#include <memory>
 
 namespace loadpath::rainflow {
 
-class Counter::Stack {
+class Stack {
  public:
   explicit Stack(Consumer& consumer) : loops_(consumer) {}
   Stack(Stack&&) = delete;

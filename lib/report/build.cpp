@@ -4,6 +4,7 @@
 #include "lib/report/answer.hpp"
 #include "lib/report/fingerprint.hpp"
 #include "lib/report/why.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
 
 #include <algorithm>

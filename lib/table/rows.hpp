@@ -12,6 +12,7 @@
 #pragma once
 
 #include "lib/calculator/record_of.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
 
 #include <optional>

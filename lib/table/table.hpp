@@ -79,9 +79,6 @@ struct Library {
   std::map<std::string, Citation, std::less<>> citations;
 };
 
-/// The tables that are built into the program, read when first asked for.
-const Library& built_in();
-
 struct Entry {
   const Table* table = nullptr;
   const Row* row = nullptr;
@@ -91,16 +88,6 @@ struct Entry {
 Outcome<Entry> find_row(const Library& library, std::string_view group, std::string_view name);
 /// What to say of a row that none of the libraries has: which comes close and is not the same, or which name is near.
 Fault no_row(std::string_view group, std::string_view name, const std::vector<const Library*>& libraries);
-/// In the built-in tables, of which it reads only what it needs. So do the others without a library.
-Outcome<Entry> find_row(std::string_view group, std::string_view name);
-
-/// The tables of a group, in order; reads only these.
-std::vector<const Table*> tables_of(std::string_view group);
-/// Likewise the table of a name ("sections/ipe"), or all of a folder ("sections").
-std::vector<const Table*> tables_in(std::string_view name);
-/// The first of them, null where there is none; the others are not read.
-const Table* first_table_in(std::string_view name);
-
 struct Property {
   double si = 0.0;
   std::string unit;
@@ -126,10 +113,6 @@ std::vector<SizedProperty> values_by_size(const Entry& entry, std::string_view k
 double covered_size(const Entry& entry, std::string_view key);
 
 Outcome<const Series*> find_series(const Library& library, std::string_view name);
-Outcome<const Series*> find_series(std::string_view name);
-/// Null where there is none; then nothing else is read to say so.
-const Series* series_named(std::string_view name);
-
 std::vector<double> members_in_si(const Series& series);
 
 /// A value that no source was seen for.
@@ -143,8 +126,5 @@ struct Recalled {
 };
 
 std::vector<Recalled> audit(const Library& library);
-
-/// The bibliographic entry of a key; empty where there is none.
-std::string citation(std::string_view key);
 
 }  // namespace loadpath::table

@@ -1,5 +1,6 @@
 #include "lib/table/tables.hpp"
 
+#include "lib/table/library.hpp"
 #include "lib/table/rows.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 // The search of belt.v_sizing over all sections, pulleys and lengths of a basis (at most 20 ms), and one drive of
 // belt.v.
-#include "calculators/belt/v_sizing.hpp"
+#include "calculators/belt/v/sizing.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -3,7 +3,7 @@
 // many lines of text.
 #include "lib/rainflow/counter.hpp"
 #include "lib/rainflow/damage.hpp"
-#include "lib/rainflow/series/reader.hpp"
+#include "lib/rainflow/series/read_series.hpp"
 
 #include <benchmark/benchmark.h>
 

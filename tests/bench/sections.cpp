@@ -1,5 +1,6 @@
 // The search of the section tables (at most 5 ms) and that of the lightest column, the rows being read.
 #include "calculators/column/lightest/lightest.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/search.hpp"
 
 #include <benchmark/benchmark.h>

@@ -2,6 +2,8 @@
 #include "calculators/catalogue.hpp"
 #include "calculators/shaft/design/design.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 
 #include <benchmark/benchmark.h>
 

@@ -3,6 +3,8 @@
 #include "lib/export/json.hpp"
 #include "lib/project/layout/layout.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/toml/tree.hpp"
 #include "tests/cli/process.hpp"
 #include "tests/parts.hpp"

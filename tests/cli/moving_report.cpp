@@ -1,5 +1,6 @@
 // The mechanism that moves in a report, in a real browser: it moves, and the numbers under it are those of --json.
 #include "lib/draw/motion/motion.hpp"
+#include "lib/draw/motion/numbers.hpp"
 #include "tests/browser/browser.hpp"
 #include "tests/cli/process.hpp"
 

@@ -2,6 +2,8 @@
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
 #include "lib/project/read/spread.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"

@@ -2,7 +2,10 @@
 // cases and the tests' rows bring forth, and no formula of the sources that none of them reaches.
 #include "lib/formula/formula.hpp"
 #include "lib/formula/names.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/report/build.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
 #include "lib/toml/tree.hpp"
 #include "tests/calculators/rows.hpp"

@@ -1,6 +1,8 @@
 #include "tests/contract/held.hpp"
 
 #include "calculators/catalogue.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/toml/tree.hpp"
 #include "tests/parts.hpp"

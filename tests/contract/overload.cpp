@@ -1,6 +1,8 @@
 // A thousand times the load, every size held: nothing passes that can break.
 #include "calculators/catalogue.hpp"
 #include "lib/account/state.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "tests/contract/held.hpp"
 #include "tests/parts.hpp"
 

@@ -1,6 +1,8 @@
 // A point of a sweep is the machine with these values typed, to the bit: results, verdicts, what is refused. For every
 // calculator, and at 200 points, or 40 of them, of every example, some of their numbers varied at random.
 #include "calculators/catalogue.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/project/sweep/variants.hpp"
 #include "lib/sweep/point/uniform.hpp"
 #include "lib/toml/tree.hpp"

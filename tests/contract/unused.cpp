@@ -1,6 +1,8 @@
 // An input that was given is used, or the step says that it was not.
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "tests/contract/held.hpp"
 #include "tests/parts.hpp"
 

@@ -1,5 +1,5 @@
 // What must not pass again of belts: rows of the list of what was found by use.
-#include "calculators/belt/v_sizing.hpp"
+#include "calculators/belt/v/sizing.hpp"
 #include "tests/found/modes.hpp"
 
 #include <cmath>

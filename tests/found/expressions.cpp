@@ -1,4 +1,5 @@
 // Expressions are literals that arrive later, and what a value is beyond its dimension goes with it.
+#include "lib/project/solving/read_project.hpp"
 #include "tests/lib/project/solved.hpp"
 
 #include <doctest/doctest.h>

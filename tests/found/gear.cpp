@@ -1,5 +1,5 @@
 // What must not pass again of gears and trains: rows of the list of what was found by use.
-#include "calculators/gear/planetary.hpp"
+#include "calculators/gear/planetary/planetary.hpp"
 #include "tests/found/modes.hpp"
 
 #include <cmath>

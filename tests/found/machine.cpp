@@ -1,4 +1,6 @@
 // What must not pass again of flywheels and runs: rows of the list of what was found by use.
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "tests/found/modes.hpp"
 
 #include <algorithm>

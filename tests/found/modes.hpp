@@ -1,6 +1,8 @@
 // What the modes of failure of a project come to.
 #pragma once
 
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "tests/calculators/step_text.hpp"
 
 #include <string>

@@ -1,6 +1,8 @@
 // What must not come back of projects as a whole: expressions, warnings, references, reports; rows of the list of what
 // was found by use.
 #include "lib/export/json.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/quantity/series.hpp"
 #include "lib/report/build.hpp"
 #include "tests/found/modes.hpp"

@@ -1,5 +1,7 @@
 // What must not pass again of built-up sections: rows of the list of what was found by use.
 #include "calculators/section/built_up.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "tests/found/modes.hpp"
 
 using namespace loadpath;

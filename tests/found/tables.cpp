@@ -1,6 +1,7 @@
 // What must not stop a user again at the tables: rows of the list of what was found by use.
 #include "lib/table/tables.hpp"
 
+#include "lib/table/library.hpp"
 #include "tests/found/modes.hpp"
 
 #include <cmath>

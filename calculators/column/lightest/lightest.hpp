@@ -9,6 +9,7 @@
 #pragma once
 
 #include "calculators/column/buckling.hpp"
+#include "calculators/column/lightest/types.hpp"
 #include "lib/calculator/join.hpp"
 #include "lib/quantity/drive_units.hpp"
 
@@ -16,7 +17,7 @@
 
 namespace loadpath::column {
 
-struct Lightest {
+struct Lightest : LightestTypes {
   static constexpr auto id = "column.lightest";
   static constexpr auto title = "Lightest section of a compressed bar";
   static constexpr auto scope =
@@ -42,30 +43,6 @@ gamma_M1 = 1
 gamma_F = 1
 )";
 
-  /// Why a section does not carry the bar.
-  enum class Failure { none, load, tension, range, open, strength, beyond, slenderness, thin };
-
-  struct Family {
-    Name family;
-    static constexpr Fields fields{
-        NameField{&Family::family, "family", "letters that its sections' names begin with: IPE, HEA, RHS"}};
-  };
-  using Families = List<Family, 12>;
-
-  struct Strength {
-    Length t_max = unset<Length>;
-    Stress R_e = unset<Stress>;
-    static constexpr Fields fields{Field{&Strength::t_max, "t_max", mm, "up to this thickness"}.positive(),
-                                   Field{&Strength::R_e, "R_e", MPa, "yield strength"}.positive()};
-  };
-  using Strengths = List<Strength, 12>;
-
-  struct Input : Member {
-    Families families;
-    Strengths strengths;
-    Profile kind = Profile::unsaid;
-    Length h_max = unset<Length>, b_max = unset<Length>;
-  };
   static constexpr auto inputs = join(
       Fields{ListField{&Input::families, "families", "families of the section tables to choose from"}.as_arrays()},
       held_inputs<Input>(),
@@ -79,37 +56,6 @@ gamma_F = 1
                  .from_sizes("material", "R_e", "R_e")},
       method_inputs<Input>());
 
-  struct Candidate {
-    Name name;
-    LineDensity q = unset<LineDensity>;
-    AxisName axis = AxisName::y;
-    double lambda = unset<double>;
-    Stress sigma_cr = unset<Stress>;
-    Force P_all = unset<Force>;
-    double u = unset<double>, demand = unset<double>, excess = unset<double>;
-    Failure failure = Failure::none;
-    static constexpr Fields fields{
-        NameField{&Candidate::name, "name", "section"},
-        Field{&Candidate::q, "q", kg_per_m, "mass per length"},
-        Choice{&Candidate::axis, "axis", "axis of the largest slenderness"},
-        Field{&Candidate::lambda, "lambda", ratio, "largest slenderness"},
-        Field{&Candidate::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"},
-        Field{&Candidate::P_all, "P_all", kN, "allowable force"},
-        Field{&Candidate::u, "u", ratio, "force over the allowable one"},
-        Field{&Candidate::demand, "demand", ratio,
-              "the largest of its checks and limits that are known: it carries the bar up to 1"},
-        Field{&Candidate::excess, "excess", ratio, "mass over that of the section found, less 1"},
-        Choice{&Candidate::failure, "failure", "why it does not carry the bar"}};
-  };
-  using Candidates = List<Candidate, 12>;
-
-  struct Result : MemberResult {
-    Name section;
-    LineDensity q = unset<LineDensity>;
-    Mass mass = unset<Mass>;
-    double sections = 0.0, carrying = 0.0, lack = unset<double>;
-    Candidates candidates, lighter;
-  };
   static constexpr auto results = join(
       Fields{NameField{&Result::section, "section",
                        "lightest section; the strongest of those judged where none carries the bar"},
@@ -169,19 +115,5 @@ gamma_F = 1
   static Result evaluate(const Input& in, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
-
-constexpr auto choices_of(Lightest::Failure) {
-  using Failure = Lightest::Failure;
-  return std::array{
-      ChoiceName<Failure>{Failure::none, "none", "it carries the bar"},
-      ChoiceName<Failure>{Failure::load, "load", "the force is above the allowable one"},
-      ChoiceName<Failure>{Failure::tension, "tension", "it yields in tension"},
-      ChoiceName<Failure>{Failure::range, "range", "it is outside of the range of the method"},
-      ChoiceName<Failure>{Failure::open, "open", "its buckling curve is open: give the kind"},
-      ChoiceName<Failure>{Failure::strength, "strength", "no strength is given for its thickness"},
-      ChoiceName<Failure>{Failure::beyond, "beyond", "it is more slender than the table of the code goes"},
-      ChoiceName<Failure>{Failure::slenderness, "slenderness", "it is more slender than is allowed"},
-      ChoiceName<Failure>{Failure::thin, "thin", "a wall buckles locally"}};
-}
 
 }  // namespace loadpath::column

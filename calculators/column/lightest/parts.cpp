@@ -9,7 +9,7 @@ namespace loadpath::column {
 
 namespace {
 
-using Failure = Lightest::Failure;
+using Failure = LightestTypes::Failure;
 
 /// A check or a limit of column.buckling, kept up to 1, and what a section that is above it fails by.
 struct Bound {
@@ -35,49 +35,21 @@ Failure reason_without_force(const Buckling::Input& bar, const MemberResult& r) 
 
 }  // namespace
 
-bool belongs(const TableSection& section, const Lightest::Input& in) {
+bool belongs(const TableSection& section, const LightestTypes::Input& in) {
   const std::string_view own = family_of(section.name());
   const bool wanted = std::any_of(in.families.begin(), in.families.end(),
-                                  [&](const Lightest::Family& f) { return f.family.view() == own; });
+                                  [&](const LightestTypes::Family& f) { return f.family.view() == own; });
   return wanted && !(section.h > in.h_max) && !(section.b > in.b_max);
 }
 
-namespace {
-
-/// The last of the outlines that there are to choose from; whether there is no other.
-std::pair<Outline, bool> outlines_of(const Lightest::Input& in) {
-  Outline least = Outline::open, most = Outline::solid;
-  for (const TableSection& section : sections_by_mass()) {
-    if (!belongs(section, in)) continue;
-    const Outline outline = Buckling::outline_of(bar_of(in, section));
-    least = std::min(least, outline), most = std::max(most, outline);
-  }
-  return {most, least >= most};
-}
-
-}  // namespace
-
-/// Of the section found, where they are not all alike: the first that carries the bar.
-Outline Lightest::outline_of(const Input& in) {
-  const auto [most, is_only] = outlines_of(in);
-  if (is_only) return most;
-  NoTrace quiet;
-  for (const TableSection& section : sections_by_mass()) {
-    if (!belongs(section, in)) continue;
-    const Buckling::Input bar = bar_of(in, section);
-    if (failure_of(bar, Buckling::evaluate(bar, quiet)) == Failure::none) return Buckling::outline_of(bar);
-  }
-  return most;
-}
-
-Stress strength_of(const Lightest::Input& in, Length t) {
+Stress strength_of(const LightestTypes::Input& in, Length t) {
   if (in.strengths.empty()) return in.R_e;
-  const auto found =
-      std::find_if(in.strengths.begin(), in.strengths.end(), [&](const Lightest::Strength& s) { return t <= s.t_max; });
+  const auto found = std::find_if(in.strengths.begin(), in.strengths.end(),
+                                  [&](const LightestTypes::Strength& s) { return t <= s.t_max; });
   return found == in.strengths.end() ? unset<Stress> : found->R_e;
 }
 
-Buckling::Input bar_of(const Lightest::Input& in, const TableSection& section) {
+Buckling::Input bar_of(const LightestTypes::Input& in, const TableSection& section) {
   Buckling::Input bar{in, section};
   bar.R_e = strength_of(in, section.t_f);
   if (bar.kind == Profile::unsaid) bar.kind = in.kind;
@@ -92,7 +64,7 @@ double demand_of(const MemberResult& r) {
   return demand;
 }
 
-Lightest::Failure failure_of(const Buckling::Input& bar, const MemberResult& r) {
+LightestTypes::Failure failure_of(const Buckling::Input& bar, const MemberResult& r) {
   if (std::isnan(r.u)) return reason_without_force(bar, r);
   const auto above = std::find_if(bounds.begin(), bounds.end(), [&](const Bound& b) { return r.*b.value > 1.0; });
   return above == bounds.end() ? Failure::none : above->failure;

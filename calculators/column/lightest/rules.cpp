@@ -1,5 +1,6 @@
 // The rules of column.lightest, and what they say of an input that breaks them.
 #include "calculators/column/buckling_parts.hpp"
+#include "calculators/column/lightest/lightest.hpp"
 #include "calculators/column/lightest/parts.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -178,6 +179,34 @@ FieldFault Lightest::none_carries(const Input& in) {
           say("no section of {1} carries the bar: {2} comes nearest, and there {3}", names, r.section.view(),
               choice_of(failure).doc),
           remedy_of(failure)};
+}
+
+namespace {
+
+/// The last of the outlines that there are to choose from; whether there is no other.
+std::pair<Outline, bool> outlines_of(const Lightest::Input& in) {
+  Outline least = Outline::open, most = Outline::solid;
+  for (const TableSection& section : sections_by_mass()) {
+    if (!belongs(section, in)) continue;
+    const Outline outline = Buckling::outline_of(bar_of(in, section));
+    least = std::min(least, outline), most = std::max(most, outline);
+  }
+  return {most, least >= most};
+}
+
+}  // namespace
+
+/// Of the section found, where they are not all alike: the first that carries the bar.
+Outline Lightest::outline_of(const Input& in) {
+  const auto [most, is_only] = outlines_of(in);
+  if (is_only) return most;
+  NoTrace quiet;
+  for (const TableSection& section : sections_by_mass()) {
+    if (!belongs(section, in)) continue;
+    const Buckling::Input bar = bar_of(in, section);
+    if (failure_of(bar, Buckling::evaluate(bar, quiet)) == Failure::none) return Buckling::outline_of(bar);
+  }
+  return most;
 }
 
 }  // namespace loadpath::column

@@ -49,9 +49,9 @@ inline FkmSize fkm_size(const FkmSteel& s) {
 inline const FkmRow& fkm_row(FkmSteelGroup group) {
   using G = FkmSteelGroup;
   const bool weak = group == G::case_hardening || group == G::forged;
-  return *fkm_row(weak                    ? Endurance::Group::case_hardening_steel
-                  : group == G::stainless ? Endurance::Group::stainless_steel
-                                          : Endurance::Group::carbon_steel);
+  return *fkm_row(weak                    ? EnduranceTypes::Group::case_hardening_steel
+                  : group == G::stainless ? EnduranceTypes::Group::stainless_steel
+                                          : EnduranceTypes::Group::carbon_steel);
 }
 
 /// Beyond 250 mm the strength falls no further.

@@ -35,7 +35,7 @@ Stress middle(const Classes& classes, std::size_t i) {
   return from_si<Stress>((classes.bound(i) + classes.bound(i + 1)) / 2.0);
 }
 
-void put_matrix(const History::Input& in, const rainflow::RainflowMatrix& matrix, History::Result& r) {
+void put_matrix(const HistoryTypes::Input& in, const rainflow::RainflowMatrix& matrix, HistoryTypes::Result& r) {
   const Classes& classes = matrix.classes();
   for (std::size_t from = 0; from < classes.count(); ++from) {
     for (std::size_t to = 0; to < classes.count(); ++to) {
@@ -45,7 +45,7 @@ void put_matrix(const History::Input& in, const rainflow::RainflowMatrix& matrix
   }
 }
 
-void put_pairs(const History::Input& in, const rainflow::RangePairs& pairs, History::Result& r) {
+void put_pairs(const HistoryTypes::Input& in, const rainflow::RangePairs& pairs, HistoryTypes::Result& r) {
   const auto at_least = pairs.exceedances();
   for (std::size_t i = pairs.classes().count(); i-- > 0;) {
     r.range_pairs.push_back({in.K_A * from_si<Stress>(pairs.classes().bound(i)),
@@ -53,7 +53,7 @@ void put_pairs(const History::Input& in, const rainflow::RangePairs& pairs, Hist
   }
 }
 
-void put_crossings(const History::Input& in, const rainflow::LevelCrossings& levels, History::Result& r) {
+void put_crossings(const HistoryTypes::Input& in, const rainflow::LevelCrossings& levels, HistoryTypes::Result& r) {
   const auto crossings = levels.crossings();
   for (auto it = crossings.rbegin(); it != crossings.rend(); ++it) {
     r.crossings.push_back(
@@ -63,7 +63,7 @@ void put_crossings(const History::Input& in, const rainflow::LevelCrossings& lev
 
 }  // namespace
 
-void classify(const History::Input& in, History::Result& r) {
+void classify(const HistoryTypes::Input& in, HistoryTypes::Result& r) {
   if (in.classes == 0 || !in.sigma.is_series()) return;
   const auto [least, largest] = std::minmax_element(in.sigma.series->si.begin(), in.sigma.series->si.end());
   const auto count = static_cast<std::size_t>(in.classes);
@@ -83,7 +83,7 @@ void classify(const History::Input& in, History::Result& r) {
   put_matrix(in, matrix, r), put_pairs(in, pairs, r), put_crossings(in, crossings, r);
 }
 
-std::vector<draw::Figure> class_figures(const History::Result& r) {
+std::vector<draw::Figure> class_figures(const HistoryTypes::Result& r) {
   if (r.range_pairs.empty()) return {};
   draw::Plot pairs;
   pairs.x = {"n", "cycles that are at least so large", "-", true};

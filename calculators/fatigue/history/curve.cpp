@@ -7,8 +7,8 @@ namespace loadpath::fatigue {
 
 namespace {
 
-using Input = History::Input;
-using Curve = History::Curve;
+using Input = HistoryTypes::Input;
+using Curve = HistoryTypes::Curve;
 using rainflow::SnCurve;
 using Branch = SnCurve::Branch;
 
@@ -55,11 +55,11 @@ double constant_amplitude_limit(const Input& in) {
   return in.stress == Stresses::shear ? C * std::pow(2e6 / 1e8, 1.0 / 5.0) : C * std::cbrt(2.0 / 5.0);
 }
 
-SnCurve curve_by(History::MinerRule rule, const Input& in, double largest) {
+SnCurve curve_by(HistoryTypes::MinerRule rule, const Input& in, double largest) {
   const SnCurve curve = curve_of(in);
   if (in.curve == Curve::en1993 && largest <= constant_amplitude_limit(in)) return {};
   if (in.curve != Curve::part) return curve;
-  using From = History::MinerRule;
+  using From = HistoryTypes::MinerRule;
   const rainflow::Miner by = rule == From::original     ? rainflow::Miner::original
                              : rule == From::elementary ? rainflow::Miner::elementary
                              : rule == From::liu_zenner ? rainflow::Miner::liu_zenner

@@ -10,9 +10,9 @@ namespace loadpath::fatigue {
 
 namespace {
 
-using Input = History::Input;
-using Counting = History::Counting;
-using Residue = History::Residue;
+using Input = HistoryTypes::Input;
+using Counting = HistoryTypes::Counting;
+using Residue = HistoryTypes::Residue;
 
 rainflow::Rules rules_of(const Input& in) {
   rainflow::Rules rules;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "calculators/fatigue/history/dnv.hpp"
+#include "calculators/fatigue/history/types.hpp"
 #include "calculators/fatigue/mean_stress.hpp"
 #include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/limit_meanings.hpp"
@@ -25,7 +26,7 @@
 
 namespace loadpath::fatigue {
 
-struct History {
+struct History : HistoryTypes {
   static constexpr auto id = "fatigue.history";
   static constexpr auto title = "Life under a history of stress";
   static constexpr auto scope =
@@ -53,54 +54,7 @@ S_F = 1.5
 n_req = 1
 )";
 
-  enum class Counting { four_point, hcm, astm };
-  enum class Residue { repeated, half_cycles, ignored };
-  enum class Curve { part, en1993, dnv };
-  using Detail = DnvDetail;
-  /// How mean stresses count: not at all, or by a rule.
-  enum class Means { none, goodman, soderberg, gerber, elliptic, morrow, swt, walker, fkm };
-  enum class MinerRule { original, elementary, modified, consistent, liu_zenner };
-
-  struct Block {
-    Name name;
-    Stress sigma_a = unset<Stress>, sigma_m = 0.0 * MPa;
-    double n = unset<double>;
-    static constexpr Fields fields{
-        NameField{&Block::name, "name", "name of the block"}.may_be_missing(),
-        Field{&Block::sigma_a, "sigma_a", MPa, "amplitude"}.at_least(0).load(),
-        Field{&Block::sigma_m, "sigma_m", MPa, "mean stress, signed"}.load(),
-        Field{&Block::n, "n", ratio, "cycles, in one passage of the history"}.positive().usually(1e-3, 1e12)};
-  };
-  static constexpr std::size_t most_blocks = 64;
-
-  struct Input {
-    Varying<Stress> sigma;
-    List<Block, most_blocks> blocks;
-    Stresses stress = Stresses::normal;
-    double K_A = 1.0, S_D = 1.0;
-    Counting counting = Counting::four_point;
-    Residue residue = Residue::repeated;
-    Stress gate = 0.0 * MPa;
-    Curve curve = Curve::part;
-    Stress sigma_D = unset<Stress>;
-    double N_D = unset<double>, k = unset<double>;
-    MinerRule miner = MinerRule::modified;
-    Stress sigma_C = unset<Stress>;
-    Detail detail = Detail::untold;
-    double lg_a = unset<double>, m_1 = unset<double>, m_2 = unset<double>, N_1 = unset<double>;
-    Means mean = Means::none;
-    double M = unset<double>, gamma = unset<double>;
-    Stress sigma_f = unset<Stress>;
-    Length d_h = unset<Length>;
-    Stress R_m = unset<Stress>, R_e = unset<Stress>, E = unset<Stress>;
-    Density rho = unset<Density>;
-    double S_F = unset<double>;
-    double D_adm = 1.0, n_req = unset<double>, N_eq = unset<double>;
-    Time t = unset<Time>;
-    Whole classes = 0;
-  };
   static constexpr int most_classes = 32;
-  static bool is_of_part(const Input& in) { return in.curve == Curve::part; }
   static Applies has_tension(const Input& in);
   /// Curves of details are those of steel; the rules that reckon with a fatigue limit need a metal that has one.
   static Applies lacks_limit(const Input& in) {
@@ -184,61 +138,6 @@ n_req = 1
             "classes for matrix, range pairs and crossings of a series; a bound belongs below; 0: none"}
           .may_be_missing()};
 
-  /// A cycle that does much of the damage.
-  struct Worst {
-    Stress sigma_a = unset<Stress>, sigma_m = unset<Stress>;
-    double n = unset<double>, share = unset<double>, from = unset<double>, to = unset<double>;
-    static constexpr Fields fields{
-        Field{&Worst::sigma_a, "sigma_a", MPa, "amplitude, with the service factor"},
-        Field{&Worst::sigma_m, "sigma_m", MPa, "mean stress, with the service factor"},
-        Field{&Worst::n, "n", ratio, "how often, halves as 0.5"},
-        Field{&Worst::share, "share", ratio, "of the damage"},
-        Field{&Worst::from, "from", ratio, "where it begins: sample of a file, position of a turn, counted from 0"},
-        Field{&Worst::to, "to", ratio, "where it ends"}};
-  };
-  static constexpr std::size_t most_worst = 10;
-
-  /// Cycles of one direction, by the middles of the classes that they begin and end in.
-  struct Cell {
-    Stress from = unset<Stress>, to = unset<Stress>;
-    double n = unset<double>;
-    static constexpr Fields fields{Field{&Cell::from, "from", MPa, "begin: middle of the class"},
-                                   Field{&Cell::to, "to", MPa, "end: middle of the class"},
-                                   Field{&Cell::n, "n", ratio, "cycles, halves as 0.5"}};
-  };
-  struct RangePair {
-    Stress from = unset<Stress>, to = unset<Stress>;
-    double n = unset<double>, n_least = unset<double>;
-    static constexpr Fields fields{Field{&RangePair::from, "from", MPa, "range of the class, least"},
-                                   Field{&RangePair::to, "to", MPa, "range of the class, largest"},
-                                   Field{&RangePair::n, "n", ratio, "cycles of that range, halves as 0.5"},
-                                   Field{&RangePair::n_least, "n_least", ratio, "cycles at least so large"}};
-  };
-  struct Crossing {
-    Stress sigma = unset<Stress>;
-    double up = unset<double>, down = unset<double>;
-    static constexpr Fields fields{Field{&Crossing::sigma, "sigma", MPa, "level: a bound of classes"},
-                                   Field{&Crossing::up, "up", ratio, "crossings upwards"},
-                                   Field{&Crossing::down, "down", ratio, "crossings downwards"}};
-  };
-
-  struct Result {
-    double n = unset<double>;
-    Stress sigma_max = unset<Stress>, sigma_min = unset<Stress>, sigma_a1 = unset<Stress>, sigma_m1 = unset<Stress>;
-    Stress S_1 = unset<Stress>;
-    double N_S1 = unset<double>;
-    double D_original = unset<double>, D_elementary = unset<double>, D_modified = unset<double>,
-           D_consistent = unset<double>, D_LZ = unset<double>;
-    double D = unset<double>, Z = unset<double>;
-    Time L = unset<Time>;
-    Stress S_eq = unset<Stress>;
-    double u_y = unset<double>, u_F = unset<double>, u_m = unset<double>, u_D = unset<double>, x_N = unset<double>,
-           x_B = unset<double>, x_R = unset<double>, x_g = unset<double>, x_O = unset<double>;
-    List<Worst, most_worst> worst;
-    std::vector<Cell> matrix;
-    std::vector<RangePair> range_pairs;
-    std::vector<Crossing> crossings;
-  };
   static constexpr Fields results{
       Field{&Result::n, "n", ratio, "cycles of one passage, halves as 0.5"},
       Field{&Result::sigma_max, "sigma_max", MPa, "largest stress, with the service factor"}.holding("K_A"),
@@ -368,47 +267,5 @@ n_req = 1
   static Result evaluate(const Input& in, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
-
-constexpr auto choices_of(History::Counting) {
-  using C = History::Counting;
-  return std::array{ChoiceName<C>{C::four_point, "four-point", "rainflow by four points"},
-                    ChoiceName<C>{C::hcm, "hcm", "hysteresis counting of Clormann and Seeger"},
-                    ChoiceName<C>{C::astm, "astm", "ASTM E1049, rainflow"}};
-}
-constexpr auto choices_of(History::Residue) {
-  using R = History::Residue;
-  return std::array{ChoiceName<R>{R::repeated, "repeated", "the history comes again: full cycles alone"},
-                    ChoiceName<R>{R::half_cycles, "half-cycles", "each range is half a cycle, of a history that ends"},
-                    ChoiceName<R>{R::ignored, "ignored", "not counted: on the unsafe side"}};
-}
-constexpr auto choices_of(History::Curve) {
-  using C = History::Curve;
-  return std::array{
-      ChoiceName<C>{C::part, "part", "amplitudes, sigma_D at N_D with the slope k"},
-      ChoiceName<C>{C::en1993, "en1993", "ranges by EN 1993-1-9:2005: slopes 3 and 5, none below the cut-off; shear 5"},
-      ChoiceName<C>{C::dnv, "dnv", "ranges by DNV-RP-C203: two slopes without an end"}};
-}
-constexpr auto choices_of(History::Means) {
-  using M = History::Means;
-  const auto as = [](M means, MeanRule rule) { return ChoiceName<M>{means, word_of(rule), choice_of(rule).doc}; };
-  return std::array{ChoiceName<M>{M::none, "none", "not at all: right without tension, and for welded details"},
-                    as(M::goodman, MeanRule::goodman),
-                    as(M::soderberg, MeanRule::soderberg),
-                    as(M::gerber, MeanRule::gerber),
-                    as(M::elliptic, MeanRule::elliptic),
-                    as(M::morrow, MeanRule::morrow),
-                    as(M::swt, MeanRule::swt),
-                    as(M::walker, MeanRule::walker),
-                    as(M::fkm, MeanRule::fkm)};
-}
-constexpr auto choices_of(History::MinerRule) {
-  using M = History::MinerRule;
-  return std::array{ChoiceName<M>{M::original, "original",
-                                  "cycles below the fatigue limit do no damage: true while none is above it"},
-                    ChoiceName<M>{M::elementary, "elementary", "the slope k for all: no fatigue limit"},
-                    ChoiceName<M>{M::modified, "modified", "Haibach: slope 2 k - 1 below the fatigue limit"},
-                    ChoiceName<M>{M::consistent, "consistent", "the fatigue limit falls with the damage"},
-                    ChoiceName<M>{M::liu_zenner, "liu-zenner", "one slope (k + 3.6)/2, down to half of the limit"}};
-}
 
 }  // namespace loadpath::fatigue

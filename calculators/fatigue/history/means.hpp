@@ -1,7 +1,7 @@
 // How mean stresses count in a history, and the strengths that their rules need.
 #pragma once
 
-#include "calculators/fatigue/history/history.hpp"
+#include "calculators/fatigue/history/types.hpp"
 #include "calculators/fatigue/tensile_strength.hpp"
 
 #include <array>
@@ -9,17 +9,17 @@
 namespace loadpath::fatigue {
 
 /// The rule that is chosen; without one any, for it is not asked.
-inline MeanRule rule_of(const History::Input& in) {
+inline MeanRule rule_of(const HistoryTypes::Input& in) {
   constexpr std::array rules{MeanRule::goodman, MeanRule::soderberg, MeanRule::gerber, MeanRule::elliptic,
                              MeanRule::morrow,  MeanRule::swt,       MeanRule::walker, MeanRule::fkm};
-  return in.mean == History::Means::none ? MeanRule::swt : rules[static_cast<std::size_t>(in.mean) - 1];
+  return in.mean == HistoryTypes::Means::none ? MeanRule::swt : rules[static_cast<std::size_t>(in.mean) - 1];
 }
-inline bool counts_means(const History::Input& in) {
-  return History::is_of_part(in) && in.mean != History::Means::none;
+inline bool counts_means(const HistoryTypes::Input& in) {
+  return HistoryTypes::is_of_part(in) && in.mean != HistoryTypes::Means::none;
 }
 
 /// Of shear its own strengths.
-inline Haigh haigh_of(const History::Input& in) {
+inline Haigh haigh_of(const HistoryTypes::Input& in) {
   Haigh h;
   NoTrace quiet;
   const bool shear = in.stress == Stresses::shear;

@@ -1,6 +1,7 @@
 // What fatigue.history asks of its input beyond the bounds of its fields.
 #include "calculators/fatigue/history/curve.hpp"
 #include "calculators/fatigue/history/cycles.hpp"
+#include "calculators/fatigue/history/history.hpp"
 #include "calculators/fatigue/history/means.hpp"
 #include "lib/quantity/format.hpp"
 

@@ -1,6 +1,7 @@
 #include "calculators/mechanism/accuracy/checks.hpp"
 
 #include "calculators/mechanism/accuracy/tolerances.hpp"
+#include "calculators/mechanism/words/names.hpp"
 #include "calculators/mechanism/words/points.hpp"
 #include "lib/mechanism/model/vec.hpp"
 #include "lib/quantity/format.hpp"

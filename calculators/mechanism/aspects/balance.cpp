@@ -1,6 +1,7 @@
 // Counterweights that a project asks for, and what they leave of the shaking force (lib/mechanism/studies/shaking.hpp).
 #include "calculators/mechanism/cycle/rounding.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
+#include "calculators/mechanism/words/names.hpp"
 #include "calculators/mechanism/words/points.hpp"
 #include "lib/mechanism/studies/shaking.hpp"
 #include "lib/quantity/format.hpp"

@@ -1,7 +1,7 @@
 // Masses of links reduced to points, where a project asks for it.
 #include "calculators/mechanism/results/aspect.hpp"
+#include "calculators/mechanism/words/names.hpp"
 #include "calculators/mechanism/words/point_masses.hpp"
-#include "calculators/mechanism/words/points.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

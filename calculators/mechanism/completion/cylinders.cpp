@@ -1,6 +1,7 @@
 #include "calculators/mechanism/completion/cylinders.hpp"
 
 #include "calculators/mechanism/words/model.hpp"
+#include "calculators/mechanism/words/names.hpp"
 #include "calculators/mechanism/words/points.hpp"
 #include "lib/mechanism/model/frames.hpp"
 #include "lib/quantity/format.hpp"

@@ -1,5 +1,7 @@
 #include "calculators/mechanism/cycle/either_way.hpp"
 
+#include "calculators/mechanism/words/law.hpp"
+
 #include <algorithm>
 #include <cmath>
 

@@ -1,7 +1,10 @@
 // Solves a mechanism with friction again where its sense is not known: at rest, and where joints rest for a moment.
 #pragma once
 
-#include "calculators/mechanism/cycle/cycle.hpp"
+#include "calculators/mechanism/cycle/schedule.hpp"
+#include "calculators/mechanism/cycle/solved_cycle.hpp"
+#include "calculators/mechanism/words/mechanism.hpp"
+#include "lib/text/issue.hpp"
 
 namespace loadpath::planar {
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "calculators/mechanism/results/declaration.hpp"
-#include "calculators/mechanism/results/results.hpp"
 #include "lib/mechanism/model/position.hpp"
 #include "lib/text/issue.hpp"
 
@@ -17,6 +16,7 @@
 
 namespace loadpath::planar {
 
+class Results;
 struct Solved;
 
 /// A position, and what mechanism::PositionFunctions derives there: null where that is not known.

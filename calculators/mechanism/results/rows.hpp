@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/results/output.hpp"
+#include "calculators/mechanism/results/results.hpp"
 
 #include <algorithm>
 #include <array>

@@ -1,6 +1,7 @@
 #include "calculators/mechanism/results/values.hpp"
 
 #include "calculators/mechanism/results/missing.hpp"
+#include "calculators/mechanism/results/results.hpp"
 
 #include <algorithm>
 #include <cmath>

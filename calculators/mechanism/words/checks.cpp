@@ -2,6 +2,7 @@
 
 #include "calculators/mechanism/words/joints.hpp"
 #include "calculators/mechanism/words/loads.hpp"
+#include "calculators/mechanism/words/names.hpp"
 #include "calculators/mechanism/words/points.hpp"
 #include "calculators/mechanism/words/profiles.hpp"
 #include "lib/mechanism/model/vec.hpp"

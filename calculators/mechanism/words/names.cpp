@@ -1,6 +1,5 @@
 #include "calculators/mechanism/words/names.hpp"
 
-#include "calculators/mechanism/words/points.hpp"
 #include "lib/mechanism/model/model.hpp"
 
 namespace loadpath::planar {
@@ -50,6 +49,15 @@ bool NameFaults::require_point(int link, const Name& name, const std::string& pa
           name.view(), names,
           say("give '{1}' among the points of '{2}', or name another point with points = [...]", name.view(), owner)));
   return false;
+}
+
+int link_index(const Mechanism::Input& in, const Name& name) {
+  return find_named(in.links, name) == nullptr ? mechanism::ground : static_cast<int>(index_of(in.links, name));
+}
+
+const planar::Point* find_point(const Mechanism::Input& in, int link, const Name& name) {
+  return link == mechanism::ground ? find_named(in.ground, name)
+                                   : find_named(in.links[static_cast<std::size_t>(link)].points, name);
 }
 
 }  // namespace loadpath::planar

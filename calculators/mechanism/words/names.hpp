@@ -70,6 +70,11 @@ std::vector<std::string> names_in(const Items& items) {
   return names;
 }
 
+/// The index of a link, or mechanism::ground.
+int link_index(const Mechanism::Input& in, const Name& name);
+/// The point of a link in the link's axes; nullptr where it has none of that name.
+const planar::Point* find_point(const Mechanism::Input& in, int link, const Name& name);
+
 /// Some of the values of a choice.
 template <class Value>
 class Some {

@@ -15,15 +15,6 @@ std::pair<Name, Name> point_names(const planar::Joint& joint) {
   return {first, joint.points.second.empty() ? first : joint.points.second};
 }
 
-int link_index(const Mechanism::Input& in, const Name& name) {
-  return find_named(in.links, name) == nullptr ? mechanism::ground : static_cast<int>(index_of(in.links, name));
-}
-
-const planar::Point* find_point(const Mechanism::Input& in, int link, const Name& name) {
-  return link == mechanism::ground ? find_named(in.ground, name)
-                                   : find_named(in.links[static_cast<std::size_t>(link)].points, name);
-}
-
 bool is_drawn(const planar::Link& link) { return !is_set(link.angle) && !is_set(link.origin.x); }
 
 Vec vector_of(const planar::Point& p) {

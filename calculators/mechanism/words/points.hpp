@@ -13,10 +13,6 @@ namespace loadpath::planar {
 /// The names of a joint's point on its two links: as written, else the joint's own name.
 std::pair<Name, Name> point_names(const planar::Joint& joint);
 
-/// The index of a link, or mechanism::ground.
-int link_index(const Mechanism::Input& in, const Name& name);
-/// The point of a link in the link's axes; nullptr where it has none of that name.
-const planar::Point* find_point(const Mechanism::Input& in, int link, const Name& name);
 mechanism::Vec vector_of(const planar::Point& point);
 
 /// The points of a link at which it has joints, each once.

@@ -6,15 +6,15 @@ namespace loadpath::section {
 
 namespace {
 
-using Corners = ThinWalled::Corners;
+using Corners = ThinWalledTypes::Corners;
 using Matrix = std::array<std::array<double, most_cells + 1>, most_cells>;
 
-Length distance(const ThinWalled::Corner& a, const ThinWalled::Corner& b) {
+Length distance(const ThinWalledTypes::Corner& a, const ThinWalledTypes::Corner& b) {
   return from_si<Length>(std::hypot(in_si(b.y - a.y), in_si(b.z - a.z)));
 }
 
 /// Adds a wall to the equations of the cells on both of its sides.
-void add(Matrix& a, const ThinWalled::Input& in, const ThinWalled::Wall& wall) {
+void add(Matrix& a, const ThinWalledTypes::Input& in, const ThinWalledTypes::Wall& wall) {
   const std::size_t outside = in.cells.size();
   const std::size_t cell = cell_of(in, wall.cell), beside = cell_of(in, wall.beside);
   const double delta = length_of(wall) / wall.t / modulus_ratio(in, wall);
@@ -42,20 +42,20 @@ void solve(Matrix& a, std::size_t n) {
 
 }  // namespace
 
-std::size_t cell_of(const ThinWalled::Input& in, const Name& name) {
+std::size_t cell_of(const ThinWalledTypes::Input& in, const Name& name) {
   std::size_t i = 0;
   while (i < in.cells.size() && (name.empty() || !(in.cells[i].name == name))) ++i;
   return i;
 }
 
-Length length_of(const ThinWalled::Wall& wall) {
+Length length_of(const ThinWalledTypes::Wall& wall) {
   if (is_set(wall.l)) return wall.l;
   Length sum = 0.0 * mm;
   for (std::size_t i = 0; i + 1 < wall.points.size(); ++i) sum += distance(wall.points[i], wall.points[i + 1]);
   return sum;
 }
 
-Length longest_side(const ThinWalled::Wall& wall) {
+Length longest_side(const ThinWalledTypes::Wall& wall) {
   if (is_set(wall.l)) return wall.l;
   Length longest = 0.0 * mm;
   for (std::size_t i = 0; i + 1 < wall.points.size(); ++i)
@@ -63,7 +63,7 @@ Length longest_side(const ThinWalled::Wall& wall) {
   return longest;
 }
 
-Area area_of(const ThinWalled::Cell& cell) {
+Area area_of(const ThinWalledTypes::Cell& cell) {
   if (is_set(cell.A)) return cell.A;
   Area twice = 0.0 * mm2;
   const auto& first = cell.points.front();
@@ -74,13 +74,13 @@ Area area_of(const ThinWalled::Cell& cell) {
   return abs(twice) / 2.0;
 }
 
-double modulus_ratio(const ThinWalled::Input& in, const ThinWalled::Wall& wall) {
+double modulus_ratio(const ThinWalledTypes::Input& in, const ThinWalledTypes::Wall& wall) {
   return is_set(wall.G) ? reduced(wall.G / in.G) : 1.0;
 }
 
-bool is_free(const ThinWalled::Wall& wall) { return wall.cell.empty(); }
+bool is_free(const ThinWalledTypes::Wall& wall) { return wall.cell.empty(); }
 
-Length perimeter_of(const ThinWalled::Input& in, std::size_t cell) {
+Length perimeter_of(const ThinWalledTypes::Input& in, std::size_t cell) {
   Length sum = 0.0 * mm;
   for (const auto& wall : in.walls) {
     if (cell_of(in, wall.cell) == cell || cell_of(in, wall.beside) == cell) sum += length_of(wall);
@@ -88,7 +88,7 @@ Length perimeter_of(const ThinWalled::Input& in, std::size_t cell) {
   return sum;
 }
 
-Flows flows_of(const ThinWalled::Input& in) {
+Flows flows_of(const ThinWalledTypes::Input& in) {
   const std::size_t n = in.cells.size();
   Matrix a{};
   for (const auto& wall : in.walls) add(a, in, wall);

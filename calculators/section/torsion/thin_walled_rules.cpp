@@ -1,6 +1,7 @@
 // What section.thin_walled asks of its input beyond the bounds of its fields.
 #include "calculators/section/contour_sides.hpp"
 #include "calculators/section/torsion/cells.hpp"
+#include "calculators/section/torsion/thin_walled.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

@@ -2,13 +2,23 @@
 // that it is made for, and the rim that it leaves of a gear.
 #pragma once
 
-#include "calculators/shaft/design/places.hpp"
+#include "calculators/shaft/design/model/input.hpp"
+#include "calculators/shaft/design/model/result.hpp"
 #include "lib/calculator/trace.hpp"
+
+#include <cstddef>
 
 namespace loadpath::shaft {
 
+/// The thinner of two pieces that meet under a seat, and of a taper what its middle has.
+Length diameter_under(const DesignInput& in, const Seat& seat);
+/// Whether torque passes between the shaft and what sits there, and they are two pieces.
+bool needs_connection(const DesignInput& in, std::size_t seat);
+/// Whether it is a gear with a rim of its own.
+bool has_rim(const Seat& seat);
+
 /// The torque of each connection, and the rims of gears.
 template <class Tracer>
-void judge_connections(const Design::Input& in, Design::Result& r, Tracer& trace);
+void judge_connections(const DesignInput& in, DesignResult& r, Tracer& trace);
 
 }  // namespace loadpath::shaft

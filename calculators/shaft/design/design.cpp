@@ -1,10 +1,12 @@
 #include "calculators/shaft/design/design.hpp"
 
-#include "calculators/shaft/design/bending.hpp"
 #include "calculators/shaft/design/connections.hpp"
+#include "calculators/shaft/design/model/bending.hpp"
+#include "calculators/shaft/design/model/positions.hpp"
+#include "calculators/shaft/design/model/turn.hpp"
 #include "calculators/shaft/design/sections.hpp"
+#include "calculators/shaft/design/tapers.hpp"
 #include "calculators/shaft/design/torsion.hpp"
-#include "calculators/shaft/design/turn.hpp"
 #include "calculators/shaft/design/whirl.hpp"
 #include "lib/calculator/calculator_of.hpp"
 

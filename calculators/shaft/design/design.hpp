@@ -18,7 +18,8 @@
 #include "calculators/load/heat_treatment.hpp"
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
-#include "calculators/shaft/design/result.hpp"
+#include "calculators/shaft/design/model/input.hpp"
+#include "calculators/shaft/design/model/result.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/parts/ring.hpp"
 #include "lib/calculator/meaning.hpp"
@@ -31,8 +32,6 @@
 #include <vector>
 
 namespace loadpath::shaft {
-
-enum class School { goodman, soderberg, gerber, elliptic, din743, fkm, serensen };
 
 struct Design {
   static constexpr auto id = "shaft.design";
@@ -69,29 +68,7 @@ S_D = 1.5
 r_T = 0
 )";
 
-  struct Input {
-    List<Piece, most_pieces> pieces;
-    List<Support, most_supports> supports;
-    List<Seat, most_seats> seats;
-    List<Notched, most_notches> notches;
-    List<Order, most_orders> orders;
-    AngularSpeed n = unset<AngularSpeed>;
-    double K_A = 1.0, k_max = 1.0, g_angle = unset<double>;
-    Stress E = unset<Stress>, G = unset<Stress>;
-    Density rho = unset<Density>;
-    Length d_h = unset<Length>;
-    Stress R_e = unset<Stress>, R_m = unset<Stress>;
-    double S_F = unset<double>, S_D = unset<double>, r_T = unset<double>;
-    School method = School::goodman;
-    fatigue::Endurance::Group group = fatigue::Endurance::Group::carbon_steel;
-    fatigue::Endurance::Finish finish = fatigue::Endurance::Finish::machined;
-    Stress sigma_W = unset<Stress>;
-    Length R_z = unset<Length>;
-    Length v_adm = unset<Length>;
-    Twist theta_adm = unset<Twist>;
-    double k_n = 1.25;
-    Whole whirl_modes = 1;
-  };
+  using Input = DesignInput;
   static constexpr Fields inputs{
       ListField{&Input::pieces, "pieces", "cylinders and tapers from left to right"},
       ListField{&Input::supports, "supports", "bearings"},
@@ -152,25 +129,7 @@ r_T = 0
           .factor(),
       Count{&Input::whirl_modes, "whirl_modes", 1, most_whirls, "modes of whirl that are listed"}.may_be_missing()};
 
-  struct Result {
-    Length l = unset<Length>, d_max = unset<Length>, d_s = unset<Length>;
-    double s_max = unset<double>;
-    Mass mass = unset<Mass>;
-    Moment M_max = unset<Moment>, T_max = unset<Moment>;
-    Length v_max = unset<Length>;
-    Twist theta_max = unset<Twist>;
-    double phi = unset<double>, psi = unset<double>;
-    AngularSpeed n_c = unset<AngularSpeed>, n_R = unset<AngularSpeed>, n_D = unset<AngularSpeed>;
-    AngularSpeed n_F = unset<AngularSpeed>;
-    AngularSpeed n_T = unset<AngularSpeed>, n = unset<AngularSpeed>;
-    double u_y = unset<double>, u_theta = unset<double>, u_n = unset<double>, x_E = unset<double>;
-    List<Carried, most_supports> bearings;
-    List<Seated, most_seats> seats;
-    List<Harmonic, 2 * most_orders + 1> harmonics;
-    List<Whirled, most_whirls> whirls;
-    List<Section, most_places> sections;
-    List<Safety, most_places> safeties;
-  };
+  using Result = DesignResult;
   static constexpr Fields results{
       Field{&Result::l, "l", mm, "length"},
       Field{&Result::d_max, "d_max", mm, "largest diameter"},
@@ -236,7 +195,6 @@ r_T = 0
   static Applies abuts(const Input& in);
   static bool treated_thick(const Input& in);
   static bool torque_runs(const Input& in);
-  static bool asks_fatigue(const Input& in) { return is_set(in.S_D); }
   static constexpr std::array rules{
       Rule<Input>{&held, "supports", "two bearings at least hold a shaft, all at different places"},
       Rule<Input>{&on_shaft, "supports, seats, notches, pieces", "what is on the shaft lies between its ends",
@@ -393,16 +351,5 @@ r_T = 0
   static Result evaluate(const Input& in, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
-
-constexpr auto choices_of(School) {
-  return std::array{
-      ChoiceName<School>{School::goodman, "goodman", "a line to the tensile strength"},
-      ChoiceName<School>{School::soderberg, "soderberg", "a line to the yield strength: on the safe side"},
-      ChoiceName<School>{School::gerber, "gerber", "a parabola to the tensile strength"},
-      ChoiceName<School>{School::elliptic, "elliptic", "an ellipse to the yield strength, of ASME"},
-      ChoiceName<School>{School::din743, "din743", "DIN 743, its case 2: the ratio stays"},
-      ChoiceName<School>{School::fkm, "fkm", "FKM, its case F2: the ratio stays; steels, no castings"},
-      ChoiceName<School>{School::serensen, "serensen", "Serensen, with size and surface of DIN 743"}};
-}
 
 }  // namespace loadpath::shaft

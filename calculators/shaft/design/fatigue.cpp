@@ -15,7 +15,7 @@ namespace loadpath::shaft {
 namespace {
 
 using fatigue::Endurance;
-using Input = Design::Input;
+using Input = DesignInput;
 
 /// The notch as Peterson has it, and the range that he has it for.
 template <class Tracer>

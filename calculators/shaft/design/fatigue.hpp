@@ -3,8 +3,10 @@
 #pragma once
 
 #include "calculators/fatigue/din743/nominal.hpp"
-#include "calculators/shaft/design/design.hpp"
-#include "calculators/shaft/design/turn.hpp"
+#include "calculators/shaft/design/model/input.hpp"
+#include "calculators/shaft/design/model/result.hpp"
+#include "calculators/shaft/design/model/turn.hpp"
+#include "lib/calculator/trace.hpp"
 
 namespace loadpath::shaft {
 
@@ -36,7 +38,7 @@ Moduli moduli_of(const Section& p, const Notched* notch, Tracer& trace) {
 /// `swings`: what varies over a turn at points of the circumference, of which the weakest decides; none: loads stay in
 /// space, and the shaft turns.
 template <class Tracer>
-Safety safety_of(const Design::Input& in, const There& there, const Sides& sides, const Section& p,
+Safety safety_of(const DesignInput& in, const There& there, const Sides& sides, const Section& p,
                  std::span<const Swings> swings, Tracer& trace);
 
 }  // namespace loadpath::shaft

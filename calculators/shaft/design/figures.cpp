@@ -1,6 +1,8 @@
 // The shaft from the side, with bearings and seats, its diagrams below it, and the sections that govern; over a turn
 // what the weakest of them feels.
-#include "calculators/shaft/design/turn.hpp"
+#include "calculators/shaft/design/design.hpp"
+#include "calculators/shaft/design/model/positions.hpp"
+#include "calculators/shaft/design/model/turn.hpp"
 #include "calculators/shaft/design/whirl.hpp"
 #include "lib/numerics/magnitude.hpp"
 #include "lib/text/issue.hpp"

@@ -1,7 +1,8 @@
 // What shaft.design asks of notches: that they fit where they are, stand apart, and leave no step untold.
 #include "calculators/fatigue/peterson.hpp"
-#include "calculators/shaft/design/places.hpp"
-#include "calculators/shaft/design/turn.hpp"
+#include "calculators/shaft/design/design.hpp"
+#include "calculators/shaft/design/model/places.hpp"
+#include "calculators/shaft/design/model/positions.hpp"
 
 #include <algorithm>
 #include <cmath>

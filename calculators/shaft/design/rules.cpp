@@ -1,6 +1,9 @@
 // What shaft.design asks of its input beyond the bounds of its fields; of notches in notch_rules.cpp.
-#include "calculators/shaft/design/places.hpp"
-#include "calculators/shaft/design/turn.hpp"
+#include "calculators/shaft/design/design.hpp"
+#include "calculators/shaft/design/model/bending.hpp"
+#include "calculators/shaft/design/model/places.hpp"
+#include "calculators/shaft/design/model/positions.hpp"
+#include "calculators/shaft/design/torsion.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -282,5 +285,7 @@ Applies Design::thin_wall(const Input& in) {
 bool Design::treated_thick(const Input& in) {
   return std::none_of(in.pieces.begin(), in.pieces.end(), [&](const Piece& p) { return in.d_h < thickest(p); });
 }
+
+Applies Design::passes_resonance(const Input& in) { return resonance_on_the_way(in); }
 
 }  // namespace loadpath::shaft

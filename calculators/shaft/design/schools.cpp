@@ -12,7 +12,7 @@ namespace {
 using fatigue::Din743Stress;
 using fatigue::Endurance;
 using fatigue::FkmSteelGroup;
-using Input = Design::Input;
+using Input = DesignInput;
 
 /// A steel of FKM by its group; castings are none.
 FkmSteelGroup steel_of(Endurance::Group group) {

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "calculators/fatigue/din743/section.hpp"
-#include "calculators/shaft/design/turn.hpp"
+#include "calculators/shaft/design/model/result.hpp"
+#include "calculators/shaft/design/model/turn.hpp"
+#include "lib/calculator/trace.hpp"
 
 #include <cmath>
 
@@ -28,7 +30,7 @@ double ranges_left(const Rated& rated, const Fields& fields) {
 /// `section` is that of DIN 743, `rated` what was found of it, `outside` how many of its ranges were left. Where the
 /// method is one of both x_DIN tells the ranges that it has left.
 template <class Tracer>
-void other_schools(const Design::Input& in, const fatigue::Din743Section& section, const Stressed& stressed,
+void other_schools(const DesignInput& in, const fatigue::Din743Section& section, const Stressed& stressed,
                    const fatigue::Din743Safety& rated, double outside, Safety& s, Tracer& trace);
 
 }  // namespace loadpath::shaft

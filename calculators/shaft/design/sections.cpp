@@ -1,8 +1,9 @@
 #include "calculators/shaft/design/sections.hpp"
 
 #include "calculators/shaft/design/fatigue.hpp"
-#include "calculators/shaft/design/places.hpp"
-#include "calculators/shaft/design/turn.hpp"
+#include "calculators/shaft/design/model/places.hpp"
+#include "calculators/shaft/design/model/positions.hpp"
+#include "calculators/shaft/design/model/turn.hpp"
 #include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
@@ -13,8 +14,8 @@ namespace loadpath::shaft {
 
 namespace {
 
-using Input = Design::Input;
-using Result = Design::Result;
+using Input = DesignInput;
+using Result = DesignResult;
 
 /// Where the moment is largest within a piece.
 Length place_of_most(const Stations& stations, const Turn& turn, std::size_t piece) {
@@ -164,7 +165,7 @@ class Judging {
     NoTrace quiet;
     for (std::size_t k = 0; k < changes_.size(); ++k) {
       r.sections.push_back(section(k, quiet));
-      if (Design::asks_fatigue(in_)) r.safeties.push_back(safety(k, r.sections.back(), quiet));
+      if (asks_fatigue(in_)) r.safeties.push_back(safety(k, r.sections.back(), quiet));
     }
   }
 

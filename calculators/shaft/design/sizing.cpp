@@ -3,7 +3,9 @@
 // lightest shaft is taken. A shoulder is no lower than its fillet, and than what is set against it asks; where nothing
 // is cut between two pieces they are one cylinder; bearings sit on bores of bearings. Tapers are given, and their ends
 // ask of the cylinders beside them what other cylinders do.
-#include "calculators/shaft/design/places.hpp"
+#include "calculators/shaft/design/design.hpp"
+#include "calculators/shaft/design/model/bending.hpp"
+#include "calculators/shaft/design/model/places.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +14,7 @@ namespace loadpath::shaft {
 
 namespace {
 
-using Input = Design::Input;
+using Input = DesignInput;
 
 /// Of a piece that is searched for its place among them, else none.
 constexpr std::size_t none = most_pieces;
@@ -51,7 +53,7 @@ struct Joint {
 Joint joint_after(const Input& in, std::size_t i) {
   Joint joint{end_of(in, i)};
   const Notched* const notch = notch_at(in, joint.x);
-  joint.tied = notch == nullptr && Design::asks_fatigue(in);
+  joint.tied = notch == nullptr && asks_fatigue(in);
   if (notch == nullptr || notch->kind != Notch::shoulder) return joint;
   const Length fillet = is_set(notch->r) ? notch->r : 0.0 * mm, asked = is_set(notch->h) ? notch->h : 0.0 * mm;
   joint.least = 2.0 * max(max(fillet, asked), 1e-6 * mm);

@@ -1,7 +1,10 @@
-#include "calculators/shaft/design/bending.hpp"
+#include "calculators/shaft/design/tapers.hpp"
+
 #include "calculators/shaft/design/fatigue.hpp"
+#include "calculators/shaft/design/model/bending.hpp"
+#include "calculators/shaft/design/model/positions.hpp"
+#include "calculators/shaft/design/model/turn.hpp"
 #include "calculators/shaft/design/sections.hpp"
-#include "calculators/shaft/design/turn.hpp"
 #include "lib/numerics/peak.hpp"
 
 #include <algorithm>
@@ -11,7 +14,7 @@ namespace loadpath::shaft {
 
 namespace {
 
-using Input = Design::Input;
+using Input = DesignInput;
 
 using numerics::Peak;
 using Peaks = List<Peak, most_pieces>;
@@ -95,7 +98,7 @@ Weakest weakest_of_tapers(const Input& in) {
   const Stations& stations = elastic->stations;
   Peaks yield(in.pieces.size()), fatigue(in.pieces.size());
   Turn turn(in, stations.x.size());
-  const bool tires = Design::asks_fatigue(in);
+  const bool tires = asks_fatigue(in);
   for (std::size_t position = 0; position < turn.positions(); ++position) {
     const Loaded loaded = loaded_at(in, *elastic, position);
     const Scan scan(in, stations, loaded);

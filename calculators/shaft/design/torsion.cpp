@@ -1,6 +1,7 @@
 #include "calculators/shaft/design/torsion.hpp"
 
-#include "calculators/shaft/design/turn.hpp"
+#include "calculators/shaft/design/model/positions.hpp"
+#include "calculators/shaft/design/model/turn.hpp"
 #include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
@@ -12,8 +13,8 @@ namespace loadpath::shaft {
 
 namespace {
 
-using Input = Design::Input;
-using Result = Design::Result;
+using Input = DesignInput;
+using Result = DesignResult;
 
 /// Ends of pieces and places of discs, each once, from left to right.
 using Places = List<double, most_pieces + 1 + most_seats>;
@@ -119,7 +120,7 @@ std::optional<beam::Swing> swing_of(const Input& in) {
   return beam::Swing(rods, discs);
 }
 
-Applies Design::passes_resonance(const Input& in) {
+Applies resonance_on_the_way(const Input& in) {
   const AngularSpeed n = speed_of(in);
   if (!is_set(n)) return Applies::no;
   const auto swing = swing_of(in);

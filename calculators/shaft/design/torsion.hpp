@@ -2,17 +2,23 @@
 // times in a turn stays from them.
 #pragma once
 
-#include "calculators/shaft/design/stretches.hpp"
+#include "calculators/shaft/design/model/result.hpp"
+#include "calculators/shaft/design/model/stretches.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
 
 #include <optional>
 
 namespace loadpath::shaft {
 
 /// Nothing where the inertia of a seat, or the density, is not known.
-std::optional<beam::Swing> swing_of(const Design::Input& in);
+std::optional<beam::Swing> swing_of(const DesignInput& in);
+
+/// Whether what comes h times in a turn meets more than the lowest frequency on the way to the speed of the shaft.
+Applies resonance_on_the_way(const DesignInput& in);
 
 /// Of the lowest frequency, and of each order at the speed of the shaft.
 template <class Tracer>
-void judge_torsion(const Design::Input& in, Design::Result& r, Tracer& trace);
+void judge_torsion(const DesignInput& in, DesignResult& r, Tracer& trace);
 
 }  // namespace loadpath::shaft

@@ -11,8 +11,8 @@ namespace loadpath::shaft {
 
 namespace {
 
-using Input = Design::Input;
-using Result = Design::Result;
+using Input = DesignInput;
+using Result = DesignResult;
 using beam::Sense;
 
 template <class Tracer>

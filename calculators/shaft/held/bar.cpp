@@ -12,7 +12,7 @@ constexpr double rounding = 1e-12;  // of the length of the bar: places that are
 
 using Cuts = List<Length, 1 + 2 * most_cuts>;
 
-Cuts cuts_of(const Held::Input& in) {
+Cuts cuts_of(const HeldTypes::Input& in) {
   Cuts cuts{0.0 * mm};
   for (const Segment& s : in.segments) cuts.push_back(cuts.back() + s.l);
   const Length end = cuts.back();
@@ -26,7 +26,7 @@ Cuts cuts_of(const Held::Input& in) {
   return cuts;
 }
 
-Moment torques_up_to(const Held::Input& in, Length x) {
+Moment torques_up_to(const HeldTypes::Input& in, Length x) {
   Moment sum = 0.0 * N_m;
   for (const AxialTorque& t : in.torques) {
     if (t.x <= x) sum += t.T;
@@ -36,20 +36,20 @@ Moment torques_up_to(const Held::Input& in, Length x) {
 
 }  // namespace
 
-Length length_of(const Held::Input& in) {
+Length length_of(const HeldTypes::Input& in) {
   Length sum = 0.0 * mm;
   for (const Segment& s : in.segments) sum += s.l;
   return sum;
 }
 
-Moment sum_of_loads(const Held::Input& in) {
+Moment sum_of_loads(const HeldTypes::Input& in) {
   Moment sum = 0.0 * N_m;
   for (const AxialTorque& t : in.torques) sum += t.T;
   for (const Segment& s : in.segments) sum += s.m * s.l;
   return in.K_A * sum;
 }
 
-Slices slices_of(const Held::Input& in) {
+Slices slices_of(const HeldTypes::Input& in) {
   const Cuts cuts = cuts_of(in);
   const Length tolerance = rounding * length_of(in);
   Slices slices;
@@ -78,7 +78,7 @@ bool is_around(const Sleeve& sleeve, const Slice& s) {
   return sleeve.x < middle && middle < sleeve.x + sleeve.l;
 }
 
-TorsionalStiffness stiffness_at(const Held::Input& in, const Slice& s, Length from_its_end) {
+TorsionalStiffness stiffness_at(const HeldTypes::Input& in, const Slice& s, Length from_its_end) {
   const Segment& segment = in.segments[s.segment];
   TorsionalStiffness C = modulus(in, segment.G) * polar(ring_at(segment, s.a + from_its_end));
   for (const Sleeve& sleeve : in.sleeves) {
@@ -87,7 +87,7 @@ TorsionalStiffness stiffness_at(const Held::Input& in, const Slice& s, Length fr
   return C;
 }
 
-Flexibility integrated(const Held::Input& in, const Slice& s) {
+Flexibility integrated(const HeldTypes::Input& in, const Slice& s) {
   const double l = in_si(s.l);
   const auto yielding = [&](double x) { return 1.0 / in_si(stiffness_at(in, s, from_si<Length>(x))); };
   return {from_si<Yielding>(integral(yielding, 0.0, l)),

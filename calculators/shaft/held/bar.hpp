@@ -1,7 +1,8 @@
 // The bar of shaft.held cut where it, its load or its members change, and how far each stretch gives way.
 #pragma once
 
-#include "calculators/shaft/held/held.hpp"
+#include "calculators/shaft/held/types.hpp"
+#include "lib/calculator/trace.hpp"
 
 #include <cstddef>
 
@@ -21,16 +22,16 @@ struct Slice {
 };
 using Slices = List<Slice, most_cuts>;
 
-Length length_of(const Held::Input& in);
-Slices slices_of(const Held::Input& in);
+Length length_of(const HeldTypes::Input& in);
+Slices slices_of(const HeldTypes::Input& in);
 /// All loads on the bar, with the service factor.
-Moment sum_of_loads(const Held::Input& in);
+Moment sum_of_loads(const HeldTypes::Input& in);
 
 Ring ring_at(const Segment& s, Length from_its_end);
 bool is_around(const Sleeve& sleeve, const Slice& s);
-inline Stress modulus(const Held::Input& in, Stress own) { return is_set(own) ? own : in.G; }
+inline Stress modulus(const HeldTypes::Input& in, Stress own) { return is_set(own) ? own : in.G; }
 /// Of the whole section, at a place of a stretch.
-TorsionalStiffness stiffness_at(const Held::Input& in, const Slice& s, Length from_its_end);
+TorsionalStiffness stiffness_at(const HeldTypes::Input& in, const Slice& s, Length from_its_end);
 
 /// The rotation over a stretch by a moment of 1, and by a torque per length of 1 that its second end holds.
 struct Flexibility {
@@ -43,10 +44,10 @@ inline constexpr SpreadYielding no_spread = from_si<SpreadYielding>(0.0);
 inline bool is_spread(const Slice& s) { return in_si(s.m) != 0.0; }
 
 /// Integrals of 1/(G I_p) and of x/(G I_p) over a cone whose bore is not in proportion.
-Flexibility integrated(const Held::Input& in, const Slice& s);
+Flexibility integrated(const HeldTypes::Input& in, const Slice& s);
 
 template <class Tracer>
-Flexibility of_cylinders(const Held::Input& in, const Slice& s, Tracer& trace) {
+Flexibility of_cylinders(const HeldTypes::Input& in, const Slice& s, Tracer& trace) {
   const auto C = trace.value("C", stiffness_at(in, s, 0.0 * mm), "sum of G I_p over the members, which twist alike");
   STEP(f_0, s.l / C, "rotation by a moment of 1, [B19] (7)");
   if (!is_spread(s)) return {f_0, no_spread};
@@ -55,7 +56,7 @@ Flexibility of_cylinders(const Held::Input& in, const Slice& s, Tracer& trace) {
 }
 
 template <class Tracer>
-Flexibility of_cone(const Held::Input& in, const Slice& s, Tracer& trace) {
+Flexibility of_cone(const HeldTypes::Input& in, const Slice& s, Tracer& trace) {
   const Segment& segment = in.segments[s.segment];
   const Ring first = ring_at(segment, s.a), second = ring_at(segment, s.a + s.l);
   const double chi = trace.value("chi", reduced(first.d_bore / first.d), "bore over diameter");
@@ -78,12 +79,12 @@ Flexibility of_cone(const Held::Input& in, const Slice& s, Tracer& trace) {
 }
 
 template <class Tracer>
-Flexibility flexibility(const Held::Input& in, const Slice& s, Tracer& trace) {
+Flexibility flexibility(const HeldTypes::Input& in, const Slice& s, Tracer& trace) {
   return is_cone(in.segments[s.segment]) ? of_cone(in, s, trace) : of_cylinders(in, s, trace);
 }
 
 /// How far a section of a stretch turns against its first end.
-inline double rotation_over(const Held::Input& in, Slice s, Length l, Moment M_1) {
+inline double rotation_over(const HeldTypes::Input& in, Slice s, Length l, Moment M_1) {
   NoTrace trace;
   s.l = l;
   const Flexibility f = flexibility(in, s, trace);

@@ -1,5 +1,6 @@
 // The bar of shaft.held from the side, its moment and its rotation.
 #include "calculators/shaft/held/bar.hpp"
+#include "calculators/shaft/held/held.hpp"
 
 #include <algorithm>
 #include <string>

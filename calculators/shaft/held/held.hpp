@@ -12,6 +12,7 @@
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/held/members.hpp"
+#include "calculators/shaft/held/types.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "lib/calculator/join.hpp"
 #include "lib/calculator/trace.hpp"
@@ -23,7 +24,7 @@
 
 namespace loadpath::shaft {
 
-struct Held {
+struct Held : HeldTypes {
   static constexpr auto id = "shaft.held";
   static constexpr auto title = "Bar held in torsion";
   static constexpr auto scope =
@@ -54,17 +55,6 @@ theta_adm = "2.5 deg/m"
 phi_adm = "1 deg"
 )";
 
-  struct Input : ShearStrength {
-    List<Segment, most_segments> segments;
-    List<Sleeve, most_sleeves> sleeves;
-    List<AxialTorque, most_twisting> torques;
-    End end_1 = End::free, end_2 = End::free;
-    Moment c_1 = unset<Moment>, c_2 = unset<Moment>;
-    double K_A = 1.0;
-    Stress G = unset<Stress>;
-    Twist theta_adm = unset<Twist>;
-    double phi_adm = unset<double>;
-  };
   static constexpr auto inputs = join(
       Fields{ListField{&Input::segments, "segments", "parts of the bar, from the first end to the second"},
              ListField{&Input::sleeves, "sleeves", "cylinders around or inside it that turn as one with it"}
@@ -90,50 +80,6 @@ phi_adm = "1 deg"
                  .usually(0.001, 90)
                  .may_be_missing()});
 
-  struct Stretch {
-    Length x = unset<Length>, l = unset<Length>;
-    Moment M_1 = unset<Moment>, M_2 = unset<Moment>;
-    double phi = unset<double>;
-    static constexpr Fields fields{Field{&Stretch::x, "x", mm, "its first end"}, Field{&Stretch::l, "l", mm, "length"},
-                                   Field{&Stretch::M_1, "M_1", N_m, "moment at its first end"},
-                                   Field{&Stretch::M_2, "M_2", N_m, "moment at its second end"},
-                                   Field{&Stretch::phi, "phi", deg, "rotation of its second end against its first"}};
-  };
-  struct Section {
-    Length x = unset<Length>;
-    double phi = unset<double>;
-    static constexpr Fields fields{Field{&Section::x, "x", mm, "place"},
-                                   Field{&Section::phi, "phi", deg, "rotation from where it stood"}};
-  };
-  /// A segment or a sleeve where its stress is the largest.
-  struct Member {
-    Name name;
-    Length x = unset<Length>, d = unset<Length>;
-    Moment T = unset<Moment>;
-    Stress tau = unset<Stress>, tau_all = unset<Stress>;
-    double u_tau = unset<double>;
-    static constexpr Fields fields{NameField{&Member::name, "name", "segment or sleeve"},
-                                   Field{&Member::x, "x", mm, "place of its largest stress"},
-                                   Field{&Member::d, "d", mm, "its outer diameter there"},
-                                   Field{&Member::T, "T", N_m, "its part of the moment there, signed"}.holding("K_A"),
-                                   Field{&Member::tau, "tau", MPa, "largest shear stress"},
-                                   Field{&Member::tau_all, "tau_all", MPa, "allowable shear stress"},
-                                   Field{&Member::u_tau, "u_tau", ratio, "shear stress over the allowable one"}};
-  };
-
-  struct Result {
-    Moment R_1 = unset<Moment>, R_2 = unset<Moment>, M_max = unset<Moment>;
-    Length d_s = unset<Length>;
-    Stress tau_max = unset<Stress>;
-    Twist theta_max = unset<Twist>;
-    double phi_1 = unset<double>, phi_2 = unset<double>, phi_max = unset<double>;
-    Length x_phi = unset<Length>;
-    double s_max = unset<double>, u_tau = unset<double>, u_theta = unset<double>, u_phi = unset<double>;
-    StressCycle cycle;
-    List<Member, most_members> members;
-    List<Stretch, most_cuts> stretches;
-    List<Section, most_cuts + 1> sections;
-  };
   static constexpr Fields results{
       Field{&Result::R_1, "R_1", N_m, "torque of the first support on the bar"}.load().holding("K_A"),
       Field{&Result::R_2, "R_2", N_m, "torque of the second support on the bar"}.load().holding("K_A"),

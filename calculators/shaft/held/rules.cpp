@@ -1,5 +1,6 @@
 // What shaft.held asks of its input beyond the bounds of its fields.
 #include "calculators/shaft/held/bar.hpp"
+#include "calculators/shaft/held/held.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

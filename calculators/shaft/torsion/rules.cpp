@@ -1,5 +1,6 @@
 // What shaft.torsion asks of its input beyond the bounds of its fields.
 #include "calculators/shaft/torsion/parts.hpp"
+#include "calculators/shaft/torsion/torsion.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

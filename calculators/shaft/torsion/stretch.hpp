@@ -2,7 +2,8 @@
 #pragma once
 
 #include "calculators/shaft/round_sizing.hpp"
-#include "calculators/shaft/torsion/torsion.hpp"
+#include "calculators/shaft/torsion/types.hpp"
+#include "lib/calculator/trace.hpp"
 
 namespace loadpath::shaft {
 
@@ -41,7 +42,7 @@ Length size_by_stiffness(Moment M_t, const Cylinder& c, const Allowed& allowed, 
 
 /// Stress and twist of one stretch at its diameter.
 template <class Tracer>
-void load(Torsion::Stretch& s, Stress G, double K_A, Tracer& trace) {
+void load(TorsionTypes::Stretch& s, Stress G, double K_A, Tracer& trace) {
   if (s.M_t <= 0.0 * N_m.one && !(s.d > s.d_bore)) {  // no moment has sized it, and none loads it
     s.tau = trace.value("tau", from_si<Stress>(0.0), "no moment");
     if (is_set(G)) s.theta = from_si<Twist>(0.0), s.phi = is_set(s.l) ? 0.0 : s.phi;

@@ -11,6 +11,7 @@
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/torsion/diagram.hpp"
+#include "calculators/shaft/torsion/types.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/form.hpp"
 #include "lib/calculator/join.hpp"
@@ -24,7 +25,7 @@
 
 namespace loadpath::shaft {
 
-struct Torsion {
+struct Torsion : TorsionTypes {
   static constexpr auto id = "shaft.torsion";
   static constexpr auto title = "Shaft in torsion";
   static constexpr auto scope =
@@ -47,48 +48,6 @@ tau_adm = "30 MPa"
 theta_adm = "0.004 rad/m"
 )";
 
-  enum class Fixed { none, left, right };
-  enum class Governs { strength, stiffness };
-
-  struct Segment {
-    Name name;
-    Length l = unset<Length>, d = unset<Length>;
-    double chi = unset<double>;
-    Length d_bore = unset<Length>;
-    static constexpr Fields fields{
-        NameField{&Segment::name, "name", "name of the part"}.may_be_missing(),
-        Field{&Segment::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
-        Field{&Segment::d, "d", mm, "outer diameter; the common one where missing"}
-            .positive()
-            .usually(1, 2000)
-            .may_be_missing(),
-        Field{&Segment::chi, "chi", ratio, "bore ratio d_bore/d"}.at_least(0).below(0.99).may_be_missing(),
-        Field{&Segment::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing()};
-  };
-
-  struct Torque {
-    Name name;
-    Length x = unset<Length>;
-    Moment T = unset<Moment>;
-    static constexpr Fields fields{NameField{&Torque::name, "name", "what brings the torque"}.may_be_missing(),
-                                   Field{&Torque::x, "x", mm, "place from the left end"}.at_least(0),
-                                   Field{&Torque::T, "T", N_m, "torque on the shaft, signed"}.load()};
-  };
-
-  struct Input : ShearStrength {
-    Moment T = unset<Moment>;
-    Length l = unset<Length>;
-    Length d = unset<Length>;
-    double chi = unset<double>;
-    Length d_bore = unset<Length>, d_h = unset<Length>;
-    double K_A = 1.0;
-    Stress G = unset<Stress>;
-    Twist theta_adm = unset<Twist>;
-    Force F = unset<Force>;
-    Fixed fixed = Fixed::none;
-    List<Torque, most_torques> torques;
-    List<Segment, most_cylinders> segments;
-  };
   static bool torques_close(const Input& in);
   static bool torques_on_shaft(const Input& in);
   static bool bores_fit(const Input& in);
@@ -126,50 +85,6 @@ theta_adm = "0.004 rad/m"
               .may_be_missing(),
           ListField{&Input::segments, "segments", "cylinders from left to right"}.may_be_missing()});
 
-  struct Stretch {
-    Length x = unset<Length>, l = unset<Length>;
-    Moment M = unset<Moment>, M_t = unset<Moment>;
-    Length d_strength = unset<Length>, d_stiffness = unset<Length>, d = unset<Length>, d_bore = unset<Length>;
-    Stress tau = unset<Stress>;
-    Twist theta = unset<Twist>;
-    double phi = unset<double>;
-    static constexpr Fields fields{
-        Field{&Stretch::x, "x", mm, "left end"},
-        Field{&Stretch::l, "l", mm, "length"},
-        Field{&Stretch::M, "M", N_m, "internal moment, signed"},
-        Field{&Stretch::M_t, "M_t", N_m, "design moment"},
-        Field{&Stretch::d_strength, "d_strength", mm, "least diameter by strength"},
-        Field{&Stretch::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"},
-        Field{&Stretch::d, "d", mm, "outer diameter"},
-        Field{&Stretch::d_bore, "d_bore", mm, "bore"},
-        Field{&Stretch::tau, "tau", MPa, "largest shear stress"},
-        Field{&Stretch::theta, "theta", deg_per_m, "twist per length, signed"},
-        Field{&Stretch::phi, "phi", deg, "twist of the right end against the left, positive like M"}};
-  };
-
-  struct Section {
-    Length x = unset<Length>;
-    double phi = unset<double>;
-    static constexpr Fields fields{Field{&Section::x, "x", mm, "place from the left end"},
-                                   Field{&Section::phi, "phi", deg, "twist against the left end, signed"}};
-  };
-
-  struct Result {
-    Stress tau_all = unset<Stress>;
-    Moment M_max = unset<Moment>;
-    Length d_strength = unset<Length>, d_stiffness = unset<Length>, d_min = unset<Length>;
-    Governs governs = Governs::strength;
-    Length D_star = unset<Length>;
-    Length d = unset<Length>, d_bore = unset<Length>, d_max = unset<Length>, d_s = unset<Length>;
-    Stress tau_max = unset<Stress>;
-    Twist theta_max = unset<Twist>;
-    double phi = unset<double>, phi_max = unset<double>;
-    double u_tau = unset<double>, u_theta = unset<double>;
-    Force F_bend = unset<Force>;
-    StressCycle cycle;
-    List<Stretch, most_stretches> segments;
-    List<Section, most_stretches + 1> sections;
-  };
   static constexpr Fields results{
       Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"},
       Field{&Result::M_max, "M_max", N_m, "largest design moment"}.holding("K_A"),
@@ -254,16 +169,5 @@ theta_adm = "0.004 rad/m"
   static Result evaluate(const Input& in, Tracer& trace);
   static std::vector<draw::Figure> figures(const Input& in, const Result& r);
 };
-
-constexpr auto choices_of(Torsion::Fixed) {
-  return std::array{ChoiceName<Torsion::Fixed>{Torsion::Fixed::none, "none", "free at both ends"},
-                    ChoiceName<Torsion::Fixed>{Torsion::Fixed::left, "left", "held at the left end"},
-                    ChoiceName<Torsion::Fixed>{Torsion::Fixed::right, "right", "held at the right end"}};
-}
-
-constexpr auto choices_of(Torsion::Governs) {
-  return std::array{ChoiceName<Torsion::Governs>{Torsion::Governs::strength, "strength", "the allowable stress"},
-                    ChoiceName<Torsion::Governs>{Torsion::Governs::stiffness, "stiffness", "the allowable twist"}};
-}
 
 }  // namespace loadpath::shaft

@@ -1,6 +1,6 @@
 #include "lib/draw/motion/data.hpp"
 
-#include "lib/draw/motion/motion.hpp"
+#include "lib/draw/motion/numbers.hpp"
 #include "lib/quantity/format.hpp"
 
 namespace loadpath::draw {

@@ -3,7 +3,6 @@
 #include "lib/draw/canvas/svg_writer.hpp"
 #include "lib/draw/motion/data.hpp"
 #include "lib/draw/scheme/picture.hpp"
-#include "lib/quantity/format.hpp"
 #include "lib/text/issue.hpp"
 
 namespace loadpath::draw {
@@ -64,16 +63,6 @@ std::string plan_picture(const Motion& motion, const std::vector<PlanFit>& fits)
 }
 
 }  // namespace
-
-std::string number_text(const Motion::Number& number, std::size_t frame) {
-  const double si = number.si[frame];
-  return std::isfinite(si) ? format_number(in_unit(si, number.unit), 5) : "–";
-}
-
-std::string printed(std::string number) {
-  if (number.starts_with('-')) number.replace(0, 1, "−");
-  return number;
-}
 
 MotionPictures motion_pictures(const Figure& figure) {
   const auto& motion = std::get<Motion>(figure.content);

@@ -9,6 +9,7 @@ inline constexpr double pin_radius = 4.6;
 inline constexpr double block_length = 26.0, block_width = 14.0;
 inline constexpr double couple_radius = 19.0;
 inline constexpr double coil_radius = 13.0;
+inline constexpr double spring_half = 6.0;  // across
 
 /// A closed polygon close to the circle.
 std::vector<Point> ring(Point centre, double radius);

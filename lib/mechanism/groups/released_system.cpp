@@ -53,7 +53,7 @@ struct ReleasedSystem::Work {
   FrictionTaken taken;
   double first_grip = 0.0;
   int releases = 0;
-  WholeSystem::Gap gap;
+  Gap gap;
   bool opens = false;  // the released mechanism closed, the given one did not
 };
 
@@ -111,7 +111,7 @@ Status ReleasedSystem::Work::follow(std::span<const Drive> goal, bool statics, i
 }
 
 void ReleasedSystem::Work::find_gap() {
-  gap = opens ? WholeSystem::Gap{} : system->gap();
+  gap = opens ? Gap{} : system->gap();
   if (!opens) return;
   for (std::size_t k = 0; k < all.constraints().pairs().size(); ++k) {
     const double open = unit * all.constraints().opening(k);
@@ -164,7 +164,7 @@ void ReleasedSystem::set_load(std::size_t load, Vec force, double moment) {
   work_->system->set_load(load, force, moment);
 }
 
-WholeSystem::Gap ReleasedSystem::gap() const { return work_->redundant ? work_->gap : work_->system->gap(); }
+Gap ReleasedSystem::gap() const { return work_->redundant ? work_->gap : work_->system->gap(); }
 
 const Model& ReleasedSystem::model() const { return work_->model; }
 int ReleasedSystem::release_number() const { return work_->releases; }

@@ -26,7 +26,7 @@ class ReleasedSystem {
   void take_friction(FrictionTaken taken);
   [[nodiscard]] bool some_joint_rests() const;
   void set_load(std::size_t load, Vec force, double moment);
-  [[nodiscard]] WholeSystem::Gap gap() const;
+  [[nodiscard]] Gap gap() const;
 
   /// The determinate mechanism that the last position was solved as, its loads as they are now.
   [[nodiscard]] const Model& model() const;

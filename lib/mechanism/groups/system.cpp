@@ -284,6 +284,6 @@ double GroupSystem::change(std::span<const Drive> from, std::span<const Drive> t
   return work_->change(from, to);
 }
 
-WholeSystem::Gap GroupSystem::gap() const { return work_->whole.gap(); }
+Gap GroupSystem::gap() const { return work_->whole.gap(); }
 
 }  // namespace loadpath::mechanism

@@ -51,7 +51,7 @@ class GroupSystem {
   /// The largest change of a drive on the way, rad or parts of the mechanism's size; no number where that is none.
   [[nodiscard]] double change(std::span<const Drive> from, std::span<const Drive> to) const;
   /// After a failure, as WholeSystem::gap.
-  [[nodiscard]] WholeSystem::Gap gap() const;
+  [[nodiscard]] Gap gap() const;
 
  private:
   struct Work;

@@ -1,8 +1,8 @@
-// A cam and its follower as a pair (pair.hpp): where they touch, and what the follower's acceleration owes to the shape
-// of the profile.
+// A cam and its follower as a pair (pair_place.hpp): where they touch, and what the follower's acceleration owes to the
+// shape of the profile.
 #pragma once
 
-#include "lib/mechanism/model/pair.hpp"
+#include "lib/mechanism/model/pair_place.hpp"
 
 namespace loadpath::mechanism {
 

@@ -1,7 +1,8 @@
 // Class, order and kind of an Assur group from its joints alone.
 #pragma once
 
-#include "lib/mechanism/structure/assur.hpp"
+#include "lib/mechanism/model/model.hpp"
+#include "lib/mechanism/structure/group.hpp"
 
 namespace loadpath::mechanism {
 

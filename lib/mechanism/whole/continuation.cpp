@@ -113,8 +113,8 @@ double Continuation::opening() const {
   return std::sqrt(sum);
 }
 
-WholeSystem::Gap Continuation::widest(double reached) const {
-  WholeSystem::Gap gap{.joint = -1, .size = 0.0, .reached = reached};
+Gap Continuation::widest(double reached) const {
+  Gap gap{.joint = -1, .size = 0.0, .reached = reached};
   for (std::size_t k = 0; k < constraints_.pairs().size(); ++k) {
     if (constraints_.opening(k) <= gap.size) continue;
     gap.joint = static_cast<int>(k);

@@ -2,7 +2,8 @@
 #pragma once
 
 #include "lib/mechanism/equations/kinematics.hpp"
-#include "lib/mechanism/whole/system.hpp"
+#include "lib/mechanism/model/position.hpp"
+#include "lib/mechanism/whole/gap.hpp"
 #include "lib/numerics/sparse_lu.hpp"
 
 #include <span>
@@ -28,7 +29,7 @@ class Continuation {
   [[nodiscard]] std::span<const double> drives() const { return held_; }
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
   [[nodiscard]] SparseLu& factors() { return factors_; }
-  [[nodiscard]] WholeSystem::Gap gap() const { return gap_; }
+  [[nodiscard]] Gap gap() const { return gap_; }
 
  private:
   [[nodiscard]] std::span<double> unknowns(std::vector<double>& x) const { return {x.data(), constraints_.columns()}; }
@@ -38,7 +39,7 @@ class Continuation {
   bool pull_together();
   bool search_along_newton_step(double& opening);
   [[nodiscard]] double opening() const;
-  [[nodiscard]] WholeSystem::Gap widest(double reached) const;
+  [[nodiscard]] Gap widest(double reached) const;
 
   void predict(std::span<const double> goal);
   [[nodiscard]] double longest_part() const;
@@ -53,7 +54,7 @@ class Continuation {
   std::vector<double> newton_;
   std::vector<double> held_, target_, held_at_start_;
   bool assembled_ = false;
-  WholeSystem::Gap gap_;
+  Gap gap_;
 };
 
 }  // namespace loadpath::mechanism

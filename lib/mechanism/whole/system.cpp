@@ -148,7 +148,7 @@ void WholeSystem::set_load(std::size_t load, Vec force, double moment) {
   work_->scaled.loads[load].moment = moment / (length * length);
 }
 
-WholeSystem::Gap WholeSystem::gap() const {
+Gap WholeSystem::gap() const {
   Gap gap = work_->continuation.gap();
   gap.size *= work_->length;
   return gap;

@@ -8,6 +8,7 @@
 
 #include "lib/mechanism/model/model.hpp"
 #include "lib/mechanism/model/position.hpp"
+#include "lib/mechanism/whole/gap.hpp"
 
 #include <cstddef>
 #include <memory>
@@ -40,13 +41,7 @@ class WholeSystem {
   [[nodiscard]] Position blank() const;
   /// For loads that vary over the cycle: the force (in the axes the load has) and the moment from the next `solve` on.
   void set_load(std::size_t load, Vec force, double moment);
-  /// After a failure: the joint that stays open widest when the mechanism is pulled together as far as it goes, and the
-  /// part of the last `move`, 0 to 1, up to which it closes.
-  struct Gap {
-    int joint = -1;
-    double size = 0.0;  // m
-    double reached = 0.0;
-  };
+  /// After a failure.
   [[nodiscard]] Gap gap() const;
   /// Reciprocal condition number (1-norm estimate) of the constraint equations of the position held now.
   [[nodiscard]] double condition() const;

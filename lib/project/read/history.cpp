@@ -1,9 +1,9 @@
 #include "lib/project/read/history.hpp"
 
-#include "lib/project/read/reader.hpp"
+#include "lib/project/read/reading.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
-#include "lib/rainflow/series/reader.hpp"
+#include "lib/rainflow/series/read_series.hpp"
 #include "lib/rainflow/turning_points.hpp"
 
 #include <algorithm>
@@ -18,6 +18,7 @@ namespace loadpath::project {
 namespace {
 
 namespace fs = std::filesystem;
+using toml::Tree;
 
 constexpr std::size_t most_turns = 20'000'000;  // of 16 bytes each
 constexpr std::size_t most_in_step = 5'000;     // each is looked at on thousands of planes
@@ -208,23 +209,6 @@ bool read_history(const Tree& table, const FieldInfo& field, Kept kept, History&
   if (const auto found = read_turns(**reader, turns)) return refuse("file", *found);
   if (const auto found = put(turns, *unit, field, history)) return refuse("file", *found);
   return true;
-}
-
-void Reader::read_history_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
-  const bool of_file = names_history_file(tree);
-  refuse_others(
-      tree,
-      of_file ? std::vector<std::string>{"file", "column", "unit", "form"} : std::vector<std::string>{"values", "unit"},
-      path);
-  History history;
-  HistoryFault fault;
-  if (!read_history(tree, field, in_step_ ? Kept::all : Kept::turns, history, fault)) {
-    const auto* const key = tree.find(fault.key);
-    return say_at(key == nullptr ? tree.place : key->value.place, path, fault.fault.message, fault.fault.hint);
-  }
-  reading_.typed[path].text = of_file ? tree.find("file")->value.text : "values";
-  reading_.axes.push_back(std::move(history.axis));
-  field.set_series(owner, std::move(history.series));
 }
 
 }  // namespace loadpath::project

@@ -1,4 +1,5 @@
-// The reader behind read_record (lib/project/read/reading.hpp): a tree of a project file into the fields of a record.
+// The reader behind read_record (lib/project/read/read_record.hpp): a tree of a project file into the fields of a
+// record.
 #pragma once
 
 #include "lib/project/read/reading.hpp"

@@ -1,7 +1,5 @@
 #include "lib/project/read/reading.hpp"
 
-#include "lib/project/read/reader.hpp"
-#include "lib/project/read/records.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
 
@@ -15,30 +13,6 @@ using Type = FieldInfo::Type;
 static std::size_t code_points(std::string_view text) {
   return static_cast<std::size_t>(
       std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
-}
-
-static Reading read_one(const toml::Tree& table, const RecordType& type, const Template* from,
-                        const std::string& prefix, const std::vector<std::string>& reserved,
-                        std::vector<Issue>& issues) {
-  Reading reading;
-  reading.record = Record(type);
-  reading.place = table.place;
-  std::vector<Part> parts{{type.fields, reading.record.data.get()}};
-  if (from != nullptr) {
-    from->lay_out(reading.record.data.get());
-    reading.parameters = Record(*from->parameters);
-    parts.insert(parts.begin(), {from->parameters->fields, reading.parameters.data.get()});
-  }
-  Reader(reading, issues, prefix).read_fields(table, parts, "", reserved);
-  return reading;
-}
-
-Reading read_record(const toml::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
-                    const std::vector<std::string>& reserved, std::vector<Issue>& issues) {
-  const ReadOne read = [&](const toml::Tree& tree, std::vector<Issue>& told) {
-    return read_one(tree, type, from, prefix, reserved, told);
-  };
-  return read_in_turn(table, prefix, read, issues);
 }
 
 std::optional<std::string> lone_reference(const toml::Tree& tree) {

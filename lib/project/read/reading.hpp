@@ -1,4 +1,4 @@
-// Reads a table of a project file into the record of a calculator: literals at once, expressions for later.
+// What a table of a project file says about the record of a calculator: literals at once, expressions for later.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"
@@ -135,11 +135,6 @@ void for_each_reference(const Reading& reading, const Visit& visit) {
     for (const auto& reference : operand.expression.references()) visit(reference.path);
   }
 }
-
-/// Reads `table` into a fresh record, or into one that `from` lays out: an element that is there already takes what
-/// stands under its name. Keys in `reserved` are left to the caller; `prefix` starts the keys of issues.
-Reading read_record(const toml::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
-                    const std::vector<std::string>& reserved, std::vector<Issue>& issues);
 
 /// "must be > 0 mm", from the bounds of a field.
 Message bounds_message(const FieldInfo& field);

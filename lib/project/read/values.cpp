@@ -194,4 +194,21 @@ void Reader::read_formula(const Tree& tree, const FieldInfo& field, void* owner,
   field.set_text(owner, std::string_view(tree.text).substr(tree.text.starts_with('=') ? 1 : 0));
 }
 
+void Reader::read_history_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
+  const bool of_file = names_history_file(tree);
+  refuse_others(
+      tree,
+      of_file ? std::vector<std::string>{"file", "column", "unit", "form"} : std::vector<std::string>{"values", "unit"},
+      path);
+  History history;
+  HistoryFault fault;
+  if (!read_history(tree, field, in_step_ ? Kept::all : Kept::turns, history, fault)) {
+    const auto* const key = tree.find(fault.key);
+    return say_at(key == nullptr ? tree.place : key->value.place, path, fault.fault.message, fault.fault.hint);
+  }
+  reading_.typed[path].text = of_file ? tree.find("file")->value.text : "values";
+  reading_.axes.push_back(std::move(history.axis));
+  field.set_series(owner, std::move(history.series));
+}
+
 }  // namespace loadpath::project

@@ -1,4 +1,5 @@
-// From the text of a project to its steps, each with everything that can be known before it is solved.
+#include "lib/project/solving/read_project.hpp"
+
 #include "lib/project/accept.hpp"
 #include "lib/project/own_tables.hpp"
 #include "lib/project/parts.hpp"

@@ -1,4 +1,5 @@
-// Solves the steps of a project in their order.
+#include "lib/project/solving/solve.hpp"
+
 #include "lib/project/accept.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/references/factors.hpp"

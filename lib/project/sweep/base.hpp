@@ -1,8 +1,8 @@
 // A middle of what the inputs of a sweep go through, and how far they go to either side.
 #pragma once
 
+#include "lib/project/read/sweep_settings.hpp"
 #include "lib/project/sweep/axes.hpp"
-#include "lib/project/sweep/plan.hpp"
 
 #include <vector>
 

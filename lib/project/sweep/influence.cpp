@@ -2,6 +2,7 @@
 
 #include "lib/project/sweep/base.hpp"
 #include "lib/project/sweep/part.hpp"
+#include "lib/project/sweep/plan.hpp"
 
 namespace loadpath::project {
 

@@ -1,6 +1,7 @@
 #include "lib/project/sweep/variants.hpp"
 
 #include "lib/project/modes.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/project/sweep/points/alone.hpp"
 #include "lib/project/sweep/points/column_step.hpp"
 #include "lib/sweep/nan.hpp"

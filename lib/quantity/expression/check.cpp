@@ -41,7 +41,7 @@ std::optional<Dimension> raised(const Dimension& dimension, double exponent) {
 
 class Check {
  public:
-  Check(const Tree& tree, const Expression::Declared& declared) : tree_{tree}, declared_{declared} {}
+  Check(const Tree& tree, const Declared& declared) : tree_{tree}, declared_{declared} {}
 
   [[nodiscard]] Outcome<Signature> of(const Node& node) const {
     if (node.operation == Operation::literal) return within_bounds(node, {node.dimension});
@@ -227,16 +227,14 @@ class Check {
   }
 
   const Tree& tree_;
-  const Expression::Declared& declared_;
+  const Declared& declared_;
 };
 
 }  // namespace
 
-Outcome<Signature> check(const Tree& tree, const Expression::Declared& declared) {
-  return check(tree, tree.root, declared);
-}
+Outcome<Signature> check(const Tree& tree, const Declared& declared) { return check(tree, tree.root, declared); }
 
-Outcome<Signature> check(const Tree& tree, const Node& node, const Expression::Declared& declared) {
+Outcome<Signature> check(const Tree& tree, const Node& node, const Declared& declared) {
   return Check{tree, declared}.of(node);
 }
 

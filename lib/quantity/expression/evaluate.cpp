@@ -54,7 +54,7 @@ Join join_of(Operation operation) {
   }
 }
 
-Value called(const Node& node, const Expression::Known& known) {
+Value called(const Node& node, const Known& known) {
   const Function& f = *node.function;
   Value value = numbers(node.kids.front(), known);
   if (f.map != nullptr) return mapped(std::move(value), f.map);
@@ -68,7 +68,7 @@ Value called(const Node& node, const Expression::Known& known) {
 
 }  // namespace
 
-Value numbers(const Node& node, const Expression::Known& known) {
+Value numbers(const Node& node, const Known& known) {
   switch (node.operation) {
     case Operation::literal:
       return single(node.si);
@@ -85,7 +85,7 @@ Value numbers(const Node& node, const Expression::Known& known) {
 
 namespace {
 
-bool called(const Node& node, const Expression::Column& column, std::span<double> out) {
+bool called(const Node& node, const Column& column, std::span<double> out) {
   const Function& f = *node.function;
   if (f.rule == Rule::place || !numbers(node.kids.front(), column, out)) return false;
   if (f.map != nullptr) {
@@ -110,7 +110,7 @@ bool called(const Node& node, const Expression::Column& column, std::span<double
 
 }  // namespace
 
-bool numbers(const Node& node, const Expression::Column& column, std::span<double> out) {
+bool numbers(const Node& node, const Column& column, std::span<double> out) {
   switch (node.operation) {
     case Operation::literal:
       std::fill(out.begin(), out.end(), finite(node.si));

@@ -14,6 +14,7 @@
 //           unit
 #pragma once
 
+#include "lib/quantity/expression/references.hpp"
 #include "lib/quantity/kinds.hpp"
 #include "lib/quantity/series.hpp"
 #include "lib/text/issue.hpp"
@@ -65,15 +66,10 @@ using ReducedOf = std::function<Reduced(const std::string& path)>;
 
 class Expression {
  public:
-  /// A reference as written and where it stands in the text (bytes).
-  struct Reference {
-    std::string path;
-    std::size_t at = 0;
-  };
-  /// What a path is, when the file is read; a Fault (its `at` is ignored) where it is nothing.
-  using Declared = std::function<Outcome<Signature>(const std::string& path)>;
-  /// The value of a path, when the project is solved; the paths are those that passed `check`.
-  using Known = std::function<const Value&(const std::string& path)>;
+  using Reference = expression::Reference;
+  using Declared = expression::Declared;
+  using Known = expression::Known;
+  using Column = expression::Column;
 
   Expression();
   ~Expression();
@@ -113,7 +109,6 @@ class Expression {
   [[nodiscard]] Value evaluate(const Known& known) const;
   /// The same, to the bit, where every reference is one value, for many points at once: `column` gives the n values of
   /// a path. False where it takes a place of a series.
-  using Column = std::function<const double*(const std::string& path)>;
   bool evaluate(const Column& column, std::span<double> out) const;
 
  private:

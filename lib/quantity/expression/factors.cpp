@@ -1,4 +1,5 @@
 // Which factors the value of an expression contains.
+#include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 // moved outwards by a rounding, so that it holds in floating point too.
 #pragma once
 
+#include <initializer_list>
 #include <limits>
 
 namespace loadpath {
@@ -28,6 +29,14 @@ Interval operator/(const Interval& a, const Interval& b);
 Interval both(const Interval& a, const Interval& b);
 /// The least interval that holds both.
 Interval joined(const Interval& a, const Interval& b);
+
+/// These bounds a rounding or two further out: functions of the C library may be wrong in the last digit. What is no
+/// number may be any.
+Interval outward(double low, double high);
+/// The least that holds all of these, a rounding further out; everything where one is no number.
+Interval hull(std::initializer_list<double> values);
+/// To a constant power; everything where it is not defined everywhere.
+Interval to_power(const Interval& a, double exponent);
 
 /// Bounds of a function of one variable and of its derivatives, by the rules of differentiation.
 struct IntervalJet {

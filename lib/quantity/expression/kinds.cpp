@@ -1,4 +1,5 @@
 // Which kind the value of an expression is (lib/quantity/kinds.hpp): sums, choices and multiples keep it.
+#include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
 #include <algorithm>

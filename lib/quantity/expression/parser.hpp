@@ -74,7 +74,7 @@ class Parser {
   std::size_t next_ = 0;  // where the next token starts
   std::size_t end_ = 0;   // where the last one ended
   int depth_ = 0;
-  std::vector<Expression::Reference> references_;
+  std::vector<Reference> references_;
   std::optional<Fault> fault_;
 };
 

@@ -1,4 +1,5 @@
 // What is left of the series that the value of an expression comes from.
+#include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
 #include <cmath>

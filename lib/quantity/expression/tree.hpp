@@ -2,9 +2,11 @@
 #pragma once
 
 #include "lib/numerics/jet.hpp"
-#include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/interval.hpp"
+#include "lib/quantity/expression/references.hpp"
+#include "lib/quantity/kinds.hpp"
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,20 +69,20 @@ struct Tree {
 
 struct Parsed {
   Tree tree;
-  std::vector<Expression::Reference> references;
+  std::vector<Reference> references;
 };
 /// `variable`: a bare name that is a reference and no unit; empty: there is none.
 Outcome<Parsed> parse(std::string_view text, std::string_view variable = {});
 
-Outcome<Signature> check(const Tree& tree, const Expression::Declared& declared);
+Outcome<Signature> check(const Tree& tree, const Declared& declared);
 /// Of a part of it.
-Outcome<Signature> check(const Tree& tree, const Node& node, const Expression::Declared& declared);
+Outcome<Signature> check(const Tree& tree, const Node& node, const Declared& declared);
 
 /// The numbers and the axis of a tree that passed its check; the dimension is left to the check.
-Value numbers(const Node& node, const Expression::Known& known);
+Value numbers(const Node& node, const Known& known);
 
 /// The same of single values, for as many points as `out` holds; false where it asks for a place of a series.
-bool numbers(const Node& node, const Expression::Column& column, std::span<double> out);
+bool numbers(const Node& node, const Column& column, std::span<double> out);
 
 /// The value of a tree without references.
 double constant(const Node& node);

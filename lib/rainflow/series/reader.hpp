@@ -9,7 +9,6 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 
 namespace loadpath::rainflow {
 
@@ -41,11 +40,5 @@ struct Form {
   /// What a line of comment begins with.
   char comment = '#';
 };
-
-/// The format that the end of a file's name says; none where it says nothing.
-std::optional<Format> format_of(std::string_view path);
-
-/// A Fault where the start of the file is not of that form, or the column is not there.
-Outcome<std::unique_ptr<Reader>> read_series(std::unique_ptr<Source> source, const Form& form);
 
 }  // namespace loadpath::rainflow

@@ -1,6 +1,7 @@
 // A mechanism that moves: pictures of the printed position, its numbers, and what drives them where scripts run.
 #include "lib/draw/motion/motion.hpp"
 
+#include "lib/draw/motion/numbers.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/html/html.hpp"
 #include "lib/text/markup.hpp"

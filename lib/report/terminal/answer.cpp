@@ -2,8 +2,9 @@
 
 #include "lib/quantity/format.hpp"
 #include "lib/report/answer.hpp"
+#include "lib/report/terminal/layout.hpp"
 #include "lib/report/terminal/rows.hpp"
-#include "lib/report/terminal/terminal.hpp"
+#include "lib/report/terminal/words.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,8 @@
 
 #include "lib/formula/formula.hpp"
 #include "lib/quantity/format.hpp"
-#include "lib/report/terminal/terminal.hpp"
+#include "lib/report/terminal/layout.hpp"
+#include "lib/report/terminal/words.hpp"
 
 #include <algorithm>
 #include <cmath>

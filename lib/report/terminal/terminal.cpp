@@ -5,6 +5,7 @@
 #include "lib/report/build.hpp"
 #include "lib/report/terminal/answer.hpp"
 #include "lib/report/terminal/rows.hpp"
+#include "lib/report/terminal/words.hpp"
 #include "lib/report/why.hpp"
 
 #include <algorithm>
@@ -15,10 +16,6 @@
 namespace loadpath::terminal {
 
 namespace {
-
-std::string in_colour(const std::string& text, const char* code) {
-  return colours(Stream::out) ? "\033[" + std::string(code) + "m" + text + "\033[0m" : text;
-}
 
 /// Results worth a line on the terminal: nothing that was not asked for.
 bool is_shown(const account::Entry& e) {
@@ -134,11 +131,6 @@ void show_step(const project::Step& step, bool in_full) {
 
 }  // namespace
 
-bool colours(Stream stream) {
-  static const bool wanted = std::getenv("NO_COLOR") == nullptr;
-  return wanted && isatty(stream == Stream::out ? STDOUT_FILENO : STDERR_FILENO) != 0;
-}
-
 void show_tables(const std::vector<account::Block>& blocks) {
   for (const account::Block& block : blocks) {
     if (const auto* text = std::get_if<account::Paragraph>(&block)) std::cout << paragraph(text->text.text()) << "\n";
@@ -157,37 +149,6 @@ std::string issues_text(const std::vector<Issue>& issues, const std::vector<Sour
 void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources) {
   const std::string text = issues_text(issues, sources);
   std::cerr << (isatty(STDERR_FILENO) != 0 ? with_short_hints(text) : text);
-}
-
-namespace {
-
-std::string coloured(account::State state, const std::string& words) {
-  if (state == account::State::fail) return in_colour("FAIL", "31;1");
-  return in_colour(words, state == account::State::pass ? "32" : "33");
-}
-
-const char* colour_of(account::Headline headline) {
-  switch (headline) {
-    case account::Headline::pass:
-      return "32;1";
-    case account::Headline::incomplete:
-      return "33;1";
-    default:
-      return "31;1";
-  }
-}
-
-}  // namespace
-
-std::string state_word(account::State state) { return coloured(state, account::shown(state).text()); }
-
-std::string mode_word(const account::Mode& mode) { return coloured(mode.state, account::shown(mode).text()); }
-
-void show_headline(const account::Modes& modes) {
-  const auto headline = account::conclude(modes).headline;
-  const std::string words = account::explanation(modes).text();
-  std::cout << in_colour(account::word(headline), colour_of(headline))
-            << (headline == account::Headline::pass ? " (" + words + ")" : "  " + words) << "\n";
 }
 
 void show_project(const project::Project& project, report::Detail detail) {

@@ -1,8 +1,8 @@
 // What stands beside the best point, each with the reason why it is not taken.
 #pragma once
 
-#include "lib/sweep/search/minimise.hpp"
 #include "lib/sweep/search/mixed.hpp"
+#include "lib/sweep/search/optimum.hpp"
 
 namespace loadpath::sweep {
 

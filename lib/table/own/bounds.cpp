@@ -1,5 +1,6 @@
 // What rows of a project are held against: themselves, the built-in row that they replace, the rows of their group.
 #include "lib/quantity/format.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/own/own.hpp"
 #include "lib/table/search.hpp"
 #include "lib/table/section_shape.hpp"

@@ -1,4 +1,5 @@
 #include "lib/quantity/literal.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/names.hpp"
 #include "lib/table/own/own.hpp"
 #include "lib/table/reader.hpp"

@@ -2,6 +2,7 @@
 
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/names.hpp"
 #include "lib/table/search.hpp"
 #include "lib/table/tables.hpp"

@@ -1,4 +1,4 @@
-#include "calculators/belt/v.hpp"
+#include "calculators/belt/v/v.hpp"
 
 #include "tests/calculators/belt/steps.hpp"
 #include "tests/calculators/evaluated.hpp"

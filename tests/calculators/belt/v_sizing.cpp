@@ -1,5 +1,4 @@
-#include "calculators/belt/v_sizing.hpp"
-
+#include "calculators/belt/v/sizing.hpp"
 #include "tests/calculators/belt/steps.hpp"
 #include "tests/calculators/evaluated.hpp"
 

@@ -1,6 +1,7 @@
 #include "calculators/column/buckling.hpp"
 
 #include "calculators/column/codes/curves.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
 #include "tests/calculators/column/models.hpp"
 

@@ -4,6 +4,8 @@
 #include "calculators/catalogue.hpp"
 #include "calculators/column/buckling.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "tests/calculators/evaluated.hpp"
 
 #include <cmath>

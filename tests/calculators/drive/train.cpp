@@ -2,6 +2,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/solving/read_project.hpp"
 #include "tests/calculators/evaluated.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,7 @@
 #include "calculators/fatigue/history/history.hpp"
 
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "tests/calculators/evaluated.hpp"
 #include "tests/cli/process.hpp"
 #include "tests/found/modes.hpp"

@@ -2,6 +2,8 @@
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/rainflow/sn_curve.hpp"
 #include "tests/calculators/evaluated.hpp"
 #include "tests/lib/project/says.hpp"

@@ -1,6 +1,8 @@
 #include "calculators/fatigue/multiaxial/multiaxial.hpp"
 
 #include "calculators/fatigue/multiaxial/planes.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "tests/calculators/evaluated.hpp"
 #include "tests/cli/process.hpp"
 #include "tests/found/modes.hpp"

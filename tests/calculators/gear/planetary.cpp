@@ -1,4 +1,4 @@
-#include "calculators/gear/planetary.hpp"
+#include "calculators/gear/planetary/planetary.hpp"
 
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"

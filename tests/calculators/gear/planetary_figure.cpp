@@ -1,5 +1,5 @@
 // Planetary sets as drawn: every planet meshes with sun and ring, where it can be put in.
-#include "calculators/gear/planetary.hpp"
+#include "calculators/gear/planetary/planetary.hpp"
 #include "lib/draw/dxf.hpp"
 #include "tests/calculators/evaluated.hpp"
 #include "tests/lib/draw/drawing/drawings.hpp"

@@ -1,3 +1,5 @@
+#include "calculators/gear/tooth_form.hpp"
+
 #include "calculators/gear/involute.hpp"
 #include "calculators/gear/lewis.hpp"
 

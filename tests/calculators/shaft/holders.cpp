@@ -1,6 +1,7 @@
 // What holds hubs and rings along a shaft and around it: set screws, retaining rings.
 #include "calculators/shaft/circlip.hpp"
 #include "calculators/shaft/set_screw.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
 #include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"

@@ -1,5 +1,6 @@
 #include "calculators/shaft/key.hpp"
 
+#include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
 #include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"

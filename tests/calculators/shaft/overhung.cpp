@@ -3,6 +3,8 @@
 #include "calculators/catalogue.hpp"
 #include "calculators/shaft/torsion/torsion.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/toml/tree.hpp"
 #include "tests/calculators/evaluated.hpp"
 

@@ -1,5 +1,7 @@
 #include "calculators/vessel/cylinder.hpp"
 
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "tests/calculators/vessel/vessel_tests.hpp"
 
 #include <doctest/doctest.h>

@@ -5,6 +5,8 @@
 #include "calculators/catalogue.hpp"
 #include "lib/export/csv.hpp"
 #include "lib/export/json.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/report/build.hpp"
 #include "tests/fuzz/project/mutate.hpp"
 

@@ -1,5 +1,7 @@
 #include "lib/project/project.hpp"
 
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>

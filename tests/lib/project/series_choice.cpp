@@ -1,5 +1,6 @@
 #include "lib/project/series_choice.hpp"
 
+#include "lib/project/unknown_series.hpp"
 #include "tests/lib/project/texts.hpp"
 
 using namespace loadpath;
@@ -19,7 +20,7 @@ links.slider.mass = "2 kg"
 
 /// What is said of a pattern that chooses nothing; empty where it chooses.
 std::string said(const std::string& text, const std::string& pattern) {
-  const auto faults = SeriesChoice({pattern}).check(told(text).project);
+  const auto faults = project::unknown_series(SeriesChoice({pattern}), told(text).project);
   return faults.empty() ? "" : faults[0].message.text() + "; " + faults[0].hint.text();
 }
 

@@ -1,5 +1,5 @@
 #include "lib/rainflow/counter.hpp"
-#include "lib/rainflow/series/reader.hpp"
+#include "lib/rainflow/series/read_series.hpp"
 #include "tests/cli/process.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,6 @@
 // The figures of a sweep: which points they have, that these are those of the sweep, and that they stay small.
 #include "lib/figure/chart.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/report/sweep/charts.hpp"
 #include "lib/report/sweep/sweep.hpp"
 #include "tests/lib/project/sweep/swept.hpp"

@@ -1,5 +1,6 @@
 #include "lib/table/own/own.hpp"
 
+#include "lib/table/library.hpp"
 #include "lib/table/tables.hpp"
 #include "tests/lib/table/tables.hpp"
 

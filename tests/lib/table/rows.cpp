@@ -1,5 +1,6 @@
 #include "lib/table/rows.hpp"
 
+#include "lib/table/library.hpp"
 #include "tests/lib/table/tables.hpp"
 
 #include <doctest/doctest.h>

@@ -1,5 +1,7 @@
 #include "lib/table/search.hpp"
 
+#include "lib/table/library.hpp"
+
 #include <doctest/doctest.h>
 
 using namespace loadpath;

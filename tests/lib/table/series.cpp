@@ -1,3 +1,4 @@
+#include "lib/table/library.hpp"
 #include "tests/lib/table/tables.hpp"
 
 #include <algorithm>

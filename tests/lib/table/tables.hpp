@@ -1,6 +1,7 @@
 // What the tests of tables share.
 #pragma once
 
+#include "lib/table/library.hpp"
 #include "lib/table/reader.hpp"
 #include "lib/table/table.hpp"
 

@@ -1,7 +1,7 @@
 #include "lib/project/run/search/joint_search.hpp"
 
 #include "lib/numerics/magnitude.hpp"
-#include "lib/project/run/search/search.hpp"
+#include "lib/project/run/search/remarks.hpp"
 #include "lib/project/run/search/shortfall.hpp"
 #include "lib/quantity/format.hpp"
 

@@ -1,6 +1,6 @@
 #include "lib/project/run/search/largest_search.hpp"
 
-#include "lib/project/run/search/search.hpp"
+#include "lib/project/run/search/remarks.hpp"
 #include "lib/project/run/search/shortfall.hpp"
 #include "lib/quantity/format.hpp"
 

@@ -1,24 +1,10 @@
 #include "lib/project/run/search/search.hpp"
 
-#include "lib/project/run/evaluation/searched_rules.hpp"
 #include "lib/project/run/search/joint_search.hpp"
 #include "lib/project/run/search/largest_search.hpp"
 #include "lib/project/run/search/size_search.hpp"
 
-#include <algorithm>
-
 namespace loadpath::project {
-
-namespace {
-
-bool holds_throughout(Evaluation& evaluation, std::size_t rule) {
-  for (std::size_t i = 0; i < evaluation.positions(); ++i) {
-    if (evaluation.set_position(i) && !evaluation.holds(rule)) return false;
-  }
-  return true;
-}
-
-}  // namespace
 
 bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues) {
   const PreparedStep& step = evaluation.step();
@@ -31,39 +17,6 @@ bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issue
   else
     SizeSearch(evaluation, wanted, in_words).run(issues);
   return !has_errors(issues);
-}
-
-Issue aimless_search(const PreparedStep& step, const Search& wanted) {
-  std::vector<std::string> asking;
-  const auto ask = [&](const FieldInfo& f) {
-    if (f.role != Role::check || *f.asked_by == '\0') return;
-    if (std::find(asking.begin(), asking.end(), f.asked_by) == asking.end()) asking.emplace_back(f.asked_by);
-  };
-  for (const FieldInfo& f : step.input().calculator->result->fields) {
-    ask(f);
-    std::for_each(f.fields.begin(), f.fields.end(), ask);
-  }
-  std::string names;
-  for (const std::string& inputs : asking) names += ", " + inputs;
-  return issue_at(
-      step.input(), wanted.path, say("nothing tells how large '{1}' must be: no check is asked for", wanted.path),
-      say("give {1} itself, or what a check needs: {2}", wanted.path, names.empty() ? "" : names.substr(2)));
-}
-
-void warn_of_found(Evaluation& evaluation, const Search& wanted, std::vector<Issue>& issues) {
-  const auto& rules = evaluation.calculator().rules;
-  for (std::size_t rule = 0; rule < rules.size(); ++rule) {
-    if (!rules[rule].only_warns || !waits_for_search(evaluation.step(), rule)) continue;
-    if (!holds_throughout(evaluation, rule)) issues.push_back(evaluation.broken_rule(rule));
-  }
-  if (!wanted.leaf) return;
-  const FieldInfo& field = *wanted.leaf.field;
-  const double found = evaluation.inputs().leaf(wanted.path).get();
-  if (field.plausible.holds(found)) return;
-  Issue issue = issue_at(evaluation.step().input(), wanted.path, unusual(wanted.path, field, found));
-  issue.place = wanted.place;
-  issue.severity = Severity::warning;
-  issues.push_back(std::move(issue));
 }
 
 }  // namespace loadpath::project

@@ -12,9 +12,4 @@ namespace loadpath::project {
 /// that any would pass. `in_words`: why what is found is no smaller, where it comes from.
 bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues);
 
-/// A search without a check; its hint names what asks for one.
-Issue aimless_search(const PreparedStep& step, const Search& wanted);
-/// Customs that what was found breaks, in the words in which a typed value would be warned of.
-void warn_of_found(Evaluation& evaluation, const Search& wanted, std::vector<Issue>& issues);
-
 }  // namespace loadpath::project

@@ -1,7 +1,7 @@
 #include "lib/project/run/search/size_search.hpp"
 
 #include "lib/account/rows.hpp"
-#include "lib/project/run/search/search.hpp"
+#include "lib/project/run/search/remarks.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/table/tables.hpp"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "lib/project/sweep/points/column_plan.hpp"
-#include "lib/project/sweep/points/column_step.hpp"
 
 #include <cstddef>
 #include <span>
@@ -10,7 +9,7 @@
 
 namespace loadpath::project {
 
-struct ColumnStep::Parts : ColumnPlan {
+struct ColumnParts : ColumnPlan {
   std::vector<InputColumn> in;
   std::size_t inputs_fed = 0;  // the first of them
   std::vector<ResultColumn> out;
@@ -22,7 +21,7 @@ struct ColumnStep::Parts : ColumnPlan {
   Value slice;  // of a series, at one point
   account::RowColumns fold;
 
-  explicit Parts(ColumnPlan&& plan) : ColumnPlan(std::move(plan)) {}
+  explicit ColumnParts(ColumnPlan&& plan) : ColumnPlan(std::move(plan)) {}
 
   void feed(PointColumns& points);
   void provide(PointColumns& points);

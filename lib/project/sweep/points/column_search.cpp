@@ -9,7 +9,7 @@
 namespace loadpath::project {
 
 /// What a search begins with: the least size that is calculated without one.
-void ColumnStep::Parts::find_first_candidates(PointColumns& points) {
+void ColumnParts::find_first_candidates(PointColumns& points) {
   Sought& wanted = *sought;
   const double found = wanted.leaf.get();
   wanted.leaf.set(nan);
@@ -31,7 +31,7 @@ void ColumnStep::Parts::find_first_candidates(PointColumns& points) {
 
 /// The least size over all rows. What the sizing finds for inputs that were left open would stay when the size is
 /// rounded up: such a point is another's.
-void ColumnStep::Parts::run_for_least(PointColumns& points) {
+void ColumnParts::run_for_least(PointColumns& points) {
   const std::size_t rows = points.count * positions();
   size_rows.resize(rows);
   out.assign(1, {sought->least_offset, size_rows.data()});
@@ -49,7 +49,7 @@ void ColumnStep::Parts::run_for_least(PointColumns& points) {
 }
 
 /// Sets the size of every point; the results are those of the last candidates, which pass.
-void ColumnStep::Parts::search(PointColumns& points) {
+void ColumnParts::search(PointColumns& points) {
   Sought& wanted = *sought;
   find_first_candidates(points);
   wanted.si.resize(points.count * positions());
@@ -74,14 +74,14 @@ void ColumnStep::Parts::search(PointColumns& points) {
 
 /// Whether the candidate of a point is the one; else it has the next one to be tried. As the search of a single
 /// machine: the first with which nothing fails that a size changes. A point where none is found is another's.
-bool ColumnStep::Parts::is_found(std::size_t point) {
+bool ColumnParts::is_found(std::size_t point) {
   if (fits(point)) return true;
   ++sought->at[point].now;
   return false;
 }
 
 /// Which candidates break a rule, and which modes concern the part with them.
-void ColumnStep::Parts::ask_candidates(PointColumns& points) {
+void ColumnParts::ask_candidates(PointColumns& points) {
   const std::vector<char> others = points.is_other;
   ask(points, sought->rules);
   sought->breaks.resize(points.count);
@@ -90,13 +90,13 @@ void ColumnStep::Parts::ask_candidates(PointColumns& points) {
   points.is_other = others;
 }
 
-bool ColumnStep::Parts::fits(std::size_t point) {
+bool ColumnParts::fits(std::size_t point) {
   return sought->breaks[point] == 0 && std::all_of(read.begin(), read.end(), [&](Read& number) {
            return !number.is_row || number.field->is_beside || number.field->is_sizeless || is_kept(number, point);
          });
 }
 
-bool ColumnStep::Parts::is_kept(Read& number, std::size_t point) {
+bool ColumnParts::is_kept(Read& number, std::size_t point) {
   const FieldInfo& field = *number.field;
   if (field.role == Role::check) {
     const double most = largest_of(number.si, point, field.dimension).value;

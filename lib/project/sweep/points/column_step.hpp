@@ -15,6 +15,8 @@
 
 namespace loadpath::project {
 
+struct ColumnParts;
+
 class ColumnStep final : public PointStep {
  public:
   /// Of a step that was solved at one point; null where the step needs more than its kernel. `wanted`: full
@@ -26,10 +28,9 @@ class ColumnStep final : public PointStep {
   void evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) override;
 
  private:
-  struct Parts;
-  explicit ColumnStep(std::unique_ptr<Parts> parts);
+  explicit ColumnStep(std::unique_ptr<ColumnParts> parts);
 
-  std::unique_ptr<Parts> parts_;
+  std::unique_ptr<ColumnParts> parts_;
 };
 
 }  // namespace loadpath::project

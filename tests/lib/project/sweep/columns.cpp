@@ -5,6 +5,8 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/project/run/calculator_step.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
 #include "lib/project/sweep/variants.hpp"
 #include "tests/lib/project/sweep/swept.hpp"
 

@@ -1,4 +1,5 @@
 // What ranges, lists, stocks, words and distributions of a project make of it, point by point.
+#include "lib/project/solving/solve.hpp"
 #include "tests/lib/project/solved.hpp"
 #include "tests/lib/project/sweep/swept.hpp"
 

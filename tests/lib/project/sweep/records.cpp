@@ -1,4 +1,5 @@
 // Whole records in turn: at each point the machine is the one for which that record is typed.
+#include "lib/project/solving/read_project.hpp"
 #include "tests/lib/project/solved.hpp"
 #include "tests/lib/project/sweep/swept.hpp"
 

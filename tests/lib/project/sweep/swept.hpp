@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/catalogue.hpp"
+#include "lib/project/solving/read_project.hpp"
 #include "lib/project/sweep/sweep.hpp"
 
 #include <doctest/doctest.h>

@@ -1,0 +1,39 @@
+// The search of belt.v_sizing: every pair of pulleys that is made, with the nearest belt, by the checks of belt.v.
+#pragma once
+
+#include "calculators/belt/v/sizing_types.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace loadpath::belt {
+
+/// How far a drive is from passing: the limits of belt.v that it leaves, and its largest check.
+struct Lack {
+  int limits = 0;
+  double check = 0.0;
+
+  [[nodiscard]] bool none() const { return limits == 0 && check <= 1.0; }
+  [[nodiscard]] bool less_than(const Lack& other) const {
+    return limits != other.limits ? limits < other.limits : check < other.check;
+  }
+};
+
+/// The drive that lacks least, where none passes.
+struct Nearest {
+  V::Input drive;
+  Lack lack{std::numeric_limits<int>::max(), 0.0};
+};
+
+/// The input of belt.v that a drive of the list stands for; diameters, length and section are still open.
+V::Input drive_of(const VSizingTypes::Input& in);
+
+/// Every pair of pulleys of a section that meets the speed: counts, ranks, and keeps the nearest.
+void try_section(const VSection& section, const VSizingTypes::Input& in, VSizingTypes::Result& r, Nearest& nearest);
+
+/// What a drive is ranked by.
+double measure_of(const VSizingTypes::Candidate& c, VSizingTypes::Rank rank);
+
+inline double share_off(double value, double wanted) { return std::abs(value / wanted - 1.0); }
+
+}  // namespace loadpath::belt

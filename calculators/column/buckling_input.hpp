@@ -1,0 +1,11 @@
+// A compressed bar with its section.
+#pragma once
+
+#include "calculators/column/member/member.hpp"
+#include "calculators/column/member/section.hpp"
+
+namespace loadpath::column {
+
+struct BucklingInput : Member, Section {};
+
+}  // namespace loadpath::column

@@ -1,0 +1,198 @@
+// A simple planetary gear set: sun, planets on a carrier, ring.
+//
+// Decides the speeds of all members by Willis, their torques with losses by the direction of the rolling power, the
+// powers and the efficiency; whether the planets can be put in evenly, fit beside each other, and lie on one circle.
+// Signs: speeds and torques are positive in one sense of rotation; a torque is what acts on the member from outside,
+// so power enters where T n > 0. Losses: eta_0 of the set with the carrier at rest, from sun to ring or back alike;
+// bearings, seals and churning are not covered. Sun and planet, planet and ring mesh as gear.pair has it: the sun with
+// its planet without backlash, the ring with the shift that the same centre distance asks for. Planets stand as evenly
+// as whole steps of assembly let them; those that touch each other, or that the ring interferes with, fail.
+#pragma once
+
+#include "calculators/gear/planetary/mesh_of_set.hpp"
+#include "calculators/gear/planetary/types.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+#include "lib/figure/figure.hpp"
+#include "lib/quantity/drive_units.hpp"
+#include "lib/text/issue.hpp"
+
+#include <array>
+#include <cstdlib>
+#include <vector>
+
+namespace loadpath::gear {
+
+struct Planetary : PlanetaryTypes {
+  static constexpr auto id = "gear.planetary";
+  static constexpr auto title = "Planetary gear set";
+  static constexpr auto scope =
+      "Speeds, torques, powers and efficiency of sun, carrier and ring by Willis, with any member held or none; "
+      "conditions of assembly, meshes of sun, planets and ring. Tooth losses only; strength is not covered.";
+  static constexpr auto source = "[Willis], [Mueller]";
+  static constexpr auto example = R"([project]
+title = "Planetary stage of a winch"
+
+[winch]
+calculator = "gear.planetary"
+z_s = 24
+z_p = 30
+z_r = 84
+N_p = 3
+fixed = "ring"
+n_s = "1450 rpm"
+T_s = "50 N*m"
+eta_0 = 0.97
+h_ar = 0.9
+)";
+
+  static constexpr double most_shifted = 4.0;  // teeth that profile shift can still mend
+
+  static bool speeds_determined(const Input& in);
+  static FieldFault wrong_speeds(const Input& in);
+  static constexpr Fields inputs{
+      Count{&Input::z_s, "z_s", 5, 1000, "teeth of the sun"},
+      Count{&Input::z_p, "z_p", 5, 1000, "teeth of a planet"},
+      Count{&Input::z_r, "z_r", 10, 3000, "teeth of the ring; missing: z_s + 2 z_p"}.may_be_missing(),
+      Count{&Input::N_p, "N_p", 1, 20, "planets"}.may_be_missing(),
+      Choice{&Input::fixed, "fixed", "member that is held"}.may_be_missing(),
+      Field{&Input::n_s, "n_s", rpm, "speed of the sun, signed"}.may_be_missing(),
+      Field{&Input::n_c, "n_c", rpm, "speed of the carrier, signed"}.may_be_missing(),
+      Field{&Input::n_r, "n_r", rpm, "speed of the ring, signed"}.may_be_missing(),
+      Field{&Input::T_s, "T_s", N_m, "torque on the sun from outside, signed"}.load().may_be_missing(),
+      Field{&Input::T_c, "T_c", N_m, "torque on the carrier from outside, signed"}.load().may_be_missing(),
+      Field{&Input::T_r, "T_r", N_m, "torque on the ring from outside, signed"}.load().may_be_missing(),
+      Field{&Input::eta_0, "eta_0", ratio, "efficiency of the set with the carrier at rest; missing: no losses"}
+          .within(0.5, 1)
+          .usually(0.94, 0.99)
+          .may_be_missing(),
+      Field{&Input::h_aP, "h_aP", ratio, "addendum of the teeth in modules"}.within(0.3, 2),
+      Field{&Input::x_s, "x_s", ratio, "profile shift of the sun"}.within(-3, 3),
+      Field{&Input::x_p, "x_p", ratio, "profile shift of the planet; that of the ring follows"}.within(-3, 3),
+      Field{&Input::h_ar, "h_ar", ratio, "addendum of the ring in modules; missing: that of the other teeth"}
+          .within(0, 2)
+          .may_be_missing(),
+      Field{&Input::m_n, "m_n", mm, "normal module, for the tooth force"}.positive().usually(0.2, 50).may_be_missing(),
+      Field{&Input::beta, "beta", deg, "helix angle"}.within(0, 45),
+      Field{&Input::K_gamma, "K_gamma", ratio, "share of the planet that carries most, over the mean share"}
+          .at_least(1)
+          .usually(1, 1.6)
+          .factor()};
+
+  static constexpr Fields results{
+      Field{&Result::z_r, "z_r", ratio, "teeth of the ring"},
+      Field{&Result::i_0, "i_0", ratio, "basic ratio, sun over ring with the carrier at rest"},
+      Field{&Result::n_s, "n_s", rpm, "speed of the sun"},
+      Field{&Result::n_c, "n_c", rpm, "speed of the carrier"},
+      Field{&Result::n_r, "n_r", rpm, "speed of the ring"},
+      Field{&Result::n_p, "n_p", rpm, "speed of a planet"},
+      Field{&Result::n_pc, "n_pc", rpm, "speed of a planet on its pin, against the carrier"},
+      Field{&Result::i, "i", ratio,
+            "ratio with one member held: sun over carrier, sun over ring, or ring over carrier with the sun held"},
+      Field{&Result::T_s, "T_s", N_m, "torque on the sun from outside"}.load(),
+      Field{&Result::T_c, "T_c", N_m, "torque on the carrier from outside"}.load(),
+      Field{&Result::T_r, "T_r", N_m, "torque on the ring from outside"}.load(),
+      Field{&Result::P_s, "P_s", kW, "power into the sun, negative out of it"},
+      Field{&Result::P_c, "P_c", kW, "power into the carrier, negative out of it"},
+      Field{&Result::P_r, "P_r", kW, "power into the ring, negative out of it"},
+      Field{&Result::P_w, "P_w", kW, "rolling power, positive from sun to ring; it causes the losses"},
+      Field{&Result::P_in, "P_in", kW, "power that enters"},
+      Field{&Result::P_loss, "P_loss", kW, "power that is lost"},
+      Field{&Result::eta, "eta", ratio, "efficiency"},
+      Field{&Result::F_t, "F_t", N, "tangential force on a tooth of the sun, of the planet that carries most"}.load(),
+      Field{&Result::q, "q", ratio, "(z_s + z_r)/N_p; whole for even spacing"},
+      Choice{&Result::spacing, "spacing", "how the planets can be put in"},
+      Field{&Result::phi_2, "phi_2", deg, "place of the second planet nearest to even spacing"},
+      Field{&Result::h_clear, "h_clear", ratio,
+            "largest addendum of the ring that stays clear of the planets' fillets"},
+      Choice{&Result::coaxial, "coaxial", "how sun, planet and ring come to one axis"},
+      Field{&Result::z_gap, "z_gap", ratio, "coaxial: z_r - z_s - 2 z_p, which profile shift can still mend"}.limit(
+          -most_shifted, most_shifted),
+      Field{&Result::u_N, "u_N", ratio, "room between planets: tip circle over the distance of their axes"}.check(),
+      Field{&Result::f_sp, "f_sp", ratio, "interference of sun and planet: least free length, in modules"}
+          .limit(-0.01, 1e4)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::f_pr, "f_pr", ratio,
+            "interference of planet and ring: least free length, in modules; h_ar up to h_clear mends it"}
+          .limit(-0.01, 1e4)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::eps_sp, "eps_sp", ratio, "contact of sun and planet: transverse contact ratio"}
+          .limit(1, 100)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::eps_pr, "eps_pr", ratio, "contact of planet and ring: transverse contact ratio"}
+          .limit(1, 100)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::x_free, "x_free", ratio,
+            "undercut: least profile shift of sun and planet above its beginning; -0.02 is harmless"}
+          .limit(-0.02, 100)
+          .criterion(),
+      Field{&Result::c_a, "c_a", ratio, "tip clearance: the least of both meshes, in modules"}
+          .limit(-1e-6, 100)
+          .criterion()
+          .where_it_applies(),
+      Field{&Result::s_a, "s_a", ratio, "pointed tip: least tip thickness in modules; 0.2, hardened 0.4"}
+          .limit(0.2, 100)
+          .criterion()
+          .where_it_applies(),
+      Group{&Result::sun_mesh, "sun_mesh", "sun with the planet that carries most, for gear.pair: pair"}.handed_over(),
+      Group{&Result::ring_mesh, "ring_mesh", "that planet with the ring, for gear.pair: pair"}.handed_over()};
+
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return ring_teeth(in) > in.z_p && ring_teeth(in) > in.z_s; }, "z_r, z_s, z_p",
+                  "the ring has more teeth than sun and planet"},
+      Rule<Input>{&speeds_determined, "fixed, n_s, n_c, n_r",
+                  "with a member held one speed of the others is given; with none held, two", &wrong_speeds},
+      Rule<Input>{[](const Input& in) { return in.N_p <= in.z_s + ring_teeth(in); }, "N_p, z_s, z_r",
+                  "there are no more places for planets than teeth of sun and ring together"},
+      Rule<Input>{[](const Input& in) { return is_set(in.T_s) + is_set(in.T_c) + is_set(in.T_r) <= 1; },
+                  "T_s, T_c, T_r", "one torque sets the others: give one of T_s, T_c, T_r"},
+      Rule<Input>{&evenly_spaced, "z_s, z_r, N_p",
+                  "(z_s + z_r)/N_p is not whole: the planets can be put in, but not spaced evenly", nullptr, true},
+      Rule<Input>{[](const Input& in) {
+                    const double gap = ring_teeth(in) - in.z_s - 2 * in.z_p;
+                    return gap == 0 || std::abs(gap) > most_shifted;  // a limit tells of more
+                  },
+                  "z_r, z_s, z_p",
+                  "z_r is not z_s + 2 z_p: only profile shift brings sun, planets and ring to one axis", nullptr,
+                  true}};
+
+  static constexpr bool turns = true;
+  static Applies loaded(const Input& in) { return where(is_set(in.T_s) || is_set(in.T_c) || is_set(in.T_r)); }
+  static constexpr std::array modes{
+      Mode<Input>{"room", "room between every two neighbouring planets", &always<Input>}.judged_by("u_N").of_shape(),
+      Mode<Input>{"coaxial", "sun, planets and ring on one axis", &always<Input>}.judged_by("z_gap").of_shape(),
+      Mode<Input>{"mesh_sun", "mesh of sun and planets: interference and contact", &always<Input>}
+          .judged_by("f_sp, eps_sp")
+          .of_shape(),
+      Mode<Input>{"mesh_ring", "mesh of planets and ring: interference and contact", &always<Input>}
+          .judged_by("f_pr, eps_pr")
+          .of_shape(),
+      Mode<Input>{"undercut", "undercut of sun and planets", &always<Input>}.judged_by("x_free").of_shape(),
+      Mode<Input>{"clearance", "tips in the roots of their mates", &always<Input>}.judged_by("c_a").of_shape(),
+      Mode<Input>{"pointed", "pointed teeth", &always<Input>}.judged_by("s_a").of_shape(),
+      Mode<Input>{"teeth_sun", "teeth of the sun: root and pitting", &loaded}.left_to(
+          "gear.pair", "sun_mesh.root_1, sun_mesh.pitting_1"),
+      Mode<Input>{"teeth_planet", "teeth of the planets: root, bent both ways, and pitting", &loaded}.left_to(
+          "gear.pair", "sun_mesh.root_2, sun_mesh.pitting_2, ring_mesh.root_1, ring_mesh.pitting_1"),
+      Mode<Input>{"teeth_ring", "teeth of the ring: root and pitting", &loaded}.left_to(
+          "gear.pair", "ring_mesh.root_mate, ring_mesh.pitting_2"),
+      Mode<Input>{"trimming", "planets put into the ring sideways", &unseen<Input>}.special(),
+      Mode<Input>{"sharing", "load shared unevenly by the planets",
+                  [](const Input& in) { return in.N_p > 1 && in.K_gamma == 1.0 ? Applies::unseen : Applies::no; }}
+          .special(),
+      Mode<Input>{"pins", "pins and bearings of the planets", &unseen<Input>}.special(),
+      Mode<Input>{"wear", "scuffing, micropitting and wear", &unseen<Input>}.special(),
+      Mode<Input>{"heat", "heat", &unseen<Input>}.special(),
+      Mode<Input>{"rim", "thin rim of planets and ring", &unseen<Input>}.special()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+};
+
+}  // namespace loadpath::gear

@@ -1,0 +1,53 @@
+// The shaft as a beam in two planes: where its nodes are, what its bearings carry, and what every section feels.
+#pragma once
+
+#include "calculators/shaft/design/model/stretches.hpp"
+
+#include <optional>
+
+namespace loadpath::shaft {
+
+Stations stations_of(const DesignInput& in, const Weakest& weakest = {});
+
+/// What a section feels, of both sides the larger: planes X and Y, along the shaft and around it.
+struct Felt {
+  double M_x = 0.0, M_y = 0.0, V = 0.0, N = 0.0, T = 0.0;
+};
+
+/// The shaft without its loads.
+struct Elastic {
+  Stations stations;
+  beam::Row<Stretch> stretches;
+  beam::Beam beam;
+};
+/// Nothing where the bearings are so soft beside the shaft that they hold nothing.
+std::optional<Elastic> elastic_shaft(const DesignInput& in, const Weakest& weakest = {});
+
+/// The shaft under all of its loads at a position of its turn, with the service factor.
+struct Loaded {
+  Stations stations;
+  beam::Bent x, y;
+  beam::Row<double> T, N;  // of every span
+  beam::Row<double> phi;   // twist of every node against the first
+  double thrust = 0.0;     // that the fixed bearing takes, signed
+  double twist = 0.0;      // the largest per length, rad/m
+  /// Of a span at its left end, or its right one.
+  [[nodiscard]] Felt side(std::size_t span, bool right_end) const;
+  [[nodiscard]] Felt felt(std::size_t node) const;
+  [[nodiscard]] double deflection(std::size_t node) const;
+  [[nodiscard]] double slope(std::size_t node) const;
+  [[nodiscard]] double largest_moment() const;
+  [[nodiscard]] double largest_deflection() const;
+};
+Loaded loaded_at(const DesignInput& in, const Elastic& elastic, std::size_t position);
+/// The position at which the shaft is bent most.
+std::size_t most_bent(const DesignInput& in, const Elastic& elastic);
+/// At that one; nothing as above.
+std::optional<Loaded> loaded_shaft(const DesignInput& in);
+bool bears(const DesignInput& in);
+
+/// Of the shaft and what sits on it, at the nodes.
+beam::Row<double> masses_of(const DesignInput& in, const Elastic& elastic);
+beam::Frequencies critical_speeds(const DesignInput& in, const Elastic& elastic);
+
+}  // namespace loadpath::shaft

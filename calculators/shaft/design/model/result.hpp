@@ -1,0 +1,202 @@
+// What is found of a shaft between its bearings: what they carry, how it bends, how each section stands.
+#pragma once
+
+#include "calculators/shaft/design/model/input.hpp"
+#include "lib/calculator/list.hpp"
+
+namespace loadpath::shaft {
+
+inline constexpr std::size_t most_places = 3 * most_pieces + 1 + most_supports + most_seats + 2 * most_notches;
+
+/// What a bearing carries, for bearing calculators to take whole.
+struct Carried {
+  Name name;
+  Length x = unset<Length>;
+  Holds holds = Holds::radial;
+  Force R_x = unset<Force>, R_y = unset<Force>, F_r = unset<Force>, F_a = unset<Force>;
+  Force F_r0 = unset<Force>, F_a0 = unset<Force>;
+  AngularSpeed n = unset<AngularSpeed>;
+  double beta = unset<double>, u_beta = unset<double>;
+  static constexpr Fields fields{
+      NameField{&Carried::name, "name", "name of the bearing"},
+      Field{&Carried::x, "x", mm, "its place"},
+      Choice{&Carried::holds, "holds", "what it takes"},
+      Field{&Carried::R_x, "R_x", N, "force on the shaft along X; over a turn where F_r is largest"}
+          .load()
+          .with("R_y, F_a")
+          .holding("K_A"),
+      Field{&Carried::R_y, "R_y", N, "force on the shaft along Y, likewise"}.load().with("R_x, F_a").holding("K_A"),
+      Field{&Carried::F_r, "F_r", N, "radial load of the bearing; over a turn its mean with the exponent 10/3"}
+          .load()
+          .with("F_a")
+          .holding("K_A"),
+      Field{&Carried::F_a, "F_a", N, "axial load of the bearing, positive to the right; over a turn as F_r"}
+          .load()
+          .with("F_r")
+          .holding("K_A"),
+      Field{&Carried::F_r0, "F_r0", N, "largest radial load, with k_max"}.load().with("F_a0").holding("K_A"),
+      Field{&Carried::F_a0, "F_a0", N, "largest axial load, with k_max"}.load().with("F_r0").holding("K_A"),
+      Field{&Carried::n, "n", rpm, "speed of the shaft"},
+      Field{&Carried::beta, "beta", deg, "slope of the shaft in it"},
+      Field{&Carried::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies()};
+};
+
+/// How the shaft moves where something sits on it.
+struct Seated {
+  Name name;
+  Length x = unset<Length>;
+  Moment T = unset<Moment>;
+  Length v = unset<Length>;
+  double beta = unset<double>, u_beta = unset<double>, x_c = unset<double>, m_R = unset<double>;
+  static constexpr Fields fields{
+      NameField{&Seated::name, "name", "what sits there"},
+      Field{&Seated::x, "x", mm, "its place"},
+      Field{&Seated::T, "T", N_m, "torque that it gives to the shaft, the largest over a turn"}.holding("K_A"),
+      Field{&Seated::v, "v", mm, "deflection"},
+      Field{&Seated::beta, "beta", deg, "slope"},
+      Field{&Seated::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies(),
+      Field{&Seated::x_c, "x_c", ratio, "torque over that which its connection is assessed for"}
+          .limit(0, 1 + 1e-6)
+          .criterion()
+          .where_it_applies(),
+      Field{&Seated::m_R, "m_R", ratio,
+            "rim of a gear between root circle and shaft, over its keyway, in heights of its teeth: the formulas of "
+            "roots hold from 1.2"}
+          .limit(1.2 * (1 - 1e-9), 1e6)
+          .where_it_applies()};
+};
+
+/// A place of the shaft where something changes: the thinner of its two sides, with the larger moments.
+struct Section {
+  Name name;
+  Length x = unset<Length>, d = unset<Length>, d_bore = unset<Length>;
+  Moment M_x = unset<Moment>, M_y = unset<Moment>, M = unset<Moment>, T = unset<Moment>;
+  Force N = unset<Force>;
+  Stress sigma_b = unset<Stress>, sigma_n = unset<Stress>, tau = unset<Stress>, sigma_v = unset<Stress>;
+  double psi = unset<double>;
+  double u_v = unset<double>, u_h = unset<double>;
+  static constexpr Fields fields{
+      NameField{&Section::name, "name", "what is there"},
+      Field{&Section::x, "x", mm, "place"},
+      Field{&Section::psi, "psi", deg, "angle of the shaft at which it bears most, of loads over a turn"},
+      Field{&Section::d, "d", mm, "outer diameter, of a groove the net one"},
+      Field{&Section::d_bore, "d_bore", mm, "bore"},
+      Field{&Section::M_x, "M_x", N_m, "bending moment in the plane of X"}.holding("K_A"),
+      Field{&Section::M_y, "M_y", N_m, "bending moment in the plane of Y"}.holding("K_A"),
+      Field{&Section::M, "M", N_m, "bending moment of both planes"}.holding("K_A"),
+      Field{&Section::T, "T", N_m, "torque, signed"}.holding("K_A"),
+      Field{&Section::N, "N", loadpath::N, "force along the shaft, tension positive"}.holding("K_A"),
+      Field{&Section::sigma_b, "sigma_b", MPa, "bending stress"},
+      Field{&Section::sigma_n, "sigma_n", MPa, "stress of the force along the shaft, signed"},
+      Field{&Section::tau, "tau", MPa, "torsional stress"},
+      Field{&Section::sigma_v, "sigma_v", MPa, "largest equivalent stress, by von Mises"},
+      Field{&Section::u_v, "u_v", ratio, "yield: largest equivalent stress over the allowable one"}.check("S_F"),
+      Field{&Section::u_h, "u_h", ratio, "height that is asked of the shoulder over its own"}
+          .check()
+          .where_it_applies()};
+};
+
+/// What comes h times in a turn, against the natural frequencies in torsion on both sides of it.
+struct Harmonic {
+  Name name;
+  double h = unset<double>;
+  AngularSpeed n_below = unset<AngularSpeed>, n_above = unset<AngularSpeed>;
+  double u_h = unset<double>;
+  static constexpr Fields fields{
+      NameField{&Harmonic::name, "name", "what comes"}, Field{&Harmonic::h, "h", ratio, "how often in a turn"},
+      Field{&Harmonic::n_below, "n_below", rpm,
+            "speed below at which it meets a natural frequency; 0: the lowest is above"},
+      Field{&Harmonic::n_above, "n_above", rpm, "the next one above"},
+      Field{&Harmonic::u_h, "u_h", ratio, "critical speed in torsion: margin k_n over the distance from the nearer one"}
+          .check()};
+};
+
+/// A mode in which the bent shaft goes around, forward with its turning or backward.
+struct Whirled {
+  Name name;
+  AngularSpeed f_0 = unset<AngularSpeed>;
+  AngularSpeed n_F = unset<AngularSpeed>, n_B = unset<AngularSpeed>;
+  AngularSpeed f_F = unset<AngularSpeed>, f_B = unset<AngularSpeed>;
+  static constexpr Fields fields{
+      NameField{&Whirled::name, "name", "which of its kind"},
+      Field{&Whirled::f_0, "f_0", Hz, "natural frequency of the shaft that does not turn, discs counted"},
+      Field{&Whirled::n_F, "n_F", rpm, "critical speed of forward whirl, which unbalance excites"},
+      Field{&Whirled::n_B, "n_B", rpm, "critical speed of backward whirl"},
+      Field{&Whirled::f_F, "f_F", Hz, "frequency of forward whirl at the speed of the shaft"},
+      Field{&Whirled::f_B, "f_B", Hz, "frequency of backward whirl there"}};
+};
+
+/// How a section stands against fatigue, by each school.
+struct Safety {
+  Name name;
+  Length x = unset<Length>;
+  double theta = unset<double>;
+  double K_t = 1.0, K_ts = 1.0, K_f = unset<double>, K_fs = unset<double>;
+  Stress S_e = unset<Stress>, sigma_a = unset<Stress>, sigma_m = unset<Stress>;
+  double n_Goodman = unset<double>, n_Soderberg = unset<double>, n_Gerber = unset<double>, n_elliptic = unset<double>;
+  double n_DIN743 = unset<double>, n_FKM = unset<double>, n_Serensen = unset<double>;
+  double u_D = unset<double>;
+  double x_DIN = unset<double>;
+  double x_b = unset<double>, x_t = unset<double>, x_d = unset<double>, x_n = unset<double>;
+  double x_r = unset<double>;
+  static constexpr Fields fields{
+      NameField{&Safety::name, "name", "what is there"},
+      Field{&Safety::x, "x", mm, "place"},
+      Field{&Safety::theta, "theta", deg,
+            "direction of the point that decides, fixed to the shaft, from X where psi is 0; of loads over a turn"},
+      Field{&Safety::K_t, "K_t", ratio, "stress concentration in bending"},
+      Field{&Safety::K_ts, "K_ts", ratio, "stress concentration in torsion"},
+      Field{&Safety::K_f, "K_f", ratio, "fatigue notch factor in bending"},
+      Field{&Safety::K_fs, "K_fs", ratio, "fatigue notch factor in torsion"},
+      Field{&Safety::S_e, "S_e", MPa, "fatigue limit of the part without its notch"},
+      Field{&Safety::sigma_a, "sigma_a", MPa, "equivalent amplitude, notches counted"},
+      Field{&Safety::sigma_m, "sigma_m", MPa, "equivalent mean stress, notches counted"},
+      Field{&Safety::n_Goodman, "n_Goodman", ratio, "safety against fatigue by Goodman"}.may_be_infinite(),
+      Field{&Safety::n_Soderberg, "n_Soderberg", ratio, "safety against fatigue by Soderberg"}.may_be_infinite(),
+      Field{&Safety::n_Gerber, "n_Gerber", ratio, "safety against fatigue by Gerber"}.may_be_infinite(),
+      Field{&Safety::n_elliptic, "n_elliptic", ratio, "safety against fatigue by the ellipse of ASME"}
+          .may_be_infinite(),
+      Field{&Safety::n_DIN743, "n_DIN743", ratio, "safety against fatigue by DIN 743"}.may_be_infinite(),
+      Field{&Safety::n_FKM, "n_FKM", ratio, "safety against fatigue by FKM"}.may_be_infinite(),
+      Field{&Safety::n_Serensen, "n_Serensen", ratio, "safety against fatigue by Serensen"}.may_be_infinite(),
+      Field{&Safety::u_D, "u_D", ratio, "fatigue: safety that is asked for over that of the method"}.check(),
+      Field{&Safety::x_DIN, "x_DIN", ratio,
+            "ranges of DIN 743 or FKM that the section is outside of, where they decide"}
+          .limit(0, 0.5)
+          .where_it_applies(),
+      Field{&Safety::x_b, "x_b", ratio, "height over radius of the notch within its fit in bending: 0 least, 1 largest"}
+          .limit(-1e-9, 1 + 1e-9)
+          .where_it_applies(),
+      Field{&Safety::x_t, "x_t", ratio, "the same within its fit in torsion"}.limit(-1e-9, 1 + 1e-9).where_it_applies(),
+      Field{&Safety::x_d, "x_d", ratio, "d within the range of the size factor: 0 least, 1 largest"}
+          .limit(0, 1 + 1e-9)
+          .where_it_applies(),
+      Field{&Safety::x_n, "x_n", ratio, "R_m within the range of Neuber's constant: 0 least, 1 largest"}
+          .limit(0, 1)
+          .where_it_applies(),
+      Field{&Safety::x_r, "x_r", ratio, "0.1 mm over the radius: a sharper notch counts as a crack; own bound"}
+          .limit(0, 1 + 1e-9)
+          .where_it_applies()};
+};
+
+struct DesignResult {
+  Length l = unset<Length>, d_max = unset<Length>, d_s = unset<Length>;
+  double s_max = unset<double>;
+  Mass mass = unset<Mass>;
+  Moment M_max = unset<Moment>, T_max = unset<Moment>;
+  Length v_max = unset<Length>;
+  Twist theta_max = unset<Twist>;
+  double phi = unset<double>, psi = unset<double>;
+  AngularSpeed n_c = unset<AngularSpeed>, n_R = unset<AngularSpeed>, n_D = unset<AngularSpeed>;
+  AngularSpeed n_F = unset<AngularSpeed>;
+  AngularSpeed n_T = unset<AngularSpeed>, n = unset<AngularSpeed>;
+  double u_y = unset<double>, u_theta = unset<double>, u_n = unset<double>, x_E = unset<double>;
+  List<Carried, most_supports> bearings;
+  List<Seated, most_seats> seats;
+  List<Harmonic, 2 * most_orders + 1> harmonics;
+  List<Whirled, most_whirls> whirls;
+  List<Section, most_places> sections;
+  List<Safety, most_places> safeties;
+};
+
+}  // namespace loadpath::shaft

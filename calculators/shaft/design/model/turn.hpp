@@ -1,0 +1,56 @@
+// What acts on a shaft over a turn: the positions at which its loads are known, how far it has turned at each, and what
+// its sections feel there. Of loads that stand in space and stay there is one position.
+#pragma once
+
+#include "calculators/shaft/design/model/bending.hpp"
+
+#include <boost/container/small_vector.hpp>
+
+#include <vector>
+
+namespace loadpath::shaft {
+
+/// What of one load varies around its middle.
+template <class Quantity>
+struct Swing {
+  Quantity a{}, m{};
+};
+/// What a section feels between the ends of a turn: of bending at a point of the circumference, fixed to the shaft.
+struct Swings {
+  double theta = unset<double>;  // of the point, from X where psi is 0
+  Swing<Moment> M, T;
+  Swing<Force> N;
+};
+
+/// What the nodes of a shaft feel at all positions. Nothing is allocated for one position.
+class Turn {
+ public:
+  Turn(const DesignInput& in, std::size_t nodes);
+  /// In order of the positions.
+  void take(const Loaded& loaded);
+
+  [[nodiscard]] std::size_t positions() const { return positions_; }
+  [[nodiscard]] bool varies() const { return varies_; }
+  [[nodiscard]] std::size_t most_bent() const { return most_bent_; }
+  [[nodiscard]] const Felt& felt(std::size_t node, std::size_t position) const {
+    return felt_[position * nodes_ + node];
+  }
+  /// Of one position none.
+  [[nodiscard]] double psi(std::size_t position) const { return psi_.empty() ? unset<double> : psi_[position]; }
+  /// What bends a point that is fixed to the shaft in direction theta, N m.
+  [[nodiscard]] double moment(std::size_t node, std::size_t position, double theta) const;
+
+  /// Of the points around a node those that no other one exceeds in both amplitude and mean.
+  [[nodiscard]] std::vector<Swings> swings(std::size_t node, double r_T) const;
+
+ private:
+  [[nodiscard]] Swings along(std::size_t node, double r_T) const;
+
+  std::size_t nodes_, positions_, most_bent_ = 0;
+  bool varies_;
+  double largest_ = -1.0;
+  boost::container::small_vector<Felt, beam::most_nodes> felt_;
+  std::vector<double> psi_;
+};
+
+}  // namespace loadpath::shaft

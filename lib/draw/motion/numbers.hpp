@@ -1,0 +1,16 @@
+// The numbers that stand beside a motion, as text.
+#pragma once
+
+#include "lib/figure/figure.hpp"
+
+#include <cstddef>
+#include <string>
+
+namespace loadpath::draw {
+
+/// What a number of the motion says at a frame, in its unit: "-1234.5"; a dash where there is none.
+std::string number_text(const Motion::Number& number, std::size_t frame);
+/// The same as it is printed, with a minus sign.
+std::string printed(std::string number);
+
+}  // namespace loadpath::draw

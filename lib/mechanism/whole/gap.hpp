@@ -1,0 +1,14 @@
+// Where a mechanism stays open.
+#pragma once
+
+namespace loadpath::mechanism {
+
+/// After a failure: the joint that stays open widest when the mechanism is pulled together as far as it goes, and the
+/// part of the last move, 0 to 1, up to which it closes.
+struct Gap {
+  int joint = -1;
+  double size = 0.0;  // m
+  double reached = 0.0;
+};
+
+}  // namespace loadpath::mechanism

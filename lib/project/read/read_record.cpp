@@ -1,0 +1,32 @@
+#include "lib/project/read/read_record.hpp"
+
+#include "lib/project/read/reader.hpp"
+#include "lib/project/read/records.hpp"
+
+namespace loadpath::project {
+
+static Reading read_one(const toml::Tree& table, const RecordType& type, const Template* from,
+                        const std::string& prefix, const std::vector<std::string>& reserved,
+                        std::vector<Issue>& issues) {
+  Reading reading;
+  reading.record = Record(type);
+  reading.place = table.place;
+  std::vector<Part> parts{{type.fields, reading.record.data.get()}};
+  if (from != nullptr) {
+    from->lay_out(reading.record.data.get());
+    reading.parameters = Record(*from->parameters);
+    parts.insert(parts.begin(), {from->parameters->fields, reading.parameters.data.get()});
+  }
+  Reader(reading, issues, prefix).read_fields(table, parts, "", reserved);
+  return reading;
+}
+
+Reading read_record(const toml::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
+                    const std::vector<std::string>& reserved, std::vector<Issue>& issues) {
+  const ReadOne read = [&](const toml::Tree& tree, std::vector<Issue>& told) {
+    return read_one(tree, type, from, prefix, reserved, told);
+  };
+  return read_in_turn(table, prefix, read, issues);
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,16 @@
+// Reads a table of a project file into the record of a calculator.
+#pragma once
+
+#include "lib/project/read/reading.hpp"
+
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+/// Reads `table` into a fresh record, or into one that `from` lays out: an element that is there already takes what
+/// stands under its name. Keys in `reserved` are left to the caller; `prefix` starts the keys of issues.
+Reading read_record(const toml::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
+                    const std::vector<std::string>& reserved, std::vector<Issue>& issues);
+
+}  // namespace loadpath::project

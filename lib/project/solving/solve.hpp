@@ -1,0 +1,17 @@
+// Solves the steps of a project in their order.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+/// Solves the steps in order; stops at the first step with an issue.
+void solve(Project& project, std::vector<Issue>& issues, Wanted wanted = {});
+/// What is wanted, and what steps and expectations take of one another.
+Wanted with_references(const Project& project, Wanted wanted);
+/// The same as `solve`, as often as inputs are changed: of wants with references.
+void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted);
+
+}  // namespace loadpath::project

@@ -1,0 +1,254 @@
+#include "lib/project/sweep/points/column_parts.hpp"
+
+#include "lib/account/rows.hpp"
+#include "lib/project/sweep/points/bounds.hpp"
+#include "lib/sweep/nan.hpp"
+#include "lib/sweep/statistics/lanes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::project {
+
+void ColumnParts::feed(PointColumns& points) {
+  in.clear();
+  for (Fed& input : fed) {
+    input.fill(points, axis);
+    if (!input.is_open()) in.push_back({input.offset(), input.si().data()});
+    input.tell(points, axis);
+  }
+  inputs_fed = in.size();
+  for (const std::string& path : absent) {  // what comes along at another point loads the part there
+    const double* const si = points.of(path);
+    for (std::size_t point = 0; point < points.count; ++point) {
+      if (!std::isnan(si[point])) leave(points, point);
+    }
+  }
+}
+
+/// Values of rows at the sizes as they are now, behind the inputs that are fed.
+void ColumnParts::provide(PointColumns& points) {
+  in.resize(inputs_fed);
+  for (Sized& value : sized) {
+    value.fill(sizes, positions());
+    in.push_back({value.offset(), value.si()});
+    for (std::size_t point = 0; point < points.count; ++point) {
+      const bool is_beyond = std::isnan(value.si()[point * positions()]);  // the table; of a search that is no fit
+      if (is_beyond && !sought) leave(points, point);
+    }
+  }
+}
+
+/// The largest over the positions, refined between them.
+Extreme ColumnParts::largest_of(std::span<const double> si, std::size_t point, const Dimension& dimension) {
+  if (axis == nullptr) return {si[point], 0.0, 0};
+  const auto here = si.subspan(point * positions(), positions());
+  slice.signature = {dimension, axis};
+  slice.si.assign(here.begin(), here.end());
+  return maximum(slice);
+}
+
+/// The sizes that follow from the values at the sizes as they are now.
+void ColumnParts::read_sizes(PointColumns& points, std::vector<double>& next) {
+  next.resize(points.count);
+  if (size->is_sought) {
+    const bool is_set = inputs_fed > 0 && in[inputs_fed - 1].si == sought->si.data();
+    for (std::size_t point = 0; point < points.count; ++point)
+      next[point] = is_set ? sought->si[point * positions()] : sizes[point];
+    return;
+  }
+  if (size->fed) {
+    const Fed& from = fed[*size->fed];
+    for (std::size_t point = 0; point < points.count; ++point)
+      next[point] = largest_of(from.si(), point, from.field().dimension).value;
+    return;
+  }
+  size_rows.resize(points.count * positions());
+  const ResultColumn column{*size->result, size_rows.data()};
+  calculator.sweep(record.data.get(), in, {&column, 1}, size_rows.size());
+  for (std::size_t point = 0; point < points.count; ++point)
+    next[point] = largest_of(size_rows, point, size->field->dimension).value;
+}
+
+/// A strength falls with the size that it is asked for, so the size only grows from one round to the next.
+void ColumnParts::settle_sizes(PointColumns& points) {
+  if (!size || size->fed) return;
+  for (int round = 0; round < most_size_rounds; ++round) {
+    read_sizes(points, next_sizes);
+    bool settled = true;
+    for (std::size_t point = 0; point < points.count; ++point) {
+      const double next = next_sizes[point];
+      if (is_other(points, point) || std::isnan(next) || next == sizes[point]) continue;
+      if (round + 1 == most_size_rounds) leave(points, point);  // who tells what it alternates between
+      sizes[point] = next;
+      settled = false;
+    }
+    if (settled) return;
+    provide(points);
+  }
+}
+
+/// Where every load is zero.
+void ColumnParts::leave_unloaded(PointColumns& points) const {
+  if (is_loaded || !is_load_told) return;
+  if (std::any_of(fed.begin(), fed.end(), [](const Fed& f) { return f.field().is_load && all_act(f.si()); })) return;
+  for (std::size_t point = 0; point < points.count; ++point) {
+    const auto loads = [&](const Fed& f) {
+      const auto first = f.si().begin() + static_cast<std::ptrdiff_t>(point * positions());
+      return f.field().is_load && std::any_of(first, first + static_cast<std::ptrdiff_t>(positions()), account::acts);
+    };
+    if (std::none_of(fed.begin(), fed.end(), loads)) leave(points, point);
+  }
+}
+
+/// Rules, and which modes concern the part, with the inputs as they are now.
+void ColumnParts::ask(PointColumns& points, std::span<const char> asked_rules) {
+  const std::size_t rows = points.count * positions();
+  applies.resize(calculator.modes.size());
+  applies_over.resize(calculator.modes.size());
+  applies_at.clear();
+  for (std::vector<Applies>& of_mode : axis == nullptr ? applies : applies_over) {
+    of_mode.assign(rows, Applies::no);
+    applies_at.push_back(of_mode.data());
+  }
+  if (axis == nullptr) {
+    calculator.survey(record.data.get(), in, asked_rules, applies_at, rows, points.is_other.data());
+    return;
+  }
+  other_rows.resize(rows);
+  for (std::size_t point = 0; point < points.count; ++point)
+    std::fill_n(other_rows.data() + point * positions(), positions(), points.is_other[point]);
+  calculator.survey(record.data.get(), in, asked_rules, applies_at, rows, other_rows.data());
+  gather(points);
+}
+
+/// What the positions of a point come to: one that breaks a rule is enough, and one that a mode concerns.
+void ColumnParts::gather(PointColumns& points) {
+  const std::size_t count = positions();
+  for (std::size_t point = 0; point < points.count; ++point) {
+    const std::span<const char> others(other_rows.data() + point * count, count);
+    if (std::ranges::find(others, char{1}) != others.end()) leave(points, point);
+  }
+  for (std::size_t k = 0; k < applies.size(); ++k) {
+    applies[k].resize(points.count);
+    for (std::size_t point = 0; point < points.count; ++point) {
+      const std::span<const Applies> here(applies_over[k].data() + point * count, count);
+      const bool yes = std::ranges::find(here, Applies::yes) != here.end();
+      const bool unseen = !yes && std::ranges::find(here, Applies::unseen) != here.end();
+      applies[k][point] = yes ? Applies::yes : unseen ? Applies::unseen : Applies::no;
+    }
+  }
+}
+
+/// A size that follows from the values, or is searched for, starts at nothing.
+void ColumnParts::start_sizes(PointColumns& points) {
+  if (!size) return;
+  sizes.assign(points.count, 0.0);
+  if (size->fed) read_sizes(points, sizes);
+  provide(points);
+}
+
+/// Rules, loads that are all zero, sizes, and which modes concern the part.
+void ColumnParts::check_inputs(PointColumns& points) {
+  leave_unloaded(points);
+  if (sought) return search(points);
+  start_sizes(points);
+  ask(points, rules);
+  if (!size || !size->result) return;
+  settle_sizes(points);
+  ask(points, no_rules);
+}
+
+/// Sizes that were found and values of rows, one number a point: others may refer to them.
+void ColumnParts::tell_found(PointColumns& points) const {
+  const auto tell_one = [&](const std::string& field, const double* si) {
+    const std::string path = step.name() + "." + field;
+    if (!points.signatures.contains(path)) return;
+    std::vector<double>& values = points.values[path];
+    values.resize(points.count);
+    for (std::size_t point = 0; point < points.count; ++point) values[point] = si[point * positions()];
+  };
+  for (const Sized& value : sized) tell_one(value.field(), value.si());
+  if (sought) tell_one(step.searches().front().path, sought->si.data());
+}
+
+/// What has left the range of numbers is not available; a point whose check has no value is another's.
+void ColumnParts::check_number(Read& number, PointColumns& points) const {
+  if (sweep::all_finite(number.si)) return;
+  const bool is_set_somewhere = number.field->where_set;
+  for (std::size_t point = 0; point < points.count; ++point) {
+    std::size_t missing = 0;
+    for (std::size_t k = 0; k < positions(); ++k) {
+      double& x = number.si[point * positions() + k];
+      if (std::isinf(x) && !number.field->infinite) x = nan;
+      missing += std::isnan(x) ? 1 : 0;
+    }
+    const bool gone = missing == positions() && is_set_somewhere;  // the calculator has left it unset
+    if (number.is_row && missing > 0 && !gone) leave(points, point);
+  }
+}
+
+void ColumnParts::tell(const Read& number, PointColumns& points) const {
+  if (!number.is_wanted) return;
+  if (axis == nullptr)
+    points.values[number.path] = number.si;
+  else
+    points.series[number.path] = {number.si, std::vector<double>(points.count)};
+}
+
+void ColumnParts::evaluate_read(std::size_t rows) {
+  out.clear();
+  for (Read& number : read) {
+    number.si.resize(rows);
+    number.worst.resize(rows / positions());
+    out.push_back({number.offset, number.si.data()});
+  }
+  calculator.sweep(record.data.get(), in, out, rows);
+}
+
+void ColumnParts::run(PointColumns& points) {
+  if (!sought) evaluate_read(points.count * positions());  // else the last candidates have been
+  for (Read& number : read) {
+    check_number(number, points);
+    tell(number, points);
+  }
+}
+
+/// A check or a limit at every point: over positions the largest, or what is farthest beyond its bounds.
+std::span<const double> ColumnParts::worst_of(Read& number, std::size_t n) {
+  if (axis == nullptr) return number.si;
+  const bool is_known = sought && number.field->role == Role::check && !number.field->is_beside;  // of what was found
+  for (std::size_t point = 0; point < n && !is_known; ++point) {
+    const auto here = std::span(number.si).subspan(point * positions(), positions());
+    number.worst[point] = number.field->role == Role::check
+                              ? largest_of(number.si, point, number.field->dimension).value
+                              : account::farthest_from(number.field->bounds, here);
+  }
+  return number.worst;
+}
+
+void ColumnParts::fold_rows(const Judging& judged, std::size_t n) {
+  fold.clear(n);
+  for (const std::size_t which : judged.rows) {
+    const FieldInfo& field = *read[which].field;
+    const std::span<const double> si = worst_of(read[which], n);
+    if (field.role == Role::check)
+      fold.take_check(si);
+    else
+      fold.take_limit(field.bounds, field.is_criterion, si);
+  }
+}
+
+void ColumnParts::judge(const PointColumns& points, std::vector<account::ModeColumns>& modes) {
+  modes.resize(calculator.modes.size());
+  for (const Judging& judged : judging) {
+    if (judged.rows.empty()) {
+      account::leave_mode(applies[judged.mode], judged.unjudged, modes[judged.mode]);
+    } else {
+      fold_rows(judged, points.count);
+      fold.judge(applies[judged.mode], judged.unjudged, modes[judged.mode]);
+    }
+  }
+}
+
+}  // namespace loadpath::project

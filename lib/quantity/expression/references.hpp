@@ -1,0 +1,25 @@
+// What an expression refers to: as it stands in the text, as it is declared when the file is read, and with its values.
+#pragma once
+
+#include "lib/quantity/series.hpp"
+#include "lib/text/issue.hpp"
+
+#include <cstddef>
+#include <functional>
+#include <string>
+
+namespace loadpath::expression {
+
+/// A reference as written and where it stands in the text (bytes).
+struct Reference {
+  std::string path;
+  std::size_t at = 0;
+};
+/// What a path is, when the file is read; a Fault (its `at` is ignored) where it is nothing.
+using Declared = std::function<Outcome<Signature>(const std::string& path)>;
+/// The value of a path, when the project is solved; the paths are those that passed `check`.
+using Known = std::function<const Value&(const std::string& path)>;
+/// The values of a path at many points.
+using Column = std::function<const double*(const std::string& path)>;
+
+}  // namespace loadpath::expression

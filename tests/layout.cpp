@@ -333,7 +333,8 @@ TEST_SUITE("layout") {
     std::set<std::string> names;
     for (const std::string& file : files_of(texts)) names.insert(fs::path(file).filename().string());
     const std::regex comment("// ?[^\n]*"), source("[a-z_0-9]+[.][ch]pp");
-    for (const auto& [file, text] : texts) {
+    for (const auto& source_text : texts) {
+      const std::string &file = source_text.first, &text = source_text.second;
       for (std::sregex_iterator i(text.begin(), text.end(), comment), end; i != end; ++i) {
         const std::string line = i->str();
         for (std::sregex_iterator k(line.begin(), line.end(), source); k != end; ++k)

@@ -78,7 +78,7 @@ constexpr Judged judged(const Folded& rows, double applies, const Unjudged& by) 
   const bool concerns = (applies != 0.0) | (rows.worst > pass);
   const bool waits = (came >= accepted) & (came <= not_judged);
   return {concerns ? came : absent_state,
-          concerns & !waits ? rows.utilisation : std::numeric_limits<double>::quiet_NaN()};
+          (concerns & !waits) ? rows.utilisation : std::numeric_limits<double>::quiet_NaN()};
 }
 
 /// One mode, point by point.

@@ -67,10 +67,11 @@ TEST_SUITE("killed sweeps" * takes_share) {
       words.push_back(folder);
       return words;
     };
-    const auto lasts = duration_of([&] { REQUIRE(desk.run(into("whole")).code == 0); });
+    auto lasts = duration_of([&] { REQUIRE(desk.run(into("whole")).code == 0); });
     std::mt19937 random(5);
+    const int enough = tries(100) / 5 + 1;
     int ended_early = 0;
-    for (int i = 0; i < tries(100); ++i) {
+    for (int i = 0; i < tries(100) || (ended_early < enough && i < 10 * tries(100)); ++i) {
       std::filesystem::remove_all(desk.folder() / "part");
       const int signal = i % 4 == 0 ? SIGINT : SIGKILL;
       const pid_t child = start(desk, into("part"));
@@ -78,14 +79,16 @@ TEST_SUITE("killed sweeps" * takes_share) {
       kill(child, signal);
       int status = 0;
       REQUIRE(waitpid(child, &status, 0) == child);
-      ended_early += !WIFEXITED(status) || WEXITSTATUS(status) != 0 ? 1 : 0;
+      const bool ended = !WIFEXITED(status) || WEXITSTATUS(status) != 0;
+      ended_early += ended ? 1 : 0;
+      if (!ended) lasts = lasts * 4 / 5;  // the machine is less loaded than when it was measured
       std::vector<std::string> words{"sweep", "a.toml", "--out", "part", "--quiet"};
       if (desk.has("part")) words.emplace_back("--resume");  // with a state or before the first
       const Ran again = desk.run(words);
       CHECK_MESSAGE(again.code == 0, again.error);
       CHECK(same_folders(desk, "whole", "part"));
     }
-    CHECK(ended_early > tries(100) / 5);
+    CHECK(ended_early >= enough);
   }
 }
 

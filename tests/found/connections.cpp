@@ -113,4 +113,12 @@ TEST_SUITE("found connections") {
     const std::string thick = replaced_in(rim(""), "d = \"40 mm\"", "d = \"50 mm\"");  // 7.25 mm: 1.07 teeth
     CHECK(mode_of(solved_as_found(thick), "shaft", "rim") == "not-covered");
   }
+
+  TEST_CASE("a pulley or a wheel is larger than the shaft that it sits on") {
+    const auto seat = [](const char* d_w) {
+      return first_error_of(shaft_of(std::string(", d_w = \"") + d_w + "\"", whole));
+    };
+    CHECK(seat("35 mm").find("act at a diameter of 35 mm, and the shaft has 40 mm there") != std::string::npos);
+    CHECK(seat("80 mm") == "");
+  }
 }

@@ -76,7 +76,7 @@ struct Seat {
   double beta_adm = unset<double>;
   Integral integral = Integral::no;
   Moment T_c = unset<Moment>;
-  Length d_c = unset<Length>, t_c = unset<Length>, d_f = unset<Length>, h_t = unset<Length>;
+  Length d_c = unset<Length>, t_c = unset<Length>, d_w = unset<Length>, d_f = unset<Length>, h_t = unset<Length>;
   static constexpr Fields fields{
       NameField{&Seat::name, "name", "what sits there"}.may_be_missing(),
       Field{&Seat::x, "x", mm, "its middle, from the left end of the shaft"}.at_least(0),
@@ -132,6 +132,9 @@ struct Seat {
           .may_be_missing(),
       Field{&Seat::d_c, "d_c", mm, "shaft diameter that its connection is made for"}.positive().may_be_missing(),
       Field{&Seat::t_c, "t_c", mm, "depth of the keyway in the hub"}.at_least(0).may_be_missing(),
+      Field{&Seat::d_w, "d_w", mm, "diameter that the forces act at: more than that of the shaft"}
+          .at_least(0)
+          .may_be_missing(),
       Field{&Seat::d_f, "d_f", mm, "root circle of a gear, for the rim between it and the shaft"}
           .positive()
           .may_be_missing(),

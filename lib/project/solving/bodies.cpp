@@ -107,16 +107,12 @@ void check_bodies(const Project& project, std::vector<Issue>& issues) {
   for (const auto& [body, members] : bodies) names.push_back(body);
   for (const auto& [body, members] : bodies) {
     const StepInput& first = members.front()->input();
-    const auto others = [&] {
-      std::vector<std::string> all = names;
-      std::erase(all, body);
-      return all;
-    };
     if (members.size() == 1) {
-      issues.push_back(
-          {first.body.place, first.name + ".body", say("no other step describes the body '{1}'", body),
-           did_you_mean(body, others(), say("give it to the other steps of the same part, or leave it out")),
-           Severity::error});
+      std::vector<std::string> others = names;
+      std::erase(others, body);
+      issues.push_back({first.body.place, first.name + ".body", say("no other step describes the body '{1}'", body),
+                        did_you_mean(body, others, say("give it to the other steps of the same part, or leave it out")),
+                        Severity::error});
       continue;
     }
     const auto sizes = sizes_in_common(members);

@@ -31,6 +31,7 @@ inline void hand_over(const PairInput& in, Moment T_1, double w, PairResult& r) 
   r.gear_1.d_f = r.d_f1, r.gear_1.h_t = (r.d_a1 - r.d_f1) / 2.0;
   if (in.mesh == Mesh::rack) return;
   r.gear_2 = shaft_load(K_A * r.T_2, {-to_2 * r.F_x2, -to_2 * r.F_y2, K_A * r.F_z2}, r.d_w2, w * r.n_2);
+  r.gear_2.d_f = unset<Length>;
   if (in.mesh == Mesh::external) r.gear_2.d_f = r.d_f2, r.gear_2.h_t = (r.d_a2 - r.d_f2) / 2.0;
 }
 

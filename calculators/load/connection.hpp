@@ -9,20 +9,38 @@
 namespace loadpath {
 
 struct Connection {
-  Moment T_c = unset<Moment>;
-  Length d_c = unset<Length>, t_c = unset<Length>;
+  Moment T_c = unset<Moment>, T_peak = unset<Moment>;
+  Force F_c = unset<Force>;
+  Length d_c = unset<Length>, b_c = unset<Length>, l_c = unset<Length>, t_c = unset<Length>;
+  double r_c = unset<double>;
 
   static constexpr Fields fields{
       Field{&Connection::T_c, "T_c", N_m, "torque that the connection is assessed for"}.holding("K_A"),
+      Field{&Connection::T_peak, "T_peak", N_m, "the same of a start or a jam"}.holding("K_A"),
+      Field{&Connection::F_c, "F_c", N, "force along the shaft that it is assessed for"}.holding("K_A"),
       Field{&Connection::d_c, "d_c", mm, "diameter of the shaft that it is made for"},
-      Field{&Connection::t_c, "t_c", mm, "depth of the keyway in the hub"}};
+      Field{&Connection::b_c, "b_c", mm, "bore of the shaft that it is calculated with"},
+      Field{&Connection::l_c, "l_c", mm, "its length along the shaft"},
+      Field{&Connection::t_c, "t_c", mm, "depth of the keyway in the hub"},
+      Field{&Connection::r_c, "r_c", ratio, "least over largest torque that it is assessed for"}};
 };
 
-/// `T`: with the service factor; a torque of zero fastens nothing.
-inline Connection connection_for(Moment T, Length d, Length t_2 = unset<Length>) {
-  return {T > 0.0 * N_m.one ? T : unset<Moment>, d, t_2};
+/// Of a torque with the service factor, which may be of zero: that fastens nothing.
+inline Connection connection_for(Moment T, Length d, Length bore) {
+  Connection c;
+  c.T_c = c.T_peak = T > 0.0 * N_m.one ? T : unset<Moment>;
+  c.F_c = 0.0 * N.one, c.d_c = d, c.b_c = bore;
+  return c;
 }
 
 inline constexpr const char* connection_doc = "what fastens the hub, for a seat of shaft.design: connection";
+
+/// The root circle of the gear, the sprocket or the pulley that is fastened: it comes with the load.
+template <class Input>
+constexpr auto hub_root() {
+  return Field<Input, Length>{&Input::d_f, "d_f", mm, "root circle of what is fastened, or its working diameter"}
+      .positive()
+      .may_be_missing();
+}
 
 }  // namespace loadpath

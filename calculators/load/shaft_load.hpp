@@ -39,7 +39,8 @@ struct ShaftLoad {
       Field{&ShaftLoad::d_w, "d_w", mm, "diameter that the forces act at"},
       Field{&ShaftLoad::x_w, "x_w", mm, "from the axis to the point where the forces act, along x"},
       Field{&ShaftLoad::n, "n", rpm, "speed of the shaft; of gears counter-clockwise positive"},
-      Field{&ShaftLoad::d_f, "d_f", mm, "of an external gear: root circle"},
+      Field{&ShaftLoad::d_f, "d_f", mm,
+            "root circle of an external gear; of other drives the diameter that the forces act at"},
       Field{&ShaftLoad::h_t, "h_t", mm, "of an external gear: height of its teeth"}};
 };
 
@@ -51,9 +52,8 @@ struct ShaftForces {
 /// Of design loads, with the service factor. `side`: 1 where they act at the point next to the mate, -1 at the one away
 /// from it, as on a wheel in a ring, 0 at the axis, as the pull of a belt.
 inline ShaftLoad shaft_load(Moment T, const ShaftForces& own, Length d_w, AngularSpeed n, double side = 1.0) {
-  return {
-      abs(T),       sqrt(own.x * own.x + own.y * own.y), own.x, own.y, own.z, d_w, side * d_w / 2.0, n, unset<Length>,
-      unset<Length>};
+  return {abs(T),       sqrt(own.x * own.x + own.y * own.y), own.x, own.y, own.z, d_w, side * d_w / 2.0, n, d_w,
+          unset<Length>};
 }
 
 }  // namespace loadpath

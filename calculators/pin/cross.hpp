@@ -45,6 +45,7 @@ tau_adm_1 = "40 MPa"
 )";
 
   struct Input {
+    Length d_f = unset<Length>;
     Moment T = unset<Moment>;
     double K_A = 1.0;
     Loading loading = Loading::unsaid;
@@ -57,6 +58,7 @@ tau_adm_1 = "40 MPa"
   static Applies may_vary(const Input& in);
   static Applies shaft_varies(const Input& in);
   static constexpr Fields inputs{
+      hub_root<Input>(),
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
       Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
       Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
@@ -65,7 +67,7 @@ tau_adm_1 = "40 MPa"
           .factor(),
       Choice{&Input::loading, "loading", "how the torque varies"}.may_be_missing(),
       Field{&Input::d, "d", mm, "diameter of the pin; of a taper pin the mean one"}.positive().usually(1, 100),
-      Field{&Input::d_w, "d_w", mm, "diameter of the shaft"}.positive().usually(4, 500).at_most_that_of_source(
+      Field{&Input::d_w, "d_w", mm, "diameter of the shaft"}.own().positive().usually(4, 500).at_most_that_of_source(
           "d, d_max"),
       Field{&Input::D, "D", mm, "outer diameter of the hub"}.positive().usually(6, 1000),
       Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
@@ -114,6 +116,9 @@ tau_adm_1 = "40 MPa"
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d_w < in.d_f; }, "d_f, d_w",
+                  "the shaft is thicker than the root circle of what sits on it"},
+
       Rule<Input>{[](const Input& in) { return in.d < in.d_w; }, "d, d_w", "the pin must be thinner than the shaft"},
       Rule<Input>{[](const Input& in) { return in.d_w < in.D; }, "D, d_w", "the hub must be thicker than the shaft"},
       Rule<Input>{

@@ -50,6 +50,7 @@ R_e_k = "420 MPa"
   enum class Form { A, B };
 
   struct Input {
+    Length d_f = unset<Length>;
     Moment T = unset<Moment>, T_max = unset<Moment>;
     Sense torque = Sense::unknown;
     double K_A = 1.0;
@@ -69,6 +70,7 @@ R_e_k = "420 MPa"
   static constexpr Fields inputs = join(
       torque_inputs<Input>(),
       Fields{
+          hub_root<Input>(),
           Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(6, 500).at_most_that_of_source(
               "d, d_max"),
           Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
@@ -185,6 +187,12 @@ R_e_k = "420 MPa"
   static constexpr auto rules = join(
       rules_of_sides<Input>(),
       std::array{
+          Rule<Input>{[](const Input& in) {
+                        return !is_set(in.d_f) || in.d + 2.0 * (is_set(in.t_2) ? in.t_2 : 0.0 * mm) < in.d_f;
+                      },
+                      "d_f, d, t_2",
+                      "the shaft and the keyway in the hub are deeper than the root circle of what sits on it"},
+
           Rule<Input>{&sizes_given, "b, h, t_1", "give a key: key = \"14x9\", or b, h and t_1"},
           Rule<Input>{[](const Input& in) { return !sizes_given(in) || in.t_1 < in.h; }, "t_1, h",
                       "the seat in the shaft must be less deep than the key is high"},

@@ -126,7 +126,9 @@ PressFit::Result PressFit::evaluate(const Input& in, Tracer& trace) {
   yield(in, r, trace);
   torsion_of_shaft(in, r, trace);
   assembly(in, r, trace);
-  if (is_set(in.T)) r.connection = connection_for(in.K_A * abs(in.T), in.d);
+  if (is_set(in.T)) r.connection = connection_for(in.K_A * abs(in.T), in.d, in.d_i);
+  r.connection.l_c = in.l;
+  if (is_set(in.F_z)) r.connection.F_c = in.K_A * abs(in.F_z);
   return r;
 }
 

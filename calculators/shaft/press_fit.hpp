@@ -57,6 +57,7 @@ dT_adm = "250 K"
 )";
 
   struct Input {
+    Length d_f = unset<Length>;
     Moment T = unset<Moment>;
     Force F_z = unset<Force>;
     double K_A = 1.0;
@@ -80,6 +81,7 @@ dT_adm = "250 K"
   static FieldFault nothing_left(const Input& in);
   static Applies loaded(const Input& in);
   static constexpr Fields inputs{
+      hub_root<Input>(),
       RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
       Field{&Input::T, "T", N_m, "torque; without it pressures and stresses alone"}.load().may_be_missing(),
       Field{&Input::F_z, "F_z", N, "force along the shaft at the same time"}.load().may_be_missing(),
@@ -184,6 +186,9 @@ dT_adm = "250 K"
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
+                  "the shaft is thicker than the root circle of what sits on it"},
+
       Rule<Input>{[](const Input& in) { return in.d_i < in.d && in.d < in.D; }, "d_i, d, D",
                   "the bore of the shaft must be smaller than the fit, and the fit smaller than the hub"},
       Rule<Input>{[](const Input& in) { return in.U_min <= in.U_max; }, "U_min, U_max",

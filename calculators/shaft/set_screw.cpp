@@ -57,7 +57,9 @@ SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
   if (is_set(in.d_s)) {
     STEP_TO(r, x_d, in.d_s / in.d, "a larger screw does not bear on the round");
   }
-  r.connection = connection_for(in.K_A * abs(in.T), in.d);
+  r.connection = connection_for(in.K_A * abs(in.T), in.d, in.d_bore);
+  r.connection.F_c = in.K_A * abs(in.F_a);
+  if (in.load_case == Case::at_rest) r.connection.r_c = 1.0;
   return r;
 }
 

@@ -42,6 +42,7 @@ S = 2
   enum class Point { cup, cone, flat, dog, oval };
 
   struct Input {
+    Length d_f = unset<Length>;
     Moment T = unset<Moment>;
     Force F_a = 0.0 * N;
     double K_A = 1.0;
@@ -58,6 +59,7 @@ S = 2
   static Applies loaded(const Input& in);
   static Applies twisted(const Input& in);
   static constexpr Fields inputs{
+      hub_root<Input>(),
       RecordField<Input>{"load", "what belt, chain or drive sits on it, whole: load = \"=belts.shaft_2\""},
       Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
       Field{&Input::F_a, "F_a", N, "force along the shaft; its size counts"}.load(),
@@ -115,6 +117,9 @@ S = 2
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
+                  "the shaft is thicker than the root circle of what sits on it"},
+
       Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d); }, "d_bore, d",
                   "the bore leaves nothing of the shaft"},
       Rule<Input>{[](const Input& in) { return (in.i > 1) == is_set(in.phi); }, "i, phi",

@@ -80,7 +80,8 @@ Spline::Result Spline::evaluate(const Input& in, Tracer& trace) {
   if (is_set(in.f_W) && is_set(r.u_1) && is_set(r.u_2)) {
     STEP_TO(r, u_W, max(r.u_1, r.u_2) / in.f_W, "the worse side, by the factor of the reversal");
   }
-  r.connection = connection_for(in.K_A * abs(in.T), in.d_1);
+  r.connection = connection_for(in.K_A * abs(in.T), in.d_1, in.d_bore);
+  r.connection.T_peak = r.T_eq, r.connection.l_c = in.l, r.connection.r_c = least_ratio(in.torque);
   r.notch.d = in.d_1, r.notch.t = (in.d_2 - in.d_1) / 2.0;
   r.notch.beta_b = in.beta_b, r.notch.beta_t = in.beta_t;
   if (in.torque == Sense::reversing) r.notch.r_T = -1.0;

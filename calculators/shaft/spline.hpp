@@ -50,6 +50,7 @@ R_e_2 = "300 MPa"
   enum class Centring { inner, flanks };
 
   struct Input {
+    Length d_f = unset<Length>;
     Moment T = unset<Moment>, T_max = unset<Moment>;
     Sense torque = Sense::unknown;
     double K_A = 1.0;
@@ -68,6 +69,7 @@ R_e_2 = "300 MPa"
   static constexpr Fields inputs = join(
       torque_inputs<Input>(),
       Fields{
+          hub_root<Input>(),
           Field{&Input::z, "z", ratio, "teeth of the spline"}.within(3, 500).from("spline", "z"),
           Field{&Input::d_1, "d_1", mm,
                 "inner diameter of the flanks that bear; of an involute one the hub's tip diameter"}
@@ -175,7 +177,9 @@ R_e_2 = "300 MPa"
 
   static constexpr auto rules = join(
       rules_of_sides<Input>(),
-      std::array{Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
+      std::array{Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d_2 < in.d_f; }, "d_f, d_2",
+                             "the shaft is thicker than the root circle of what sits on it"},
+                 Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
                              "a spline has a whole number of teeth"},
                  Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be the larger"},
                  Rule<Input>{[](const Input& in) { return !(in.d_2 - in.d_1 <= 4.0 * in.g); }, "g, d_1, d_2",

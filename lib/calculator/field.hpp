@@ -131,6 +131,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   bool is_sizeless = false;          // check, limit: no size that is searched for changes it
   const char* searched_in = "";      // input: where missing, the smallest value of this stock that passes every check
   bool sought_unasked = false;       // input: searched for where it is missing, too, not only where it is "?"
+  bool is_own = false;               // input: no record fills it
   const char* most_of_source = "";   // input: see at_most_that_of_source
   const char* least_of_source = "";  // input: see at_least_that_of_source
   bool larger_is_better = false;     // input: "?" is the largest value that passes
@@ -214,6 +215,12 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   [[nodiscard]] constexpr Field findable(const char* stock) const {
     Field f = *this;
     f.searched_in = stock;
+    return f;
+  }
+  /// Of the part alone, whatever a record has under the same key: the diameter of the shaft under a gear.
+  [[nodiscard]] constexpr Field own() const {
+    Field f = *this;
+    f.is_own = true;
     return f;
   }
   /// A size of the part that the step's loads come from, by its keys there, "d, d_max": a larger one wants a reason.

@@ -58,6 +58,7 @@ struct FieldInfo {
   bool is_sizeless = false;
   const char* searched_in = "";
   bool sought_unasked = false;
+  bool is_own = false;
   const char* most_of_source = "";
   const char* least_of_source = "";
   bool larger_is_better = false;

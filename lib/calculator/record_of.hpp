@@ -66,6 +66,7 @@ constexpr FieldInfo info_of(const Field<Owner, Quantity, Member>& f) {
   info.is_sizeless = f.is_sizeless;
   info.searched_in = f.searched_in;
   info.sought_unasked = f.sought_unasked;
+  info.is_own = f.is_own;
   info.most_of_source = f.most_of_source;
   info.least_of_source = f.least_of_source;
   info.larger_is_better = f.larger_is_better;

@@ -2,9 +2,12 @@
 #include "calculators/shaft/design/connections.hpp"
 #include "calculators/shaft/design/design.hpp"
 #include "calculators/shaft/design/model/places.hpp"
+#include "calculators/shaft/design/model/positions.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
 
 namespace loadpath::shaft {
 
@@ -25,6 +28,64 @@ bool fits(const Input& in, const Seat& seat) {
   return abs(seat.d_c - own) <= one_place * own;
 }
 
+/// What contradicts a connection at its seat: its key, and why; empty where nothing does.
+struct Misfit {
+  const char* key = "";
+  Message message = {};
+};
+
+Misfit other_bore(const Input& in, const Seat& seat) {
+  if (!is_set(seat.b_c)) return {};
+  const Length own = around(in, seat.x).sides.thinner().d_bore;
+  if (abs(seat.b_c - own) <= one_place * diameter_under(in, seat)) return {};
+  return {"b_c", say("its connection is calculated for a shaft with a bore of {1}, and the shaft has one of {2} there",
+                     format_quantity(in_si(seat.b_c), mm.symbol), format_quantity(in_si(own), mm.symbol))};
+}
+
+/// A key, a spline, a press fit lies on one diameter of the shaft, and beside its bearings.
+Misfit no_room(const Input& in, const Seat& seat) {
+  if (!is_set(seat.l_c) || is_taper(piece_at(in, seat.x))) return {};
+  const Length slack = one_place * length_of(in), left = seat.x - seat.l_c / 2.0, right = seat.x + seat.l_c / 2.0;
+  const std::string length = format_quantity(in_si(seat.l_c), mm.symbol);
+  if (left < -slack || right > length_of(in) + slack)
+    return {"l_c", say("its connection, {1} long, reaches beyond the end of the shaft", length)};
+  const Length own = diameter_under(in, seat);
+  for (const Length& end : {left + 20.0 * slack, right - 20.0 * slack}) {
+    if (abs(around(in, end).sides.thinner().d - own) > one_place * own)
+      return {"l_c", say("its connection, {1} long, reaches beyond its piece of the shaft", length)};
+  }
+  const auto covers = [&](const Support& support) { return support.x > left + slack && support.x < right - slack; };
+  if (std::any_of(in.supports.begin(), in.supports.end(), covers))
+    return {"l_c", say("its connection, {1} long, reaches over a bearing", length)};
+  return {};
+}
+
+Misfit other_sense(const Input& in, const Seat& seat) {
+  constexpr double ripple = 0.05;
+  if (!is_set(seat.r_c) || !is_set(in.r_T) || in.r_T >= seat.r_c - ripple) return {};
+  return {"r_c", say("its connection is assessed for a torque of r = {1} at least, and the shaft has r_T = {2}",
+                     format_number(seat.r_c, 3), format_number(in.r_T, 3))};
+}
+
+Misfit misfit_of(const Input& in, std::size_t i) {
+  const Seat& seat = in.seats[i];
+  if (!needs_connection(in, i)) return {};
+  for (const Misfit& misfit : {other_bore(in, seat), no_room(in, seat), other_sense(in, seat)}) {
+    if (*misfit.key != '\0') return misfit;
+  }
+  return {};
+}
+
+/// Whether a notch of a connection lies under the hub.
+bool has_notch(const Input& in, const Seat& seat) {
+  const Length reach = is_set(seat.l_c) ? seat.l_c : is_set(seat.b) ? seat.b : seat.d_c;
+  return std::any_of(in.notches.begin(), in.notches.end(), [&](const Notched& notch) {
+    const bool is_of_hub = is_keyed(notch.kind) || notch.kind == Notch::press_fit || notch.kind == Notch::cross_hole ||
+                           notch.kind == Notch::given || notch.kind == Notch::beta;
+    return is_of_hub && abs(notch.x - seat.x) <= reach * (1.0 + one_place);
+  });
+}
+
 template <class Meant>
 Applies where_any(const Input& in, const Meant& is_meant) {
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
@@ -36,8 +97,11 @@ Applies where_any(const Input& in, const Meant& is_meant) {
 }  // namespace
 
 bool Design::connections_match(const Input& in) {
-  return std::all_of(in.seats.begin(), in.seats.end(),
-                     [&](const Seat& seat) { return is_around(in, seat) && fits(in, seat); });
+  for (std::size_t i = 0; i < in.seats.size(); ++i) {
+    const Seat& seat = in.seats[i];
+    if (!is_around(in, seat) || !fits(in, seat) || *misfit_of(in, i).key != '\0') return false;
+  }
+  return true;
 }
 
 FieldFault Design::other_diameter(const Input& in) {
@@ -50,6 +114,8 @@ FieldFault Design::other_diameter(const Input& in) {
                   told(diameter_under(in, seat))),
               say("what is one piece with the shaft is integral = true")};
     }
+    if (const Misfit misfit = misfit_of(in, i); fits(in, seat) && *misfit.key != '\0')
+      return {place_of("seats", in.seats, i, misfit.key), misfit.message, {}};
     if (fits(in, seat)) continue;
     return {place_of("seats", in.seats, i, "d_c"),
             say("its connection is made for a shaft of {1}, and the shaft has {2} there", told(seat.d_c),
@@ -65,6 +131,23 @@ Applies Design::lacks_connection(const Input& in) {
 
 Applies Design::has_connection(const Input& in) {
   return where_any(in, [&](std::size_t i) { return needs_connection(in, i) && is_set(in.seats[i].T_c); });
+}
+
+Applies Design::pushes_hubs(const Input& in) {
+  return where_any(in, [&](std::size_t i) {
+    const Seat& seat = in.seats[i];
+    double most = 0.0;
+    for (std::size_t k = 0; k < positions_of(in); ++k) most = std::max(most, std::abs(in_si(seat.F_z.at(k))));
+    return most > 0.0 && is_set(seat.F_c) && needs_connection(in, i) && in_si(seat.F_c) < in.K_A * most * (1.0 - 1e-6);
+  });
+}
+
+/// Of a connection that is told as a record: where fatigue is asked for, its end is a notch.
+Applies Design::lacks_notch(const Input& in) {
+  if (!asks_fatigue(in)) return Applies::no;
+  return where_any(in, [&](std::size_t i) {
+    return needs_connection(in, i) && is_set(in.seats[i].d_c) && !has_notch(in, in.seats[i]);
+  });
 }
 
 Applies Design::bears_rims(const Input& in) {

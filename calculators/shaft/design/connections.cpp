@@ -40,6 +40,10 @@ void judge_connections(const Input& in, DesignResult& r, Tracer& trace) {
       const Moment T = s.T, T_c = trace.value("T_c", seat.T_c, "torque that the connection is assessed for");
       STEP_TO(s, x_c, abs(T) / T_c, "the connection is assessed for no less");
     }
+    if (is_set(seat.T_peak) && needs_connection(in, i)) {
+      const Moment T = s.T, T_peak = trace.value("T_peak", seat.T_peak, "of a start or a jam");
+      STEP_TO(s, x_peak, in.k_max * abs(T) / T_peak, "a start or a jam loads the connection as well");
+    }
     if (!has_rim(seat)) continue;
     const Length d = trace.value("d", diameter_under(in, seat), "of the shaft under the gear");
     const Length t_c = trace.value("t_c", is_set(seat.t_c) ? seat.t_c : 0.0 * mm, "depth of the keyway in the gear");

@@ -265,6 +265,8 @@ r_T = 0
   static Applies lacks_connection(const Input& in);
   static Applies has_connection(const Input& in);
   static Applies bears_rims(const Input& in);
+  static Applies pushes_hubs(const Input& in);
+  static Applies lacks_notch(const Input& in);
   static Applies tired(const Input& in);
   static Applies endless(const Input& in) {
     const bool lacks = in.group >= fatigue::Endurance::Group::wrought_aluminium || lacks_fatigue_limit(in);
@@ -329,7 +331,11 @@ r_T = 0
           .wanting("seats connection")
           .assessed_beside("shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw, pin.cross"),
       Mode<Input>{"connection", "torque above that which a shaft-hub connection is assessed for", &has_connection}
-          .judged_by("seats.x_c"),
+          .judged_by("seats.x_c, seats.x_peak"),
+      Mode<Input>{"pushed", "hub pushed along the shaft, which its connection is not assessed for", &pushes_hubs}
+          .wanting("seats F_c"),
+      Mode<Input>{"seat_fatigue", "fatigue of the shaft under a hub whose connection is no notch of it", &lacks_notch}
+          .wanting("notches part"),
       Mode<Input>{"rim", "thin rim of a gear between root circle and shaft, over its keyway", &bears_rims}
           .judged_by("seats.m_R")
           .of_shape(),

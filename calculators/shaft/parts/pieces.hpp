@@ -75,7 +75,10 @@ struct Seat {
   Moment k_T = unset<Moment>;
   double beta_adm = unset<double>;
   Integral integral = Integral::no;
-  Moment T_c = unset<Moment>;
+  Moment T_c = unset<Moment>, T_peak = unset<Moment>;
+  Force F_c = unset<Force>;
+  Length b_c = unset<Length>, l_c = unset<Length>;
+  double r_c = unset<double>;
   Length d_c = unset<Length>, t_c = unset<Length>, d_w = unset<Length>, d_f = unset<Length>, h_t = unset<Length>;
   static constexpr Fields fields{
       NameField{&Seat::name, "name", "what sits there"}.may_be_missing(),
@@ -129,6 +132,19 @@ struct Seat {
                         "\"=key.connection\""},
       Field{&Seat::T_c, "T_c", N_m, "torque that its connection is assessed for, with the service factor; a rating"}
           .positive()
+          .may_be_missing(),
+      Field{&Seat::T_peak, "T_peak", N_m, "the same of a start or a jam, against k_max times the torque"}
+          .positive()
+          .may_be_missing(),
+      Field{&Seat::F_c, "F_c", N, "force along the shaft that its connection, or a ring or nut beside it, holds"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Seat::b_c, "b_c", mm, "bore of the shaft that its connection is calculated with"}
+          .at_least(0)
+          .may_be_missing(),
+      Field{&Seat::l_c, "l_c", mm, "length of its connection along the shaft"}.positive().may_be_missing(),
+      Field{&Seat::r_c, "r_c", ratio, "least over largest torque that its connection is assessed for"}
+          .within(-1, 1)
           .may_be_missing(),
       Field{&Seat::d_c, "d_c", mm, "shaft diameter that its connection is made for"}.positive().may_be_missing(),
       Field{&Seat::t_c, "t_c", mm, "depth of the keyway in the hub"}.at_least(0).may_be_missing(),

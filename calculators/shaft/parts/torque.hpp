@@ -20,6 +20,11 @@ constexpr auto choices_of(Sense) {
       ChoiceName<Sense>{Sense::reversing, "reversing", "it does: starts both ways, or torsional vibration"}};
 }
 
+/// The least torque over the largest that this allows; unset where nothing is known.
+inline double least_ratio(Sense sense) {
+  return sense == Sense::one_way ? 0.0 : sense == Sense::reversing ? -1.0 : unset<double>;
+}
+
 /// What is carried; of what has T, T_max, torque and K_A.
 template <class Input>
 constexpr auto torque_inputs() {

@@ -129,7 +129,7 @@ class Settling {
     const std::vector<Member> members = source.members(rest);
     std::string filled, kept;
     for_each_leaf(reading_.record, [&](const std::string& path, const Leaf& leaf) {
-      if (!path.starts_with(base)) return;
+      if (!path.starts_with(base) || leaf.field->is_own) return;
       const auto given = std::find_if(members.begin(), members.end(), [&](const Member& member) {
         return member.key == std::string_view(path).substr(base.size()) && is_like(source, member, *leaf.field);
       });

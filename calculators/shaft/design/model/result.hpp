@@ -47,7 +47,7 @@ struct Seated {
   Length x = unset<Length>;
   Moment T = unset<Moment>;
   Length v = unset<Length>;
-  double beta = unset<double>, u_beta = unset<double>, x_c = unset<double>, m_R = unset<double>;
+  double beta = unset<double>, u_beta = unset<double>, x_c = unset<double>, x_peak = unset<double>, m_R = unset<double>;
   static constexpr Fields fields{
       NameField{&Seated::name, "name", "what sits there"},
       Field{&Seated::x, "x", mm, "its place"},
@@ -56,6 +56,10 @@ struct Seated {
       Field{&Seated::beta, "beta", deg, "slope"},
       Field{&Seated::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies(),
       Field{&Seated::x_c, "x_c", ratio, "torque over that which its connection is assessed for"}
+          .limit(0, 1 + 1e-6)
+          .criterion()
+          .where_it_applies(),
+      Field{&Seated::x_peak, "x_peak", ratio, "torque with k_max over that which its connection is assessed for"}
           .limit(0, 1 + 1e-6)
           .criterion()
           .where_it_applies(),

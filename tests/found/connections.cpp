@@ -121,4 +121,73 @@ TEST_SUITE("found connections") {
     CHECK(seat("35 mm").find("act at a diameter of 35 mm, and the shaft has 40 mm there") != std::string::npos);
     CHECK(seat("80 mm") == "");
   }
+
+  TEST_CASE("a connection is assessed for the start of the shaft, its sense, its bore") {
+    const auto with = [](const std::string& lines, const std::string& key) {
+      return shaft_of(keyed, whole) + lines + key_for("100 N*m", "40 mm", key);
+    };
+    CHECK(mode_of(solved_as_found(with("k_max = 2\n", "T_max = \"200 N*m\"\n")), "shaft", "connection") == "pass");
+    CHECK(mode_of(solved_as_found(with("k_max = 2\n", "T_max = \"150 N*m\"\n")), "shaft", "connection") == "fail");
+    const std::string reversing = first_error_of(
+        with("r_T = -1\nS_D = 1.5\ngroup = \"carbon-steel\"\nR_z = \"6.3 um\"\n", ""));  // the key says one_way
+    CHECK_MESSAGE(reversing.find("and the shaft has r_T = -1") != std::string::npos, reversing);
+    const std::string bored =
+        first_error_of(replaced_in(with("", ""), "d = \"40 mm\" }", "d = \"40 mm\", d_bore = \"15 mm\" }"));
+    CHECK_MESSAGE(bored.find("the shaft has one of 15 mm there") != std::string::npos, bored);
+  }
+
+  TEST_CASE("a connection has room on the shaft") {
+    const std::string text = shaft_of(keyed, whole) + key_for("100 N*m", "40 mm");
+    const auto error = [&](const std::string& word, const std::string& by) {
+      return first_error_of(replaced_in(text, word, by));
+    };
+    CHECK(error("x = \"30 mm\"", "x = \"20 mm\"").find("beyond the end of the shaft") != std::string::npos);
+    CHECK(error("x = \"30 mm\"", "x = \"95 mm\"").find("reaches over a bearing") != std::string::npos);
+    const std::string stepped = "{ l = \"50 mm\", d = \"40 mm\" }, { l = \"250 mm\", d = \"45 mm\" }";
+    CHECK(error("{ name = \"whole\", l = \"300 mm\", d = \"40 mm\" }", stepped).find("beyond its piece") !=
+          std::string::npos);
+  }
+
+  TEST_CASE("a hub that is pushed along the shaft is held by more than a key") {
+    const auto pushed = [](const std::string& more) {
+      const std::string text = shaft_of(keyed + ", F_z = \"800 N\"" + more, whole) + key_for("100 N*m", "40 mm");
+      return mode_of(solved_as_found(text), "shaft", "pushed");
+    };
+    CHECK(pushed("") == "not-judged");
+    CHECK(mode_of(solved_as_found(shaft_of(keyed, whole) + key_for("100 N*m", "40 mm")), "shaft", "pushed") == "none");
+  }
+
+  TEST_CASE("where fatigue is asked for, the end of a connection is a notch of the shaft") {
+    const std::string fatigue = "S_D = 1.5\nr_T = 0\ngroup = \"carbon-steel\"\nR_z = \"6.3 um\"\n";
+    const std::string bare = shaft_of(keyed, whole) + fatigue + key_for("100 N*m", "40 mm");
+    CHECK(mode_of(solved_as_found(bare), "shaft", "seat_fatigue") == "not-judged");
+    const std::string notch = "notches = [{ name = \"key_end\", x = \"55 mm\", part = \"=key.notch\" }]\n";
+    const auto notched = solved_as_found(shaft_of(keyed, whole) + fatigue + notch + key_for("100 N*m", "40 mm"));
+    CHECK(mode_of(notched, "shaft", "seat_fatigue") == "none");
+  }
+
+  TEST_CASE("a shaft does not go through the root of the gear that sits on it") {
+    const std::string gears =
+        "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"3 mm\"\nb = \"30 mm\"\nT_1 = \"100 N*m\"\n\n";
+    // d_f = 3 (20 - 2.5) = 52.5 mm; over 50 mm with 3.8 mm of keyway it is cut through
+    std::string text = gears + key_for("100 N*m", "50 mm");
+    text =
+        replaced_in(replaced_in(text, "T = \"100 N*m\"\ntorque", "load = \"=gears.gear_1\"\ntorque"), "12x8", "14x9");
+    CHECK(first_error_of(text).find("root circle") != std::string::npos);
+    CHECK(first_error_of(replaced_in(replaced_in(text, "50 mm\"\nkey", "40 mm\"\nkey"), "14x9", "12x8")) == "");
+  }
+
+  TEST_CASE("a pin across the shaft keeps its shaft diameter, whatever the load has under that name") {
+    const std::string gears =
+        "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"3 mm\"\nb = \"30 mm\"\nT_1 = \"20 N*m\"\n\n";
+    const auto pin = [&](const std::string& more) {
+      return first_error_of(
+          gears +
+          "[pin]\ncalculator = \"pin.cross\"\nload = \"=gears.gear_2\"\nd = \"8 mm\"\nD = \"64 mm\"\n"
+          "tau_adm = \"60 MPa\"\np_adm_1 = \"70 MPa\"\np_adm_2 = \"35 MPa\"\ntau_adm_1 = \"40 MPa\"\n" +
+          more);
+    };
+    CHECK(pin("").find("d_w") != std::string::npos);
+    CHECK(pin("d_w = \"32 mm\"\n") == "");
+  }
 }

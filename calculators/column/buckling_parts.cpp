@@ -10,10 +10,10 @@ Plates plates_of(const BucklingInput& in) {
 Length extreme_fibre(const BucklingInput& in, AxisName axis) {
   const bool about_y = axis == AxisName::y;
   const Length given = about_y ? in.c_y : in.c_z;
-  if (is_set(given)) return given;
   const bool lopsided = in.kind == Profile::angle || in.kind == (about_y ? Profile::tee : Profile::channel);
-  if (lopsided) return unset<Length>;
-  return 0.5 * (is_set(in.d) ? in.d : about_y ? in.h : in.b);
+  const Length half = lopsided ? unset<Length> : 0.5 * (is_set(in.d) ? in.d : about_y ? in.h : in.b);
+  if (!is_set(given)) return half;
+  return is_set(half) ? max(given, half) : given;  // no fibre of a side is nearer than half of it
 }
 
 bool fibre_known(const BucklingInput& in) {

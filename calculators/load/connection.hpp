@@ -13,6 +13,7 @@ struct Connection {
   Force F_c = unset<Force>;
   Length d_c = unset<Length>, b_c = unset<Length>, l_c = unset<Length>, t_c = unset<Length>;
   double r_c = unset<double>;
+  Stress R_c = unset<Stress>;
 
   static constexpr Fields fields{
       Field{&Connection::T_c, "T_c", N_m, "torque that the connection is assessed for"}.holding("K_A"),
@@ -22,7 +23,8 @@ struct Connection {
       Field{&Connection::b_c, "b_c", mm, "bore of the shaft that it is calculated with"},
       Field{&Connection::l_c, "l_c", mm, "its length along the shaft"},
       Field{&Connection::t_c, "t_c", mm, "depth of the keyway in the hub"},
-      Field{&Connection::r_c, "r_c", ratio, "least over largest torque that it is assessed for"}};
+      Field{&Connection::r_c, "r_c", ratio, "least over largest torque that it is assessed for"},
+      Field{&Connection::R_c, "R_c", MPa, "yield strength of the shaft that it is calculated with"}};
 };
 
 /// Of a torque with the service factor, which may be of zero: that fastens nothing.

@@ -104,6 +104,7 @@ Key::Result Key::evaluate(const Input& in, Tracer& trace) {
   r.connection = connection_for(in.K_A * abs(in.T), in.d, in.d_bore);
   r.connection.T_peak = r.T_eq, r.connection.l_c = in.l, r.connection.t_c = in.t_2;
   r.connection.r_c = least_ratio(in.torque);
+  if (is_set(in.R_e_1)) r.connection.R_c = in.R_e_1;
   r.notch.kind = in.i == 2 ? Notch::two_keyways : Notch::keyway;
   r.notch.d = in.d, r.notch.t = in.t_1, r.notch.l = in.l;
   if (in.torque == Sense::reversing) r.notch.r_T = -1.0;

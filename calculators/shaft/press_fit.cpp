@@ -129,6 +129,7 @@ PressFit::Result PressFit::evaluate(const Input& in, Tracer& trace) {
   if (is_set(in.T)) r.connection = connection_for(in.K_A * abs(in.T), in.d, in.d_i);
   r.connection.l_c = in.l;
   if (is_set(in.F_z)) r.connection.F_c = in.K_A * abs(in.F_z);
+  if (is_set(in.R_e_1)) r.connection.R_c = in.R_e_1;
   return r;
 }
 

@@ -60,6 +60,7 @@ SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
   r.connection = connection_for(in.K_A * abs(in.T), in.d, in.d_bore);
   r.connection.F_c = in.K_A * abs(in.F_a);
   if (in.load_case == Case::at_rest) r.connection.r_c = 1.0;
+  if (is_set(in.R_e_1)) r.connection.R_c = in.R_e_1;
   return r;
 }
 

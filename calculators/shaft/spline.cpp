@@ -82,6 +82,7 @@ Spline::Result Spline::evaluate(const Input& in, Tracer& trace) {
   }
   r.connection = connection_for(in.K_A * abs(in.T), in.d_1, in.d_bore);
   r.connection.T_peak = r.T_eq, r.connection.l_c = in.l, r.connection.r_c = least_ratio(in.torque);
+  if (is_set(in.R_e_1)) r.connection.R_c = in.R_e_1;
   r.notch.d = in.d_1, r.notch.t = (in.d_2 - in.d_1) / 2.0;
   r.notch.beta_b = in.beta_b, r.notch.beta_t = in.beta_t;
   if (in.torque == Sense::reversing) r.notch.r_T = -1.0;

@@ -67,10 +67,19 @@ Misfit other_sense(const Input& in, const Seat& seat) {
                      format_number(seat.r_c, 3), format_number(in.r_T, 3))};
 }
 
+/// Steels yield below their tensile strength; which yield strength the shaft has hangs on the diameter of each piece.
+Misfit other_strength(const Input& in, const Seat& seat) {
+  if (!is_set(seat.R_c) || !is_set(in.R_m) || seat.R_c <= in.R_m) return {};
+  const auto told = [](Stress R) { return format_quantity(in_si(R), MPa.symbol); };
+  return {"R_c", say("its connection is calculated with a shaft of R_e = {1}, and the shaft has R_m = {2}",
+                     told(seat.R_c), told(in.R_m))};
+}
+
 Misfit misfit_of(const Input& in, std::size_t i) {
   const Seat& seat = in.seats[i];
   if (!needs_connection(in, i)) return {};
-  for (const Misfit& misfit : {other_bore(in, seat), no_room(in, seat), other_sense(in, seat)}) {
+  for (const Misfit& misfit :
+       {other_bore(in, seat), no_room(in, seat), other_sense(in, seat), other_strength(in, seat)}) {
     if (*misfit.key != '\0') return misfit;
   }
   return {};

@@ -79,6 +79,7 @@ struct Seat {
   Force F_c = unset<Force>;
   Length b_c = unset<Length>, l_c = unset<Length>;
   double r_c = unset<double>;
+  Stress R_c = unset<Stress>;
   Length d_c = unset<Length>, t_c = unset<Length>, d_w = unset<Length>, d_f = unset<Length>, h_t = unset<Length>;
   static constexpr Fields fields{
       NameField{&Seat::name, "name", "what sits there"}.may_be_missing(),
@@ -145,6 +146,9 @@ struct Seat {
       Field{&Seat::l_c, "l_c", mm, "length of its connection along the shaft"}.positive().may_be_missing(),
       Field{&Seat::r_c, "r_c", ratio, "least over largest torque that its connection is assessed for"}
           .within(-1, 1)
+          .may_be_missing(),
+      Field{&Seat::R_c, "R_c", MPa, "yield strength of the shaft that its connection is calculated with"}
+          .positive()
           .may_be_missing(),
       Field{&Seat::d_c, "d_c", mm, "shaft diameter that its connection is made for"}.positive().may_be_missing(),
       Field{&Seat::t_c, "t_c", mm, "depth of the keyway in the hub"}.at_least(0).may_be_missing(),

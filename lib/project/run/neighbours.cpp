@@ -197,10 +197,10 @@ void add_sources_beside(const Evaluation& evaluation, const Known& known, std::v
         const std::string step = split_step(reference.path).first;
         if (!is_load || !seen.insert(step).second) continue;
         const auto key = std::find_if(keys.begin(), keys.end(), [&](const std::string& k) {
-          return known(step + "." + k).signature.dimension == field.dimension;
+          return known(std::string(step).append(".").append(k)).signature.dimension == field.dimension;
         });
         if (key == keys.end()) continue;
-        const std::string path = step + "." + *key;
+        const std::string path = std::string(step).append(".").append(*key);
         all.push_back({field.key, evaluation.inputs().leaf(field.key), known(path), say("'{1}'", path),
                        is_size ? Beside::capacity : Beside::demand});
         all.back().by_size = true;  // at another point the source has another value

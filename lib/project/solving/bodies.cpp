@@ -104,6 +104,7 @@ bool hand_out(const std::string& body, const std::string& key, const Members& me
 void check_bodies(const Project& project, std::vector<Issue>& issues) {
   std::vector<std::string> names;
   const auto bodies = bodies_of(project);
+  names.reserve(bodies.size());
   for (const auto& [body, members] : bodies) names.push_back(body);
   for (const auto& [body, members] : bodies) {
     const StepInput& first = members.front()->input();

@@ -11,7 +11,7 @@ mkdir -p docs/gallery
 report() {
   name=$1
   shift
-  "$program" "$@" --quiet --report "$work/$name.html" || [ $? = 1 ]
+  "$program" "$@" --quiet --report "$work/$name.html" || [ $? = 1 ] || [ $? = 4 ]
 }
 
 # picture NAME REPORT FRAGMENT SELECTOR: the window at the element that is selected. Within a frame, for Chromium paints

@@ -31,6 +31,6 @@ echo "3/3 a first project"
 report=build/report.html
 status=0
 "$program" run examples/slotted-lever/project.toml --report "$report" || status=$?
-# 1 is an answer: a check that fails or is not covered, as the report says. Above 1 nothing was solved.
-[ "$status" -le 1 ] || exit "$status"
+# 1 and 4 are answers: something fails, or is not assessed, as the report says. With others nothing was solved.
+case $status in 0 | 1 | 4) ;; *) exit "$status" ;; esac
 echo "the report is in $(pwd)/$report"

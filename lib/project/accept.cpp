@@ -1,5 +1,7 @@
 #include "lib/project/accept.hpp"
 
+#include "lib/project/because.hpp"
+
 #include <algorithm>
 
 namespace loadpath::project {
@@ -7,11 +9,6 @@ namespace loadpath::project {
 using toml::Tree;
 
 namespace {
-
-/// One line with words in it.
-bool is_line(const std::string& text) {
-  return text.find('\n') == std::string::npos && text.find_first_not_of(" \t") != std::string::npos;
-}
 
 void read_reason(const Tree::Entry& entry, StepInput& input, std::vector<Issue>& issues) {
   const std::string key = input.name + ".accept." + entry.key;
@@ -22,7 +19,7 @@ void read_reason(const Tree::Entry& entry, StepInput& input, std::vector<Issue>&
     issues.push_back({entry.place, key, say("'{1}' has no mode of failure '{2}'", input.calculator->id, entry.key),
                       did_you_mean(entry.key, ids, say("`loadpath describe {1}` lists them", input.calculator->id)),
                       Severity::error});
-  } else if (entry.value.type != Tree::Type::text || !is_line(entry.value.text)) {
+  } else if (!is_reason(entry.value)) {
     issues.push_back({entry.value.place, key, say("what is accepted needs a reason, a text of one line"),
                       say("write {1} = \"rated by the maker, drawing 12\"", entry.key), Severity::error});
   } else {

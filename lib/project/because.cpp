@@ -1,17 +1,13 @@
 #include "lib/project/because.hpp"
 
 #include <algorithm>
+#include <cctype>
 
 namespace loadpath::project {
 
 namespace {
 
 using toml::Tree;
-
-bool is_reason(const Tree& tree) {
-  return tree.type == Tree::Type::text && tree.text.find('\n') == std::string::npos &&
-         tree.text.find_first_not_of(" \t") != std::string::npos;
-}
 
 std::vector<std::string> input_keys(const Calculator& calculator) {
   std::vector<std::string> keys;
@@ -36,6 +32,12 @@ void read_justification(const Tree::Entry& entry, StepInput& input, std::vector<
 }
 
 }  // namespace
+
+bool is_reason(const Tree& tree) {
+  const auto is_word = [](unsigned char c) { return std::isalnum(c) != 0 || c >= 0x80; };
+  return tree.type == Tree::Type::text && tree.text.find('\n') == std::string::npos &&
+         std::any_of(tree.text.begin(), tree.text.end(), is_word);
+}
 
 void read_because(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
   const auto* because = table.find("because");

@@ -9,6 +9,9 @@
 
 namespace loadpath::project {
 
+/// Whether a text justifies anything: one line with a word or a number in it.
+bool is_reason(const toml::Tree& tree);
+
 /// An input that the calculator does not have, or no reason, is an issue.
 void read_because(const toml::Tree& table, StepInput& input, std::vector<Issue>& issues);
 

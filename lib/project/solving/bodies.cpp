@@ -99,6 +99,24 @@ bool hand_out(const std::string& body, const std::string& key, const Members& me
   return changed;
 }
 
+/// Rows of a table that steps of one body name: it is made of one material.
+void check_rows(const std::string& body, const Members& members, std::vector<Issue>& issues) {
+  std::map<std::string, const StepInput*> named;
+  for (const Step* step : members) {
+    for (const auto& [group, row] : step->input().rows) {
+      if (row.text.empty()) continue;
+      const auto [first, is_new] = named.emplace(group, &step->input());
+      const Typed& other = first->second->rows.at(group);
+      if (is_new || other.text == row.text) continue;
+      issues.push_back({row.place, step->name() + "." + group,
+                        say("the body '{1}' has one {2}: {3} has '{4}', and {5} has '{6}'", body, group,
+                            first->second->name, other.text, step->name(), row.text),
+                        say("name the same one in both, or leave out 'body' where they are two parts"),
+                        Severity::error});
+    }
+  }
+}
+
 }  // namespace
 
 void check_bodies(const Project& project, std::vector<Issue>& issues) {
@@ -116,6 +134,7 @@ void check_bodies(const Project& project, std::vector<Issue>& issues) {
                         Severity::error});
       continue;
     }
+    check_rows(body, members, issues);
     const auto sizes = sizes_in_common(members);
     for (const Step* step : members) {
       const auto has = [&](const std::string& key) { return size_field(*step, key) != nullptr; };

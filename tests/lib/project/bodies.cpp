@@ -58,6 +58,15 @@ TEST_SUITE("project bodies") {
     CHECK(contains(two.errors(), "the body 'crankshaft' has one d: strong has 60 mm, and weak has 40 mm"));
   }
 
+  TEST_CASE("a body is of one material") {
+    const auto of = [](const std::string& material) { return "material = \"" + material + "\"\nS = 1.5\n"; };
+    const std::string T = "[a]\ncalculator = \"shaft.torsion\"\nT = \"900 N*m\"\n",
+                      T_b = "[b]\ncalculator = \"shaft.torsion\"\nT = \"300 N*m\"\n";
+    CHECK(Solved(T + of("C45E") + body + T_b + of("C45E") + body).errors().empty());
+    CHECK(contains(Solved(T + of("C45E") + body + T_b + of("S235JR") + body).errors(),
+                   "the body 'crankshaft' has one material: a has 'C45E', and b has 'S235JR'"));
+  }
+
   TEST_CASE("a body of one step alone, and steps without a common size, are refused") {
     CHECK(contains(Solved(torsion("strong", "900 N*m", body)).errors(), "no other step describes the body"));
     const Solved typo(torsion("a", "900 N*m", body) + torsion("b", "900 N*m", body) +

@@ -71,18 +71,29 @@ E_b = "40 MPa"
   };
   static constexpr Fields inputs{
       Field{&Input::P, "P", kW, "power at the driving pulley, the mean over the cycle"}
+          .at_least_that_of_source("shafts[#].P")
           .load()
           .positive()
           .usually(0.01, 3000)
           .may_be_missing(),
-      Field{&Input::T_1, "T_1", N_m, "torque at the driving pulley, in place of P"}.load().positive().may_be_missing(),
+      Field{&Input::T_1, "T_1", N_m, "torque at the driving pulley, in place of P"}
+          .load()
+          .at_least_that_of_source("shafts[#].T")
+          .positive()
+          .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor: what the power does not contain, once"}
           .at_least(1)
           .usually(1, 3)
           .factor(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}.positive().usually(10, 2e4),
-      Field{&Input::d_1, "d_1", mm, "diameter of the driving pulley"}.positive().usually(10, 5000),
-      Field{&Input::d_2, "d_2", mm, "diameter of the driven pulley"}.positive().usually(10, 5000),
+      Field{&Input::d_1, "d_1", mm, "diameter of the driving pulley"}
+          .positive()
+          .same_as_that_of_source("stages[#].d_1")
+          .usually(10, 5000),
+      Field{&Input::d_2, "d_2", mm, "diameter of the driven pulley"}
+          .positive()
+          .same_as_that_of_source("stages[#].d_2")
+          .usually(10, 5000),
       Field{&Input::a, "a", mm, "centre distance"}.positive().usually(10, 5e4).may_be_missing(),
       Field{&Input::L, "L", mm, "length of the belt along its inner side, in place of a"}
           .positive()

@@ -103,14 +103,19 @@ P_R = "5.5 kW"
           .from("chain", "q")
           .where_it_has(),
       Count{&Input::strands, "strands", 1, 6, "strands side by side"}.may_be_missing(),
-      Count{&Input::z_1, "z_1", 7, 150, "teeth of the driving sprocket"},
-      Count{&Input::z_2, "z_2", 7, 150, "teeth of the driven sprocket"},
+      Count{&Input::z_1, "z_1", 7, 150, "teeth of the driving sprocket"}.same_as_that_of_source("stages[#].z_1"),
+      Count{&Input::z_2, "z_2", 7, 150, "teeth of the driven sprocket"}.same_as_that_of_source("stages[#].z_2"),
       Field{&Input::a, "a", mm, "centre distance that is wanted; the links make it exact"}.positive().may_be_missing(),
       Count{&Input::X, "X", 0, 2000, "links, in place of a; 0: the even number nearest to a"}.may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving sprocket"}.positive().may_be_missing(),
-      Field{&Input::P, "P", kW, "nominal power, with n_1"}.load().at_least(0).may_be_missing(),
+      Field{&Input::P, "P", kW, "nominal power, with n_1"}
+          .load()
+          .at_least(0)
+          .at_least_that_of_source("shafts[#].P")
+          .may_be_missing(),
       Field{&Input::T_1, "T_1", N_m, "nominal torque of the driving sprocket, in place of P"}
           .load()
+          .at_least_that_of_source("shafts[#].T")
           .at_least(0)
           .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "service factor: shocks of motor and machine, once"}

@@ -70,9 +70,16 @@ sigma_adm_2 = "200 MPa"
   static constexpr Fields inputs{
       RecordField<Input>{"pair", "a mesh of a planetary set, whole: pair = \"=set.sun_mesh\""},
       Choice{&Input::mesh, "mesh", "what gear 1 meshes with"}.may_be_missing(),
-      Count{&Input::z_1, "z_1", 5, 2000, "teeth of gear 1, the wheel or pinion"},
-      Count{&Input::z_2, "z_2", 5, 2000, "teeth of gear 2; none for a rack"}.may_be_missing(),
-      Field{&Input::m_n, "m_n", mm, "normal module"}.positive().usually(0.2, 50).searched("module").may_be_missing(),
+      Count{&Input::z_1, "z_1", 5, 2000, "teeth of gear 1, the wheel or pinion"}.same_as_that_of_source(
+          "stages[#].z_1"),
+      Count{&Input::z_2, "z_2", 5, 2000, "teeth of gear 2; none for a rack"}.may_be_missing().same_as_that_of_source(
+          "stages[#].z_2"),
+      Field{&Input::m_n, "m_n", mm, "normal module"}
+          .positive()
+          .usually(0.2, 50)
+          .searched("module")
+          .may_be_missing()
+          .same_as_that_of_source("stages[#].m_n"),
       Field{&Input::alpha_n, "alpha_n", deg, "normal pressure angle"}.within(10, 35).usually(14.5, 25),
       Field{&Input::beta, "beta", deg, "helix angle at the reference cylinder"}.within(0, 45).usually(0, 35),
       Choice{&Input::hand, "hand", "hand of the helix of gear 1"}.may_be_missing(),
@@ -106,10 +113,12 @@ sigma_adm_2 = "200 MPa"
       Field{&Input::T_1, "T_1", N_m,
             "torque on shaft 1, nominal; positive where gear 1 drives, negative where it is driven"}
           .load()
+          .at_least_that_of_source("shafts[#].T")
           .with("F_x1, F_y1, F_z1")
           .may_be_missing(),
       Field{&Input::P, "P", kW, "nominal power that gear 1 takes in, in place of T_1, with n_1"}
           .load()
+          .at_least_that_of_source("shafts[#].P")
           .may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of gear 1"}.positive().may_be_missing(),
       Choice{&Input::turns, "turns", "sense of rotation of gear 1, seen against the z axis"}.may_be_missing(),

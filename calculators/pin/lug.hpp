@@ -66,7 +66,11 @@ p_adm = "80 MPa"
       Field{&Input::a, "a", mm, "crown: from the edge of the bore to the end of the eye, along the force"}
           .positive()
           .usually(1, 1000),
-      Field{&Input::t, "t", mm, "thickness of the eye, or of one cheek"}.positive().usually(1, 1000).findable("R40"),
+      Field{&Input::t, "t", mm, "thickness of the eye, or of one cheek"}
+          .at_most_that_of_source("t_1, t_2")
+          .positive()
+          .usually(1, 1000)
+          .findable("R40"),
       Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress of the net section, in place of R_e"}
           .positive()
           .usually(5, 1500)

@@ -53,14 +53,20 @@ struct WallResult {
 template <class Input>
 constexpr auto wall_inputs() {
   return Fields{
-      Field<Input, Stress>{&Input::p, "p", MPa, "internal gauge pressure of the gas"}.load().at_least(0).usually(0,
-                                                                                                                 100),
+      Field<Input, Stress>{&Input::p, "p", MPa, "internal gauge pressure of the gas"}
+          .load()
+          .at_least_that_of_source("p")
+          .at_least(0)
+          .usually(0, 100),
       Field<Input, Length>{&Input::delta, "delta", mm, "wall thickness as ordered"}
           .positive()
           .usually(0.5, 400)
           .searched("plate")
           .may_be_missing(),
-      Field<Input, Length>{&Input::c, "c", mm, "corrosion allowance on the inside, once"}.at_least(0).usually(0, 10),
+      Field<Input, Length>{&Input::c, "c", mm, "corrosion allowance on the inside, once"}
+          .at_least_that_of_source("c")
+          .at_least(0)
+          .usually(0, 10),
       Field<Input, Length>{&Input::c_t, "c_t", mm, "mill under-tolerance of the plate"}.at_least(0).usually(0, 3),
       Field<Input, double>{&Input::f_t, "f_t", ratio, "mill under-tolerance as a part of delta: of pipes 0.125"}
           .at_least(0)

@@ -79,10 +79,11 @@ template <class Self>
 struct Described {
   const char* key = "";
   const char* doc = "";
-  std::optional<Role> role = {};  // else what the list says that it stands in: input, or result
-  bool optional = false;          // an input that may be missing (a rule or a default says what then)
-  bool is_load = false;           // what the part has to carry, or another part by it; not a capacity
-  bool is_beside = false;         // a result that is shown, and never part of a verdict
+  std::optional<Role> role = {};    // else what the list says that it stands in: input, or result
+  bool optional = false;            // an input that may be missing (a rule or a default says what then)
+  bool is_load = false;             // what the part has to carry, or another part by it; not a capacity
+  bool is_beside = false;           // a result that is shown, and never part of a verdict
+  const char* same_as_source = "";  // an input: see same_as_that_of_source
 
   [[nodiscard]] constexpr Self as(Role r) const {
     Self s = self();
@@ -106,6 +107,13 @@ struct Described {
   [[nodiscard]] constexpr Self beside() const {
     Self s = self();
     s.is_beside = true;
+    return s;
+  }
+  /// Said of the same part by a step that this one takes values of, by its key there: of a stage of a train
+  /// "stages[#].z_1", '#' being the place in the list that the reference names, else 1. Another value is an error.
+  [[nodiscard]] constexpr Self same_as_that_of_source(const char* there) const {
+    Self s = self();
+    s.same_as_source = there;
     return s;
   }
 
@@ -223,16 +231,17 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.is_own = true;
     return f;
   }
-  /// A size of the part that the step's loads come from, by its keys there, "d, d_max": a larger one wants a reason.
-  [[nodiscard]] constexpr Field at_most_that_of_source(const char* key) const {
+  /// A size of a part that the step takes values of, by its keys there, "d, d_max": one larger than the largest of them
+  /// wants a reason.
+  [[nodiscard]] constexpr Field at_most_that_of_source(const char* keys) const {
     Field f = *this;
-    f.most_of_source = key;
+    f.most_of_source = keys;
     return f;
   }
   /// The same of a demand: a smaller one wants a reason.
-  [[nodiscard]] constexpr Field at_least_that_of_source(const char* key) const {
+  [[nodiscard]] constexpr Field at_least_that_of_source(const char* keys) const {
     Field f = *this;
-    f.least_of_source = key;
+    f.least_of_source = keys;
     return f;
   }
   /// A length, a speed of which "?" is the largest value that passes.

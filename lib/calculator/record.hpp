@@ -59,6 +59,7 @@ struct FieldInfo {
   const char* searched_in = "";
   bool sought_unasked = false;
   bool is_own = false;
+  const char* same_as_source = "";
   const char* most_of_source = "";
   const char* least_of_source = "";
   bool larger_is_better = false;

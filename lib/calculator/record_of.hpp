@@ -29,6 +29,7 @@ constexpr FieldInfo described(const detail::Described<Self>& field, FieldInfo::T
   info.optional = field.optional;
   info.is_load = field.is_load;
   info.is_beside = field.is_beside;
+  info.same_as_source = field.same_as_source;
   return info;
 }
 

@@ -31,7 +31,7 @@ struct Wanted {
   bool words = true;                    // where values come from, which lines a calculation has
   SeriesChoice series = {};             // of those that could be written
   std::set<std::string> taken = {};     // those that other steps refer to, "lever.drive.M": solve() fills it
-  std::set<std::string> compared = {};  // those that expectations refer to: solve() fills it too
+  std::set<std::string> compared = {};  // those that expectations and typed values are compared with: the same
 
   /// Whether the series of this path in this step is needed for any of it; pictures show every one.
   [[nodiscard]] bool holds(const std::string& step, const std::string& path) const {

@@ -124,4 +124,80 @@ TEST_SUITE("found routes") {
   TEST_CASE("a smooth section has no radius") {
     CHECK(ExampleStep("fatigue.din743", "notch = \"smooth\"").fault().find("r") != std::string::npos);
   }
+
+  TEST_CASE("an unusual value without which a check fails wants a reason, however it is given") {
+    const std::string bearing =
+        "[left]\ncalculator = \"bearing.rolling\"\nkind = \"tapered_roller\"\nC = \"60 kN\"\nC_0 = \"30 kN\"\n"
+        "F_r = \"4 kN\"\ne = 0.4\nY = 1.5\nn = \"10 rpm\"\nn_max = \"8500 rpm\"\nL_h = \"100 h\"\ns_0 = 3\n";
+    const auto static_with = [&](const std::string& Y_0, const std::string& F_a, const std::string& more = "") {
+      return mode_of(solved_as_found(more + bearing + "F_a = \"" + F_a + "\"\nY_0 = " + Y_0 + "\n"), "left", "static");
+    };
+    // P_0 = 0.5 F_r + Y_0 F_a: with 0.2, the least that is usual, 5.2 kN of 16 kN, and 10.2 kN of 41 kN
+    CHECK(static_with("0.001", "16 kN") == "pass");
+    CHECK(static_with("0.8", "41 kN") == "fail");
+    CHECK(static_with("0.001", "41 kN") == "not-judged");
+    CHECK(static_with("\"=0.0005*2\"", "41 kN") == "not-judged");
+    CHECK(static_with("\"=values.Y_0\"", "41 kN", "[values]\nY_0 = 0.001\n\n") == "not-judged");
+    CHECK(static_with("\"=values.a/values.b\"", "41 kN", "[values]\na = \"1 N\"\nb = \"1 kN\"\n\n") == "not-judged");
+    CHECK(static_with("0.001\nbecause.Y_0 = \"the maker's letter of 3 May\"", "41 kN") == "pass");
+  }
+
+  TEST_CASE("a pair of gears, a belt, a chain is the stage of the train whose torque or power it takes") {
+    const auto pair = [](const std::string& z_2, const std::string& T_1) {
+      return first_error_of(
+          "[t]\ncalculator = \"drive.train\"\nT_1 = \"60 N*m\"\nn_1 = \"1450 rpm\"\n"
+          "stages = [{ z_1 = 25, z_2 = 40 }, { z_1 = 20, z_2 = 57 }]\n\n"
+          "[g]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = " +
+          z_2 + "\nm_n = \"3 mm\"\nT_1 = \"" + T_1 + "\"\n");
+    };
+    CHECK(pair("57", "=t.shafts[2].T").empty());
+    CHECK(pair("60", "=t.shafts[2].T").find("contradicts 't.stages[2].z_2', which has 57") != std::string::npos);
+    CHECK(pair("57", "=t.shafts[1].T").find("contradicts 't.stages[1].z_1', which has 25") != std::string::npos);
+    CHECK(pair("60", "90 N*m").empty());
+
+    const auto belt = [](const std::string& P) {
+      return mode_of(
+          solved_as_found("[t]\ncalculator = \"drive.train\"\nP = \"15 kW\"\nn_1 = \"1460 rpm\"\n"
+                          "stages = [{ kind = \"belt\", d_1 = \"140 mm\", d_2 = \"280 mm\" }]\n\n"
+                          "[b]\ncalculator = \"belt.v\"\nbasis = \"optibelt\"\nsection = \"SPA\"\nK_A = 1.2\n"
+                          "n_1 = \"=t.n_1\"\nd_1 = \"140 mm\"\nd_2 = \"280 mm\"\nL = \"1500 mm\"\nP = \"" +
+                          P + "\"\n"),
+          "b", "power");
+    };
+    CHECK(belt("=t.P") == belt("15 kW"));
+    CHECK(belt("5 kW") == "not-judged");
+  }
+
+  TEST_CASE("the head of a vessel has its pressure and corrosion allowance") {
+    const auto head = [](const std::string& lines) {
+      return mode_of(
+          solved_as_found(
+              "[v]\ncalculator = \"vessel.cylinder\"\np = \"1.6 MPa\"\nR = \"600 mm\"\nmeasured = \"inner\"\n"
+              "delta = \"14 mm\"\nc = \"2 mm\"\nsigma_adm = \"140 MPa\"\n\n"
+              "[head]\ncalculator = \"vessel.sphere\"\nR = \"=v.R\"\nmeasured = \"inner\"\ndelta = \"8 mm\"\n"
+              "sigma_adm = \"140 MPa\"\n" +
+              lines),
+          "head", "strength");
+    };
+    CHECK(head("p = \"=v.p\"\nc = \"=v.c\"\n") == "pass");
+    CHECK(head("p = \"0.16 MPa\"\nc = \"2 mm\"\n") == "not-judged");
+    CHECK(head("p = \"1.6 MPa\"\n") == "not-judged");  // without an allowance
+    CHECK(head("p = \"1.6 MPa\"\nc = \"0 mm\"\nbecause.c = \"clad\"\n") == "pass");
+  }
+
+  TEST_CASE("an eye is no thicker than its pin joint says") {
+    const auto eye = [](const std::string& t) {
+      return mode_of(
+          solved_as_found(
+              "[pin]\ncalculator = \"pin.joint\"\nF = \"20 kN\"\nheld = \"loose\"\nloading = \"pulsating\"\n"
+              "d = \"25 mm\"\nt_1 = \"20 mm\"\nt_2 = \"10 mm\"\nR_m = \"800 MPa\"\np_adm_1 = \"100 MPa\"\n"
+              "p_adm_2 = \"100 MPa\"\n\n[eye]\ncalculator = \"pin.lug\"\nF = \"=pin.F_d\"\nd = \"=pin.d\"\n"
+              "b = \"60 mm\"\na = \"25 mm\"\nsigma_adm = \"80 MPa\"\ntau_adm = \"60 MPa\"\np_adm = \"100 MPa\"\n"
+              "t = \"" +
+              t + "\"\n"),
+          "eye", "net");
+    };
+    CHECK(eye("20 mm") == "pass");
+    CHECK(eye("40 mm") == "not-judged");
+  }
 }

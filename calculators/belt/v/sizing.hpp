@@ -37,7 +37,11 @@ a_set = "600 mm"
       Choice{&Input::basis, "basis", "system of ratings and factors; must be stated"},
       NameField{&Input::section, "section", "only this section"}.may_be_missing(),
       Choice{&Input::belt_class, "belt_class", "class of the belt; goes with the basis iso"}.may_be_missing(),
-      Field{&Input::P, "P", kW, "power, the mean over the cycle"}.load().positive().usually(0.05, 3000),
+      Field{&Input::P, "P", kW, "power, the mean over the cycle"}
+          .load()
+          .at_least_that_of_source("shafts[#].P")
+          .positive()
+          .usually(0.05, 3000),
       Field{&Input::K_A, "K_A", ratio, "service factor of the basis (C_P, c_2): what the power does not contain, once"}
           .at_least(1)
           .usually(1, 2)

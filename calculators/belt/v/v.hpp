@@ -54,7 +54,11 @@ L = "2650 mm"
       Choice{&Input::basis, "basis", "system of ratings and factors; must be stated"},
       NameField{&Input::section, "section", "section of the belt: A, SPB"},
       Choice{&Input::belt_class, "belt_class", "class of the belt; goes with the basis iso"}.may_be_missing(),
-      Field{&Input::P, "P", kW, "power, the mean over the cycle"}.load().positive().usually(0.05, 3000),
+      Field{&Input::P, "P", kW, "power, the mean over the cycle"}
+          .load()
+          .at_least_that_of_source("shafts[#].P")
+          .positive()
+          .usually(0.05, 3000),
       Field{&Input::K_A, "K_A", ratio, "service factor of the basis (C_P, c_2): what the power does not contain, once"}
           .at_least(1)
           .usually(1, 2)
@@ -69,8 +73,14 @@ L = "2650 mm"
       Field{&Input::h_day, "h_day", hour, "use per day"}.positive().within(0.01, 24).may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}.positive().usually(20, 9000),
       Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.03),
-      Field{&Input::d_1, "d_1", mm, "datum diameter of the driving pulley"}.positive().usually(20, 3000),
-      Field{&Input::d_2, "d_2", mm, "datum diameter of the driven pulley"}.positive().usually(20, 3000),
+      Field{&Input::d_1, "d_1", mm, "datum diameter of the driving pulley"}
+          .positive()
+          .same_as_that_of_source("stages[#].d_1")
+          .usually(20, 3000),
+      Field{&Input::d_2, "d_2", mm, "datum diameter of the driven pulley"}
+          .positive()
+          .same_as_that_of_source("stages[#].d_2")
+          .usually(20, 3000),
       Field{&Input::a, "a", mm, "centre distance"}.positive().usually(20, 2e4).may_be_missing(),
       Field{&Input::L, "L", mm, "datum length of the belt, in place of a"}
           .positive()

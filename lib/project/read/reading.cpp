@@ -46,6 +46,12 @@ std::optional<toml::Tree> number_of(const toml::Tree& tree,
   return number;
 }
 
+bool is_of_record(const Reading& reading, const std::string& path) {
+  const auto fills = [&](const auto& taken) { return taken.of_record && taken.path == path; };
+  return std::any_of(reading.operands.begin(), reading.operands.end(), fills) ||
+         std::any_of(reading.taken.begin(), reading.taken.end(), fills);
+}
+
 Issue missing_field(const Lacking& lacking, const std::string& prefix) {
   const FieldInfo& field = *lacking.field;
   const bool in_unit = field.type == Type::quantity && std::string_view(field.unit) != "-";

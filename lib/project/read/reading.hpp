@@ -115,6 +115,9 @@ std::optional<toml::Tree> number_of(const toml::Tree& tree,
 /// none.
 std::optional<std::string> lone_reference(const toml::Tree& tree);
 
+/// Whether nobody typed the input: the record of another step has it.
+bool is_of_record(const Reading& reading, const std::string& path);
+
 /// That a field has no value.
 Issue missing_field(const Lacking& lacking, const std::string& prefix);
 

@@ -55,6 +55,14 @@ Beside beside_of(const FieldInfo& field) {
   return field.type == FieldInfo::Type::quantity ? beside_of_dimension(field.dimension) : Beside::identity;
 }
 
+bool is_empirical(const FieldInfo& field) {
+  const auto stress = Dimension::of(-1, 1, -2);
+  const bool is_bounded = std::isfinite(field.plausible.low) || std::isfinite(field.plausible.high);
+  return is_bounded && field.type == FieldInfo::Type::quantity && !field.is_load && !field.is_factor &&
+         !field.larger_is_better && *field.searched_in == '\0' &&
+         (field.dimension.is_number() || field.dimension == stress);
+}
+
 double relative_rounding(std::string_view typed) {
   if (typed.starts_with('=')) typed.remove_prefix(1);
   while (typed.starts_with(' ')) typed.remove_prefix(1);
@@ -75,6 +83,7 @@ bool is_equal(Beside beside, double typed, double other, double rounding) {
 }
 
 bool is_bolder(Beside beside, double typed, double other) {
+  if (beside == Beside::usual) return true;
   return beside == Beside::capacity ? typed > other : std::abs(typed) < std::abs(other);
 }
 

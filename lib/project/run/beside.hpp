@@ -14,13 +14,18 @@ enum class Beside {
   identity,  // geometry, kind, numbers: of one part only
   modulus,   // the same, as far as books agree on it
   capacity,  // strengths and ratings: stress, force, moment, power
-  demand     // loads, lengths of which the largest is sought, factors of safety and service
+  demand,    // loads, lengths of which the largest is sought, factors of safety and service
+  usual      // empirical values: within a range that experience gives
 };
 Beside beside_of(const FieldInfo& field);
 /// By the dimension alone: what bears or loads a part is a capacity.
 Beside beside_of_dimension(const Dimension& dimension);
 /// Whether a different value is another part.
 constexpr bool is_of_one_part(Beside beside) { return beside == Beside::identity || beside == Beside::modulus; }
+
+/// Whether experience bounds a field: friction, notch sensitivities, strengths. Not what the engineer chooses: sizes,
+/// loads, speeds, factors of safety and service.
+bool is_empirical(const FieldInfo& field);
 
 /// Half a unit of the last digit of a literal over its number, or of a lone literal behind '='; of another text nothing
 /// but rounding. Never more than 1 %, for "1e2 mm" is no 140 mm.

@@ -145,13 +145,6 @@ bool lacks_checks(const Evaluation& evaluation, const Results& results) {
   });
 }
 
-/// Whether nobody typed the input: the record of another step has it.
-bool is_of_record(const Reading& reading, const std::string& path) {
-  const auto fills = [&](const auto& taken) { return taken.of_record && taken.path == path; };
-  return std::any_of(reading.operands.begin(), reading.operands.end(), fills) ||
-         std::any_of(reading.taken.begin(), reading.taken.end(), fills);
-}
-
 /// Whether a series is so long that trying every input would take minutes.
 bool takes_long(const Record& record) {
   constexpr std::size_t long_series = 100'000;

@@ -3,10 +3,13 @@
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/references/sources.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -24,11 +27,9 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// Whether the user typed it: a record may have filled it.
+/// Whether the user typed it.
 bool is_typed(const Reading& reading, const std::string& path) {
-  const auto fills = [&](const auto& taken) { return taken.of_record && taken.path == path; };
-  return reading.typed.contains(path) && std::none_of(reading.operands.begin(), reading.operands.end(), fills) &&
-         std::none_of(reading.taken.begin(), reading.taken.end(), fills);
+  return reading.typed.contains(path) && !is_of_record(reading, path);
 }
 
 /// The largest value of a column, which is that of the least size; NaN where the row has none.
@@ -182,31 +183,59 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
   });
 }
 
-/// Typed sizes and speeds of the part that the loads come from: a key sits on the shaft whose torque it takes.
+/// Where a source has the largest value of these keys, of the dimension of the field; empty where it has none.
+std::string largest_in(const Source& source, const char* keys, const FieldInfo& field, const Known& known) {
+  std::string largest;
+  for (const std::string& key : listed_keys(keys)) {
+    std::string path = path_in(source, key);
+    if (path.empty()) continue;
+    const Value& value = known(path);
+    const double si = std::abs(largest_magnitude(value));
+    if (std::isnan(si) || value.signature.dimension != field.dimension) continue;
+    if (largest.empty() || si > std::abs(largest_magnitude(known(largest)))) largest = std::move(path);
+  }
+  return largest;
+}
+
+Beside beside_of_source(const FieldInfo& field) {
+  if (*field.same_as_source != '\0') return Beside::identity;
+  return *field.most_of_source != '\0' ? Beside::capacity : Beside::demand;
+}
+
+/// Sizes, speeds and demands of the part that values are taken of: a key sits on the shaft whose torque it takes, a
+/// pair of gears is the stage of its train.
 void add_sources_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
+  std::optional<std::map<std::string, std::string>> sources;
   for (const FieldInfo& field : evaluation.calculator().input->fields) {
-    const bool is_size = *field.most_of_source != '\0';
-    const auto keys = listed_keys(is_size ? field.most_of_source : field.least_of_source);
-    if (keys.empty() || !is_typed(reading, field.key)) continue;
-    std::set<std::string> seen;
-    for (const Operand& operand : reading.operands) {
-      if (!operand.leaf.field->is_load) continue;
-      for (const auto& reference : operand.expression.references()) {
-        const bool is_load = beside_of_dimension(known(reference.path).signature.dimension) == Beside::capacity;
-        const std::string step = split_step(reference.path).first;
-        if (!is_load || !seen.insert(step).second) continue;
-        const auto key = std::find_if(keys.begin(), keys.end(), [&](const std::string& k) {
-          return known(std::string(step).append(".").append(k)).signature.dimension == field.dimension;
-        });
-        if (key == keys.end()) continue;
-        const std::string path = std::string(step).append(".").append(*key);
-        all.push_back({field.key, evaluation.inputs().leaf(field.key), known(path), say("'{1}'", path),
-                       is_size ? Beside::capacity : Beside::demand});
-        all.back().by_size = true;  // at another point the source has another value
-      }
+    const char* const keys = keys_in_sources(field);
+    if (*keys == '\0' || is_of_record(reading, field.key)) continue;
+    const Leaf leaf = evaluation.inputs().leaf(field.key);
+    if (std::isnan(largest_magnitude(evaluation.inputs().value_of(field.key, leaf)))) continue;
+    if (!sources) sources = sources_of(reading);
+    for (const Source& source : *sources) {
+      const std::string path = largest_in(source, keys, field, known);
+      if (path.empty()) continue;
+      all.push_back({field.key, leaf, known(path), say("'{1}'", path), beside_of_source(field)});
+      all.back().by_size = true;  // at another point the source has another value
     }
   }
+}
+
+/// Typed values that are unusual, and the nearest that are not.
+void add_usual_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
+  const Reading& reading = evaluation.step().input().reading;
+  for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
+    const FieldInfo& field = *leaf.field;
+    if (field.get == nullptr || !is_empirical(field) || !is_typed(reading, path)) return;
+    const Value typed = evaluation.inputs().value_of(path, leaf);
+    const auto is_unusual = [&](double x) { return !std::isnan(x) && !field.plausible.holds(x); };
+    if (std::none_of(typed.si.begin(), typed.si.end(), is_unusual)) return;
+    Value usual = typed;
+    for (double& x : usual.si) x = std::isnan(x) ? x : std::clamp(x, field.plausible.low, field.plausible.high);
+    all.push_back({path, leaf, std::move(usual), say("what is usual"), Beside::usual});
+    all.back().by_size = true;  // whether it decides hangs on all other values
+  });
 }
 
 }  // namespace
@@ -217,6 +246,7 @@ std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results
   add_records_beside(evaluation, known, all);
   add_strengths_beside(evaluation, all);
   add_sources_beside(evaluation, known, all);
+  add_usual_beside(evaluation, all);
   std::erase_if(all, [](const Neighbour& beside) { return std::isnan(largest_magnitude(beside.value)); });
   return all;
 }

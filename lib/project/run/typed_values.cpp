@@ -1,5 +1,6 @@
 #include "lib/project/run/typed_values.hpp"
 
+#include "lib/account/rows.hpp"
 #include "lib/project/because.hpp"
 #include "lib/project/run/neighbours.hpp"
 #include "lib/quantity/format.hpp"
@@ -21,10 +22,25 @@ double typed_value(const Evaluation& evaluation, const Neighbour& beside) {
   return largest_magnitude(evaluation.inputs().value_of(beside.path, beside.leaf));
 }
 
+/// By the digits of the text; of a value that is not typed nothing but rounding.
+double rounding_of(const Evaluation& evaluation, const Neighbour& beside) {
+  const auto& typed = evaluation.step().input().reading.typed;
+  const auto text = typed.find(beside.path);
+  return relative_rounding(text == typed.end() ? "" : text->second.text);
+}
+
+/// The first of the typed values that is not usual.
+double unusual_value(const Evaluation& evaluation, const Neighbour& beside) {
+  const Value typed = evaluation.inputs().value_of(beside.path, beside.leaf);
+  const Range& usual = beside.leaf.field->plausible;
+  return *std::find_if(typed.si.begin(), typed.si.end(), [&](double x) { return !std::isnan(x) && !usual.holds(x); });
+}
+
 /// How a value is bolder than it should be: "R_e = 960 MPa, above 225 MPa of the material 'S235JR'".
 Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
   const FieldInfo& field = *beside.leaf.field;
   const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
+  if (beside.kind == Beside::usual) return unusual(beside.path, field, unusual_value(evaluation, beside));
   return beside.kind == Beside::capacity
              ? say("{1} = {2}, above {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source)
              : say("{1} = {2}, below {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
@@ -39,8 +55,8 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
     weighed.compared_by_size = weighed.compared_by_size || beside.by_size;
     if (is_of_one_part(beside.kind)) continue;
     const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
-    const std::string& text = evaluation.step().input().reading.typed.at(beside.path).text;
-    if (std::isnan(typed) || is_equal(beside.kind, typed, other, relative_rounding(text))) continue;
+    const bool is_the_same = std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside));
+    if (is_the_same && beside.kind != Beside::usual) continue;
     if (is_bolder(beside.kind, typed, other)) bolder.push_back(std::move(beside));
   }
   return bolder;
@@ -70,17 +86,42 @@ Results results_with(Evaluation& evaluation, const Neighbour& beside) {
   return results;
 }
 
-/// The checks and limits that come out otherwise with what stands beside the value.
-void mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, WeighedValues& weighed) {
+bool is_verdict(const FieldInfo& field) { return field.role == Role::check || field.role == Role::limit; }
+
+bool is_kept(const ResultSeries& series) {
+  return std::all_of(series.value.si.begin(), series.value.si.end(),
+                     [&](double si) { return account::is_kept(*series.field, si); });
+}
+
+/// Whether a check or limit passes in one and not in the other.
+bool passes_in_the_first_only(const ResultSeries& first, const Results& second) {
+  const auto same = std::find_if(second.series.begin(), second.series.end(),
+                                 [&](const ResultSeries& other) { return other.path == first.path; });
+  return is_kept(first) && same != second.series.end() && !is_kept(*same);
+}
+
+/// The checks and limits that come out otherwise with what stands beside the value; where that is the nearest usual
+/// value, those that pass for it alone. True where results change, and none of them is a check or limit.
+bool mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, Beside kind,
+                  WeighedValues& weighed) {
   bool decides = false, changes = false;
   for (const ResultSeries& series : with_typed.series) {
     if (is_same_in(with_other, series)) continue;
     changes = true;
-    if (series.field->role != Role::check && series.field->role != Role::limit) continue;
+    if (!is_verdict(*series.field)) continue;
     decides = true;
-    weighed.decided.emplace(series.path, bolder);
+    if (kind != Beside::usual || passes_in_the_first_only(series, with_other))
+      weighed.decided.emplace(series.path, bolder);
   }
-  if (changes && !decides && !bolder.wants.empty()) weighed.handed_on.push_back(bolder);
+  return changes && !decides;
+}
+
+/// Whether others conclude something from results of a step that has no verdict of its own: a fatigue limit.
+bool is_concluded_elsewhere(const StepInput& step, const std::set<std::string>& taken) {
+  const auto& fields = step.calculator->result->fields;
+  const auto first = taken.lower_bound(step.name + ".");
+  return std::none_of(fields.begin(), fields.end(), is_verdict) && first != taken.end() &&
+         first->starts_with(step.name + ".");
 }
 
 /// Whether a reason may be about a load that is less than its series (lib/project/references/reductions.hpp).
@@ -109,22 +150,21 @@ bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::v
   for (const Neighbour& beside : neighbours_of(evaluation, {}, known)) {
     if (!is_of_one_part(beside.kind)) continue;
     const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
-    const auto text = step.reading.typed.find(beside.path);
-    if (std::isnan(typed) || is_equal(beside.kind, typed, other, relative_rounding(text->second.text))) continue;
+    if (std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside))) continue;
     const FieldInfo& field = *beside.leaf.field;
     issues.push_back(issue_at(
         step, beside.path,
         say("{1} = {2} contradicts {3}, which has {4}", beside.path, shown(field, typed), beside.source,
             shown(field, other)),
         beside.row_of.empty()
-            ? say("leave out {1}, or what has it", field.key)
+            ? say("one part has one {1}: give it once, or the same in both", field.key)
             : say("leave out {1}; another part is a row of your own: [tables.{2}s.NAME]", field.key, beside.row_of)));
   }
   return issues.size() == before;
 }
 
-WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results, const Known& known, bool tells,
-                                 std::vector<Issue>& issues) {
+WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results, const Known& known,
+                                 const Wanted& wanted, std::vector<Issue>& issues) {
   WeighedValues weighed;
   const StepInput& step = evaluation.step().input();
   std::set<const Typed*> used;
@@ -141,14 +181,16 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
       weighed.reasons.emplace(beside.path, say("{1}: {2}", excess, reason->text));
     }
     weighed.holds_back = weighed.holds_back || (reason == nullptr && has_results);
-    if (!has_results || (reason != nullptr && !tells)) continue;
+    if (!has_results || (reason != nullptr && !wanted.unused)) continue;
     const Bolder bolder = reason != nullptr ? Bolder{"", weighed.reasons.at(beside.path)}
                                             : Bolder{"because." + beside.path,
                                                      say("{1}; say why: because.{2} = \"...\"", excess, beside.path)};
-    mark_decided(results, results_with(evaluation, beside), bolder, weighed);
+    const bool only_changes = mark_decided(results, results_with(evaluation, beside), bolder, beside.kind, weighed);
+    const bool goes_on = beside.kind != Beside::usual || is_concluded_elsewhere(step, wanted.taken);
+    if (only_changes && goes_on && reason == nullptr) weighed.handed_on.push_back(bolder);
   }
   if (!all.empty() && has_results) evaluate_all(evaluation);  // as it was
-  if (tells && has_results && step.reading.varied.empty()) refuse_idle_reasons(step, used, issues);
+  if (wanted.unused && has_results && step.reading.varied.empty()) refuse_idle_reasons(step, used, issues);
   return weighed;
 }
 

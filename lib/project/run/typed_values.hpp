@@ -1,5 +1,6 @@
-// What was typed beside a row of a table, a record, or a strength that bounds it: another part is refused; what is
-// bolder than they say holds back the modes that it decides, until the user says why (lib/project/run/beside.hpp).
+// What was typed beside a row of a table, a record, a strength that bounds it, or the range that is usual: another part
+// is refused; what is bolder than they say holds back the modes that it decides, until the user says why
+// (lib/project/run/beside.hpp).
 #pragma once
 
 #include "lib/project/modes.hpp"
@@ -25,9 +26,9 @@ struct WeighedValues {
 /// may not make another part of it.
 bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::vector<Issue>& issues);
 
-/// Of what is bolder than what stands beside it, the reason is kept, or the modes that it
-/// decides are held back. `tells`: a reason that nothing needs is an issue.
-WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results, const Known& known, bool tells,
-                                 std::vector<Issue>& issues);
+/// Of what is bolder than what stands beside it, the reason is kept, or the modes that it decides are held back. A
+/// reason that nothing needs is an issue, where unused inputs are wanted.
+WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results, const Known& known,
+                                 const Wanted& wanted, std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

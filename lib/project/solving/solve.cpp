@@ -8,6 +8,7 @@
 #include "lib/project/references/order.hpp"
 #include "lib/project/references/reductions.hpp"
 #include "lib/project/references/senses.hpp"
+#include "lib/project/references/sources.hpp"
 #include "lib/project/solving/bodies.hpp"
 #include "lib/project/solving/companions.hpp"
 
@@ -18,9 +19,11 @@ namespace loadpath::project {
 
 namespace {
 
-/// What expectations are held against.
-std::set<std::string> compared_series(const Project& project) {
+/// What expectations are held against, and what inputs are compared with.
+std::set<std::string> compared_values(const Project& project) {
   std::set<std::string> compared;
+  for (const auto& step : project.steps)
+    for_each_compared(step->input(), [&](const std::string& path) { compared.insert(path); });
   for (const Expectation& e : project.expectations) {
     for (const auto& reference : e.value.references()) compared.insert(reference.path);
   }
@@ -77,7 +80,7 @@ void hand_out_warnings(Project& project, const std::vector<Issue>& issues) {
 
 Wanted with_references(const Project& project, Wanted wanted) {
   wanted.taken.merge(taken_series(project));
-  wanted.compared.merge(compared_series(project));
+  wanted.compared.merge(compared_values(project));
   return wanted;
 }
 

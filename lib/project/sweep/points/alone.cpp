@@ -1,5 +1,6 @@
 #include "lib/project/sweep/points/alone.hpp"
 
+#include "lib/project/references/sources.hpp"
 #include "lib/project/run/calculator_step.hpp"
 #include "lib/sweep/nan.hpp"
 
@@ -9,12 +10,15 @@ namespace loadpath::project {
 
 namespace {
 
-/// Whether all that it takes of others are numbers, and no factor that decides what may be combined.
+/// Whether all that it takes of others, or is compared with, are numbers, and no factor that decides what may be
+/// combined.
 bool takes_numbers(const Step& step) {
   const Reading& reading = step.input().reading;
   const auto is_number = [](const Varied& v) { return v.leaf && v.words.empty() && !v.leaf.field->is_factor; };
   const auto is_factor = [](const Operand& o) { return o.leaf.field->is_factor; };
-  return reading.taken.empty() && std::all_of(reading.varied.begin(), reading.varied.end(), is_number) &&
+  const auto is_word = [](const TypedBeside& kept) { return kept.is_word; };
+  return reading.taken.empty() && std::none_of(reading.kept.begin(), reading.kept.end(), is_word) &&
+         std::all_of(reading.varied.begin(), reading.varied.end(), is_number) &&
          std::none_of(reading.operands.begin(), reading.operands.end(), is_factor);
 }
 
@@ -27,7 +31,9 @@ std::unique_ptr<AloneStep> AloneStep::of(Step& step, const Wanted& wanted, const
   const auto* const calculator = dynamic_cast<const CalculatorStep*>(&step);
   if (!takes_numbers(step) || (calculator != nullptr && calculator->leaves_loads())) return nullptr;
   std::unique_ptr<AloneStep> alone(new AloneStep(step, wanted));
-  for_each_reference(step.input().reading, [&](const std::string& path) { alone->refer_to(path, points); });
+  const auto refer_to = [&](const std::string& path) { alone->refer_to(path, points); };
+  for_each_reference(step.input().reading, refer_to);
+  for_each_compared(step.input(), refer_to);
   if (calculator != nullptr) {
     for (const Provided& provided : calculator->provided()) {
       for (const std::string& path : provided.companions) alone->refer_to(path, points);

@@ -1,5 +1,6 @@
 #include "lib/project/sweep/points/fed.hpp"
 
+#include "lib/project/run/beside.hpp"
 #include "lib/project/sweep/points/bounds.hpp"
 
 #include <algorithm>
@@ -8,20 +9,34 @@
 
 namespace loadpath::project {
 
+namespace {
+
+/// Beyond what is usual an empirical value is weighed (lib/project/run/typed_values.hpp), point by point.
+Range accepted_by(const FieldInfo& field) {
+  if (!is_empirical(field)) return field.bounds;
+  Range both = field.bounds;
+  if (field.plausible.low > both.low) both.low = field.plausible.low, both.low_open = false;
+  if (field.plausible.high < both.high) both.high = field.plausible.high, both.high_open = false;
+  return both;
+}
+
+}  // namespace
+
 Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset)
-    : path_(std::move(path)), field_(&field), offset_(offset) {}
+    : path_(std::move(path)), field_(&field), offset_(offset), accepted_(accepted_by(field)) {}
 
 Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset, const Expression& expression, bool is_open,
          const PointColumns& points)
     : path_(std::move(path)),
       field_(&field),
       offset_(offset),
+      accepted_(accepted_by(field)),
       is_open_(is_open),
       expression_(std::in_place, expression, points.signatures) {}
 
 Fed::Fed(std::string path, const FieldInfo& field, std::size_t offset, const std::vector<std::string>& companions,
          const PointColumns& points)
-    : path_(std::move(path)), field_(&field), offset_(offset) {
+    : path_(std::move(path)), field_(&field), offset_(offset), accepted_(accepted_by(field)) {
   for (const std::string& companion : companions) {
     const auto signature = points.signatures.find(companion);
     if (signature != points.signatures.end() && signature->second.dimension == field.dimension)
@@ -39,7 +54,7 @@ void Fed::fill(PointColumns& points, const Axis* axis) {
     fill_from_expression(points, positions);
   else
     fill_from_sweep(points, positions);
-  if (is_open_ || !all_within(field_->bounds, si_)) refuse(points, positions);
+  if (is_open_ || !all_within(accepted_, si_)) refuse(points, positions);
 }
 
 void Fed::fill_from_sweep(PointColumns& points, std::size_t positions) {
@@ -105,7 +120,7 @@ void Fed::fill_from_companions(PointColumns& points, const Axis* axis) {
 void Fed::refuse(PointColumns& points, std::size_t positions) const {
   for (std::size_t i = 0; i < si_.size(); ++i) {
     const bool known = !std::isnan(si_[i]);
-    if (known == is_open_ || (known && !field_->bounds.holds(si_[i]))) points.is_other[i / positions] = 1;
+    if (known == is_open_ || (known && !accepted_.holds(si_[i]))) points.is_other[i / positions] = 1;
   }
 }
 

@@ -31,7 +31,7 @@ class Fed {
   [[nodiscard]] const std::vector<double>& si() const { return si_; }
 
   /// Over the positions of `axis`, which is null where there is one. Points where it has no value, or one that its
-  /// field refuses, become another's.
+  /// field refuses or that is unusual, become another's.
   void fill(PointColumns& points, const Axis* axis);
   /// What others may refer to.
   void tell(PointColumns& points, const Axis* axis) const;
@@ -47,6 +47,7 @@ class Fed {
   std::string path_;  // full
   const FieldInfo* field_;
   std::size_t offset_;  // in the record
+  Range accepted_;      // outside of it a point is another's
   bool is_open_ = false;
   std::optional<PointExpression> expression_;
   std::vector<std::pair<std::string, Value>> companions_;

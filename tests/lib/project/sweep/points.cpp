@@ -118,6 +118,21 @@ TEST_SUITE("points of a sweep") {
     CHECK(swept.column("shaft.tau_max")[0] == swept.column("shaft.tau_max")[2]);
   }
 
+  TEST_CASE("what a step says of the part that it takes its load of is compared at every point") {
+    const auto shaft_modes = [](const std::string& d) {
+      const Swept swept(
+          "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"200 N*m\"\ntau_adm = \"40 MPa\"\nd = \"" + d +
+              "\"\n[key]\ncalculator = \"shaft.key\"\nT = \"=shaft.T\"\ntorque = \"one_way\"\nd = \"50 mm\"\n"
+              "key = \"14x9\"\nl = [\"70 mm\", \"71 mm\"]\nl_n = \"75 mm\"\nR_e_1 = \"370 MPa\"\n"
+              "R_e_2 = \"300 MPa\"\nR_e_k = \"420 MPa\"\n",
+          {"key.u_t"});
+      REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+      return swept.column("key.modes.shaft.state");
+    };
+    CHECK(shaft_modes("50 mm") == std::vector<double>(2, static_cast<double>(account::State::pass)));
+    CHECK(shaft_modes("30 mm") == std::vector<double>(2, static_cast<double>(account::State::not_judged)));
+  }
+
   TEST_CASE("what is wrong with a range is told") {
     const auto fault = [](const std::string& T, const std::string& more = "") {
       return Swept(shaft + "d = \"40 mm\"\nT = " + T + "\n" + more, {}).errors();

@@ -1,20 +1,16 @@
 // Expressions are literals that arrive later: what is written as "=30 mm" says what "30 mm" says.
 #include "calculators/catalogue.hpp"
 #include "lib/project/project.hpp"
-#include "lib/project/read/spread.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
-#include "lib/quantity/expression/expression.hpp"
-#include "lib/quantity/format.hpp"
-#include "lib/quantity/literal.hpp"
 #include "tests/contract/held.hpp"
+#include "tests/contract/numbers.hpp"
 #include "tests/parts.hpp"
 #include "tests/tries.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdio>
 #include <sstream>
 #include <string>
@@ -23,66 +19,8 @@
 namespace {
 
 using namespace loadpath;
+using test::Number;
 using toml::Tree;
-
-/// A number of a project: what leads to it, and the key that it stands under.
-struct Number {
-  std::vector<std::size_t> way;  // entries and items, from the top on
-  std::string name;              // "shaft.pieces[2].l"
-  bool at_once = false;          // of a range, a distribution, a history, a formula: it waits for no other step
-};
-
-Tree& tree_at(Tree& top, const std::vector<std::size_t>& way) {
-  Tree* at = &top;
-  for (const std::size_t i : way) at = at->type == Tree::Type::table ? &at->entries[i].value : &at->items[i];
-  return *at;
-}
-
-bool is_number(const Tree& tree) {
-  if (tree.type == Tree::Type::number) return std::isfinite(tree.number);
-  return tree.type == Tree::Type::text && !tree.text.starts_with('=') && parse_literal(tree.text);
-}
-
-void find_numbers(const Tree& tree, const Number& here, std::vector<Number>& found) {
-  if (is_number(tree)) found.push_back(here);
-  const bool at_once = project::is_grid(tree) || project::is_uncertain(tree) || tree.find("values") != nullptr ||
-                       tree.find("file") != nullptr;
-  const auto enter = [&](const Tree& inner, std::size_t i, const std::string& name) {
-    Number next = here;
-    next.way.push_back(i);
-    next.name += name;
-    next.at_once = here.at_once || (tree.type == Tree::Type::table && at_once);
-    find_numbers(inner, next, found);
-  };
-  for (std::size_t i = 0; i < tree.entries.size(); ++i) enter(tree.entries[i].value, i, "." + tree.entries[i].key);
-  for (std::size_t i = 0; i < tree.items.size(); ++i) enter(tree.items[i], i, "[" + std::to_string(i + 1) + "]");
-}
-
-/// Whether a key of a step is no field of its calculator: a row may be called "6208".
-bool is_beside_fields(const Calculator& calculator, const std::string& key) {
-  constexpr std::string_view beside[] = {"calculator", "template", "title", "note", "display", "accept", "material"};
-  const auto groups = table_groups(calculator);
-  return std::find(std::begin(beside), std::end(beside), key) != std::end(beside) ||
-         std::find(groups.begin(), groups.end(), key) != groups.end();
-}
-
-/// The numbers of all steps of a project.
-std::vector<Number> numbers_of(const Tree& top, const project::Project& project) {
-  std::vector<Number> found;
-  for (std::size_t i = 0; i < top.entries.size(); ++i) {
-    const project::Step* const step = project.find(top.entries[i].key);
-    if (step == nullptr) continue;
-    const Tree& table = top.entries[i].value;
-    for (std::size_t k = 0; k < table.entries.size(); ++k) {
-      const std::string& key = table.entries[k].key;
-      const FieldInfo* const field = find_field(step->input().calculator->input->fields, key);
-      const bool is_formula = field != nullptr && field->type == FieldInfo::Type::formula;
-      if (!is_beside_fields(*step->input().calculator, key))
-        find_numbers(table.entries[k].value, {{i, k}, step->name() + "." + key, is_formula}, found);
-    }
-  }
-  return found;
-}
 
 void show(const Value& value, std::ostream& to) {
   for (const double si : value.si) {
@@ -128,15 +66,6 @@ std::string solved(const Tree& tree, const std::string& file) {
   return shown(project, issues);
 }
 
-/// The text of an expression that is this number.
-std::string expression_of(const Tree& number) {
-  const std::string text = number.type == Tree::Type::number ? format_exact(number.number) : number.text;
-  if (Expression::parse(text)) return "=" + text;
-  const auto literal = parse_literal(text);  // "1 200 mm", "2,5 kN" are no expressions
-  const std::string unit = si_unit(literal->dimension);
-  return "=" + format_exact(literal->si) + (unit.empty() ? "" : " " + unit);
-}
-
 /// The first line in which two texts differ.
 std::string difference(const std::string& a, const std::string& b) {
   std::istringstream in_a(a), in_b(b);
@@ -150,23 +79,6 @@ std::string difference(const std::string& a, const std::string& b) {
   }
 }
 
-/// A step beside the others: what refers to it waits until it is solved.
-constexpr std::string_view other_step = "contract_one";
-
-Tree with_other_step(const Tree& tree) {
-  std::vector<Issue> issues;
-  Tree other = toml::read_toml("[contract_one]\ncalculator = \"section.circle\"\nd = \"1 mm\"\n", "", issues);
-  Tree both = tree;
-  both.entries.push_back(other.entries.front());
-  return both;
-}
-
-/// "=30 mm", and as a value that is known later: "=(30 mm)*(contract_one.d/contract_one.d)".
-std::string waiting(const std::string& expression) {
-  const std::string d = std::string(other_step) + ".d";
-  return "=(" + expression.substr(1) + ")*(" + d + "/" + d + ")";
-}
-
 struct Share {
   std::size_t at = 0, every = 1, replaced = 0;
 };
@@ -176,13 +88,13 @@ void replace_numbers(const test::Known& known, bool waits, Share& share) {
   std::vector<Issue> issues;
   Tree tree = toml::read_toml(known.text, known.file, issues);
   const project::Project project = project::read_project(tree, known.file, catalogue(), issues, project::Ranges::taken);
-  if (waits) tree = with_other_step(tree);
+  if (waits) tree = test::with_other_step(tree);
   const std::string before = solved(tree, known.file);
-  for (const Number& number : numbers_of(tree, project)) {
+  for (const Number& number : test::numbers_of(tree, project)) {
     if ((waits && number.at_once) || share.at++ % share.every != 0) continue;
     Tree other = tree;
-    Tree& written = tree_at(other, number.way);
-    const std::string expression = expression_of(written), text = waits ? waiting(expression) : expression;
+    Tree& written = test::tree_at(other, number.way);
+    const std::string expression = test::expression_of(written), text = waits ? test::waiting(expression) : expression;
     written.type = Tree::Type::text;
     written.text = text;
     const std::string after = solved(other, known.file);

@@ -1,0 +1,32 @@
+// The numbers of a project as they are typed, and what may be written in their place.
+#pragma once
+
+#include "lib/project/project.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath::test {
+
+/// A number of a project: what leads to it, and the key that it stands under.
+struct Number {
+  std::vector<std::size_t> way;  // entries and items, from the top on
+  std::string name;              // "shaft.pieces[2].l"
+  bool at_once = false;          // of a range, a distribution, a history, a formula: it waits for no other step
+};
+
+toml::Tree& tree_at(toml::Tree& top, const std::vector<std::size_t>& way);
+/// The numbers of all steps of a project.
+std::vector<Number> numbers_of(const toml::Tree& top, const project::Project& project);
+
+/// The text of an expression that is this number.
+std::string expression_of(const toml::Tree& number);
+
+/// A project with one more step; what refers to it waits until it is solved.
+toml::Tree with_other_step(const toml::Tree& tree);
+/// "=30 mm" as a value that is known later: "=(30 mm)*(contract_one.h/contract_one.h)".
+std::string waiting(const std::string& expression);
+
+}  // namespace loadpath::test

@@ -40,6 +40,7 @@ template <class Result>
 void hand_over(Moment T_1, Moment T_2, const ShaftForces& pull, Length d_1, Length d_2, AngularSpeed n_1, Result& r) {
   r.shaft_1 = shaft_load(T_1, pull, d_1, n_1, 0.0);
   r.shaft_2 = shaft_load(T_2, pull, d_2, r.n_2, 0.0);
+  r.shaft_1.kind = r.shaft_2.kind = Mounted::pulley;
 }
 
 }  // namespace loadpath::belt

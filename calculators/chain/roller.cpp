@@ -58,6 +58,9 @@ void speeds(const Input& in, Result& r, Tracer& trace) {
   }
 }
 
+/// Roller diameters of ISO 606 are up to 0.67 of the pitch, [Donghua]; the root circle is that of the pitch less one.
+constexpr double thickest_roller = 0.67;
+
 template <class Tracer>
 Moment torque(const Input& in, Tracer& trace) {
   if (!is_set(in.P)) return in.T_1;
@@ -82,6 +85,9 @@ void pulls(const Input& in, Result& r, Tracer& trace) {
   const Force none = 0.0 * N.one;
   r.shaft_1 = shaft_load(in.K_A * r.T_1, {F_W, none, none}, r.d_1, in.n_1, 0.0);
   r.shaft_2 = shaft_load(in.K_A * T_2, {F_W, none, none}, r.d_2, r.n_2, 0.0);
+  const Length roller = thickest_roller * in.p;
+  r.shaft_1.d_f = r.d_1 - roller, r.shaft_2.d_f = r.d_2 - roller;
+  r.shaft_1.kind = r.shaft_2.kind = Mounted::sprocket;
 }
 
 template <class Tracer>

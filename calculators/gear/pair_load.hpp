@@ -29,9 +29,10 @@ inline void hand_over(const PairInput& in, Moment T_1, double w, PairResult& r) 
   const double K_A = in.K_A, to_2 = K_A * sign_of(in.mesh);
   r.gear_1 = shaft_load(K_A * T_1, {to_2 * r.F_x1, to_2 * r.F_y1, K_A * r.F_z1}, r.d_w1, w * in.n_1, sign_of(in.mesh));
   r.gear_1.d_f = r.d_f1, r.gear_1.h_t = (r.d_a1 - r.d_f1) / 2.0;
+  r.gear_1.kind = Mounted::gear, r.gear_1.b_r = r.b, r.gear_1.bore = in.bore_1;
   if (in.mesh == Mesh::rack) return;
   r.gear_2 = shaft_load(K_A * r.T_2, {-to_2 * r.F_x2, -to_2 * r.F_y2, K_A * r.F_z2}, r.d_w2, w * r.n_2);
-  r.gear_2.d_f = unset<Length>;
+  r.gear_2.d_f = unset<Length>, r.gear_2.kind = Mounted::gear, r.gear_2.b_r = r.b, r.gear_2.bore = in.bore_2;
   if (in.mesh == Mesh::external) r.gear_2.d_f = r.d_f2, r.gear_2.h_t = (r.d_a2 - r.d_f2) / 2.0;
 }
 

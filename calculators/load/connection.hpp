@@ -2,20 +2,39 @@
 // press fits, set screws and pins across the shaft give it.
 #pragma once
 
+#include "calculators/load/hub.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/drive_units.hpp"
 #include "lib/quantity/units.hpp"
 
 namespace loadpath {
 
+/// What fastens a hub.
+enum class Fastening { unsaid, key, two_keys, spline, press_fit, set_screw, pin };
+
+constexpr auto choices_of(Fastening) {
+  using F = Fastening;
+  return std::array{ChoiceName<F>{F::unsaid, "unsaid", "not said"},
+                    ChoiceName<F>{F::key, "key", "a parallel key"},
+                    ChoiceName<F>{F::two_keys, "two_keys", "two parallel keys"},
+                    ChoiceName<F>{F::spline, "spline", "a spline"},
+                    ChoiceName<F>{F::press_fit, "press_fit", "an interference fit"},
+                    ChoiceName<F>{F::set_screw, "set_screw", "set screws"},
+                    ChoiceName<F>{F::pin, "pin", "a pin across the shaft"}};
+}
+
 struct Connection {
+  Fastening fastening = Fastening::unsaid;
   Moment T_c = unset<Moment>, T_peak = unset<Moment>;
   Force F_c = unset<Force>;
   Length d_c = unset<Length>, b_c = unset<Length>, l_c = unset<Length>, t_c = unset<Length>;
+  Length D_c = unset<Length>;
+  AngularSpeed n_c = unset<AngularSpeed>;
   double r_c = unset<double>;
   Stress R_c = unset<Stress>;
 
   static constexpr Fields fields{
+      Choice{&Connection::fastening, "fastening", "what it is"},
       Field{&Connection::T_c, "T_c", N_m, "torque that the connection is assessed for"}.holding("K_A"),
       Field{&Connection::T_peak, "T_peak", N_m, "the same of a start or a jam"}.holding("K_A"),
       Field{&Connection::F_c, "F_c", N, "force along the shaft that it is assessed for"}.holding("K_A"),
@@ -23,26 +42,21 @@ struct Connection {
       Field{&Connection::b_c, "b_c", mm, "bore of the shaft that it is calculated with"},
       Field{&Connection::l_c, "l_c", mm, "its length along the shaft"},
       Field{&Connection::t_c, "t_c", mm, "depth of the keyway in the hub"},
+      Field{&Connection::D_c, "D_c", mm, "outer diameter of the hub that it is calculated with"},
+      Field{&Connection::n_c, "n_c", rpm, "speed up to which its interference is assessed"},
       Field{&Connection::r_c, "r_c", ratio, "least over largest torque that it is assessed for"},
       Field{&Connection::R_c, "R_c", MPa, "yield strength of the shaft that it is calculated with"}};
 };
 
 /// Of a torque with the service factor, which may be of zero: that fastens nothing.
-inline Connection connection_for(Moment T, Length d, Length bore) {
+inline Connection connection_for(Fastening fastening, Moment T, Length d, Length bore) {
   Connection c;
+  c.fastening = fastening;
   c.T_c = c.T_peak = T > 0.0 * N_m.one ? T : unset<Moment>;
   c.F_c = 0.0 * N.one, c.d_c = d, c.b_c = bore;
   return c;
 }
 
 inline constexpr const char* connection_doc = "what fastens the hub, for a seat of shaft.design: connection";
-
-/// The root circle of the gear, the sprocket or the pulley that is fastened: it comes with the load.
-template <class Input>
-constexpr auto hub_root() {
-  return Field<Input, Length>{&Input::d_f, "d_f", mm, "root circle of what is fastened, or its working diameter"}
-      .positive()
-      .may_be_missing();
-}
 
 }  // namespace loadpath

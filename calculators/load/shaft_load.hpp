@@ -2,6 +2,7 @@
 // drives of mechanisms give it.
 #pragma once
 
+#include "calculators/load/hub.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/drive_units.hpp"
 #include "lib/quantity/units.hpp"
@@ -19,7 +20,8 @@ struct ShaftLoad {
   Force F = unset<Force>, F_x = unset<Force>, F_y = unset<Force>, F_z = unset<Force>;
   Length d_w = unset<Length>, x_w = unset<Length>;
   AngularSpeed n = unset<AngularSpeed>;
-  Length d_f = unset<Length>, h_t = unset<Length>;
+  Length d_f = unset<Length>, h_t = unset<Length>, b_r = unset<Length>, bore = unset<Length>;
+  Mounted kind = Mounted::unsaid;
 
   static constexpr Fields fields{
       Field{&ShaftLoad::T, "T", N_m, "torque, with the service factor"}.load().with("F|F_x|F_y, F_z").holding("K_A"),
@@ -40,8 +42,12 @@ struct ShaftLoad {
       Field{&ShaftLoad::x_w, "x_w", mm, "from the axis to the point where the forces act, along x"},
       Field{&ShaftLoad::n, "n", rpm, "speed of the shaft; of gears counter-clockwise positive"},
       Field{&ShaftLoad::d_f, "d_f", mm,
-            "root circle of an external gear; of other drives the diameter that the forces act at"},
-      Field{&ShaftLoad::h_t, "h_t", mm, "of an external gear: height of its teeth"}};
+            "root circle of an external gear or a sprocket, groove bottom of a V-belt pulley; else the diameter that "
+            "the forces act at"},
+      Field{&ShaftLoad::h_t, "h_t", mm, "of an external gear: height of its teeth"},
+      Field{&ShaftLoad::b_r, "b_r", mm, "rim width of a gear, a pulley"},
+      Field{&ShaftLoad::bore, "bore", mm, "bore of a gear"},
+      Choice{&ShaftLoad::kind, "kind", "what gives it"}};
 };
 
 /// Forces on a shaft in its own frame.
@@ -52,8 +58,11 @@ struct ShaftForces {
 /// Of design loads, with the service factor. `side`: 1 where they act at the point next to the mate, -1 at the one away
 /// from it, as on a wheel in a ring, 0 at the axis, as the pull of a belt.
 inline ShaftLoad shaft_load(Moment T, const ShaftForces& own, Length d_w, AngularSpeed n, double side = 1.0) {
-  return {abs(T),       sqrt(own.x * own.x + own.y * own.y), own.x, own.y, own.z, d_w, side * d_w / 2.0, n, d_w,
-          unset<Length>};
+  ShaftLoad load;
+  load.T = abs(T), load.F = sqrt(own.x * own.x + own.y * own.y);
+  load.F_x = own.x, load.F_y = own.y, load.F_z = own.z;
+  load.d_w = load.d_f = d_w, load.x_w = side * d_w / 2.0, load.n = n;
+  return load;
 }
 
 }  // namespace loadpath

@@ -54,7 +54,7 @@ Cross::Result Cross::evaluate(const Input& in, Tracer& trace) {
   if (is_set(in.R_m) && !is_set(in.tau_adm))
     compare_with_steel(in.E, r, "the shares of R_m are those of steels", trace);
   STEP_TO(r, x_d, in.d / in.d_w, "pins of 0.2 to 0.3 of the shaft are usual, [RM-9]");
-  r.connection = connection_for(T_d, in.d_w, 0.0 * mm);
+  r.connection = connection_for(Fastening::pin, T_d, in.d_w, 0.0 * mm);
   if (in.loading != Loading::unsaid)
     r.connection.r_c = in.loading == Loading::steady ? 1.0 : in.loading == Loading::pulsating ? 0.0 : -1.0;
   return r;

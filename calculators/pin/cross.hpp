@@ -11,6 +11,7 @@
 #include "calculators/load/steel.hpp"
 #include "calculators/pin/loading.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
@@ -45,7 +46,7 @@ tau_adm_1 = "40 MPa"
 )";
 
   struct Input {
-    Length d_f = unset<Length>;
+    Length d_f = unset<Length>, h_t = unset<Length>, b_r = unset<Length>, bore = unset<Length>;
     Moment T = unset<Moment>;
     double K_A = 1.0;
     Loading loading = Loading::unsaid;
@@ -57,41 +58,45 @@ tau_adm_1 = "40 MPa"
   static Applies varies(const Input& in);
   static Applies may_vary(const Input& in);
   static Applies shaft_varies(const Input& in);
-  static constexpr Fields inputs{
-      hub_root<Input>(),
-      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-      Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
-          .at_least(1)
-          .usually(1, 4)
-          .factor(),
-      Choice{&Input::loading, "loading", "how the torque varies"}.may_be_missing(),
-      Field{&Input::d, "d", mm, "diameter of the pin; of a taper pin the mean one"}.positive().usually(1, 100),
-      Field{&Input::d_w, "d_w", mm, "diameter of the shaft"}.own().positive().usually(4, 500).at_most_that_of_source(
-          "d, d_max"),
-      Field{&Input::D, "D", mm, "outer diameter of the hub"}.positive().usually(6, 1000),
-      Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
-          .positive()
-          .usually(200, 2500)
-          .from("material", "R_m", "d")
-          .where_it_has(),
-      modulus_of_material(&Input::E),
-      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress of the pin under this loading, in place of R_m"}
-          .positive()
-          .usually(5, 1000)
-          .may_be_missing(),
-      Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure in the shaft"}
-          .positive()
-          .usually(5, 1000)
-          .may_be_missing(),
-      Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable pressure in the hub"}
-          .positive()
-          .usually(5, 1000)
-          .may_be_missing(),
-      Field{&Input::tau_adm_1, "tau_adm_1", MPa, "allowable torsional stress of the shaft beside the hole"}
-          .positive()
-          .usually(5, 1000)
-          .may_be_missing()};
+  static constexpr auto inputs = join(
+      hub_inputs<Input>(),
+      Fields{RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+             Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
+             Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
+                 .at_least(1)
+                 .usually(1, 4)
+                 .factor(),
+             Choice{&Input::loading, "loading", "how the torque varies"}.may_be_missing(),
+             Field{&Input::d, "d", mm, "diameter of the pin; of a taper pin the mean one"}.positive().usually(1, 100),
+             Field{&Input::d_w, "d_w", mm, "diameter of the shaft"}
+                 .own()
+                 .positive()
+                 .usually(4, 500)
+                 .at_most_that_of_source("d, d_max"),
+             Field{&Input::D, "D", mm, "outer diameter of the hub"}.positive().usually(6, 1000),
+             Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
+                 .positive()
+                 .usually(200, 2500)
+                 .from("material", "R_m", "d")
+                 .where_it_has(),
+             modulus_of_material(&Input::E),
+             Field{&Input::tau_adm, "tau_adm", MPa,
+                   "allowable shear stress of the pin under this loading, in place of R_m"}
+                 .positive()
+                 .usually(5, 1000)
+                 .may_be_missing(),
+             Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure in the shaft"}
+                 .positive()
+                 .usually(5, 1000)
+                 .may_be_missing(),
+             Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable pressure in the hub"}
+                 .positive()
+                 .usually(5, 1000)
+                 .may_be_missing(),
+             Field{&Input::tau_adm_1, "tau_adm_1", MPa, "allowable torsional stress of the shaft beside the hole"}
+                 .positive()
+                 .usually(5, 1000)
+                 .may_be_missing()});
 
   struct Result {
     Moment T_d = unset<Moment>;
@@ -118,7 +123,10 @@ tau_adm_1 = "40 MPa"
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d_w < in.d_f; }, "d_f, d_w",
                   "the shaft is thicker than the root circle of what sits on it"},
-
+      Rule<Input>{[](const Input& in) { return !(in.D > 1.000001 * in.d_f) || in.d_w >= in.d_f; }, "D, d_f",
+                  "the hub is thicker than the root circle of what it carries"},
+      Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d_w); }, "bore, d_w",
+                  "the bore of what is fastened must be the diameter of the shaft"},
       Rule<Input>{[](const Input& in) { return in.d < in.d_w; }, "d, d_w", "the pin must be thinner than the shaft"},
       Rule<Input>{[](const Input& in) { return in.d_w < in.D; }, "D, d_w", "the hub must be thicker than the shaft"},
       Rule<Input>{

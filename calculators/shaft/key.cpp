@@ -63,6 +63,15 @@ void torsion_of_shaft(const Input& in, Result& r, Tracer& trace) {
   }
 }
 
+/// The hub over its seat, which is deeper than the key stands out of the shaft.
+template <class Tracer>
+void wall_of(const Input& in, Result& r, Tracer& trace) {
+  if (!is_set(in.d_f)) return;
+  const Length s_N = wall_under_root(in, in.d, is_set(in.t_2) ? in.t_2 : in.h - in.t_1, r, trace);
+  STEP(t_n, is_set(in.t_2) ? in.t_2 : in.h - in.t_1, "depth of the keyway");
+  STEP_TO(r, x_R, t_n / s_N, "a wall as thick as the keyway is deep is left");
+}
+
 /// What fits: shaft, hub, seats.
 template <class Tracer>
 void fits(const Input& in, Result& r, Tracer& trace) {
@@ -101,7 +110,8 @@ Key::Result Key::evaluate(const Input& in, Tracer& trace) {
   reversal(in, r, trace);
   torsion_of_shaft(in, r, trace);
   fits(in, r, trace);
-  r.connection = connection_for(in.K_A * abs(in.T), in.d, in.d_bore);
+  wall_of(in, r, trace);
+  r.connection = connection_for(in.i == 2 ? Fastening::two_keys : Fastening::key, in.K_A * abs(in.T), in.d, in.d_bore);
   r.connection.T_peak = r.T_eq, r.connection.l_c = in.l, r.connection.t_c = in.t_2;
   r.connection.r_c = least_ratio(in.torque);
   if (is_set(in.R_e_1)) r.connection.R_c = in.R_e_1;

@@ -27,8 +27,8 @@ struct Key {
   static constexpr auto title = "Parallel key";
   static constexpr auto scope =
       "Pressure on the sides of one key or two in shaft and hub, on the key itself, its shear; whether the key belongs "
-      "to the shaft, and bears in the hub. The shaft at the end of its seat, fretting and the hub's wall are not "
-      "covered.";
+      "to the shaft, and bears in the hub; the wall of the hub under the root circle of a gear, sprocket or pulley. "
+      "The shaft at the end of its seat and fretting are not covered.";
   static constexpr auto source = "[DIN6892], [Mises]";
   static constexpr auto example = R"([project]
 title = "Wheel on a shaft of 50 mm"
@@ -50,7 +50,7 @@ R_e_k = "420 MPa"
   enum class Form { A, B };
 
   struct Input {
-    Length d_f = unset<Length>;
+    Length d_f = unset<Length>, h_t = unset<Length>, b_r = unset<Length>, bore = unset<Length>;
     Moment T = unset<Moment>, T_max = unset<Moment>;
     Sense torque = Sense::unknown;
     double K_A = 1.0;
@@ -68,9 +68,8 @@ R_e_k = "420 MPa"
   static Length core(const Input& in) { return in.d - (in.i > 1 ? 2.0 : 1.0) * in.t_1; }
   static Applies twisted(const Input& in);
   static constexpr Fields inputs = join(
-      torque_inputs<Input>(),
+      torque_inputs<Input>(), hub_inputs<Input>(),
       Fields{
-          hub_root<Input>(),
           Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(6, 500).at_most_that_of_source(
               "d, d_max"),
           Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
@@ -138,6 +137,7 @@ R_e_k = "420 MPa"
     double u_n = unset<double>, x_l = unset<double>, x_d = unset<double>, x_h = unset<double>, x_w = unset<double>;
     Stress tau_t = unset<Stress>;
     double u_t = unset<double>, x_b = unset<double>, x_t = unset<double>;
+    double m_R = unset<double>, x_R = unset<double>;
     KeyNotch notch;
     Connection connection;
   };
@@ -181,6 +181,8 @@ R_e_k = "420 MPa"
       Field{&Result::x_w, "x_w", ratio, "depth of the seat over the wall that it leaves of a hollow shaft, own bound"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
+      rim_of_gear<Result>(),
+      wall_of_hub<Result>("keyway depth / wall of the hub that it leaves under the root circle, own bound"),
       Group{&Result::notch, "notch", "the end of its seat, for a notch of shaft.design: part"}.handed_over(),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
@@ -192,7 +194,8 @@ R_e_k = "420 MPa"
                       },
                       "d_f, d, t_2",
                       "the shaft and the keyway in the hub are deeper than the root circle of what sits on it"},
-
+          Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
+                      "the bore of what is fastened must be the diameter of the shaft"},
           Rule<Input>{&sizes_given, "b, h, t_1", "give a key: key = \"14x9\", or b, h and t_1"},
           Rule<Input>{[](const Input& in) { return !sizes_given(in) || in.t_1 < in.h; }, "t_1, h",
                       "the seat in the shaft must be less deep than the key is high"},
@@ -237,7 +240,8 @@ R_e_k = "420 MPa"
       Mode<Input>{"seat", "a hub that shifts or tilts by the forces that come with the torque: no key holds it",
                   &unseen<Input>}
           .by_companions(),
-      Mode<Input>{"wall", "the wall of the hub above its seat", &unseen<Input>},
+      Mode<Input>{"wall", "the wall of the hub above its seat", &has_root<Input>}.judged_by("m_R, x_R").of_shape(),
+      overhang<Input>(),
       Mode<Input>{"fretting", "fretting of the seat", &unseen<Input>}.special(),
       Mode<Input>{"balance", "imbalance by a single key at a high speed", &unseen<Input>}.special()};
 

@@ -14,6 +14,9 @@ using Result = PressFit::Result;
 
 constexpr Length none = 0.0 * mm.one;
 
+/// Of a disc that turns: the hoop stress at its surface, [Lame]; at the bore of the hub, and at a shaft in its hub.
+constexpr const char* of_disc = "hoop stress by its own rotation where they meet, [Lame]";
+
 /// Smallest and largest usable interference, cold or in service.
 template <class Tracer>
 void interferences(const Input& in, Result& r, Tracer& trace) {
@@ -23,17 +26,40 @@ void interferences(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, U_w_max, max(in.U_max - U_G - min(U_T, 0.0 * mm), 0.0 * mm), "usable, cold or in service");
 }
 
+/// What both grow by where they meet: the hub more than the shaft.
+template <class Tracer>
+void growth(const Input& in, Result& r, Tracer& trace) {
+  if (!PressFit::is_at_speed(in)) return;
+  const Length U_w_min = r.U_w_min;
+  STEP(sigma_r1, in.rho_1 * pow<2>(in.n) / 16.0 * ((3.0 + in.nu_1) * pow<2>(in.d_i) + (1.0 - in.nu_1) * pow<2>(in.d)),
+       of_disc);
+  STEP(sigma_r2, in.rho_2 * pow<2>(in.n) / 16.0 * ((3.0 + in.nu_2) * pow<2>(in.D) + (1.0 - in.nu_2) * pow<2>(in.d)),
+       of_disc);
+  STEP_TO(r, U_n, in.d * (sigma_r2 / in.E_2 - sigma_r1 / in.E_1), "the hub grows away from its shaft");
+  STEP_TO(r, u_n, max(U_n, 0.0 * mm) / U_w_min, "of what is there at rest");
+}
+
 /// The pressure under which both rings give way by the interference, [Lame].
 template <class Tracer>
 void pressures(const Input& in, Result& r, Tracer& trace) {
   interferences(in, r, trace);
+  growth(in, r, trace);
   STEP_TO(r, Q_1, in.d_i / in.d, "bore of the shaft over the fit");
   STEP_TO(r, Q_2, in.d / in.D, "fit over the outer diameter of the hub");
   STEP(K_1, (1.0 + pow<2>(Q_1)) / (1.0 - pow<2>(Q_1)) - in.nu_1, "shaft under pressure outside, [Lame]");
   STEP(K_2, (1.0 + pow<2>(Q_2)) / (1.0 - pow<2>(Q_2)) + in.nu_2, "hub under pressure inside, [Lame]");
   const Length U_w_min = r.U_w_min, U_w_max = r.U_w_max;
-  STEP_TO(r, p_min, U_w_min / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "smallest pressure, [Lame]");
-  STEP_TO(r, p_max, U_w_max / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "largest pressure, [Lame]");
+  if (!is_set(r.U_n)) {
+    STEP_TO(r, p_min, U_w_min / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "smallest pressure, [Lame]");
+    STEP_TO(r, p_max, U_w_max / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "largest pressure, [Lame]");
+    return;
+  }
+  const Length U_n = r.U_n;
+  STEP_TO(r, p_min, max(U_w_min - max(U_n, 0.0 * mm), 0.0 * mm) / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)),
+          "smallest pressure, at rest or at speed, [Lame]");
+  STEP_TO(r, p_max, U_w_max / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "largest pressure at rest, [Lame]");
+  STEP_TO(r, p_n, max(U_w_max - U_n, 0.0 * mm) / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)),
+          "largest pressure at speed, [Lame]");
 }
 
 template <class Tracer>
@@ -46,12 +72,13 @@ void slip(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.mu)) return;
   STEP_TO(r, F_slip, pi * in.d * in.l * in.mu * r.p_min, "friction over the fit");
   STEP_TO(r, T_slip, F_slip * in.d / 2.0, "alone");
-  if (!is_set(in.S_r) || !is_set(in.T)) return;
+  if (!is_set(in.S_r) || !is_set(in.T) || !(F_slip > 0.0 * N)) return;
   STEP_TO(r, u_s, in.S_r * r.F_res / F_slip, "against slip");
 }
 
+/// At rest, by the largest pressure.
 template <class Tracer>
-void yield(const Input& in, Result& r, Tracer& trace) {
+void stresses(const Input& in, Result& r, Tracer& trace) {
   const Stress p_max = r.p_max;
   const double Q_1 = r.Q_1, Q_2 = r.Q_2;
   STEP_TO(r, sigma_t2, p_max * (1.0 + pow<2>(Q_2)) / (1.0 - pow<2>(Q_2)), "at the bore of the hub, [Lame]");
@@ -59,7 +86,36 @@ void yield(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(
       r, sigma_1, in.d_i > 0.0 * mm ? 2.0 * p_max / (1.0 - pow<2>(Q_1)) : p_max,
       in.d_i > none ? "Tresca: hoop at the bore of a hollow shaft, [Lame]" : "Tresca: a solid shaft, pressed alike");
+}
+
+/// At speed the pressure falls and the hoop stress of the rotation comes; both go with its square, so that one of the
+/// two ends is the worst.
+template <class Tracer>
+void stresses_at_speed(const Input& in, Result& r, Tracer& trace) {
+  if (!is_set(r.U_n)) return;
+  const Stress p_n = r.p_n, sigma_rest1 = trace.value("sigma_rest1", r.sigma_1, "at rest"),
+               sigma_rest2 = trace.value("sigma_rest2", r.sigma_2, "at rest");
+  const double Q_1 = r.Q_1, Q_2 = r.Q_2;
+  STEP(sigma_n2,
+       2.0 * p_n / (1.0 - pow<2>(Q_2)) +
+           in.rho_2 * pow<2>(in.n) / 16.0 * ((3.0 + in.nu_2) * pow<2>(in.D) + (1.0 - in.nu_2) * pow<2>(in.d)),
+       "Tresca at the bore of the hub at speed");
+  STEP_TO(r, sigma_2, max(sigma_rest2, sigma_n2), "the larger one");
+  STEP(sigma_n1,
+       in.d_i > 0.0 * mm
+           ? abs(in.rho_1 * pow<2>(in.n) / 16.0 * ((3.0 + in.nu_1) * pow<2>(in.d) + (1.0 - in.nu_1) * pow<2>(in.d_i)) -
+                 2.0 * p_n / (1.0 - pow<2>(Q_1)))
+           : abs(in.rho_1 * pow<2>(in.n) / 32.0 * (3.0 + in.nu_1) * pow<2>(in.d) - p_n),
+       "Tresca of the shaft at speed, at its bore or its axis");
+  STEP_TO(r, sigma_1, max(sigma_rest1, sigma_n1), "the larger one");
+}
+
+template <class Tracer>
+void yield(const Input& in, Result& r, Tracer& trace) {
+  stresses(in, r, trace);
+  stresses_at_speed(in, r, trace);
   if (!is_set(in.S_F)) return;
+  const Stress sigma_1 = r.sigma_1, sigma_2 = r.sigma_2;
   STEP_TO(r, u_1, in.S_F * sigma_1 / in.R_e_1, "shaft against yield");
   STEP_TO(r, u_2, in.S_F * sigma_2 / in.R_e_2, "hub against yield");
 }
@@ -86,6 +142,21 @@ void assembly(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, dT_A, (in.U_max + in.U_c) / (in.alpha_2 * in.d), "hub wider by the interference and the clearance");
   if (!is_set(in.dT_adm)) return;
   STEP_TO(r, u_A, dT_A / in.dT_adm, "against what the hub allows");
+}
+
+/// Up to which speed the fit is assessed: the one that is given, else the one that takes a hundredth of its smallest
+/// interference; none where nothing tells how heavy it is.
+AngularSpeed assessed_speed(const Input& in, const Result& r) {
+  if (is_set(r.U_n)) return abs(in.n);
+  if (!is_set(in.rho_1) || !is_set(in.rho_2)) return 0.0 * rpm.one;
+  constexpr double negligible = 0.01;
+  Input turning = in;
+  turning.n = rpm.one;
+  Result grown;
+  grown.U_w_min = r.U_w_min;
+  NoTrace quiet;
+  growth(turning, grown, quiet);
+  return grown.U_n > none ? sqrt(negligible * r.U_w_min / grown.U_n) * rpm.one : unset<AngularSpeed>;
 }
 
 }  // namespace
@@ -126,8 +197,9 @@ PressFit::Result PressFit::evaluate(const Input& in, Tracer& trace) {
   yield(in, r, trace);
   torsion_of_shaft(in, r, trace);
   assembly(in, r, trace);
-  if (is_set(in.T)) r.connection = connection_for(in.K_A * abs(in.T), in.d, in.d_i);
-  r.connection.l_c = in.l;
+  if (is_set(in.d_f)) wall_under_root(in, in.d, 0.0 * mm, r, trace);
+  if (is_set(in.T)) r.connection = connection_for(Fastening::press_fit, in.K_A * abs(in.T), in.d, in.d_i);
+  r.connection.l_c = in.l, r.connection.D_c = in.D, r.connection.n_c = assessed_speed(in, r);
   if (is_set(in.F_z)) r.connection.F_c = in.K_A * abs(in.F_z);
   if (is_set(in.R_e_1)) r.connection.R_c = in.R_e_1;
   return r;

@@ -3,19 +3,21 @@
 // Decides the pressure of two rings by [Lame] from the usable interference, U less 0.8 of both roughnesses [DIN7190];
 // the torque and the axial force that its friction holds, which act at the same place and add as vectors, from U_min;
 // the equivalent stress by Tresca at the bore of the hub, and at the surface of a solid or the bore of a hollow shaft,
-// from U_max. A hub that gets warmer than its shaft loses interference, dT_1 and dT_2; a cooler one gains it. Both
-// states count, cold and warm. Interferences are of the diameter. Elastic rings of one length.
-// Not covered: yielding fits, the edge of the hub, bending that opens it, speed that opens it, stepped hubs, creep,
-// the shear by the torque.
+// from U_max. A hub that gets warmer than its shaft loses interference, dT_1 and dT_2; a cooler one gains it. At a
+// speed n both grow as discs do, [Lame], the hub more. All states count: cold and warm, at rest and at speed.
+// Interferences are of the diameter. Elastic rings of one length. Not covered: yielding fits, the edge of the hub,
+// bending that opens it, stepped hubs, creep, the shear by the torque.
 #pragma once
 
 #include "calculators/load/connection.hpp"
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
+#include "lib/quantity/drive_units.hpp"
 #include "lib/quantity/fit_units.hpp"
 #include "lib/text/issue.hpp"
 
@@ -28,8 +30,8 @@ struct PressFit {
   static constexpr auto title = "Press fit";
   static constexpr auto scope =
       "Pressure between shaft and hub, elastic, from the smallest and from the largest interference; slip under torque "
-      "and axial force, yield of both rings, force to press it on or heat to shrink it. Fatigue at the edge of the hub "
-      "and loss by speed are not covered.";
+      "and axial force, yield of both rings, force to press it on or heat to shrink it, loss of "
+      "interference at speed. Fatigue at the edge of the hub is not covered.";
   static constexpr auto source = "[Lame], [DIN7190]";
   static constexpr auto example = R"([project]
 title = "Gear shrunk on a hollow shaft"
@@ -57,7 +59,7 @@ dT_adm = "250 K"
 )";
 
   struct Input {
-    Length d_f = unset<Length>;
+    Length d_f = unset<Length>, h_t = unset<Length>, b_r = unset<Length>, bore = unset<Length>;
     Moment T = unset<Moment>;
     Force F_z = unset<Force>;
     double K_A = 1.0;
@@ -65,6 +67,8 @@ dT_adm = "250 K"
     Length U_min = unset<Length>, U_max = unset<Length>;
     Length Rz_1 = unset<Length>, Rz_2 = unset<Length>;
     double mu = unset<double>, S_r = unset<double>;
+    AngularSpeed n = unset<AngularSpeed>;
+    Density rho_1 = unset<Density>, rho_2 = unset<Density>;
     Stress E_1 = unset<Stress>, E_2 = unset<Stress>;
     double nu_1 = unset<double>, nu_2 = unset<double>;
     Stress R_e_1 = unset<Stress>, R_e_2 = unset<Stress>;
@@ -77,71 +81,89 @@ dT_adm = "250 K"
     Heating dT_adm = unset<Heating>;
   };
   static Length lost_by_heat(const Input& in);
+  /// Of a fit whose densities are known.
+  static bool is_at_speed(const Input& in) { return is_set(in.n) && is_set(in.rho_1) && is_set(in.rho_2); }
   static Length least_usable(const Input& in);
   static FieldFault nothing_left(const Input& in);
   static Applies loaded(const Input& in);
-  static constexpr Fields inputs{
-      hub_root<Input>(),
-      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-      Field{&Input::T, "T", N_m, "torque; without it pressures and stresses alone"}.load().may_be_missing(),
-      Field{&Input::F_z, "F_z", N, "force along the shaft at the same time"}.load().may_be_missing(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on both: what they do not contain, once"}
-          .at_least(1)
-          .usually(1, 4)
-          .factor(),
-      Field{&Input::d, "d", mm, "diameter of the fit"}.positive().usually(3, 1000).at_most_that_of_source("d, d_max"),
-      Field{&Input::d_i, "d_i", mm, "bore of the shaft"}.at_least(0),
-      Field{&Input::D, "D", mm, "outer diameter of the hub; of a gear its root circle"}.positive().usually(5, 3000),
-      Field{&Input::l, "l", mm, "length of the fit"}.positive().usually(2, 2000).findable("R20"),
-      Field{&Input::U_min, "U_min", um, "smallest interference of the diameters, of the fit"}.positive().usually(1,
-                                                                                                                 1000),
-      Field{&Input::U_max, "U_max", um, "largest interference of the diameters, of the fit"}.positive().usually(1,
-                                                                                                                2000),
-      Field{&Input::Rz_1, "Rz_1", um, "roughness of the shaft, which is pressed flat"}.at_least(0).usually(0.4, 40),
-      Field{&Input::Rz_2, "Rz_2", um, "roughness of the hub"}.at_least(0).usually(0.4, 40),
-      Field{&Input::mu, "mu", ratio, "friction against slip: dry steel on steel 0.12 to 0.2, oiled less"}
-          .within(0.001, 1)
-          .usually(0.05, 0.25)
-          .may_be_missing(),
-      Field{&Input::S_r, "S_r", ratio, "safety against slip"}.at_least(1).usually(1.2, 3).may_be_missing().factor(),
-      Field{&Input::E_1, "E_1", GPa, "modulus of elasticity of the shaft"}.positive().usually(1, 500).from("material",
-                                                                                                           "E"),
-      Field{&Input::E_2, "E_2", GPa, "modulus of elasticity of the hub"}.positive().usually(1, 500).from("material",
-                                                                                                         "E"),
-      Field{&Input::nu_1, "nu_1", ratio, "Poisson's ratio of the shaft"}.at_least(0).below(0.5).from("material", "nu"),
-      Field{&Input::nu_2, "nu_2", ratio, "Poisson's ratio of the hub"}.at_least(0).below(0.5).from("material", "nu"),
-      Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}.positive().usually(50, 2500).may_be_missing(),
-      Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub; a brittle one has none, and is not covered"}
-          .positive()
-          .usually(50, 2500)
-          .may_be_missing(),
-      Field{&Input::S_F, "S_F", ratio, "safety against yield"}.at_least(1).usually(1, 3).may_be_missing().factor(),
-      Field{&Input::alpha_1, "alpha_1", per_kelvin, "expansion of the shaft"}.positive().from("material", "alpha"),
-      Field{&Input::alpha_2, "alpha_2", per_kelvin, "expansion of the hub"}.positive().from("material", "alpha"),
-      Field{&Input::dT_1, "dT_1", kelvin, "how much warmer the shaft gets in service"}
-          .usually(-200, 400)
-          .may_be_missing(),
-      Field{&Input::dT_2, "dT_2", kelvin, "how much warmer the hub gets in service"}
-          .usually(-200, 400)
-          .may_be_missing(),
-      Field{&Input::mu_e, "mu_e", ratio, "friction while it is pressed on"}
-          .positive()
-          .usually(0.03, 0.3)
-          .may_be_missing(),
-      Field{&Input::F_adm, "F_adm", kN, "force of the press"}.positive().may_be_missing(),
-      Field{&Input::U_c, "U_c", um, "clearance that the warm hub is to have on the shaft; 0: it just goes on"}
-          .at_least(0)
-          .usually(5, 1000)
-          .may_be_missing(),
-      Field{&Input::dT_adm, "dT_adm", kelvin, "heating of the hub that its strength allows"}
-          .positive()
-          .usually(50, 400)
-          .may_be_missing()};
+  static constexpr auto inputs = join(
+      hub_inputs<Input>(),
+      Fields{
+          RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+          Field{&Input::T, "T", N_m, "torque; without it pressures and stresses alone"}.load().may_be_missing(),
+          Field{&Input::F_z, "F_z", N, "force along the shaft at the same time"}.load().may_be_missing(),
+          Field{&Input::K_A, "K_A", ratio, "service factor on both: what they do not contain, once"}
+              .at_least(1)
+              .usually(1, 4)
+              .factor(),
+          Field{&Input::d, "d", mm, "diameter of the fit"}.positive().usually(3, 1000).at_most_that_of_source(
+              "d, d_max"),
+          Field{&Input::d_i, "d_i", mm, "bore of the shaft"}.at_least(0),
+          Field{&Input::D, "D", mm, "outer diameter of the hub; of a gear its root circle"}.positive().usually(5, 3000),
+          Field{&Input::l, "l", mm, "length of the fit"}.positive().usually(2, 2000).findable("R20"),
+          Field{&Input::U_min, "U_min", um, "smallest interference of the diameters, of the fit"}.positive().usually(
+              1, 1000),
+          Field{&Input::U_max, "U_max", um, "largest interference of the diameters, of the fit"}.positive().usually(
+              1, 2000),
+          Field{&Input::Rz_1, "Rz_1", um, "roughness of the shaft, which is pressed flat"}.at_least(0).usually(0.4, 40),
+          Field{&Input::Rz_2, "Rz_2", um, "roughness of the hub"}.at_least(0).usually(0.4, 40),
+          Field{&Input::mu, "mu", ratio, "friction against slip: dry steel on steel 0.12 to 0.2, oiled less"}
+              .within(0.001, 1)
+              .usually(0.05, 0.25)
+              .may_be_missing(),
+          Field{&Input::S_r, "S_r", ratio, "safety against slip"}.at_least(1).usually(1.2, 3).may_be_missing().factor(),
+          Field{&Input::n, "n", rpm, "speed of shaft and hub; its sign is nothing"}.of_body().may_be_missing(),
+          Field{&Input::rho_1, "rho_1", kg_per_m3, "density of the shaft, for n"}
+              .positive()
+              .usually(500, 20000)
+              .from("material", "rho"),
+          Field{&Input::rho_2, "rho_2", kg_per_m3, "density of the hub, for n"}
+              .positive()
+              .usually(500, 20000)
+              .from("material", "rho"),
+          Field{&Input::E_1, "E_1", GPa, "modulus of elasticity of the shaft"}.positive().usually(1, 500).from(
+              "material", "E"),
+          Field{&Input::E_2, "E_2", GPa, "modulus of elasticity of the hub"}.positive().usually(1, 500).from("material",
+                                                                                                             "E"),
+          Field{&Input::nu_1, "nu_1", ratio, "Poisson's ratio of the shaft"}.at_least(0).below(0.5).from("material",
+                                                                                                         "nu"),
+          Field{&Input::nu_2, "nu_2", ratio, "Poisson's ratio of the hub"}.at_least(0).below(0.5).from("material",
+                                                                                                       "nu"),
+          Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}
+              .positive()
+              .usually(50, 2500)
+              .may_be_missing(),
+          Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub; a brittle one has none, and is not covered"}
+              .positive()
+              .usually(50, 2500)
+              .may_be_missing(),
+          Field{&Input::S_F, "S_F", ratio, "safety against yield"}.at_least(1).usually(1, 3).may_be_missing().factor(),
+          Field{&Input::alpha_1, "alpha_1", per_kelvin, "expansion of the shaft"}.positive().from("material", "alpha"),
+          Field{&Input::alpha_2, "alpha_2", per_kelvin, "expansion of the hub"}.positive().from("material", "alpha"),
+          Field{&Input::dT_1, "dT_1", kelvin, "how much warmer the shaft gets in service"}
+              .usually(-200, 400)
+              .may_be_missing(),
+          Field{&Input::dT_2, "dT_2", kelvin, "how much warmer the hub gets in service"}
+              .usually(-200, 400)
+              .may_be_missing(),
+          Field{&Input::mu_e, "mu_e", ratio, "friction while it is pressed on"}
+              .positive()
+              .usually(0.03, 0.3)
+              .may_be_missing(),
+          Field{&Input::F_adm, "F_adm", kN, "force of the press"}.positive().may_be_missing(),
+          Field{&Input::U_c, "U_c", um, "clearance that the warm hub is to have on the shaft; 0: it just goes on"}
+              .at_least(0)
+              .usually(5, 1000)
+              .may_be_missing(),
+          Field{&Input::dT_adm, "dT_adm", kelvin, "heating of the hub that its strength allows"}
+              .positive()
+              .usually(50, 400)
+              .may_be_missing()});
 
   struct Result {
     double Q_1 = unset<double>, Q_2 = unset<double>;
-    Length U_w_min = unset<Length>, U_w_max = unset<Length>, U_T = unset<Length>;
-    Stress p_min = unset<Stress>, p_max = unset<Stress>;
+    Length U_w_min = unset<Length>, U_w_max = unset<Length>, U_T = unset<Length>, U_n = unset<Length>;
+    Stress p_min = unset<Stress>, p_max = unset<Stress>, p_n = unset<Stress>;
     Force F_res = unset<Force>, F_slip = unset<Force>;
     Moment T_slip = unset<Moment>;
     Stress sigma_1 = unset<Stress>, sigma_2 = unset<Stress>, sigma_t2 = unset<Stress>;
@@ -149,7 +171,7 @@ dT_adm = "250 K"
     Heating dT_A = unset<Heating>;
     double u_s = unset<double>, u_1 = unset<double>, u_2 = unset<double>, u_F = unset<double>, u_A = unset<double>;
     Stress tau_t = unset<Stress>;
-    double u_t = unset<double>, x_l = unset<double>;
+    double u_t = unset<double>, x_l = unset<double>, u_n = unset<double>, m_R = unset<double>;
     Connection connection;
   };
   static Applies twisted(const Input& in);
@@ -157,16 +179,18 @@ dT_adm = "250 K"
       Field{&Result::Q_1, "Q_1", ratio, "bore of the shaft over the fit"},
       Field{&Result::Q_2, "Q_2", ratio, "fit over the outer diameter of the hub"},
       Field{&Result::U_T, "U_T", um, "interference that is lost in service; negative: gained"},
+      Field{&Result::U_n, "U_n", um, "interference that is lost at speed; negative: gained"},
       Field{&Result::U_w_min, "U_w_min", um, "smallest usable interference, cold or in service"},
       Field{&Result::U_w_max, "U_w_max", um, "largest usable interference, cold or in service"},
       Field{&Result::p_min, "p_min", MPa, "smallest pressure"},
       Field{&Result::p_max, "p_max", MPa, "largest pressure"},
+      Field{&Result::p_n, "p_n", MPa, "largest pressure at speed"},
       Field{&Result::F_res, "F_res", kN, "force to hold, around and along the shaft"}.holding("K_A"),
       Field{&Result::F_slip, "F_slip", kN, "force that the smallest pressure holds, along the shaft or around it"},
       Field{&Result::T_slip, "T_slip", N_m, "torque that the smallest pressure holds alone"},
       Field{&Result::sigma_t2, "sigma_t2", MPa, "hoop stress at the bore of the hub, largest pressure"},
-      Field{&Result::sigma_1, "sigma_1", MPa, "equivalent stress of the shaft, largest pressure"},
-      Field{&Result::sigma_2, "sigma_2", MPa, "equivalent stress of the hub at its bore, largest pressure"},
+      Field{&Result::sigma_1, "sigma_1", MPa, "equivalent stress of the shaft, largest pressure or speed"},
+      Field{&Result::sigma_2, "sigma_2", MPa, "equivalent stress of the hub at its bore, likewise"},
       Field{&Result::F_e, "F_e", kN, "force to press it on, at the end, largest pressure"},
       Field{&Result::dT_A, "dT_A", kelvin, "heating of the hub to put it on"},
       Field{&Result::u_s, "u_s", ratio, "slip: force to hold, with its safety, over what friction holds"}
@@ -175,6 +199,11 @@ dT_adm = "250 K"
       Field{&Result::u_1, "u_1", ratio, "shaft: equivalent stress with its safety over the yield strength"}.check(
           "S_F"),
       Field{&Result::u_2, "u_2", ratio, "hub: equivalent stress with its safety over the yield strength"}.check("S_F"),
+      Field{&Result::u_n, "u_n", ratio, "speed: interference lost / smallest usable interference at rest"}
+          .check("n")
+          .sizeless()
+          .where_it_applies(),
+      rim_of_gear<Result>(),
       Field{&Result::u_F, "u_F", ratio, "force to press it on over that of the press"}.check("F_adm"),
       Field{&Result::u_A, "u_A", ratio, "heating of the hub over what it allows"}.check("dT_adm"),
       Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft beside the hub"}.holding("K_A"),
@@ -188,7 +217,10 @@ dT_adm = "250 K"
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
                   "the shaft is thicker than the root circle of what sits on it"},
-
+      Rule<Input>{[](const Input& in) { return !(in.D > 1.000001 * in.d_f) || in.d >= in.d_f; }, "D, d_f",
+                  "the hub is thicker than the root circle of what it carries"},
+      Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
+                  "the bore of what is fastened must be the diameter of the fit"},
       Rule<Input>{[](const Input& in) { return in.d_i < in.d && in.d < in.D; }, "d_i, d, D",
                   "the bore of the shaft must be smaller than the fit, and the fit smaller than the hub"},
       Rule<Input>{[](const Input& in) { return in.U_min <= in.U_max; }, "U_min, U_max",
@@ -223,7 +255,13 @@ dT_adm = "250 K"
           .assessed_beside("shaft.design"),
       Mode<Input>{"opening", "a hub that gapes or creeps by the forces that come with the torque", &unseen<Input>}
           .by_companions(),
-      Mode<Input>{"speed", "interference that is lost by the speed", &unseen<Input>}.special(),
+      Mode<Input>{"speed", "loss of interference at speed",
+                  [](const Input& in) { return is_set(in.n) ? where(abs(in.n) > 0.0 * rpm) : Applies::unseen; }}
+          .judged_by("u_n")
+          .wanting("rho_1, rho_2")
+          .special(),
+      Mode<Input>{"wall", "rim of the gear over the fit", &has_root<Input>}.judged_by("m_R").of_shape(),
+      overhang<Input>(),
       Mode<Input>{"warmth", "interference that is lost where hub and shaft do not warm alike",
                   [](const Input& in) { return is_set(in.dT_1) || is_set(in.dT_2) ? Applies::no : Applies::unseen; }}
           .special(),

@@ -56,8 +56,15 @@ SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
   }
   if (is_set(in.d_s)) {
     STEP_TO(r, x_d, in.d_s / in.d, "a larger screw does not bear on the round");
+    STEP_TO(r, x_h, 4.0 * in.F_h / (pi * pow<2>(in.d_s) * (150.0 * MPa)), "as screws of makers hold, own bound");
   }
-  r.connection = connection_for(in.K_A * abs(in.T), in.d, in.d_bore);
+  if (is_set(in.d_f)) {
+    const Length s_N = wall_under_root(in, in.d, 0.0 * mm, r, trace);
+    if (is_set(in.d_s)) {
+      STEP_TO(r, x_R, in.d_s / s_N, "a thread as long as it is thick");
+    }
+  }
+  r.connection = connection_for(Fastening::set_screw, in.K_A * abs(in.T), in.d, in.d_bore);
   r.connection.F_c = in.K_A * abs(in.F_a);
   if (in.load_case == Case::at_rest) r.connection.r_c = 1.0;
   if (is_set(in.R_e_1)) r.connection.R_c = in.R_e_1;

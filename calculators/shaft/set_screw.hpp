@@ -11,6 +11,7 @@
 #include "calculators/load/connection.hpp"
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
@@ -42,7 +43,7 @@ S = 2
   enum class Point { cup, cone, flat, dog, oval };
 
   struct Input {
-    Length d_f = unset<Length>;
+    Length d_f = unset<Length>, h_t = unset<Length>, b_r = unset<Length>, bore = unset<Length>;
     Moment T = unset<Moment>;
     Force F_a = 0.0 * N;
     double K_A = 1.0;
@@ -58,47 +59,49 @@ S = 2
   };
   static Applies loaded(const Input& in);
   static Applies twisted(const Input& in);
-  static constexpr Fields inputs{
-      hub_root<Input>(),
-      RecordField<Input>{"load", "what belt, chain or drive sits on it, whole: load = \"=belts.shaft_2\""},
-      Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
-      Field{&Input::F_a, "F_a", N, "force along the shaft; its size counts"}.load(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on both: what they do not contain, once"}
-          .at_least(1)
-          .usually(1, 4)
-          .factor(),
-      Choice{&Input::load_case, "load_case", "how the loads come"}.may_be_missing(),
-      Field{&Input::d, "d", mm, "diameter of the shaft"}
-          .at_most_that_of_source("d, d_max")
-          .positive()
-          .usually(1.5, 120),
-      Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
-      Field{&Input::d_s, "d_s", mm, "diameter of a screw"}.positive().from("set_screw", "d_s").where_it_has(),
-      Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft, for its torsion"}
-          .positive()
-          .usually(150, 2000)
-          .may_be_missing(),
-      Field{&Input::F_h, "F_h", N, "what one screw with a cup point holds at the surface of the shaft"}.positive().from(
-          "set_screw", "F_h"),
-      Choice{&Input::point, "point", "point of the screw"},
-      Count{&Input::i, "i", 1, 2, "screws"}.may_be_missing(),
-      Field{&Input::phi, "phi", ratio, "what two screws hold over twice one: by the angle between them, of tests"}
-          .within(0.5, 1)
-          .may_be_missing()
-          .factor(),
-      Field{&Input::k_H, "k_H", ratio, "0.85 where the shaft is not 10 HRC softer than the screw"}
-          .within(0.5, 1)
-          .factor(),
-      Field{&Input::S, "S", ratio, "safety that is asked for: 1.5 to 2 at rest, 4 to 8 of dynamic loads"}
-          .at_least(1)
-          .usually(1.5, 8)
-          .factor()};
+  static constexpr auto inputs = join(
+      hub_inputs<Input>(),
+      Fields{
+          RecordField<Input>{"load", "what belt, chain or drive sits on it, whole: load = \"=belts.shaft_2\""},
+          Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
+          Field{&Input::F_a, "F_a", N, "force along the shaft; its size counts"}.load(),
+          Field{&Input::K_A, "K_A", ratio, "service factor on both: what they do not contain, once"}
+              .at_least(1)
+              .usually(1, 4)
+              .factor(),
+          Choice{&Input::load_case, "load_case", "how the loads come"}.may_be_missing(),
+          Field{&Input::d, "d", mm, "diameter of the shaft"}
+              .at_most_that_of_source("d, d_max")
+              .positive()
+              .usually(1.5, 120),
+          Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
+          Field{&Input::d_s, "d_s", mm, "diameter of a screw"}.positive().from("set_screw", "d_s").where_it_has(),
+          Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft, for its torsion"}
+              .positive()
+              .usually(150, 2000)
+              .may_be_missing(),
+          Field{&Input::F_h, "F_h", N, "what one screw with a cup point holds at the surface of the shaft"}
+              .positive()
+              .from("set_screw", "F_h"),
+          Choice{&Input::point, "point", "point of the screw"}, Count{&Input::i, "i", 1, 2, "screws"}.may_be_missing(),
+          Field{&Input::phi, "phi", ratio, "what two screws hold over twice one: by the angle between them, of tests"}
+              .within(0.5, 1)
+              .may_be_missing()
+              .factor(),
+          Field{&Input::k_H, "k_H", ratio, "0.85 where the shaft is not 10 HRC softer than the screw"}
+              .within(0.5, 1)
+              .factor(),
+          Field{&Input::S, "S", ratio, "safety that is asked for: 1.5 to 2 at rest, 4 to 8 of dynamic loads"}
+              .at_least(1)
+              .usually(1.5, 8)
+              .factor()});
 
   struct Result {
     Force F_t = unset<Force>, F = unset<Force>, F_zul = unset<Force>;
     Moment T_h = unset<Moment>;
     Stress tau_t = unset<Stress>;
-    double u = unset<double>, u_S = unset<double>, u_t = unset<double>, x_d = unset<double>;
+    double u = unset<double>, u_S = unset<double>, u_t = unset<double>, x_d = unset<double>, x_h = unset<double>;
+    double m_R = unset<double>, x_R = unset<double>;
     Connection connection;
   };
   static constexpr Fields results{
@@ -114,19 +117,32 @@ S = 2
       Field{&Result::x_d, "x_d", ratio, "diameter of a screw over that of the shaft: its point must bear, own bound"}
           .limit(0, 0.5 * (1 + 1e-9))
           .where_it_applies(),
+      Field{&Result::x_h, "x_h", ratio,
+            "holding force over the section of the screw / 150 MPa: screws of [SPS] hold 60 to 140 MPa, own bound"}
+          .limit(0, 1 + 1e-9)
+          .where_it_applies(),
+      rim_of_gear<Result>(),
+      wall_of_hub<Result>("screw diameter / wall of the hub under the root circle, for its thread, own bound"),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
                   "the shaft is thicker than the root circle of what sits on it"},
-
+      Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
+                  "the bore of what is fastened must be the diameter of the shaft"},
       Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d); }, "d_bore, d",
                   "the bore leaves nothing of the shaft"},
       Rule<Input>{[](const Input& in) { return (in.i > 1) == is_set(in.phi); }, "i, phi",
                   "two screws hold less than twice one: give phi with i = 2, and with nothing else"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"slip", "hub that slips around or along the shaft", &loaded}.judged_by("u, x_d"),
+      Mode<Input>{"slip", "hub that slips around or along the shaft", &loaded}.judged_by("u, x_d, x_h"),
+      Mode<Input>{"screw", "holding force of a screw of unknown size",
+                  [](const Input& in) { return where(!is_set(in.d_s)); }}
+          .wanting("d_s"),
+      Mode<Input>{"wall", "thread of the screw in the wall of the hub", &has_root<Input>}
+          .judged_by("m_R, x_R")
+          .of_shape(),
       Mode<Input>{"safety", "a safety below that which tests of this load case ask for", &loaded}.judged_by("u_S"),
       Mode<Input>{"bore", "the wall of a hollow shaft pushed in by the point",
                   [](const Input& in) { return where(in.d_bore > 0.0 * mm); }},

@@ -1,5 +1,6 @@
 #include "calculators/shaft/spline.hpp"
 
+#include "calculators/shaft/parts/notch_factors.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 namespace loadpath::shaft {
@@ -72,6 +73,14 @@ Applies Spline::slides(const Input& in) {
 /// Where nothing is said of how uneven they bear.
 Applies Spline::bears_evenly(const Input& in) { return is_set(in.k_l) ? Applies::no : torque_loads(in); }
 
+/// Of a steel whose tensile strength is not known, and at least its yield strength.
+Applies Spline::low_factors(const Input& in) {
+  if (!is_set(in.beta_t)) return Applies::no;
+  const Stress weakest = 500.0 * MPa, R_m = is_set(in.R_e_1) ? max(weakest, in.R_e_1) : weakest;
+  const NotchFactors least = least_factors(Fastening::spline, R_m);
+  return where(in.beta_t < least.torsion || in.beta_b < least.bending);
+}
+
 template <class Tracer>
 Spline::Result Spline::evaluate(const Input& in, Tracer& trace) {
   Result r;
@@ -80,8 +89,13 @@ Spline::Result Spline::evaluate(const Input& in, Tracer& trace) {
   if (is_set(in.f_W) && is_set(r.u_1) && is_set(r.u_2)) {
     STEP_TO(r, u_W, max(r.u_1, r.u_2) / in.f_W, "the worse side, by the factor of the reversal");
   }
-  r.connection = connection_for(in.K_A * abs(in.T), in.d_1, in.d_bore);
+  if (is_set(in.d_f)) {
+    const Length s_N = wall_under_root(in, in.d_2, 0.0 * mm, r, trace);
+    STEP_TO(r, x_R, (in.d_2 - in.d_1) / 2.0 / s_N, "a wall as thick as its teeth are high is left");
+  }
+  r.connection = connection_for(Fastening::spline, in.K_A * abs(in.T), in.d_1, in.d_bore);
   r.connection.T_peak = r.T_eq, r.connection.l_c = in.l, r.connection.r_c = least_ratio(in.torque);
+  r.connection.t_c = (in.d_2 - in.d_1) / 2.0;
   if (is_set(in.R_e_1)) r.connection.R_c = in.R_e_1;
   r.notch.d = in.d_1, r.notch.t = (in.d_2 - in.d_1) / 2.0;
   r.notch.beta_b = in.beta_b, r.notch.beta_t = in.beta_t;

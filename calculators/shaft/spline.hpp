@@ -50,7 +50,7 @@ R_e_2 = "300 MPa"
   enum class Centring { inner, flanks };
 
   struct Input {
-    Length d_f = unset<Length>;
+    Length d_f = unset<Length>, h_t = unset<Length>, b_r = unset<Length>, bore = unset<Length>;
     Moment T = unset<Moment>, T_max = unset<Moment>;
     Sense torque = Sense::unknown;
     double K_A = 1.0;
@@ -66,10 +66,10 @@ R_e_2 = "300 MPa"
   };
   static Applies slides(const Input& in);
   static Applies bears_evenly(const Input& in);
+  static Applies low_factors(const Input& in);
   static constexpr Fields inputs = join(
-      torque_inputs<Input>(),
+      torque_inputs<Input>(), hub_inputs<Input>(),
       Fields{
-          hub_root<Input>(),
           Field{&Input::z, "z", ratio, "teeth of the spline"}.within(3, 500).from("spline", "z"),
           Field{&Input::d_1, "d_1", mm,
                 "inner diameter of the flanks that bear; of an involute one the hub's tip diameter"}
@@ -142,7 +142,7 @@ R_e_2 = "300 MPa"
     Force F_t = unset<Force>;
     Stress p = unset<Stress>, tau = unset<Stress>, tau_t = unset<Stress>;
     double u_1 = unset<double>, u_2 = unset<double>, u_w = unset<double>, u_tau = unset<double>, u_W = unset<double>;
-    double u_t = unset<double>, x_l = unset<double>, x_s = unset<double>;
+    double u_t = unset<double>, x_l = unset<double>, x_s = unset<double>, m_R = unset<double>, x_R = unset<double>;
     SplineNotch notch;
     Connection connection;
   };
@@ -172,6 +172,8 @@ R_e_2 = "300 MPa"
           .where_it_applies(),
       Field{&Result::x_s, "x_s", ratio, "d_2 over d_1: splines of ISO 14 and DIN 5480 have up to 1.5, own bound"}.limit(
           0, 1.5),
+      rim_of_gear<Result>(),
+      wall_of_hub<Result>("tooth height / wall of the hub under the root circle, own bound"),
       Group{&Result::notch, "notch", "the end of the spline, for a notch of shaft.design: part"}.handed_over(),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
@@ -179,6 +181,10 @@ R_e_2 = "300 MPa"
       rules_of_sides<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d_2 < in.d_f; }, "d_f, d_2",
                              "the shaft is thicker than the root circle of what sits on it"},
+                 Rule<Input>{[](const Input& in) {
+                               return !is_set(in.bore) || bore_fits(in.bore, in.d_1) || bore_fits(in.bore, in.d_2);
+                             },
+                             "bore, d_1, d_2", "the bore of what is fastened must be d_1 or d_2"},
                  Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
                              "a spline has a whole number of teeth"},
                  Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be the larger"},
@@ -210,6 +216,10 @@ R_e_2 = "300 MPa"
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),
       Mode<Input>{"seat", "a hub that tilts by the forces that come with the torque", &unseen<Input>}.by_companions(),
+      Mode<Input>{"wall", "wall of the hub under the root circle", &has_root<Input>}.judged_by("m_R, x_R").of_shape(),
+      overhang<Input>(),
+      Mode<Input>{"notch_factors", "fatigue of the shaft with notch factors below those of splines", &low_factors}
+          .advising("give beta_b and beta_t of DIN 743, or their source: accept.notch_factors = \"...\""),
       Mode<Input>{"burst", "the wall of the hub, which flanks at an angle press outwards", &unseen<Input>},
       Mode<Input>{"fretting", "fretting of the flanks", &unseen<Input>}.special()};
 

@@ -84,6 +84,7 @@ struct Described {
   bool is_load = false;             // what the part has to carry, or another part by it; not a capacity
   bool is_beside = false;           // a result that is shown, and never part of a verdict
   const char* same_as_source = "";  // an input: see same_as_that_of_source
+  bool is_of_body = false;          // an input that comes with a load of the same record that is taken singly
 
   [[nodiscard]] constexpr Self as(Role r) const {
     Self s = self();
@@ -100,6 +101,12 @@ struct Described {
   [[nodiscard]] constexpr Self load() const {
     Self s = self();
     s.is_load = true;
+    return s;
+  }
+  /// A size of the body that a load comes from: "=gears.gear_1.T" brings gear_1.d_f, as the record does.
+  [[nodiscard]] constexpr Self of_body() const {
+    Self s = self();
+    s.is_of_body = true;
     return s;
   }
   /// A result that is shown, and is no part of a verdict: of another school, of a sum that other checks judge in parts,
@@ -148,6 +155,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   bool signed_load = false;          // input: its sign decides, so that a magnitude is no value for it
   const char* factors = "";          // result: inputs that it holds already, so that none may apply them again: "K_A"
   bool is_factor = false;  // input: raises a load or lowers a strength; the report lists where each is applied
+  bool is_peak = false;    // result: a load of a start or a jam, with k_max of its step
 
   constexpr Field(Member Owner::*member, const char* k, Unit<Quantity> u, const char* d)
       : Base{k, d}, at{member}, unit{u} {}
@@ -272,6 +280,12 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   [[nodiscard]] constexpr Field holding(const char* keys) const {
     Field f = *this;
     f.factors = keys;
+    return f;
+  }
+  /// A load with what its step counts of a start or a jam, k_max.
+  [[nodiscard]] constexpr Field at_peak() const {
+    Field f = *this;
+    f.is_peak = true;
     return f;
   }
   [[nodiscard]] constexpr Field factor() const {

@@ -27,6 +27,7 @@ struct ModeInfo {
   const char* judge = "";   // the calculator that judges it, or what its checks leave; without both nothing does
   const char* taken = "";   // how that judges it: modes of it, by the record that it takes, "sun_mesh.root_1"
   const char* wants = "";   // inputs that would let it be judged, where its checks do not tell
+  const char* advice = "";  // what else to do where no input is missing
   const char* use = "";     // the calculator that assesses it when it takes the place of this one: "shaft.design"
   const char* add = "";     // calculators of which a step beside this one assesses it: "shaft.key, shaft.spline"
   bool by_service = false;  // unseen, it applies where what loads the part says that it turns or that the load varies
@@ -35,7 +36,8 @@ struct ModeInfo {
 
 /// Whether anything in the catalogue assesses the mode: this calculator, or another one.
 constexpr bool is_assessable(const ModeInfo& mode) {
-  return *mode.checks != '\0' || *mode.judge != '\0' || *mode.wants != '\0' || *mode.use != '\0' || *mode.add != '\0';
+  return *mode.checks != '\0' || *mode.judge != '\0' || *mode.wants != '\0' || *mode.advice != '\0' ||
+         *mode.use != '\0' || *mode.add != '\0';
 }
 
 /// A mode of a calculator with this input. `applies` is asked with values of tables in, at every position of a series.
@@ -62,6 +64,12 @@ struct Mode : ModeInfo {
   [[nodiscard]] constexpr Mode wanting(const char* inputs) const {
     Mode mode = *this;
     mode.wants = inputs;
+    return mode;
+  }
+  /// What to do where all inputs are given and it is not assessed: "give the hub its length".
+  [[nodiscard]] constexpr Mode advising(const char* text) const {
+    Mode mode = *this;
+    mode.advice = text;
     return mode;
   }
   /// Assessed by another calculator in place of this one.

@@ -41,6 +41,7 @@ struct FieldInfo {
   bool optional = false;
   bool is_load = false;
   bool is_beside = false;
+  bool is_of_body = false;
   bool positional = false;  // group, list of groups: may be written as an array
 
   // quantity
@@ -68,6 +69,7 @@ struct FieldInfo {
   bool signed_load = false;
   const char* factors = "";
   bool is_factor = false;
+  bool is_peak = false;
   bool is_handed_over = false;  // group
 
   std::span<const ChoiceInfo> choices;  // choice

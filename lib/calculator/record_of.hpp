@@ -28,6 +28,7 @@ constexpr FieldInfo described(const detail::Described<Self>& field, FieldInfo::T
   info.role = field.role.value_or(role_of_list);
   info.optional = field.optional;
   info.is_load = field.is_load;
+  info.is_of_body = field.is_of_body;
   info.is_beside = field.is_beside;
   info.same_as_source = field.same_as_source;
   return info;
@@ -76,6 +77,7 @@ constexpr FieldInfo info_of(const Field<Owner, Quantity, Member>& f) {
   info.signed_load = f.signed_load;
   info.factors = f.factors;
   info.is_factor = f.is_factor;
+  info.is_peak = f.is_peak;
   info.get = [](const void* o) { return in_si(one_of(static_cast<const Owner*>(o)->*member_at<fields, I>)); };
   info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = from_si<Quantity>(v); };
   if constexpr (!std::is_same_v<Member, Quantity>) {

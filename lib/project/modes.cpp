@@ -256,7 +256,10 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
   mode.judge = info.judge;
   mode.use = info.use;
   mode.add = info.add;
-  if (mode.wants.empty() && *info.checks != '\0') mode.note = say("{1} has no value here", info.checks);
+  if (mode.wants.empty() && *info.advice != '\0')
+    mode.note = say(info.advice);
+  else if (mode.wants.empty() && *info.checks != '\0')
+    mode.note = say("{1} has no value here", info.checks);
   if (mode.state == State::not_judged && *info.judge != '\0') {
     const std::string records = records_of(info, step.input().calculator->result->fields, step.name());
     mode.note = mode.wants.empty()

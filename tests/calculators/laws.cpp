@@ -248,6 +248,7 @@ const char* const smooth = "Rz_1 = \"0 um\"\nRz_2 = \"0 um\"";
 
 const Law fits[] = {
     {"shaft.press_fit", smooth, "Rz_1 = \"0 um\"\nRz_2 = \"0 um\"\nU_min = \"82 um\"", "p_min", 2},
+    {"shaft.press_fit", "n = \"3000 rpm\"", "n = \"-6000 rpm\"", "U_n", 4},
     {"shaft.press_fit", "", "mu = 0.28", "T_slip", 2},
     {"shaft.press_fit", "", R"(T = "1200 N*m")", "F_res", 2},
     {"shaft.press_fit", smooth,

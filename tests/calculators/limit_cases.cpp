@@ -522,8 +522,14 @@ const Case keys[] = {
 const char* const solid =  // of one material: p = U E (1 - (d/D)^2)/(2 d)
     "Rz_1 = \"0 um\"\nRz_2 = \"0 um\"\nd_i = \"0 mm\"\nD = \"120 mm\"\nU_min = \"60 um\"";
 
+const char* const turning =  // at 1000 rad/s
+    "Rz_1 = \"0 um\"\nRz_2 = \"0 um\"\nd_i = \"0 mm\"\nD = \"120 mm\"\nU_min = \"60 um\"\nn = \"1000 rad/s\"";
+
 const Case fits[] = {
     {"shaft.press_fit", solid, "p_min", 60e-6 * 210e9 * 0.75 / (2 * 60e-3)},
+    {"shaft.press_fit", turning, "p_min",  // less rho omega^2 (3 + nu)(D^2 - d^2)/32
+     60e-6 * 210e9 * 0.75 / (2 * 60e-3) - 7840.0 * 1e6 * 3.3 * (0.0144 - 0.0036) / 32.0},
+    {"shaft.press_fit", "n = \"0 rpm\"", "u_n", 0.0},
     {"shaft.press_fit", "dT_1 = \"80 K\"\ndT_2 = \"80 K\"", "U_T", 0.0},
     {"shaft.press_fit", "U_max = \"41 um\"\nd_i = \"0 mm\"\nD = \"120 m\"\nRz_1 = \"0 um\"\nRz_2 = \"0 um\"", "sigma_2",
      41e-6 * 210e9 / 60e-3},  // a hub without an end

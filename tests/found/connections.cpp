@@ -1,6 +1,9 @@
 // Shafts whose gears and pulleys nothing fastens, or something that is made for another torque or diameter.
 #include "tests/found/modes.hpp"
 
+#include <cmath>
+#include <utility>
+
 using namespace loadpath;
 using namespace loadpath::test;
 
@@ -38,6 +41,27 @@ std::string key_for(const std::string& T, const std::string& d, const std::strin
          "\"\nkey = \"12x8\"\nl = \"50 mm\"\nl_n = \"55 mm\"\nR_e_1 = \"370 MPa\"\nR_e_2 = \"300 MPa\"\n"
          "R_e_k = \"420 MPa\"\n" +
          more;
+}
+
+/// A pair of module 3 mm with a pinion of z teeth: its root circle has 3 mm times z - 2.5.
+std::string gears_of(int z, const std::string& b, const std::string& more = "") {
+  return "[gears]\ncalculator = \"gear.pair\"\nz_1 = " + std::to_string(z) + "\nz_2 = 60\nm_n = \"3 mm\"\nb = \"" + b +
+         "\"\nT_1 = \"100 N*m\"\n" + more + "\n";
+}
+
+/// The key of a gear: `load` in place of its torque.
+std::string keyed_gear(const std::string& load, const std::string& d, const std::string& more = "") {
+  return replaced_in(key_for("1 N*m", d, more), "T = \"1 N*m\"", load);
+}
+
+const std::string fit_of_40 =
+    "d = \"40 mm\"\nD = \"80 mm\"\nl = \"40 mm\"\nU_min = \"40 um\"\nU_max = \"60 um\"\nRz_1 = \"4 um\"\n"
+    "Rz_2 = \"6.3 um\"\nmu = 0.14\nS_r = 1.5\nmaterial = \"C45E\"\nR_e_1 = \"370 MPa\"\nR_e_2 = \"370 MPa\"\nS_F = "
+    "1.2\n";
+
+/// Connections of a shaft of 40 mm and so, 40 mm long.
+std::vector<std::pair<std::string, std::string>> hubs_of_40() {
+  return {{"shaft.press_fit", fit_of_40}, {"shaft.spline", "spline = \"8x36x40\"\nl = \"40 mm\"\n"}};
 }
 
 }  // namespace
@@ -175,6 +199,160 @@ TEST_SUITE("found connections") {
         replaced_in(replaced_in(text, "T = \"100 N*m\"\ntorque", "load = \"=gears.gear_1\"\ntorque"), "12x8", "14x9");
     CHECK(first_error_of(text).find("root circle") != std::string::npos);
     CHECK(first_error_of(replaced_in(replaced_in(text, "50 mm\"\nkey", "40 mm\"\nkey"), "14x9", "12x8")) == "");
+  }
+
+  TEST_CASE("a connection is as long as the rim that it lies under, or somebody says how long the hub is") {
+    const auto key = [](const std::string& b, const std::string& more = "") {
+      return mode_of(solved_as_found(gears_of(40, b) + keyed_gear("load = \"=gears.gear_1\"", "40 mm", more)), "key",
+                     "overhang");
+    };
+    CHECK(key("60 mm") == "none");
+    CHECK(key("15 mm") == "not-judged");
+    CHECK(key("15 mm", "accept.overhang = \"the hub is 60 mm long\"\n") == "accepted");
+    const auto singly = [](const std::string& T) {
+      return mode_of(solved_as_found(gears_of(40, "15 mm") + keyed_gear("T = \"" + T + "\"", "40 mm")), "key",
+                     "overhang");
+    };
+    for (const char* T : {"=gears.gear_1.T", "=1.2*gears.gear_1.T", "=gears.T_1"}) CHECK(singly(T) == "not-judged");
+    CHECK(singly("100 N*m") == "none");
+    for (const auto& [calculator, lines] : hubs_of_40()) {
+      const auto project = solved_as_found(gears_of(40, "15 mm") + "[hub]\ncalculator = \"" + calculator +
+                                           "\"\nload = \"=gears.gear_1\"\n" + lines);
+      CHECK_MESSAGE(mode_of(project, "hub", "overhang") == "not-judged", calculator);
+    }
+  }
+
+  TEST_CASE("the wall between a hub and the root circle of a gear, sprocket or pulley") {
+    const std::string load = "load = \"=gears.gear_1\"";
+    const auto wall = [&](int z, const std::string& d, const char* mode) {
+      const std::string text = gears_of(z, "60 mm") + keyed_gear(load, d);
+      return mode_of(solved_as_found(text), "key", mode);
+    };
+    CHECK(wall(40, "40 mm", "wall") == "pass");
+    CHECK(wall(21, "40 mm", "wall") == "not-covered");  // 55.5 mm: 7.75 mm less 3.3 mm, 0.66 teeth
+    const auto own = solved_as_found(gears_of(40, "60 mm") + keyed_gear("T = \"100 N*m\"", "40 mm"));
+    CHECK(mode_of(own, "key", "wall") == "open");
+    const auto screw = [&](int z) {
+      return mode_of(solved_as_found(gears_of(z, "60 mm") + "[s]\ncalculator = \"shaft.set_screw\"\n" + load +
+                                     "\nload_case = \"static\"\nset_screw = \"3/8\"\nd = \"40 mm\"\nS = 1.5\n"),
+                     "s", "wall");
+    };
+    CHECK(screw(40) == "pass");
+    CHECK(screw(20) == "not-covered");
+    const std::string fit = "[f]\ncalculator = \"shaft.press_fit\"\n" + load + "\n" + fit_of_40;
+    CHECK(mode_of(solved_as_found(gears_of(40, "60 mm") + fit), "f", "wall") == "pass");
+    CHECK(first_error_of(gears_of(24, "60 mm") + fit).find("thicker than the root circle") != std::string::npos);
+  }
+
+  TEST_CASE("root circles of sprockets, groove bottoms of V-belt pulleys") {
+    const std::string chain =
+        "[c]\ncalculator = \"chain.roller\"\nchain = \"08B\"\nedition = \"maker\"\nz_1 = 17\nz_2 = 51\n"
+        "n_1 = \"300 rpm\"\nP = \"1 kW\"\na = \"500 mm\"\n\n";
+    const auto sprocket = solved_as_found(chain);
+    CHECK(sprocket.value("c.shaft_1.d_f")->si[0] == doctest::Approx(12.7e-3 / std::sin(pi / 17) - 8.509e-3));
+    const std::string spline =
+        "[s]\ncalculator = \"shaft.spline\"\nload = \"=c.shaft_1\"\nspline = \"8x52x60\"\nl = \"40 mm\"\n";
+    CHECK(mode_of(solved_as_found(chain + spline), "s", "wall") == "not-covered");
+    const std::string key = keyed_gear("load = \"=c.shaft_1\"", "60 mm");
+    CHECK(first_error_of(chain + replaced_in(key, "12x8", "18x11")).find("root circle") != std::string::npos);
+    const std::string belt =
+        "[b]\ncalculator = \"belt.v\"\nbasis = \"optibelt\"\nsection = \"SPZ\"\nP = \"1 kW\"\nK_A = 1.2\n"
+        "n_1 = \"1460 rpm\"\nd_1 = \"71 mm\"\nd_2 = \"140 mm\"\nL = \"1000 mm\"\n\n";
+    const auto pulley = solved_as_found(belt);
+    CHECK(pulley.value("b.shaft_1.d_f")->si[0] == doctest::Approx(53e-3));
+    CHECK(pulley.value("b.shaft_1.b_r")->si[0] == doctest::Approx(pulley.value("b.B")->si[0]));
+    const std::string screw =
+        "[s]\ncalculator = \"shaft.set_screw\"\nload = \"=b.shaft_1\"\nset_screw = \"1/2\"\nd = \"60 mm\"\nS = 4\n";
+    CHECK(first_error_of(belt + screw).find("root circle") != std::string::npos);
+  }
+
+  TEST_CASE("a connection is no longer than the body that it fastens") {
+    const auto hub = [](const std::string& more) {
+      return mode_of(solved_as_found(shaft_of(keyed + more, whole) + key_for("100 N*m", "40 mm")), "shaft",
+                     "hub_length");
+    };
+    CHECK(hub("") == "none");
+    CHECK(hub(", mass = \"1 kg\", I_p = \"0.001 kg*m^2\", b = \"50 mm\"") == "none");
+    CHECK(hub(", mass = \"1 kg\", I_p = \"0.001 kg*m^2\", b = \"20 mm\"") == "not-judged");
+    CHECK(hub(", b_r = \"20 mm\"") == "not-judged");
+  }
+
+  TEST_CASE("what is one piece with the shaft has no bore and no connection, and is no pulley") {
+    const auto with = [](const std::string& bore, const std::string& seat) {
+      std::string text = replaced_in(shaft_of(whole, seat), "T = \"100 N*m\", F_x = \"-1 kN\", F_y = \"2 kN\"",
+                                     "load = \"=gears.gear_1\"");
+      return first_error_of(gears_of(40, "60 mm", bore) + replaced_in(text, "n = \"1000 rpm\"\n", ""));
+    };
+    CHECK(with("", whole) == "");
+    CHECK(with("bore_1 = \"40 mm\"\n", whole).find("says that it is one piece") != std::string::npos);
+    CHECK(with("bore_1 = \"40 mm\"\n", ", T_c = \"150 N*m\"") == "");
+    CHECK(with("bore_1 = \"35 mm\"\n", ", T_c = \"150 N*m\"").find("the shaft has 40 mm there") != std::string::npos);
+    CHECK(first_error_of(shaft_of(whole + ", T_c = \"150 N*m\"", whole)).find("none is needed") != std::string::npos);
+    const auto pulley = [](const char* seat) {
+      const std::string belt =
+          "[b]\ncalculator = \"belt.flat\"\nP = \"10 kW\"\nn_1 = \"1000 rpm\"\nd_1 = \"200 mm\"\nd_2 = \"500 mm\"\n"
+          "a = \"1200 mm\"\nmu = 0.4\nkind = \"synthetic\"\ndelta = \"2.5 mm\"\nrho = \"1100 kg/m^3\"\n"
+          "sigma_adm = \"6 MPa\"\n\n";
+      std::string text = shaft_of(whole, whole);
+      text = replaced_in(text, "way = \"takes\", T = \"100 N*m\", F_x = \"1 kN\"", seat);
+      text = replaced_in(text, "way = \"drives\", T = \"100 N*m\"", "way = \"balances\"");
+      return mode_of(solved_as_found(belt + text), "shaft", "one_piece");
+    };
+    CHECK(pulley("load = \"=b.shaft_1\"") == "not-judged");
+    CHECK(pulley("T = \"=b.shaft_1.T\", F_x = \"=b.shaft_1.F_x\"") == "not-judged");
+    CHECK(pulley("T = \"50 N*m\"") == "none");
+  }
+
+  TEST_CASE("a torque that is taken singly brings the root circle of its gear") {
+    const auto seat = [](const std::string& more) {
+      std::string text = shaft_of(whole, ", connection = \"=key.connection\"" + more);
+      text = replaced_in(text, "T = \"100 N*m\", F_x = \"-1 kN\", F_y = \"2 kN\"",
+                         "T = \"=gears.gear_1.T\", F_x = \"=gears.gear_1.F_x\"");
+      return gears_of(21, "60 mm") + text + key_for("100 N*m", "40 mm");
+    };
+    CHECK(mode_of(solved_as_found(seat("")), "shaft", "rim") == "not-covered");
+    CHECK(first_error_of(seat(", d_f = \"90 mm\"")).find("contradicts") != std::string::npos);
+  }
+
+  TEST_CASE("a press fit loses interference at speed, and its shaft asks for the speed") {
+    const auto at = [](const std::string& lines) {
+      return solved_as_found(
+          "[f]\ncalculator = \"shaft.press_fit\"\nT = \"20 N*m\"\nd = \"40 mm\"\nD = \"200 mm\"\n"
+          "l = \"40 mm\"\nU_min = \"40 um\"\nU_max = \"50 um\"\nRz_1 = \"4 um\"\nRz_2 = \"6.3 um\"\n"
+          "mu = 0.14\nS_r = 1.5\nmaterial = \"C45E\"\nR_e_1 = \"370 MPa\"\nR_e_2 = \"370 MPa\"\n"
+          "S_F = 1.2\n" +
+          lines);
+    };
+    CHECK(mode_of(at(""), "f", "speed") == "open");
+    CHECK(mode_of(at("n = \"10000 rpm\"\n"), "f", "speed") == "pass");
+    CHECK(mode_of(at("n = \"20000 rpm\"\n"), "f", "speed") == "fail");
+    // Closed form of both discs with 7840 kg/m^3; finite elements with 7850 kg/m^3: 30.9462 MPa, the same.
+    CHECK(at("n = \"12000 rpm\"\n").value("f.p_min")->si[0] == doctest::Approx(31.0087e6).epsilon(1e-5));
+    const auto shaft_at = [](const std::string& n, const std::string& lines) {
+      const std::string text = shaft_of(", connection = \"=f.connection\"", whole) +
+                               "\n[f]\ncalculator = \"shaft.press_fit\"\nT = \"100 N*m\"\n" + fit_of_40 + lines;
+      return mode_of(solved_as_found(replaced_in(text, "1000 rpm", n)), "shaft", "fit_speed");
+    };
+    CHECK(shaft_at("1000 rpm", "") == "pass");
+    CHECK(shaft_at("15000 rpm", "") == "not-covered");
+    CHECK(shaft_at("15000 rpm", "n = \"15000 rpm\"\n") == "pass");
+  }
+
+  TEST_CASE("the notch of a connection is of its kind, and no milder than that") {
+    const auto notched = [](const std::string& kind, const std::string& key, const char* mode) {
+      const std::string fatigue = "S_D = 1\nr_T = 0\ngroup = \"carbon-steel\"\nR_z = \"6.3 um\"\n";
+      const std::string notch = "notches = [{ name = \"end\", x = \"55 mm\", kind = " + kind + " }]\n";
+      return mode_of(solved_as_found(shaft_of(keyed, whole) + fatigue + notch + key_for("100 N*m", "40 mm", key)),
+                     "shaft", mode);
+    };
+    CHECK(notched("\"keyway\"", "", "seat_fatigue") == "none");
+    CHECK(notched("\"keyway\"", "i = 2\n", "seat_fatigue") == "not-judged");
+    CHECK(notched("\"two-keyways\"", "i = 2\n", "seat_fatigue") == "none");
+    CHECK(notched("\"beta\", beta_b = 1, beta_t = 1", "", "notch_factors") == "not-judged");
+    CHECK(notched("\"beta\", beta_b = 2.2, beta_t = 1.6", "", "notch_factors") == "none");
+    const std::string spline = "beta_b = 1\nbeta_t = 1";
+    CHECK(mode_with("shaft.spline", spline, "notch_factors") == "not-judged");
+    CHECK(mode_with("shaft.spline", "beta_b = 1.6\nbeta_t = 2.4", "notch_factors") == "none");
   }
 
   TEST_CASE("a pin across the shaft keeps its shaft diameter, whatever the load has under that name") {

@@ -60,6 +60,27 @@ TEST_SUITE("found routes") {
     CHECK(mode_of(solved_as_found(bearing("1450 rpm")), "shaft", "bearings") == "not-judged");  // the right one
   }
 
+  TEST_CASE("a load in service is not that of a start") {
+    const auto ring = [](const std::string& F, const std::string& k_max) {
+      return "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nn = \"100 rpm\"\n"
+             "pieces = [{ l = \"200 mm\", d = \"18 mm\" }]\n"
+             "supports = [{ name = \"left\", x = \"45 mm\", holds = \"both\" }, { name = \"right\", x = \"185 mm\" }]\n"
+             "seats = [{ name = \"load\", x = \"100 mm\", F_x = \"50 N\", F_z = \"0.5 kN\" }]\nS_F = 1.2\n" +
+             k_max +
+             "\n[ring]\ncalculator = \"shaft.circlip\"\ncirclip = \"18x1.2\"\nw = \"3 mm\"\nR_e = \"370 MPa\"\n"
+             "c = \"1 mm\"\nF_a = \"" +
+             F + "\"\n";
+    };
+    const std::string start = "k_max = 4\n";
+    const auto groove = [&](const std::string& F, const std::string& k_max) {
+      return mode_of(solved_as_found(ring(F, k_max)), "ring", "groove");
+    };
+    CHECK(groove("=shaft.bearings.left.F_a", "") == "pass");
+    CHECK(groove("=shaft.bearings.left.F_a", start) == "not-judged");
+    CHECK(groove("=shaft.bearings.left.F_a0", start) == "pass");
+    CHECK(groove("=shaft.k_max*shaft.bearings.left.F_a", start) == "pass");
+  }
+
   TEST_CASE("the negative of a force of a link is tension for compression") {
     CHECK(mode_of(solved_as_found(rod_with("=press.links.rod.N")), "rod", "buckling") == "pass");
     for (const char* N : {"=-press.links.rod.N", "=-1.2*press.links.rod.N"})

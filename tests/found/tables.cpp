@@ -121,6 +121,31 @@ TEST_SUITE("found tables") {
     CHECK(E->origin.text.text() == "= tables.materials.M.E, own table of the project: certificate");
   }
 
+  TEST_CASE("a screw, a ring and a material of the project's own bear what others of their size do") {
+    const auto screw = [](const std::string& F_h) {
+      return first_error_of("[tables.set_screws.M8]\nd_s = \"8 mm\"\nF_h = \"" + F_h +
+                            "\"\nsource = \"maker\"\n[s]\ncalculator = \"shaft.set_screw\"\nT = \"15 N*m\"\n"
+                            "load_case = \"static\"\nset_screw = \"M8\"\nd = \"25 mm\"\nS = 4\n");
+    };
+    CHECK(screw("7 kN") == "");
+    CHECK(screw("60 kN").find("is far from what a set_screw of its size has") != std::string::npos);
+    CHECK(mode_with("shaft.set_screw", "set_screw = \nF_h = \"60 kN\"\nd_s = \"8 mm\"", "slip") == "not-covered");
+    CHECK(mode_with("shaft.set_screw", "set_screw = \nF_h = \"6 kN\"", "screw") == "not-judged");
+    const std::string circle = "[c]\ncalculator = \"section.circle\"\nd = \"18 mm\"\n";
+    const auto ring = [&](const std::string& n_abl) {
+      return first_error_of("[tables.circlips.R]\nd_1 = \"18 mm\"\nd_2 = \"17 mm\"\nn_abl = \"" + n_abl +
+                            "\"\nsource = \"maker\"\n" + circle);
+    };
+    CHECK(ring("30000 rpm") == "");
+    CHECK(ring("300000 rpm").find("is far from what a circlip of its size has") != std::string::npos);
+    const auto steel = [&](const std::string& more) {
+      return first_error_of("[tables.materials.M]\nR_e = \"3900 MPa\"\nR_m = \"4000 MPa\"\nsource = \"wish\"\n" + more +
+                            circle);
+    };
+    CHECK(steel("").find("is far above that of any material of the tables") != std::string::npos);
+    CHECK(steel("because = { R_e = \"data sheet\", R_m = \"data sheet\" }\n") == "");
+  }
+
   TEST_CASE("A32: a strength belongs to the diameter at heat treatment") {
     const auto as_finished = solved_as_found(
         "[s]\ncalculator = \"fatigue.endurance\"\nmaterial = \"C45E\"\ngroup = \"carbon-steel\"\nrule = "

@@ -30,7 +30,8 @@ struct VRow {
   Length d_low = unset<Length>, d_high = unset<Length>, d_least = unset<Length>;
   AngularSpeed n_low = unset<AngularSpeed>, n_high = unset<AngularSpeed>;
   LineDensity m = unset<LineDensity>;
-  Length w_d = unset<Length>, h_a = unset<Length>, e = unset<Length>, f = unset<Length>, d_phi = unset<Length>;
+  Length w_d = unset<Length>, h_a = unset<Length>, h_b = unset<Length>, e = unset<Length>, f = unset<Length>,
+         d_phi = unset<Length>;
   double phi_1 = unset<double>, phi_2 = unset<double>;
   Speed v_max = unset<Speed>;
   AngularSpeed f_B_max = unset<AngularSpeed>;
@@ -57,6 +58,7 @@ struct VRow {
                                  Field{&VRow::m, "m", kg_per_m, "mass per length of one belt"},
                                  Field{&VRow::w_d, "w_d", mm, "datum width"},
                                  Field{&VRow::h_a, "h_a", mm, "height of the groove above the datum diameter"},
+                                 Field{&VRow::h_b, "h_b", mm, "depth of the groove below the datum diameter"},
                                  Field{&VRow::e, "e", mm, "pitch of the grooves"},
                                  Field{&VRow::f, "f", mm, "from the last groove to the edge"},
                                  Field{&VRow::d_phi, "d_phi", mm, "largest diameter with the groove angle phi_1"},

@@ -114,6 +114,8 @@ V::Result V::evaluate(const Input& in, Tracer& trace) {
   measure(*section, r, trace);
   load_shafts(r, trace);
   hand_over(r.P_B / in.n_1, r.P_B / r.n_2, largest_pull(r, max(r.R_0, r.R_new)), in.d_1, in.d_2, in.n_1, r);
+  r.shaft_1.d_f = in.d_1 - 2.0 * section->row.h_b, r.shaft_2.d_f = in.d_2 - 2.0 * section->row.h_b;
+  r.shaft_1.b_r = r.shaft_2.b_r = r.B;
   return r;
 }
 

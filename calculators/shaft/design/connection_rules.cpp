@@ -3,6 +3,7 @@
 #include "calculators/shaft/design/design.hpp"
 #include "calculators/shaft/design/model/places.hpp"
 #include "calculators/shaft/design/model/positions.hpp"
+#include "calculators/shaft/parts/notch_factors.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -75,8 +76,38 @@ Misfit other_strength(const Input& in, const Seat& seat) {
                      told(seat.R_c), told(in.R_m))};
 }
 
+/// What is one piece with the shaft has no bore, and nothing fastens it.
+Misfit two_pieces(const Seat& seat) {
+  if (seat.integral == Integral::no) return {};
+  if (is_set(seat.bore))
+    return {"bore", say("it has a bore of {1}, and integral = true says that it is one piece with the shaft",
+                        format_quantity(in_si(seat.bore), mm.symbol))};
+  if (is_set(seat.T_c)) return {"T_c", say("it has a connection, and integral = true says that none is needed")};
+  return {};
+}
+
+/// The hub has the bore of the shaft, and lies under the root circle of what it carries.
+Misfit other_hub(const Input& in, const Seat& seat) {
+  const auto told = [](Length d) { return format_quantity(in_si(d), mm.symbol); };
+  const Length d = diameter_under(in, seat), cut = is_set(seat.t_c) ? seat.t_c : 0.0 * mm;
+  const bool is_splined = seat.fastening == Fastening::spline;
+  if (!is_splined && !is_taper(piece_at(in, seat.x)) && !bore_fits(seat.bore, d))
+    return {"bore", say("it has a bore of {1}, and the shaft has {2} there", told(seat.bore), told(d))};
+  if (is_set(seat.d_f) && seat.d_f <= d + 2.0 * cut)
+    return {"d_f", say("the shaft of {1} and the keyway of its hub go through the root circle of {2}", told(d),
+                       told(seat.d_f))};
+  if (seat.D_c > 1.000001 * seat.d_f)
+    return {"D_c", say("its connection is calculated with a hub of {1}, and the root circle has {2}", told(seat.D_c),
+                       told(seat.d_f))};
+  return {};
+}
+
 Misfit misfit_of(const Input& in, std::size_t i) {
   const Seat& seat = in.seats[i];
+  if (const Misfit misfit = two_pieces(seat); *misfit.key != '\0') return misfit;
+  if (seat.integral == Integral::no) {
+    if (const Misfit misfit = other_hub(in, seat); *misfit.key != '\0') return misfit;
+  }
   if (!needs_connection(in, i)) return {};
   for (const Misfit& misfit :
        {other_bore(in, seat), no_room(in, seat), other_sense(in, seat), other_strength(in, seat)}) {
@@ -85,14 +116,46 @@ Misfit misfit_of(const Input& in, std::size_t i) {
   return {};
 }
 
+/// Whether a notch is one that this kind of connection makes, or one whose factors are typed.
+bool is_made_by(Fastening fastening, Notch kind) {
+  if (kind == Notch::given || kind == Notch::beta) return true;
+  switch (fastening) {
+    case Fastening::key:
+      return is_keyed(kind);
+    case Fastening::two_keys:
+      return kind == Notch::two_keyways;
+    case Fastening::spline:
+      return false;
+    case Fastening::press_fit:
+      return kind == Notch::press_fit;
+    case Fastening::pin:
+      return kind == Notch::cross_hole;
+    default:
+      return is_keyed(kind) || kind == Notch::press_fit || kind == Notch::cross_hole;
+  }
+}
+
+bool is_under(const Notched& notch, const Seat& seat) {
+  const Length reach = is_set(seat.l_c) ? seat.l_c : is_set(seat.b) ? seat.b : seat.d_c;
+  return abs(notch.x - seat.x) <= reach * (1.0 + one_place);
+}
+
 /// Whether a notch of a connection lies under the hub.
 bool has_notch(const Input& in, const Seat& seat) {
-  const Length reach = is_set(seat.l_c) ? seat.l_c : is_set(seat.b) ? seat.b : seat.d_c;
   return std::any_of(in.notches.begin(), in.notches.end(), [&](const Notched& notch) {
-    const bool is_of_hub = is_keyed(notch.kind) || notch.kind == Notch::press_fit || notch.kind == Notch::cross_hole ||
-                           notch.kind == Notch::given || notch.kind == Notch::beta;
-    return is_of_hub && abs(notch.x - seat.x) <= reach * (1.0 + one_place);
+    return is_made_by(seat.fastening, notch.kind) && is_under(notch, seat);
   });
+}
+
+/// Whether the factors of a notch under a hub are typed, and less than its connection makes.
+bool is_too_mild(const Input& in, const Notched& notch, const Seat& seat) {
+  const bool is_typed = notch.kind == Notch::given || notch.kind == Notch::beta;
+  const Sides sides = around(in, notch.x).sides;
+  const bool at_step = sides.left.d != sides.right.d;  // bounded by its fillet
+  if (!is_typed || at_step || !is_set(in.R_m) || !is_under(notch, seat)) return false;
+  const NotchFactors least = least_factors(seat.fastening, in.R_m);
+  const bool is_beta = notch.kind == Notch::beta;
+  return (is_beta ? notch.beta_b : notch.K_t) < least.bending || (is_beta ? notch.beta_t : notch.K_ts) < least.torsion;
 }
 
 template <class Meant>
@@ -157,6 +220,37 @@ Applies Design::lacks_notch(const Input& in) {
   return where_any(in, [&](std::size_t i) {
     return needs_connection(in, i) && is_set(in.seats[i].d_c) && !has_notch(in, in.seats[i]);
   });
+}
+
+Applies Design::has_mild_notch(const Input& in) {
+  if (!asks_fatigue(in)) return Applies::no;
+  return where_any(in, [&](std::size_t i) {
+    return needs_connection(in, i) && std::any_of(in.notches.begin(), in.notches.end(), [&](const Notched& notch) {
+             return is_too_mild(in, notch, in.seats[i]);
+           });
+  });
+}
+
+/// A connection that is longer than the body which it fastens.
+Applies Design::has_long_hub(const Input& in) {
+  return where_any(in, [&](std::size_t i) {
+    const Seat& seat = in.seats[i];
+    const Length width = is_set(seat.b) && seat.b > 0.0 * mm ? seat.b : seat.b_r;
+    return needs_connection(in, i) && is_set(seat.l_c) && seat.l_c > 1.000001 * width;
+  });
+}
+
+/// Pulleys and sprockets are fastened: hardly any is turned from the bar of its shaft.
+Applies Design::has_turned_pulley(const Input& in) {
+  return where_any(in, [&](std::size_t i) {
+    const Seat& seat = in.seats[i];
+    return seat.integral == Integral::yes && (seat.kind == Mounted::pulley || seat.kind == Mounted::sprocket);
+  });
+}
+
+Applies Design::has_fast_fit(const Input& in) {
+  return where_any(
+      in, [&](std::size_t i) { return needs_connection(in, i) && is_set(in.seats[i].n_c) && is_set(speed_of(in)); });
 }
 
 Applies Design::bears_rims(const Input& in) {

@@ -24,7 +24,10 @@ bool turns_something(const Input& in, std::size_t seat) {
 
 Length diameter_under(const Input& in, const Seat& seat) { return around(in, seat.x).sides.thinner().d; }
 
-bool has_rim(const Seat& seat) { return is_set(seat.d_f) && is_set(seat.h_t) && seat.integral == Integral::no; }
+bool has_rim(const Seat& seat) {
+  const bool has_wall = is_set(seat.h_t) || (is_set(seat.t_c) && seat.t_c > 0.0 * mm);
+  return is_set(seat.d_f) && has_wall && seat.integral == Integral::no;
+}
 
 bool needs_connection(const Input& in, std::size_t seat) {
   return in.seats[seat].integral == Integral::no && turns_something(in, seat);
@@ -44,10 +47,20 @@ void judge_connections(const Input& in, DesignResult& r, Tracer& trace) {
       const Moment T = s.T, T_peak = trace.value("T_peak", seat.T_peak, "of a start or a jam");
       STEP_TO(s, x_peak, in.k_max * abs(T) / T_peak, "a start or a jam loads the connection as well");
     }
+    if (is_set(seat.n_c) && needs_connection(in, i) && is_set(speed_of(in))) {
+      const AngularSpeed n = trace.value("n", speed_of(in), "of the shaft");
+      const AngularSpeed n_c = trace.value("n_c", seat.n_c, "up to which the interference fit is assessed");
+      STEP_TO(s, x_n, n / max(n_c, 1.0 * rpm), "the hub grows by its rotation: n of shaft.press_fit");
+    }
     if (!has_rim(seat)) continue;
-    const Length d = trace.value("d", diameter_under(in, seat), "of the shaft under the gear");
-    const Length t_c = trace.value("t_c", is_set(seat.t_c) ? seat.t_c : 0.0 * mm, "depth of the keyway in the gear");
-    const Length d_f = trace.value("d_f", seat.d_f, "root circle"), h_t = trace.value("h_t", seat.h_t, "tooth height");
+    const Length d = trace.value("d", diameter_under(in, seat), "of the shaft under the hub");
+    const Length t_c = trace.value("t_c", is_set(seat.t_c) ? seat.t_c : 0.0 * mm, "depth of the keyway in the hub");
+    const Length d_f = trace.value("d_f", seat.d_f, "root circle");
+    if (t_c > 0.0 * mm) {
+      STEP_TO(s, x_R, t_c / ((d_f - d) / 2.0 - t_c), "a wall as thick as the keyway is deep is left");
+    }
+    if (!is_set(seat.h_t)) continue;
+    const Length h_t = trace.value("h_t", seat.h_t, "tooth height");
     STEP_TO(s, m_R, ((d_f - d) / 2.0 - t_c) / h_t, "rim over the height of a tooth, as of gear.pair");
   }
 }

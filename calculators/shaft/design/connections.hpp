@@ -14,7 +14,7 @@ namespace loadpath::shaft {
 Length diameter_under(const DesignInput& in, const Seat& seat);
 /// Whether torque passes between the shaft and what sits there, and they are two pieces.
 bool needs_connection(const DesignInput& in, std::size_t seat);
-/// Whether it is a gear with a rim of its own.
+/// Whether it is a hub of its own under a root circle.
 bool has_rim(const Seat& seat);
 
 /// The torque of each connection, and the rims of gears.

@@ -267,6 +267,10 @@ r_T = 0
   static Applies bears_rims(const Input& in);
   static Applies pushes_hubs(const Input& in);
   static Applies lacks_notch(const Input& in);
+  static Applies has_mild_notch(const Input& in);
+  static Applies has_long_hub(const Input& in);
+  static Applies has_turned_pulley(const Input& in);
+  static Applies has_fast_fit(const Input& in);
   static Applies tired(const Input& in);
   static Applies endless(const Input& in) {
     const bool lacks = in.group >= fatigue::Endurance::Group::wrought_aluminium || lacks_fatigue_limit(in);
@@ -336,9 +340,17 @@ r_T = 0
           .wanting("seats F_c"),
       Mode<Input>{"seat_fatigue", "fatigue of the shaft under a hub whose connection is no notch of it", &lacks_notch}
           .wanting("notches part"),
+      Mode<Input>{"notch_factors", "fatigue with notch factors below those of the connection", &has_mild_notch}
+          .advising("take the notch of the connection, part = \"=key.notch\", or give the source: accept.notch_factors "
+                    "= \"...\""),
       Mode<Input>{"rim", "thin rim of a gear between root circle and shaft, over its keyway", &bears_rims}
-          .judged_by("seats.m_R")
+          .judged_by("seats.m_R, seats.x_R")
           .of_shape(),
+      Mode<Input>{"hub_length", "length of a connection beyond its hub", &has_long_hub}.advising(
+          "give the seat the width b of its hub, or confirm a hub that is longer: accept.hub_length = \"...\""),
+      Mode<Input>{"one_piece", "pulley or sprocket as one piece with the shaft", &has_turned_pulley}.advising(
+          "give the seat a connection, or say how it is made: accept.one_piece = \"...\""),
+      Mode<Input>{"fit_speed", "loss of interference of a press fit at speed", &has_fast_fit}.judged_by("seats.x_n"),
       Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &brittle}.special(),
       Mode<Input>{"corrosion", "corrosion and fretting", &unseen<Input>}.special()};

@@ -1,6 +1,7 @@
 // What a shaft is made of and what sits on it: pieces, bearings, seats, notches.
 #pragma once
 
+#include "calculators/load/connection.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/varying.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -81,6 +82,10 @@ struct Seat {
   double r_c = unset<double>;
   Stress R_c = unset<Stress>;
   Length d_c = unset<Length>, t_c = unset<Length>, d_w = unset<Length>, d_f = unset<Length>, h_t = unset<Length>;
+  Length b_r = unset<Length>, bore = unset<Length>, D_c = unset<Length>;
+  AngularSpeed n_c = unset<AngularSpeed>;
+  Mounted kind = Mounted::unsaid;
+  Fastening fastening = Fastening::unsaid;
   static constexpr Fields fields{
       NameField{&Seat::name, "name", "what sits there"}.may_be_missing(),
       Field{&Seat::x, "x", mm, "its middle, from the left end of the shaft"}.at_least(0),
@@ -152,13 +157,27 @@ struct Seat {
           .may_be_missing(),
       Field{&Seat::d_c, "d_c", mm, "shaft diameter that its connection is made for"}.positive().may_be_missing(),
       Field{&Seat::t_c, "t_c", mm, "depth of the keyway in the hub"}.at_least(0).may_be_missing(),
-      Field{&Seat::d_w, "d_w", mm, "diameter that the forces act at: more than that of the shaft"}
-          .at_least(0)
-          .may_be_missing(),
-      Field{&Seat::d_f, "d_f", mm, "root circle of a gear, for the rim between it and the shaft"}
+      Field{&Seat::D_c, "D_c", mm, "outer diameter of the hub that its connection is calculated with"}
           .positive()
           .may_be_missing(),
-      Field{&Seat::h_t, "h_t", mm, "height of the teeth of a gear"}.positive().may_be_missing()};
+      Field{&Seat::n_c, "n_c", rpm, "speed up to which its interference fit is assessed"}.at_least(0).may_be_missing(),
+      Choice{&Seat::fastening, "fastening", "kind of its connection"}.may_be_missing(),
+      Field{&Seat::d_w, "d_w", mm, "diameter that the forces act at: more than that of the shaft"}
+          .at_least(0)
+          .of_body()
+          .may_be_missing(),
+      Field{&Seat::d_f, "d_f", mm,
+            "root circle of a gear or sprocket, groove bottom of a pulley, for the wall under it"}
+          .positive()
+          .of_body()
+          .may_be_missing(),
+      Field{&Seat::h_t, "h_t", mm, "height of the teeth of a gear"}.positive().of_body().may_be_missing(),
+      Field{&Seat::b_r, "b_r", mm, "rim width of a gear or pulley, in place of b for the length of its hub"}
+          .positive()
+          .of_body()
+          .may_be_missing(),
+      Field{&Seat::bore, "bore", mm, "bore of a gear: the diameter of the shaft"}.positive().of_body().may_be_missing(),
+      Choice{&Seat::kind, "kind", "component that sits there"}.of_body().may_be_missing()};
 };
 
 /// What comes h times in a turn and can make the shaft swing.

@@ -104,6 +104,7 @@ class Check {
   /// of the step that it comes from.
   Message lacking() {
     if (const Message peak = lacking_peak(); !peak.empty()) return peak;
+    if (const Message peak = below_peak(); !peak.empty()) return peak;
     if (gives("K_A") || !of_kind(held_, "K_A").empty()) return {};
     for (const Operand& operand : step_.input().reading.operands) {
       if (!operand.leaf.field->is_load) continue;
@@ -144,12 +145,57 @@ class Check {
       if (field == nullptr || !has_part(*shaft)) continue;
       const double k_max = find_leaf(shaft->input().reading.record, "k_max").get();
       if (!counts(k_max)) continue;
-      const double T = std::abs(own_value("K_A") * largest_own("T")), T_max = std::abs(largest_own("T_max"));
-      if (T_max >= k_max * T * (1.0 - 1e-9)) continue;
+      if (bears(k_max)) continue;
       return say("T_max is missing or below {1}.k_max = {2} times K_A T; give T_max", shaft->name(),
                  format_number(k_max, 4));
     }
     return {};
+  }
+
+  /// Whether T_max is a start of this factor on the torque.
+  bool bears(double k_max) {
+    const auto& inputs = step_.input().calculator->input->fields;
+    if (find_field(inputs, "T_max") == nullptr || find_field(inputs, "K_A") == nullptr) return false;
+    const double T = std::abs(own_value("K_A") * largest_own("T")), T_max = std::abs(largest_own("T_max"));
+    return T_max >= k_max * T * (1.0 - 1e-9);
+  }
+
+  /// A load in service of a step that counts a start or a jam, which this step takes alone: what it bears in service it
+  /// need not bear then. Fatigue is of service.
+  Message below_peak() {
+    if (std::string_view(step_.input().calculator->id).starts_with("fatigue.")) return {};
+    Message lacks;
+    for (const Operand& operand : step_.input().reading.operands) {
+      if (!operand.leaf.field->is_load) continue;
+      for (const auto& reference : operand.expression.references()) {
+        const auto [name, rest] = split_step(reference.path);
+        const Step* const source = project_.find(name);
+        const FieldInfo* const field = source == nullptr ? nullptr : source->field(rest);
+        if (field == nullptr || !carries(*field)) continue;
+        const FieldInfo* const own = find_field(source->input().calculator->input->fields, "k_max");
+        if (own == nullptr || !own->is_factor || !counts(input_of(*source, "k_max"))) continue;
+        if (field->is_peak || takes_start_of(name, operand.path)) return {};
+        if (bears(input_of(*source, "k_max"))) return {};
+        if (lacks.empty())
+          lacks =
+              say("'{1}' is of service, without {2}.k_max = {3}; take what that makes of it, F_r0 and F_a0 of a "
+                  "bearing, or write {4} = \"={2}.k_max*...\"",
+                  reference.path, name, format_number(input_of(*source, "k_max"), 4), operand.path);
+      }
+    }
+    return lacks;
+  }
+
+  /// Whether the load holds k_max of that step, or T_max beside it does.
+  bool takes_start_of(const std::string& step, const std::string& load) const {
+    const std::string k_max = step + ".k_max";
+    for (const Operand& operand : step_.input().reading.operands) {
+      if (operand.path != load && operand.path != "T_max") continue;
+      const auto& references = operand.expression.references();
+      if (std::any_of(references.begin(), references.end(), [&](const auto& r) { return r.path == k_max; }))
+        return true;
+    }
+    return false;
   }
 
   /// Whether a record of this step is a part of the other: "=seat.notch".

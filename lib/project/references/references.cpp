@@ -49,6 +49,7 @@ class Settling {
     const std::vector<Taken> all = std::move(reading_.taken);
     reading_.taken.clear();
     for (const Taken& taken : all) settle(taken);
+    take_bodies();
     if (refused_ || !reading_.faulty.empty()) return;  // what a record may have is not known
     for (const Lacking& lacking : reading_.lacking) {
       if (reading_.typed.count(lacking.path) == 0) issues_.push_back(missing(lacking));
@@ -152,6 +153,73 @@ class Settling {
     reading_.records.push_back(taken);
     step_.remark(kept.empty() ? say("taken from {1}: {2}", taken.source, filled)
                               : say("taken from {1}: {2}; given here and not taken: {3}", taken.source, filled, kept));
+  }
+
+  /// Of loads that are taken singly, "=gears.gear_1.T", the sizes of the body that they act on: its root circle, its
+  /// rim.
+  void take_bodies() {
+    std::vector<Taken> singles;  // path: of the load
+    for (const Operand& operand : reading_.operands) {
+      const std::string record = operand.of_record || !operand.leaf.field->is_load ? "" : record_behind(operand);
+      if (!record.empty()) singles.push_back({operand.path, nullptr, record, operand.place, true});
+    }
+    for (const Taken& single : singles) take_body(single);
+  }
+
+  /// Once, though several loads are taken singly.
+  void keep(TypedBeside beside) {
+    const auto same = [&](const TypedBeside& kept) { return kept.path == beside.path && kept.source == beside.source; };
+    if (std::none_of(reading_.kept.begin(), reading_.kept.end(), same)) reading_.kept.push_back(std::move(beside));
+  }
+
+  void take_body(const Taken& taken) {
+    const std::string base = taken.path.substr(0, taken.path.rfind('.') + 1);
+    const std::string name = split_step(taken.source).first, rest = split_step(taken.source).second;
+    const Step& source = *project_.find(name);
+    const std::vector<Member> members = source.members(rest);
+    std::string filled;
+    for_each_leaf(reading_.record, [&](const std::string& path, const Leaf& leaf) {
+      if (!leaf.field->is_of_body || !path.starts_with(base) || is_of_record(reading_, path)) return;
+      const auto given = std::find_if(members.begin(), members.end(), [&](const Member& member) {
+        return member.key == std::string_view(path).substr(base.size()) && is_like(source, member, *leaf.field);
+      });
+      if (given == members.end()) return;
+      const std::string from = std::string(name).append(".").append(given->path);
+      if (reading_.typed.contains(path)) return keep({path, from, given->is_word, false});
+      fill(taken, path, leaf, {given->key, from, given->is_word}, true);
+      list(filled, given->key);
+    });
+    if (!filled.empty()) step_.remark(say("taken from {1} with {2}: {3}", taken.source, taken.path, filled));
+  }
+
+  /// The record that all references of a load are of, "gears.gear_1"; of "gears.T_1", too. Empty where there is none.
+  std::string record_behind(const Operand& operand) const {
+    std::string found;
+    for (const auto& reference : operand.expression.references()) {
+      const auto [name, rest] = split_step(reference.path);
+      const Step* const source = project_.find(name);
+      if (source == nullptr) continue;
+      const std::string record = record_of(*source, rest);
+      if (record.empty()) continue;
+      const std::string whole = std::string(name).append(".").append(record);
+      if (!found.empty() && found != whole) return {};
+      found = whole;
+    }
+    return found;
+  }
+
+  static std::string record_of(const Step& source, const std::string& path) {
+    std::vector<std::string> candidates;
+    if (const std::size_t dot = path.rfind('.'); dot != std::string::npos) {
+      candidates.push_back(path.substr(0, dot));
+    } else if (path.size() > 2 && path[path.size() - 2] == '_') {
+      for (const char* const body : {"gear_", "shaft_"}) candidates.push_back(body + path.substr(path.size() - 1));
+    }
+    const auto is_record = [&](const std::string& c) {
+      return source.field(c) != nullptr && form_of(source, c) == Form::record;
+    };
+    const auto record = std::find_if(candidates.begin(), candidates.end(), is_record);
+    return record == candidates.end() ? std::string() : *record;
   }
 
   static bool is_like(const Step& source, const Member& member, const FieldInfo& field) {

@@ -41,16 +41,24 @@ bool is_strength(const Dimension& dimension, std::string_view group) {
 std::string_view size_of_group(std::string_view group) {
   if (group == "chain") return "p";
   if (group == "key") return "b";
+  if (group == "set_screw") return "d_s";
   return group == "circlip" || group == "spline" ? "d_1" : "";
 }
 
-/// With which power of that length a value grows: areas, forces and masses per length with the second.
+/// Of a ring: the speed at which it opens. Less is no fault.
+bool is_speed(const Dimension& dimension) {
+  const Powers p = powers_of(dimension);
+  return p.is_whole && p.length == 0 && p.mass == 0 && p.time == -1;
+}
+
+/// With which power of that length a value grows: areas, forces and masses per length with the second; speeds fall.
 std::optional<int> growth_of(const Dimension& dimension) {
   const Powers p = powers_of(dimension);
   if (!p.is_whole) return std::nullopt;
   if (p.mass == 0 && p.time == 0 && p.length > 0) return p.length;
   const bool is_force = p.mass == 1 && p.length == 1 && p.time == -2;
   const bool is_line_density = p.mass == 1 && p.length == -1 && p.time == 0;
+  if (is_speed(dimension)) return -1;
   return is_force || is_line_density ? std::optional(2) : std::nullopt;
 }
 
@@ -69,6 +77,17 @@ struct Span {
   double least = std::numeric_limits<double>::infinity(), most = 0.0;
 };
 
+/// The largest value of a column, at any size, that the built-in rows have.
+double strongest(std::string_view group, std::string_view key) {
+  double most = 0.0;
+  for (const Table* table : tables_of(group)) {
+    for (const Row& row : table->rows) {
+      for (const double size : sizes_in(row)) most = std::fmax(most, value_at({table, &row}, key, size));
+    }
+  }
+  return most;
+}
+
 /// What the built-in rows have, over the power of their size.
 Span span_of(std::string_view group, std::string_view key, std::string_view size, int power) {
   Span span;
@@ -86,9 +105,9 @@ Span span_of(std::string_view group, std::string_view key, std::string_view size
 
 void OwnReader::check_bounds(const Row& row, const Table& table, const Place& place, const std::string& key) {
   const RowRead read{row, table, place, key};
-  check_strengths(read);
-  check_shape(read);
   std::vector<std::string> used;
+  check_strengths(read, used);
+  check_shape(read);
   check_replaced(read, used);
   check_group(read, used);
   for (const auto& [column, reason] : row.because) {
@@ -99,8 +118,8 @@ void OwnReader::check_bounds(const Row& row, const Table& table, const Place& pl
   }
 }
 
-/// The yield strength is not above the tensile strength.
-void OwnReader::check_strengths(const RowRead& read) {
+/// The yield strength is not above the tensile strength, and no strength far above that of any built-in material.
+void OwnReader::check_strengths(const RowRead& read, std::vector<std::string>& used) {
   if (read.table.column("R_e") == nullptr || read.table.column("R_m") == nullptr) return;
   const Entry entry{&read.table, &read.row};
   for (const double size : sizes_in(read.row)) {
@@ -112,6 +131,22 @@ void OwnReader::check_strengths(const RowRead& read) {
                         format_quantity(R_m, unit, 5)),
                     say("yield strength cannot exceed tensile strength: check both"));
   }
+  for (const char* const key : {"R_e", "R_m"}) check_strength(read, key, used);
+}
+
+void OwnReader::check_strength(const RowRead& read, const char* key, std::vector<std::string>& used) {
+  const Entry entry{&read.table, &read.row};
+  const double most = beyond_group * strongest(read.table.group, key);
+  double own = no_size;
+  for (const double size : sizes_in(read.row)) own = std::fmax(own, value_at(entry, key, size));
+  if (!(own > most) || std::find(used.begin(), used.end(), key) != used.end()) return;
+  used.emplace_back(key);
+  if (read.row.because.contains(key)) return;
+  complain(
+      read.place, read.key + "." + key,
+      say("{1} = {2} of '{3}' is far above that of any {4} of the tables: {5}", key, format_quantity(own, "MPa", 5),
+          read.row.name, read.table.group, format_quantity(most / beyond_group, "MPa", 4)),
+      say("check the unit, or say why: because.{1} = \"data sheet of the maker\"", key));
 }
 
 void OwnReader::check_shape(const RowRead& read) {
@@ -168,7 +203,8 @@ void OwnReader::check_group(const RowRead& read, std::vector<std::string>& used)
     if (!power || value.key == size) continue;
     const Span span = span_of(read.table.group, value.key, size, *power);
     const double scale = std::pow(own_size, *power);
-    const double least = span.least / beyond_group * scale, most = span.most * beyond_group * scale;
+    const bool may_be_less = is_speed(column.dimension);
+    const double least = may_be_less ? 0.0 : span.least / beyond_group * scale, most = span.most * beyond_group * scale;
     if (!(span.most > 0.0) || (value.si >= least && value.si <= most)) continue;
     if (std::find(used.begin(), used.end(), value.key) == used.end()) used.push_back(value.key);
     if (read.row.because.contains(value.key)) continue;

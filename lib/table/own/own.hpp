@@ -56,7 +56,8 @@ class OwnReader {
   };
   /// An issue for what no part can have, and for what is better than the built-in rows without a reason.
   void check_bounds(const Row& row, const Table& table, const Place& place, const std::string& key);
-  void check_strengths(const RowRead& read);
+  void check_strengths(const RowRead& read, std::vector<std::string>& used);
+  void check_strength(const RowRead& read, const char* key, std::vector<std::string>& used);
   void check_shape(const RowRead& read);
   void check_replaced(const RowRead& read, std::vector<std::string>& used);
   void compare_with(const RowRead& read, const Entry& replaced, std::vector<std::string>& used);

@@ -130,6 +130,38 @@ TEST_SUITE("press fit") {
     CHECK(rel(solve(in).u_A, 0.5) < 1e-12);
   }
 
+  TEST_CASE("a hollow steel shaft in an aluminium hub at 12000 rpm, against finite elements of both discs") {
+    PressFit::Input in = gear();
+    in.d = 60.0 * mm, in.d_i = 20.0 * mm, in.D = 110.0 * mm;
+    in.U_min = 41.0 * um, in.U_max = 90.0 * um, in.Rz_1 = 4.0 * um, in.Rz_2 = 6.3 * um;
+    in.E_2 = 71.0 * GPa, in.nu_2 = 0.34;
+    in.rho_1 = 7850.0 * kg_per_m3, in.rho_2 = 2700.0 * kg_per_m3, in.n = -12000.0 * rpm;
+    const auto r = solve(in);
+    CHECK(rel(in_si(r.p_min), 11.3104e6) < 1e-5);
+    CHECK(rel(in_si(r.p_n), 34.4274e6) < 1e-5);
+    CHECK(rel(in_si(r.sigma_2), (71.2456e6 + 38.5725e6)) < 1e-5);  // at rest; 75.0 and 34.4 at speed
+    CHECK(rel(in_si(r.sigma_1), 86.788e6) < 1e-5);                 // at rest; 68.0 at speed
+    CHECK(rel(in_si(r.connection.n_c), in_si(12000.0 * rpm)) < 1e-12);
+    in.E_2 = in.E_1, in.nu_2 = in.nu_1, in.rho_2 = in.rho_1;
+    const auto steel_hub = solve(in);
+    CHECK(rel(in_si(steel_hub.p_min), 27.3635e6) < 1e-5);
+    CHECK(rel(in_si(steel_hub.sigma_2), (185.7118e6 + 82.7386e6)) < 1e-5);  // at speed
+    CHECK(rel(in_si(steel_hub.sigma_1), 207.894e6) < 1e-5);
+  }
+
+  TEST_CASE("without a speed a fit is assessed up to the speed that takes a hundredth of its interference") {
+    PressFit::Input in = gear();
+    CHECK(in_si(solve(in).connection.n_c) == 0.0);
+    in.rho_1 = in.rho_2 = 7850.0 * kg_per_m3;
+    const auto n_c = solve(in).connection.n_c;
+    const auto at_rest = solve(in);
+    in.n = n_c;
+    CHECK(rel(in_si(solve(in).p_min), 0.99 * in_si(at_rest.p_min)) < 1e-9);
+    in.n = 1e6 * rpm;
+    CHECK(solve(in).p_min == 0.0 * MPa);
+    CHECK(solve(in).u_n > 1.0);
+  }
+
   TEST_CASE("what is missing or contradicts is said") {
     check_says(sizes + fit, "give E and nu of shaft and hub, or a material of both");
     check_says(sizes + "U_min = \"70 um\"\nU_max = \"60 um\"\n" + steel,

@@ -34,8 +34,8 @@ struct Carried {
           .load()
           .with("F_r")
           .holding("K_A"),
-      Field{&Carried::F_r0, "F_r0", N, "largest radial load, with k_max"}.load().with("F_a0").holding("K_A"),
-      Field{&Carried::F_a0, "F_a0", N, "largest axial load, with k_max"}.load().with("F_r0").holding("K_A"),
+      Field{&Carried::F_r0, "F_r0", N, "largest radial load, with k_max"}.load().with("F_a0").holding("K_A").at_peak(),
+      Field{&Carried::F_a0, "F_a0", N, "largest axial load, with k_max"}.load().with("F_r0").holding("K_A").at_peak(),
       Field{&Carried::n, "n", rpm, "speed of the shaft"},
       Field{&Carried::beta, "beta", deg, "slope of the shaft in it"},
       Field{&Carried::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies()};
@@ -47,7 +47,8 @@ struct Seated {
   Length x = unset<Length>;
   Moment T = unset<Moment>;
   Length v = unset<Length>;
-  double beta = unset<double>, u_beta = unset<double>, x_c = unset<double>, x_peak = unset<double>, m_R = unset<double>;
+  double beta = unset<double>, u_beta = unset<double>, x_c = unset<double>, x_peak = unset<double>, m_R = unset<double>,
+         x_R = unset<double>, x_n = unset<double>;
   static constexpr Fields fields{
       NameField{&Seated::name, "name", "what sits there"},
       Field{&Seated::x, "x", mm, "its place"},
@@ -67,6 +68,14 @@ struct Seated {
             "rim of a gear between root circle and shaft, over its keyway, in heights of its teeth: the formulas of "
             "roots hold from 1.2"}
           .limit(1.2 * (1 - 1e-9), 1e6)
+          .where_it_applies(),
+      Field{&Seated::x_R, "x_R", ratio,
+            "keyway depth / wall of the hub that it leaves under the root circle, own bound"}
+          .limit(0, 1 + 1e-9)
+          .where_it_applies(),
+      Field{&Seated::x_n, "x_n", ratio, "speed / speed up to which its interference fit is assessed"}
+          .limit(0, 1 + 1e-6)
+          .sizeless()
           .where_it_applies()};
 };
 

@@ -60,7 +60,7 @@ pulleys = [
           .within(0.01, 10)
           .usually(0.1, 2)
           .may_be_missing(),
-      Field{&Input::q, "q", kg_per_m, "mass of the belt per length"}.at_least(0).usually(0, 20),
+      Field{&Input::q, "q", kg_per_m, "mass of the belt per length"}.at_least(0).usually(0.005, 20),
       Field{&Input::S_0, "S_0", N, "tension of the slack span, behind the first pulley; the least one where missing"}
           .positive()
           .may_be_missing(),
@@ -113,7 +113,11 @@ pulleys = [
   static constexpr bool turns = true;
   static bool carries(const Input& in);
   static Applies loaded(const Input& in) { return where(carries(in)); }
+  static bool runs_fast(const Input& in);
   static constexpr std::array modes{
+      Mode<Input>{"centrifugal", "centrifugal force of the belt, above 10 m/s",
+                  [](const Input& in) { return where(carries(in) && runs_fast(in) && !(in.q > 0.0 * kg_per_m.one)); }}
+          .wanting("q"),
       Mode<Input>{"grip", "slip on a pulley", &loaded}.judged_by("u_S"),
       Mode<Input>{"lifting", "belt lifts off a pulley", &loaded}.judged_by("N_min"),
       Mode<Input>{"strength", "strength of the belt under its largest tension", &loaded}.judged_by("u_T"),

@@ -31,6 +31,10 @@ FieldFault length_fault(const Input& in, const Circles& circles) {
 
 }  // namespace
 
+bool Course::runs_fast(const Input& in) {
+  return !in.pulleys.empty() && in.n_1 * in.pulleys[0].d / 2.0 > 10.0 * m_per_s;
+}
+
 bool Course::carries(const Input& in) { return has_powers(in) || is_set(in.S_0); }
 
 bool Course::tensioner_fits(const Input& in) {

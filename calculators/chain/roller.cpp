@@ -5,6 +5,10 @@
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+
 namespace loadpath::chain {
 
 namespace {
@@ -125,6 +129,18 @@ void rating(const Input& in, Result& r, Tracer& trace) {
 }
 
 }  // namespace
+
+/// Of link plates and of rollers, the smaller, with 19 teeth; strands count 1.7, 2.5 and 3.3 times one.
+double Roller::most_rating(const Input& in) {
+  constexpr double horsepower = 745.7, inch = 0.0254, teeth = 19.0, at_best = 2.0;
+  constexpr std::array of_strands{1.0, 1.7, 2.5, 3.3, 3.9, 4.6};
+  const double p = in_si(in.p) / inch, whole = in_si(in.n_1) * 30.0 / pi;
+  const double n = in.z_1 > in.z_2 ? whole * in.z_1 / in.z_2 : whole;
+  const double plates = 0.004 * std::pow(teeth, 1.08) * std::pow(n, 0.9) * std::pow(p, 3.0 - 0.07 * p);
+  const double rollers = 17000.0 * std::pow(teeth, 1.5) * std::pow(p, 0.8) / std::pow(n, 1.5);
+  const auto strands = static_cast<std::size_t>(std::clamp(static_cast<int>(in.strands), 1, 6));
+  return at_best * horsepower * of_strands[strands - 1] * std::min(plates, rollers);
+}
 
 bool Roller::sprockets_apart(const Input& in) { return !is_set(in.a) || !is_set(in.p) || in.a > closest(in); }
 

@@ -10,6 +10,7 @@
 #pragma once
 
 #include "calculators/load/shaft_load.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -29,7 +30,7 @@ struct Roller {
       "Links and centre distance of a drive with two sprockets, speed limits by lubrication, polygon effect, chain "
       "pull, "
       "pressure in the joints, static safety against breaking, load of the shafts. Life is not covered.";
-  static constexpr auto source = "[B40], [ISO10823]";
+  static constexpr auto source = "[ASME-B29], [B40], [ISO10823]";
   static constexpr auto example = R"([project]
 title = "Chain from a gear motor to a conveyor"
 
@@ -122,7 +123,7 @@ P_R = "5.5 kW"
           .at_least(1)
           .usually(1, 2)
           .factor(),
-      Field{&Input::K_f, "K_f", ratio, "sag: 6 for a level drive, 3 at 40 deg, 1 upright"}.within(0, 10),
+      Field{&Input::K_f, "K_f", ratio, "sag: 6 for a level drive, 3 at 40 deg, 1 upright"}.within(0, 10).usually(1, 6),
       Choice{&Input::lubrication, "lubrication", "how the chain is lubricated"}.may_be_missing(),
       Field{&Input::p_adm, "p_adm", MPa, "allowable pressure in the joint"}.positive().usually(5, 60).may_be_missing(),
       Field{&Input::S_min, "S_min", ratio, "least safety against breaking"}.at_least(1).usually(5, 20).may_be_missing(),
@@ -221,6 +222,13 @@ P_R = "5.5 kW"
                   "an odd number of links needs a cranked link, which is weaker", nullptr, true},
       Rule<Input>{[](const Input& in) { return in.z_1 >= 17 && in.z_2 >= 17; }, "z_1, z_2",
                   "with fewer than 17 teeth the chain runs rough and wears soon", nullptr, true}};
+
+  static double most_rating(const Input& in);
+  /// A chain that no sag loads hangs nowhere: of one whose place is not told that of a level drive.
+  static double least_sag(const Input& in) { return in.K_f < 1.0 ? 6.0 : unset<double>; }
+  static constexpr std::array bounds{
+      Bound<Input>{"P_R", "twice the rating of its pitch by ASME B29.1, as ratings are at best", &most_rating},
+      Bound<Input>{"K_f", "a level drive; upright it is 1", &least_sag}.least()};
 
   static constexpr bool turns = true;
   static constexpr std::array modes{

@@ -10,12 +10,13 @@
 // transverse loads, biaxial eccentricity.
 #pragma once
 
+#include "calculators/column/bounds.hpp"
 #include "calculators/column/buckling_input.hpp"
 #include "calculators/column/member/modes.hpp"
 #include "calculators/column/member/result.hpp"
 #include "calculators/column/member/rules.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/form.hpp"
-#include "lib/calculator/join.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -60,8 +61,6 @@ n_st = 3
   static bool radii_fit(const Input& in);
   static bool needs_of_method(const Input& in);
   static bool extreme_fibre_known(const Input& in);
-  static bool curves_are_of_kind(const Input& in);
-  static FieldFault curve_of_another(const Input& in);
   static FieldFault section_missing(const Input& in);
   static FieldFault missing_for_method(const Input& in);
   static Outline outline_of(const Input& in);
@@ -76,9 +75,9 @@ n_st = 3
                       "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, "
                       "h, b, t_f",
                       "something is missing that the method needs", &missing_for_method}},
-      std::array{curve_rule<Input, &curves_are_of_kind, &curve_of_another>()}, method_rules<Input>(),
-      eccentricity_rules<Input>());
+      method_rules<Input>(), eccentricity_rules<Input>());
   static constexpr std::array meanings = member_meanings;
+  static constexpr auto bounds = join(held_bounds<Input>(), curve_bounds<Input>());
   static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0", "R_e, kind, h, b, t_f, t_w");
 
   static constexpr std::array forms{

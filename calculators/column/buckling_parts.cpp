@@ -7,12 +7,18 @@ Plates plates_of(const BucklingInput& in) {
   return {in.kind, in.grade, in.h, in.b, in.t_f, wall, in.r, in.d};
 }
 
+bool is_solid(const BucklingInput& in) {
+  if (in.kind != Profile::unsaid) return in.kind == Profile::solid;
+  if (is_set(in.d)) return !is_set(in.A) && !(in.d_bore > 0.0 * mm);
+  return !is_set(in.A) || is_full(in);
+}
+
 Length extreme_fibre(const BucklingInput& in, AxisName axis) {
   const bool about_y = axis == AxisName::y;
   const Length given = about_y ? in.c_y : in.c_z;
   const bool lopsided = in.kind == Profile::angle || in.kind == (about_y ? Profile::tee : Profile::channel);
-  const Length half = lopsided ? unset<Length> : 0.5 * (is_set(in.d) ? in.d : about_y ? in.h : in.b);
-  if (!is_set(given)) return half;
+  const Length half = 0.5 * (is_set(in.d) ? in.d : about_y ? in.h : in.b);
+  if (!is_set(given)) return lopsided ? unset<Length> : half;
   return is_set(half) ? max(given, half) : given;  // no fibre of a side is nearer than half of it
 }
 

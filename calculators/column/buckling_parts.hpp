@@ -41,6 +41,8 @@ inline Material material_of(const BucklingInput& in) {
 }
 
 Plates plates_of(const BucklingInput& in);
+/// By its kind; without one a bar of d, or of h and b, and what is full by its area and moments.
+bool is_solid(const BucklingInput& in);
 /// Its distance from the axis: as given, else half the side of a section that is symmetric to the axis; unset of a
 /// channel about z, of a tee about y, of an angle.
 Length extreme_fibre(const BucklingInput& in, AxisName axis);

@@ -25,27 +25,7 @@ bool has_curves(const Input& in) {
   return has(AxisName::y) && has(AxisName::z);
 }
 
-/// Whether a curve is typed that is better than the one of table 6.2.
-bool is_bold(const Input& in, AxisName axis) {
-  const Curve typed = axis == AxisName::y ? in.curve_y : in.curve_z, own = buckling_curve(plates_of(in), axis);
-  return typed != Curve::by_kind && own != Curve::by_kind && imperfection(typed) < imperfection(own);
-}
-
 }  // namespace
-
-bool Buckling::curves_are_of_kind(const Input& in) {
-  return in.method != Method::ec3 || (!is_bold(in, AxisName::y) && !is_bold(in, AxisName::z));
-}
-
-FieldFault Buckling::curve_of_another(const Input& in) {
-  const AxisName axis = is_bold(in, AxisName::y) ? AxisName::y : AxisName::z;
-  const std::string key = std::string("curve_") + word_of(axis);
-  return {key,
-          say("{1} = {2} is typed, and table 6.2 of EN 1993-1-1 has {3} for {4}", key,
-              word_of(axis == AxisName::y ? in.curve_y : in.curve_z), word_of(buckling_curve(plates_of(in), axis)),
-              word_of(in.kind)),
-          say("leave out {1}", key)};
-}
 
 bool Buckling::section_given(const Input& in) {
   const bool round = is_set(in.d), rectangle = is_set(in.h) && is_set(in.b);
@@ -76,7 +56,6 @@ FieldFault Buckling::missing_for_method(const Input& in) { return column::missin
 
 bool Buckling::extreme_fibre_known(const Input& in) { return fibre_known(in); }
 
-/// By its kind; without one a bar of d, or of h and b, is known too, and what is full by its area and moments.
 Outline Buckling::outline_of(const Input& in) {
   switch (in.kind) {
     case Profile::rolled_I:
@@ -95,8 +74,8 @@ Outline Buckling::outline_of(const Input& in) {
     case Profile::unsaid:
       break;
   }
-  if (is_set(in.d)) return is_set(in.A) || in.d_bore > 0.0 * mm ? Outline::closed : Outline::solid;
-  return is_set(in.A) && !is_full(in) ? Outline::unknown : Outline::solid;
+  if (is_solid(in)) return Outline::solid;
+  return is_set(in.d) ? Outline::closed : Outline::unknown;
 }
 
 }  // namespace loadpath::column

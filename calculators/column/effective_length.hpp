@@ -80,9 +80,11 @@ end_2 = "pinned"
           .may_be_missing(),
       Field{&Input::G_1, "G_1", ratio, "first joint of a frame: sum of E I/L of its columns over that of its beams"}
           .at_least(0)
+          .usually(0.1, 100)
           .may_be_missing(),
       Field{&Input::G_2, "G_2", ratio, "second joint of a frame, likewise; a hinge is infinite, taken as 10"}
           .at_least(0)
+          .usually(0.1, 100)
           .may_be_missing(),
       Choice{&Input::frame, "frame", "whether the frame of the joints is held against sway"}.may_be_missing(),
       ListField{&Input::supports, "supports", "rigid supports between the ends"}.as_arrays().may_be_missing()};

@@ -13,7 +13,7 @@
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/text/issue.hpp"
 
@@ -77,20 +77,26 @@ S_F = 1.5
               .may_be_missing(),
           Field{&Input::K_sigma, "K_sigma", ratio,
                 "K_D of sigma_D, which the mean stress does not feel; 1 is on the safe side"}
-              .within(1, 50),
-          Field{&Input::K_tau, "K_tau", ratio, "K_D of tau_D"}.within(1, 50),
+              .within(1, 50)
+              .usually(1, 6),
+          Field{&Input::K_tau, "K_tau", ratio, "K_D of tau_D"}.within(1, 50).usually(1, 6),
           Field{&Input::psi_sigma, "psi_sigma", ratio, "sensitivity to mean normal stress, else by R_m of steels"}
               .within(0, 1)
+              .usually(0.02, 0.6)
               .may_be_missing(),
-          Field{&Input::psi_tau, "psi_tau", ratio, "the same in shear, else half of it"}.within(0, 1).may_be_missing(),
+          Field{&Input::psi_tau, "psi_tau", ratio, "the same in shear, else half of it"}
+              .within(0, 1)
+              .usually(0.01, 0.4)
+              .may_be_missing(),
           Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m",
                                                                                                "d_h"),
           Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
           modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
-          diameter_at_heat_treatment(&Input::d_h), Choice{&Input::rule, "rule", "rule that decides"}.may_be_missing(),
+          diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
+          Choice{&Input::rule, "rule", "rule that decides"}.may_be_missing(),
           Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
               .at_least(1)
-              .usually(1, 6)
+              .usually(1.2, 6)
               .factor(),
           Field{&Input::S_F, "S_F", ratio, "safety against yielding"}
               .at_least(1)
@@ -143,9 +149,9 @@ S_F = 1.5
                   "the fatigue limit in shear is not above that in normal stresses"},
       yields_before_it_breaks<Input>(), safety_has_its_yield<Input>()};
 
-  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear},
-                                       Meaning{"K_sigma", factor_in_normal}, Meaning{"K_tau", factor_in_shear},
-                                       Meaning{"sigma_a, tau_a", "amplitude"}};
+  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal},    Meaning{"tau_D", limit_in_shear},
+                                       Meaning{"K_sigma", factor_in_normal},   Meaning{"K_tau", factor_in_shear},
+                                       Meaning{"sigma_a, tau_a", "amplitude"}, Meaning{"sigma_m, tau_m", steady_part}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),

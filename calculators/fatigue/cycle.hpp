@@ -13,8 +13,8 @@
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/load/stress_cycle.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/form.hpp"
-#include "lib/calculator/join.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -71,7 +71,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                  .usually(50, 2500)
                  .from("material", "R_e", "d_h"),
              modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
-             diameter_at_heat_treatment(&Input::d_h),
+             diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
              Field<Input, double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
                  .at_least(1)
                  .usually(1, 6)
@@ -84,7 +84,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                  .may_be_missing(),
              Field<Input, double>{&Input::S_D, "S_D", ratio, "safety against the fatigue limit"}
                  .at_least(1)
-                 .usually(1, 6)
+                 .usually(1.2, 6)
                  .may_be_missing()
                  .factor(),
              ListField<Input, List<Other, most_others>>{&Input::others, "others", "cycles that are compared with it"}
@@ -130,9 +130,12 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
       Rule<Input>{[](const Input& in) { return is_set(in.S_D) == is_set(in.sigma_D); }, "sigma_D, S_D",
                   "the fatigue limit sigma_D and the safety against it S_D belong together"}};
 
-  static constexpr std::array meanings{
-      Meaning{"sigma_D", limit_in_normal, "stress", "normal"}, Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
-      Meaning{"sigma_max", "max"}, Meaning{"sigma_min", "min"}, Meaning{"sigma_a", "amplitude"}};
+  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
+                                       Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
+                                       Meaning{"sigma_max", "max"},
+                                       Meaning{"sigma_min", "min"},
+                                       Meaning{"sigma_a", "amplitude"},
+                                       Meaning{"sigma_m", steady_part}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}

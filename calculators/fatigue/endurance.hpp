@@ -66,22 +66,31 @@ R_z = "6.3 um"
       Choice{&Input::school, "school", "school that goes from the specimen to the part"}.may_be_missing(),
       Field{&Input::d, "d", mm, "diameter of the part at the section"}.positive().usually(1, 1000).may_be_missing(),
       diameter_at_heat_treatment(&Input::d_h),
-      Field{&Input::epsilon, "epsilon", ratio, "size factor, in place of one from d"}.within(0.3, 1).may_be_missing(),
-      Field{&Input::K_t, "K_t", ratio, "stress concentration factor of the shape, on the net section"}.within(1, 10),
-      Field{&Input::q, "q", ratio, "notch sensitivity"}.within(0, 1).may_be_missing(),
+      Field{&Input::epsilon, "epsilon", ratio, "size factor, in place of one from d"}
+          .within(0.3, 1)
+          .usually(0.5, 1)
+          .may_be_missing(),
+      Field{&Input::K_t, "K_t", ratio, "stress concentration factor of the shape, on the net section"}
+          .within(1, 10)
+          .usually(1, 6),
+      Field{&Input::q, "q", ratio, "notch sensitivity"}.within(0, 1).usually(0.2, 1).may_be_missing(),
       Field{&Input::r_n, "r_n", mm, "radius of the notch, for the notch sensitivity of steels"}
           .positive()
           .usually(0.1, 100)
           .may_be_missing(),
-      Field{&Input::K_f, "K_f", ratio, "fatigue notch factor, in place of K_t"}.within(1, 10).may_be_missing(),
+      Field{&Input::K_f, "K_f", ratio, "fatigue notch factor, in place of K_t"}
+          .within(1, 10)
+          .usually(1, 6)
+          .may_be_missing(),
       Field{&Input::R_z, "R_z", um, "roughness, for the surface of Serensen's school"}
           .positive()
           .usually(0.1, 400)
           .may_be_missing(),
       Field{&Input::beta_F, "beta_F", ratio, "surface factor, in place of one from R_z"}
           .within(0.2, 1)
+          .usually(0.4, 1)
           .may_be_missing(),
-      Field{&Input::beta_V, "beta_V", ratio, "factor of a hardened surface"}.within(1, 4).factor(),
+      Field{&Input::beta_V, "beta_V", ratio, "factor of a hardened surface"}.within(1, 4).usually(1, 2.8).factor(),
       Choice{&Input::finish, "finish", "surface, for Marin's school"}.may_be_missing(),
       Choice{&Input::sensitivity, "sensitivity", "how the notch sensitivity follows"}.may_be_missing(),
       Choice{&Input::edition, "edition", "edition of the surface factors of Marin's school"}.may_be_missing(),
@@ -93,12 +102,15 @@ R_z = "6.3 um"
       Field{&Input::b, "b", mm, "width of that section"}.positive().may_be_missing(),
       Field{&Input::k_a, "k_a", ratio, "surface factor of Marin's school, in place of one from finish"}
           .within(0.1, 1)
+          .usually(0.2, 1)
           .may_be_missing(),
       Field{&Input::k_b, "k_b", ratio, "size factor of Marin's school, in place of one from d"}
           .within(0.3, 1)
+          .usually(0.6, 1)
           .may_be_missing(),
       Field{&Input::k_c, "k_c", ratio, "load factor, where sigma_W was measured in rotating bending"}
           .within(0.3, 1)
+          .usually(0.55, 1)
           .may_be_missing(),
       Field{&Input::T, "T", scale_of_heat, "temperature of the part, where R_m is that of room temperature"}
           .positive()
@@ -220,6 +232,8 @@ R_z = "6.3 um"
                                        Meaning{"sigma_W, sigma_m1", specimen_in_torsion, "loading", "torsion"},
                                        Meaning{"K_D", factor_in_normal, "loading", normal},
                                        Meaning{"K_D", factor_in_shear, "loading", shear}};
+
+  static constexpr std::array notch_claims{NotchClaim{"sigma_D", "K_f", "K_t"}};
 
   static constexpr std::array modes{
       Mode<Input>{"size", "a part larger than specimens, by a size factor that was measured", &has_size}

@@ -16,7 +16,7 @@
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -101,10 +101,10 @@ S_F = 1.5
                                                                                                  "d_h"),
           modulus_of_material(&Input::E),
           density_of_material(&Input::rho),
-          diameter_at_heat_treatment(&Input::d_h),
+          diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
           F<double>{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
               .at_least(1)
-              .usually(1, 6)
+              .usually(1.2, 6)
               .factor(),
           F<double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
               .at_least(1)
@@ -119,9 +119,11 @@ S_F = 1.5
                     "raises the mean stress at a notch where it is held against a strength: 1 of ductile metals, K_f "
                     "of brittle ones"}
               .within(1, 10)
+              .usually(1, 5)
               .may_be_missing(),
           F<double>{&Input::K_D, "K_D", ratio, "specimen over part: of fatigue.endurance"}
               .within(0.2, 50)
+              .usually(0.5, 10)
               .may_be_missing(),
           F<Stress>{&Input::sigma_f, "sigma_f", MPa, "fatigue strength coefficient sigma_f' of Basquin, for Morrow too"}
               .positive()
@@ -133,13 +135,16 @@ S_F = 1.5
               .may_be_missing(),
           F<double>{&Input::gamma, "gamma", ratio, "Walker's exponent, else by R_m of steels"}
               .within(0.1, 1)
+              .usually(0.3, 0.9)
               .may_be_missing(),
           F<double>{&Input::M, "M", ratio, "FKM's sensitivity to mean stress, else by group and R_m"}
               .at_least(0)
               .below(1)
+              .usually(0.01, 0.8)
               .may_be_missing(),
           F<double>{&Input::psi, "psi", ratio, "Serensen's sensitivity to mean stress, else by R_m of steels"}
               .within(0, 1)
+              .usually(0.02, 0.6)
               .may_be_missing(),
           F<double>{&Input::N, "N", ratio, "cycles that it must last; without end where missing"}
               .at_least(1)
@@ -149,13 +154,19 @@ S_F = 1.5
           Choice<Input, Line>{&Input::line, "line", "line of finite life"}.may_be_missing(),
           F<double>{&Input::f, "f", ratio, "strength at 1e3 cycles over R_m, else by R_m of steels"}
               .within(0.5, 1)
+              .usually(0.7, 0.95)
               .may_be_missing(),
           F<double>{&Input::b, "b", ratio, "Basquin's exponent over reversals, negative"}
               .within(-0.5, -0.02)
+              .usually(-0.2, -0.04)
               .may_be_missing(),
-          F<double>{&Input::k, "k", ratio, "slope of the line: N S^k is constant"}.within(2, 40).may_be_missing(),
+          F<double>{&Input::k, "k", ratio, "slope of the line: N S^k is constant"}
+              .within(2, 40)
+              .usually(3, 20)
+              .may_be_missing(),
           F<double>{&Input::N_D, "N_D", ratio, "cycles that sigma_D stands for, else 1e6, of non-ferrous metals 1e8"}
               .within(1e4, 1e10)
+              .usually(5e5, 1e9)
               .may_be_missing()});
 
   struct Row {
@@ -257,7 +268,8 @@ S_F = 1.5
                                        Meaning{"K_D", factor_in_shear, "stress", "shear"},
                                        Meaning{"sigma_max", "max"},
                                        Meaning{"sigma_min", "min"},
-                                       Meaning{"sigma_a", "amplitude"}};
+                                       Meaning{"sigma_a", "amplitude"},
+                                       Meaning{"sigma_m", steady_part}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),

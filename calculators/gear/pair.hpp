@@ -120,7 +120,7 @@ sigma_adm_2 = "200 MPa"
           .load()
           .at_least_that_of_source("shafts[#].P")
           .may_be_missing(),
-      Field{&Input::n_1, "n_1", rpm, "speed of gear 1"}.positive().may_be_missing(),
+      Field{&Input::n_1, "n_1", rpm, "speed of gear 1; negative: opposite to turns"}.may_be_missing(),
       Choice{&Input::turns, "turns", "sense of rotation of gear 1, seen against the z axis"}.may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "application factor: what the nominal load does not contain, once"}
           .at_least(1)
@@ -184,6 +184,7 @@ sigma_adm_2 = "200 MPa"
                   "give the load as T_1 or as P, never both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.P) || is_set(in.n_1); }, "P, n_1",
                   "a power needs the speed n_1"},
+      Rule<Input>{[](const Input& in) { return !(abs(in.n_1) <= 0.0 * rpm); }, "n_1", "gears that run have a speed"},
       Rule<Input>{[](const Input& in) {
                     const bool load = is_set(in.T_1) || is_set(in.P), width = is_set(in.b) || is_set(in.psi_m);
                     return !asks_strength(in) || (load && width);

@@ -8,15 +8,28 @@ namespace loadpath::gear {
 
 namespace load {
 
+/// A speed that comes signed from a train: gear 1 turns against the sense that is given.
+inline bool turns_back(const PairInput& in) { return in.n_1 < 0.0 * rpm; }
+
+/// Positive where gear 1 drives. Of a gear that turns back torques come with its sign and without.
 template <class Tracer>
 Moment torque(const PairInput& in, Tracer& trace) {
+  if (turns_back(in)) {
+    if (!is_set(in.P))
+      return is_set(in.T_1) ? NAMED_STEP("T_1", abs(in.T_1), "gear 1, which turns back, drives") : unset<Moment>;
+    return NAMED_STEP("T_1", in.P / abs(in.n_1), "torque from the power, nominal");
+  }
   if (!is_set(in.P)) return in.T_1;
   return NAMED_STEP("T_1", in.P / in.n_1, "torque from the power, nominal");
 }
 
 template <class Tracer>
 void speeds(const PairInput& in, PairResult& r, Tracer& trace) {
-  STEP_TO(r, v, in.n_1 * r.d_w1 / 2.0, "pitch line velocity");
+  if (turns_back(in)) {
+    STEP_TO(r, v, abs(in.n_1) * r.d_w1 / 2.0, "pitch line velocity");
+  } else {
+    STEP_TO(r, v, in.n_1 * r.d_w1 / 2.0, "pitch line velocity");
+  }
   if (in.mesh == Mesh::rack) return;
   const double g = trace.value("g", sign_of(in.mesh), "1 with a wheel, -1 with a ring");
   STEP_TO(r, n_2, -g * in.n_1 * in.z_1 / in.z_2, "wheels turn against each other, wheel and ring alike");
@@ -27,11 +40,13 @@ void speeds(const PairInput& in, PairResult& r, Tracer& trace) {
 /// counter-clockwise, else -1.
 inline void hand_over(const PairInput& in, Moment T_1, double w, PairResult& r) {
   const double K_A = in.K_A, to_2 = K_A * sign_of(in.mesh);
-  r.gear_1 = shaft_load(K_A * T_1, {to_2 * r.F_x1, to_2 * r.F_y1, K_A * r.F_z1}, r.d_w1, w * in.n_1, sign_of(in.mesh));
+  const double forward = turns_back(in) ? -w : w;  // of the speeds, which have their sign
+  r.gear_1 =
+      shaft_load(K_A * T_1, {to_2 * r.F_x1, to_2 * r.F_y1, K_A * r.F_z1}, r.d_w1, forward * in.n_1, sign_of(in.mesh));
   r.gear_1.d_f = r.d_f1, r.gear_1.h_t = (r.d_a1 - r.d_f1) / 2.0;
   r.gear_1.kind = Mounted::gear, r.gear_1.b_r = r.b, r.gear_1.bore = in.bore_1;
   if (in.mesh == Mesh::rack) return;
-  r.gear_2 = shaft_load(K_A * r.T_2, {-to_2 * r.F_x2, -to_2 * r.F_y2, K_A * r.F_z2}, r.d_w2, w * r.n_2);
+  r.gear_2 = shaft_load(K_A * r.T_2, {-to_2 * r.F_x2, -to_2 * r.F_y2, K_A * r.F_z2}, r.d_w2, forward * r.n_2);
   r.gear_2.d_f = unset<Length>, r.gear_2.kind = Mounted::gear, r.gear_2.b_r = r.b, r.gear_2.bore = in.bore_2;
   if (in.mesh == Mesh::external) r.gear_2.d_f = r.d_f2, r.gear_2.h_t = (r.d_a2 - r.d_f2) / 2.0;
 }
@@ -39,7 +54,10 @@ inline void hand_over(const PairInput& in, Moment T_1, double w, PairResult& r) 
 /// [Vortarus], with the hand of the helix and the sense of rotation; the working circle gives what the bearings feel.
 template <class Tracer>
 void forces(const PairInput& in, Moment T_1, PairResult& r, Tracer& trace) {
-  STEP(w, in.turns == Turns::ccw ? 1.0 : -1.0, "1 where gear 1 turns counter-clockwise, -1 clockwise");
+  const double w = turns_back(in)
+                       ? NAMED_STEP("w", in.turns == Turns::ccw ? -1.0 : 1.0, "n_1 is negative: against its sense")
+                       : NAMED_STEP("w", in.turns == Turns::ccw ? 1.0 : -1.0,
+                                    "1 where gear 1 turns counter-clockwise, -1 clockwise");
   STEP(h, in.hand == Hand::right ? 1.0 : -1.0, "1 for a right-hand helix of gear 1, -1 for a left-hand one");
   STEP_TO(r, F_t, 2.0 * abs(T_1) / r.d_1, "at the reference circle");
   STEP_TO(r, F_tw, 2.0 * abs(T_1) / r.d_w1, "at the working circle");

@@ -122,6 +122,42 @@ bool Member::force_given(const Input& in) { return is_set(in.N) || is_set(in.P);
 
 bool Member::fibre_known(const Input& in) { return is_set(column::extreme_fibre(in, AxisName::y)); }
 
+namespace {
+
+Area area_of(const Input& in) {
+  if (is_set(in.A)) return in.A;
+  const Length bore = is_set(in.d_bore) ? in.d_bore : 0.0 * mm;
+  return is_set(in.d) ? pi / 4.0 * (pow<2>(in.d) - pow<2>(bore)) : in.h * in.b;
+}
+
+}  // namespace
+
+bool Member::shear_inside(const Input& in) {
+  constexpr double rounding = 1.01;
+  return !(in.A_v > rounding * area_of(in));
+}
+
+/// Of a web with its fillets, of the webs of a box, of a tube; else no bound but the whole section.
+double Member::most_shear_area(const Input& in) {
+  using column::Profile;
+  constexpr double rounding = 1.01;
+  const Area A = area_of(in);
+  const Length r = is_set(in.r) ? in.r : 0.0 * mm;
+  switch (in.kind) {
+    case Profile::rolled_I:
+    case Profile::welded_I:
+      return rounding * in_si(A - 2.0 * in.b * in.t_f + (in.t_w + 2.0 * r) * in.t_f);
+    case Profile::channel:
+      return rounding * in_si(A - 2.0 * in.b * in.t_f + (in.t_w + r) * in.t_f);
+    case Profile::hot_hollow:
+    case Profile::cold_hollow:
+    case Profile::welded_box:
+      return rounding * (is_set(in.d) ? in_si(A) * 2.0 / pi : in_si(A * in.h / (in.b + in.h)));
+    default:
+      return unset<double>;
+  }
+}
+
 /// Those for which an even moment bounds the others.
 bool Member::ends_in_plane(const Input& in) {
   if (!column::supports_of(in, AxisName::y).empty()) return false;

@@ -12,7 +12,7 @@
 
 #include "calculators/column/buckling.hpp"
 #include "calculators/load/stress_cycle.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 
 namespace loadpath::link {
 
@@ -124,6 +124,8 @@ S = 1.5
 
   static bool force_given(const Input& in);
   static bool fibre_known(const Input& in);
+  static bool shear_inside(const Input& in);
+  static double most_shear_area(const Input& in);
   static bool ends_in_plane(const Input& in);
   static bool is_lean(const Input& in);
   static Applies loaded(const Input& in);
@@ -153,8 +155,11 @@ S = 1.5
                       "something is missing that the method needs",
                       &column::of<Input, &column::Buckling::missing_for_method>}},
       std::array{
-          column::curve_rule<Input, &column::Buckling::curves_are_of_kind, &column::Buckling::curve_of_another>()},
+          Rule<Input>{&shear_inside, "A_v, A, d, d_bore, h, b", "what carries the shear is a part of the section"}},
       column::method_rules<Input>());
+  static constexpr auto bounds =
+      join(column::held_bounds<Input>(), column::curve_bounds<Input>(),
+           std::array{Bound<Input>{"A_v", "the section, EN 1993-1-1 6.2.6", &most_shear_area}});
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield of the extreme fibre under N and M_b", &loaded}.judged_by("u_y"),

@@ -90,6 +90,7 @@ p_adm = "80 MPa"
   struct Result {
     Force F_d = unset<Force>;
     Stress sigma_n = unset<Stress>, tau_s = unset<Stress>, p = unset<Stress>;
+    double K_t = unset<double>;
     double u_n = unset<double>, u_s = unset<double>, u_p = unset<double>, x_b = unset<double>, x_a = unset<double>;
     StressCycle cycle;
   };
@@ -98,6 +99,7 @@ p_adm = "80 MPa"
       Field{&Result::sigma_n, "sigma_n", MPa, "nominal stress of the net section beside the bore"}.holding("K_A"),
       Field{&Result::tau_s, "tau_s", MPa, "shear stress of the two planes from bore to crown"}.holding("K_A"),
       Field{&Result::p, "p", MPa, "pressure in the bore"}.holding("K_A"),
+      Field{&Result::K_t, "K_t", ratio, "shape factor of the bore on the net section, at least: of an open hole"},
       Field{&Result::u_n, "u_n", ratio, "net section over the allowable stress"}.check("sigma_adm, S"),
       Field{&Result::u_s, "u_s", ratio, "shear-out over the allowable stress"}.check("tau_adm, S"),
       Field{&Result::u_p, "u_p", ratio, "pressure over the allowable one"}.check("p_adm"),
@@ -115,6 +117,7 @@ p_adm = "80 MPa"
 
   static constexpr std::array meanings{Meaning{"sigma_adm", allowable_in_normal},
                                        Meaning{"tau_adm", allowable_in_shear}};
+  static constexpr std::array notch_claims{NotchClaim{"sigma_n, cycle.sigma_max", "K_t"}};
   static constexpr std::array modes{
       Mode<Input>{"net", "eye torn beside the bore", &loaded}.judged_by("u_n, x_b").wanting("sigma_adm"),
       Mode<Input>{"shear_out", "eye sheared out to its crown", &loaded}.judged_by("u_s").wanting("tau_adm"),

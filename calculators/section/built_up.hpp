@@ -8,7 +8,7 @@
 
 #include "calculators/section/built_up_types.hpp"
 #include "calculators/section/properties/outline.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/text/issue.hpp"
 

@@ -9,6 +9,7 @@
 #include "calculators/shaft/parts/modes.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/form.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -109,6 +110,7 @@ tau_adm = "30 MPa"
       Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; }, "d_bore, d",
                   "the bore must be smaller than the shaft"}};
 
+  static constexpr std::array meanings{Meaning{"sigma_b, M_b", reverses_in_turns}};
   static constexpr auto modes = with_modes_of_shafts(std::array{
       Mode<Input>{"yield", "yield beside the bearing, in bending with torsion", &loaded}.judged_by("u_v"),
       Mode<Input>{"shear", "yield at the neutral axis, in shear", &loaded}.judged_by("u_Q"),

@@ -7,8 +7,8 @@
 
 #include "calculators/vessel/lame.hpp"
 #include "calculators/vessel/modes.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/form.hpp"
-#include "lib/calculator/join.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>

@@ -7,7 +7,7 @@
 
 #include "calculators/vessel/assess.hpp"
 #include "calculators/vessel/modes.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>

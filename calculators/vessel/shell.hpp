@@ -12,7 +12,7 @@
 #include "calculators/vessel/assess.hpp"
 #include "calculators/vessel/meridian.hpp"
 #include "calculators/vessel/modes.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>

@@ -1,6 +1,7 @@
 // A calculator without its C++ types: what the program's commands, readers, searches, sweeps and reports know of it.
 #pragma once
 
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/form.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
@@ -99,6 +100,9 @@ struct Calculator {
   Sizing sizing;
   std::span<const Meaning> meanings;
   std::span<const SenseClaim> senses;
+  std::span<const NotchClaim> notches;
+  std::span<const BoundInfo> bounds;
+  double (*bound)(std::size_t bound, const void* input) = nullptr;
   /// Whether an input may be a series: not where it decides on one thing for all its loads, a belt and its tension, a
   /// section. At every position of a cycle it would find another.
   bool takes_series = true;

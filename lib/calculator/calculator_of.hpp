@@ -13,8 +13,10 @@
 //     static constexpr bool turns = true;                      // of a part that turns
 //     static constexpr auto sized = "pieces";                  // a list whose sizes are found together; with
 //                                                              // arrange, raise, cost, place, unsound (sizing.hpp)
+//     static constexpr std::array notch_claims{NotchClaim{...}...};  // stresses at a notch, limits that hold one
 //     static constexpr std::array senses{SenseClaim{...}...};  // inputs that say whether a load changes its sense
 //     static constexpr std::array meanings{Meaning{...}...};   // what its values are, where others are like them
+//     static constexpr std::array bounds{Bound<Input>{...}...};  // what it knows beside typed inputs
 //     static std::vector<draw::Figure> figures(const Input&, const Result&);
 //   };
 #pragma once
@@ -104,6 +106,11 @@ constexpr Calculator calculator_of() {
   if constexpr (requires { C::sized; }) c.sizing = detail::sizing_of<C>();
   if constexpr (requires { C::meanings; }) c.meanings = C::meanings;
   if constexpr (requires { C::senses; }) c.senses = C::senses;
+  if constexpr (requires { C::notch_claims; }) c.notches = C::notch_claims;
+  if constexpr (requires { C::bounds; }) {
+    c.bounds = bound_infos<C>;
+    c.bound = [](std::size_t i, const void* in) { return C::bounds[i].value(*static_cast<const Input*>(in)); };
+  }
   if constexpr (requires { C::takes_series; }) c.takes_series = C::takes_series;
   if constexpr (requires { C::turns; }) c.turns = C::turns;
   return c;

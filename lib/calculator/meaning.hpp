@@ -12,6 +12,19 @@ struct Meaning {
   const char* words = "";   // the words at which it is that: "bending, tension"
 };
 
+/// Of the bending of a shaft that turns: a stress or moment that reverses with each turn. Who takes it as a part of a
+/// cycle that stays, or as one end of a cycle that is not symmetric, has not taken all of it.
+inline constexpr auto reverses_in_turns = "reverses in turns";
+inline constexpr auto steady_part = "stays";
+
+/// Of nominal stresses at a notch, and of fatigue limits: the key of the factor that tells the notch. A limit has to
+/// hold that of the place whose stress it is compared with.
+struct NotchClaim {
+  const char* fields;      // "cycle.sigma_max, sigma_n", or the limit "sigma_D"
+  const char* factor;      // of a stress the shape factor K_t at least; of a limit the notch factor K_f
+  const char* shape = "";  // of a limit: the shape factor that K_f follows from, where it is given
+};
+
 /// What an input says of the sense of a load: that a torque never changes it, how small it becomes. lib/project
 /// compares it with the series that the load comes from, whole or reduced.
 struct SenseClaim {

@@ -18,6 +18,7 @@ inline constexpr auto limit_in_shear = "a fatigue limit of a part in shear";
 inline constexpr auto specimen_in_bending = "a fatigue limit of smooth specimens in bending";
 inline constexpr auto specimen_in_tension = "a fatigue limit of smooth specimens in tension and compression";
 inline constexpr auto specimen_in_torsion = "a fatigue limit of smooth specimens in torsion";
+inline constexpr auto mean_strength = "a mean fatigue strength, below which one half of the parts fail";
 
 /// No more than `part` of the strength in `column`; where a material lacks that, no more than all of its R_m.
 struct StrengthBound {
@@ -40,6 +41,7 @@ inline constexpr std::array strength_bounds{
     StrengthBound{limit_in_shear, "R_m", most_fatigue_limit* shear_over_normal, "0.7 R_m/sqrt(3)"},
     StrengthBound{specimen_in_bending, "R_m", most_fatigue_limit, "0.7 R_m"},
     StrengthBound{specimen_in_tension, "R_m", most_fatigue_limit, "0.7 R_m"},
+    StrengthBound{mean_strength, "R_m", most_fatigue_limit, "0.7 R_m"},
     StrengthBound{specimen_in_torsion, "R_m", most_fatigue_limit* shear_over_normal, "0.7 R_m/sqrt(3)"}};
 
 /// The bound of a meaning; null where it has none.

@@ -12,6 +12,7 @@ namespace {
 constexpr double pi = 3.14159265358979323846;
 constexpr double rounding = 1.01;      // of values from tables
 constexpr double most_fillets = 1.25;  // area over that of the walls: fillets, tapers, rounded corners
+constexpr double most_moment = 1.15;   // second moment over that of the walls: rolled sections have up to 1.061
 
 /// A value and the most that it can be.
 struct Most {
@@ -39,6 +40,43 @@ Misfit misfit(const Most& bound) {
                          format_quantity(bound.most, bound.unit, 5), bound.why)};
 }
 
+/// The second moments of a rectangle less a smaller one, or of two flanges and a web.
+struct Moments {
+  double y = SectionShape::unknown, z = SectionShape::unknown;
+};
+
+double cube(double x) { return x * x * x; }
+
+/// Of the walls of a kind with two axes of symmetry; of a channel about y alone.
+Moments moments_of_walls(const SectionShape& s) {
+  const double web = std::isnan(s.t_w) ? s.t_f : s.t_w, flange = std::isnan(s.t_f) ? web : s.t_f;
+  const double clear = s.h - 2.0 * flange;
+  const bool hollow = s.kind == "hot_hollow" || s.kind == "cold_hollow" || s.kind == "welded_box";
+  if (!std::isnan(s.d)) {
+    const double of_tube = pi / 64.0 * (std::pow(s.d, 4) - std::pow(s.d - 2.0 * web, 4));
+    return hollow ? Moments{of_tube, of_tube} : Moments{};
+  }
+  const double one_web = (s.b * cube(s.h) - (s.b - web) * cube(clear)) / 12.0;
+  if (s.kind == "channel") return {one_web, SectionShape::unknown};
+  if (s.kind == "rolled_I" || s.kind == "welded_I")
+    return {one_web, (2.0 * flange * cube(s.b) + clear * cube(web)) / 12.0};
+  if (!hollow) return {};
+  const double inside = s.b - 2.0 * web;
+  return {(s.b * cube(s.h) - inside * cube(clear)) / 12.0, (s.h * cube(s.b) - clear * cube(inside)) / 12.0};
+}
+
+/// The first wall that is thicker than there is room for.
+std::optional<Misfit> misfit_of_walls(const SectionShape& s) {
+  const bool hollow = s.kind == "hot_hollow" || s.kind == "cold_hollow" || s.kind == "welded_box";
+  const std::array bounds{Most{"t_f", "mm", s.t_f, 0.5 * s.h, "half the height"},
+                          Most{"t_w", "mm", s.t_w, hollow ? 0.5 * s.b : s.b, hollow ? "half the width" : "the width"},
+                          Most{"t_w", "mm", s.t_w, 0.5 * s.d, "half the diameter"}};
+  for (const Most& bound : bounds) {
+    if (bound.value > rounding * bound.most) return misfit(bound);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 /// Of all convex sections a triangle has the largest I_1 I_2/A^4, 1/108; a circle the least of all sections, 1/158
@@ -46,6 +84,7 @@ Misfit misfit(const Most& bound) {
 bool is_full(double A, double I_y, double I_z) { return I_y * I_z * 108.0 <= rounding * std::pow(A, 4); }
 
 std::optional<Misfit> misfit_of(const SectionShape& s) {
+  if (auto wall = misfit_of_walls(s)) return wall;
   const double round = 0.25 * pi * s.d * s.d;
   const std::array bounds{Most{"A", "mm^2", s.A, s.h * s.b, "the area of h times b"},
                           Most{"A", "mm^2", s.A, round, "the area of d"},
@@ -63,6 +102,11 @@ std::optional<Misfit> misfit_of(const SectionShape& s) {
   if (s.A > most_fillets * walls || s.A * most_fillets < walls)
     return Misfit{"A", say("A = {1} does not match its walls, which give {2}", format_quantity(s.A, "mm^2", 5),
                            format_quantity(walls, "mm^2", 5))};
+  const Moments moments = moments_of_walls(s);
+  for (const Most& bound : {Most{"I_y", "mm^4", s.I_y, most_moment * moments.y, "1.15 times that of its walls"},
+                            Most{"I_z", "mm^4", s.I_z, most_moment * moments.z, "1.15 times that of its walls"}}) {
+    if (bound.value > bound.most) return misfit(bound);
+  }
   return std::nullopt;
 }
 

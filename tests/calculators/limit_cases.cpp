@@ -92,6 +92,9 @@ const Case shapes[] = {
      1.998e-9 / 3},
 };
 
+const char* const pressed_hub =
+    R"(seats = [{ name = "coupling", x = "0 mm", way = "balances", integral = true }, { name = "gear", x = "100 mm", T = "50 N*m", T_c = "60 N*m", n_c = "2900 rpm" }])";
+
 const Case bars[] = {
     {"shaft.torsion", "d = \"2 m\"\ntorques = [{ x = \"0 m\", T = \"1 MN*m\" }, { x = \"1 m\", T = \"-1 MN*m\" }]",
      "tau_max", 1e6 / (pi / 2)},
@@ -107,6 +110,7 @@ const Case bars[] = {
     {"shaft.design", "orders = [{ name = \"high\", h = 1000 }]", "harmonics.high.h", 1000},
     {"shaft.design", holed_bar, "sections.hole.sigma_b", 50 / (pi * 64e-6 / 32 - 0.004 * 16e-4 / 3)},
     {"shaft.design", stepped_bar, "sections.step.u_h", 0.8},
+    {"shaft.design", pressed_hub, "seats.gear.x_n", 0.5},
     {"column.buckling",  // lambda = 142.9 is 4.78 sqrt(E/R_e): a little beyond 4.71, where the bar buckles elastically
      R"(method = "aisc"
 n_st = 1.67
@@ -382,6 +386,10 @@ const Case drives[] = {
     {"gear.pair", "beta = \"0 deg\"\na_w = \nx_1 = 0\nbore_1 = \"20 mm\"\nt_k1 = \"2.5 mm\"", "m_R1", 5.0 / 3},
     {"gear.pair", "beta = \"0 deg\"\na_w = \nx_1 = 0\nbore_2 = \"100 mm\"\nt_k2 = \"3 mm\"", "s_R2", 15.125e-3},
     {"gear.pair", "beta = \"0 deg\"\na_w = \nx_1 = 0\nbore_2 = \"100 mm\"\nt_k2 = \"3 mm\"", "m_R2", 15.125 / 5.625},
+    // gear 1 turns back: its speed and its torque without their signs
+    {"gear.pair", "n_1 = \"-1450 rpm\"", "v", 1450 * pi / 30 * 2.0 / 77},
+    {"gear.pair", "beta = \"0 deg\"\na_w = \nx_1 = 0\nn_1 = \"-1450 rpm\"\nT_1 = \"-60 N*m\"", "F_t", 2400.0},
+    {"gear.pair", "beta = \"0 deg\"\na_w = \nx_1 = 0\nT_1 = \nP = \"10 kW\"\nn_1 = \"-1000 rad/s\"", "F_t", 400.0},
     {"gear.planetary", "fixed = \"carrier\"", "n_r", -1450 * pi / 30 * 24 / 84},
     {"gear.planetary", "eta_0 = 1", "P_loss", 0.0},
     {"gear.planetary", "T_s = \nT_c = \"-225 N*m\"\neta_0 = 1", "T_s", 50.0},  // 1 + 84/24 = 4.5

@@ -40,6 +40,21 @@ bool has_field(std::span<const FieldInfo> fields, const std::string& key) {
 }  // namespace
 
 TEST_SUITE("contract" * test::by_element) {
+  TEST_CASE("bounds and notches are of fields that are there") {
+    for (const Calculator* c : test::calculators_taken()) {
+      for (std::size_t i = 0; i < c->bounds.size(); ++i) {
+        INFO(std::string(c->id), " ", std::string(c->bounds[i].field));
+        CHECK(has_field(c->input->fields, c->bounds[i].field));
+      }
+      for (const NotchClaim& claim : c->notches) {
+        for (const std::string& key : listed_keys(claim.fields))
+          CHECK_MESSAGE((c->result != nullptr && has_field(c->result->fields, key)), key);
+        CHECK(has_field(c->result->fields, claim.factor));
+        if (*claim.shape != '\0') CHECK(has_field(c->input->fields, claim.shape));
+      }
+    }
+  }
+
   TEST_CASE("a meaning is of fields and words that are there, and each is given or taken by two") {
     for (const Calculator* c : test::calculators_taken()) {
       for (const Meaning& meaning : c->meanings) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/column/member/section.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/quantity/drive_units.hpp"
 #include "lib/table/rows.hpp"
 

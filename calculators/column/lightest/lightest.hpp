@@ -8,9 +8,10 @@
 // angles.
 #pragma once
 
+#include "calculators/column/bounds.hpp"
 #include "calculators/column/buckling.hpp"
 #include "calculators/column/lightest/types.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/quantity/drive_units.hpp"
 
 #include <vector>
@@ -109,6 +110,7 @@ gamma_F = 1
       std::array{Rule<Input>{&one_carries, "families, N, P", "no section of these families carries the bar",
                              &none_carries, true}});
   static constexpr std::array meanings = member_meanings;
+  static constexpr auto bounds = held_bounds<Input>();
   static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0, carrying", "R_e, kind");
 
   template <class Tracer>

@@ -5,7 +5,7 @@
 #include "calculators/column/codes/choices.hpp"
 #include "calculators/column/member/stability.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 
@@ -58,11 +58,11 @@ constexpr auto held_inputs() {
       Choice<Input, Basis>{&Input::beta_basis, "beta_basis", "where the effective length factors of the ends come from"}
           .may_be_missing(),
       Field<Input, double>{&Input::beta_y, "beta_y", ratio, "effective length factor about y, in place of the ends"}
-          .at_least(0.3)
+          .positive()
           .usually(0.5, 5)
           .may_be_missing(),
       Field<Input, double>{&Input::beta_z, "beta_z", ratio, "effective length factor about z, in place of the ends"}
-          .at_least(0.3)
+          .positive()
           .usually(0.5, 5)
           .may_be_missing(),
       ListField<Input, List<Member::Support, most_supports>>{
@@ -98,19 +98,24 @@ constexpr auto tetmajer_inputs() {
   return Fields{
       Field<Input, Stress>{&Input::a_T, "a_T", MPa, "constant of Tetmajer-Yasinsky, a_T - b_T lambda + c_T lambda^2"}
           .positive()
+          .usually(15, 1500)
           .from("tetmajer", "a_T"),
-      Field<Input, Stress>{&Input::b_T, "b_T", MPa, "constant of Tetmajer-Yasinsky"}.positive().from("tetmajer", "b_T"),
+      Field<Input, Stress>{&Input::b_T, "b_T", MPa, "constant of Tetmajer-Yasinsky"}.positive().usually(0.05, 20).from(
+          "tetmajer", "b_T"),
       Field<Input, Stress>{&Input::c_T, "c_T", MPa, "constant of Tetmajer-Yasinsky, 0 for a line"}.at_least(0).from(
           "tetmajer", "c_T"),
       Field<Input, Stress>{&Input::E_T, "E_T", GPa, "modulus that the set of Tetmajer-Yasinsky was given with"}
           .positive()
+          .usually(5, 240)
           .from("tetmajer", "E_T"),
       Field<Input, double>{&Input::lambda_0, "lambda_0", ratio,
                            "slenderness from which the set of Tetmajer-Yasinsky holds"}
           .at_least(0)
+          .usually(5, 120)
           .from("tetmajer", "lambda_0"),
       Field<Input, double>{&Input::lambda_1, "lambda_1", ratio, "limit slenderness that was published with the set"}
           .positive()
+          .usually(40, 200)
           .from("tetmajer", "lambda_1"),
       Choice<Input, Transition>{&Input::transition, "transition",
                                 "where Euler's hyperbola takes over from Tetmajer's formula"}
@@ -124,10 +129,11 @@ constexpr auto rankine_and_secant_inputs() {
       Field<Input, Stress>{&Input::sigma_c, "sigma_c", MPa,
                            "crushing stress of Rankine's formula; the yield strength where missing"}
           .positive()
+          .usually(10, 1500)
           .may_be_missing(),
       Field<Input, double>{&Input::a_R, "a_R", ratio, "constant of Rankine's formula; sigma_c/(pi^2 E) where missing"}
           .positive()
-          .usually(1e-5, 1e-2)
+          .usually(5e-5, 5e-3)
           .may_be_missing(),
       Field<Input, Length>{&Input::e_y, "e_y", mm, "eccentricity that bends the bar about y"}
           .at_least(0)

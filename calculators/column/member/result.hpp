@@ -4,7 +4,7 @@
 
 #include "calculators/column/codes/choices.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 
 namespace loadpath::column {
 

@@ -131,6 +131,26 @@ FieldFault two_sections(const Section& in) {
   return {misfit->key, misfit->message, say("check the units, and that all of it is of one section")};
 }
 
+bool is_solid_if_full(const Section& in) {
+  const bool outlined = is_set(in.d) || (is_set(in.h) && is_set(in.b));
+  const bool is_bare = outlined && !is_set(in.A) && !(in.d_bore > 0.0 * mm);
+  return !is_bare || in.kind == Profile::unsaid || in.kind == Profile::solid;
+}
+
+bool fibres_reach(const Section& in) {
+  constexpr double rounding = 1.01;
+  const auto reaches = [&](Length c, SecondMoment I, Length i) {
+    const double square = in_si(i) * in_si(i);
+    return !(rounding * in_si(c) * rounding * in_si(c) < (is_set(i) ? square : in_si(I) / in_si(in.A)));
+  };
+  return reaches(in.c_y, in.I_y, in.i_y) && reaches(in.c_z, in.I_z, in.i_z);
+}
+
+bool is_least_moment(const Section& in) {
+  constexpr double rounding = 1.01;
+  return !(in.I_min > rounding * in.I_y || in.I_min > rounding * in.I_z);
+}
+
 bool is_full(const Section& in) {
   const table::SectionShape shape = shape_of(in);
   return table::is_full(shape.A, shape.I_y, shape.I_z);

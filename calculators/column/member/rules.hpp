@@ -22,6 +22,8 @@ bool usual_safety(const Member& in);
 FieldFault unusual_safety(const Member& in);
 /// EN 1993-1-1, AISC 360 and SP 16 hold for steel alone.
 bool method_suits_class(const Member& in);
+/// S460 has 400 MPa in plates of 100 mm, EN 10025-3 (recalled).
+inline bool yields_as_graded(const Member& in) { return in.grade != Grade::S460 || !(in.R_e < 400.0 * MPa); }
 FieldFault method_of_steel(const Member& in);
 
 /// What the deciding method lacks; empty where it has all. `curves`: whether the buckling curves are known.
@@ -67,6 +69,8 @@ constexpr auto method_rules() {
   return std::array{
       Rule<Input>{&of<Input, &method_suits_class>, "method, material_class, E", "the method is for steel alone",
                   &of<Input, &method_of_steel>},
+      Rule<Input>{&of<Input, &yields_as_graded>, "grade, R_e",
+                  "grade S460 yields at 400 MPa at least, in its thickest parts: leave it out for another steel"},
       Rule<Input>{[](const Input& in) { return is_set(in.a_T) == is_set(in.b_T); }, "a_T, b_T",
                   "a_T and b_T belong together"},
       Rule<Input>{[](const Input& in) { return in.transition == Transition::computed || is_set(in.lambda_1); },
@@ -85,13 +89,6 @@ constexpr auto method_rules() {
                   &of<Input, &unusual_safety>, true}};
 }
 
-/// The buckling curves of a section whose kind is known.
-template <class Input, auto hold, auto fault>
-constexpr auto curve_rule() {
-  return Rule<Input>{&of<Input, hold>, "curve_y, curve_z, kind, grade, h, b, t_f, method",
-                     "a buckling curve is that of the kind of section, or a lower one", &of<Input, fault>};
-}
-
 /// Of a bar with eccentricities.
 template <class Input>
 constexpr auto eccentricity_rules() {
@@ -103,6 +100,12 @@ constexpr auto eccentricity_rules() {
 bool is_one_section(const Section& in);
 FieldFault two_sections(const Section& in);
 
+/// Whether the kind is that of a bar whose outline alone is given.
+bool is_solid_if_full(const Section& in);
+/// Whether no part of the section can lie nearer to its axis than all of it does in the mean.
+bool fibres_reach(const Section& in);
+bool is_least_moment(const Section& in);
+
 /// Of a bar whose section is typed, or a row of the tables.
 template <class Input, auto given, auto missing, auto fit>
 constexpr auto section_rules() {
@@ -113,7 +116,12 @@ constexpr auto section_rules() {
       Rule<Input>{&of<Input, &is_one_section>, "A, I_y, I_z, i_y, i_z, h, b, d, t_f, t_w, kind",
                   "sizes, area and second moments are not of one section", &of<Input, &two_sections>},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_bore) || (is_set(in.d) && in.d_bore < in.d); }, "d_bore, d",
-                  "a bore goes with d, and is smaller"}};
+                  "a bore goes with d, and is smaller"},
+      Rule<Input>{&of<Input, &is_solid_if_full>, "kind, d, h, b, A, d_bore",
+                  "a bar of d alone, or of h and b alone, is solid: leave out kind, or give A, I and the walls"},
+      Rule<Input>{&of<Input, &fibres_reach>, "c_y, c_z, A, I_y, I_z, i_y, i_z",
+                  "the extreme fibre is farther from the axis than the radius of gyration"},
+      Rule<Input>{&of<Input, &is_least_moment>, "I_min, I_y, I_z", "I_min is the least of all second moments"}};
 }
 
 }  // namespace loadpath::column

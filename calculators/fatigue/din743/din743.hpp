@@ -9,12 +9,13 @@
 // that two keyways count 1.15 in torsion as they do in bending.
 #pragma once
 
+#include "calculators/fatigue/din743/bounds.hpp"
 #include "calculators/fatigue/din743/fields.hpp"
 #include "calculators/fatigue/din743/rules.hpp"
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/steel.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 
@@ -75,9 +76,10 @@ f_max = 1.8
   static constexpr Fields results = join(din743_results<Result>(), Fields{modulus_over_steel<Result>(&Result::x_E)});
 
   static constexpr auto rules = din743_rules<Input>();
-  static constexpr std::array meanings{Meaning{"sigma_bW", specimen_in_bending},
-                                       Meaning{"sigma_zdW", specimen_in_tension},
-                                       Meaning{"tau_tW", specimen_in_torsion}};
+  static constexpr std::array meanings{
+      Meaning{"sigma_bW", specimen_in_bending}, Meaning{"sigma_zdW", specimen_in_tension},
+      Meaning{"tau_tW", specimen_in_torsion}, Meaning{"sigma_bm, sigma_zdm, M_bm", steady_part}};
+  static constexpr auto bounds = notch_bounds<Input>();
   static constexpr std::array modes{
       Mode<Input>{"fatigue", "fatigue of the section, at constant amplitudes", &any_varies<Input>}.judged_by(
           "u_D, x_m, x_small, x_eff, x_Rz, x_r, x_D, x_alpha, x_t, x_hole, x_bore, x_E"),

@@ -4,7 +4,7 @@
 #include "calculators/fatigue/din743/section.hpp"
 #include "calculators/fatigue/size_and_surface.hpp"
 #include "calculators/load/heat_treatment.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 
 #include <array>
 
@@ -16,7 +16,7 @@ constexpr auto limit_of_bars(Stress Input::*at, const char* key, const char* doc
 }
 template <class Input>
 constexpr auto notch_number(double Input::*at, const char* key, const char* doc) {
-  return Field<Input, double>{at, key, ratio, doc}.within(1, 10).may_be_missing();
+  return Field<Input, double>{at, key, ratio, doc}.within(1, 10).usually(1, 6).may_be_missing();
 }
 template <class Input, class Quantity>
 constexpr auto action(Quantity Input::*at, const char* key, Unit<Quantity> unit, const char* doc) {
@@ -76,6 +76,7 @@ constexpr auto din743_section() {
           .may_be_missing(),
       Field<Input, double>{&Input::K_V, "K_V", ratio, "factor of a surface that was hardened, rolled or peened"}
           .within(1, 2)
+          .usually(1, 1.8)
           .factor(),
       Choice<Input, Layer>{&Input::layer, "layer", "surface layer"}.may_be_missing(),
       notch_number<Input>(&Input::alpha_zd, "alpha_zd", "shape factor in tension, net section"),

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/fatigue/din743/nominal.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/mode.hpp"
 
 #include <array>

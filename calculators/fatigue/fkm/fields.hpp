@@ -3,7 +3,7 @@
 
 #include "calculators/fatigue/din743/fields.hpp"
 #include "calculators/fatigue/fkm/section.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/quantity/motion_units.hpp"
 
 namespace loadpath::fatigue {
@@ -49,6 +49,7 @@ constexpr auto fkm_steel() {
           .may_be_missing(),
       Field<Input, double>{&Input::K_an, "K_an", ratio, "anisotropy factor, K_A of the guideline, in place of fibre"}
           .within(0.5, 1)
+          .usually(0.75, 1)
           .may_be_missing()
           .factor(),
       limit_of_bars<Input>(&Input::sigma_W, "sigma_W", "fatigue limit in tension in this size, R = -1, else by R_m"),
@@ -61,7 +62,7 @@ constexpr auto fkm_gradient(Twist Input::*at, const char* key, const char* doc) 
 }
 template <class Input>
 constexpr auto fkm_demand(double Input::*at, const char* key, const char* doc) {
-  return Field<Input, double>{at, key, ratio, doc}.at_least(1).usually(1, 4).factor();
+  return Field<Input, double>{at, key, ratio, doc}.at_least(1).usually(1.2, 4).factor();
 }
 
 /// Of what is an FkmService.

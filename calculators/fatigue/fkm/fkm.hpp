@@ -10,10 +10,12 @@
 // supports in bending, slopes and knee of finite life, q, plastic support by strain, 250 mm, 1050 MPa.
 #pragma once
 
+#include "calculators/fatigue/din743/bounds.hpp"
 #include "calculators/fatigue/fkm/fields.hpp"
 #include "calculators/fatigue/fkm/rules.hpp"
 #include "calculators/load/steel.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 
@@ -64,6 +66,8 @@ f_max = 1.8
   static constexpr Fields results = join(fkm_results<Result>(), Fields{modulus_over_steel<Result>(&Result::x_E)});
 
   static constexpr auto rules = fkm_rules<Input>();
+  static constexpr std::array meanings{Meaning{"sigma_bm, sigma_zdm, M_bm", steady_part}};
+  static constexpr auto bounds = notch_bounds<Input>();
   static constexpr std::array modes{
       Mode<Input>{"fatigue", "fatigue of the section, at constant amplitudes", &any_varies<Input>}.judged_by(
           "u_D, x_eff, x_G, x_Rz, x_N, x_small, x_r, x_D, x_alpha, x_t, x_hole, x_bore, x_E"),

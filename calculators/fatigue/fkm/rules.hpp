@@ -3,7 +3,7 @@
 
 #include "calculators/fatigue/din743/rules.hpp"
 #include "calculators/fatigue/fkm/material.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 
 namespace loadpath::fatigue {
 

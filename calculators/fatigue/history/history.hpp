@@ -105,21 +105,26 @@ n_req = 1
           .may_be_missing(),
       Field{&Input::m_1, "m_1", ratio, "the same: slope of the first branch; 3 where missing"}
           .within(1, 20)
+          .usually(3, 5)
           .may_be_missing(),
-      Field{&Input::m_2, "m_2", ratio, "slope of the second branch; 5 where missing"}.within(1, 40).may_be_missing(),
+      Field{&Input::m_2, "m_2", ratio, "slope of the second branch; 5 where missing"}
+          .within(1, 40)
+          .usually(5, 9)
+          .may_be_missing(),
       Field{&Input::N_1, "N_1", ratio, "cycles where the branches meet; 1e7 where missing"}
           .at_least(1e4)
           .may_be_missing(),
       Choice{&Input::mean, "mean", "how mean stresses count, with the curve of a part"}.may_be_missing(),
       Field{&Input::M, "M", ratio, "mean stress sensitivity, for mean = \"fkm\": of steel 0.35e-3 R_m/MPa - 0.1"}
           .within(0, 1)
+          .usually(0.01, 0.8)
           .may_be_missing(),
-      Field{&Input::gamma, "gamma", ratio, "exponent of Walker"}.within(0, 1).may_be_missing(),
+      Field{&Input::gamma, "gamma", ratio, "exponent of Walker"}.within(0, 1).usually(0.3, 0.9).may_be_missing(),
       Field{&Input::sigma_f, "sigma_f", MPa, "fatigue strength coefficient of Morrow: of the true fracture stress"}
           .positive()
           .usually(200, 4000)
           .may_be_missing(),
-      diameter_at_heat_treatment(&Input::d_h),
+      diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
       Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h"),
       Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
       modulus_of_material(&Input::E),
@@ -243,7 +248,7 @@ n_req = 1
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
                                        Meaning{"sigma_D", limit_in_shear, "stress", "shear"},
-                                       Meaning{"blocks.sigma_a", "amplitude"}};
+                                       Meaning{"blocks.sigma_a", "amplitude"}, Meaning{"blocks.sigma_m", steady_part}};
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),

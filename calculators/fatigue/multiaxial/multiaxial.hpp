@@ -13,7 +13,7 @@
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -77,13 +77,13 @@ S_F = 1.5
               .positive()
               .usually(5, 1500),
           Field{&Input::tau_D, "tau_D", MPa, "the same in torsion, r = -1"}.positive().usually(3, 1000),
-          diameter_at_heat_treatment(&Input::d_h),
+          diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
           Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
           modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
           Choice{&Input::criterion, "criterion", "criterion that decides"}.may_be_missing(),
           Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the whole path"}
               .at_least(1)
-              .usually(1, 6)
+              .usually(1.2, 6)
               .factor(),
           Field{&Input::S_F, "S_F", ratio, "safety against yielding"}
               .at_least(1)
@@ -173,7 +173,8 @@ S_F = 1.5
                   "the fatigue limit in torsion is below that in normal stresses"},
       safety_has_its_yield<Input>()};
 
-  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear}};
+  static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear},
+                                       Meaning{"sigma_x, sigma_y, tau_xy", steady_part}};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield at the most stressed moment", &always<Input>}.judged_by("u_y, u_F"),
       Mode<Input>{"fatigue", "fatigue, without end, stresses out of phase", &always<Input>}.judged_by("u_D, x_D, x_C"),

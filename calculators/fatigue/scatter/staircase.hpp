@@ -9,7 +9,9 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -65,7 +67,8 @@ P_s = 0.9
       ListField{&Input::tests, "tests", "tests in their order: stress, \"failure\" or \"runout\""}.as_arrays(),
       Choice{&Input::steps, "steps", "what the steps are equal in"}.may_be_missing(),
       Field{&Input::P_s, "P_s", ratio, "probability of survival of the strength for design, with 50 % confidence"}
-          .within(0.5, 0.999)};
+          .within(0.5, 0.999)
+          .usually(0.9, 0.999)};
 
   struct Result {
     double n = unset<double>, N = unset<double>;
@@ -100,6 +103,7 @@ P_s = 0.9
                   "each test is one step lower after a failure, one higher after a run-out, steps equal in stress, or "
                   "with steps = \"log\" in ratio"}};
 
+  static constexpr std::array meanings{Meaning{"S_50", mean_strength}};
   static constexpr std::array modes{
       Mode<Input>{"scatter", "a scatter of which so few tests, or so wide steps, do not tell", &always<Input>}
           .judged_by("x_s, x_n")

@@ -1,6 +1,6 @@
 #include "calculators/mechanism/templates/four_bar_lengths.hpp"
 #include "calculators/mechanism/templates/template_of.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 
 namespace loadpath::planar::templates {
 

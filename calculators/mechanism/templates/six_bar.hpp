@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/templates/four_bar_lengths.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 
 namespace loadpath::planar::templates {
 

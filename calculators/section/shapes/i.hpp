@@ -4,7 +4,7 @@
 #include "calculators/section/properties/shape_calculator.hpp"
 #include "calculators/section/shapes/flanged.hpp"
 #include "calculators/section/shapes/torsion.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 
 #include <array>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/section/properties/properties.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/mode.hpp"
 
 #include <cmath>

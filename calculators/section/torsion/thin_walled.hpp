@@ -11,7 +11,7 @@
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/section/torsion/thin_walled_types.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/text/issue.hpp"

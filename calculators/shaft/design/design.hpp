@@ -279,7 +279,9 @@ r_T = 0
   static Applies crowds(const Input& in) { return where(asks_fatigue(in) && !notches_apart(in)); }
   static Applies brittle(const Input& in) { return shown_by(in.group == fatigue::Endurance::Group::grey_iron); }
   static constexpr std::array senses{SenseClaim{"seats.T", "r_T"}};
-  static constexpr std::array meanings{Meaning{"sigma_W", fatigue::specimen_in_bending}};
+  static constexpr std::array meanings{
+      Meaning{"sigma_W", fatigue::specimen_in_bending},
+      Meaning{"sections.sigma_b, sections.M, sections.M_x, sections.M_y, M_max", reverses_in_turns}};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v, s_max"),
       Mode<Input>{"fatigue", "fatigue of a notch or section", &tired}

@@ -208,6 +208,17 @@ double steepest(const Input& in) {
   return s;
 }
 
+/// Whether the diameter jumps between two parts, or where a sleeve ends.
+bool has_shoulders(const Input& in) {
+  constexpr double rounding = 1.001;
+  for (std::size_t i = 1; i < in.segments.size(); ++i) {
+    const Segment& before = in.segments[i - 1];
+    const Length d_1 = is_set(before.d_2) ? before.d_2 : before.d, d_2 = in.segments[i].d;
+    if (max(d_1, d_2) > rounding * min(d_1, d_2)) return true;
+  }
+  return !in.sleeves.empty();
+}
+
 template <class Tracer>
 void judge(const Input& in, const Slices& slices, Result& r, Tracer& trace) {
   r.d_s = 0.0 * mm;
@@ -227,6 +238,7 @@ void judge(const Input& in, const Slices& slices, Result& r, Tracer& trace) {
     r.s_max = trace.value(
         "s_max", slope,
         "half the difference of the diameters over the length; the exact cone of 10 degrees is close, [Foeppl]");
+  if (has_shoulders(in)) r.K_ts = trace.value("K_ts", 1.1, "no shoulder has less, whatever its fillet, [Peterson]");
   r.cycle = {Stresses::shear, r.tau_max};
 }
 

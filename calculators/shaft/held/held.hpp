@@ -14,7 +14,7 @@
 #include "calculators/shaft/held/members.hpp"
 #include "calculators/shaft/held/types.hpp"
 #include "calculators/shaft/parts/modes.hpp"
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
@@ -99,6 +99,7 @@ phi_adm = "1 deg"
       Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check(
           "theta_adm"),
       Field{&Result::u_phi, "u_phi", ratio, "stiffness: largest rotation over the allowable one"}.check("phi_adm"),
+      Field{&Result::K_ts, "K_ts", ratio, "shape factor of its shoulders in torsion, at least"}.where_it_applies(),
       Group{&Result::cycle, "cycle", "largest stress of the bar, for fatigue.cycle: cycle"}.handed_over(),
       ListField{&Result::members, "members", "segments and sleeves where their stress is the largest"},
       ListField{&Result::stretches, "stretches", "between neighbouring ends, torques and sleeves"},
@@ -137,6 +138,7 @@ phi_adm = "1 deg"
 
   static constexpr std::array meanings{all_in_shear, all_in_normal,
                                        Meaning{"segments.tau_adm, sleeves.tau_adm", allowable_in_shear}};
+  static constexpr std::array notch_claims{NotchClaim{"tau_max, cycle.sigma_max", "K_ts"}};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, s_max"),
       Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, s_max"),

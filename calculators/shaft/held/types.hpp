@@ -62,6 +62,7 @@ struct HeldTypes {
     double phi_1 = unset<double>, phi_2 = unset<double>, phi_max = unset<double>;
     Length x_phi = unset<Length>;
     double s_max = unset<double>, u_tau = unset<double>, u_theta = unset<double>, u_phi = unset<double>;
+    double K_ts = unset<double>;
     StressCycle cycle;
     List<Member, most_members> members;
     List<Stretch, most_cuts> stretches;

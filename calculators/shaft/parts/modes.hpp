@@ -1,7 +1,7 @@
 // The ways in which any shaft can fail or stop serving; what its calculator judges stands before them.
 #pragma once
 
-#include "lib/calculator/join.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/quantity/units.hpp"
 

@@ -69,7 +69,7 @@ void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
 /// Stresses and twist at the diameters as given, else at the common one; a ratio gives the bore unless it is kept.
 template <class Tracer>
 void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::Result& r, Tracer& trace) {
-  Length x = 0.0 * m.one, d_max = x;
+  Length x = 0.0 * m.one, d_max = x, d_least = unset<Length>;
   Stress tau_max = from_si<Stress>(0.0);
   Twist theta_max = from_si<Twist>(0.0);
   double twist = 0.0, least = 0.0, most = 0.0;
@@ -82,6 +82,7 @@ void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
     s.d_bore = bore_of(c.d_bore, c.chi, s.d);
     load(s, in.G, in.K_A, trace);
     raise(d_max, s.d);
+    if (!(d_least <= s.d)) d_least = s.d;
     raise(tau_max, s.tau);
     raise(theta_max, s.theta);
     x = s.x + s.l;
@@ -92,6 +93,9 @@ void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
   }
   r.d_max = d_max, r.d_s = is_set(in.d_h) ? max(in.d_h, d_max) : d_max;
   r.d_bore = bore_of(in.d_bore, in.chi, r.d), r.tau_max = tau_max, r.theta_max = theta_max;
+  constexpr double rounding = 1.001;
+  if (d_max > rounding * d_least)
+    r.K_ts = trace.value("K_ts", 1.1, "no shoulder has less, whatever its fillet, [Peterson]");
   r.phi = twist;
   r.phi_max = is_set(twist) ? most - least : unset<double>;
 }

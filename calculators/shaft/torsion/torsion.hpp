@@ -13,8 +13,8 @@
 #include "calculators/shaft/torsion/diagram.hpp"
 #include "calculators/shaft/torsion/types.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/fields.hpp"
 #include "lib/calculator/form.hpp"
-#include "lib/calculator/join.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
@@ -108,6 +108,7 @@ theta_adm = "0.004 rad/m"
       Field{&Result::F_bend, "F_bend", N, "bending: transverse force, which torsion alone does not cover"}
           .limit(0, 1e-3, "F")
           .sizeless(),
+      Field{&Result::K_ts, "K_ts", ratio, "shape factor of its shoulders in torsion, at least"}.where_it_applies(),
       Group{&Result::cycle, "cycle", "largest stress of the shaft, for fatigue.cycle: cycle"}.handed_over(),
       ListField{&Result::segments, "segments", "stretches of constant moment and diameter, left to right"},
       ListField{&Result::sections, "sections", "sections between the stretches"}};
@@ -150,6 +151,7 @@ theta_adm = "0.004 rad/m"
       heat_treated_before_turning<Input>()};
 
   static constexpr std::array meanings{all_in_shear, all_in_normal};
+  static constexpr std::array notch_claims{NotchClaim{"tau_max, cycle.sigma_max", "K_ts"}};
   static constexpr auto modes = with_modes_of_shafts(
       std::array{Mode<Input>{"yield", "yield in torsion", &loaded}.judged_by("u_tau").wanting("tau_adm"),
                  Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta").of_service(),

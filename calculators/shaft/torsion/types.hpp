@@ -94,6 +94,7 @@ struct TorsionTypes {
     double phi = unset<double>, phi_max = unset<double>;
     double u_tau = unset<double>, u_theta = unset<double>;
     Force F_bend = unset<Force>;
+    double K_ts = unset<double>;
     StressCycle cycle;
     List<Stretch, most_stretches> segments;
     List<Section, most_stretches + 1> sections;

@@ -2,7 +2,9 @@
 
 #include "lib/calculator/meaning.hpp"
 #include "lib/project/because.hpp"
+#include "lib/project/references/notches.hpp"
 #include "lib/project/references/references.hpp"
+#include "lib/project/references/turning.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +91,9 @@ class ReductionCheck {
       if (!operand.expression.references().empty()) take(operand);
     }
     for (const Taken& taken : step_.input().reading.taken) take(taken);
+    for (auto& [path, message] : missed_notches(step_, project_)) {
+      if (!is_reduction_justified(step_, path)) loads_.push_back({path, std::move(message)});
+    }
     step_.loads().reduced = std::move(loads_);
   }
 
@@ -98,6 +103,9 @@ class ReductionCheck {
   }
 
   void take(const Operand& operand) {
+    if (auto turning = turning_message(step_, operand, project_);
+        turning && !is_reduction_justified(step_, operand.path))
+      loads_.push_back({operand.path, std::move(*turning)});
     const Reduced r = reduced(operand);
     if (r.left == Left::whole && is_turned_over(operand) && !is_reduction_justified(step_, operand.path))
       loads_.push_back({operand.path, turned_over_message(operand)});

@@ -260,7 +260,8 @@ void settle_references(Step& step, const Project& project, std::vector<Issue>& i
 
 bool is_reduction(const Meaning& meaning) {
   const std::string_view what = meaning.what;
-  return what == "mean" || what == "amplitude" || what == "max" || what == "min";
+  return what == "mean" || what == "amplitude" || what == "max" || what == "min" || what == reverses_in_turns ||
+         what == steady_part;
 }
 
 }  // namespace loadpath::project

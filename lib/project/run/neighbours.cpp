@@ -23,14 +23,13 @@ double largest_magnitude(const Value& value) {
   return most;
 }
 
-namespace {
-
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-/// Whether the user typed it.
 bool is_typed(const Reading& reading, const std::string& path) {
   return reading.typed.contains(path) && !is_of_record(reading, path);
 }
+
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The largest value of a column, which is that of the least size; NaN where the row has none.
 double largest_in_row(const table::Entry& row, std::string_view column) {
@@ -71,7 +70,8 @@ const StrengthBound* bound_of(const Evaluation& evaluation, const std::string& p
     const auto keys = listed_keys(meaning.fields);
     if (std::none_of(keys.begin(), keys.end(), [&](const std::string& key) { return names_row(key, path); })) continue;
     const StrengthBound* const bound = strength_bound_of(meaning.what);
-    if (bound == nullptr || *meaning.choice == '\0') return bound;
+    if (bound == nullptr) continue;  // at other words the same input is something else
+    if (*meaning.choice == '\0') return bound;
     const Leaf choice = evaluation.inputs().leaf(meaning.choice);
     const auto words = listed_keys(meaning.words);
     if (std::find(words.begin(), words.end(), word_of(choice)) != words.end()) return bound;

@@ -23,6 +23,9 @@ struct Neighbour {
 /// `results`: rows are asked at the size that came out, where there are any yet.
 std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results& results, const Known& known);
 
+/// Whether the user typed the input: a record may have filled it.
+bool is_typed(const Reading& reading, const std::string& path);
+
 /// The value of largest magnitude of those that are known.
 double largest_magnitude(const Value& value);
 

@@ -3,6 +3,7 @@
 #include "lib/account/rows.hpp"
 #include "lib/project/because.hpp"
 #include "lib/project/run/neighbours.hpp"
+#include "lib/project/run/own_bounds.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -40,6 +41,9 @@ double unusual_value(const Evaluation& evaluation, const Neighbour& beside) {
 Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
   const FieldInfo& field = *beside.leaf.field;
   const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
+  if (field.type == FieldInfo::Type::choice)
+    return say("{1} = {2} in place of {3} of {4}", beside.path, shown(field, typed), shown(field, other),
+               beside.source);
   if (beside.kind == Beside::usual) return unusual(beside.path, field, unusual_value(evaluation, beside));
   return beside.kind == Beside::capacity
              ? say("{1} = {2}, above {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source)
@@ -50,7 +54,9 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
 std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& results, const Known& known,
                                    WeighedValues& weighed) {
   std::vector<Neighbour> bolder;
-  for (Neighbour& beside : neighbours_of(evaluation, results, known)) {
+  std::vector<Neighbour> all = neighbours_of(evaluation, results, known);
+  add_bounds_beside(evaluation, known, all);
+  for (Neighbour& beside : all) {
     weighed.compared.push_back(beside.path);
     weighed.compared_by_size = weighed.compared_by_size || beside.by_size;
     if (is_of_one_part(beside.kind)) continue;

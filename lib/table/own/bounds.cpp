@@ -47,18 +47,18 @@ std::string_view size_of_group(std::string_view group) {
 
 /// Of a ring: the speed at which it opens. Less is no fault.
 bool is_speed(const Dimension& dimension) {
-  const Powers p = powers_of(dimension);
+  const Powers p = powers_of(dimension.without_angle());
   return p.is_whole && p.length == 0 && p.mass == 0 && p.time == -1;
 }
 
 /// With which power of that length a value grows: areas, forces and masses per length with the second; speeds fall.
 std::optional<int> growth_of(const Dimension& dimension) {
+  if (is_speed(dimension)) return -1;
   const Powers p = powers_of(dimension);
   if (!p.is_whole) return std::nullopt;
   if (p.mass == 0 && p.time == 0 && p.length > 0) return p.length;
   const bool is_force = p.mass == 1 && p.length == 1 && p.time == -2;
   const bool is_line_density = p.mass == 1 && p.length == -1 && p.time == 0;
-  if (is_speed(dimension)) return -1;
   return is_force || is_line_density ? std::optional(2) : std::nullopt;
 }
 

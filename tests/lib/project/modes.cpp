@@ -168,7 +168,6 @@ TEST_SUITE("project unused") {
   TEST_CASE("a typed number or word that no result depends on is told") {
     const auto says = [&](const std::string& more) { return Solved(bar + "P = \"5 kN\"\n" + more).messages(); };
     CHECK_FALSE(contains(says("a_R = 1e-4\n"), "no effect"));  // it moves a row of another method
-    CHECK(contains(says("grade = \"S460\"\n"), "'grade' has no effect here"));
     CHECK(contains(says("gamma_M1 = 1.1\n"), "'gamma_M1' has no effect here"));
     CHECK_FALSE(contains(says("n_t = 2\n"), "'n_st' has no effect"));
     CHECK_FALSE(contains(says("e_y = \"3 mm\"\n"), "no effect"));  // its mode is not judged, which says it

@@ -59,10 +59,12 @@ struct Seated {
       Field{&Seated::x_c, "x_c", ratio, "torque over that which its connection is assessed for"}
           .limit(0, 1 + 1e-6)
           .criterion()
+          .sizeless()
           .where_it_applies(),
       Field{&Seated::x_peak, "x_peak", ratio, "torque with k_max over that which its connection is assessed for"}
           .limit(0, 1 + 1e-6)
           .criterion()
+          .sizeless()
           .where_it_applies(),
       Field{&Seated::m_R, "m_R", ratio,
             "rim of a gear between root circle and shaft, over its keyway, in heights of its teeth: the formulas of "

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -99,8 +100,8 @@ bool JointSearch::elements_pass(std::size_t first) const {
   for (const FieldInfo& list : evaluation_.calculator().result->fields) {
     if (list.type != FieldInfo::Type::list) continue;
     for (std::size_t k = 0; k < list.size(result); ++k) {
-      void* const element = list.element(result, k);
-      if (sizes_.is_place_of(first, list, element) && !passing_.element_passes(list, element)) return false;
+      const bool is_of_size = sizes_.is_place_of(first, list, list.element(result, k));
+      if (is_of_size && !passing_.element_passes(list, k)) return false;
     }
   }
   return true;
@@ -205,19 +206,33 @@ bool JointSearch::has_check() const {
 void JointSearch::run(std::vector<Issue>& issues) {
   SizeIndices least(sizes_.count(), 0);
   const Search& first = sizes_.search(0);
+  passing_.excuse_sizeless();
   const bool smallest = passes_with(least);
   if (smallest && !has_check()) return issues.push_back(aimless_search(evaluation_.step(), first));
   bool found = find_cheapest(least);
   if (!found && excuse_unmoved()) found = find_cheapest(least);
-  if (!found && !set_largest(least)) {
-    return issues.push_back(issue_at(evaluation_.step().input(), first.path,
-                                     say("no sizes go together with what is given"),
-                                     say("give '{1}' a value, or let more of them be searched for", first.path)));
-  }
+  if (!found && !set_largest(least)) return issues.push_back(no_sizes());
   if (!found) return leave_open(least);
   if (in_words_) return tell(least);
   sizes_.set(least);
   evaluation_.settle_sizes();
+}
+
+/// That no sizes keep the rules: the rule that is broken at all of them, which sizes do not mend.
+Issue JointSearch::no_sizes() {
+  const std::string& first = sizes_.search(0).path;
+  std::optional<std::size_t> broken;
+  bool is_one = true;
+  for (const double level : sizes_.levels()) {
+    if (!sizes_.set(sizes_.first_from(level))) continue;
+    evaluation_.settle_sizes();
+    const auto rule = passing_.first_broken_rule();
+    is_one = is_one && rule && (!broken || broken == rule);
+    if (rule) broken = rule;
+  }
+  if (broken && is_one) return evaluation_.broken_rule(*broken);
+  return issue_at(evaluation_.step().input(), first, say("no sizes go together with what is given"),
+                  say("give '{1}' a value, or let more of them be searched for", first));
 }
 
 /// What one of them fails where it is a size smaller beside the others as they are.
@@ -251,7 +266,7 @@ bool JointSearch::excuse_unmoved() {
   while (last > first && !keeps_rules_at(levels[last]));
   if (last == first) return false;
   const FailedValues unmoved = unmoved_values(smallest, failed_values(evaluation_, passing_));
-  for (const auto& [field, value] : unmoved) passing_.excuse(*field);
+  for (const auto& [row, value] : unmoved) passing_.excuse(row);
   return !unmoved.empty();
 }
 

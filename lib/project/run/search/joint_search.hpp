@@ -41,6 +41,7 @@ class JointSearch {
   bool places_pass(std::size_t first);
   [[nodiscard]] bool elements_pass(std::size_t first) const;
   bool set_largest(SizeIndices& least);
+  [[nodiscard]] Issue no_sizes();
   [[nodiscard]] Message fault_of_less(const SizeIndices& laid, std::size_t which);
   bool excuse_unmoved();
   void leave_open(SizeIndices nearest);

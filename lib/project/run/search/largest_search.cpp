@@ -72,9 +72,9 @@ bool LargestSearch::excuse_unmoved(double most) {
   };
   const FailedValues small = failed_with(most * least_share), larger = failed_with(most * std::sqrt(least_share));
   std::size_t excused = 0;
-  for (const auto& [field, value] : unmoved_values(small, larger)) {
-    if (field->role != Role::limit) continue;  // a check that grows with the load is the load's own
-    passing_.excuse(*field);
+  for (const auto& [row, value] : unmoved_values(small, larger)) {
+    if (row.field->role != Role::limit) continue;  // a check that grows with the load is the load's own
+    passing_.excuse(row);
     ++excused;
   }
   return excused > 0;

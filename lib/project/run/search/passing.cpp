@@ -27,8 +27,17 @@ bool Passing::is_any_asked() const {
                      [&](const FieldInfo& f) { return f.role == Role::check && evaluation_.is_judged(f); });
 }
 
-bool Passing::counts(const FieldInfo& field) const {
-  return evaluation_.is_judged(field) && !excused_.contains(&field);
+bool Passing::counts(const Row& row) const {
+  return evaluation_.is_judged(*row.field) && !excused_.contains(row) && !excused_.contains({row.field, Row::of_all});
+}
+
+void Passing::excuse_sizeless() {
+  for (const FieldInfo& f : evaluation_.calculator().result->fields) {
+    if (f.is_sizeless) excuse({&f});
+    for (const FieldInfo& of_element : f.fields) {
+      if (f.type == FieldInfo::Type::list && of_element.is_sizeless) excuse({&of_element, Row::of_all});
+    }
+  }
 }
 
 bool Passing::passes() {
@@ -37,7 +46,8 @@ bool Passing::passes() {
   const auto& fields = evaluation_.calculator().result->fields;
   return std::all_of(fields.begin(), fields.end(),
                      [&](const FieldInfo& f) {
-                       return f.role != Role::check || !counts(f) || account::is_kept(f, evaluation_.largest_result(f));
+                       return f.role != Role::check || !counts({&f}) ||
+                              account::is_kept(f, evaluation_.largest_result(f));
                      }) &&
          keeps_limits(true) && keeps_limits(false);
 }
@@ -51,10 +61,10 @@ bool Passing::passes_again() {
   if (find_field(fields, evaluation_.inputs().size_field()) == nullptr) evaluation_.evaluate_record();
   void* const result = evaluation_.result().data.get();
   return std::all_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
-    if (excused_.contains(&f)) return true;
+    if (excused_.contains({&f})) return true;
     if (f.type != FieldInfo::Type::list) return keeps(f, result, true) && keeps(f, result, false);
     for (std::size_t k = 0; k < f.size(result); ++k) {
-      if (!element_passes(f, f.element(result, k))) return false;
+      if (!element_passes(f, k)) return false;
     }
     return true;
   });
@@ -70,13 +80,15 @@ bool Passing::keeps(const FieldInfo& f, const void* owner, bool criteria) const 
   return !is_held_against(f, criteria) || account::is_kept(f, f.get(owner));
 }
 
-bool Passing::element_keeps(const FieldInfo& list, void* element, bool criteria) const {
-  return std::all_of(list.fields.begin(), list.fields.end(),
-                     [&](const FieldInfo& f) { return keeps(f, element, criteria); });
+bool Passing::element_keeps(const FieldInfo& list, std::size_t k, bool criteria) const {
+  void* const element = list.element(evaluation_.result().data.get(), k);
+  return std::all_of(list.fields.begin(), list.fields.end(), [&](const FieldInfo& f) {
+    return keeps(f, element, criteria) || !counts({&f, k});
+  });
 }
 
-bool Passing::element_passes(const FieldInfo& list, void* element) const {
-  return element_keeps(list, element, true) && element_keeps(list, element, false);
+bool Passing::element_passes(const FieldInfo& list, std::size_t k) const {
+  return element_keeps(list, k, true) && element_keeps(list, k, false);
 }
 
 /// The same of every element at every position.
@@ -88,7 +100,7 @@ bool Passing::lists_pass(bool criteria) {
       if (!evaluation_.evaluate_at(i)) continue;
       void* const result = evaluation_.result().data.get();
       for (std::size_t k = 0; k < list.size(result); ++k) {
-        if (!element_keeps(list, list.element(result, k), criteria)) return false;
+        if (!element_keeps(list, k, criteria)) return false;
       }
     }
   }
@@ -100,7 +112,7 @@ bool Passing::keeps_limits(bool criteria) {
   const auto& fields = evaluation_.calculator().result->fields;
   return std::all_of(fields.begin(), fields.end(),
                      [&](const FieldInfo& f) {
-                       return f.role != Role::limit || f.is_criterion != criteria || !counts(f) || !first_outside(f);
+                       return f.role != Role::limit || f.is_criterion != criteria || !counts({&f}) || !first_outside(f);
                      }) &&
          lists_pass(criteria);
 }

@@ -3,12 +3,22 @@
 
 #include "lib/project/run/evaluation/evaluation.hpp"
 
+#include <compare>
 #include <cstddef>
 #include <optional>
 #include <set>
 #include <vector>
 
 namespace loadpath::project {
+
+/// A check or a limit of the result; `element`: of the list that it is in.
+struct Row {
+  static constexpr std::size_t of_part = static_cast<std::size_t>(-1), of_all = of_part - 1;
+
+  const FieldInfo* field;
+  std::size_t element = of_part;
+  auto operator<=>(const Row&) const = default;
+};
 
 class Passing {
  public:
@@ -19,8 +29,8 @@ class Passing {
   bool passes();
   /// The same from the size that was found last, and of a part without positions from one evaluation.
   bool passes_again();
-  /// Whether an element of a list passes its checks, and keeps its criteria and the limits of its methods.
-  [[nodiscard]] bool element_passes(const FieldInfo& list, void* element) const;
+  /// Whether element k of a list passes its checks, and keeps its criteria and the limits of its methods.
+  [[nodiscard]] bool element_passes(const FieldInfo& list, std::size_t k) const;
   /// Whether the rules about what is searched for hold at the sizes that were settled.
   bool keeps_rules() { return evaluation_.is_settled() && !first_broken_rule(); }
   /// The first of them that is broken at a position.
@@ -29,10 +39,12 @@ class Passing {
   [[nodiscard]] bool is_any_asked() const;
 
   /// Leaves a check or a limit out of account that no candidate improves.
-  void excuse(const FieldInfo& field) { excused_.insert(&field); }
+  void excuse(const Row& row) { excused_.insert(row); }
+  /// The same of all that depend on the loads alone.
+  void excuse_sizeless();
   [[nodiscard]] std::size_t count_of_excused() const { return excused_.size(); }
-  /// Whether a check or a limit of the result is judged, and not excused.
-  [[nodiscard]] bool counts(const FieldInfo& field) const;
+  /// Whether a check or a limit of the result, or of an element of a list, is judged, and not excused.
+  [[nodiscard]] bool counts(const Row& row) const;
   /// The first value of a limit that is outside of it, or that is missing; nothing where it is kept.
   std::optional<double> first_outside(const FieldInfo& limit);
 
@@ -41,10 +53,10 @@ class Passing {
   bool lists_pass(bool criteria);
   [[nodiscard]] bool is_held_against(const FieldInfo& field, bool criteria) const;
   [[nodiscard]] bool keeps(const FieldInfo& field, const void* owner, bool criteria) const;
-  [[nodiscard]] bool element_keeps(const FieldInfo& list, void* element, bool criteria) const;
+  [[nodiscard]] bool element_keeps(const FieldInfo& list, std::size_t k, bool criteria) const;
 
   Evaluation& evaluation_;
-  std::set<const FieldInfo*> excused_;
+  std::set<Row> excused_;
   std::vector<bool> concerned_;  // of every rule whether a search has to keep it, once that was asked
 };
 

@@ -1,10 +1,12 @@
 #include "lib/project/run/search/shortfall.hpp"
 
+#include "lib/account/rows.hpp"
 #include "lib/numerics/magnitude.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <string>
@@ -24,53 +26,92 @@ std::string beyond_one(double utilisation) {
 double excess_over(const Range& bounds, double si) {
   if (std::isnan(si)) return std::numeric_limits<double>::infinity();
   if (bounds.holds(si)) return 1.0;
-  const double large = std::abs(si > bounds.high ? si : bounds.low);
-  const double small = std::abs(si > bounds.high ? bounds.high : si);
-  return small > 0.0 ? std::max(1.0, large / small) : std::numeric_limits<double>::infinity();
+  const double bound = si > bounds.high ? bounds.high : bounds.low;
+  if (!(si * bound > 0.0)) return std::numeric_limits<double>::infinity();  // the other side of zero is far
+  return std::max(1.0, std::max(si / bound, bound / si));
 }
 
-/// Adds what elements of a list lack, as they were evaluated last.
-void add_shortfall_of(const Evaluation& evaluation, const FieldInfo& list, Shortfall& shortfall) {
-  void* const result = evaluation.result().data.get();
-  for (std::size_t k = 0; k < list.size(result); ++k) {
-    for (const FieldInfo& f : list.fields) {
-      if (!evaluation.is_judged(f)) continue;
-      const double si = f.get(list.element(result, k));
-      if (std::isnan(si)) continue;  // what has no value is told by the limits
-      double& most = f.role == Role::check || f.is_criterion ? shortfall.check : shortfall.limit;
-      most = std::max(most, f.role == Role::check ? si : excess_over(f.bounds, si));
+/// Every judged row of the elements of lists that counts, at every position: of the part as it was evaluated last
+/// there.
+void for_each_listed(Evaluation& evaluation, const Passing& passing,
+                     const std::function<void(const FieldInfo& list, const Row& row, double si)>& visit) {
+  for (std::size_t i = 0; i < evaluation.positions(); ++i) {
+    if (!evaluation.evaluate_at(i)) continue;
+    void* const result = evaluation.result().data.get();
+    for (const FieldInfo& list : evaluation.calculator().result->fields) {
+      if (list.type != FieldInfo::Type::list) continue;
+      for (std::size_t k = 0; k < list.size(result); ++k) {
+        for (const FieldInfo& f : list.fields) {
+          const bool judges = f.role == Role::check || f.role == Role::limit;
+          if (judges && passing.counts({&f, k})) visit(list, {&f, k}, f.get(list.element(result, k)));
+        }
+      }
     }
   }
 }
 
+/// Adds what elements of lists lack.
+void add_shortfall_of_lists(Evaluation& evaluation, const Passing& passing, Shortfall& shortfall) {
+  for_each_listed(evaluation, passing, [&](const FieldInfo&, const Row& row, double si) {
+    if (std::isnan(si)) return;  // what has no value is told by the limits
+    const FieldInfo& f = *row.field;
+    double& most = f.role == Role::check || f.is_criterion ? shortfall.check : shortfall.limit;
+    most = std::max(most, f.role == Role::check ? si : excess_over(f.bounds, si));
+  });
+}
+
+/// "seats.coupling.x_c" of an element as it was evaluated last.
+std::string path_of(const Evaluation& evaluation, const FieldInfo& list, const Row& row) {
+  return list.key + element_path(list, evaluation.result().data.get(), row.element) + "." + row.field->key;
+}
+
 /// The check in a list that is beyond 1 most, and beyond `most`; empty where none is.
-Message fault_of_lists(Evaluation& evaluation, double most) {
+Message fault_of_lists(Evaluation& evaluation, const Passing& passing, double most) {
   Message worst;
-  for (std::size_t i = 0; i < evaluation.positions(); ++i) {
-    if (!evaluation.evaluate_at(i)) continue;
-    for_each_leaf(evaluation.result(), [&](const std::string& path, const Leaf& leaf) {
-      const bool listed = path.find('.') != std::string::npos;
-      if (!listed || leaf.field->role != Role::check || !evaluation.is_judged(*leaf.field)) return;
-      if (!numerics::exceeds(leaf.get(), most)) return;
-      most = leaf.get();
-      worst = say("{1} = {2}", path, beyond_one(most));
-    });
-  }
+  for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
+    if (row.field->role != Role::check || !numerics::exceeds(si, most)) return;
+    most = si;
+    worst = say("{1} = {2}", path_of(evaluation, list, row), beyond_one(most));
+  });
   return worst;
 }
 
+/// The first limit in a list that is not kept, else the first check there without a value; empty where there is none.
+Message fault_of_listed_limits(Evaluation& evaluation, const Passing& passing) {
+  Message outside, unknown;
+  for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
+    const FieldInfo& f = *row.field;
+    if (account::is_kept(f, si)) return;
+    if (std::isnan(si) && unknown.empty()) unknown = say("{1} has no value", path_of(evaluation, list, row));
+    if (!std::isnan(si) && f.role == Role::limit && outside.empty())
+      outside =
+          say("{1} = {2}: {3}", path_of(evaluation, list, row), format_quantity(si, f.unit, 4), bounds_message(f));
+  });
+  return outside.empty() ? unknown : outside;
+}
+
+/// The first check of the part without a value; empty where all have one.
+Message check_without_value(Evaluation& evaluation, const Passing& passing) {
+  for (const FieldInfo& f : evaluation.calculator().result->fields) {
+    if (f.role != Role::check || f.where_set || !passing.counts({&f})) continue;
+    if (std::isnan(evaluation.largest_result(f))) return say("{1} has no value", f.key);
+  }
+  return say("a check has no value");
+}
+
 /// The first limit that is not kept, of the criteria before those of the methods.
-Message fault_of_limits(const Evaluation& evaluation, Passing& passing) {
+Message fault_of_limits(Evaluation& evaluation, Passing& passing) {
   for (const bool criteria : {true, false}) {
     for (const FieldInfo& f : evaluation.calculator().result->fields) {
-      if (f.role != Role::limit || f.is_criterion != criteria || !passing.counts(f)) continue;
+      if (f.role != Role::limit || f.is_criterion != criteria || !passing.counts({&f})) continue;
       if (const auto bad = passing.first_outside(f))
         return std::isnan(*bad) ? say("{1} is not available", f.key)
                                 : say("{1} = {2}: {3}", f.key, format_quantity(*bad, f.unit, 4), bounds_message(f));
     }
   }
+  if (Message listed = fault_of_listed_limits(evaluation, passing); !listed.empty()) return listed;
   const Message& gap = evaluation.inputs().table_gap();
-  return gap.empty() ? say("a check has no value") : gap;
+  return gap.empty() ? check_without_value(evaluation, passing) : gap;
 }
 
 /// The largest value of a check that is not passed; nothing where it is.
@@ -90,18 +131,23 @@ bool is_unmoved(const FieldInfo& field, double with_smallest, double with_larges
 FailedValues failed_values(Evaluation& evaluation, Passing& passing) {
   FailedValues outside;
   for (const FieldInfo& f : evaluation.calculator().result->fields) {
-    if (!passing.counts(f)) continue;
+    if (!passing.counts({&f})) continue;
     const auto bad = f.role == Role::limit ? passing.first_outside(f) : failed_value(evaluation, f);
-    if (bad && !std::isnan(*bad)) outside[&f] = *bad;
+    if (bad && !std::isnan(*bad)) outside[{&f}] = *bad;
   }
+  for_each_listed(evaluation, passing, [&](const FieldInfo&, const Row& row, double si) {
+    if (std::isnan(si) || account::is_kept(*row.field, si)) return;
+    const auto [known, is_new] = outside.emplace(row, si);
+    if (!is_new && row.field->role == Role::check) known->second = std::max(known->second, si);
+  });
   return outside;
 }
 
 FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& larger) {
   FailedValues unmoved;
-  for (const auto& [field, value] : larger) {
-    const auto same = smaller.find(field);
-    if (same != smaller.end() && is_unmoved(*field, same->second, value)) unmoved.emplace(field, value);
+  for (const auto& [row, value] : larger) {
+    const auto same = smaller.find(row);
+    if (same != smaller.end() && is_unmoved(*row.field, same->second, value)) unmoved.emplace(row, value);
   }
   return unmoved;
 }
@@ -110,11 +156,9 @@ FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& lar
 Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing) {
   Shortfall shortfall;
   bool missing = false;
+  add_shortfall_of_lists(evaluation, passing, shortfall);
   for (const FieldInfo& f : evaluation.calculator().result->fields) {
-    for (std::size_t i = 0; i < evaluation.positions() && f.type == FieldInfo::Type::list; ++i) {
-      if (evaluation.evaluate_at(i)) add_shortfall_of(evaluation, f, shortfall);
-    }
-    if (!passing.counts(f)) continue;
+    if (!passing.counts({&f})) continue;
     if (f.role == Role::check) {
       const double largest = evaluation.largest_result(f);
       missing = missing || (std::isnan(largest) && !f.where_set);
@@ -137,13 +181,13 @@ Message fault_of_candidate(Evaluation& evaluation, Passing& passing) {
   const FieldInfo* worst = nullptr;  // a check without a value may be so for a limit that is not kept
   double most = 1.0;
   for (const FieldInfo& f : evaluation.calculator().result->fields) {
-    if (f.role != Role::check || !passing.counts(f)) continue;
+    if (f.role != Role::check || !passing.counts({&f})) continue;
     const double largest = is_single ? f.get(evaluation.result().data.get()) : evaluation.largest_result(f);
     if (!numerics::exceeds(largest, most)) continue;
     worst = &f;
     most = largest;
   }
-  if (const Message listed = fault_of_lists(evaluation, most); !listed.empty()) return listed;
+  if (const Message listed = fault_of_lists(evaluation, passing, most); !listed.empty()) return listed;
   if (worst != nullptr) return say("{1} = {2}", worst->key, beyond_one(most));
   return fault_of_limits(evaluation, passing);
 }

@@ -20,8 +20,8 @@ struct Shortfall {
 /// At the sizes that were settled.
 Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing);
 
-/// Checks and limits that a candidate fails, and with which value.
-using FailedValues = std::map<const FieldInfo*, double>;
+/// Checks and limits that a candidate fails, in lists too, and with which value.
+using FailedValues = std::map<Row, double>;
 FailedValues failed_values(Evaluation& evaluation, Passing& passing);
 /// Of those that fail with a smaller and with a larger candidate: which are no better with the larger.
 FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& larger);

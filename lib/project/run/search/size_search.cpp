@@ -93,9 +93,7 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   const auto start =
       std::isnan(least) ? sizes.begin() : std::lower_bound(sizes.begin(), sizes.end(), least * (1.0 - rounding));
   const auto from = static_cast<std::size_t>(start - sizes.begin());
-  for (const FieldInfo& f : results) {  // of the loads alone
-    if (f.is_sizeless) passing_.excuse(f);
-  }
+  passing_.excuse_sizeless();
   std::size_t found = first_that_passes(from);
   if (found == candidates_.count() && excuse_unmoved(from)) found = first_that_passes(0);
   if (found == candidates_.count()) return tell_none(from, issues);
@@ -143,7 +141,7 @@ bool SizeSearch::excuse_unmoved(std::size_t from) {
     const FailedValues here = failed_values(evaluation_, passing_);
     std::erase_if(unmoved, [&](const auto& failed) { return !here.contains(failed.first); });
   }
-  for (const auto& [field, value] : unmoved) passing_.excuse(*field);
+  for (const auto& [row, value] : unmoved) passing_.excuse(row);
   return !unmoved.empty();
 }
 

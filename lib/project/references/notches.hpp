@@ -1,0 +1,14 @@
+// Nominal stresses at a notch beside the fatigue limits that they are compared with (NotchClaim in
+// lib/calculator/meaning.hpp).
+#pragma once
+
+#include "lib/project/project.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+/// Limits of the step that do not hold the notch at which a stress is nominal.
+std::vector<ReducedLoad> missed_notches(const Step& step, const Project& project);
+
+}  // namespace loadpath::project

@@ -1,0 +1,65 @@
+#include "lib/project/run/own_bounds.hpp"
+
+#include "lib/project/project.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace loadpath::project {
+
+namespace {
+
+/// Whether the value of an input is one that another step has found.
+bool is_found(const Reading& reading, const std::string& path) {
+  const auto is_of_step = [](const Expression::Reference& reference) { return !reference.path.starts_with("values."); };
+  return std::any_of(reading.operands.begin(), reading.operands.end(), [&](const Operand& operand) {
+    const auto& references = operand.expression.references();
+    return operand.path == path && std::any_of(references.begin(), references.end(), is_of_step);
+  });
+}
+
+/// Whether a load of the step comes from something that has the key too: "press.links.rod.N" from what has a length.
+bool source_has(const Reading& reading, const std::string& key, const Known& known) {
+  const auto has = [&](const Expression::Reference& reference) {
+    const std::string beside = reference.path.substr(0, reference.path.rfind('.') + 1) + key;
+    return !std::isnan(largest_magnitude(known(beside)));
+  };
+  return std::any_of(reading.operands.begin(), reading.operands.end(), [&](const Operand& operand) {
+    const auto& references = operand.expression.references();
+    return operand.leaf.field->is_load && std::any_of(references.begin(), references.end(), has);
+  });
+}
+
+/// Whether the user typed it, or took the word of another step.
+bool is_said(const Reading& reading, const std::string& path) {
+  return is_typed(reading, path) || std::any_of(reading.taken.begin(), reading.taken.end(), [&](const Taken& taken) {
+           return taken.path == path && !taken.of_record;
+         });
+}
+
+bool holds(const BoundInfo& bound, const Reading& reading, const Known& known) {
+  if (!is_said(reading, bound.field) || (bound.spares_results && is_found(reading, bound.field))) return false;
+  return *bound.source_has == '\0' || source_has(reading, bound.source_has, known);
+}
+
+}  // namespace
+
+void add_bounds_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
+  const Calculator& calculator = evaluation.calculator();
+  for (std::size_t i = 0; i < calculator.bounds.size(); ++i) {
+    const BoundInfo& bound = calculator.bounds[i];
+    const Leaf leaf = evaluation.inputs().leaf(bound.field);
+    if (!leaf || !holds(bound, evaluation.step().input().reading, known)) continue;
+    const double value = calculator.bound(i, evaluation.record().data.get());
+    if (std::isnan(value)) continue;
+    all.push_back({bound.field,
+                   leaf,
+                   {{leaf.field->dimension, nullptr}, {value}},
+                   say("{1}", say(bound.text)),
+                   bound.is_least ? Beside::demand : Beside::capacity});
+    all.back().by_size = true;  // at another point other inputs stand beside it
+  }
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,12 @@
+// Typed values beside what their calculator itself knows of them (lib/calculator/bound.hpp).
+#pragma once
+
+#include "lib/project/run/neighbours.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+void add_bounds_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all);
+
+}  // namespace loadpath::project

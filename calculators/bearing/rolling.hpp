@@ -8,6 +8,7 @@
 // Not covered: a_ISO (lubricant, dirt, fatigue limit), swinging, clearance, tilt, spherical thrust bearings.
 #pragma once
 
+#include "calculators/bearing/rolling_bounds.hpp"
 #include "calculators/bearing/rolling_kind.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -258,6 +259,7 @@ s_0 = 2
       Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}};
 
   static constexpr bool turns = true;
+  static constexpr auto bounds = factor_bounds<Input>();
   static constexpr std::array modes{
       Mode<Input>{"fatigue", "fatigue of the raceways: rating life", &runs}.judged_by("u_L, x_P, x_f"),
       Mode<Input>{"static", "dents by the largest load, at rest or in a shock", &always<Input>}.judged_by("u_0"),

@@ -85,6 +85,18 @@ TEST_SUITE("found bearing") {
 }
 
 TEST_SUITE("found bearing ratings") {
+  TEST_CASE("factors that go together want a reason where they do not") {
+    const std::string loads = "F_r = \"2 kN\"\nF_a = \"8 kN\"\nC = \"90 kN\"\nC_0 = \"90 kN\"\ns_0 = 3\n";
+    const auto state = [&](const std::string& factors, const char* mode) {
+      return mode_with(id, "f_0 = \nkind = \"tapered_roller\"\n" + loads + factors, mode);
+    };
+    CHECK(state("e = 0.4\nY = 1.5\nY_0 = 0.8", "static") == "pass");
+    CHECK(state("e = 0.4\nY = 1.5\nY_0 = 0.3", "static") == "not-judged");
+    CHECK(state("e = 0.4\nY = 0.5\nY_0 = 0.8", "fatigue") == "not-judged");
+    CHECK(state("e = 0.4\nY = 1.5\nY_0 = 0.8\nX = 0.1\nL_h = \"1000 h\"", "fatigue") == "not-judged");
+    CHECK(state("e = 0.4\nY = 0.5\nY_0 = 0.8\nbecause.Y = \"catalogue\"", "fatigue") == "pass");
+  }
+
   TEST_CASE("P1: C and C_0 must belong to the same bearing") {
     const auto fault = [](const std::string& lines) { return ExampleStep("bearing.rolling", lines).fault(); };
     CHECK(fault("").empty());

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -75,11 +76,36 @@ bool misses(const Project& project, const std::string& step, const NotchClaim& c
   return K_f < 1.0 + least_sensitivity * (K_t - 1.0) || (shape > 1.0 && shape < agreement * K_t);
 }
 
+/// Whether a step has the notch that its part makes in a shaft, for others to take.
+bool makes_notch(const Step* step) {
+  if (step == nullptr || step->input().calculator == nullptr || step->input().calculator->result == nullptr)
+    return false;
+  const FieldInfo* const notch = find_field(step->input().calculator->result->fields, "notch");
+  return notch != nullptr && notch->is_handed_over;
+}
+
+/// A section that is said to be smooth where a key, a press fit or a pin of the same shaft cuts or presses it.
+std::optional<ReducedLoad> smooth_beside_notch(const Step& step, const Project& project) {
+  const Leaf notch = find_leaf(step.input().reading.record, "notch");
+  if (!notch || notch.field->type != FieldInfo::Type::choice || word_of(notch) != "smooth") return std::nullopt;
+  for (const Operand& operand : step.input().reading.operands) {
+    for (const auto& reference : operand.expression.references()) {
+      const Step* const source = project.find(split_step(reference.path).first);
+      if (!makes_notch(source) || source == &step) continue;
+      return ReducedLoad{operand.path, say("{1} is '{2}', and '{3}' makes a notch in the shaft, but notch is smooth: "
+                                           "give the notch, or because.{1} = \"...\"",
+                                           operand.path, reference.path, source->name())};
+    }
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> missed_notches(const Step& step, const Project& project) {
   std::vector<ReducedLoad> missed;
   if (step.input().calculator == nullptr) return missed;
+  if (auto smooth = smooth_beside_notch(step, project)) missed.push_back(std::move(*smooth));
   std::set<const Step*> seen;
   const Factor notch = notch_of_loads(step, project, seen);
   if (std::isnan(notch.value)) return missed;

@@ -122,11 +122,12 @@ bool mark_decided(const Results& with_typed, const Results& with_other, const Bo
   return changes && !decides;
 }
 
-/// Whether others conclude something from results of a step that has no verdict of its own: a fatigue limit.
+/// Whether others conclude something from results of a step that has no check of its own: a fatigue limit.
 bool is_concluded_elsewhere(const StepInput& step, const std::set<std::string>& taken) {
   const auto& fields = step.calculator->result->fields;
   const auto first = taken.lower_bound(step.name + ".");
-  return std::none_of(fields.begin(), fields.end(), is_verdict) && first != taken.end() &&
+  const auto is_check = [](const FieldInfo& field) { return field.role == Role::check; };
+  return std::none_of(fields.begin(), fields.end(), is_check) && first != taken.end() &&
          first->starts_with(step.name + ".");
 }
 

@@ -117,6 +117,43 @@ TEST_SUITE("found fatigue of parts") {
     CHECK(fatigue_of(shaft() + step("fatigue.history", blocks)) == "not-judged");
   }
 
+  TEST_CASE("a section is not smooth whose size or torque comes from a key") {
+    const std::string key =
+        "[key]\ncalculator = \"shaft.key\"\nT = \"600 N*m\"\ntorque = \"one_way\"\nd = \"40 mm\"\nkey = \"12x8\"\n"
+        "l = \"50 mm\"\nl_n = \"55 mm\"\nR_e_1 = \"430 MPa\"\nR_e_2 = \"900 MPa\"\nR_e_k = \"600 MPa\"\n";
+    for (const char* const id : {"fatigue.din743", "fatigue.fkm"}) {
+      const std::string steel = std::string(id) == "fatigue.fkm" ? "steel = \"quenched-tempered\"\nj_D = 1.5\n" : "";
+      const auto state = [&](const std::string& lines) {
+        return fatigue_of(key + step(id,
+                                     "material = \"C45E\"\nnotch = \"smooth\"\nR_z = \"6.3 um\"\nM_ba = \"300 N*m\"\n"
+                                     "f_max = 1.2\n" +
+                                         steel + lines));
+      };
+      CHECK(state("d = \"=key.d\"") == "not-judged");
+      CHECK(state("d = \"=key.d\"\nbecause.d = \"beside the hub\"") == "pass");
+      CHECK(state("d = \"40 mm\"") == "pass");
+    }
+  }
+
+  TEST_CASE("an unusual value of a step that judges nothing holds back what is made of it") {
+    const auto state = [](const std::string& q) {
+      return mode_of(
+          solved_as_found("[limit]\ncalculator = \"fatigue.endurance\"\nmaterial = \"C45E\"\n"
+                          "group = \"carbon-steel\"\nrule = \"din743\"\nloading = \"bending\"\nd = \"40 mm\"\n"
+                          "R_z = \"6.3 um\"\nK_t = 3\nq = " +
+                          q + "\n" +
+                          step("fatigue.life",
+                               "sigma_max = \"60 MPa\"\nsigma_min = \"-60 MPa\"\n"
+                               "sigma_D = \"=limit.sigma_D\"\nmaterial = \"C45E\"\n"
+                               "d_h = \"40 mm\"\nS_D = 1.3\nS_F = 1\n"
+                               "group = \"carbon-steel\"")),
+          "limit", "typed_values");
+    };
+    CHECK(state("0.8") == "none");
+    CHECK(state("0") == "not-judged");
+    CHECK(state("0\nbecause.q = \"soft copper\"") == "none");
+  }
+
   TEST_CASE("a limit beside the nominal stress at a bore holds the notch of it") {
     const auto state = [](const std::string& notch) {
       return fatigue_of(lug() + limit(notch) + step("fatigue.cycle", of_lug));

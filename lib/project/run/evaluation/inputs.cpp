@@ -40,21 +40,6 @@ Inputs::Inputs(const PreparedStep& step, const Known& known)
       provided_(step.provided()),
       origins_(step.origins()) {}
 
-/// A record of which nothing has a value, of a step without results: its open fields would be rules that are broken.
-void Inputs::miss_empty_records(const std::set<std::string>& left_open) {
-  const auto& reading = step_.input().reading;
-  for (const Taken& record : reading.records) {
-    const std::string within = record.source + ".";
-    bool has_any = false, has_value = false;
-    for (const Operand& operand : reading.operands) {
-      if (!operand.of_record || !operand.text.starts_with(within)) continue;
-      has_any = true;
-      has_value = has_value || left_open.contains(operand.path) || find_computed(operand.path) != nullptr;
-    }
-    if (has_any && !has_value) set_unavailable(say("'{1}' is not available: {2}", record.path, record.source));
-  }
-}
-
 bool Inputs::evaluate_operands(std::vector<Issue>& issues, const std::set<std::string>& left_open) {
   bool sound = true;
   for (const Operand& operand : step_.input().reading.operands) {
@@ -65,7 +50,7 @@ bool Inputs::evaluate_operands(std::vector<Issue>& issues, const std::set<std::s
     add_computed(
         {operand.path, leaf(operand.path), std::move(*value), expression_origin(*step_.input().tables, operand)});
   }
-  miss_empty_records(left_open);
+  sound = find_records(left_open, issues) && sound;
   for (const Provided& provided : provided_) {
     if (std::any_of(provided.companions.begin(), provided.companions.end(),
                     [&](const std::string& path) { return exists(known_(path), provided.field->dimension); })) {

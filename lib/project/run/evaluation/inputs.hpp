@@ -69,7 +69,7 @@ class Inputs {
   [[nodiscard]] account::Subject subject_of_missing() const { return subject_; }
 
  private:
-  void miss_empty_records(const std::set<std::string>& left_open);
+  bool find_records(const std::set<std::string>& left_open, std::vector<Issue>& issues);
   void take_word(const Taken& taken, std::vector<Issue>& issues);
   void take_list(const Taken& taken, std::vector<Issue>& issues);
   void add_computed(ComputedInput input);

@@ -2,6 +2,8 @@
 #include "lib/project/run/evaluation/inputs.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 namespace loadpath::project {
 
@@ -23,6 +25,32 @@ void name_element(const FieldInfo& list, void* element, const std::string& here)
 /// What has no value in the other step.
 Message unavailable(const Taken& taken) { return say("'{1}' is not available: {2}", taken.path, taken.source); }
 
+/// "[1], [2]" or "left, right": the elements of a list of another step.
+std::string elements_in(const Known& known, const std::string& list) {
+  std::string names, last;
+  for (const auto& [behind, entry] : known.within(list)) {
+    const std::string here = split_element(behind).first;
+    if (here == last) continue;
+    last = here;
+    names += (names.empty() ? "" : ", ") + (here.starts_with('.') ? here.substr(1) : here);
+  }
+  return names;
+}
+
+/// A record of an element that the list of a solved step does not have, "shaft.bearings.left"; nothing where it has.
+std::optional<Issue> missing_element(const Known& known, const std::string& step, const Taken& record) {
+  const std::size_t dot = record.source.rfind('.');
+  const std::string list = record.source.substr(0, dot), name = record.source.substr(dot + 1);
+  if (list.find('.') == std::string::npos || !known.within(record.source).empty()) return std::nullopt;
+  const std::string elements = elements_in(known, list);
+  if (elements.empty()) return std::nullopt;
+  const bool has_names = !elements.starts_with('[');
+  return Issue{place_in(record.place, record.source, dot + 1, name.size()), step + "." + record.path,
+               say("'{1}' has no '{2}'; there is: {3}", list, name, elements),
+               has_names ? Message{} : say("write \"={1}[1]\", or give its elements names: name = \"{2}\"", list, name),
+               Severity::error};
+}
+
 Issue refused_length(const std::string& step, const Taken& taken) {
   return {place_in(taken.place, taken.source, 0, taken.source.size()),
           step + "." + taken.path,
@@ -43,6 +71,32 @@ bool Inputs::take_from_others(std::vector<Issue>& issues) {
   }
   for (const Varied& varied : step_.input().reading.varied) {
     if (!varied.leaf) take_row(varied.path, varied.words[varied.at], issues);
+  }
+  return issues.size() == before;
+}
+
+/// A record of which nothing has a value is of a step without results: its open fields would be rules that are broken.
+bool Inputs::find_records(const std::set<std::string>& left_open, std::vector<Issue>& issues) {
+  const std::size_t before = issues.size();
+  const auto& reading = step_.input().reading;
+  const auto has_number = [&](const std::string& path) {
+    const ComputedInput* const input = find_computed(path);
+    return input != nullptr &&
+           std::any_of(input->value.si.begin(), input->value.si.end(), [](double x) { return !std::isnan(x); });
+  };
+  for (const Taken& record : reading.records) {
+    const std::string within = record.source + ".";
+    bool has_any = false, has_value = false;
+    for (const Operand& operand : reading.operands) {
+      if (!operand.of_record || !operand.text.starts_with(within)) continue;
+      has_any = true;
+      has_value = has_value || left_open.contains(operand.path) || has_number(operand.path);
+    }
+    if (!has_any || has_value) continue;
+    if (auto missing = missing_element(known_, step_.name(), record))
+      issues.push_back(std::move(*missing));
+    else
+      set_unavailable(say("'{1}' is not available: {2}", record.path, record.source));
   }
   return issues.size() == before;
 }

@@ -1,0 +1,57 @@
+// What is known of the factors of a rolling bearing beside those that are typed: they follow from the contact angle, so
+// that e, Y and Y_0 of one kind go together.
+#pragma once
+
+#include "calculators/bearing/rolling_kind.hpp"
+#include "lib/calculator/bound.hpp"
+
+#include <array>
+
+namespace loadpath::bearing {
+
+/// The least products e Y, Y of two rows beyond e, and the least ratios Y_0/Y.
+struct LeastFactors {
+  double e_Y = unset<double>, Y_0_over_Y = unset<double>;
+};
+/// The least of 570 bearings in the catalogues of [Koyo] and SKF, rounded down. By [ISO281] e Y is 0.6 of tapered
+/// rollers in one row, 1 of two rows.
+constexpr LeastFactors least_factors(Kind kind) {
+  switch (kind) {
+    case Kind::angular_contact_ball:
+      return {0.5, 0.4};
+    case Kind::angular_contact_pair:
+      return {0.95, 0.5};
+    case Kind::self_aligning_ball:
+      return {0.95, 0.6};
+    case Kind::tapered_roller:
+      return {0.58, 0.5};
+    case Kind::tapered_pair:
+    case Kind::spherical_roller:
+      return {0.95, 0.59};
+    default:
+      return {};
+  }
+}
+
+template <class Input>
+double least_X(const Input& in) {
+  return radial_factor(in.kind);
+}
+template <class Input>
+double least_Y(const Input& in) {
+  return least_factors(in.kind).e_Y / in.e;
+}
+template <class Input>
+double least_Y_0(const Input& in) {
+  return least_factors(in.kind).Y_0_over_Y * in.Y;
+}
+
+/// A smaller factor counts less of a load.
+template <class Input>
+constexpr auto factor_bounds() {
+  return std::array{Bound<Input>{"X", "the kind of bearing", &least_X<Input>}.least(),
+                    Bound<Input>{"Y", "e of bearings of this kind", &least_Y<Input>}.least(),
+                    Bound<Input>{"Y_0", "Y of bearings of this kind", &least_Y_0<Input>}.least()};
+}
+
+}  // namespace loadpath::bearing

@@ -2,9 +2,11 @@
 
 namespace loadpath::column {
 
+/// A bar of d, or of h and b, without a kind is solid.
 Plates plates_of(const BucklingInput& in) {
   const Length wall = is_set(in.t_w) ? in.t_w : 0.5 * (in.d - in.d_bore);
-  return {in.kind, in.grade, in.h, in.b, in.t_f, wall, in.r, in.d};
+  const bool is_plain = in.kind == Profile::unsaid && !is_set(in.A) && is_solid(in);
+  return {is_plain ? Profile::solid : in.kind, in.grade, in.h, in.b, in.t_f, wall, in.r, in.d};
 }
 
 bool is_solid(const BucklingInput& in) {

@@ -84,6 +84,7 @@ struct Described {
   bool is_load = false;             // what the part has to carry, or another part by it; not a capacity
   bool is_beside = false;           // a result that is shown, and never part of a verdict
   const char* same_as_source = "";  // an input: see same_as_that_of_source
+  bool is_chosen = false;           // a result that is what the step decides on: a section, a drive
   bool is_of_body = false;          // an input that comes with a load of the same record that is taken singly
 
   [[nodiscard]] constexpr Self as(Role r) const {
@@ -101,6 +102,12 @@ struct Described {
   [[nodiscard]] constexpr Self load() const {
     Self s = self();
     s.is_load = true;
+    return s;
+  }
+  /// What the step decides on, shown as the size of the part: the lightest section, the number of belts.
+  [[nodiscard]] constexpr Self chosen() const {
+    Self s = self();
+    s.is_chosen = true;
     return s;
   }
   /// A size of the body that a load comes from: "=gears.gear_1.T" brings gear_1.d_f, as the record does.

@@ -42,6 +42,7 @@ struct FieldInfo {
   bool is_load = false;
   bool is_beside = false;
   bool is_of_body = false;
+  bool is_chosen = false;
   bool positional = false;  // group, list of groups: may be written as an array
 
   // quantity

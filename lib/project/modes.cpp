@@ -271,9 +271,12 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
     mode.wants.clear();
     mode.note = step.loads().lacking_factor;
   }
-  if (info.by_rest && !step.loads().left.empty())
-    mode.note = say("not included, although it acts with the load: {1}; assess it by hand: accept.{2} = \"...\"",
-                    step.loads().left, info.id);
+  if (info.by_rest && !step.loads().left.empty()) {
+    mode.note = *info.use != '\0'
+                    ? say("not included, although it acts with the load: {1}; use {2}", step.loads().left, info.use)
+                    : say("not included, although it acts with the load: {1}; assess it by hand: accept.{2} = \"...\"",
+                          step.loads().left, info.id);
+  }
   // A row that judges nothing says itself why.
   if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();
   if (mode.state == State::not_judged && is_doubtful(step, info)) {

@@ -26,7 +26,8 @@ const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogu
   const auto* id = entry.value.find("calculator");
   if (id == nullptr) {
     add_error(issues, entry.place, entry.key, say("the step '{1}' has no calculator", entry.key),
-              say("write calculator = \"shaft.torsion\"; `loadpath list` shows all"));
+              did_you_mean(entry.key, {reserved.begin(), reserved.end()},
+                           say("write calculator = \"shaft.torsion\"; `loadpath list` shows all")));
     return nullptr;
   }
   const std::string text = text_of(*id, entry.key + ".calculator", issues);

@@ -82,16 +82,41 @@ std::vector<std::pair<std::string, std::string>> rows_of(const Step& step) {
   return rows;
 }
 
-constexpr std::size_t most_sizes = 3;
+/// What the step has decided on: a section, a drive.
+std::vector<const Entry*> decided_on(const Step& step) {
+  std::vector<const Entry*> decided;
+  const auto& fields = step.input().calculator->result->fields;
+  for (const Entry& entry : step.account().results) {
+    const FieldInfo* const field = find_field_at(fields, entry.path);
+    if (field != nullptr && field->is_chosen && (!entry.word.empty() || is_known(entry))) decided.push_back(&entry);
+  }
+  return decided;
+}
 
-std::string sizes_text(const Step& step) {
+std::vector<std::string> size_words(const Step& step) {
   std::vector<std::string> words;
   for (const auto& [group, row] : rows_of(step)) words.push_back(row);
+  for (const Entry* entry : decided_on(step)) words.push_back(entry->word.empty() ? size_text(*entry) : entry->word);
   for (const Entry* entry : sizes_of(step)) words.push_back(size_text(*entry));
+  return words;
+}
+
+std::string listed(const std::vector<std::string>& words) {
   std::string all;
-  for (std::size_t i = 0; i < std::min(words.size(), most_sizes); ++i) all += (i == 0 ? "" : ", ") + words[i];
-  return words.size() > most_sizes ? say("{1} and {2} more", all, std::to_string(words.size() - most_sizes)).text()
-                                   : all;
+  for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
+  return all;
+}
+
+std::string sizes_text(const Step& step) { return listed(size_words(step)); }
+
+/// As many as a box of a drawing has room for.
+std::string short_sizes_text(const Step& step) {
+  constexpr std::size_t most_sizes = 3;
+  std::vector<std::string> words = size_words(step);
+  if (words.size() <= most_sizes) return sizes_text(step);
+  const std::string left = std::to_string(words.size() - most_sizes);
+  words.resize(most_sizes);
+  return say("{1} and {2} more", listed(words), left).text();
 }
 
 /// Why it is these: what the search says, "given" where nothing was searched for.
@@ -191,7 +216,7 @@ std::string name_of(const Step& step) { return step.input().title.empty() ? step
 draw::Flow::Part part_of(const Step& step, const Modes& all) {
   const Modes modes = modes_of(step, all);
   const State state = modes.empty() ? State::open : overall(modes);
-  std::string below = sizes_text(step);
+  std::string below = short_sizes_text(step);
   if (below.empty()) below = step.input().calculator->title;
   return {name_of(step), std::move(below), modes.empty() ? "" : account::shown(state).text(), tone_of(state)};
 }

@@ -59,7 +59,8 @@ gamma_F = 1
 
   static constexpr auto results = join(
       Fields{NameField{&Result::section, "section",
-                       "lightest section; the strongest of those judged where none carries the bar"},
+                       "lightest section; the strongest of those judged where none carries the bar"}
+                 .chosen(),
              Field{&Result::q, "q", kg_per_m, "its mass per length"},
              Field{&Result::mass, "mass", kg, "mass of the bar"},
              Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}},

@@ -84,7 +84,8 @@ constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
                   &twisting_when_bent<Input, outline_of>},
       Mode<Input>{"lateral", "bending by loads across the bar, by its inertia, by moments", &unseen<Input>}
           .in_service()
-          .by_companions(),
+          .by_companions()
+          .assessed_in("link.member"),
       Mode<Input>{"tension", "yield in tension", &pulled<Input>}.judged_by("x_t, u_t"),
       Mode<Input>{"tension_bent", "yield in tension with bending", &pulled_and_bent<Input>},
       Mode<Input>{"net_section", "net section in tension, at holes and pins", &pulled_at_holes<Input>}.assessed_beside(

@@ -69,7 +69,7 @@ TEST_SUITE("column buckling faults") {
     says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\n",
          "the method 'tetmajer' needs the constants of Tetmajer-Yasinsky");
     says(rod + "d = \"40 mm\"\nmethod = \"secant\"\n", "the method 'secant' needs the eccentricity e_y or e_z");
-    says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\n", "the method 'ec3' needs the buckling curves");
+    says(rod + "d = \"40 mm\"\nd_bore = \"20 mm\"\nmethod = \"ec3\"\n", "the method 'ec3' needs the buckling curves");
     says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\n", "the partial factor gamma_M1");
     says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\ngamma_M1 = 1\n", "needs gamma_F");
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"1 kN\"\n", "needs the safety against buckling n_st");

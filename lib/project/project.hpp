@@ -30,6 +30,7 @@ struct Project {
   std::string paper = "A4";                               // that reports are printed on; or "letter"
   Values values;
   std::vector<std::unique_ptr<Step>> steps;     // in the order of the file
+  std::set<std::string> unread;                 // names of steps that have an error instead of a calculator
   std::vector<std::size_t> order;               // of evaluation
   std::vector<Pass> passes;                     // of solving: in that order, but for steps that are solved twice
   std::vector<std::string> references;          // of the steps to one another: full paths

@@ -102,6 +102,9 @@ class Settling {
 
   void refuse(const Taken& taken, const Fault& fault) {
     refused_ = true;
+    for (const FieldInfo& field : step_.input().calculator->input->fields) {
+      if (!reading_.typed.contains(field.key)) reading_.faulty.insert(field.key);  // it might have come with it
+    }
     if (fault.message.empty()) return;  // the errors of the other step, which are told
     issues_.push_back({place_in(taken.place, taken.source, fault.at, fault.length), step_.name() + "." + taken.path,
                        fault.message, fault.hint, Severity::error});

@@ -100,7 +100,10 @@ void refuse_ranges_of_values(const Project& project, std::vector<Issue>& issues)
 
 void add_step(const toml::Tree::Entry& entry, Project& project, Catalogue catalogue, std::vector<Issue>& issues) {
   for (std::string& path : files_in(entry.value)) project.files.push_back({std::move(path), {}});
-  if (auto step = read_step(entry, project, catalogue, issues)) project.steps.push_back(std::move(step));
+  if (auto step = read_step(entry, project, catalogue, issues))
+    project.steps.push_back(std::move(step));
+  else
+    project.unread.insert(entry.key);
 }
 
 /// Values that are expressions stand in the place of the references to them, in steps and in what is expected.

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <string>
 
 namespace {
@@ -375,6 +376,31 @@ torques = "=line.torques"
         "n_2_set = \"730 rpm\"\na_set = \"600 mm\"\n"
         "[end]\ncalculator = \"shaft.overhung\"\na = \"60 mm\"\nsigma_adm = \"60 MPa\"\nload = \"=pick.best\"\n");
     CHECK_MESSAGE(contains(wrong.errors(), "pick.best"), wrong.errors());
+  }
+
+  TEST_CASE("an error of a step makes no others in those that take from it") {
+    const std::string taker =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nload = \"=gears.gear_1\"\ntau_adm = \"40 MPa\"\n";
+    const auto lines = [&](std::string text) {
+      const std::string errors = Solved(text + taker).errors();
+      return std::count(errors.begin(), errors.end(), '\n');
+    };
+    CHECK(lines(gears) == 0);
+    std::string misspelt = gears, broken = gears;
+    CHECK(lines(misspelt.replace(misspelt.find("gear.pair"), 9, "gear.pear")) == 1);
+    CHECK(lines(broken.replace(broken.find("z_1 = 20"), 8, "z_1 = \"x\"")) == 1);
+    CHECK(contains(Solved("[value]\nT = \"1 N*m\"\n").errors(), "did you mean 'values'?"));
+  }
+
+  TEST_CASE("a bearing that the shaft does not have is told with those that it has") {
+    const std::string text =
+        "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\npieces = [{ l = \"200 mm\", d = \"40 mm\" }]\n"
+        "supports = [{ x = \"45 mm\", holds = \"both\" }, { x = \"185 mm\" }]\n"
+        "seats = [{ x = \"100 mm\", F_x = \"-1 kN\" }]\nS_F = 1.2\n"
+        "[left]\ncalculator = \"bearing.rolling\"\nkind = \"deep_groove_ball\"\nC = \"29.1 kN\"\nC_0 = \"17.9 kN\"\n"
+        "f_0 = 14\nn = \"100 rpm\"\nL_h = \"20000 h\"\nload = \"=shaft.bearings";
+    CHECK(contains(Solved(text + ".left\"\n").errors(), "'shaft.bearings' has no 'left'; there is: [1], [2]"));
+    CHECK(Solved(text + "[1]\"\n").errors() == "");
   }
 
   TEST_CASE("a force whose sign is no tension is no normal force without a sign") {

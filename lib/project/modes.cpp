@@ -273,7 +273,9 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
   }
   if (info.by_rest && !step.loads().left.empty()) {
     mode.note = *info.use != '\0'
-                    ? say("not included, although it acts with the load: {1}; use {2}", step.loads().left, info.use)
+                    ? say("not included, although it acts with the load: {1}; use {2}, or assess it by hand: "
+                          "accept.{3} = \"...\"",
+                          step.loads().left, info.use, info.id)
                     : say("not included, although it acts with the load: {1}; assess it by hand: accept.{2} = \"...\"",
                           step.loads().left, info.id);
   }

@@ -85,6 +85,7 @@ std::vector<std::pair<std::string, std::string>> rows_of(const Step& step) {
 /// What the step has decided on: a section, a drive.
 std::vector<const Entry*> decided_on(const Step& step) {
   std::vector<const Entry*> decided;
+  if (step.input().calculator->result == nullptr) return decided;  // a mechanism decides on none
   const auto& fields = step.input().calculator->result->fields;
   for (const Entry& entry : step.account().results) {
     const FieldInfo* const field = find_field_at(fields, entry.path);

@@ -1,5 +1,7 @@
 #include "lib/project/references/sources.hpp"
 
+#include "lib/project/project.hpp"
+
 #include <set>
 
 namespace loadpath::project {

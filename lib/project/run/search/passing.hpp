@@ -3,8 +3,8 @@
 
 #include "lib/project/run/evaluation/evaluation.hpp"
 
-#include <compare>
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <set>
 #include <vector>
@@ -17,7 +17,9 @@ struct Row {
 
   const FieldInfo* field;
   std::size_t element = of_part;
-  auto operator<=>(const Row&) const = default;
+  friend bool operator<(const Row& a, const Row& b) {
+    return a.field != b.field ? std::less<>()(a.field, b.field) : a.element < b.element;
+  }
 };
 
 class Passing {

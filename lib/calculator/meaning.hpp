@@ -17,6 +17,10 @@ struct Meaning {
 inline constexpr auto reverses_in_turns = "reverses in turns";
 inline constexpr auto steady_part = "stays";
 
+/// Of the two numbers that a cycle is given by, where only both of them are the load.
+inline constexpr auto paired_amplitude = "amplitude beside its middle";
+inline constexpr auto paired_middle = "middle beside its amplitude";
+
 /// Of nominal stresses at a notch, and of fatigue limits: the key of the factor that tells the notch. A limit has to
 /// hold that of the place whose stress it is compared with.
 struct NotchClaim {

@@ -77,8 +77,9 @@ f_max = 1.8
 
   static constexpr auto rules = din743_rules<Input>();
   static constexpr std::array meanings{
-      Meaning{"sigma_bW", specimen_in_bending}, Meaning{"sigma_zdW", specimen_in_tension},
-      Meaning{"tau_tW", specimen_in_torsion}, Meaning{"sigma_bm, sigma_zdm, M_bm", steady_part}};
+      Meaning{"sigma_bW", specimen_in_bending},      Meaning{"sigma_zdW", specimen_in_tension},
+      Meaning{"tau_tW", specimen_in_torsion},        Meaning{"sigma_bm, sigma_zdm, M_bm", steady_part},
+      Meaning{"M_tm, tau_tm, F_zdm", paired_middle}, Meaning{"M_ta, tau_ta, F_zda", paired_amplitude}};
   static constexpr auto bounds = notch_bounds<Input>();
   static constexpr std::array modes{
       Mode<Input>{"fatigue", "fatigue of the section, at constant amplitudes", &any_varies<Input>}.judged_by(

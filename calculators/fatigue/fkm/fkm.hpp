@@ -66,7 +66,9 @@ f_max = 1.8
   static constexpr Fields results = join(fkm_results<Result>(), Fields{modulus_over_steel<Result>(&Result::x_E)});
 
   static constexpr auto rules = fkm_rules<Input>();
-  static constexpr std::array meanings{Meaning{"sigma_bm, sigma_zdm, M_bm", steady_part}};
+  static constexpr std::array meanings{Meaning{"sigma_bm, sigma_zdm, M_bm", steady_part},
+                                       Meaning{"M_tm, tau_tm, F_zdm", paired_middle},
+                                       Meaning{"M_ta, tau_ta, F_zda", paired_amplitude}};
   static constexpr auto bounds = notch_bounds<Input>();
   static constexpr std::array modes{
       Mode<Input>{"fatigue", "fatigue of the section, at constant amplitudes", &any_varies<Input>}.judged_by(

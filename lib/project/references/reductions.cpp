@@ -180,24 +180,25 @@ class ReductionCheck {
   [[nodiscard]] bool is_that_reduction(const Operand& operand, const Reduced& r) const {
     const std::string own = reduction_of(*step_.input().calculator, operand.path);
     if (own == "amplitude" || own == "mean") return own == r.function;
-    return (own == "max" || own == "min") && has_other_extreme(operand, r);
+    if (own == paired_amplitude) return r.function == "amplitude" && has_beside(operand, r, "amplitude", "midrange");
+    if (own == paired_middle) return r.function == "midrange" && has_beside(operand, r, "midrange", "amplitude");
+    if (own != "max" && own != "min") return false;
+    return has_beside(operand, r, "max", "min") || has_beside(operand, r, "min", "max");
   }
 
-  /// "max(rod.N)/A" has "min(rod.N)/A" beside it.
-  [[nodiscard]] bool has_other_extreme(const Operand& operand, const Reduced& r) const {
-    const bool is_max = r.text.starts_with("max");
-    if (!is_max && !r.text.starts_with("min")) return false;
-    std::string other = operand.text;
-    const std::size_t at = other.find(r.text);
-    if (at == std::string::npos) return false;
-    other.replace(at, 3, is_max ? "min" : "max");
+  /// "max(rod.N)/A" has "min(rod.N)/A" beside it, in an input that is a reduction of a cycle.
+  [[nodiscard]] bool has_beside(const Operand& operand, const Reduced& r, std::string_view own,
+                                std::string_view other) const {
+    std::string text = operand.text;
+    const std::size_t at = text.find(r.text);
+    if (!r.text.starts_with(own) || at == std::string::npos) return false;
+    text.replace(at, own.size(), other);
     const Calculator& calculator = *step_.input().calculator;
     return std::any_of(step_.input().reading.operands.begin(), step_.input().reading.operands.end(),
                        [&](const Operand& beside) {
-                         const std::string of = reduction_of(calculator, beside.path);
-                         return &beside != &operand && (of == "max" || of == "min") &&
+                         return &beside != &operand && !reduction_of(calculator, beside.path).empty() &&
                                 before_last(beside.path) == before_last(operand.path) &&
-                                without_spaces(beside.text) == without_spaces(other);
+                                without_spaces(beside.text) == without_spaces(text);
                        });
   }
 
@@ -214,6 +215,11 @@ class ReductionCheck {
     if (own == "max" || own == "min")
       return say("{1} is {2} alone: give the largest and the least stress, max(...) and min(...) of one series, or {3}",
                  path, r.text.empty() ? operand.text : r.text, reason);
+    if (own == paired_amplitude || own == paired_middle)
+      return say(
+          "{1} is {2}, less than the load over the cycle: write amplitude({3}) and midrange({3}) for the two of "
+          "them, or {4}",
+          path, r.text.empty() ? operand.text : r.text, r.argument.empty() ? operand.text : r.argument, reason);
     const std::string series = r.argument.empty() ? "the series itself" : "=" + r.argument;
     return say("{1} is {2}, less than the load over the cycle: write {3}, or {4}", path,
                r.text.empty() ? operand.text : r.text, series, reason);

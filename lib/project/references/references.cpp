@@ -264,7 +264,7 @@ void settle_references(Step& step, const Project& project, std::vector<Issue>& i
 bool is_reduction(const Meaning& meaning) {
   const std::string_view what = meaning.what;
   return what == "mean" || what == "amplitude" || what == "max" || what == "min" || what == reverses_in_turns ||
-         what == steady_part;
+         what == steady_part || what == paired_amplitude || what == paired_middle;
 }
 
 }  // namespace loadpath::project

@@ -8,6 +8,7 @@ namespace loadpath::expression {
 namespace {
 
 double amplitude(const Value& series) { return 0.5 * (maximum(series).value - minimum(series).value); }
+double midrange(const Value& series) { return 0.5 * (maximum(series).value + minimum(series).value); }
 double range(const Value& series) { return maximum(series).value - minimum(series).value; }
 double peak(const Value& series) { return std::abs(largest(series).value); }
 double highest(const Value& series) { return maximum(series).value; }
@@ -54,6 +55,7 @@ constexpr Function magnitude(Function f) {
 constexpr Function functions[] = {
     magnitude(reduction("peak", "peak(series)", peak)),
     magnitude(reduction("amplitude", "amplitude(series)", amplitude)),
+    reduction("midrange", "midrange(series)", midrange),
     magnitude(reduction("range", "range(series)", range)),
     reduction("mean", "mean(series)", mean, Rule::cycle_reduction),
     magnitude(reduction("rms", "rms(series)", root_mean_square, Rule::cycle_reduction)),

@@ -135,6 +135,26 @@ TEST_SUITE("found fatigue of parts") {
     }
   }
 
+  TEST_CASE("a torque is taken by its amplitude and its middle, both of one series") {
+    const std::string press =
+        "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"50 mm\"\nl = \"200 mm\"\n"
+        "crank = { speed = \"60 rpm\", positions = 36 }\n"
+        "loads = [{ name = \"F\", link = \"slider\", at = \"B\", F_x = \"-2 kN\", F_y = \"0 N\" }]\n";
+    const auto state = [&](const std::string& loads) {
+      return fatigue_of(press + step("fatigue.din743",
+                                     "material = \"C45E\"\nnotch = \"smooth\"\nd = \"40 mm\"\n"
+                                     "R_z = \"6.3 um\"\nf_max = 1.2\n" +
+                                         loads));
+    };
+    const std::string swing = "M_ta = \"=amplitude(press.drive.M)\"\n",
+                      middle = "M_tm = \"=midrange(press.drive.M)\"\n";
+    CHECK(state(swing + middle) == "pass");
+    CHECK(state(swing) == "not-judged");
+    CHECK(state(swing + "M_tm = \"=mean(press.drive.M)\"\n") == "not-judged");
+    CHECK(state("M_ta = \"=0.5*amplitude(press.drive.M)\"\n" + middle) == "not-judged");
+    CHECK(state("M_ta = \"=amplitude(press.drive.M)/2\"\nM_tm = \"=midrange(press.drive.M)/2\"\n") == "pass");
+  }
+
   TEST_CASE("an unusual value of a step that judges nothing holds back what is made of it") {
     const auto state = [](const std::string& q) {
       return mode_of(

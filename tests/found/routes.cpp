@@ -188,6 +188,14 @@ TEST_SUITE("found routes") {
     CHECK(belt("5 kW") == "not-judged");
   }
 
+  TEST_CASE("a stage that is given by its ratio says no teeth") {
+    CHECK(first_error_of(
+              "[t]\ncalculator = \"drive.train\"\nP = \"5 kW\"\nn_1 = \"1450 rpm\"\n"
+              "stages = [{ kind = \"gear\", i = 2.85 }]\n\n[g]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\n"
+              "m_n = \"3 mm\"\nT_1 = \"=t.T_1\"\n")
+              .empty());
+  }
+
   TEST_CASE("the head of a vessel has its pressure and corrosion allowance") {
     const auto head = [](const std::string& lines) {
       return mode_of(

@@ -191,7 +191,8 @@ std::string largest_in(const Source& source, const char* keys, const FieldInfo& 
     if (path.empty()) continue;
     const Value& value = known(path);
     const double si = std::abs(largest_magnitude(value));
-    if (std::isnan(si) || value.signature.dimension != field.dimension) continue;
+    // Zero is nothing that is said: teeth of a stage that is given by its ratio.
+    if (std::isnan(si) || si == 0.0 || value.signature.dimension != field.dimension) continue;
     if (largest.empty() || si > std::abs(largest_magnitude(known(largest)))) largest = std::move(path);
   }
   return largest;

@@ -179,7 +179,8 @@ TEST_SUITE("quantity") {
         {"1 + peek(lever.drive.M)", "peek", "unknown function 'peek'", "did you mean 'peak'?"},
         {"Sqrt(2)", "Sqrt", "unknown function 'Sqrt'", "did you mean 'sqrt'?"},
         {"40 mm*cosine(2)", "cosine", "unknown function 'cosine'",
-         "the functions are peak, amplitude, range, mean, rms, at, max, min, abs, sqrt, cbrt, exp, ln, sin, cos, tan, "
+         "the functions are peak, amplitude, midrange, range, mean, rms, at, max, min, abs, sqrt, cbrt, exp, ln, sin, "
+         "cos, tan, "
          "asin, acos, atan, atan2, mises"},
         {"2*PI", "PI", "'PI' alone is no reference", "did you mean 'pi'?"},
         {"length + 2", "length", "'length' alone is no reference", "write step.path, as in lever.drive.M"},

@@ -104,7 +104,7 @@ s_0 = 2
           .usually(1, 4)
           .factor(),
       Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 at standstill"}
-          .at_least_that_of_source("n")
+          .at_least_that_of_source("n, shafts[#].n")
           .at_least(0)
           .may_be_missing(),
       Field{&Input::n_max, "n_max", rpm, "highest speed of the maker's table for this lubrication"}

@@ -1,5 +1,5 @@
-// What is known of the factors of a rolling bearing beside those that are typed: they follow from the contact angle, so
-// that e, Y and Y_0 of one kind go together.
+// Bounds on the typed factors of a rolling bearing. e, Y and Y_0 follow from the contact angle and are therefore
+// related.
 #pragma once
 
 #include "calculators/bearing/rolling_kind.hpp"
@@ -9,12 +9,12 @@
 
 namespace loadpath::bearing {
 
-/// The least products e Y, Y of two rows beyond e, and the least ratios Y_0/Y.
+/// Lower bounds of e Y and of Y_0/Y.
 struct LeastFactors {
   double e_Y = unset<double>, Y_0_over_Y = unset<double>;
 };
-/// The least of 570 bearings in the catalogues of [Koyo] and SKF, rounded down. By [ISO281] e Y is 0.6 of tapered
-/// rollers in one row, 1 of two rows.
+/// Minimum over 570 bearings in the catalogues of [Koyo] and SKF, rounded down. [ISO281]: e Y = 0.6 for single-row
+/// tapered roller bearings, 1 for two rows.
 constexpr LeastFactors least_factors(Kind kind) {
   switch (kind) {
     case Kind::angular_contact_ball:
@@ -46,7 +46,7 @@ double least_Y_0(const Input& in) {
   return least_factors(in.kind).Y_0_over_Y * in.Y;
 }
 
-/// A smaller factor counts less of a load.
+/// Smaller factors are not conservative.
 template <class Input>
 constexpr auto factor_bounds() {
   return std::array{Bound<Input>{"X", "the kind of bearing", &least_X<Input>}.least(),

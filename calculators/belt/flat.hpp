@@ -85,7 +85,10 @@ E_b = "40 MPa"
           .at_least(1)
           .usually(1, 3)
           .factor(),
-      Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}.positive().usually(10, 2e4),
+      Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}
+          .positive()
+          .at_least_that_of_source("shafts[#].n")
+          .usually(10, 2e4),
       Field{&Input::d_1, "d_1", mm, "diameter of the driving pulley"}
           .positive()
           .same_as_that_of_source("stages[#].d_1")

@@ -108,7 +108,10 @@ P_R = "5.5 kW"
       Count{&Input::z_2, "z_2", 7, 150, "teeth of the driven sprocket"}.same_as_that_of_source("stages[#].z_2"),
       Field{&Input::a, "a", mm, "centre distance that is wanted; the links make it exact"}.positive().may_be_missing(),
       Count{&Input::X, "X", 0, 2000, "links, in place of a; 0: the even number nearest to a"}.may_be_missing(),
-      Field{&Input::n_1, "n_1", rpm, "speed of the driving sprocket"}.positive().may_be_missing(),
+      Field{&Input::n_1, "n_1", rpm, "speed of the driving sprocket"}
+          .positive()
+          .at_least_that_of_source("shafts[#].n")
+          .may_be_missing(),
       Field{&Input::P, "P", kW, "nominal power, with n_1"}
           .load()
           .at_least(0)
@@ -123,7 +126,9 @@ P_R = "5.5 kW"
           .at_least(1)
           .usually(1, 2)
           .factor(),
-      Field{&Input::K_f, "K_f", ratio, "sag: 6 for a level drive, 3 at 40 deg, 1 upright"}.within(0, 10).usually(1, 6),
+      Field{&Input::K_f, "K_f", ratio, "sag factor: 6 for a horizontal drive, 3 at 40 deg, 1 for a vertical drive"}
+          .within(0, 10)
+          .usually(1, 6),
       Choice{&Input::lubrication, "lubrication", "how the chain is lubricated"}.may_be_missing(),
       Field{&Input::p_adm, "p_adm", MPa, "allowable pressure in the joint"}.positive().usually(5, 60).may_be_missing(),
       Field{&Input::S_min, "S_min", ratio, "least safety against breaking"}.at_least(1).usually(5, 20).may_be_missing(),
@@ -224,11 +229,10 @@ P_R = "5.5 kW"
                   "with fewer than 17 teeth the chain runs rough and wears soon", nullptr, true}};
 
   static double most_rating(const Input& in);
-  /// A chain that no sag loads hangs nowhere: of one whose place is not told that of a level drive.
+  /// Without a typed sag factor that of a horizontal drive, which is the largest.
   static double least_sag(const Input& in) { return in.K_f < 1.0 ? 6.0 : unset<double>; }
-  static constexpr std::array bounds{
-      Bound<Input>{"P_R", "twice the rating of its pitch by ASME B29.1, as ratings are at best", &most_rating},
-      Bound<Input>{"K_f", "a level drive; upright it is 1", &least_sag}.least()};
+  static constexpr std::array bounds{Bound<Input>{"P_R", "twice the ASME B29.1 rating for this pitch", &most_rating},
+                                     Bound<Input>{"K_f", "a horizontal drive (vertical: 1)", &least_sag}.least()};
 
   static constexpr bool turns = true;
   static constexpr std::array modes{

@@ -1,5 +1,5 @@
-// What a compressed bar knows itself beside typed inputs: the buckling curves that the code has for its section, and
-// how its ends are held as a link of a mechanism.
+// Bounds on typed inputs of a compressed bar: the buckling curves that the code gives for its section, and the end
+// conditions of a link of a mechanism.
 #pragma once
 
 #include "calculators/column/buckling_parts.hpp"
@@ -10,12 +10,12 @@
 
 namespace loadpath::column {
 
-/// Shorter than that of hinged ends about this axis.
+/// Whether the effective length about this axis is shorter than with pinned ends.
 inline bool is_held_better(const Member& in, AxisName axis) {
   const double beta = axis == AxisName::y ? in.beta_y : in.beta_z;
   return (is_set(beta) ? beta : length_factor(ends_of(in, axis), Basis::exact)) < 1.0;
 }
-/// Of a link of a mechanism one axis is in the plane of the joints, on which it turns: its ends are hinged about that.
+/// The ends of a link of a mechanism are pinned about the axis of its joints, so at most one axis can be restrained.
 inline bool is_held_about_both(const Member& in) {
   return is_held_better(in, AxisName::y) && is_held_better(in, AxisName::z);
 }
@@ -35,7 +35,7 @@ double whole_length(const Input& in) {
   return is_held_about_both(in) ? 1.0 : unset<double>;
 }
 
-/// The least factor of a bar that is held at its ends alone.
+/// The smallest effective length factor of a bar supported at its ends only.
 template <class Input>
 double least_length_factor(const Input&) {
   return length_factor(Ends::fixed_fixed, Basis::exact);
@@ -43,8 +43,8 @@ double least_length_factor(const Input&) {
 
 template <class Input>
 constexpr auto held_bounds() {
-  constexpr auto of_link = "a link of a mechanism, which turns on its joints";
-  constexpr auto of_ends = "a bar that is built in at both ends";
+  constexpr auto of_link = "a link of a mechanism with pin joints";
+  constexpr auto of_ends = "a bar with both ends fixed";
   return std::array{Bound<Input>{"ends", of_link, &hinged_about_both<Input>}.where_source_has("length"),
                     Bound<Input>{"ends_y", of_link, &hinged_about_y<Input>}.where_source_has("length"),
                     Bound<Input>{"beta_y", of_link, &whole_length<Input>}.least().where_source_has("length"),
@@ -52,8 +52,8 @@ constexpr auto held_bounds() {
                     Bound<Input>{"beta_z", of_ends, &least_length_factor<Input>}.least().sparing_results()};
 }
 
-/// Table 6.2 for a typed curve: of a section whose kind is not said that of a solid bar where it is one, else the best
-/// that any section has.
+/// The buckling curve of table 6.2. Where the kind of section is not given: that of a solid section if it is one,
+/// otherwise the most favourable curve of any section.
 template <class Input, AxisName axis>
 double curve_of_table(const Input& in) {
   const Curve typed = axis == AxisName::y ? in.curve_y : in.curve_z;
@@ -64,7 +64,7 @@ double curve_of_table(const Input& in) {
   return own == Curve::by_kind ? unset<double> : static_cast<double>(own);
 }
 
-/// The curves stand in their order, the best one first.
+/// The curves are in order, the most favourable first.
 template <class Input>
 constexpr auto curve_bounds() {
   constexpr auto table = "EN 1993-1-1, table 6.2";

@@ -2,7 +2,7 @@
 
 namespace loadpath::column {
 
-/// A bar of d, or of h and b, without a kind is solid.
+/// A bar given by d, or by h and b, without a kind is solid.
 Plates plates_of(const BucklingInput& in) {
   const Length wall = is_set(in.t_w) ? in.t_w : 0.5 * (in.d - in.d_bore);
   const bool is_plain = in.kind == Profile::unsaid && !is_set(in.A) && is_solid(in);

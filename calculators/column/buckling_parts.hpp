@@ -41,7 +41,8 @@ inline Material material_of(const BucklingInput& in) {
 }
 
 Plates plates_of(const BucklingInput& in);
-/// By its kind; without one a bar of d, or of h and b, and what is full by its area and moments.
+/// By its kind; without one a bar given by d, or by h and b, and a section whose area and second moments are those of a
+/// solid.
 bool is_solid(const BucklingInput& in);
 /// Its distance from the axis: as given, else half the side of a section that is symmetric to the axis; unset of a
 /// channel about z, of a tee about y, of an angle.

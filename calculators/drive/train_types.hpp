@@ -79,7 +79,7 @@ struct TrainTypes {
         Field{&StageResult::eta, "eta", ratio, "efficiency"},
         Field{&StageResult::eta_low, "eta_low", ratio, "lowest usual efficiency of such a stage"},
         Field{&StageResult::eta_high, "eta_high", ratio, "highest usual efficiency of such a stage"},
-        Choice{&StageResult::range, "range", "the efficiency against what is usual"},
+        Choice{&StageResult::range, "range", "the efficiency against the usual range"},
         Field{&StageResult::T_h, "T_h", N_m, "torque of the housing on the foundation"}.load(),
         Field{&StageResult::P_loss, "P_loss", kW, "power that is lost"},
         Field{&StageResult::x_eta, "x_eta", ratio, "efficiency of a worm over the highest usual one; missing, it is 1"}
@@ -132,7 +132,7 @@ constexpr auto choices_of(TrainTypes::Sense) {
                     ChoiceName<Sense>{Sense::opposite, "opposite", "the opposite, as with a crossed belt"}};
 }
 constexpr auto choices_of(TrainTypes::EtaRange) {
-  return std::array{ChoiceName<TrainTypes::EtaRange>{TrainTypes::EtaRange::usual, "usual", "within what is usual"},
+  return std::array{ChoiceName<TrainTypes::EtaRange>{TrainTypes::EtaRange::usual, "usual", "within the usual range"},
                     ChoiceName<TrainTypes::EtaRange>{TrainTypes::EtaRange::below, "below", "lower than usual"},
                     ChoiceName<TrainTypes::EtaRange>{TrainTypes::EtaRange::above, "above", "higher than usual"},
                     ChoiceName<TrainTypes::EtaRange>{TrainTypes::EtaRange::none, "none", "no usual range is known"}};

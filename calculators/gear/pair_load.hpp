@@ -8,15 +8,15 @@ namespace loadpath::gear {
 
 namespace load {
 
-/// A speed that comes signed from a train: gear 1 turns against the sense that is given.
+/// A negative speed, as of a shaft of a train: gear 1 rotates opposite to `turns`.
 inline bool turns_back(const PairInput& in) { return in.n_1 < 0.0 * rpm; }
 
-/// Positive where gear 1 drives. Of a gear that turns back torques come with its sign and without.
+/// Positive where gear 1 drives. For reverse rotation the torque may be given with or without its sign.
 template <class Tracer>
 Moment torque(const PairInput& in, Tracer& trace) {
   if (turns_back(in)) {
     if (!is_set(in.P))
-      return is_set(in.T_1) ? NAMED_STEP("T_1", abs(in.T_1), "gear 1, which turns back, drives") : unset<Moment>;
+      return is_set(in.T_1) ? NAMED_STEP("T_1", abs(in.T_1), "gear 1 drives in the reverse direction") : unset<Moment>;
     return NAMED_STEP("T_1", in.P / abs(in.n_1), "torque from the power, nominal");
   }
   if (!is_set(in.P)) return in.T_1;
@@ -55,7 +55,7 @@ inline void hand_over(const PairInput& in, Moment T_1, double w, PairResult& r) 
 template <class Tracer>
 void forces(const PairInput& in, Moment T_1, PairResult& r, Tracer& trace) {
   const double w = turns_back(in)
-                       ? NAMED_STEP("w", in.turns == Turns::ccw ? -1.0 : 1.0, "n_1 is negative: against its sense")
+                       ? NAMED_STEP("w", in.turns == Turns::ccw ? -1.0 : 1.0, "n_1 is negative: the reverse of turns")
                        : NAMED_STEP("w", in.turns == Turns::ccw ? 1.0 : -1.0,
                                     "1 where gear 1 turns counter-clockwise, -1 clockwise");
   STEP(h, in.hand == Hand::right ? 1.0 : -1.0, "1 for a right-hand helix of gear 1, -1 for a left-hand one");

@@ -154,8 +154,7 @@ S = 1.5
                       "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, h, b, t_f",
                       "something is missing that the method needs",
                       &column::of<Input, &column::Buckling::missing_for_method>}},
-      std::array{
-          Rule<Input>{&shear_inside, "A_v, A, d, d_bore, h, b", "what carries the shear is a part of the section"}},
+      std::array{Rule<Input>{&shear_inside, "A_v, A, d, d_bore, h, b", "the shear area cannot exceed the area"}},
       column::method_rules<Input>());
   static constexpr auto bounds =
       join(column::held_bounds<Input>(), column::curve_bounds<Input>(),

@@ -42,8 +42,8 @@ struct Connection {
       Field{&Connection::b_c, "b_c", mm, "bore of the shaft that it is calculated with"},
       Field{&Connection::l_c, "l_c", mm, "its length along the shaft"},
       Field{&Connection::t_c, "t_c", mm, "depth of the keyway in the hub"},
-      Field{&Connection::D_c, "D_c", mm, "outer diameter of the hub that it is calculated with"},
-      Field{&Connection::n_c, "n_c", rpm, "speed up to which its interference is assessed"},
+      Field{&Connection::D_c, "D_c", mm, "outer diameter of the hub in that calculation"},
+      Field{&Connection::n_c, "n_c", rpm, "speed up to which the interference fit is assessed"},
       Field{&Connection::r_c, "r_c", ratio, "least over largest torque that it is assessed for"},
       Field{&Connection::R_c, "R_c", MPa, "yield strength of the shaft that it is calculated with"}};
 };

@@ -42,10 +42,10 @@ struct ShaftLoad {
       Field{&ShaftLoad::x_w, "x_w", mm, "from the axis to the point where the forces act, along x"},
       Field{&ShaftLoad::n, "n", rpm, "speed of the shaft; of gears counter-clockwise positive"},
       Field{&ShaftLoad::d_f, "d_f", mm,
-            "root circle of an external gear or a sprocket, groove bottom of a V-belt pulley; else the diameter that "
-            "the forces act at"},
-      Field{&ShaftLoad::h_t, "h_t", mm, "of an external gear: height of its teeth"},
-      Field{&ShaftLoad::b_r, "b_r", mm, "rim width of a gear, a pulley"},
+            "root diameter of an external gear or a sprocket, groove bottom diameter of a V-belt pulley; otherwise the "
+            "diameter at which the forces act"},
+      Field{&ShaftLoad::h_t, "h_t", mm, "tooth height of an external gear"},
+      Field{&ShaftLoad::b_r, "b_r", mm, "rim width of a gear or pulley"},
       Field{&ShaftLoad::bore, "bore", mm, "bore of a gear"},
       Choice{&ShaftLoad::kind, "kind", "what gives it"}};
 };

@@ -93,7 +93,7 @@ tau_adm_1 = "40 MPa"
                  .positive()
                  .usually(5, 1000)
                  .may_be_missing(),
-             Field{&Input::tau_adm_1, "tau_adm_1", MPa, "allowable torsional stress of the shaft beside the hole"}
+             Field{&Input::tau_adm_1, "tau_adm_1", MPa, "allowable torsional stress of the shaft at the hole"}
                  .positive()
                  .usually(5, 1000)
                  .may_be_missing()});
@@ -124,9 +124,9 @@ tau_adm_1 = "40 MPa"
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d_w < in.d_f; }, "d_f, d_w",
                   "the shaft is thicker than the root circle of what sits on it"},
       Rule<Input>{[](const Input& in) { return !(in.D > 1.000001 * in.d_f) || in.d_w >= in.d_f; }, "D, d_f",
-                  "the hub is thicker than the root circle of what it carries"},
+                  "the outer diameter of the hub exceeds the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d_w); }, "bore, d_w",
-                  "the bore of what is fastened must be the diameter of the shaft"},
+                  "the bore of the mounted component must equal the shaft diameter"},
       Rule<Input>{[](const Input& in) { return in.d < in.d_w; }, "d, d_w", "the pin must be thinner than the shaft"},
       Rule<Input>{[](const Input& in) { return in.d_w < in.D; }, "D, d_w", "the hub must be thicker than the shaft"},
       Rule<Input>{

@@ -44,7 +44,7 @@ Lug::Result Lug::evaluate(const Input& in, Tracer& trace) {
   strength(in, r, trace);
   STEP_TO(r, x_b, in.b / in.d, "proportions of table 3.9, [EN1993-1-8]");
   STEP_TO(r, x_a, (in.b - in.d) / (2.0 * in.a), "a crown as thick as the sides, or thicker");
-  STEP_TO(r, K_t, 2.0 + pow<3>(1.0 - in.d / in.b), "hole in a strip, Heywood, recalled; a pin in it adds to it");
+  STEP_TO(r, K_t, 2.0 + pow<3>(1.0 - in.d / in.b), "open hole in a strip, Heywood, recalled; a loaded pin gives more");
   r.cycle = {Stresses::normal, r.sigma_n};
   return r;
 }

@@ -63,13 +63,13 @@ void torsion_of_shaft(const Input& in, Result& r, Tracer& trace) {
   }
 }
 
-/// The hub over its seat, which is deeper than the key stands out of the shaft.
+/// Wall of the hub above the keyway, whose depth includes the clearance above the key.
 template <class Tracer>
 void wall_of(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.d_f)) return;
   const Length s_N = wall_under_root(in, in.d, is_set(in.t_2) ? in.t_2 : in.h - in.t_1, r, trace);
   STEP(t_n, is_set(in.t_2) ? in.t_2 : in.h - in.t_1, "depth of the keyway");
-  STEP_TO(r, x_R, t_n / s_N, "a wall as thick as the keyway is deep is left");
+  STEP_TO(r, x_R, t_n / s_N, "wall at least as thick as the keyway is deep");
 }
 
 /// What fits: shaft, hub, seats.

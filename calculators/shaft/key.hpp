@@ -182,7 +182,7 @@ R_e_k = "420 MPa"
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
       rim_of_gear<Result>(),
-      wall_of_hub<Result>("keyway depth / wall of the hub that it leaves under the root circle, own bound"),
+      wall_of_hub<Result>("keyway depth / remaining wall of the hub under the root circle, own bound"),
       Group{&Result::notch, "notch", "the end of its seat, for a notch of shaft.design: part"}.handed_over(),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
@@ -195,7 +195,7 @@ R_e_k = "420 MPa"
                       "d_f, d, t_2",
                       "the shaft and the keyway in the hub are deeper than the root circle of what sits on it"},
           Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
-                      "the bore of what is fastened must be the diameter of the shaft"},
+                      "the bore of the mounted component must equal the shaft diameter"},
           Rule<Input>{&sizes_given, "b, h, t_1", "give a key: key = \"14x9\", or b, h and t_1"},
           Rule<Input>{[](const Input& in) { return !sizes_given(in) || in.t_1 < in.h; }, "t_1, h",
                       "the seat in the shaft must be less deep than the key is high"},
@@ -240,7 +240,9 @@ R_e_k = "420 MPa"
       Mode<Input>{"seat", "a hub that shifts or tilts by the forces that come with the torque: no key holds it",
                   &unseen<Input>}
           .by_companions(),
-      Mode<Input>{"wall", "the wall of the hub above its seat", &has_root<Input>}.judged_by("m_R, x_R").of_shape(),
+      Mode<Input>{"wall", "wall thickness of the hub above the keyway", &has_root<Input>}
+          .judged_by("m_R, x_R")
+          .of_shape(),
       overhang<Input>(),
       Mode<Input>{"fretting", "fretting of the seat", &unseen<Input>}.special(),
       Mode<Input>{"balance", "imbalance by a single key at a high speed", &unseen<Input>}.special()};

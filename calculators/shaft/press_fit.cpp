@@ -14,8 +14,8 @@ using Result = PressFit::Result;
 
 constexpr Length none = 0.0 * mm.one;
 
-/// Of a disc that turns: the hoop stress at its surface, [Lame]; at the bore of the hub, and at a shaft in its hub.
-constexpr const char* of_disc = "hoop stress by its own rotation where they meet, [Lame]";
+/// Hoop stress of a rotating disc, [Lame]: at the bore of the hub and at the outside of the shaft.
+constexpr const char* of_disc = "hoop stress by rotation at the fit, [Lame]";
 
 /// Smallest and largest usable interference, cold or in service.
 template <class Tracer>
@@ -26,7 +26,7 @@ void interferences(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, U_w_max, max(in.U_max - U_G - min(U_T, 0.0 * mm), 0.0 * mm), "usable, cold or in service");
 }
 
-/// What both grow by where they meet: the hub more than the shaft.
+/// Loss of interference by rotation: the hub expands more than the shaft.
 template <class Tracer>
 void growth(const Input& in, Result& r, Tracer& trace) {
   if (!PressFit::is_at_speed(in)) return;
@@ -35,8 +35,8 @@ void growth(const Input& in, Result& r, Tracer& trace) {
        of_disc);
   STEP(sigma_r2, in.rho_2 * pow<2>(in.n) / 16.0 * ((3.0 + in.nu_2) * pow<2>(in.D) + (1.0 - in.nu_2) * pow<2>(in.d)),
        of_disc);
-  STEP_TO(r, U_n, in.d * (sigma_r2 / in.E_2 - sigma_r1 / in.E_1), "the hub grows away from its shaft");
-  STEP_TO(r, u_n, max(U_n, 0.0 * mm) / U_w_min, "of what is there at rest");
+  STEP_TO(r, U_n, in.d * (sigma_r2 / in.E_2 - sigma_r1 / in.E_1), "loss of interference by rotation");
+  STEP_TO(r, u_n, max(U_n, 0.0 * mm) / U_w_min, "relative to the interference at rest");
 }
 
 /// The pressure under which both rings give way by the interference, [Lame].
@@ -76,7 +76,7 @@ void slip(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_s, in.S_r * r.F_res / F_slip, "against slip");
 }
 
-/// At rest, by the largest pressure.
+/// At rest, under the largest pressure.
 template <class Tracer>
 void stresses(const Input& in, Result& r, Tracer& trace) {
   const Stress p_max = r.p_max;
@@ -88,8 +88,8 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
       in.d_i > none ? "Tresca: hoop at the bore of a hollow shaft, [Lame]" : "Tresca: a solid shaft, pressed alike");
 }
 
-/// At speed the pressure falls and the hoop stress of the rotation comes; both go with its square, so that one of the
-/// two ends is the worst.
+/// With speed the pressure falls and the stress by rotation rises, both with its square: the worst case is standstill
+/// or full speed.
 template <class Tracer>
 void stresses_at_speed(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(r.U_n)) return;
@@ -144,8 +144,8 @@ void assembly(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_A, dT_A / in.dT_adm, "against what the hub allows");
 }
 
-/// Up to which speed the fit is assessed: the one that is given, else the one that takes a hundredth of its smallest
-/// interference; none where nothing tells how heavy it is.
+/// The speed up to which the fit is assessed: the given one, otherwise that at which 1 % of the smallest interference
+/// is lost; zero without the densities.
 AngularSpeed assessed_speed(const Input& in, const Result& r) {
   if (is_set(r.U_n)) return abs(in.n);
   if (!is_set(in.rho_1) || !is_set(in.rho_2)) return 0.0 * rpm.one;

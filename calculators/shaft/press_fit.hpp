@@ -81,7 +81,7 @@ dT_adm = "250 K"
     Heating dT_adm = unset<Heating>;
   };
   static Length lost_by_heat(const Input& in);
-  /// Of a fit whose densities are known.
+  /// Whether speed and both densities are given.
   static bool is_at_speed(const Input& in) { return is_set(in.n) && is_set(in.rho_1) && is_set(in.rho_2); }
   static Length least_usable(const Input& in);
   static FieldFault nothing_left(const Input& in);
@@ -112,7 +112,7 @@ dT_adm = "250 K"
               .usually(0.05, 0.25)
               .may_be_missing(),
           Field{&Input::S_r, "S_r", ratio, "safety against slip"}.at_least(1).usually(1.2, 3).may_be_missing().factor(),
-          Field{&Input::n, "n", rpm, "speed of shaft and hub; its sign is nothing"}.of_body().may_be_missing(),
+          Field{&Input::n, "n", rpm, "speed of shaft and hub; the sign has no effect"}.of_body().may_be_missing(),
           Field{&Input::rho_1, "rho_1", kg_per_m3, "density of the shaft, for n"}
               .positive()
               .usually(500, 20000)
@@ -133,7 +133,7 @@ dT_adm = "250 K"
               .positive()
               .usually(50, 2500)
               .may_be_missing(),
-          Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub; a brittle one has none, and is not covered"}
+          Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub; brittle hubs are not covered"}
               .positive()
               .usually(50, 2500)
               .may_be_missing(),
@@ -179,7 +179,7 @@ dT_adm = "250 K"
       Field{&Result::Q_1, "Q_1", ratio, "bore of the shaft over the fit"},
       Field{&Result::Q_2, "Q_2", ratio, "fit over the outer diameter of the hub"},
       Field{&Result::U_T, "U_T", um, "interference that is lost in service; negative: gained"},
-      Field{&Result::U_n, "U_n", um, "interference that is lost at speed; negative: gained"},
+      Field{&Result::U_n, "U_n", um, "interference lost at speed; negative: gained"},
       Field{&Result::U_w_min, "U_w_min", um, "smallest usable interference, cold or in service"},
       Field{&Result::U_w_max, "U_w_max", um, "largest usable interference, cold or in service"},
       Field{&Result::p_min, "p_min", MPa, "smallest pressure"},
@@ -218,9 +218,9 @@ dT_adm = "250 K"
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
                   "the shaft is thicker than the root circle of what sits on it"},
       Rule<Input>{[](const Input& in) { return !(in.D > 1.000001 * in.d_f) || in.d >= in.d_f; }, "D, d_f",
-                  "the hub is thicker than the root circle of what it carries"},
+                  "the outer diameter of the hub exceeds the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
-                  "the bore of what is fastened must be the diameter of the fit"},
+                  "the bore of the mounted component must equal the diameter of the fit"},
       Rule<Input>{[](const Input& in) { return in.d_i < in.d && in.d < in.D; }, "d_i, d, D",
                   "the bore of the shaft must be smaller than the fit, and the fit smaller than the hub"},
       Rule<Input>{[](const Input& in) { return in.U_min <= in.U_max; }, "U_min, U_max",

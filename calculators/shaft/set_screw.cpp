@@ -56,12 +56,13 @@ SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
   }
   if (is_set(in.d_s)) {
     STEP_TO(r, x_d, in.d_s / in.d, "a larger screw does not bear on the round");
-    STEP_TO(r, x_h, 4.0 * in.F_h / (pi * pow<2>(in.d_s) * (150.0 * MPa)), "as screws of makers hold, own bound");
+    STEP_TO(r, x_h, 4.0 * in.F_h / (pi * pow<2>(in.d_s) * (150.0 * MPa)),
+            "upper limit of manufacturers' ratings, own bound");
   }
   if (is_set(in.d_f)) {
     const Length s_N = wall_under_root(in, in.d, 0.0 * mm, r, trace);
     if (is_set(in.d_s)) {
-      STEP_TO(r, x_R, in.d_s / s_N, "a thread as long as it is thick");
+      STEP_TO(r, x_R, in.d_s / s_N, "thread length at least the screw diameter");
     }
   }
   r.connection = connection_for(Fastening::set_screw, in.K_A * abs(in.T), in.d, in.d_bore);

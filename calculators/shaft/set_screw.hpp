@@ -118,18 +118,18 @@ S = 2
           .limit(0, 0.5 * (1 + 1e-9))
           .where_it_applies(),
       Field{&Result::x_h, "x_h", ratio,
-            "holding force over the section of the screw / 150 MPa: screws of [SPS] hold 60 to 140 MPa, own bound"}
+            "holding force / screw cross section / 150 MPa; screws of [SPS] have 60 to 140 MPa, own bound"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
       rim_of_gear<Result>(),
-      wall_of_hub<Result>("screw diameter / wall of the hub under the root circle, for its thread, own bound"),
+      wall_of_hub<Result>("screw diameter / wall of the hub under the root circle, for the thread length, own bound"),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
                   "the shaft is thicker than the root circle of what sits on it"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
-                  "the bore of what is fastened must be the diameter of the shaft"},
+                  "the bore of the mounted component must equal the shaft diameter"},
       Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d); }, "d_bore, d",
                   "the bore leaves nothing of the shaft"},
       Rule<Input>{[](const Input& in) { return (in.i > 1) == is_set(in.phi); }, "i, phi",
@@ -137,12 +137,10 @@ S = 2
 
   static constexpr std::array modes{
       Mode<Input>{"slip", "hub that slips around or along the shaft", &loaded}.judged_by("u, x_d, x_h"),
-      Mode<Input>{"screw", "holding force of a screw of unknown size",
+      Mode<Input>{"screw", "holding force of a set screw of unknown size",
                   [](const Input& in) { return where(!is_set(in.d_s)); }}
           .wanting("d_s"),
-      Mode<Input>{"wall", "thread of the screw in the wall of the hub", &has_root<Input>}
-          .judged_by("m_R, x_R")
-          .of_shape(),
+      Mode<Input>{"wall", "thread length in the wall of the hub", &has_root<Input>}.judged_by("m_R, x_R").of_shape(),
       Mode<Input>{"safety", "a safety below that which tests of this load case ask for", &loaded}.judged_by("u_S"),
       Mode<Input>{"bore", "the wall of a hollow shaft pushed in by the point",
                   [](const Input& in) { return where(in.d_bore > 0.0 * mm); }},

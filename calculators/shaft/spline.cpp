@@ -73,7 +73,7 @@ Applies Spline::slides(const Input& in) {
 /// Where nothing is said of how uneven they bear.
 Applies Spline::bears_evenly(const Input& in) { return is_set(in.k_l) ? Applies::no : torque_loads(in); }
 
-/// Of a steel whose tensile strength is not known, and at least its yield strength.
+/// A lower bound of the tensile strength of a steel from its yield strength.
 Applies Spline::low_factors(const Input& in) {
   if (!is_set(in.beta_t)) return Applies::no;
   const Stress weakest = 500.0 * MPa, R_m = is_set(in.R_e_1) ? max(weakest, in.R_e_1) : weakest;
@@ -91,7 +91,7 @@ Spline::Result Spline::evaluate(const Input& in, Tracer& trace) {
   }
   if (is_set(in.d_f)) {
     const Length s_N = wall_under_root(in, in.d_2, 0.0 * mm, r, trace);
-    STEP_TO(r, x_R, (in.d_2 - in.d_1) / 2.0 / s_N, "a wall as thick as its teeth are high is left");
+    STEP_TO(r, x_R, (in.d_2 - in.d_1) / 2.0 / s_N, "wall at least as thick as the spline teeth are high");
   }
   r.connection = connection_for(Fastening::spline, in.K_A * abs(in.T), in.d_1, in.d_bore);
   r.connection.T_peak = r.T_eq, r.connection.l_c = in.l, r.connection.r_c = least_ratio(in.torque);

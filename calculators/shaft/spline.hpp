@@ -184,7 +184,7 @@ R_e_2 = "300 MPa"
                  Rule<Input>{[](const Input& in) {
                                return !is_set(in.bore) || bore_fits(in.bore, in.d_1) || bore_fits(in.bore, in.d_2);
                              },
-                             "bore, d_1, d_2", "the bore of what is fastened must be d_1 or d_2"},
+                             "bore, d_1, d_2", "the bore of the mounted component must equal d_1 or d_2"},
                  Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
                              "a spline has a whole number of teeth"},
                  Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be the larger"},
@@ -218,7 +218,7 @@ R_e_2 = "300 MPa"
       Mode<Input>{"seat", "a hub that tilts by the forces that come with the torque", &unseen<Input>}.by_companions(),
       Mode<Input>{"wall", "wall of the hub under the root circle", &has_root<Input>}.judged_by("m_R, x_R").of_shape(),
       overhang<Input>(),
-      Mode<Input>{"notch_factors", "fatigue of the shaft with notch factors below those of splines", &low_factors}
+      Mode<Input>{"notch_factors", "fatigue of the shaft with notch factors lower than those of splines", &low_factors}
           .advising("give beta_b and beta_t of DIN 743, or their source: accept.notch_factors = \"...\""),
       Mode<Input>{"burst", "the wall of the hub, which flanks at an angle press outwards", &unseen<Input>},
       Mode<Input>{"fretting", "fretting of the flanks", &unseen<Input>}.special()};

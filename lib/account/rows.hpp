@@ -37,6 +37,9 @@ inline std::optional<State> state_of_row(const FieldInfo& row, double si) {
   if (std::isnan(si)) return row.where_set ? std::nullopt : std::optional(State::not_available);
   return row.role == Role::check ? state_of_check(si) : state_of_limit(row.bounds, row.is_criterion, si);
 }
+/// The smallest size that a search may take where the calculated one is `least`.
+constexpr double least_candidate(double least) { return least * (1.0 - rounding_of_utilisation); }
+
 /// Whether a search may take a candidate with that row.
 inline bool is_kept(const FieldInfo& row, double si) {
   return state_of_row(row, si).value_or(State::pass) == State::pass;

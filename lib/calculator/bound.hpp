@@ -1,6 +1,6 @@
-// What a calculator itself knows beside a typed input: the shape factor of a shoulder whose sizes stand beside it, the
-// buckling curve that the code has for the section. A typed value on the bolder side of it is the user's word, and
-// wants a reason: because.alpha_b = "...".
+// Bounds on typed inputs that a calculator can derive from the other inputs: the shape factor of a shoulder of given
+// dimensions, the buckling curve of a section. A value more favourable than the bound needs a justification:
+// because.alpha_b = "...".
 #pragma once
 
 #include <array>
@@ -8,16 +8,16 @@
 
 namespace loadpath {
 
-/// What is known of a bound without the type of its input.
+/// The part of a Bound that does not depend on the type of the input.
 struct BoundInfo {
   const char* field = "";       // of the input: "alpha_b"
   const char* text = "";        // what bounds it, in messages: "the shoulder D, d, r"
-  bool is_least = false;        // a value below it is bolder; else one above it
-  bool spares_results = false;  // a value that another step has found is not typed
-  const char* source_has = "";  // it holds where a load of the step comes from what has this key too: "length"
+  bool is_least = false;        // smaller values are more favourable; otherwise larger ones
+  bool spares_results = false;  // does not apply to results of other steps
+  const char* source_has = "";  // applies only if the record that a load comes from has this key: "length"
 };
 
-/// `value`: in SI, of a choice the number of its word; NaN where nothing bounds the input.
+/// `value`: in SI, for a choice its index; NaN if the input is not bounded.
 template <class Input>
 struct Bound : BoundInfo {
   double (*value)(const Input&);

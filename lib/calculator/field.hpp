@@ -17,10 +17,6 @@ namespace loadpath {
 
 struct FieldFault;
 
-/// A check is a utilisation, demand over capacity, passing at <= 1. A limit is the range of a method, outside of which
-/// the verdict is "not covered"; or a criterion, outside of which the part fails.
-enum class Role { input, result, check, limit };
-
 struct Range {
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
@@ -71,71 +67,6 @@ template <class Enum>
 constexpr const char* word_of(Enum value) {
   return choice_of(value).key;
 }
-
-namespace detail {
-
-/// What fields of all types share, each a link of the chain that declares it.
-template <class Self>
-struct Described {
-  const char* key = "";
-  const char* doc = "";
-  std::optional<Role> role = {};    // else what the list says that it stands in: input, or result
-  bool optional = false;            // an input that may be missing (a rule or a default says what then)
-  bool is_load = false;             // what the part has to carry, or another part by it; not a capacity
-  bool is_beside = false;           // a result that is shown, and never part of a verdict
-  const char* same_as_source = "";  // an input: see same_as_that_of_source
-  bool is_chosen = false;           // a result that is what the step decides on: a section, a drive
-  bool is_of_body = false;          // an input that comes with a load of the same record that is taken singly
-
-  [[nodiscard]] constexpr Self as(Role r) const {
-    Self s = self();
-    s.role = r;
-    return s;
-  }
-  [[nodiscard]] constexpr Self may_be_missing() const {
-    Self s = self();
-    s.optional = true;
-    return s;
-  }
-  /// Force, moment, power, pressure: of an input what the part has to carry, of a result what a part has to carry that
-  /// takes it.
-  [[nodiscard]] constexpr Self load() const {
-    Self s = self();
-    s.is_load = true;
-    return s;
-  }
-  /// What the step decides on, shown as the size of the part: the lightest section, the number of belts.
-  [[nodiscard]] constexpr Self chosen() const {
-    Self s = self();
-    s.is_chosen = true;
-    return s;
-  }
-  /// A size of the body that a load comes from: "=gears.gear_1.T" brings gear_1.d_f, as the record does.
-  [[nodiscard]] constexpr Self of_body() const {
-    Self s = self();
-    s.is_of_body = true;
-    return s;
-  }
-  /// A result that is shown, and is no part of a verdict: of another school, of a sum that other checks judge in parts,
-  /// of methods side by side.
-  [[nodiscard]] constexpr Self beside() const {
-    Self s = self();
-    s.is_beside = true;
-    return s;
-  }
-  /// Said of the same part by a step that this one takes values of, by its key there: of a stage of a train
-  /// "stages[#].z_1", '#' being the place in the list that the reference names, else 1. Another value is an error.
-  [[nodiscard]] constexpr Self same_as_that_of_source(const char* there) const {
-    Self s = self();
-    s.same_as_source = there;
-    return s;
-  }
-
- private:
-  [[nodiscard]] constexpr const Self& self() const { return static_cast<const Self&>(*this); }
-};
-
-}  // namespace detail
 
 /// A quantity or number of an Input or Result. Of an Input it may be a Varying one, which takes a series whole.
 template <class Owner, class Quantity, class Member = Quantity>
@@ -246,14 +177,14 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.is_own = true;
     return f;
   }
-  /// A size of a part that the step takes values of, by its keys there, "d, d_max": one larger than the largest of them
-  /// wants a reason.
+  /// Not larger than the largest of these dimensions of the step that values are taken from, "d, d_max"; a larger value
+  /// needs a justification.
   [[nodiscard]] constexpr Field at_most_that_of_source(const char* keys) const {
     Field f = *this;
     f.most_of_source = keys;
     return f;
   }
-  /// The same of a demand: a smaller one wants a reason.
+  /// Not smaller than that of the step that values are taken from; a smaller value needs a justification.
   [[nodiscard]] constexpr Field at_least_that_of_source(const char* keys) const {
     Field f = *this;
     f.least_of_source = keys;
@@ -289,7 +220,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.factors = keys;
     return f;
   }
-  /// A load with what its step counts of a start or a jam, k_max.
+  /// A peak load: includes k_max of its step.
   [[nodiscard]] constexpr Field at_peak() const {
     Field f = *this;
     f.is_peak = true;

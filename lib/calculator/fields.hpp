@@ -1,14 +1,80 @@
-// Lists of fields of different types, for the declarations of a calculator, and lists put together. std::tuple and
+// What fields of all types share, and lists of fields for the declarations of a calculator. std::tuple and
 // std::tuple_cat would do the same at several times the compile time.
 #pragma once
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 namespace loadpath {
 
+/// A check is a utilisation, demand over capacity, passing at <= 1. A limit is the range of a method, outside of which
+/// the verdict is "not covered"; or a criterion, outside of which the part fails.
+enum class Role { input, result, check, limit };
+
 namespace detail {
+
+/// What fields of all types share, each a link of the chain that declares it.
+template <class Self>
+struct Described {
+  const char* key = "";
+  const char* doc = "";
+  std::optional<Role> role = {};    // else what the list says that it stands in: input, or result
+  bool optional = false;            // an input that may be missing (a rule or a default says what then)
+  bool is_load = false;             // what the part has to carry, or another part by it; not a capacity
+  bool is_beside = false;           // a result that is shown, and never part of a verdict
+  const char* same_as_source = "";  // an input: see same_as_that_of_source
+  bool is_chosen = false;           // a result that is what the step decides on: a section, a drive
+  bool is_of_body = false;          // an input that comes with a load of the same record that is taken singly
+
+  [[nodiscard]] constexpr Self as(Role r) const {
+    Self s = self();
+    s.role = r;
+    return s;
+  }
+  [[nodiscard]] constexpr Self may_be_missing() const {
+    Self s = self();
+    s.optional = true;
+    return s;
+  }
+  /// Force, moment, power, pressure: of an input what the part has to carry, of a result what a part has to carry that
+  /// takes it.
+  [[nodiscard]] constexpr Self load() const {
+    Self s = self();
+    s.is_load = true;
+    return s;
+  }
+  /// A result that is the choice made by the step, shown as the size of the part: the lightest section, the drive.
+  [[nodiscard]] constexpr Self chosen() const {
+    Self s = self();
+    s.is_chosen = true;
+    return s;
+  }
+  /// A dimension of the component that a load comes from: "=gears.gear_1.T" also brings gear_1.d_f, as the record does.
+  [[nodiscard]] constexpr Self of_body() const {
+    Self s = self();
+    s.is_of_body = true;
+    return s;
+  }
+  /// A result that is shown, and is no part of a verdict: of another school, of a sum that other checks judge in parts,
+  /// of methods side by side.
+  [[nodiscard]] constexpr Self beside() const {
+    Self s = self();
+    s.is_beside = true;
+    return s;
+  }
+  /// The same quantity in the step that values are taken from, by its key there: "stages[#].z_1", '#' being the index
+  /// named by the reference, otherwise 1. A different value is an error.
+  [[nodiscard]] constexpr Self same_as_that_of_source(const char* there) const {
+    Self s = self();
+    s.same_as_source = there;
+    return s;
+  }
+
+ private:
+  [[nodiscard]] constexpr const Self& self() const { return static_cast<const Self&>(*this); }
+};
 
 template <std::size_t I, class FieldType>
 struct FieldPlace {

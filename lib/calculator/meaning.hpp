@@ -12,17 +12,17 @@ struct Meaning {
   const char* words = "";   // the words at which it is that: "bending, tension"
 };
 
-/// Of the bending of a shaft that turns: a stress or moment that reverses with each turn. Who takes it as a part of a
-/// cycle that stays, or as one end of a cycle that is not symmetric, has not taken all of it.
+/// Rotating bending: a stress or moment that reverses with each revolution. Used as a mean stress, or as one end of a
+/// cycle that is not symmetric, it is not fully included.
 inline constexpr auto reverses_in_turns = "reverses in turns";
 inline constexpr auto steady_part = "stays";
 
-/// Of the two numbers that a cycle is given by, where only both of them are the load.
+/// Amplitude and midrange of a cycle, valid only together.
 inline constexpr auto paired_amplitude = "amplitude beside its middle";
 inline constexpr auto paired_middle = "middle beside its amplitude";
 
-/// Of nominal stresses at a notch, and of fatigue limits: the key of the factor that tells the notch. A limit has to
-/// hold that of the place whose stress it is compared with.
+/// The notch factor that belongs to a nominal stress or to a fatigue limit. A fatigue limit must include the notch at
+/// which the stress acts.
 struct NotchClaim {
   const char* fields;      // "cycle.sigma_max, sigma_n", or the limit "sigma_D"
   const char* factor;      // of a stress the shape factor K_t at least; of a limit the notch factor K_f

@@ -18,7 +18,7 @@ inline constexpr auto limit_in_shear = "a fatigue limit of a part in shear";
 inline constexpr auto specimen_in_bending = "a fatigue limit of smooth specimens in bending";
 inline constexpr auto specimen_in_tension = "a fatigue limit of smooth specimens in tension and compression";
 inline constexpr auto specimen_in_torsion = "a fatigue limit of smooth specimens in torsion";
-inline constexpr auto mean_strength = "a mean fatigue strength, below which one half of the parts fail";
+inline constexpr auto mean_strength = "a mean fatigue strength (50 % survival)";
 
 /// No more than `part` of the strength in `column`; where a material lacks that, no more than all of its R_m.
 struct StrengthBound {

@@ -110,7 +110,7 @@ std::string listed(const std::vector<std::string>& words) {
 
 std::string sizes_text(const Step& step) { return listed(size_words(step)); }
 
-/// As many as a box of a drawing has room for.
+/// Shortened for a box of a drawing.
 std::string short_sizes_text(const Step& step) {
   constexpr std::size_t most_sizes = 3;
   std::vector<std::string> words = size_words(step);

@@ -188,6 +188,32 @@ TEST_SUITE("found routes") {
     CHECK(belt("5 kW") == "not-judged");
   }
 
+  TEST_CASE("a gear runs at the speed of the shaft whose torque it takes") {
+    const auto stress = [](const std::string& load) {
+      return mode_of(
+          solved_as_found(
+              "[t]\ncalculator = \"drive.train\"\nP = \"15 kW\"\nn_1 = \"1460 rpm\"\n"
+              "stages = [{ kind = \"gear\", i = 2.85 }, { kind = \"gear\", z_1 = 20, z_2 = 57 }]\n\n"
+              "[g]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 57\nm_n = \"4 mm\"\nb = \"60 mm\"\ncutting = "
+              "\"ground\"\nK_f = 1.4\nsigma_adm_1 = \"300 MPa\"\nsigma_adm_2 = \"300 MPa\"\n" +
+              load),
+          "g", "root_1");
+    };
+    CHECK(stress("T_1 = \"=t.shafts[2].T\"\nn_1 = \"=t.shafts[2].n\"\n") == "pass");
+    CHECK(stress("T_1 = \"=t.shafts[2].T\"\nn_1 = \"512.3 rpm\"\n") == "pass");
+    CHECK(stress("T_1 = \"=t.shafts[2].T\"\nn_1 = \"51 rpm\"\n") == "not-judged");
+    CHECK(stress("P = \"=t.P\"\nn_1 = \"512.28 rpm\"\n") == "pass");  // of the second shaft, whose power is the same
+  }
+
+  TEST_CASE("a strength ten times too high wants a reason, whatever the nearest usual value gives") {
+    const auto core = [](const std::string& R_e) {
+      return mode_with("shaft.torsion", "tau_adm = \nbehaviour = \nR_e = \"" + R_e + "\"\nS = 1.5", "yield");
+    };
+    CHECK(core("355 MPa") != "not-judged");
+    CHECK(core("3550 MPa") == "not-judged");
+    CHECK(core("3550 MPa\"\nbecause.R_e = \"test of the wire") == "pass");
+  }
+
   TEST_CASE("a stage that is given by its ratio says no teeth") {
     CHECK(first_error_of(
               "[t]\ncalculator = \"drive.train\"\nP = \"5 kW\"\nn_1 = \"1450 rpm\"\n"

@@ -43,6 +43,43 @@ void refuses_shaft(const std::string& text, const std::string& what) {
 
 }  // namespace
 
+namespace {
+
+std::string assembled(const std::string& pieces, const std::string& seats) {
+  return loadpath::test::mode_of(
+      loadpath::test::solved_as_found(
+          "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nn = \"100 rpm\"\npieces = [" + pieces +
+          "]\nsupports = [{ name = \"left\", x = \"15 mm\", holds = \"both\" }, { name = \"right\", x = \"185 mm\" }]\n"
+          "seats = [" +
+          seats + "]\nS_F = 1.2\n"),
+      "shaft", "assembly");
+}
+
+}  // namespace
+
+TEST_SUITE("assembly of shafts") {
+  TEST_CASE("what is slid onto a shaft has a way to its place, unless it is one piece with it") {
+    const std::string ends = "{ l = \"60 mm\", d = \"30 mm\" }, ", collar = "{ l = \"20 mm\", d = \"48 mm\" }, ",
+                      middle = "{ l = \"40 mm\", d = \"40 mm\" }, ";
+    const std::string gear = "{ name = \"gear\", x = \"100 mm\", F_x = \"-1 kN\"", end = " }";
+    CHECK(assembled(ends + collar + middle + collar + ends, gear + end) == "not-judged");
+    CHECK(assembled(ends + collar + middle + collar + ends, gear + ", integral = true" + end) == "none");
+    CHECK(assembled(ends + collar + middle + "{ l = \"20 mm\", d = \"40 mm\" }, " + ends, gear + end) == "none");
+  }
+
+  TEST_CASE("bodies have room beside one another and beside bearings") {
+    const std::string bar = "{ l = \"200 mm\", d = \"40 mm\" }";
+    const auto seat = [](const char* x, const char* b) {
+      return std::string("{ x = \"") + x + "\", F_x = \"-1 kN\", b = \"" + b + "\" }";
+    };
+    CHECK(assembled(bar, seat("80 mm", "40 mm") + ", " + seat("120 mm", "40 mm")) == "none");
+    CHECK(assembled(bar, seat("80 mm", "40 mm") + ", " + seat("119 mm", "40 mm")) == "not-judged");
+    CHECK(assembled(bar, seat("30 mm", "29 mm")) == "none");
+    CHECK(assembled(bar, seat("30 mm", "31 mm")) == "not-judged");
+    CHECK(assembled(bar, seat("30 mm", "0 mm")) == "none");
+  }
+}
+
 TEST_SUITE("found places on shafts") {
   TEST_CASE("N1: no step has less stress concentration than its fillet makes") {
     refuses_shaft(stepped_shaft("kind = \"given\", K_t = 1, K_ts = 1"), "give the radius r of its fillet");

@@ -70,7 +70,7 @@ constexpr auto method_rules() {
       Rule<Input>{&of<Input, &method_suits_class>, "method, material_class, E", "the method is for steel alone",
                   &of<Input, &method_of_steel>},
       Rule<Input>{&of<Input, &yields_as_graded>, "grade, R_e",
-                  "grade S460 yields at 400 MPa at least, in its thickest parts: leave it out for another steel"},
+                  "grade S460 has a yield strength of at least 400 MPa; omit grade for another steel"},
       Rule<Input>{[](const Input& in) { return is_set(in.a_T) == is_set(in.b_T); }, "a_T, b_T",
                   "a_T and b_T belong together"},
       Rule<Input>{[](const Input& in) { return in.transition == Transition::computed || is_set(in.lambda_1); },
@@ -102,7 +102,7 @@ FieldFault two_sections(const Section& in);
 
 /// Whether the kind is that of a bar whose outline alone is given.
 bool is_solid_if_full(const Section& in);
-/// Whether no part of the section can lie nearer to its axis than all of it does in the mean.
+/// Whether the extreme fibre is farther from the axis than the radius of gyration.
 bool fibres_reach(const Section& in);
 bool is_least_moment(const Section& in);
 
@@ -116,12 +116,12 @@ constexpr auto section_rules() {
       Rule<Input>{&of<Input, &is_one_section>, "A, I_y, I_z, i_y, i_z, h, b, d, t_f, t_w, kind",
                   "sizes, area and second moments are not of one section", &of<Input, &two_sections>},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_bore) || (is_set(in.d) && in.d_bore < in.d); }, "d_bore, d",
-                  "a bore goes with d, and is smaller"},
+                  "d_bore requires d and must be smaller"},
       Rule<Input>{&of<Input, &is_solid_if_full>, "kind, d, h, b, A, d_bore",
-                  "a bar of d alone, or of h and b alone, is solid: leave out kind, or give A, I and the walls"},
+                  "a bar given by d, or by h and b, is solid: omit kind, or give A, I and the wall thicknesses"},
       Rule<Input>{&of<Input, &fibres_reach>, "c_y, c_z, A, I_y, I_z, i_y, i_z",
-                  "the extreme fibre is farther from the axis than the radius of gyration"},
-      Rule<Input>{&of<Input, &is_least_moment>, "I_min, I_y, I_z", "I_min is the least of all second moments"}};
+                  "the distance to the extreme fibre must exceed the radius of gyration"},
+      Rule<Input>{&of<Input, &is_least_moment>, "I_min, I_y, I_z", "I_min cannot exceed I_y or I_z"}};
 }
 
 }  // namespace loadpath::column

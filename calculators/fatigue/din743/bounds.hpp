@@ -1,4 +1,4 @@
-// What a section knows itself beside notch factors that are typed: those of the shoulder whose sizes stand beside them.
+// Bounds on typed notch factors: those of the shoulder with the given D, d and r.
 #pragma once
 
 #include "calculators/fatigue/din743/notch.hpp"
@@ -8,7 +8,7 @@
 
 namespace loadpath::fatigue {
 
-/// The section as a shoulder of D, d and r, where all three are given; a groove of these sizes concentrates more.
+/// The section as a shoulder, where D, d and r are given; a groove of these sizes has a higher stress concentration.
 template <class Input>
 Din743Section as_shoulder(const Input& in) {
   Din743Section shoulder = in;
@@ -34,7 +34,7 @@ Stress yield_strength_of(const Input& in) {
     return in.R_eN;
 }
 
-/// With the most support that a gradient gives at this yield strength.
+/// With the largest support factor at this yield strength.
 template <class Input, Stressing kind>
 double notch_of_shoulder(const Input& in) {
   const Din743Section shoulder = as_shoulder(in);

@@ -204,8 +204,8 @@ void hold_mean(Din743Safety& r, Tracer& trace) {
     const double x = k.sigma_a > 0.0 * MPa ? static_cast<double>(abs(k.sigma_mv) / k.sigma_FK) : unset<double>;
     if (is_set(x) && !(x <= most)) most = x;
   }
-  r.x_m = is_set(most) ? trace.value("x_m", most, "largest of sigma_mv over sigma_FK where the stress varies")
-                       : trace.value("x_m", 0.0, "no stress varies");
+  r.x_m = is_set(most) ? trace.value("x_m", most, "largest sigma_mv/sigma_FK of the alternating stresses")
+                       : trace.value("x_m", 0.0, "no alternating stress");
 }
 
 /// Depth of the notch, and whether it is shallow.

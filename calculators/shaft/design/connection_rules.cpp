@@ -76,29 +76,29 @@ Misfit other_strength(const Input& in, const Seat& seat) {
                      told(seat.R_c), told(in.R_m))};
 }
 
-/// What is one piece with the shaft has no bore, and nothing fastens it.
+/// A component that is one piece with the shaft has no bore and no connection.
 Misfit two_pieces(const Seat& seat) {
   if (seat.integral == Integral::no) return {};
   if (is_set(seat.bore))
-    return {"bore", say("it has a bore of {1}, and integral = true says that it is one piece with the shaft",
+    return {"bore", say("a bore of {1} contradicts integral = true (one piece with the shaft)",
                         format_quantity(in_si(seat.bore), mm.symbol))};
-  if (is_set(seat.T_c)) return {"T_c", say("it has a connection, and integral = true says that none is needed")};
+  if (is_set(seat.T_c)) return {"T_c", say("a connection contradicts integral = true (one piece with the shaft)")};
   return {};
 }
 
-/// The hub has the bore of the shaft, and lies under the root circle of what it carries.
+/// The bore matches the shaft, and hub and keyway lie within the root circle.
 Misfit other_hub(const Input& in, const Seat& seat) {
   const auto told = [](Length d) { return format_quantity(in_si(d), mm.symbol); };
   const Length d = diameter_under(in, seat), cut = is_set(seat.t_c) ? seat.t_c : 0.0 * mm;
   const bool is_splined = seat.fastening == Fastening::spline;
   if (!is_splined && !is_taper(piece_at(in, seat.x)) && !bore_fits(seat.bore, d))
-    return {"bore", say("it has a bore of {1}, and the shaft has {2} there", told(seat.bore), told(d))};
+    return {"bore", say("its bore is {1}, but the shaft diameter there is {2}", told(seat.bore), told(d))};
   if (is_set(seat.d_f) && seat.d_f <= d + 2.0 * cut)
-    return {"d_f", say("the shaft of {1} and the keyway of its hub go through the root circle of {2}", told(d),
-                       told(seat.d_f))};
+    return {"d_f",
+            say("shaft diameter {1} and keyway of the hub reach the root diameter {2}", told(d), told(seat.d_f))};
   if (seat.D_c > 1.000001 * seat.d_f)
-    return {"D_c", say("its connection is calculated with a hub of {1}, and the root circle has {2}", told(seat.D_c),
-                       told(seat.d_f))};
+    return {"D_c", say("its connection is calculated with a hub diameter of {1}, but the root diameter is {2}",
+                       told(seat.D_c), told(seat.d_f))};
   return {};
 }
 
@@ -116,7 +116,7 @@ Misfit misfit_of(const Input& in, std::size_t i) {
   return {};
 }
 
-/// Whether a notch is one that this kind of connection makes, or one whose factors are typed.
+/// Whether this type of connection makes such a notch, or its factors are typed.
 bool is_made_by(Fastening fastening, Notch kind) {
   if (kind == Notch::given || kind == Notch::beta) return true;
   switch (fastening) {
@@ -147,7 +147,7 @@ bool has_notch(const Input& in, const Seat& seat) {
   });
 }
 
-/// Whether the factors of a notch under a hub are typed, and less than its connection makes.
+/// Whether typed notch factors under a hub are lower than those of its connection.
 bool is_too_mild(const Input& in, const Notched& notch, const Seat& seat) {
   const bool is_typed = notch.kind == Notch::given || notch.kind == Notch::beta;
   const Sides sides = around(in, notch.x).sides;
@@ -231,7 +231,7 @@ Applies Design::has_mild_notch(const Input& in) {
   });
 }
 
-/// A connection that is longer than the body which it fastens.
+/// A connection longer than its hub.
 Applies Design::has_long_hub(const Input& in) {
   return where_any(in, [&](std::size_t i) {
     const Seat& seat = in.seats[i];
@@ -240,7 +240,7 @@ Applies Design::has_long_hub(const Input& in) {
   });
 }
 
-/// Pulleys and sprockets are fastened: hardly any is turned from the bar of its shaft.
+/// Pulleys and sprockets are rarely made in one piece with the shaft.
 Applies Design::has_turned_pulley(const Input& in) {
   return where_any(in, [&](std::size_t i) {
     const Seat& seat = in.seats[i];

@@ -22,7 +22,7 @@ bool turns_something(const Input& in, std::size_t seat) {
 
 }  // namespace
 
-Length diameter_under(const Input& in, const Seat& seat) { return around(in, seat.x).sides.thinner().d; }
+Length diameter_under(const Input& in, Length x) { return around(in, x).sides.thinner().d; }
 
 bool has_rim(const Seat& seat) {
   const bool has_wall = is_set(seat.h_t) || (is_set(seat.t_c) && seat.t_c > 0.0 * mm);
@@ -50,18 +50,18 @@ void judge_connections(const Input& in, DesignResult& r, Tracer& trace) {
     if (is_set(seat.n_c) && needs_connection(in, i) && is_set(speed_of(in))) {
       const AngularSpeed n = trace.value("n", speed_of(in), "of the shaft");
       const AngularSpeed n_c = trace.value("n_c", seat.n_c, "up to which the interference fit is assessed");
-      STEP_TO(s, x_n, n / max(n_c, 1.0 * rpm), "the hub grows by its rotation: n of shaft.press_fit");
+      STEP_TO(s, x_n, n / max(n_c, 1.0 * rpm), "the hub expands with speed: n of shaft.press_fit");
     }
     if (!has_rim(seat)) continue;
     const Length d = trace.value("d", diameter_under(in, seat), "of the shaft under the hub");
     const Length t_c = trace.value("t_c", is_set(seat.t_c) ? seat.t_c : 0.0 * mm, "depth of the keyway in the hub");
     const Length d_f = trace.value("d_f", seat.d_f, "root circle");
     if (t_c > 0.0 * mm) {
-      STEP_TO(s, x_R, t_c / ((d_f - d) / 2.0 - t_c), "a wall as thick as the keyway is deep is left");
+      STEP_TO(s, x_R, t_c / ((d_f - d) / 2.0 - t_c), "wall at least as thick as the keyway is deep");
     }
     if (!is_set(seat.h_t)) continue;
     const Length h_t = trace.value("h_t", seat.h_t, "tooth height");
-    STEP_TO(s, m_R, ((d_f - d) / 2.0 - t_c) / h_t, "rim over the height of a tooth, as of gear.pair");
+    STEP_TO(s, m_R, ((d_f - d) / 2.0 - t_c) / h_t, "rim thickness over tooth height, as in gear.pair");
   }
 }
 

@@ -11,10 +11,11 @@
 namespace loadpath::shaft {
 
 /// The thinner of two pieces that meet under a seat, and of a taper what its middle has.
-Length diameter_under(const DesignInput& in, const Seat& seat);
+Length diameter_under(const DesignInput& in, Length x);
+inline Length diameter_under(const DesignInput& in, const Seat& seat) { return diameter_under(in, seat.x); }
 /// Whether torque passes between the shaft and what sits there, and they are two pieces.
 bool needs_connection(const DesignInput& in, std::size_t seat);
-/// Whether it is a hub of its own under a root circle.
+/// Whether the seat is a separate hub with a root circle.
 bool has_rim(const Seat& seat);
 
 /// The torque of each connection, and the rims of gears.

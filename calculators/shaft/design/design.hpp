@@ -55,7 +55,7 @@ n = "1450 rpm"
 pieces = [{ l = "60 mm", d = "30 mm" }, { l = "80 mm", d = "40 mm" }, { l = "60 mm", d = "30 mm" }]
 supports = [{ name = "left", x = "15 mm", holds = "both" }, { name = "right", x = "185 mm" }]
 seats = [
-  { name = "coupling", x = "0 mm", way = "balances", mass = "2 kg", J = "0.002 kg*m^2", I_p = "0.002 kg*m^2", b = "40 mm" },
+  { name = "coupling", x = "0 mm", way = "balances", mass = "2 kg", J = "0.002 kg*m^2", I_p = "0.002 kg*m^2", b = "20 mm" },
   { name = "gear", x = "100 mm", T = "50 N*m", F_x = "-600 N", F_y = "1429 N", F_z = "300 N", x_w = "35 mm", mass = "1 kg", J = "0.0006 kg*m^2", I_p = "0.0006 kg*m^2", b = "30 mm" },
 ]
 g_angle = "-90 deg"
@@ -271,6 +271,7 @@ r_T = 0
   static Applies has_long_hub(const Input& in);
   static Applies has_turned_pulley(const Input& in);
   static Applies has_fast_fit(const Input& in);
+  static Applies cannot_be_assembled(const Input& in);
   static Applies tired(const Input& in);
   static Applies endless(const Input& in) {
     const bool lacks = in.group >= fatigue::Endurance::Group::wrought_aluminium || lacks_fatigue_limit(in);
@@ -342,16 +343,18 @@ r_T = 0
           .wanting("seats F_c"),
       Mode<Input>{"seat_fatigue", "fatigue of the shaft under a hub whose connection is no notch of it", &lacks_notch}
           .wanting("notches part"),
-      Mode<Input>{"notch_factors", "fatigue with notch factors below those of the connection", &has_mild_notch}
-          .advising("take the notch of the connection, part = \"=key.notch\", or give the source: accept.notch_factors "
+      Mode<Input>{"notch_factors", "fatigue with notch factors lower than those of the connection", &has_mild_notch}
+          .advising("use the notch of the connection, part = \"=key.notch\", or give the source: accept.notch_factors "
                     "= \"...\""),
       Mode<Input>{"rim", "thin rim of a gear between root circle and shaft, over its keyway", &bears_rims}
           .judged_by("seats.m_R, seats.x_R")
           .of_shape(),
-      Mode<Input>{"hub_length", "length of a connection beyond its hub", &has_long_hub}.advising(
-          "give the seat the width b of its hub, or confirm a hub that is longer: accept.hub_length = \"...\""),
+      Mode<Input>{"hub_length", "connection longer than its hub", &has_long_hub}.advising(
+          "give the hub width b of the seat, or confirm a longer hub: accept.hub_length = \"...\""),
       Mode<Input>{"one_piece", "pulley or sprocket as one piece with the shaft", &has_turned_pulley}.advising(
-          "give the seat a connection, or say how it is made: accept.one_piece = \"...\""),
+          "give the seat a connection, or confirm the integral design: accept.one_piece = \"...\""),
+      Mode<Input>{"assembly", "components that overlap or cannot be mounted", &cannot_be_assembled}.advising(
+          "correct positions and diameters, or confirm the design (split, dished): accept.assembly = \"...\""),
       Mode<Input>{"fit_speed", "loss of interference of a press fit at speed", &has_fast_fit}.judged_by("seats.x_n"),
       Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &brittle}.special(),

@@ -238,7 +238,7 @@ void judge(const Input& in, const Slices& slices, Result& r, Tracer& trace) {
     r.s_max = trace.value(
         "s_max", slope,
         "half the difference of the diameters over the length; the exact cone of 10 degrees is close, [Foeppl]");
-  if (has_shoulders(in)) r.K_ts = trace.value("K_ts", 1.1, "no shoulder has less, whatever its fillet, [Peterson]");
+  if (has_shoulders(in)) r.K_ts = trace.value("K_ts", 1.1, "lower bound for shoulders with any fillet, [Peterson]");
   r.cycle = {Stresses::shear, r.tau_max};
 }
 

@@ -99,7 +99,8 @@ phi_adm = "1 deg"
       Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check(
           "theta_adm"),
       Field{&Result::u_phi, "u_phi", ratio, "stiffness: largest rotation over the allowable one"}.check("phi_adm"),
-      Field{&Result::K_ts, "K_ts", ratio, "shape factor of its shoulders in torsion, at least"}.where_it_applies(),
+      Field{&Result::K_ts, "K_ts", ratio, "lower bound of the stress concentration factor of the shoulders in torsion"}
+          .where_it_applies(),
       Group{&Result::cycle, "cycle", "largest stress of the bar, for fatigue.cycle: cycle"}.handed_over(),
       ListField{&Result::members, "members", "segments and sleeves where their stress is the largest"},
       ListField{&Result::stretches, "stretches", "between neighbouring ends, torques and sleeves"},

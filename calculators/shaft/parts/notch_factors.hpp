@@ -1,4 +1,4 @@
-// The least notch factors that a connection makes of its shaft, for factors that are typed.
+// Lower bounds of the notch factors of shaft-hub connections, for typed factors.
 #pragma once
 
 #include "calculators/load/connection.hpp"
@@ -19,8 +19,8 @@ inline NotchFactors factors_of_splines(Stress R_m) {
   return {1.0 + 0.45 * (torsion - 1.0), torsion};
 }
 
-/// Of a steel with this tensile strength: [DIN743] part 2, table 1, less what tests and other books differ by. Those of
-/// [Shigley7] for keyways are 0.75 of it.
+/// For steel of this tensile strength: [DIN743] part 2, table 1, less the scatter between tests and textbooks; the
+/// values of [Shigley7] for keyways are 0.75 of it.
 inline NotchFactors least_factors(Fastening fastening, Stress R_m) {
   constexpr double scatter = 0.7, scatter_of_splines = 0.95;
   const double share = in_si(R_m) / 1e9;

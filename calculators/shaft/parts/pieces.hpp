@@ -104,7 +104,7 @@ struct Seat {
             "angle of the shaft at each position of a turn, from X to Y; one value: the shaft stands"}
           .may_be_missing(),
       Field{&Seat::x_w, "x_w", mm, "from the axis to the point where the forces act, toward the mate"},
-      Field{&Seat::n, "n", rpm, "its speed, which is that of the shaft"}.may_be_missing(),
+      Field{&Seat::n, "n", rpm, "its speed, which is that of the shaft"}.of_body().may_be_missing(),
       Field{&Seat::mass, "mass", kg, "mass, for the critical speed, and the weight where that counts"}
           .at_least(0)
           .may_be_missing(),
@@ -157,27 +157,27 @@ struct Seat {
           .may_be_missing(),
       Field{&Seat::d_c, "d_c", mm, "shaft diameter that its connection is made for"}.positive().may_be_missing(),
       Field{&Seat::t_c, "t_c", mm, "depth of the keyway in the hub"}.at_least(0).may_be_missing(),
-      Field{&Seat::D_c, "D_c", mm, "outer diameter of the hub that its connection is calculated with"}
+      Field{&Seat::D_c, "D_c", mm, "outer diameter of the hub in the calculation of the connection"}
           .positive()
           .may_be_missing(),
-      Field{&Seat::n_c, "n_c", rpm, "speed up to which its interference fit is assessed"}.at_least(0).may_be_missing(),
-      Choice{&Seat::fastening, "fastening", "kind of its connection"}.may_be_missing(),
+      Field{&Seat::n_c, "n_c", rpm, "speed up to which the interference fit is assessed"}.at_least(0).may_be_missing(),
+      Choice{&Seat::fastening, "fastening", "type of connection"}.may_be_missing(),
       Field{&Seat::d_w, "d_w", mm, "diameter that the forces act at: more than that of the shaft"}
           .at_least(0)
           .of_body()
           .may_be_missing(),
       Field{&Seat::d_f, "d_f", mm,
-            "root circle of a gear or sprocket, groove bottom of a pulley, for the wall under it"}
+            "root diameter of a gear or sprocket, groove bottom diameter of a pulley, for the wall thickness"}
           .positive()
           .of_body()
           .may_be_missing(),
-      Field{&Seat::h_t, "h_t", mm, "height of the teeth of a gear"}.positive().of_body().may_be_missing(),
-      Field{&Seat::b_r, "b_r", mm, "rim width of a gear or pulley, in place of b for the length of its hub"}
+      Field{&Seat::h_t, "h_t", mm, "tooth height of a gear"}.positive().of_body().may_be_missing(),
+      Field{&Seat::b_r, "b_r", mm, "rim width of a gear or pulley, for the hub length where b is missing"}
           .positive()
           .of_body()
           .may_be_missing(),
-      Field{&Seat::bore, "bore", mm, "bore of a gear: the diameter of the shaft"}.positive().of_body().may_be_missing(),
-      Choice{&Seat::kind, "kind", "component that sits there"}.of_body().may_be_missing()};
+      Field{&Seat::bore, "bore", mm, "bore of a gear; equals the shaft diameter"}.positive().of_body().may_be_missing(),
+      Choice{&Seat::kind, "kind", "mounted component"}.of_body().may_be_missing()};
 };
 
 /// What comes h times in a turn and can make the shaft swing.

@@ -95,7 +95,7 @@ void load_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
   r.d_bore = bore_of(in.d_bore, in.chi, r.d), r.tau_max = tau_max, r.theta_max = theta_max;
   constexpr double rounding = 1.001;
   if (d_max > rounding * d_least)
-    r.K_ts = trace.value("K_ts", 1.1, "no shoulder has less, whatever its fillet, [Peterson]");
+    r.K_ts = trace.value("K_ts", 1.1, "lower bound for shoulders with any fillet, [Peterson]");
   r.phi = twist;
   r.phi_max = is_set(twist) ? most - least : unset<double>;
 }

@@ -108,7 +108,8 @@ theta_adm = "0.004 rad/m"
       Field{&Result::F_bend, "F_bend", N, "bending: transverse force, which torsion alone does not cover"}
           .limit(0, 1e-3, "F")
           .sizeless(),
-      Field{&Result::K_ts, "K_ts", ratio, "shape factor of its shoulders in torsion, at least"}.where_it_applies(),
+      Field{&Result::K_ts, "K_ts", ratio, "lower bound of the stress concentration factor of the shoulders in torsion"}
+          .where_it_applies(),
       Group{&Result::cycle, "cycle", "largest stress of the shaft, for fatigue.cycle: cycle"}.handed_over(),
       ListField{&Result::segments, "segments", "stretches of constant moment and diameter, left to right"},
       ListField{&Result::sections, "sections", "sections between the stretches"}};

@@ -115,7 +115,7 @@ std::optional<toml::Tree> number_of(const toml::Tree& tree,
 /// none.
 std::optional<std::string> lone_reference(const toml::Tree& tree);
 
-/// Whether nobody typed the input: the record of another step has it.
+/// Whether the input comes from a record of another step.
 bool is_of_record(const Reading& reading, const std::string& path);
 
 /// That a field has no value.

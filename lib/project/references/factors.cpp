@@ -152,7 +152,7 @@ class Check {
     return {};
   }
 
-  /// Whether T_max is a start of this factor on the torque.
+  /// Whether T_max covers the peak factor.
   bool bears(double k_max) {
     const auto& inputs = step_.input().calculator->input->fields;
     if (find_field(inputs, "T_max") == nullptr || find_field(inputs, "K_A") == nullptr) return false;
@@ -160,8 +160,7 @@ class Check {
     return T_max >= k_max * T * (1.0 - 1e-9);
   }
 
-  /// A load in service of a step that counts a start or a jam, which this step takes alone: what it bears in service it
-  /// need not bear then. Fatigue is of service.
+  /// A service load of a step that has a peak factor, taken without it. Fatigue is assessed under service loads.
   Message below_peak() {
     if (std::string_view(step_.input().calculator->id).starts_with("fatigue.")) return {};
     Message lacks;
@@ -178,8 +177,8 @@ class Check {
         if (bears(input_of(*source, "k_max"))) return {};
         if (lacks.empty())
           lacks =
-              say("'{1}' is of service, without {2}.k_max = {3}; take what that makes of it, F_r0 and F_a0 of a "
-                  "bearing, or write {4} = \"={2}.k_max*...\"",
+              say("'{1}' is the service load without {2}.k_max = {3}; use the peak load (bearing: F_r0, F_a0), "
+                  "or write {4} = \"={2}.k_max*...\"",
                   reference.path, name, format_number(input_of(*source, "k_max"), 4), operand.path);
       }
     }

@@ -110,7 +110,7 @@ class Checking {
   void refuse(const Operand& operand, const Expression::Reference& reference, const Said& wanted, const Said& given) {
     Message hint =
         given.choices.empty() ? Message{} : say("'{1}' has {2}", split_step(reference.path).first, given.choices);
-    if (given.what == mean_strength) hint = say("take the strength that the most of them survive, with its P_s");
+    if (given.what == mean_strength) hint = say("use the strength for the required probability of survival P_s");
     issues_.push_back({place_in(operand.place, operand.text, reference.at, reference.path.size()),
                        step_.name() + "." + operand.path,
                        say("'{1}' takes {2}, and '{3}' is {4}", operand.path, wanted.what, reference.path, given.what),

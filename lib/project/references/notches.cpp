@@ -14,7 +14,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// Least notch sensitivity, that of cast iron; a shape factor of charts and one of a formula agree so far.
+/// Lowest notch sensitivity (cast iron); agreement of shape factors from charts and formulas.
 constexpr double least_sensitivity = 0.2, agreement = 0.9;
 
 /// A factor of a step by its full path; NaN where there is none.
@@ -28,7 +28,7 @@ double value_at(const Project& project, const std::string& path) {
   return value == nullptr || value->si.empty() ? std::nan("") : value->si.front();
 }
 
-/// What the calculator says of the notch of a field; null where it says nothing.
+/// The notch claim of a field; null if there is none.
 const NotchClaim* claim_of(const Step& step, const std::string& path) {
   if (step.input().calculator == nullptr) return nullptr;
   for (const NotchClaim& claim : step.input().calculator->notches) {
@@ -40,7 +40,7 @@ const NotchClaim* claim_of(const Step& step, const std::string& path) {
 
 bool is_stress(const Operand& operand) { return operand.leaf.field->dimension == Dimension::of(-1, 1, -2); }
 
-/// The largest shape factor of the notches whose nominal stresses load the step, there or on the way to there.
+/// The largest shape factor of the notches whose nominal stresses load the step, directly or through other steps.
 Factor notch_of_loads(const Step& step, const Project& project, std::set<const Step*>& seen) {
   Factor most;
   if (!seen.insert(&step).second) return most;
@@ -70,13 +70,13 @@ bool is_limit(const Calculator& calculator, const std::string& path) {
   });
 }
 
-/// Whether a limit holds less than the least that such a notch gives.
+/// Whether a fatigue limit includes less than the smallest effect of such a notch.
 bool misses(const Project& project, const std::string& step, const NotchClaim& claim, double K_t) {
   const double K_f = value_at(project, step + "." + claim.factor), shape = value_at(project, step + "." + claim.shape);
-  return K_f < 1.0 + least_sensitivity * (K_t - 1.0) || (shape > 1.0 && shape < agreement * K_t);
+  return !(K_f >= 1.0 + least_sensitivity * (K_t - 1.0)) || (shape > 1.0 && shape < agreement * K_t);
 }
 
-/// Whether a step has the notch that its part makes in a shaft, for others to take.
+/// Whether a step hands over a notch of the shaft.
 bool makes_notch(const Step* step) {
   if (step == nullptr || step->input().calculator == nullptr || step->input().calculator->result == nullptr)
     return false;
@@ -84,7 +84,7 @@ bool makes_notch(const Step* step) {
   return notch != nullptr && notch->is_handed_over;
 }
 
-/// A section that is said to be smooth where a key, a press fit or a pin of the same shaft cuts or presses it.
+/// notch = smooth although values come from a key, press fit or pin of the same shaft.
 std::optional<ReducedLoad> smooth_beside_notch(const Step& step, const Project& project) {
   const Leaf notch = find_leaf(step.input().reading.record, "notch");
   if (!notch || notch.field->type != FieldInfo::Type::choice || word_of(notch) != "smooth") return std::nullopt;
@@ -92,8 +92,8 @@ std::optional<ReducedLoad> smooth_beside_notch(const Step& step, const Project& 
     for (const auto& reference : operand.expression.references()) {
       const Step* const source = project.find(split_step(reference.path).first);
       if (!makes_notch(source) || source == &step) continue;
-      return ReducedLoad{operand.path, say("{1} is '{2}', and '{3}' makes a notch in the shaft, but notch is smooth: "
-                                           "give the notch, or because.{1} = \"...\"",
+      return ReducedLoad{operand.path, say("notch = smooth, but {1} is '{2}' and '{3}' makes a notch in the shaft: "
+                                           "give that notch, or because.{1} = \"...\"",
                                            operand.path, reference.path, source->name())};
     }
   }
@@ -116,11 +116,12 @@ std::vector<ReducedLoad> missed_notches(const Step& step, const Project& project
       const Step* const source = project.find(name);
       const NotchClaim* const claim = source == nullptr ? nullptr : claim_of(*source, rest);
       if (claim == nullptr || !misses(project, std::string(name), *claim, notch.value)) continue;
-      missed.push_back({operand.path, say("{1} is '{2}' with {3} = {4}, and the stress is nominal at a notch: '{5}' = "
-                                          "{6}; give '{7}' the K_t of that place, or because.{1} = \"...\"",
-                                          operand.path, reference.path, claim->factor,
-                                          format_number(value_at(project, std::string(name) + "." + claim->factor), 3),
-                                          notch.path, format_number(notch.value, 3), name)});
+      missed.push_back(
+          {operand.path, say("{1} is '{2}' with {3} = {4}, but the nominal stress acts at a notch with '{5}' = "
+                             "{6}; give '{7}' the K_t of that notch, or because.{1} = \"...\"",
+                             operand.path, reference.path, claim->factor,
+                             format_number(value_at(project, std::string(name) + "." + claim->factor), 3), notch.path,
+                             format_number(notch.value, 3), name)});
     }
   }
   return missed;

@@ -24,7 +24,6 @@ bool is_of_loads(const Dimension& dimension) {
 
 /// The last name of a path: "sigma_max" of "others[2].sigma_max".
 std::string last_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
-std::string before_last(const std::string& path) { return path.substr(0, path.size() - last_of(path).size()); }
 
 /// The reduction that a field is by its definition: "amplitude"; empty where it is the load itself.
 std::string reduction_of(const Calculator& calculator, const std::string& path) {
@@ -169,11 +168,7 @@ class ReductionCheck {
   /// One end of a cycle with r = -1 is safe whatever the sign of the series is; another ratio is not that of the
   /// series.
   [[nodiscard]] bool is_alternating(const Operand& operand) const {
-    const std::string path = before_last(operand.path) + "r";
-    const Leaf r = find_leaf(step_.input().reading.record, path);
-    const auto& operands = step_.input().reading.operands;
-    const bool known = std::none_of(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == path; });
-    return known && r && r.get() == -1.0;
+    return has_reversed_ratio(step_, prefix_of(operand.path));
   }
 
   /// A field that is just this: an amplitude; one extreme of a cycle, where the other is given beside it.
@@ -197,7 +192,7 @@ class ReductionCheck {
     return std::any_of(step_.input().reading.operands.begin(), step_.input().reading.operands.end(),
                        [&](const Operand& beside) {
                          return &beside != &operand && !reduction_of(calculator, beside.path).empty() &&
-                                before_last(beside.path) == before_last(operand.path) &&
+                                prefix_of(beside.path) == prefix_of(operand.path) &&
                                 without_spaces(beside.text) == without_spaces(text);
                        });
   }
@@ -217,8 +212,8 @@ class ReductionCheck {
                  path, r.text.empty() ? operand.text : r.text, reason);
     if (own == paired_amplitude || own == paired_middle)
       return say(
-          "{1} is {2}, less than the load over the cycle: write amplitude({3}) and midrange({3}) for the two of "
-          "them, or {4}",
+          "{1} = {2} does not cover the load cycle: use amplitude({3}) and midrange({3}) for the pair, "
+          "or {4}",
           path, r.text.empty() ? operand.text : r.text, r.argument.empty() ? operand.text : r.argument, reason);
     const std::string series = r.argument.empty() ? "the series itself" : "=" + r.argument;
     return say("{1} is {2}, less than the load over the cycle: write {3}, or {4}", path,

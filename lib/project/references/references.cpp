@@ -158,8 +158,7 @@ class Settling {
                               : say("taken from {1}: {2}; given here and not taken: {3}", taken.source, filled, kept));
   }
 
-  /// Of loads that are taken singly, "=gears.gear_1.T", the sizes of the body that they act on: its root circle, its
-  /// rim.
+  /// Dimensions of the component that come with a single load, "=gears.gear_1.T": root circle, rim.
   void take_bodies() {
     std::vector<Taken> singles;  // path: of the load
     for (const Operand& operand : reading_.operands) {
@@ -195,7 +194,7 @@ class Settling {
     if (!filled.empty()) step_.remark(say("taken from {1} with {2}: {3}", taken.source, taken.path, filled));
   }
 
-  /// The record that all references of a load are of, "gears.gear_1"; of "gears.T_1", too. Empty where there is none.
+  /// The record that all references of a load belong to, "gears.gear_1", also for "gears.T_1"; empty if there is none.
   std::string record_behind(const Operand& operand) const {
     std::string found;
     for (const auto& reference : operand.expression.references()) {
@@ -211,18 +210,25 @@ class Settling {
     return found;
   }
 
+  /// The record that a value belongs to: that which holds it, or the one handed over with it and its index, "gear_1"
+  /// for T_1.
   static std::string record_of(const Step& source, const std::string& path) {
-    std::vector<std::string> candidates;
-    if (const std::size_t dot = path.rfind('.'); dot != std::string::npos) {
-      candidates.push_back(path.substr(0, dot));
-    } else if (path.size() > 2 && path[path.size() - 2] == '_') {
-      for (const char* const body : {"gear_", "shaft_"}) candidates.push_back(body + path.substr(path.size() - 1));
-    }
     const auto is_record = [&](const std::string& c) {
       return source.field(c) != nullptr && form_of(source, c) == Form::record;
     };
-    const auto record = std::find_if(candidates.begin(), candidates.end(), is_record);
-    return record == candidates.end() ? std::string() : *record;
+    if (path.find('.') != std::string::npos) {
+      const std::string record = prefix_of(path).substr(0, path.rfind('.'));
+      return is_record(record) ? record : "";
+    }
+    if (path.size() < 3 || path[path.size() - 2] != '_' || source.input().calculator->result == nullptr) return {};
+    for (const FieldInfo& field : source.input().calculator->result->fields) {
+      const bool is_alike = field.is_handed_over && std::string_view(field.key).ends_with(path.substr(path.size() - 2));
+      if (!is_alike || !is_record(field.key)) continue;
+      const std::vector<Member> members = source.members(field.key);
+      const auto is_it = [&](const Member& member) { return member.key == path.substr(0, path.size() - 2); };
+      if (std::any_of(members.begin(), members.end(), is_it)) return field.key;
+    }
+    return {};
   }
 
   static bool is_like(const Step& source, const Member& member, const FieldInfo& field) {
@@ -265,6 +271,19 @@ bool is_reduction(const Meaning& meaning) {
   const std::string_view what = meaning.what;
   return what == "mean" || what == "amplitude" || what == "max" || what == "min" || what == reverses_in_turns ||
          what == steady_part || what == paired_amplitude || what == paired_middle;
+}
+
+std::string prefix_of(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string::npos ? "" : path.substr(0, dot + 1);
+}
+
+bool has_reversed_ratio(const Step& step, const std::string& beside) {
+  const Reading& reading = step.input().reading;
+  const std::string path = beside + "r";
+  const auto is_it = [&](const Operand& operand) { return operand.path == path; };
+  const Leaf r = find_leaf(reading.record, path);
+  return std::none_of(reading.operands.begin(), reading.operands.end(), is_it) && r && r.get() == -1.0;
 }
 
 }  // namespace loadpath::project

@@ -13,4 +13,10 @@ void settle_references(Step& step, const Project& project, std::vector<Issue>& i
 /// the "amplitude" of a cycle, its "mean", its "max" or "min".
 bool is_reduction(const Meaning& meaning);
 
+/// "others[2]." of "others[2].sigma_max".
+std::string prefix_of(const std::string& path);
+
+/// Whether the stress ratio of a cycle is typed as r = -1, `beside`: prefix of its inputs.
+bool has_reversed_ratio(const Step& step, const std::string& beside);
+
 }  // namespace loadpath::project

@@ -2,11 +2,12 @@
 
 #include "lib/project/project.hpp"
 
+#include <map>
 #include <set>
 
 namespace loadpath::project {
 
-std::map<std::string, std::string> sources_of(const Reading& reading) {
+std::vector<Source> sources_of(const Reading& reading) {
   std::map<std::string, std::set<std::string>> places;
   for (const Operand& operand : reading.operands) {
     for (const auto& reference : operand.expression.references()) {
@@ -18,23 +19,30 @@ std::map<std::string, std::string> sources_of(const Reading& reading) {
       if (path.ends_with("_out")) named.insert("");  // behind the last place
     }
   }
-  std::map<std::string, std::string> sources;
+  std::vector<Source> sources;
   for (const auto& [step, named] : places) {
     if (named.empty())
-      sources[step] = "1";
+      sources.push_back({step, "1", true});
     else
-      sources[step] = named.size() == 1 ? *named.begin() : "";
+      sources.push_back({step, named.size() == 1 ? *named.begin() : ""});
   }
   return sources;
 }
 
 std::string path_in(const Source& source, std::string key) {
-  const auto& [step, place] = source;
   if (const std::size_t at = key.find('#'); at != std::string::npos) {
-    if (place.empty()) return "";
-    key.replace(at, 1, place);
+    if (source.place.empty()) return "";
+    key.replace(at, 1, source.place);
   }
-  return step + "." + key;
+  return source.step + "." + key;
+}
+
+std::vector<Source> alternatives(const Source& source) {
+  constexpr int most_places = 12;
+  if (!source.is_assumed) return {source};
+  std::vector<Source> all;
+  for (int place = 1; place <= most_places; ++place) all.push_back({source.step, std::to_string(place), true});
+  return all;
 }
 
 const char* keys_in_sources(const FieldInfo& field) {
@@ -50,8 +58,10 @@ void for_each_compared(const StepInput& step, const std::function<void(const std
   for (const FieldInfo& field : step.calculator->input->fields) {
     for (const std::string& key : listed_keys(keys_in_sources(field))) {
       for (const Source& source : sources) {
-        const std::string path = path_in(source, key);
-        if (!path.empty()) visit(path);
+        for (const Source& place : alternatives(source)) {
+          const std::string path = path_in(place, key);
+          if (!path.empty()) visit(path);
+        }
       }
     }
   }

@@ -1,22 +1,28 @@
-// The steps that a step takes values of, and what both of them say of one part: the teeth of a stage, the diameter of a
-// shaft, the pressure in a vessel. lib/project/run compares the two.
+// Quantities that a step and the steps it takes values from have in common: teeth of a stage, diameter of a shaft,
+// pressure in a vessel. lib/project/run compares them.
 #pragma once
 
 #include "lib/project/step.hpp"
 
 #include <functional>
-#include <map>
 #include <string>
+#include <vector>
 
 namespace loadpath::project {
 
-/// By the step, the place in a list of it: "2" of "train.shafts[2].T"; "1" where no reference names one, empty where
-/// they name several, or what leaves the last: "train.P_out".
-std::map<std::string, std::string> sources_of(const Reading& reading);
-using Source = std::pair<const std::string, std::string>;
+/// A step that values are taken from, and the element of its list that they come from.
+struct Source {
+  std::string step;
+  std::string place;  // "2" of "train.shafts[2].T"; empty if several are named, or the last is left: "train.P_out"
+  bool is_assumed = false;  // no reference names a place: "1"
+};
+std::vector<Source> sources_of(const Reading& reading);
 
-/// The path of a key there, in which '#' is the place; empty where that is not known.
+/// The path of a key there, in which '#' is the place; empty if that is unknown.
 std::string path_in(const Source& source, std::string key);
+
+/// The same source with all places that it may mean, the assumed one first.
+std::vector<Source> alternatives(const Source& source);
 
 /// The keys that a field has there; empty where it is not compared.
 const char* keys_in_sources(const FieldInfo& field);

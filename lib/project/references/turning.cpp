@@ -2,6 +2,7 @@
 
 #include "lib/calculator/meaning.hpp"
 #include "lib/project/modes.hpp"
+#include "lib/project/references/references.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,12 +14,7 @@ namespace loadpath::project {
 
 namespace {
 
-std::string prefix_of(const std::string& path) {
-  const std::size_t dot = path.rfind('.');
-  return dot == std::string::npos ? "" : path.substr(0, dot + 1);
-}
-
-/// Whether the calculator says this of the field.
+/// Whether the field has this meaning.
 bool has_meaning(const Calculator& calculator, const std::string& path, std::string_view what) {
   return std::any_of(calculator.meanings.begin(), calculator.meanings.end(), [&](const Meaning& meaning) {
     const auto fields = listed_keys(meaning.fields);
@@ -27,7 +23,7 @@ bool has_meaning(const Calculator& calculator, const std::string& path, std::str
   });
 }
 
-/// A shaft with a speed of zero stands still.
+/// Whether the shaft is stationary.
 bool stands(const Step& step, const Project& project) {
   const Value* const n = project.value(step.name() + ".n");
   return n != nullptr && std::all_of(n->si.begin(), n->si.end(), [](double x) { return std::isnan(x) || x == 0.0; });
@@ -40,7 +36,7 @@ bool is_turning(const std::string& path, const Project& project) {
   return has_meaning(*source->input().calculator, rest, reverses_in_turns) && !stands(*source, project);
 }
 
-/// How much the value of an expression rises with the stresses that reverse: what of them it holds.
+/// Share of the reversing stresses in the value of an expression, by a small change of them.
 class Share {
  public:
   explicit Share(const Project& project) : project_(project) {}
@@ -75,12 +71,10 @@ const Operand* operand_at(const Step& step, const std::string& path) {
   return found == all.end() ? nullptr : &*found;
 }
 
-/// Whether what stands beside one end of a cycle makes the stress reverse: r = -1, the other end, an amplitude or a
-/// mean that has the right share of it.
+/// Whether the other inputs of the cycle make it symmetric: r = -1, the other end, the amplitude or the mean.
 bool is_reversed(const Step& step, const Operand& operand, const Project& project) {
   const std::string beside = prefix_of(operand.path);
-  const Leaf r = find_leaf(step.input().reading.record, beside + "r");
-  if (operand_at(step, beside + "r") == nullptr && r && r.get() == -1.0) return true;
+  if (has_reversed_ratio(step, beside)) return true;
   Share share(project);
   const double own = share.of(operand);
   const auto share_of = [&](const char* key) {
@@ -106,10 +100,10 @@ std::optional<Message> turning_message(const Step& step, const Operand& operand,
   for (const auto& reference : operand.expression.references()) {
     if (!is_turning(reference.path, project)) continue;
     if (is_end && is_reversed(step, operand, project)) return std::nullopt;
-    return is_end ? say("{1} is '{2}', which reverses with each turn of the shaft: write r = -1, or because.{1} = "
+    return is_end ? say("{1} is '{2}', which reverses with each revolution: write r = -1, or because.{1} = "
                         "\"...\"",
                         operand.path, reference.path)
-                  : say("{1} is '{2}', which reverses with each turn of the shaft: it is an amplitude, or "
+                  : say("{1} is '{2}', which reverses with each revolution and is an amplitude: correct it, or "
                         "because.{1} = \"...\"",
                         operand.path, reference.path);
   }

@@ -56,11 +56,11 @@ Beside beside_of(const FieldInfo& field) {
 }
 
 bool is_empirical(const FieldInfo& field) {
-  const auto stress = Dimension::of(-1, 1, -2);
+  const auto stress = Dimension::of(-1, 1, -2), density = Dimension::of(-3, 1, 0);
   const bool is_bounded = std::isfinite(field.plausible.low) || std::isfinite(field.plausible.high);
   return is_bounded && field.type == FieldInfo::Type::quantity && !field.is_load && !field.is_factor &&
          !field.larger_is_better && *field.searched_in == '\0' &&
-         (field.dimension.is_number() || field.dimension == stress);
+         (field.dimension.is_number() || field.dimension == stress || field.dimension == density);
 }
 
 double relative_rounding(std::string_view typed) {

@@ -23,8 +23,8 @@ Beside beside_of_dimension(const Dimension& dimension);
 /// Whether a different value is another part.
 constexpr bool is_of_one_part(Beside beside) { return beside == Beside::identity || beside == Beside::modulus; }
 
-/// Whether experience bounds a field: friction, notch sensitivities, strengths. Not what the engineer chooses: sizes,
-/// loads, speeds, factors of safety and service.
+/// Whether a field has an empirical range: friction, notch sensitivities, strengths. Not the engineer's choices: sizes,
+/// loads, speeds, safety and application factors.
 bool is_empirical(const FieldInfo& field);
 
 /// Half a unit of the last digit of a literal over its number, or of a lone literal behind '='; of another text nothing

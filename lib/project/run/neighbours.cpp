@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <optional>
 #include <set>
 #include <string>
@@ -191,11 +190,24 @@ std::string largest_in(const Source& source, const char* keys, const FieldInfo& 
     if (path.empty()) continue;
     const Value& value = known(path);
     const double si = std::abs(largest_magnitude(value));
-    // Zero is nothing that is said: teeth of a stage that is given by its ratio.
+    // Zero means not given: teeth of a stage that is given by its ratio.
     if (std::isnan(si) || si == 0.0 || value.signature.dimension != field.dimension) continue;
     if (largest.empty() || si > std::abs(largest_magnitude(known(largest)))) largest = std::move(path);
   }
   return largest;
+}
+
+/// Whether a value is that of another element of the source, where no reference names one: the second stage of a train
+/// whose power is the same at every shaft.
+bool is_of_another_place(const Source& source, const char* keys, const FieldInfo& field, const Known& known,
+                         double value) {
+  constexpr double rounding = 0.01;
+  if (!source.is_assumed) return false;
+  const std::vector<Source> places = alternatives(source);
+  return std::any_of(places.begin() + 1, places.end(), [&](const Source& place) {
+    const std::string path = largest_in(place, keys, field, known);
+    return !path.empty() && std::abs(std::abs(largest_magnitude(known(path))) - value) <= rounding * value;
+  });
 }
 
 Beside beside_of_source(const FieldInfo& field) {
@@ -203,27 +215,28 @@ Beside beside_of_source(const FieldInfo& field) {
   return *field.most_of_source != '\0' ? Beside::capacity : Beside::demand;
 }
 
-/// Sizes, speeds and demands of the part that values are taken of: a key sits on the shaft whose torque it takes, a
-/// pair of gears is the stage of its train.
+/// Quantities of the step that values are taken from: a key sits on the shaft whose torque it takes, a gear pair is a
+/// stage of its train.
 void add_sources_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
-  std::optional<std::map<std::string, std::string>> sources;
+  std::optional<std::vector<Source>> sources;
   for (const FieldInfo& field : evaluation.calculator().input->fields) {
     const char* const keys = keys_in_sources(field);
     if (*keys == '\0' || is_of_record(reading, field.key)) continue;
     const Leaf leaf = evaluation.inputs().leaf(field.key);
-    if (std::isnan(largest_magnitude(evaluation.inputs().value_of(field.key, leaf)))) continue;
+    const double value = std::abs(largest_magnitude(evaluation.inputs().value_of(field.key, leaf)));
+    if (std::isnan(value)) continue;
     if (!sources) sources = sources_of(reading);
     for (const Source& source : *sources) {
       const std::string path = largest_in(source, keys, field, known);
-      if (path.empty()) continue;
+      if (path.empty() || is_of_another_place(source, keys, field, known, value)) continue;
       all.push_back({field.key, leaf, known(path), say("'{1}'", path), beside_of_source(field)});
       all.back().by_size = true;  // at another point the source has another value
     }
   }
 }
 
-/// Typed values that are unusual, and the nearest that are not.
+/// Typed values outside their usual range, with the nearest usual values.
 void add_usual_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
   for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
@@ -234,7 +247,7 @@ void add_usual_beside(const Evaluation& evaluation, std::vector<Neighbour>& all)
     if (std::none_of(typed.si.begin(), typed.si.end(), is_unusual)) return;
     Value usual = typed;
     for (double& x : usual.si) x = std::isnan(x) ? x : std::clamp(x, field.plausible.low, field.plausible.high);
-    all.push_back({path, leaf, std::move(usual), say("what is usual"), Beside::usual});
+    all.push_back({path, leaf, std::move(usual), say("the usual range"), Beside::usual});
     all.back().by_size = true;  // whether it decides hangs on all other values
   });
 }

@@ -10,7 +10,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// Whether the value of an input is one that another step has found.
+/// Whether the input is a result of another step.
 bool is_found(const Reading& reading, const std::string& path) {
   const auto is_of_step = [](const Expression::Reference& reference) { return !reference.path.starts_with("values."); };
   return std::any_of(reading.operands.begin(), reading.operands.end(), [&](const Operand& operand) {

@@ -1,4 +1,4 @@
-// Typed values beside what their calculator itself knows of them (lib/calculator/bound.hpp).
+// Typed values compared with the bounds of their calculator (lib/calculator/bound.hpp).
 #pragma once
 
 #include "lib/project/run/neighbours.hpp"

@@ -42,8 +42,7 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
   const FieldInfo& field = *beside.leaf.field;
   const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
   if (field.type == FieldInfo::Type::choice)
-    return say("{1} = {2} in place of {3} of {4}", beside.path, shown(field, typed), shown(field, other),
-               beside.source);
+    return say("{1} = {2} instead of {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
   if (beside.kind == Beside::usual) return unusual(beside.path, field, unusual_value(evaluation, beside));
   return beside.kind == Beside::capacity
              ? say("{1} = {2}, above {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source)
@@ -106,9 +105,26 @@ bool passes_in_the_first_only(const ResultSeries& first, const Results& second) 
   return is_kept(first) && same != second.series.end() && !is_kept(*same);
 }
 
+/// Whether a check is lower in one than in the other.
+bool is_lower_in_the_first(const ResultSeries& first, const Results& second) {
+  const auto same = std::find_if(second.series.begin(), second.series.end(),
+                                 [&](const ResultSeries& other) { return other.path == first.path; });
+  return first.field->role == Role::check && same != second.series.end() &&
+         largest_magnitude(first.value) < largest_magnitude(same->value);
+}
+
+/// Whether a value is so far outside its usual range that its unit may be wrong: by a quarter.
+bool is_far_from_usual(const Evaluation& evaluation, const Neighbour& beside) {
+  constexpr double far = 1.25;
+  const double typed = unusual_value(evaluation, beside);
+  const Range& usual = beside.leaf.field->plausible;
+  return typed > far * usual.high || typed < usual.low / far;
+}
+
 /// The checks and limits that come out otherwise with what stands beside the value; where that is the nearest usual
-/// value, those that pass for it alone. True where results change, and none of them is a check or limit.
-bool mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, Beside kind,
+/// value, those that pass for it alone, and of a value `far` from it those that it lowers. True where results change,
+/// and none of them is a check or limit.
+bool mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, Beside kind, bool far,
                   WeighedValues& weighed) {
   bool decides = false, changes = false;
   for (const ResultSeries& series : with_typed.series) {
@@ -116,10 +132,18 @@ bool mark_decided(const Results& with_typed, const Results& with_other, const Bo
     changes = true;
     if (!is_verdict(*series.field)) continue;
     decides = true;
-    if (kind != Beside::usual || passes_in_the_first_only(series, with_other))
-      weighed.decided.emplace(series.path, bolder);
+    const bool is_decided = kind != Beside::usual || passes_in_the_first_only(series, with_other) ||
+                            (far && is_lower_in_the_first(series, with_other));
+    if (is_decided) weighed.decided.emplace(series.path, bolder);
   }
   return changes && !decides;
+}
+
+/// Whether a row of a table gives the value, which nothing can stand in for.
+bool is_of_row(const Evaluation& evaluation, const std::string& path) {
+  const auto& provided = evaluation.inputs().provided();
+  return std::any_of(provided.begin(), provided.end(),
+                     [&](const Provided& one) { return one.path == path && !one.row.empty(); });
 }
 
 /// Whether others conclude something from results of a step that has no check of its own: a fatigue limit.
@@ -164,7 +188,7 @@ bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::v
         say("{1} = {2} contradicts {3}, which has {4}", beside.path, shown(field, typed), beside.source,
             shown(field, other)),
         beside.row_of.empty()
-            ? say("one part has one {1}: give it once, or the same in both", field.key)
+            ? say("give {1} once, or the same value in both", field.key)
             : say("leave out {1}; another part is a row of your own: [tables.{2}s.NAME]", field.key, beside.row_of)));
   }
   return issues.size() == before;
@@ -192,9 +216,12 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
     const Bolder bolder = reason != nullptr ? Bolder{"", weighed.reasons.at(beside.path)}
                                             : Bolder{"because." + beside.path,
                                                      say("{1}; say why: because.{2} = \"...\"", excess, beside.path)};
-    const bool only_changes = mark_decided(results, results_with(evaluation, beside), bolder, beside.kind, weighed);
+    const bool is_far = beside.kind == Beside::usual && is_far_from_usual(evaluation, beside);
+    const bool only_changes =
+        mark_decided(results, results_with(evaluation, beside), bolder, beside.kind, is_far, weighed);
     const bool goes_on = beside.kind != Beside::usual || is_concluded_elsewhere(step, wanted.taken);
-    if (only_changes && goes_on && reason == nullptr) weighed.handed_on.push_back(bolder);
+    const bool stays = is_of_row(evaluation, beside.path);
+    if (((only_changes && goes_on) || stays) && reason == nullptr) weighed.handed_on.push_back(bolder);
   }
   if (!all.empty() && has_results) evaluate_all(evaluation);  // as it was
   if (wanted.unused && has_results && step.reading.varied.empty()) refuse_idle_reasons(step, used, issues);

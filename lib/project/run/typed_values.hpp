@@ -1,5 +1,5 @@
-// What was typed beside a row of a table, a record, a strength that bounds it, or the range that is usual: another part
-// is refused; what is bolder than they say holds back the modes that it decides, until the user says why
+// Typed values compared with table rows, records, strengths that bound them, and usual ranges. A value of another part
+// is an error; a more favourable value holds back the modes that it decides until the user justifies it
 // (lib/project/run/beside.hpp).
 #pragma once
 
@@ -26,8 +26,8 @@ struct WeighedValues {
 /// may not make another part of it.
 bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::vector<Issue>& issues);
 
-/// Of what is bolder than what stands beside it, the reason is kept, or the modes that it decides are held back. A
-/// reason that nothing needs is an issue, where unused inputs are wanted.
+/// Keeps the justification of each more favourable value, or holds back the modes that it decides. An unnecessary
+/// justification is an issue where unused inputs are reported.
 WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results, const Known& known,
                                  const Wanted& wanted, std::vector<Issue>& issues);
 

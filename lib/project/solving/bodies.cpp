@@ -99,23 +99,32 @@ bool hand_out(const std::string& body, const std::string& key, const Members& me
   return changed;
 }
 
-/// Rows of a table that steps of one body name: it is made of one material.
-void check_rows(const std::string& body, const Members& members, std::vector<Issue>& issues) {
-  std::map<std::string, const StepInput*> named;
+/// Rows of a table that steps of one body have: it is made of one material, and has one section. `row_of`: the name of
+/// the row in a step; empty if it has none.
+template <class RowOf>
+void check_rows(const std::string& body, const Members& members, const RowOf& row_of, std::vector<Issue>& issues) {
+  std::map<std::string, const Step*> named;
   for (const Step* step : members) {
-    for (const auto& [group, row] : step->input().rows) {
-      if (row.text.empty()) continue;
-      const auto [first, is_new] = named.emplace(group, &step->input());
-      const Typed& other = first->second->rows.at(group);
-      if (is_new || other.text == row.text) continue;
-      issues.push_back({row.place, step->name() + "." + group,
-                        say("the body '{1}' has one {2}: {3} has '{4}', and {5} has '{6}'", body, group,
-                            first->second->name, other.text, step->name(), row.text),
-                        say("name the same one in both, or leave out 'body' where they are two parts"),
-                        Severity::error});
+    for (const auto& [group, typed] : step->input().rows) {
+      const std::string row = row_of(*step, group);
+      if (row.empty()) continue;
+      const auto [first, is_new] = named.emplace(group, step);
+      const std::string other = row_of(*first->second, group);
+      if (is_new || other == row) continue;
+      issues.push_back(issue_at(step->input(), group,
+                                say("the body '{1}' has one {2}: {3} has '{4}', and {5} has '{6}'", body, group,
+                                    first->second->name(), other, step->name(), row),
+                                say("use the same row in both, or omit 'body' for separate parts")));
     }
   }
 }
+
+std::string typed_row(const Step& step, const std::string& group) {
+  const auto row = step.input().rows.find(group);
+  return row == step.input().rows.end() ? "" : row->second.text;
+}
+
+std::string found_row(const Step& step, const std::string& group) { return step.word(group); }
 
 }  // namespace
 
@@ -134,7 +143,7 @@ void check_bodies(const Project& project, std::vector<Issue>& issues) {
                         Severity::error});
       continue;
     }
-    check_rows(body, members, issues);
+    check_rows(body, members, typed_row, issues);
     const auto sizes = sizes_in_common(members);
     for (const Step* step : members) {
       const auto has = [&](const std::string& key) { return size_field(*step, key) != nullptr; };
@@ -150,6 +159,7 @@ void check_bodies(const Project& project, std::vector<Issue>& issues) {
 bool hand_out_sizes(Project& project, std::vector<Issue>& issues) {
   bool changed = false;
   for (const auto& [body, members] : bodies_of(project)) {
+    check_rows(body, members, found_row, issues);
     for (const std::string& key : sizes_in_common(members)) changed = hand_out(body, key, members, issues) || changed;
   }
   return changed && !has_errors(issues);

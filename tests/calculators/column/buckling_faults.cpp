@@ -33,7 +33,7 @@ TEST_SUITE("column buckling faults") {
     says(rod + "method = \"johnson\"\nA = \"10 cm^2\"\n", "with the area A both axes need I or i");
     says(rod + "method = \"johnson\"\nI_y = \"10 cm^4\"\n", "I or i is given, but not the area A");
     says(rod + "method = \"johnson\"\nd = \"40 mm\"\nb = \"20 mm\"\n", "the bar is one of them");
-    says(rod + "method = \"johnson\"\nd = \"40 mm\"\nd_bore = \"40 mm\"\n", "a bore goes with d, and is smaller");
+    says(rod + "method = \"johnson\"\nd = \"40 mm\"\nd_bore = \"40 mm\"\n", "d_bore requires d and must be smaller");
     says(rod + "method = \"johnson\"\nA = \"10 cm^2\"\nI_y = \"100 cm^4\"\ni_y = \"20 mm\"\ni_z = \"20 mm\"\n",
          "I and i of an axis do not fit");
     says(

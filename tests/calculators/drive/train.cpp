@@ -103,7 +103,7 @@ TEST_SUITE("drive train") {
     CHECK(rel(solve(train({s})).i, -3.5) < 1e-14);
   }
 
-  TEST_CASE("an efficiency beyond what is usual is told, not refused") {
+  TEST_CASE("an efficiency beyond the usual range is told, not refused") {
     const auto r = solve(
         train({stage(StageKind::chain, 2, 0.96), stage(StageKind::chain, 2, 0.9), stage(StageKind::worm, 2, 0.97)}));
     CHECK(r.stages[0].range == drive::Train::EtaRange::usual);

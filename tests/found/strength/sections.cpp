@@ -40,7 +40,7 @@ std::string rod_with(const std::string& load, const std::string& ends, const std
 }  // namespace
 
 TEST_SUITE("found sections") {
-  TEST_CASE("what carries the shear is a part of the section, and of an I the web with its fillets") {
+  TEST_CASE("the shear area cannot exceed the area, and of an I the web with its fillets") {
     CHECK(refuses(link("h = \"40 mm\"\nb = \"20 mm\"\nA_v = \"5000 mm^2\""), "is a part of the section"));
     CHECK(refuses(link("d = \"30 mm\"\nA_v = \"720 mm^2\""), "is a part of the section"));
     CHECK(first_error_of(link("h = \"40 mm\"\nb = \"20 mm\"\nA_v = \"530 mm^2\"")).empty());

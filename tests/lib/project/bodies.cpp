@@ -67,6 +67,18 @@ TEST_SUITE("project bodies") {
                    "the body 'crankshaft' has one material: a has 'C45E', and b has 'S235JR'"));
   }
 
+  TEST_CASE("a body has one section, also where it is searched for") {
+    const auto strut = [](const std::string& name, const std::string& P, const std::string& section) {
+      return "[" + name + "]\ncalculator = \"column.buckling\"\nbody = \"strut\"\nP = \"" + P +
+             "\"\nl = \"3 m\"\nsection = { stock = \"sections/heb\" }\nmaterial = \"S235JR\"\nmethod = \"ec3\"\n"
+             "gamma_M1 = 1.1\ngamma_F = 1.35\nends = \"pinned_pinned\"\n" +
+             section;
+    };
+    CHECK(contains(Solved(strut("a", "100 kN", "") + strut("b", "900 kN", "")).errors(),
+                   "the body 'strut' has one section"));
+    CHECK(Solved(strut("a", "900 kN", "") + strut("b", "900 kN", "")).errors() == "");
+  }
+
   TEST_CASE("a body of one step alone, and steps without a common size, are refused") {
     CHECK(contains(Solved(torsion("strong", "900 N*m", body)).errors(), "no other step describes the body"));
     const Solved typo(torsion("a", "900 N*m", body) + torsion("b", "900 N*m", body) +

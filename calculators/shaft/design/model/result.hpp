@@ -71,11 +71,10 @@ struct Seated {
             "roots hold from 1.2"}
           .limit(1.2 * (1 - 1e-9), 1e6)
           .where_it_applies(),
-      Field{&Seated::x_R, "x_R", ratio,
-            "keyway depth / wall of the hub that it leaves under the root circle, own bound"}
+      Field{&Seated::x_R, "x_R", ratio, "keyway depth / remaining wall of the hub under the root circle, own bound"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
-      Field{&Seated::x_n, "x_n", ratio, "speed / speed up to which its interference fit is assessed"}
+      Field{&Seated::x_n, "x_n", ratio, "speed / speed up to which the interference fit is assessed"}
           .limit(0, 1 + 1e-6)
           .sizeless()
           .where_it_applies()};

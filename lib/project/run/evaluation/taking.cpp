@@ -47,7 +47,7 @@ std::optional<Issue> missing_element(const Known& known, const std::string& step
   const bool has_names = !elements.starts_with('[');
   return Issue{place_in(record.place, record.source, dot + 1, name.size()), step + "." + record.path,
                say("'{1}' has no '{2}'; there is: {3}", list, name, elements),
-               has_names ? Message{} : say("write \"={1}[1]\", or give its elements names: name = \"{2}\"", list, name),
+               has_names ? Message{} : say("write \"={1}[1]\", or name the elements: name = \"{2}\"", list, name),
                Severity::error};
 }
 
@@ -75,7 +75,8 @@ bool Inputs::take_from_others(std::vector<Issue>& issues) {
   return issues.size() == before;
 }
 
-/// A record of which nothing has a value is of a step without results: its open fields would be rules that are broken.
+/// A record without any value comes from a step without results; the step then has no results, rather than broken
+/// rules.
 bool Inputs::find_records(const std::set<std::string>& left_open, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   const auto& reading = step_.input().reading;

@@ -218,7 +218,7 @@ void JointSearch::run(std::vector<Issue>& issues) {
   evaluation_.settle_sizes();
 }
 
-/// That no sizes keep the rules: the rule that is broken at all of them, which sizes do not mend.
+/// No sizes satisfy the input rules: the rule that is broken at all of them, if it is one.
 Issue JointSearch::no_sizes() {
   const std::string& first = sizes_.search(0).path;
   std::optional<std::size_t> broken;
@@ -231,8 +231,8 @@ Issue JointSearch::no_sizes() {
     if (rule) broken = rule;
   }
   if (broken && is_one) return evaluation_.broken_rule(*broken);
-  return issue_at(evaluation_.step().input(), first, say("no sizes go together with what is given"),
-                  say("give '{1}' a value, or let more of them be searched for", first));
+  return issue_at(evaluation_.step().input(), first, say("no combination of sizes satisfies the input rules"),
+                  say("give '{1}' a value, or search for more sizes", first));
 }
 
 /// What one of them fails where it is a size smaller beside the others as they are.

@@ -50,7 +50,7 @@ void for_each_listed(Evaluation& evaluation, const Passing& passing,
   }
 }
 
-/// Adds what elements of lists lack.
+/// Adds the shortfall of list elements.
 void add_shortfall_of_lists(Evaluation& evaluation, const Passing& passing, Shortfall& shortfall) {
   for_each_listed(evaluation, passing, [&](const FieldInfo&, const Row& row, double si) {
     if (std::isnan(si)) return;  // what has no value is told by the limits

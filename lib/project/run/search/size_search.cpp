@@ -71,7 +71,7 @@ bool SizeSearch::takes_size_of_body() {
 void SizeSearch::keep_to_body() {
   const BodySize* const body = size_of_body();
   if (body == nullptr) return;
-  std::erase_if(candidates_.sizes, [&](double size) { return size < body->si * (1.0 - 1e-12); });
+  std::erase_if(candidates_.sizes, [&](double size) { return size < account::least_candidate(body->si); });
 }
 
 void SizeSearch::run(std::vector<Issue>& issues) {
@@ -88,10 +88,9 @@ void SizeSearch::run(std::vector<Issue>& issues) {
     return issues.push_back(aimless_search(evaluation_.step(), wanted_));
   keep_sizing_results();
   keep_to_body();
-  constexpr double rounding = account::rounding_of_utilisation;  // what passes may be as much below the least size
   const auto& sizes = candidates_.sizes;
   const auto start =
-      std::isnan(least) ? sizes.begin() : std::lower_bound(sizes.begin(), sizes.end(), least * (1.0 - rounding));
+      std::isnan(least) ? sizes.begin() : std::lower_bound(sizes.begin(), sizes.end(), account::least_candidate(least));
   const auto from = static_cast<std::size_t>(start - sizes.begin());
   passing_.excuse_sizeless();
   std::size_t found = first_that_passes(from);

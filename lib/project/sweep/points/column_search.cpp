@@ -21,7 +21,7 @@ void ColumnParts::find_first_candidates(PointColumns& points) {
     run_for_least(points);
     for (std::size_t point = 0; point < points.count; ++point) {
       const double least = largest_of(size_rows, point, wanted.least->dimension).value;
-      const auto start = std::lower_bound(wanted.stock.begin(), wanted.stock.end(), least * (1.0 - 1e-12));
+      const auto start = std::lower_bound(wanted.stock.begin(), wanted.stock.end(), account::least_candidate(least));
       wanted.at[point].now = static_cast<std::size_t>(start - wanted.stock.begin());
       if (std::isnan(least) || start == wanted.stock.end()) leave(points, point);
     }

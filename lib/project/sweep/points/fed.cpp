@@ -11,7 +11,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// Beyond what is usual an empirical value is weighed (lib/project/run/typed_values.hpp), point by point.
+/// Beyond the usual range an empirical value is weighed (lib/project/run/typed_values.hpp), point by point.
 Range accepted_by(const FieldInfo& field) {
   if (!is_empirical(field)) return field.bounds;
   Range both = field.bounds;

@@ -1,0 +1,68 @@
+// Whether the components of a shaft have room beside one another, and can be mounted over its diameters.
+#include "calculators/shaft/design/connections.hpp"
+#include "calculators/shaft/design/design.hpp"
+#include "calculators/shaft/design/model/places.hpp"
+
+#include <algorithm>
+
+namespace loadpath::shaft {
+
+namespace {
+
+using Input = Design::Input;
+
+/// Along the shaft; without width for a body whose width is unknown.
+struct Extent {
+  Length from, to;
+};
+Extent extent_of(const Seat& seat) {
+  const Length width = is_set(seat.b) && seat.b > 0.0 * mm ? seat.b : is_set(seat.b_r) ? seat.b_r : 0.0 * mm;
+  return {seat.x - width / 2.0, seat.x + width / 2.0};
+}
+
+bool overlap(const Input& in, const Extent& a, const Extent& b) {
+  const Length tolerance = one_place * length_of(in);
+  return a.from < a.to && b.from < b.to && std::min(a.to, b.to) - std::max(a.from, b.from) > tolerance;
+}
+
+bool is_within(const Input& in, Length x, const Extent& extent) {
+  const Length tolerance = one_place * length_of(in);
+  return x > extent.from + tolerance && x < extent.to - tolerance;
+}
+
+/// Whether a bore of the diameter at x passes over all pieces up to one end of the shaft.
+bool can_be_slid_on(const Input& in, Length x) {
+  const Length bore = (1.0 + one_place) * diameter_under(in, x);
+  const std::size_t own = index_of_piece(in, x);
+  const auto passes = [&](std::size_t first, std::size_t last) {
+    return std::all_of(in.pieces.begin() + static_cast<std::ptrdiff_t>(first),
+                       in.pieces.begin() + static_cast<std::ptrdiff_t>(last),
+                       [&](const Piece& piece) { return std::max(piece.d, right_diameter(piece)) <= bore; });
+  };
+  return passes(0, own) || passes(own + 1, in.pieces.size());
+}
+
+bool bodies_overlap(const Input& in) {
+  for (std::size_t i = 0; i < in.seats.size(); ++i) {
+    const Extent extent = extent_of(in.seats[i]);
+    for (std::size_t j = 0; j < i; ++j) {
+      if (overlap(in, extent, extent_of(in.seats[j]))) return true;
+    }
+    for (const Support& support : in.supports) {
+      if (is_within(in, support.x, extent)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace
+
+Applies Design::cannot_be_assembled(const Input& in) {
+  const auto is_mounted = [&](const Support& support) { return can_be_slid_on(in, support.x); };
+  const auto fits = [&](const Seat& seat) { return seat.integral == Integral::yes || can_be_slid_on(in, seat.x); };
+  const bool can_be = !bodies_overlap(in) && std::all_of(in.supports.begin(), in.supports.end(), is_mounted) &&
+                      std::all_of(in.seats.begin(), in.seats.end(), fits);
+  return where(!can_be);
+}
+
+}  // namespace loadpath::shaft

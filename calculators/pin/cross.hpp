@@ -122,7 +122,7 @@ tau_adm_1 = "40 MPa"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d_w < in.d_f; }, "d_f, d_w",
-                  "the shaft is thicker than the root circle of what sits on it"},
+                  "the shaft diameter exceeds the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return !(in.D > 1.000001 * in.d_f) || in.d_w >= in.d_f; }, "D, d_f",
                   "the outer diameter of the hub exceeds the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d_w); }, "bore, d_w",

@@ -216,7 +216,7 @@ dT_adm = "250 K"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
-                  "the shaft is thicker than the root circle of what sits on it"},
+                  "the shaft diameter exceeds the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return !(in.D > 1.000001 * in.d_f) || in.d >= in.d_f; }, "D, d_f",
                   "the outer diameter of the hub exceeds the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",

@@ -127,7 +127,7 @@ S = 2
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
-                  "the shaft is thicker than the root circle of what sits on it"},
+                  "the shaft diameter exceeds the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
                   "the bore of the mounted component must equal the shaft diameter"},
       Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d); }, "d_bore, d",

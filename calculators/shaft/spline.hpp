@@ -180,7 +180,7 @@ R_e_2 = "300 MPa"
   static constexpr auto rules = join(
       rules_of_sides<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d_2 < in.d_f; }, "d_f, d_2",
-                             "the shaft is thicker than the root circle of what sits on it"},
+                             "the shaft diameter exceeds the root diameter of the mounted component"},
                  Rule<Input>{[](const Input& in) {
                                return !is_set(in.bore) || bore_fits(in.bore, in.d_1) || bore_fits(in.bore, in.d_2);
                              },

@@ -143,8 +143,8 @@ void attack(const test::Known& known, const Tree& tree, const Number& number, do
   const std::string expression = test::expression_of(*far);
   const auto holds = [&](const char* way, const Outcome& other) {
     const std::string passed = passed_otherwise(literal, other);
-    CHECK_MESSAGE(passed.empty(), known.name, ": ", number.name, " = ", expression.substr(1), " ", way, ": ", passed,
-                  " passes");
+    CHECK_MESSAGE(passed.empty(), known.name, ": ", number.name, " = ", expression.substr(1), " ", std::string(way),
+                  ": ", passed, " passes");
   };
   holds("as an expression", run(with(tree, number, text_tree(expression)), known.file));
   if (number.at_once) return;

@@ -70,7 +70,8 @@ TEST_SUITE("assembly of shafts") {
   TEST_CASE("bodies have room beside one another and beside bearings") {
     const std::string bar = "{ l = \"200 mm\", d = \"40 mm\" }";
     const auto seat = [](const char* x, const char* b) {
-      return std::string("{ x = \"") + x + "\", F_x = \"-1 kN\", b = \"" + b + "\" }";
+      return std::string("{ x = \"") + x + "\", F_x = \"-1 kN\", mass = \"1 kg\", I_p = \"1e-3 kg*m^2\", b = \"" + b +
+             "\" }";
     };
     CHECK(assembled(bar, seat("80 mm", "40 mm") + ", " + seat("120 mm", "40 mm")) == "none");
     CHECK(assembled(bar, seat("80 mm", "40 mm") + ", " + seat("119 mm", "40 mm")) == "not-judged");

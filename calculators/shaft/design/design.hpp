@@ -55,7 +55,7 @@ n = "1450 rpm"
 pieces = [{ l = "60 mm", d = "30 mm" }, { l = "80 mm", d = "40 mm" }, { l = "60 mm", d = "30 mm" }]
 supports = [{ name = "left", x = "15 mm", holds = "both" }, { name = "right", x = "185 mm" }]
 seats = [
-  { name = "coupling", x = "0 mm", way = "balances", mass = "2 kg", J = "0.002 kg*m^2", I_p = "0.002 kg*m^2", b = "20 mm" },
+  { name = "coupling", x = "0 mm", way = "balances", mass = "2 kg", J = "0.002 kg*m^2", I_p = "0.002 kg*m^2", I_d = "0.00126666667 kg*m^2" },
   { name = "gear", x = "100 mm", T = "50 N*m", F_x = "-600 N", F_y = "1429 N", F_z = "300 N", x_w = "35 mm", mass = "1 kg", J = "0.0006 kg*m^2", I_p = "0.0006 kg*m^2", b = "30 mm" },
 ]
 g_angle = "-90 deg"

@@ -26,6 +26,14 @@ bool is_typed(const Reading& reading, const std::string& path) {
   return reading.typed.contains(path) && !is_of_record(reading, path);
 }
 
+bool is_found(const Reading& reading, const std::string& path) {
+  return std::any_of(reading.operands.begin(), reading.operands.end(), [&](const Operand& operand) {
+    const Expression& expression = operand.expression;
+    return operand.path == path && expression.is_reference() &&
+           !expression.references().front().path.starts_with("values.");
+  });
+}
+
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

@@ -26,6 +26,9 @@ std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results
 /// Whether the user typed the input: a record may have filled it.
 bool is_typed(const Reading& reading, const std::string& path);
 
+/// Whether the input is the value of another step as it is; a product with it is typed.
+bool is_found(const Reading& reading, const std::string& path);
+
 /// The value of largest magnitude of those that are known.
 double largest_magnitude(const Value& value);
 

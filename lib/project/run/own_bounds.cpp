@@ -10,15 +10,6 @@ namespace loadpath::project {
 
 namespace {
 
-/// Whether the input is a result of another step.
-bool is_found(const Reading& reading, const std::string& path) {
-  const auto is_of_step = [](const Expression::Reference& reference) { return !reference.path.starts_with("values."); };
-  return std::any_of(reading.operands.begin(), reading.operands.end(), [&](const Operand& operand) {
-    const auto& references = operand.expression.references();
-    return operand.path == path && std::any_of(references.begin(), references.end(), is_of_step);
-  });
-}
-
 /// Whether a load of the step comes from something that has the key too: "press.links.rod.N" from what has a length.
 bool source_has(const Reading& reading, const std::string& key, const Known& known) {
   const auto has = [&](const Expression::Reference& reference) {

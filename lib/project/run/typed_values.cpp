@@ -113,11 +113,12 @@ bool is_lower_in_the_first(const ResultSeries& first, const Results& second) {
          largest_magnitude(first.value) < largest_magnitude(same->value);
 }
 
-/// Whether a value is so far outside its usual range that its unit may be wrong: by a quarter.
+/// Whether a value that no step has found is so far outside its usual range that its unit may be wrong: by a quarter.
 bool is_far_from_usual(const Evaluation& evaluation, const Neighbour& beside) {
   constexpr double far = 1.25;
   const double typed = unusual_value(evaluation, beside);
   const Range& usual = beside.leaf.field->plausible;
+  if (is_found(evaluation.step().input().reading, beside.path)) return false;
   return typed > far * usual.high || typed < usual.low / far;
 }
 

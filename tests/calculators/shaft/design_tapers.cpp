@@ -240,7 +240,7 @@ TEST_SUITE("shaft tapers") {
     CHECK(contains(messages(cone_end("", "d = \"60 mm\", d_2 = \"40 mm\", d_bore = \"45 mm\"")), "bore of a piece"));
     CHECK_FALSE(Solved(cone_end("", "d = \"30 mm\", d_2 = \"inf mm\"")).errors().empty());
     CHECK_FALSE(Solved(cone_end("", "d = \"30 mm\", d_2 = \"?\"")).errors().empty());
-    CHECK(contains(messages(cone_end("S_F = 1.5\n", "d = \"?\", d_2 = \"40 mm\"")), "no sizes go together"));
+    CHECK(contains(messages(cone_end("S_F = 1.5\n", "d = \"?\", d_2 = \"40 mm\"")), "no combination of sizes"));
     CHECK(contains(messages(cone_end("d_h = \"50 mm\"\n", "d = \"60 mm\", d_2 = \"40 mm\"")), "heat treatment"));
     CHECK(contains(messages(cone_end("", "d = \"30 mm\", d_2 = \"30 mm\"")), "'pieces.cone.d_2' has no effect") ==
           false);

@@ -202,6 +202,7 @@ TEST_SUITE("found routes") {
     CHECK(stress("T_1 = \"=t.shafts[2].T\"\nn_1 = \"=t.shafts[2].n\"\n") == "pass");
     CHECK(stress("T_1 = \"=t.shafts[2].T\"\nn_1 = \"512.3 rpm\"\n") == "pass");
     CHECK(stress("T_1 = \"=t.shafts[2].T\"\nn_1 = \"51 rpm\"\n") == "not-judged");
+    CHECK(stress("T_1 = \"=t.shafts[2].T\"\nn_1 = \"=t.shafts[3].n\"\n") == "not-judged");
     CHECK(stress("P = \"=t.P\"\nn_1 = \"512.28 rpm\"\n") == "pass");  // of the second shaft, whose power is the same
   }
 
@@ -212,6 +213,38 @@ TEST_SUITE("found routes") {
     CHECK(core("355 MPa") != "not-judged");
     CHECK(core("3550 MPa") == "not-judged");
     CHECK(core("3550 MPa\"\nbecause.R_e = \"test of the wire") == "pass");
+  }
+
+  TEST_CASE("an allowable stress by an expression is bounded by the material that it refers to") {
+    const auto shaft = [](const std::string& tau_adm) {
+      return mode_of(
+          solved_as_found("[tables.materials.Plate]\nsource = \"certificate\"\nE = \"210 GPa\"\nG = \"81 GPa\"\n"
+                          "R_e = \"235 MPa\"\nR_m = \"400 MPa\"\n[s]\ncalculator = \"shaft.torsion\"\nT = \"5 kN*m\"\n"
+                          "d = \"60 mm\"\ntau_adm = \"=tables.materials.Plate." +
+                          tau_adm + "\"\n"),
+          "s", "yield");
+    };
+    CHECK(shaft("R_e") == "not-judged");
+    CHECK(shaft("R_m/2") == "not-judged");
+    CHECK(shaft("R_e/sqrt(3)/1.01") == "pass");
+  }
+
+  TEST_CASE("a force of a link comes with the length of the link") {
+    const auto column = [](const std::string& l) {
+      return mode_of(
+          solved_as_found(
+              "[press]\ncalculator = \"mechanism.planar\"\ntemplate = \"slider_crank\"\nr = \"50 mm\"\nl = \"200 mm\"\n"
+              "crank = { speed = \"60 rpm\", positions = 36 }\n"
+              "loads = [{ name = \"F\", link = \"slider\", at = \"B\", F_x = \"-2 kN\", F_y = \"0 N\" }]\n\n"
+              "[c]\ncalculator = \"column.buckling\"\nN = \"=press.links.rod.N\"\nd = \"12 mm\"\nends = "
+              "\"pinned_pinned\"\n"
+              "material = \"S355JR\"\nmethod = \"ec3\"\ngamma_M1 = 1.1\ngamma_F = 1.35\n" +
+              l),
+          "c", "buckling");
+    };
+    CHECK(column("") == "pass");
+    CHECK(column("l = \"200 mm\"\n") == "pass");
+    CHECK(column("l = \"60 mm\"\n") == "not-judged");
   }
 
   TEST_CASE("a stage that is given by its ratio says no teeth") {

@@ -47,7 +47,7 @@ constexpr auto held_inputs() {
       RecordField<Input>{"load", "the link of a mechanism, whole: load = \"=press.links.rod\""},
       Field<Input, Force>{&Input::N, "N", kN, "normal force, positive in tension"}.load().keeps_sign().may_be_missing(),
       Field<Input, Force>{&Input::P, "P", kN, "compressive force, in place of N"}.load().at_least(0).may_be_missing(),
-      Field<Input, Length>{&Input::l, "l", mm, "length between the ends"}.positive().usually(10, 1e5).most(),
+      Field<Input, Length>{&Input::l, "l", mm, "length between the ends"}.of_body().positive().usually(10, 1e5).most(),
       Choice<Input, Ends>{&Input::ends, "ends", "how the ends are held, about both axes"}.may_be_missing(),
       Choice<Input, Ends>{&Input::ends_y, "ends_y",
                           "how the ends are held where the bar bends about y, in place of ends"}

@@ -7,20 +7,33 @@
 
 namespace loadpath::project {
 
+namespace {
+
+/// The places in the lists of a step that references name: those of loads, else of all.
+struct Named {
+  std::set<std::string> by_loads, by_all;
+};
+
+}  // namespace
+
 std::vector<Source> sources_of(const Reading& reading) {
-  std::map<std::string, std::set<std::string>> places;
+  std::map<std::string, Named> places;
   for (const Operand& operand : reading.operands) {
     for (const auto& reference : operand.expression.references()) {
       const auto [step, path] = split_step(reference.path);
       if (step == "values") continue;
-      std::set<std::string>& named = places[step];
+      Named& named = places[step];
       const std::size_t open = path.find('['), close = path.find(']');
-      if (open < close && close != std::string::npos) named.insert(path.substr(open + 1, close - open - 1));
-      if (path.ends_with("_out")) named.insert("");  // behind the last place
+      std::string place;  // empty: behind the last one
+      if (open < close && close != std::string::npos) place = path.substr(open + 1, close - open - 1);
+      if (place.empty() && !path.ends_with("_out")) continue;
+      named.by_all.insert(place);
+      if (operand.leaf.field->is_load) named.by_loads.insert(place);
     }
   }
   std::vector<Source> sources;
-  for (const auto& [step, named] : places) {
+  for (const auto& [step, all] : places) {
+    const std::set<std::string>& named = all.by_loads.empty() ? all.by_all : all.by_loads;
     if (named.empty())
       sources.push_back({step, "1", true});
     else

@@ -3,6 +3,7 @@
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/project.hpp"
+#include "lib/project/references/references.hpp"
 #include "lib/project/references/sources.hpp"
 
 #include <algorithm>
@@ -154,6 +155,21 @@ double strength_of_part(const Evaluation& evaluation, const char* key) {
   return row ? largest_in_row(*row, key) : unknown;
 }
 
+/// A strength of the material whose row the expression of an input refers to, "=tables.materials.S355.R_e/1.5".
+double strength_referred_to(const Evaluation& evaluation, const std::string& path, const char* column) {
+  constexpr std::string_view materials = "tables.materials.";
+  const StepInput& step = evaluation.step().input();
+  for (const Operand& operand : step.reading.operands) {
+    if (operand.path != path) continue;
+    for (const auto& reference : operand.expression.references()) {
+      if (!reference.path.starts_with(materials)) continue;
+      const auto value = step.tables->value_at(prefix_of(reference.path) + column);
+      if (value) return value->value.si;
+    }
+  }
+  return unknown;
+}
+
 /// Whether at another size, or with another strength of the part, a stress may be on the other side of its bound.
 bool may_change(const Evaluation& evaluation, const char* column, double part, double typed) {
   const Inputs& inputs = evaluation.inputs();
@@ -175,7 +191,11 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
   for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
     const StrengthBound* const bound = is_typed(reading, path) ? bound_of(evaluation, path) : nullptr;
     if (bound == nullptr || !is_comparable(*leaf.field)) return;
-    const double strength = strength_of_part(evaluation, bound->column), whole = strength_of_part(evaluation, "R_m");
+    const auto strength_in = [&](const char* column) {
+      const double own = strength_of_part(evaluation, column);
+      return std::isnan(own) ? strength_referred_to(evaluation, path, column) : own;
+    };
+    const double strength = strength_in(bound->column), whole = strength_in("R_m");
     const bool lacks = std::isnan(strength);
     if (lacks && std::isnan(whole)) return;
     const double most = lacks ? whole : bound->part * strength;

@@ -213,9 +213,7 @@ class Settling {
   /// The record that a value belongs to: that which holds it, or the one handed over with it and its index, "gear_1"
   /// for T_1.
   static std::string record_of(const Step& source, const std::string& path) {
-    const auto is_record = [&](const std::string& c) {
-      return source.field(c) != nullptr && form_of(source, c) == Form::record;
-    };
+    const auto is_record = [&](const std::string& c) { return form_of(source, c) == Form::record; };
     if (path.find('.') != std::string::npos) {
       const std::string record = prefix_of(path).substr(0, path.rfind('.'));
       return is_record(record) ? record : "";

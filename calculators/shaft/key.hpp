@@ -242,6 +242,7 @@ R_e_k = "420 MPa"
           .by_companions(),
       Mode<Input>{"wall", "wall thickness of the hub above the keyway", &has_root<Input>}
           .judged_by("m_R, x_R")
+          .wanting("d_f")
           .of_shape(),
       overhang<Input>(),
       Mode<Input>{"fretting", "fretting of the seat", &unseen<Input>}.special(),

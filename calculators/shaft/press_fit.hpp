@@ -260,7 +260,7 @@ dT_adm = "250 K"
           .judged_by("u_n")
           .wanting("rho_1, rho_2")
           .special(),
-      Mode<Input>{"wall", "rim of the gear over the fit", &has_root<Input>}.judged_by("m_R").of_shape(),
+      Mode<Input>{"wall", "rim of the gear over the fit", &has_root<Input>}.judged_by("m_R").wanting("d_f").of_shape(),
       overhang<Input>(),
       Mode<Input>{"warmth", "interference that is lost where hub and shaft do not warm alike",
                   [](const Input& in) { return is_set(in.dT_1) || is_set(in.dT_2) ? Applies::no : Applies::unseen; }}

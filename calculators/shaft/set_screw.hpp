@@ -140,7 +140,10 @@ S = 2
       Mode<Input>{"screw", "holding force of a set screw of unknown size",
                   [](const Input& in) { return where(!is_set(in.d_s)); }}
           .wanting("d_s"),
-      Mode<Input>{"wall", "thread length in the wall of the hub", &has_root<Input>}.judged_by("m_R, x_R").of_shape(),
+      Mode<Input>{"wall", "thread length in the wall of the hub", &has_root<Input>}
+          .judged_by("m_R, x_R")
+          .wanting("d_f")
+          .of_shape(),
       Mode<Input>{"safety", "a safety below that which tests of this load case ask for", &loaded}.judged_by("u_S"),
       Mode<Input>{"bore", "the wall of a hollow shaft pushed in by the point",
                   [](const Input& in) { return where(in.d_bore > 0.0 * mm); }},

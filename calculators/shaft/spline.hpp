@@ -216,7 +216,10 @@ R_e_2 = "300 MPa"
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),
       Mode<Input>{"seat", "a hub that tilts by the forces that come with the torque", &unseen<Input>}.by_companions(),
-      Mode<Input>{"wall", "wall of the hub under the root circle", &has_root<Input>}.judged_by("m_R, x_R").of_shape(),
+      Mode<Input>{"wall", "wall of the hub under the root circle", &has_root<Input>}
+          .judged_by("m_R, x_R")
+          .wanting("d_f")
+          .of_shape(),
       overhang<Input>(),
       Mode<Input>{"notch_factors", "fatigue of the shaft with notch factors lower than those of splines", &low_factors}
           .advising("give beta_b and beta_t of DIN 743, or their source: accept.notch_factors = \"...\""),

@@ -31,6 +31,12 @@ struct Rolling {
       "speed, and the axial load that the kind can take. Lubricant and dirt (a_ISO), swinging and tilt are not "
       "covered.";
   static constexpr auto source = "[ISO281], [ISO76]";
+  static constexpr auto synonyms =
+      "rolling bearing, ball bearing, roller bearing, deep groove ball bearing, angular contact, tapered roller, "
+      "basic rating life, L10, ISO 281, ISO 76, static safety, equivalent load, Wälzlager, Kugellager, "
+      "Rillenkugellager, Lagerlebensdauer, Lebensdauer, bearing life, L10h, tapered roller bearing, "
+      "cylindrical roller bearing, Rollenlager, подшипник качения, шариковый подшипник, долговечность, "
+      "динамическая грузоподъёмность, подшипник";
   static constexpr bool takes_series = false;  // one life for all loads
   static constexpr auto example = R"([project]
 title = "Bearing 6208 of a gear shaft"

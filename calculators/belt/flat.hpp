@@ -30,6 +30,10 @@ struct Flat {
       "synthetic belts to 100 m/s. What shafts take whole is the larger pull, in running or at standstill. Rollers on "
       "the belt: belt.course. The life of the belt is not covered.";
   static constexpr auto source = "[B40], [Shigley-17]";
+  static constexpr auto synonyms =
+      "flat belt, belt drive, Euler-Eytelwein, capstan equation, wrap angle, initial tension, crossed belt, "
+      "open belt, Flachriemen, Riementrieb, Umschlingungswinkel, Vorspannung, belt, плоскоремённая передача, "
+      "ремень, формула Эйлера";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Fan drive with a flat belt"

@@ -31,6 +31,9 @@ struct Roller {
       "pull, "
       "pressure in the joints, static safety against breaking, load of the shafts. Life is not covered.";
   static constexpr auto source = "[ASME-B29], [B40], [ISO10823]";
+  static constexpr auto synonyms =
+      "roller chain, chain drive, sprocket, ISO 606, ISO 10823, chain pull, chordal action, polygon effect, "
+      "Rollenkette, Kettentrieb, Kettenrad, Polygoneffekt, chain, Kette, цепная передача, роликовая цепь, звёздочка";
   static constexpr auto example = R"([project]
 title = "Chain from a gear motor to a conveyor"
 

@@ -34,6 +34,11 @@ struct Buckling {
       "Flexural buckling; a bar in tension is judged by its plain stress N/A alone, without holes; torsional buckling, "
       "thin-walled sections of class 4 and transverse loads are not covered.";
   static constexpr auto source = "[B25], [Johnson], [Rankine], [Gere], [EN1993-1-1-buckling], [AISC360], [SP16]";
+  static constexpr auto synonyms =
+      "column, strut, buckling, Euler, Johnson, Tetmajer, Yasinsky, Rankine, secant formula, slenderness, "
+      "effective length, EN 1993-1-1, AISC 360, SP 16, compression member, Knickung, Knickstab, Knicklänge, "
+      "Schlankheit, Stabilität, flexural buckling, critical load, Euler load, Eulerlast, устойчивость, "
+      "продольный изгиб, сжатый стержень, гибкость, Эйлер, Ясинский";
   static constexpr auto example = R"([project]
 title = "Piston rod"
 

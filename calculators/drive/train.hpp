@@ -28,6 +28,10 @@ struct Train : TrainTypes {
       "Ratio, speeds, torques, powers and efficiencies through any chain of stages: gears, belts with slip, chains, "
       "worms, planetary sets; what every shaft carries. Branched trains are not covered.";
   static constexpr auto source = "[B40]";
+  static constexpr auto synonyms =
+      "drive train, gear train, gearbox, transmission, speed ratio, efficiency, worm gear, stages, reducer, "
+      "Getriebe, Antriebsstrang, Übersetzung, Wirkungsgrad, Schneckengetriebe, power flow, привод, редуктор, "
+      "передаточное отношение, КПД";
   static constexpr auto example = R"([project]
 title = "Drive of a conveyor"
 

@@ -21,6 +21,9 @@ struct AngularMomentumChange {
       "Angular speed after parts on one axis change their inertia, are coupled, driven or braked by a constant moment, "
       "or the time that this takes; energy that comes from inside or is lost.";
   static constexpr auto source = "[B33], [B36]";
+  static constexpr auto synonyms =
+      "angular momentum, moment of momentum, coupling of shafts, clutch engagement, spin-up, Drehimpuls, Drall, "
+      "Drallsatz, Kupplungsvorgang, кинетический момент, момент количества движения";
   static constexpr auto example = R"toml([project]
 title = "A ball on a thread"
 

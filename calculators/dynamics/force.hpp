@@ -26,6 +26,9 @@ struct ForceOfMotion {
       "Resultant force on a mass that moves by the law x(t), y(t), z(t), its parts along the path, the inertia force, "
       "and the force that is missing beside known ones. Laws must be smooth.";
   static constexpr auto source = "[B32]";
+  static constexpr auto synonyms =
+      "inverse dynamics, Newton second law, inertia force, D'Alembert, force from motion, equation of motion, "
+      "Newtonsches Grundgesetz, Trägheitskraft, сила инерции, второй закон Ньютона, принцип Даламбера";
   static constexpr auto example = R"toml([project]
 title = "A point on an ellipse"
 

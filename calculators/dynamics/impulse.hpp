@@ -24,6 +24,9 @@ struct Impulse {
       "Impulse of a force F(t), mean force, and the velocity of a mass after it, by the theorem of momentum. The force "
       "is a smooth law of time over the range.";
   static constexpr auto source = "[B33]";
+  static constexpr auto synonyms =
+      "impulse, momentum, mean force, impulse-momentum theorem, Kraftstoß, Impulssatz, импульс силы, "
+      "теорема об изменении количества движения";
   static constexpr auto example = R"toml([project]
 title = "A blow"
 

@@ -25,6 +25,10 @@ struct Lift {
       "Acceleration, speed and time over a path of a system of one freedom: weights on threads and tracks, drums and "
       "pulleys with bearing friction and driving moments; whether it starts, which way, and whether it gets there.";
   static constexpr auto source = "[B37]";
+  static constexpr auto synonyms =
+      "hoist, lift, elevator, winch, drum, pulley, block and tackle, rope, counterweight, inclined track, "
+      "Atwood machine, Hubwerk, Seiltrommel, Winde, Aufzug, Flaschenzug, Seilrolle, лебёдка, подъёмник, барабан, "
+      "блок, полиспаст, лифт";
   static constexpr auto example = R"toml([project]
 title = "Three bodies and a thread"
 

@@ -22,6 +22,9 @@ struct WorkAndEnergy {
       "Works of weight, friction, a constant force and a spring over a straight path, the speed at its end, time and "
       "power; whether the body gets there, and how far it would. Dry friction by a constant coefficient.";
   static constexpr auto source = "[B34]";
+  static constexpr auto synonyms =
+      "work, energy, work-energy theorem, kinetic energy, power, sliding friction, spring, inclined plane, Arbeit, "
+      "Arbeitssatz, kinetische Energie, schiefe Ebene, работа, кинетическая энергия, трение скольжения";
   static constexpr auto example = R"toml([project]
 title = "A body that slides down"
 

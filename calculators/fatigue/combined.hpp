@@ -29,6 +29,10 @@ struct Combined {
       "stress rules, Gough and Pollard, side by side; yielding at the first cycle. Not covered: stresses out of phase, "
       "brittle metals, finite life. Recalled: psi by R_m.";
   static constexpr auto source = "[GOST25504], [Gough], [Shigley6]";
+  static constexpr auto synonyms =
+      "combined stress, multiaxial fatigue, proportional, in phase, bending and torsion fatigue, Gough-Pollard, "
+      "von Mises, Serensen, zusammengesetzte Beanspruchung, Biegung und Torsion, сложное напряжённое состояние, "
+      "Гаф-Поллард, запас прочности";
   static constexpr auto example = R"([project]
 title = "Shoulder of a shaft that turns and drives"
 

@@ -30,6 +30,10 @@ struct Cycle {
       "cycles; normal and shear stresses alike. The largest stress against yielding, the amplitude against a fatigue "
       "limit of r = -1 where the mean stress is no tension. Mean stress and life: fatigue.life.";
   static constexpr auto source = "[B20]";
+  static constexpr auto synonyms =
+      "stress cycle, amplitude, mean stress, stress ratio, R ratio, alternating stress, pulsating stress, fatigue, "
+      "Spannungsamplitude, Mittelspannung, Spannungsverhältnis, Schwellbeanspruchung, Wechselbeanspruchung, "
+      "цикл напряжений, амплитуда, коэффициент асимметрии";
   static constexpr auto example = R"([project]
 title = "Cycle of a connecting rod"
 

@@ -34,6 +34,11 @@ struct Endurance : EnduranceTypes {
       "not covered. Recalled: Peterson's notch sensitivity, that of cast iron, the 11th edition but for ground "
       "surfaces.";
   static constexpr auto source = "[B20], [DIN743], [FKM], [GOST25504], [Shigley6]";
+  static constexpr auto synonyms =
+      "fatigue limit, endurance limit, Marin factors, surface factor, size factor, notch sensitivity, "
+      "fatigue notch factor, stress concentration, reliability factor, Dauerfestigkeit, Wechselfestigkeit, "
+      "Kerbwirkungszahl, Größenfaktor, Oberflächenfaktor, предел выносливости, коэффициент концентрации, "
+      "масштабный фактор, Серенсен";
   static constexpr auto example = R"([project]
 title = "Shoulder of a shaft"
 

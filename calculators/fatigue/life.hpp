@@ -34,6 +34,10 @@ struct Life {
       "histories, low cycles below 1e3, shear beside normal stresses, creep, corrosion. Recalled: the fit of f, of "
       "gamma, and of psi.";
   static constexpr auto source = "[Dowling9], [FKM], [GOST25504], [Shigley6]";
+  static constexpr auto synonyms =
+      "fatigue life, Goodman, modified Goodman, Soderberg, Gerber, ASME elliptic, Morrow, SWT, Walker, "
+      "Haigh diagram, mean stress, S-N curve, Basquin, infinite life, finite life, Haigh-Diagramm, Smith-Diagramm, "
+      "Dauerfestigkeit, Zeitfestigkeit, Lebensdauer, запас выносливости, долговечность, диаграмма Хея";
   static constexpr auto example = R"([project]
 title = "Rod that is pulled"
 

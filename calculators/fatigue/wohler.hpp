@@ -26,6 +26,10 @@ struct Wohler {
       "or "
       "conventional strength. Staircase statistics and extrapolation beyond the tests are not covered.";
   static constexpr auto source = "[B20], [E739], [ISO12107]";
+  static constexpr auto synonyms =
+      "S-N curve, Wöhler curve, SN curve, Basquin, fatigue tests, regression, scatter, run-out, "
+      "survival probability, Wöhlerlinie, Wöhlerversuch, Zeitfestigkeit, Durchläufer, кривая усталости, "
+      "кривая Вёлера";
   static constexpr auto example = R"([project]
 title = "Rotating bending of smooth bars"
 

@@ -34,6 +34,11 @@ struct Pair {
       "ratios, tooth thickness and base-tangent length, tooth forces with their directions, bending by Lewis as a "
       "static first estimate. Pitting and the rating of ISO 6336 are not covered.";
   static constexpr auto source = "[ISO21771], [Lewis]";
+  static constexpr auto synonyms =
+      "gear, spur gear, helical gear, internal gear, rack and pinion, pinion, profile shift, addendum modification, "
+      "contact ratio, base tangent length, Lewis, tooth force, ISO 21771, Stirnrad, Stirnradpaar, Zahnrad, "
+      "Profilverschiebung, Verzahnung, cylindrical gear, centre distance, tooth root stress, Zahnfußspannung, "
+      "Achsabstand, зубчатая передача, цилиндрическая передача, зубчатое колесо, шестерня, модуль";
   static constexpr auto example = R"([project]
 title = "First stage of a reducer"
 

@@ -36,6 +36,10 @@ struct Member {
       "links "
       "and bending out of the plane are not covered.";
   static constexpr auto source = "[Gere], [Mises], [B25], [EN1993-1-1-LTB], [Narrow-beam]";
+  static constexpr auto synonyms =
+      "link, connecting rod, rod, rocker, beam-column, combined bending and compression, buckling, internal forces, "
+      "two-force member, Pleuel, Koppel, Stab, Biegung mit Druck, Knicken, звено, шатун, коромысло, "
+      "сжато-изогнутый стержень";
   static constexpr auto example = R"([project]
 title = "Connecting rod"
 

@@ -29,6 +29,10 @@ struct Flywheel {
       "a "
       "given flywheel, the speeds that it swings between, and the mean power of the motor. Periodic motion.";
   static constexpr auto source = "[Khurmi-16], [B36]";
+  static constexpr auto synonyms =
+      "flywheel, speed fluctuation, coefficient of fluctuation, degree of irregularity, cyclic irregularity, "
+      "motor power, Schwungrad, Ungleichförmigkeitsgrad, Massenträgheitsmoment, маховик, "
+      "коэффициент неравномерности хода";
   static constexpr auto example = R"toml([project]
 title = "Flywheel of an engine"
 

@@ -26,6 +26,10 @@ struct RunUp {
       "Time, turns and energies of a run from one speed to another along the moment lines of motor or brake and load; "
       "whether the motor gets there at all. Rigid shafts, moments that depend on the speed only.";
   static constexpr auto source = "[B36], [B37]";
+  static constexpr auto synonyms =
+      "run-up, start-up, starting time, acceleration time, braking time, torque-speed curve, motor start, stalling, "
+      "Anlauf, Hochlauf, Hochlaufzeit, Bremszeit, Drehmomentkennlinie, разгон, торможение, время пуска, "
+      "механическая характеристика";
   static constexpr auto example = R"toml([project]
 title = "A fan that runs up"
 

@@ -347,6 +347,7 @@ const Calculator& erased<planar::Mechanism>() {
     c.id = planar::Mechanism::id;
     c.title = planar::Mechanism::title;
     c.scope = planar::Mechanism::scope;
+    c.synonyms = planar::Mechanism::synonyms;
     c.source = planar::Mechanism::source;
     c.used_sources = &planar::occasional_sources;
     c.example = planar::Mechanism::example;

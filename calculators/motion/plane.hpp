@@ -27,6 +27,9 @@ struct Plane : PlaneTypes {
       "of "
       "two of its points; velocities of further points, and accelerations where that of A is given. One instant.";
   static constexpr auto source = "[B29], [B28]";
+  static constexpr auto synonyms =
+      "plane motion, rigid body kinematics, instantaneous centre, instant centre of rotation, relative velocity, "
+      "ebene Bewegung, Momentanpol, плоское движение, мгновенный центр скоростей, плоскопараллельное движение";
   static constexpr auto example = R"toml([project]
 title = "A rod that slides down a wall"
 

@@ -26,6 +26,9 @@ struct Rotation {
       "Angular speed and acceleration from the law of rotation phi(t); speed and acceleration of a point of the body; "
       "turns over a range of time. Laws must be smooth.";
   static constexpr auto source = "[B28]";
+  static constexpr auto synonyms =
+      "rotation, angular velocity, angular acceleration, revolutions, fixed axis, Drehung um feste Achse, "
+      "Winkelgeschwindigkeit, Winkelbeschleunigung, вращение вокруг неподвижной оси, угловая скорость";
   static constexpr auto example = R"toml([project]
 title = "A shaft that runs up"
 

@@ -41,6 +41,10 @@ struct Joint {
       "pressure times speed where it turns. The walls of eye and fork are left to pin.lug; a bored pin that turns oval "
       "is not covered.";
   static constexpr auto source = "[RM-9], [Bhandari-4], [Mises]";
+  static constexpr auto synonyms =
+      "clevis pin, pin joint, fork pin, gudgeon pin, wrist pin, hinge pin, knuckle joint, bearing pressure, "
+      "pv value, Bolzenverbindung, Gabel, Gelenkbolzen, Flächenpressung, clevis, Bolzen, Gelenk, палец, "
+      "шарнирный палец, ось шарнира, вилка, проушина";
   static constexpr auto example = R"([project]
 title = "Pin of a fork"
 

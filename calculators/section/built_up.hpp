@@ -28,6 +28,9 @@ struct BuiltUp : BuiltUpTypes {
       "parts' own, a lower bound: closed cells that the parts form would add to it. Connection is not "
       "checked; warping is not covered.";
   static constexpr auto source = "[Garrison], [ME102]";
+  static constexpr auto synonyms =
+      "built-up section, composite section, compound section, plate girder, welded section, parallel axis theorem, "
+      "Steiner, zusammengesetzter Querschnitt, Steinerscher Satz, составное сечение, теорема Штейнера";
   static constexpr auto example = R"([project]
 title = "Two channels, toes outwards, with a plate below"
 

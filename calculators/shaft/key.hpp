@@ -30,6 +30,10 @@ struct Key {
       "to the shaft, and bears in the hub; the wall of the hub under the root circle of a gear, sprocket or pulley. "
       "The shaft at the end of its seat and fretting are not covered.";
   static constexpr auto source = "[DIN6892], [Mises]";
+  static constexpr auto synonyms =
+      "key, parallel key, feather key, keyway, keyseat, shaft-hub connection, bearing pressure, DIN 6892, DIN 6885, "
+      "Passfeder, Passfedernut, Welle-Nabe-Verbindung, Flächenpressung, шпонка, призматическая шпонка, "
+      "шпоночный паз, шпоночное соединение, смятие";
   static constexpr auto example = R"([project]
 title = "Wheel on a shaft of 50 mm"
 

@@ -26,6 +26,10 @@ struct Overhung {
       "act at the same time; stresses at the chosen diameter. Static strength. Fatigue, notches and deflection are not "
       "covered.";
   static constexpr auto source = "[B19], [Mises]";
+  static constexpr auto synonyms =
+      "overhung shaft, cantilever shaft, shaft end, crankshaft end, bending and torsion, equivalent moment, "
+      "von Mises, Tresca, fliegende Lagerung, Wellenende, Biegung und Torsion, Vergleichsmoment, overhang, Welle, "
+      "консоль вала, изгиб с кручением, эквивалентный момент, вал";
   static constexpr auto example = R"([project]
 title = "Crank on an overhang"
 

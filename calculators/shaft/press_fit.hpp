@@ -33,6 +33,10 @@ struct PressFit {
       "and axial force, yield of both rings, force to press it on or heat to shrink it, loss of "
       "interference at speed. Fatigue at the edge of the hub is not covered.";
   static constexpr auto source = "[Lame], [DIN7190]";
+  static constexpr auto synonyms =
+      "interference fit, press fit, shrink fit, force fit, interference, oversize, Lamé, DIN 7190, slip, "
+      "pressing force, joining temperature, Pressverband, Presssitz, Querpressverband, Längspressverband, "
+      "Schrumpfverbindung, Übermaß, Fugendruck, посадка с натягом, прессовое соединение, натяг, соединение с натягом";
   static constexpr auto example = R"([project]
 title = "Gear shrunk on a hollow shaft"
 

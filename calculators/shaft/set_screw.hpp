@@ -27,6 +27,9 @@ struct SetScrew {
       "Torque and force along the shaft that one set screw or two hold by their points, with the safety that tests of "
       "makers ask for. Loosening by vibration and the dent in the shaft are not covered.";
   static constexpr auto source = "[SPS]";
+  static constexpr auto synonyms =
+      "set screw, grub screw, cup point, hub fastening, holding power, axial holding force, Gewindestift, "
+      "Stellschraube, Madenschraube, установочный винт, стопорный винт";
   static constexpr auto example = R"([project]
 title = "Pulley of a small fan"
 

@@ -23,6 +23,9 @@ struct Cone {
       "Bending at the junction with a cylinder, knuckles, weight of the wall, external pressure and fatigue are not "
       "covered.";
   static constexpr auto source = "[B24], [ExpertsMind-cone], [Mises]";
+  static constexpr auto synonyms =
+      "pressure vessel, cone, hopper, conical shell, reducer, Kegel, Trichter, Kegelschale, коническая оболочка, "
+      "конический сосуд, воронка";
   static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Hopper bottom"

@@ -23,6 +23,10 @@ struct Cylinder {
       "Membrane stresses, static. Nozzles, junctions with the ends, weight of the wall, external pressure and fatigue "
       "are not covered.";
   static constexpr auto source = "[B24], [Lame], [Mises]";
+  static constexpr auto synonyms =
+      "pressure vessel, cylinder, pipe, hoop stress, boiler formula, membrane stress, wall thickness, "
+      "weld efficiency, corrosion allowance, Druckbehälter, Kesselformel, Umfangsspannung, Wanddicke, "
+      "сосуд давления, цилиндрическая оболочка, котельная формула, толщина стенки";
   static constexpr auto example = R"([project]
 title = "Air receiver"
 

@@ -22,6 +22,9 @@ struct Sphere {
       "Wall of a sphere under internal pressure of gas and of a liquid that a ring holds. Membrane stresses, static. "
       "Bending beside the ring, nozzles, weight of the wall, external pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Lame], [Mises]";
+  static constexpr auto synonyms =
+      "pressure vessel, sphere, spherical tank, gas holder, membrane stress, Kugelbehälter, Kugel, Druckbehälter, "
+      "сферический резервуар, сферическая оболочка";
   static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Gas holder"

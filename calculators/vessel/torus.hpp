@@ -22,6 +22,9 @@ struct Torus {
       "Wall of a ring-shaped vessel of circular section under internal gas pressure; also a smooth pipe bend. Membrane "
       "stresses, static. Ovality, bending at the crown, external pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Mises]";
+  static constexpr auto synonyms =
+      "torus, toroidal shell, pipe bend, elbow, membrane stress, Rohrbogen, Torusschale, тор, "
+      "тороидальная оболочка, отвод";
   static constexpr auto example = R"([project]
 title = "Ring main"
 

@@ -19,6 +19,9 @@ struct VSizing : VSizingTypes {
       "centre distance, on one basis; the best one with its whole calculation, or where none passes the one that comes "
       "nearest, with the most belts that are allowed. Covers what belt.v covers.";
   static constexpr auto source = V::source;
+  static constexpr auto synonyms =
+      "V-belt selection, V-belt sizing, belt selection, standard pulley, standard belt length, catalogue selection, "
+      "Keilriemenauswahl, Riemenauslegung, подбор клинового ремня, подбор ремня";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Fan drive"

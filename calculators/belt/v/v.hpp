@@ -31,6 +31,9 @@ struct V : VTypes {
       "speeds and lengths that the basis rates. A life is given only where the basis states one. What shafts take "
       "whole is the largest pull: in running, at standstill or of new belts.";
   static constexpr auto source = "[B40], [GOST1284.3], [Optibelt-V]";
+  static constexpr auto synonyms =
+      "V-belt, wedge belt, narrow V-belt, SPZ, SPA, SPB, belt drive, power rating, ISO 5292, GOST 1284.3, Optibelt, "
+      "Keilriemen, Schmalkeilriemen, Riementrieb, belt, клиноремённая передача, клиновой ремень";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Compressor with wedge belts"

@@ -28,6 +28,9 @@ struct Lightest : LightestTypes {
       "material each section has the yield strength of its own thickness; those thicker than it is given for are not "
       "judged.";
   static constexpr auto source = Buckling::source;
+  static constexpr auto synonyms =
+      "column selection, section selection, lightest section, optimum column, IPE, HEA, RHS, CHS, strut selection, "
+      "Profilauswahl, Stützenbemessung, подбор сечения, колонна, стойка";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Column of a platform"

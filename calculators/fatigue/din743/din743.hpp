@@ -33,6 +33,10 @@ struct Din743 {
       "a "
       "hard surface layer. Recalled: 1.15 of two keyways in torsion.";
   static constexpr auto source = "[DIN743]";
+  static constexpr auto synonyms =
+      "DIN 743, shaft fatigue, safety factor, notch factor, keyway, shoulder, groove, press fit, "
+      "Tragfähigkeit von Wellen, Sicherheitsnachweis, Dauerfestigkeit, Kerbwirkungszahl, Welle, "
+      "расчёт вала на выносливость, запас прочности";
   static constexpr auto example = R"([project]
 title = "Shoulder of a gear shaft"
 

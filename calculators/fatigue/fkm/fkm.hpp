@@ -33,6 +33,10 @@ struct Fkm {
       "250 "
       "mm, 1050 MPa.";
   static constexpr auto source = "[FKM], [PragTic], [4ming], [DIN743]";
+  static constexpr auto synonyms =
+      "FKM, FKM guideline, nominal stress, static strength assessment, fatigue strength assessment, "
+      "degree of utilisation, FKM-Richtlinie, Auslastungsgrad, Nennspannung, Festigkeitsnachweis, запас прочности, "
+      "выносливость";
   static constexpr auto example = R"([project]
 title = "Shoulder of a gear shaft"
 

@@ -34,6 +34,11 @@ struct History : HistoryTypes {
       "the curve of a part or of a welded detail; how often the history can be borne; yield. One nominal stress. "
       "Recalled: the consistent rule and that of Liu and Zenner.";
   static constexpr auto source = "[E1049], [HCM], [Miner], [Haibach], [EN1993-1-9], [DNVC203], [FKM]";
+  static constexpr auto synonyms =
+      "rainflow, cycle counting, Miner, Palmgren-Miner, damage sum, load spectrum, load history, "
+      "variable amplitude, blocks, Haibach, HCM, ASTM E1049, welded detail, FAT class, detail category, "
+      "EN 1993-1-9, DNV-RP-C203, Lastkollektiv, Betriebsfestigkeit, Schadenssumme, Rainflow-Zählung, "
+      "спектр нагрузок, линейное суммирование повреждений, метод дождя";
   static constexpr auto example = R"([project]
 title = "A bracket under three blocks of load"
 

@@ -32,6 +32,10 @@ struct Multiaxial {
       "and Dang Van side by side, von Mises in phase beside them; the plane, its amplitude by the smallest circle; "
       "yielding. Not covered: finite life, brittle metals, stresses across the surface.";
   static constexpr auto source = "[Findley], [Matake], [Crossland], [DangVan], [Mises]";
+  static constexpr auto synonyms =
+      "multiaxial fatigue, non-proportional, out of phase, critical plane, Findley, Matake, Crossland, Dang Van, "
+      "mehrachsige Ermüdung, kritische Schnittebene, nichtproportional, многоосная усталость, "
+      "непропорциональное нагружение";
   static constexpr auto example = R"([project]
 title = "Hollow shaft, bending and torsion a quarter of a turn apart"
 

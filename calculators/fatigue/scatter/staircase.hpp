@@ -29,6 +29,9 @@ struct Staircase {
       "which its scatter can be told; scatter T_S, strength at a survival probability. Not covered: the confidence of "
       "a small sample, maximum likelihood.";
   static constexpr auto source = "[DixonMood], [ISO12107]";
+  static constexpr auto synonyms =
+      "staircase method, up-and-down method, Dixon-Mood, fatigue limit test, scatter, survival probability, "
+      "Treppenstufenverfahren, Dauerfestigkeitsversuch, метод лестницы";
   static constexpr auto example = R"([project]
 title = "Staircase of twenty bars"
 

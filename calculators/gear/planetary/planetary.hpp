@@ -31,6 +31,10 @@ struct Planetary : PlanetaryTypes {
       "Speeds, torques, powers and efficiency of sun, carrier and ring by Willis, with any member held or none; "
       "conditions of assembly, meshes of sun, planets and ring. Tooth losses only; strength is not covered.";
   static constexpr auto source = "[Willis], [Mueller]";
+  static constexpr auto synonyms =
+      "planetary gear, epicyclic gear, sun gear, ring gear, carrier, planet, Willis equation, assembly condition, "
+      "efficiency, Planetengetriebe, Umlaufgetriebe, Sonnenrad, Hohlrad, Planetenträger, gear, "
+      "планетарная передача, планетарный механизм, сателлит, водило";
   static constexpr auto example = R"([project]
 title = "Planetary stage of a winch"
 

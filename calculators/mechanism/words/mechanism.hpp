@@ -29,6 +29,13 @@ struct Mechanism {
       "counts "
       "as an error of outputs, elasticity is not covered.";
   static constexpr auto source = "[A10], [B29], [B31], [D3]";
+  static constexpr auto synonyms =
+      "mechanism, linkage, four-bar linkage, slider-crank, crank mechanism, slotted lever, scotch yoke, "
+      "toggle press, cam, follower, kinematics, kinetostatics, inverse dynamics, joint reaction, driving torque, "
+      "balancing, virtual power, Zhukovsky lever, Assur group, Koppelgetriebe, Kurbelgetriebe, Getriebe, "
+      "Kinetostatik, Gelenkkraft, machine dynamics, Mechanismus, Kurvengetriebe, Kurvenscheibe, механизм, "
+      "рычажный механизм, кривошипно-ползунный механизм, кулисный механизм, кулачок, кинетостатика, реакции, "
+      "группа Ассура, рычаг Жуковского";
   static constexpr auto example = R"([project]
 title = "Slider-crank"
 

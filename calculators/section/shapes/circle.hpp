@@ -13,6 +13,10 @@ struct Circle : ShapeCalculator<Circle> {
   static constexpr auto scope =
       "Area, second moments, moduli and torsion constant of a solid circle. Origin of the sketch: its centre.";
   static constexpr auto source = "[B19]";
+  static constexpr auto synonyms =
+      "circle, round bar, rod, section properties, second moment of area, moment of inertia of area, "
+      "section modulus, torsion constant, polar moment, Kreisquerschnitt, Flächenträgheitsmoment, "
+      "Widerstandsmoment, круг, круглое сечение, момент инерции сечения, момент сопротивления";
   static constexpr auto example = R"([project]
 title = "Solid round bar"
 

@@ -13,6 +13,9 @@ struct Ellipse : ShapeCalculator<Ellipse> {
   static constexpr auto scope =
       "Area, second moments, moduli and torsion constant of a solid ellipse. Origin of the sketch: its centre.";
   static constexpr auto source = "[Anexa-BMOM]";
+  static constexpr auto synonyms =
+      "ellipse, elliptical bar, section properties, torsion constant, Ellipsenquerschnitt, эллипс, "
+      "эллиптическое сечение";
   static constexpr auto example = R"([project]
 title = "Oval bar"
 

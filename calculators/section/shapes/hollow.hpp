@@ -19,6 +19,9 @@ struct Hollow : ShapeCalculator<Hollow> {
       "formula of EN 10210-2 for thin closed walls, with its limit. Local buckling of thin walls is not "
       "covered.";
   static constexpr auto source = "[Garrison], [EN10210-2]";
+  static constexpr auto synonyms =
+      "rectangular hollow section, RHS, SHS, box section, square tube, EN 10210, EN 10219, Hohlprofil, "
+      "Kastenquerschnitt, Vierkantrohr, коробчатое сечение, прямоугольная труба";
   static constexpr auto example = R"([project]
 title = "SHS 100x5 from its dimensions"
 

@@ -14,6 +14,9 @@ struct Rectangle : ShapeCalculator<Rectangle> {
       "Area, second moments, moduli and torsion constant (series of Saint-Venant) of a rectangle of width b and "
       "height h. Origin of the sketch: its centre.";
   static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto synonyms =
+      "rectangle, flat bar, square, plate strip, section properties, torsion of a rectangle, Rechteck, "
+      "Rechteckquerschnitt, Flachstahl, прямоугольник, прямоугольное сечение, полоса";
   static constexpr auto example = R"([project]
 title = "Flat bar"
 

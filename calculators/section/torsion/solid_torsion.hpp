@@ -37,6 +37,10 @@ struct SolidTorsion {
       "corners of its contour and of its holes, at most 40 in all, by Prandtl's stress function. The stress at inner "
       "corners, held warping and fatigue are not covered.";
   static constexpr auto source = "[Prandtl]";
+  static constexpr auto synonyms =
+      "torsion of non-circular bars, Saint-Venant torsion, Prandtl stress function, membrane analogy, triangle, "
+      "hexagon, polygon torsion, boundary element, Torsion nichtkreisförmiger Querschnitte, "
+      "Prandtlsche Spannungsfunktion, кручение некруглых стержней, функция Прандтля";
   static constexpr auto example = R"([project]
 title = "Hexagon bar, 30 mm across flats"
 

@@ -35,6 +35,10 @@ struct ThinWalled : ThinWalledTypes {
       "buckling "
       "and fatigue are not covered.";
   static constexpr auto source = "[Bredt], [Megson]";
+  static constexpr auto synonyms =
+      "thin-walled section, Bredt, shear flow, closed section, multi-cell, box girder torsion, open section, "
+      "torsion constant, Bredtsche Formel, Schubfluss, dünnwandiger Querschnitt, geschlossenes Profil, "
+      "тонкостенное сечение, формула Бредта, поток касательных напряжений";
   static constexpr auto example = R"([project]
 title = "Box girder of two cells with a lip"
 

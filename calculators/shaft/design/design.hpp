@@ -44,6 +44,12 @@ struct Design {
       "the shaft turns, or are given over a turn.";
   static constexpr auto source =
       "[Shigley6], [Shigley7], [DIN743], [FKM], [GOST25504], [Peterson], [Cowper], [Mises], [Foeppl]";
+  static constexpr auto synonyms =
+      "shaft, stepped shaft, shaft calculation, bearing reaction, deflection, slope, critical speed, whirling, "
+      "Campbell diagram, torsional vibration, shaft fatigue, stress concentration, notch, shoulder, keyway, "
+      "DIN 743, FKM, Welle, Achse, Wellenberechnung, Durchbiegung, biegekritische Drehzahl, Kerbwirkung, "
+      "bending and torsion, Absatzwelle, вал, расчёт вала, прогиб, критическая частота вращения, "
+      "концентрация напряжений, выносливость";
   static constexpr auto example = R"([project]
 title = "Shaft of a gear between its bearings"
 

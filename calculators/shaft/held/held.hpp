@@ -33,6 +33,10 @@ struct Held : HeldTypes {
       "Bending, "
       "fatigue, notches and the joint under a sleeve are not covered.";
   static constexpr auto source = "[B19], [Gere-3]";
+  static constexpr auto synonyms =
+      "statically indeterminate torsion, fixed-fixed bar, bar in torsion, torsion bar, composite shaft, "
+      "tapered bar, sleeve, reaction torque, Drehstab, statisch unbestimmt, eingespannter Stab, Torsionsstab, "
+      "статически неопределимое кручение, стержень, кручение, заделка";
   static constexpr auto example = R"([project]
 title = "Torsion bar between two brackets"
 

@@ -32,6 +32,10 @@ struct Torsion : TorsionTypes {
       "Least diameter of a round shaft, solid or bored, by strength and by stiffness; stresses and twist at the "
       "chosen diameter. Static torsion of circular sections. Bending, fatigue and notches are not covered.";
   static constexpr auto source = "[B19]";
+  static constexpr auto synonyms =
+      "shaft, torsion, torque, line shaft, angle of twist, twist, torsional stiffness, hollow shaft, "
+      "shaft diameter, Welle, Verdrehung, Verdrehwinkel, Torsionsmoment, вал, кручение, угол закручивания, "
+      "крутящий момент";
   static constexpr auto example = R"([project]
 title = "Line shaft"
 

@@ -1,5 +1,7 @@
 #include "lib/project/read/reader.hpp"
 
+#include "lib/text/meant.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +21,15 @@ std::vector<std::string> keys_of(const std::vector<Part>& parts) {
   return keys;
 }
 
+/// The fields that a wrong key can have been meant for, with their meanings.
+static Message fields_near(const std::string& key, const std::vector<Part>& parts) {
+  std::vector<Known> known;
+  for (const Part& part : parts) {
+    for (const FieldInfo& field : part.fields) known.push_back({field.key, field.doc});
+  }
+  return meant(key, known, there_is(known));
+}
+
 Message one_of(const std::string& word, const std::vector<std::string>& candidates) {
   return did_you_mean(word, candidates, there_is(candidates));
 }
@@ -35,7 +46,7 @@ void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, cons
     const auto part = std::find_if(parts.begin(), parts.end(),
                                    [&](const Part& p) { return find_field(p.fields, entry.key) != nullptr; });
     if (part == parts.end()) {
-      say_at(entry.place, inner, say("'{1}' is no field here", entry.key), one_of(entry.key, keys_of(parts)));
+      say_at(entry.place, inner, say("'{1}' is no field here", entry.key), fields_near(entry.key, parts));
       if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(parts)));
       continue;
     }

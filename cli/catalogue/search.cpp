@@ -42,7 +42,7 @@ struct Searchable {
 
 /// The parts of a scope that say what is covered: not those that say what is not.
 std::vector<std::string> covered(std::string_view scope) {
-  std::vector<std::string> parts;
+  std::vector<std::string> pieces;
   while (!scope.empty()) {
     const std::string_view sentence = scope.substr(0, std::min(scope.find(". "), scope.size()));
     scope.remove_prefix(std::min(sentence.size() + 2, scope.size()));
@@ -50,15 +50,15 @@ std::vector<std::string> covered(std::string_view scope) {
       const std::string_view part = rest.substr(0, std::min(rest.find("; "), rest.size()));
       if (part.starts_with("Not covered") || part.starts_with("not covered")) break;
       if (part.find("not covered") == std::string_view::npos && part.find("not included") == std::string_view::npos)
-        parts.emplace_back(part);
+        pieces.emplace_back(part);
       rest.remove_prefix(std::min(part.size() + 2, rest.size()));
     }
   }
-  return parts;
+  return pieces;
 }
 
 std::vector<Searchable> searchables() {
-  std::vector<Searchable> all;
+  std::vector<Searchable> found;
   for (const Calculator* c : calculators()) {
     Searchable one{c, c->id, c->title, {}};
     const std::string id = c->id;
@@ -70,15 +70,15 @@ std::vector<Searchable> searchables() {
     for (const ModeInfo& mode : c->modes) {
       if (is_assessable(mode)) one.add(mode.title, of_mode, "failure mode");
     }
-    all.push_back(std::move(one));
+    found.push_back(std::move(one));
     for (const Template* t : c->templates) {
       Searchable made{c, id + "." + t->id, t->title, {}};
       made.add(t->id, of_id, "id");
       made.add(t->title, of_title, "title");
-      all.push_back(std::move(made));
+      found.push_back(std::move(made));
     }
   }
-  return all;
+  return found;
 }
 
 struct Best {

@@ -65,8 +65,9 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
 }
 
 void setup_list(CLI::App& app, ListOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("list", "all calculators, or those of an element");
-  sub->add_option("element", options.element, "for example shaft");
+  CLI::App* sub = app.add_subcommand("list", "all calculators, those of an element, or those that words find");
+  sub->add_option("word", options.word, "an element, as in shaft; or what you look for: buckling, S-N, Passfeder");
+  sub->add_flag("--all", options.all, "those found by a failure mode or the scope, too");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return list(options); }; });
 }

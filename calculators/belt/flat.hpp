@@ -91,7 +91,7 @@ E_b = "40 MPa"
           .factor(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}
           .positive()
-          .at_least_that_of_source("shafts[#].n")
+          .near_that_of_source("shafts[#].n")
           .usually(10, 2e4),
       Field{&Input::d_1, "d_1", mm, "diameter of the driving pulley"}
           .positive()
@@ -116,7 +116,7 @@ E_b = "40 MPa"
       Field{&Input::rho, "rho", kg_per_m3, "density of the belt"}.positive().usually(500, 2500),
       Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress of the belt, without a further safety factor"}
           .positive()
-          .usually(0.5, 100),
+          .usually(0.5, 30),
       Field{&Input::E_b, "E_b", MPa, "bending modulus of the belt; given: bending around the smaller pulley counts"}
           .positive()
           .usually(5, 5000)

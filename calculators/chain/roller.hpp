@@ -113,7 +113,7 @@ P_R = "5.5 kW"
       Count{&Input::X, "X", 0, 2000, "links, in place of a; 0: the even number nearest to a"}.may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving sprocket"}
           .positive()
-          .at_least_that_of_source("shafts[#].n")
+          .near_that_of_source("shafts[#].n")
           .may_be_missing(),
       Field{&Input::P, "P", kW, "nominal power, with n_1"}
           .load()

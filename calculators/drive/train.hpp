@@ -84,6 +84,7 @@ stages = [
       Rule<Input>{&members_differ, "stages", "in and out of a planetary set are two members", &same_member}};
 
   static constexpr bool turns = true;
+  static constexpr bool is_one_drive = true;
   static bool drives_a_worm(const Input& in);
   static Applies loads_a_worm(const Input& in);
   static constexpr std::array modes{

@@ -126,7 +126,7 @@ sigma_adm_2 = "200 MPa"
           .at_least_that_of_source("shafts[#].P")
           .may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of gear 1; a negative value reverses the direction in turns"}
-          .at_least_that_of_source("shafts[#].n")
+          .near_that_of_source("shafts[#].n")
           .may_be_missing(),
       Choice{&Input::turns, "turns", "sense of rotation of gear 1, seen against the z axis"}.may_be_missing(),
       Field{&Input::K_A, "K_A", ratio, "application factor: what the nominal load does not contain, once"}

@@ -135,6 +135,7 @@ dT_adm = "250 K"
                                                                                                        "nu"),
           Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}
               .positive()
+              .at_most_that_of_source("R_e")
               .usually(50, 2500)
               .may_be_missing(),
           Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub; brittle hubs are not covered"}

@@ -81,6 +81,7 @@ S = 2
           Field{&Input::d_s, "d_s", mm, "diameter of a screw"}.positive().from("set_screw", "d_s").where_it_has(),
           Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft, for its torsion"}
               .positive()
+              .at_most_that_of_source("R_e")
               .usually(150, 2000)
               .may_be_missing(),
           Field{&Input::F_h, "F_h", N, "what one screw with a cup point holds at the surface of the shaft"}

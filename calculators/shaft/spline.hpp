@@ -104,6 +104,7 @@ R_e_2 = "300 MPa"
               .factor(),
           Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}
               .positive()
+              .at_most_that_of_source("R_e")
               .usually(150, 2000)
               .may_be_missing(),
           Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none of a brittle one"}

@@ -109,6 +109,8 @@ struct Calculator {
   bool takes_series = true;
   /// Whether its part turns, or moves under loads that vary: those that it gives to others come again and again.
   bool turns = false;
+  /// Whether the parts that take its loads are those of one drive, which have one application factor.
+  bool is_one_drive = false;
 
   [[nodiscard]] std::string_view element() const {
     const std::string_view all = id;

@@ -87,6 +87,8 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   bool is_own = false;               // input: no record fills it
   const char* most_of_source = "";   // input: see at_most_that_of_source
   const char* least_of_source = "";  // input: see at_least_that_of_source
+  const char* near_source = "";      // input: see near_that_of_source
+  const char* made_for = "";         // input: see made_for_same
   bool larger_is_better = false;     // input: "?" is the largest value that passes
   bool kept = false;                 // input: where missing in a search, the result of the same key of the sizing run
   const char* companions = "";       // what acts together with it on the same part: keys beside its own, "F_t, F_r"
@@ -188,6 +190,19 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   [[nodiscard]] constexpr Field at_least_that_of_source(const char* keys) const {
     Field f = *this;
     f.least_of_source = keys;
+    return f;
+  }
+  /// That of the step that values are taken from: a value on the unsafe side, whichever that is, needs a justification.
+  [[nodiscard]] constexpr Field near_that_of_source(const char* keys) const {
+    Field f = *this;
+    f.near_source = keys;
+    return f;
+  }
+  /// A value that another step has calculated for a part with these inputs, "l, E, I_y: I" where that calls it
+  /// otherwise; those of this step may not be on the unsafe side without a justification.
+  [[nodiscard]] constexpr Field made_for_same(const char* keys) const {
+    Field f = *this;
+    f.made_for = keys;
     return f;
   }
   /// A length, a speed of which "?" is the largest value that passes.

@@ -64,6 +64,8 @@ struct FieldInfo {
   const char* same_as_source = "";
   const char* most_of_source = "";
   const char* least_of_source = "";
+  const char* near_source = "";
+  const char* made_for = "";
   bool larger_is_better = false;
   bool kept = false;
   const char* companions = "";

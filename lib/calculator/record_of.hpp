@@ -72,6 +72,8 @@ constexpr FieldInfo info_of(const Field<Owner, Quantity, Member>& f) {
   info.is_own = f.is_own;
   info.most_of_source = f.most_of_source;
   info.least_of_source = f.least_of_source;
+  info.near_source = f.near_source;
+  info.made_for = f.made_for;
   info.larger_is_better = f.larger_is_better;
   info.kept = f.kept;
   info.companions = f.companions;

@@ -55,7 +55,7 @@ a_set = "600 mm"
       Field{&Input::h_day, "h_day", hour, "use per day"}.positive().within(0.01, 24).may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}
           .positive()
-          .at_least_that_of_source("shafts[#].n")
+          .near_that_of_source("shafts[#].n")
           .usually(20, 9000),
       Field{&Input::n_2_set, "n_2_set", rpm, "speed that the driven pulley shall have"}.positive().usually(20, 9000),
       Field{&Input::tol_n, "tol_n", ratio, "how far it may be off, as a share"}.positive().below(0.5).usually(0.005,

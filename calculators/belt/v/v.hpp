@@ -76,7 +76,7 @@ L = "2650 mm"
       Field{&Input::h_day, "h_day", hour, "use per day"}.positive().within(0.01, 24).may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}
           .positive()
-          .at_least_that_of_source("shafts[#].n")
+          .near_that_of_source("shafts[#].n")
           .usually(20, 9000),
       Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.03),
       Field{&Input::d_1, "d_1", mm, "datum diameter of the driving pulley"}

@@ -59,10 +59,12 @@ constexpr auto held_inputs() {
           .may_be_missing(),
       Field<Input, double>{&Input::beta_y, "beta_y", ratio, "effective length factor about y, in place of the ends"}
           .positive()
+          .made_for_same("l, E, I_y: I")
           .usually(0.5, 5)
           .may_be_missing(),
       Field<Input, double>{&Input::beta_z, "beta_z", ratio, "effective length factor about z, in place of the ends"}
           .positive()
+          .made_for_same("l, E, I_z: I")
           .usually(0.5, 5)
           .may_be_missing(),
       ListField<Input, List<Member::Support, most_supports>>{

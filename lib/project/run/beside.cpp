@@ -83,7 +83,7 @@ bool is_equal(Beside beside, double typed, double other, double rounding) {
 }
 
 bool is_bolder(Beside beside, double typed, double other) {
-  if (beside == Beside::usual) return true;
+  if (beside == Beside::usual || beside == Beside::either) return true;
   return beside == Beside::capacity ? typed > other : std::abs(typed) < std::abs(other);
 }
 

@@ -74,8 +74,11 @@ R_e_k = "420 MPa"
   static constexpr Fields inputs = join(
       torque_inputs<Input>(), hub_inputs<Input>(),
       Fields{
-          Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(6, 500).at_most_that_of_source(
-              "d, d_max"),
+          Field{&Input::d, "d", mm, "diameter of the shaft"}
+              .positive()
+              .usually(6, 500)
+              .findable("R40")
+              .at_most_that_of_source("d, d_max"),
           Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
           Field{&Input::b, "b", mm, "width of the key"}.positive().from("key", "b"),
           Field{&Input::h, "h", mm, "height of the key"}.positive().from("key", "h"),

@@ -25,6 +25,7 @@ struct TorsionTypes {
         Field{&Segment::d, "d", mm, "outer diameter; the common one where missing"}
             .positive()
             .usually(1, 2000)
+            .findable("R40")
             .may_be_missing(),
         Field{&Segment::chi, "chi", ratio, "bore ratio d_bore/d"}.at_least(0).below(0.99).may_be_missing(),
         Field{&Segment::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing()};

@@ -1,6 +1,7 @@
 // The search for a size or a row: the first, from small to large, with which the step passes.
 #pragma once
 
+#include "lib/project/run/search/candidates.hpp"
 #include "lib/project/run/search/shortfall.hpp"
 
 #include <cstddef>
@@ -8,15 +9,6 @@
 #include <vector>
 
 namespace loadpath::project {
-
-/// What a search goes through, ascending: sizes of a stock, or rows of a table.
-struct Candidates {
-  Leaf leaf;  // without field: rows
-  std::vector<double> sizes;
-  std::vector<std::string> rows;
-  [[nodiscard]] std::size_t count() const { return leaf ? sizes.size() : rows.size(); }
-  [[nodiscard]] Message name(std::size_t i) const;
-};
 
 class SizeSearch {
  public:
@@ -27,9 +19,6 @@ class SizeSearch {
  private:
   /// What another step of the same body gives is not searched for: this one is assessed at it. Whether that is so.
   bool takes_size_of_body();
-  /// No size is smaller than what the other steps of the same body ask for.
-  void keep_to_body();
-  void try_candidate(std::size_t i);
   /// Whether the rules about what is searched for hold with a candidate, at the sizes that follow from it.
   bool keeps_rules_with(std::size_t i);
   std::size_t first_that_passes(std::size_t from);
@@ -45,8 +34,6 @@ class SizeSearch {
   void note_found();
   [[nodiscard]] const BodySize* size_of_body() const;
   [[nodiscard]] Message what_is_searched() const;
-  /// The stock or the table that is searched in.
-  [[nodiscard]] const std::string& source() const { return wanted_.stock.empty() ? wanted_.path : wanted_.stock; }
 
   Evaluation& evaluation_;
   const Search& wanted_;

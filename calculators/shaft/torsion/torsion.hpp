@@ -15,12 +15,16 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/form.hpp"
+#include "lib/calculator/sizing.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
 
 #include <array>
 #include <cmath>
+#include <cstddef>
+#include <span>
+#include <string_view>
 #include <vector>
 
 namespace loadpath::shaft {

@@ -90,10 +90,13 @@ Answer answer_to(const std::string& word) {
   return answer;
 }
 
-void print_json(const Answer& answer) {
+/// Of an element its calculators, with `all` those too that the word finds elsewhere.
+void print_json(const Answer& answer, bool all) {
   std::vector<exports::Listed> listed;
   for (const auto* hits : {&answer.element, &answer.named, &answer.mentioned}) {
-    for (const Hit& hit : *hits) listed.push_back({hit.calculator, hit.id, hit.title, hit.where, hit.why});
+    const bool is_asked = hits == &answer.element || answer.element.empty() || all;
+    for (const Hit& hit : is_asked ? *hits : std::vector<Hit>{})
+      listed.push_back({hit.calculator, hit.id, hit.title, hit.where, hit.why});
   }
   std::vector<exports::Beyond> beyond;
   for (const NotIncluded* one : answer.beyond) beyond.push_back({one->what, listed_keys(one->nearest)});
@@ -130,7 +133,7 @@ int list(const ListOptions& options) {
   const Answer answer = answer_to(options.word);
   if (answer.element.empty() && answer.named.empty() && answer.mentioned.empty() && answer.beyond.empty())
     return refuse(options.word);
-  options.json ? print_json(answer) : print(answer, options);
+  options.json ? print_json(answer, options.all) : print(answer, options);
   return passed;
 }
 

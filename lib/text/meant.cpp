@@ -9,17 +9,19 @@ namespace loadpath {
 
 namespace {
 
-constexpr std::size_t most = 3;           // words that are offered
-constexpr std::size_t most_told = 6;      // words of a list with their meanings
+constexpr std::size_t most = 3;       // words that are offered
+constexpr std::size_t most_told = 6;  // words of a list with their meanings
+constexpr std::size_t shortest_clause = 12;
 constexpr std::size_t long_meaning = 60;  // characters: longer ones lose what follows their first clause
 
 std::string first_clause(const std::string& meaning) {
   if (code_points(meaning).size() <= long_meaning) return meaning;
-  return meaning.substr(0, std::min({meaning.find(": "), meaning.find("; "), meaning.find(" ("), meaning.find(", ")}));
+  const std::size_t colon = meaning.find(": ", shortest_clause);  // not of "open: the slider is ahead"
+  return meaning.substr(0, std::min({colon, meaning.find("; "), meaning.find(" ("), meaning.find(", ")}));
 }
 
 std::string told(const std::string& word, const Known& known) {
-  return known.meaning.empty() ? word : word + ", " + first_clause(known.meaning);
+  return known.meaning.empty() ? word : word + " (" + first_clause(known.meaning) + ")";
 }
 
 bool begins_alike(std::string_view longer, std::string_view word) {
@@ -60,18 +62,14 @@ Message meant(std::string_view word, const std::vector<Known>& known, Message ot
   if (found.empty()) return otherwise;
   std::string all;
   for (std::size_t i = 0; i < found.size(); ++i)
-    all += (i == 0                  ? ""
-            : i + 1 == found.size() ? "; or "
-                                    : "; ") +
-           told("'" + prefix + found[i]->word + "'", *found[i]);
+    all += (i == 0 ? "" : i + 1 == found.size() ? " or " : ", ") + told("'" + prefix + found[i]->word + "'", *found[i]);
   return say("did you mean {1}?", all);
 }
 
 Message there_is(const std::vector<Known>& known) {
   std::string all;
   const bool with_meanings = known.size() <= most_told;
-  for (const Known& one : known)
-    all += (all.empty() ? "" : with_meanings ? "; " : ", ") + (with_meanings ? told(one.word, one) : one.word);
+  for (const Known& one : known) all += (all.empty() ? "" : ", ") + (with_meanings ? told(one.word, one) : one.word);
   return say("there is: {1}", all);
 }
 

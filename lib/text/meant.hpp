@@ -15,12 +15,12 @@ struct Known {
   std::string meaning;
 };
 
-/// "did you mean 'd_bore', diameter of the bore?": the nearest by name, longer ones that begin alike, else those in
+/// "did you mean 'd_bore' (diameter of the bore)?": the nearest by name, longer ones that begin alike, else those in
 /// whose meaning the word is; three at most, behind `prefix`. `otherwise` where there is none.
 Message meant(std::string_view word, const std::vector<Known>& known, Message otherwise,
               const std::string& prefix = {});
 
-/// "there is: l, length; d, diameter"; of many the words only.
+/// "there is: l (length), d (diameter)"; of many the words only.
 Message there_is(const std::vector<Known>& known);
 
 }  // namespace loadpath

@@ -64,7 +64,7 @@ TEST_SUITE("cli calculate") {
     const Ran o = loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tua_adm", "30 MPa"});
     CHECK(o.code == 2);
     CHECK(o.out.empty());
-    CHECK(o.error == "loadpath: there is no option '--tua_adm'\n  = help: did you mean '--tau_adm'?\n");
+    CHECK(contains(o.error, "there is no option '--tua_adm'\n  = help: did you mean '--tau_adm' ("));
   }
 
   TEST_CASE("a flag without its value and a word too many are told") {

@@ -27,9 +27,9 @@ struct Rolling {
   static constexpr auto id = "bearing.rolling";
   static constexpr auto title = "Rolling bearing";
   static constexpr auto scope =
-      "Basic rating life with its reliability, for one load or blocks of load and speed; static safety, least load, "
-      "speed, and the axial load that the kind can take. Lubricant and dirt (a_ISO), swinging and tilt are not "
-      "covered.";
+      "Basic rating life with reliability for one load or blocks of load and speed, static safety factor, "
+      "minimum load, speed and axial load limits of a rolling bearing; lubrication and contamination (a_ISO), "
+      "oscillation and misalignment are not covered.";
   static constexpr auto source = "[ISO281], [ISO76]";
   static constexpr auto synonyms =
       "rolling bearing, ball bearing, roller bearing, deep groove ball bearing, angular contact, tapered roller, "
@@ -267,26 +267,26 @@ s_0 = 2
   static constexpr bool turns = true;
   static constexpr auto bounds = factor_bounds<Input>();
   static constexpr std::array modes{
-      Mode<Input>{"fatigue", "fatigue of the raceways: rating life", &runs}.judged_by("u_L, x_P, x_f"),
-      Mode<Input>{"static", "dents by the largest load, at rest or in a shock", &always<Input>}.judged_by("u_0"),
-      Mode<Input>{"skidding", "skidding under too small a load", &runs}.judged_by("x_min").of_shape(),
-      Mode<Input>{"speed", "speed above that of the maker's table", &runs_fast}.judged_by("u_n"),
-      Mode<Input>{"axial", "an axial load that the kind cannot take", &always<Input>}.judged_by("F_ao").of_shape(),
-      Mode<Input>{"radial", "a radial load that the kind cannot take", &always<Input>}.judged_by("F_ro").of_shape(),
-      Mode<Input>{"ribs", "ribs, or edges of the groove, under the axial load", &has_axial_bound}
+      Mode<Input>{"fatigue", "rating life (raceway fatigue)", &runs}.judged_by("u_L, x_P, x_f"),
+      Mode<Input>{"static", "static safety factor (permanent indentation)", &always<Input>}.judged_by("u_0"),
+      Mode<Input>{"skidding", "minimum load (skidding)", &runs}.judged_by("x_min").of_shape(),
+      Mode<Input>{"speed", "limiting speed", &runs_fast}.judged_by("u_n"),
+      Mode<Input>{"axial", "axial load capability of the type", &always<Input>}.judged_by("F_ao").of_shape(),
+      Mode<Input>{"radial", "radial load capability of the type", &always<Input>}.judged_by("F_ro").of_shape(),
+      Mode<Input>{"ribs", "axial load limit (ribs, groove edges)", &has_axial_bound}
           .judged_by("u_a")
           .wanting("F_a_adm"),
-      Mode<Input>{"mate", "less axial load than its own radial load makes", &runs_at_an_angle}
+      Mode<Input>{"mate", "induced axial force", &runs_at_an_angle}
           .judged_by("x_i")
           .of_shape(),
-      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"film", "wear and fatigue where the film is thin or the oil dirty: a_ISO", &unseen<Input>}.special(),
-      Mode<Input>{"heat", "heat, and the life of the grease", &unseen<Input>}.special(),
-      Mode<Input>{"tilt", "tilt of its rings: slope of the shaft, alignment of the seats", &unseen<Input>}
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"film", "lubrication and contamination (a_ISO)", &unseen<Input>}.special(),
+      Mode<Input>{"heat", "operating temperature and grease life", &unseen<Input>}.special(),
+      Mode<Input>{"tilt", "misalignment of the rings", &unseen<Input>}
           .special()
           .assessed_beside("shaft.design"),
-      Mode<Input>{"seats", "rings that creep on their seats: fits, circlips, shoulders", &unseen<Input>}.special(),
-      Mode<Input>{"standstill", "marks by vibration at standstill, current, rust", &unseen<Input>}.special()};
+      Mode<Input>{"seats", "ring creep on the seats", &unseen<Input>}.special(),
+      Mode<Input>{"standstill", "false brinelling, electrical erosion, corrosion", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -23,12 +23,11 @@ namespace loadpath::belt {
 
 struct Course : CourseTypes {
   static constexpr auto id = "belt.course";
-  static constexpr auto title = "Belt around any pulleys";
+  static constexpr auto title = "Multi-pulley belt layout";
   static constexpr auto scope =
-      "Wraps, spans and exact length of a belt around any number of pulleys and rollers, inside and outside of it, or "
-      "the "
-      "place of a tensioner for a given length; tensions of all spans, friction and shaft loads where the powers are "
-      "known. Crossed belts, losses and slip are not covered.";
+      "Wrap angles, spans and exact length of a belt around any number of inside and outside pulleys and "
+      "idlers, or the tensioner position for a given length, with span tensions, friction and shaft loads at "
+      "known powers; crossed belts, losses and slip are not covered.";
   static constexpr auto source = "[B40], [Shigley-17]";
   static constexpr auto synonyms =
       "serpentine belt, multi-pulley drive, belt layout, belt length, idler, tensioner, wrap angle, span, "
@@ -119,15 +118,15 @@ pulleys = [
   static Applies loaded(const Input& in) { return where(carries(in)); }
   static bool runs_fast(const Input& in);
   static constexpr std::array modes{
-      Mode<Input>{"centrifugal", "centrifugal force of the belt, above 10 m/s",
+      Mode<Input>{"centrifugal", "centrifugal tension above 10 m/s",
                   [](const Input& in) { return where(carries(in) && runs_fast(in) && !(in.q > 0.0 * kg_per_m.one)); }}
           .wanting("q"),
-      Mode<Input>{"grip", "slip on a pulley", &loaded}.judged_by("u_S"),
-      Mode<Input>{"lifting", "belt lifts off a pulley", &loaded}.judged_by("N_min"),
-      Mode<Input>{"strength", "strength of the belt under its largest tension", &loaded}.judged_by("u_T"),
-      Mode<Input>{"bending", "least pulley, and bendings per second", &unseen<Input>}.special(),
-      Mode<Input>{"speed", "speed of belt and rims", &unseen<Input>}.special(),
-      Mode<Input>{"radial_load", "radial load that the motor bears", &unseen<Input>}.special()};
+      Mode<Input>{"grip", "belt slip on pulleys", &loaded}.judged_by("u_S"),
+      Mode<Input>{"lifting", "belt lift-off from pulleys", &loaded}.judged_by("N_min"),
+      Mode<Input>{"strength", "tensile strength at maximum tension", &loaded}.judged_by("u_T"),
+      Mode<Input>{"bending", "pulley diameter and flexing frequency", &unseen<Input>}.special(),
+      Mode<Input>{"speed", "belt and rim speed", &unseen<Input>}.special(),
+      Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

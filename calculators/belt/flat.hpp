@@ -25,10 +25,9 @@ struct Flat {
   static constexpr auto id = "belt.flat";
   static constexpr auto title = "Flat belt drive";
   static constexpr auto scope =
-      "Length or centre distance, wraps, speeds with slip, tensions by Euler's condition with the centrifugal part, "
-      "width of the belt, initial tension and shaft load of a flat belt, open or crossed. Speeds of 5 to 30 m/s, of "
-      "synthetic belts to 100 m/s. What shafts take whole is the larger pull, in running or at standstill. Rollers on "
-      "the belt: belt.course. The life of the belt is not covered.";
+      "Length or centre distance, wrap angles, speeds with slip, tensions by the Euler-Eytelwein equation with "
+      "centrifugal tension, belt width, initial tension and shaft load of an open or crossed flat belt drive "
+      "at 5 to 30 m/s (synthetic belts to 100 m/s); belt life and idlers are not covered (idlers: belt.course).";
   static constexpr auto source = "[B40], [Shigley-17]";
   static constexpr auto synonyms =
       "flat belt, belt drive, Euler-Eytelwein, capstan equation, wrap angle, initial tension, crossed belt, "
@@ -215,17 +214,17 @@ E_b = "40 MPa"
   static constexpr std::array meanings{Meaning{"P", "mean"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"grip", "slip of the belt", &always<Input>}.judged_by("u_S"),
-      Mode<Input>{"strength", "strength of the belt in the tight span", &always<Input>}.judged_by("u_sigma, sigma_N"),
-      Mode<Input>{"bending", "bending of the belt around the smaller pulley", &always<Input>}.judged_by("u_b"),
-      Mode<Input>{"width", "a belt wider than its pulleys", &always<Input>}.judged_by("x_b").of_shape(),
-      Mode<Input>{"speed", "speed of flat belts", &always<Input>}.judged_by("v_range, x_v"),
-      Mode<Input>{"room", "room for the crossing spans between the pulleys", &crossed}.judged_by("g_x").of_shape(),
-      Mode<Input>{"twist", "spans twist and rub where they cross",
+      Mode<Input>{"grip", "belt slip", &always<Input>}.judged_by("u_S"),
+      Mode<Input>{"strength", "tensile strength, tight span", &always<Input>}.judged_by("u_sigma, sigma_N"),
+      Mode<Input>{"bending", "bending at the smaller pulley", &always<Input>}.judged_by("u_b"),
+      Mode<Input>{"width", "belt width within the pulleys", &always<Input>}.judged_by("x_b").of_shape(),
+      Mode<Input>{"speed", "belt speed range", &always<Input>}.judged_by("v_range, x_v"),
+      Mode<Input>{"room", "clearance for crossed spans", &crossed}.judged_by("g_x").of_shape(),
+      Mode<Input>{"twist", "twisting and rubbing of crossed spans",
                   [](const Input& in) { return crossed(in) == Applies::yes ? Applies::unseen : Applies::no; }},
-      Mode<Input>{"fatigue", "life of the belt: bendings per second", &unseen<Input>}.special(),
-      Mode<Input>{"rim", "bursting of the rims", &unseen<Input>}.special(),
-      Mode<Input>{"radial_load", "radial load that the motor bears", &unseen<Input>}.special()};
+      Mode<Input>{"fatigue", "belt fatigue life (flexing frequency)", &unseen<Input>}.special(),
+      Mode<Input>{"rim", "bursting of pulley rims", &unseen<Input>}.special(),
+      Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

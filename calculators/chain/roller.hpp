@@ -27,9 +27,9 @@ struct Roller {
   static constexpr auto id = "chain.roller";
   static constexpr auto title = "Roller chain drive";
   static constexpr auto scope =
-      "Links and centre distance of a drive with two sprockets, speed limits by lubrication, polygon effect, chain "
-      "pull, "
-      "pressure in the joints, static safety against breaking, load of the shafts. Life is not covered.";
+      "Chain length and centre distance of a two-sprocket drive, speed limits by lubrication, chordal action, "
+      "chain pull, bearing pressure in the joints, static safety factor against breakage and shaft loads; "
+      "service life is not covered.";
   static constexpr auto source = "[ASME-B29], [B40], [ISO10823]";
   static constexpr auto synonyms =
       "roller chain, chain drive, sprocket, ISO 606, ISO 10823, chain pull, chordal action, polygon effect, "
@@ -239,22 +239,22 @@ P_R = "5.5 kW"
 
   static constexpr bool turns = true;
   static constexpr std::array modes{
-      Mode<Input>{"joints", "wear of the joints: pressure of the pins", &loaded}.judged_by("u_p"),
-      Mode<Input>{"breaking", "breaking of the link plates", &loaded}.judged_by("u_S, u_F"),
-      Mode<Input>{"plates", "fatigue of the link plates", &runs_loaded}.judged_by("u_P").in_service(),
-      Mode<Input>{"rollers", "impact fatigue of rollers and bushes", &runs_loaded}.judged_by("u_P").in_service(),
-      Mode<Input>{"speed", "speed for this lubrication", [](const Input& in) { return where(is_set(in.n_1)); }}
+      Mode<Input>{"joints", "joint wear (bearing pressure)", &loaded}.judged_by("u_p"),
+      Mode<Input>{"breaking", "static breaking strength of the chain", &loaded}.judged_by("u_S, u_F"),
+      Mode<Input>{"plates", "link plate fatigue", &runs_loaded}.judged_by("u_P").in_service(),
+      Mode<Input>{"rollers", "roller and bush impact fatigue", &runs_loaded}.judged_by("u_P").in_service(),
+      Mode<Input>{"speed", "chain speed for the lubrication type", [](const Input& in) { return where(is_set(in.n_1)); }}
           .judged_by("v_share"),
-      Mode<Input>{"wrap_1", "teeth in mesh of the driving sprocket: wrap", &always<Input>}
+      Mode<Input>{"wrap_1", "wrap angle, driving sprocket", &always<Input>}
           .judged_by("alpha_1")
           .of_shape(),
-      Mode<Input>{"wrap_2", "teeth in mesh of the driven sprocket: wrap", &always<Input>}
+      Mode<Input>{"wrap_2", "wrap angle, driven sprocket", &always<Input>}
           .judged_by("alpha_2")
           .of_shape(),
-      Mode<Input>{"ratio", "ratio for one stage", &always<Input>}.judged_by("i").of_shape(),
+      Mode<Input>{"ratio", "speed ratio per stage", &always<Input>}.judged_by("i").of_shape(),
       Mode<Input>{"galling", "galling of pins and bushes", &unseen<Input>}.judged_by("u_P").special(),
-      Mode<Input>{"sprockets", "wear of the teeth", &unseen<Input>}.special(),
-      Mode<Input>{"vibration", "vibration of the strands by the polygon effect", &unseen<Input>}.special()};
+      Mode<Input>{"sprockets", "sprocket tooth wear", &unseen<Input>}.special(),
+      Mode<Input>{"vibration", "strand vibration by chordal action", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

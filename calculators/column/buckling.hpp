@@ -26,13 +26,12 @@ namespace loadpath::column {
 
 struct Buckling {
   static constexpr auto id = "column.buckling";
-  static constexpr auto title = "Compressed bar";
+  static constexpr auto title = "Column buckling";
   static constexpr auto scope =
-      "Slenderness of a uniform bar about both axes, its critical stress by Euler, Tetmajer-Yasinsky, Johnson, "
-      "Rankine, the "
-      "secant formula, EN 1993-1-1, AISC 360 and SP 16 side by side, the allowable load of each with its own safety. "
-      "Flexural buckling; a bar in tension is judged by its plain stress N/A alone, without holes; torsional buckling, "
-      "thin-walled sections of class 4 and transverse loads are not covered.";
+      "Slenderness of a uniform bar about both axes, critical stress by Euler, Tetmajer-Yasinsky, Johnson, "
+      "Rankine, secant formula, EN 1993-1-1, AISC 360 and SP 16, and the allowable load of each with its own "
+      "safety factor; tension is assessed by N/A on the gross section; torsional buckling, class 4 sections "
+      "and transverse loads are not covered.";
   static constexpr auto source = "[B25], [Johnson], [Rankine], [Gere], [EN1993-1-1-buckling], [AISC360], [SP16]";
   static constexpr auto synonyms =
       "column, strut, buckling, Euler, Johnson, Tetmajer, Yasinsky, Rankine, secant formula, slenderness, "

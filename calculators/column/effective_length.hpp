@@ -23,9 +23,9 @@ struct EffectiveLength {
   static constexpr auto id = "column.effective_length";
   static constexpr auto title = "Effective length of a column";
   static constexpr auto scope =
-      "Effective length factor of a uniform bar from the stiffness of its ends and the supports between them, as the "
-      "smallest root of its characteristic equation; braced and sway frames by the stiffness ratios of their joints. "
-      "Bars of changing section or force are not covered.";
+      "Effective length factor of a uniform column from end stiffnesses and intermediate supports, as the "
+      "smallest root of the characteristic equation, or of braced and sway frames from joint stiffness ratios; "
+      "columns of variable section or force are not covered.";
   static constexpr auto source = "[B25], [Wittrick], [AISC-alignment]";
   static constexpr auto synonyms =
       "effective length, effective length factor, buckling length, K factor, alignment chart, braced frame, "
@@ -126,7 +126,7 @@ end_2 = "pinned"
                   "end_1, end_2, E, I", "springs are compared with the bar: give E (or a material) and I"},
       Rule<Input>{&supports_inside, "supports, l", "supports stand between the ends, in order along the bar"}};
   static constexpr std::array modes{
-      Mode<Input>{"held", "a bar that moves without a load", &always<Input>}.judged_by("u").of_shape()};
+      Mode<Input>{"held", "kinematic stability of the supports", &always<Input>}.judged_by("u").of_shape()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

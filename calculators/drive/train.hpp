@@ -23,10 +23,10 @@ namespace loadpath::drive {
 
 struct Train : TrainTypes {
   static constexpr auto id = "drive.train";
-  static constexpr auto title = "Train of drives";
+  static constexpr auto title = "Drive train";
   static constexpr auto scope =
-      "Ratio, speeds, torques, powers and efficiencies through any chain of stages: gears, belts with slip, chains, "
-      "worms, planetary sets; what every shaft carries. Branched trains are not covered.";
+      "Speed ratio, speeds, torques, powers and efficiency along a series of stages: gears, belts with slip, "
+      "chains, worm gears and planetary sets, with the torque of every shaft; branched trains are not covered.";
   static constexpr auto source = "[B40]";
   static constexpr auto synonyms =
       "drive train, gear train, gearbox, transmission, speed ratio, efficiency, worm gear, stages, reducer, "
@@ -88,14 +88,14 @@ stages = [
   static bool drives_a_worm(const Input& in);
   static Applies loads_a_worm(const Input& in);
   static constexpr std::array modes{
-      Mode<Input>{"self_locking", "a worm that its wheel cannot drive",
+      Mode<Input>{"self_locking", "self-locking of back-driven worm stages",
                   [](const Input& in) { return where(drives_a_worm(in)); }}
           .of_shape(),
-      Mode<Input>{"efficiency", "losses of the worm gear", &loads_a_worm}.judged_by("stages.x_eta"),
-      Mode<Input>{"strength", "strength of the stages that no step takes",
+      Mode<Input>{"efficiency", "efficiency of the worm gear", &loads_a_worm}.judged_by("stages.x_eta"),
+      Mode<Input>{"strength", "strength of unchecked stages",
                   [](const Input& in) { return is_set(in.P) || is_set(in.T_1) ? Applies::unseen : Applies::no; }}
           .assessed_beside("gear.pair, gear.planetary, chain.roller, belt.v, belt.flat"),
-      Mode<Input>{"heat", "heat", &unseen<Input>}.special()};
+      Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -18,8 +18,8 @@ struct AngularMomentumChange {
   static constexpr auto id = "dynamics.angular_momentum";
   static constexpr auto title = "Angular momentum about an axis";
   static constexpr auto scope =
-      "Angular speed after parts on one axis change their inertia, are coupled, driven or braked by a constant moment, "
-      "or the time that this takes; energy that comes from inside or is lost.";
+      "Angular velocity after a change of inertia, a coupling, or driving or braking by a constant moment of "
+      "parts on one axis, or the time required, with the energy lost or released.";
   static constexpr auto source = "[B33], [B36]";
   static constexpr auto synonyms =
       "angular momentum, moment of momentum, coupling of shafts, clutch engagement, spin-up, Drehimpuls, Drall, "

@@ -26,9 +26,9 @@ struct Cycle {
   static constexpr auto id = "fatigue.cycle";
   static constexpr auto title = "Stress cycle";
   static constexpr auto scope =
-      "Largest, least and mean stress, amplitude, ratio and kind of a stress cycle from any two of these; similar "
-      "cycles; normal and shear stresses alike. The largest stress against yielding, the amplitude against a fatigue "
-      "limit of r = -1 where the mean stress is no tension. Mean stress and life: fatigue.life.";
+      "Maximum, minimum and mean stress, amplitude, stress ratio and type of a cycle from any two of them, for "
+      "normal or shear stress, with yielding by the maximum stress and, where no tensile mean stress acts, the "
+      "amplitude against a fatigue limit at r = -1; mean stress and life: fatigue.life.";
   static constexpr auto source = "[B20]";
   static constexpr auto synonyms =
       "stress cycle, amplitude, mean stress, stress ratio, R ratio, alternating stress, pulsating stress, fatigue, "
@@ -142,16 +142,16 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                                        Meaning{"sigma_m", steady_part}};
 
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}
+      Mode<Input>{"yield", "first-cycle yielding", &always<Input>}
           .judged_by("u_y, u_F")
           .left_to("fatigue.life", "cycle.yield"),
-      Mode<Input>{"fatigue", "fatigue, with an amplitude above the fatigue limit", &varies}
+      Mode<Input>{"fatigue", "infinite-life fatigue", &varies}
           .judged_by("u_D, x_m")
           .left_to("fatigue.life", "cycle.fatigue"),
       fatigue_of_metal<&varies, Input>(),
-      Mode<Input>{"life", "life of what is loaded above its fatigue limit", &unseen<Input>}.left_to("fatigue.life",
+      Mode<Input>{"life", "finite-life fatigue", &unseen<Input>}.left_to("fatigue.life",
                                                                                                     "cycle.fatigue"),
-      Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>}};
+      Mode<Input>{"notch", "local yielding at the notch root", &unseen<Input>}};
 
   static constexpr std::array forms{Form{"sigma_max, sigma_min, R_e"}};
 

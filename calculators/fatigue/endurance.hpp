@@ -27,12 +27,11 @@ namespace loadpath::fatigue {
 
 struct Endurance : EnduranceTypes {
   static constexpr auto id = "fatigue.endurance";
-  static constexpr auto title = "Fatigue limit of a material and of a part";
+  static constexpr auto title = "Fatigue limit of material and part";
   static constexpr auto scope =
-      "Fatigue limit in symmetric cycles of a smooth specimen, measured or estimated, and of a part with its shape, "
-      "size and surface, by Marin at a temperature and a reliability. Mean stress and life: fatigue.life. Corrosion is "
-      "not covered. Recalled: Peterson's notch sensitivity, that of cast iron, the 11th edition but for ground "
-      "surfaces.";
+      "Fully reversed fatigue limit of a smooth specimen, measured or estimated, and of a part with its stress "
+      "concentration, size and surface by Serensen or Marin, the latter with temperature and reliability "
+      "factors; mean stress and life: fatigue.life; corrosion is not covered.";
   static constexpr auto source = "[B20], [DIN743], [FKM], [GOST25504], [Shigley6]";
   static constexpr auto synonyms =
       "fatigue limit, endurance limit, Marin factors, surface factor, size factor, notch sensitivity, "
@@ -241,27 +240,27 @@ R_z = "6.3 um"
   static constexpr std::array notch_claims{NotchClaim{"sigma_D", "K_f", "K_t"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"size", "a part larger than specimens, by a size factor that was measured", &has_size}
+      Mode<Input>{"size", "validity: size factor", &has_size}
           .judged_by("x_d")
           .wanting("d, epsilon")
           .of_shape(),
-      Mode<Input>{"surface", "a part rougher than specimens, which are polished", &has_surface}
+      Mode<Input>{"surface", "validity: surface factor", &has_surface}
           .judged_by("x_Rz")
           .wanting("R_z, beta_F")
           .of_shape(),
-      Mode<Input>{"notch", "a strength or a radius for which no notch sensitivity was measured",
+      Mode<Input>{"notch", "validity: notch sensitivity data",
                   [](const Input& in) { return where(is_set(in.r_n)); }}
           .judged_by("x_n, x_r")
           .of_shape(),
-      Mode<Input>{"metal", "another metal than its group of steels",
+      Mode<Input>{"metal", "validity: modulus of steel",
                   [](const Input& in) { return where(is_set(in.E) && is_steel(in.group)); }}
           .judged_by("x_E")
           .of_shape(),
-      Mode<Input>{"temperature", "a temperature for which no strength was measured",
+      Mode<Input>{"temperature", "validity: temperature factor",
                   [](const Input& in) { return where(is_set(in.T)); }}
           .judged_by("x_T")
           .of_shape(),
-      Mode<Input>{"surroundings", "corrosion, heat, fretting under press fits", &unseen<Input>}.special()};
+      Mode<Input>{"surroundings", "corrosion, heat and fretting", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -26,13 +26,12 @@ namespace loadpath::fatigue {
 
 struct Life {
   static constexpr auto id = "fatigue.life";
-  static constexpr auto title = "Safety and life in a stress cycle";
+  static constexpr auto title = "Constant-amplitude fatigue (safety factor and life)";
   static constexpr auto scope =
-      "Safety and life of a part in one stress cycle with mean stress: Goodman, Soderberg, Gerber, ASME ellipse, "
-      "Morrow, Smith-Watson-Topper, Walker, FKM and Serensen side by side, of which one decides; yielding at the first "
-      "cycle; the amplitude that is allowed, for the share of parts that the fatigue limit holds for. Not covered: "
-      "histories, low cycles below 1e3, shear beside normal stresses, creep, corrosion. Recalled: the fit of f, of "
-      "gamma, and of psi.";
+      "Safety factor and life in one stress cycle with mean stress by Goodman, Soderberg, Gerber, ASME "
+      "ellipse, Morrow, Smith-Watson-Topper, Walker, FKM and Serensen, one of which decides, with first-cycle "
+      "yielding and the allowable amplitude; load histories, fewer than 1e3 cycles, combined shear, creep and "
+      "corrosion are not covered.";
   static constexpr auto source = "[Dowling9], [FKM], [GOST25504], [Shigley6]";
   static constexpr auto synonyms =
       "fatigue life, Goodman, modified Goodman, Soderberg, Gerber, ASME elliptic, Morrow, SWT, Walker, "
@@ -276,14 +275,14 @@ S_F = 1.5
                                        Meaning{"sigma_m", steady_part}};
 
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),
-      Mode<Input>{"fatigue", "fatigue, in this cycle alone", &varies}.judged_by("u_D, x_m, x_B, x_N, x_D, x_f, x_E"),
-      Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
-      Mode<Input>{"multiaxial", "shear beside normal stresses: a fatigue.combined", &unseen<Input>}.assessed_in(
+      Mode<Input>{"yield", "first-cycle yielding", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),
+      Mode<Input>{"fatigue", "constant-amplitude fatigue", &varies}.judged_by("u_D, x_m, x_B, x_N, x_D, x_f, x_E"),
+      Mode<Input>{"notch", "local yielding at the notch root", &unseen<Input>},
+      Mode<Input>{"multiaxial", "combined normal and shear stresses", &unseen<Input>}.assessed_in(
           "fatigue.combined"),
-      Mode<Input>{"history", "larger and smaller cycles beside this one", &unseen<Input>}.assessed_in(
+      Mode<Input>{"history", "variable-amplitude loading", &unseen<Input>}.assessed_in(
           "fatigue.history"),
-      Mode<Input>{"surroundings", "corrosion, creep, fretting under press fits", &unseen<Input>}.special()};
+      Mode<Input>{"surroundings", "corrosion, creep and fretting", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

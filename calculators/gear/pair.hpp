@@ -27,12 +27,11 @@ namespace loadpath::gear {
 
 struct Pair {
   static constexpr auto id = "gear.pair";
-  static constexpr auto title = "Pair of cylindrical gears";
+  static constexpr auto title = "Cylindrical gear pair";
   static constexpr auto scope =
-      "Spur and helical gears with profile shift, external, internal or with a rack: centre distance, diameters, "
-      "contact "
-      "ratios, tooth thickness and base-tangent length, tooth forces with their directions, bending by Lewis as a "
-      "static first estimate. Pitting and the rating of ISO 6336 are not covered.";
+      "Geometry, contact ratio, tooth thickness, base tangent length and tooth forces of spur and helical "
+      "gears with profile shift, external, internal or with a rack, and static bending stress by Lewis as a "
+      "first estimate; pitting and the rating of ISO 6336 are not covered.";
   static constexpr auto source = "[ISO21771], [Lewis]";
   static constexpr auto synonyms =
       "gear, spur gear, helical gear, internal gear, rack and pinion, pinion, profile shift, addendum modification, "
@@ -214,51 +213,51 @@ sigma_adm_2 = "200 MPa"
   static constexpr bool turns = true;
   static constexpr std::array senses{SenseClaim{"T_1, P", "idler", "none, gear_1, gear_2", "both"}};
   static constexpr std::array modes{
-      Mode<Input>{"dynamic", "dynamic load of running teeth",
+      Mode<Input>{"dynamic", "dynamic tooth load",
                   [](const Input& in) {
                     return carries(in) && in.cutting == Cutting::none ? shown_by(is_set(in.n_1)) : Applies::no;
                   }}
           .wanting("n_1, cutting")
           .in_service(),
-      Mode<Input>{"root_1", "tooth root of gear 1 in bending, by Lewis",
+      Mode<Input>{"root_1", "tooth root bending, gear 1 (Lewis)",
                   [](const Input& in) { return where(carries(in)); }}
           .judged_by("u_F1, v_share"),
-      Mode<Input>{"root_2", "tooth root of gear 2 in bending, by Lewis",
+      Mode<Input>{"root_2", "tooth root bending, gear 2 (Lewis)",
                   [](const Input& in) { return where(carries(in) && in.mesh == Mesh::external); }}
           .judged_by("u_F2, v_share"),
-      Mode<Input>{"root_mate", "tooth root of the ring or rack in bending",
+      Mode<Input>{"root_mate", "tooth root bending, ring or rack",
                   [](const Input& in) { return where(carries(in) && in.mesh != Mesh::external); }},
-      Mode<Input>{"fillet", "stress concentration at the fillet, which Lewis leaves out",
+      Mode<Input>{"fillet", "stress concentration at the root fillet",
                   [](const Input& in) { return carries(in) && in.K_f == 1.0 ? shown_by(is_set(in.n_1)) : Applies::no; }}
           .wanting("K_f"),
-      Mode<Input>{"pitting_1", "pitting of gear 1", [](const Input& in) { return where(carries(in)); }},
-      Mode<Input>{"pitting_2", "pitting of its mate", [](const Input& in) { return where(carries(in)); }},
-      Mode<Input>{"contact", "a pair of teeth in contact at every instant", &always<Input>}
+      Mode<Input>{"pitting_1", "pitting, gear 1", [](const Input& in) { return where(carries(in)); }},
+      Mode<Input>{"pitting_2", "pitting, gear 2", [](const Input& in) { return where(carries(in)); }},
+      Mode<Input>{"contact", "contact ratio", &always<Input>}
           .judged_by("eps_gamma")
           .of_shape(),
-      Mode<Input>{"flanks", "flanks of the teeth are involutes", &always<Input>}.judged_by("q_a, x_2").of_shape(),
+      Mode<Input>{"flanks", "involute form of the flanks", &always<Input>}.judged_by("q_a, x_2").of_shape(),
       Mode<Input>{"undercut", "undercut", &always<Input>}.judged_by("x_free").of_shape(),
-      Mode<Input>{"pointed", "pointed teeth", &always<Input>}.judged_by("s_a").of_shape(),
-      Mode<Input>{"interference", "interference of tips and fillets", &always<Input>}.judged_by("f_int").of_shape(),
-      Mode<Input>{"clearance_1", "tip of gear 1 in the root of its mate", &always<Input>}.judged_by("c_1").of_shape(),
-      Mode<Input>{"clearance_2", "tip of the mate in the root of gear 1", &always<Input>}.judged_by("c_2").of_shape(),
-      Mode<Input>{"backlash", "jamming for want of backlash", &always<Input>}.judged_by("j_bn").of_shape(),
-      Mode<Input>{"trimming", "a wheel put into its ring sideways",
+      Mode<Input>{"pointed", "tip thickness", &always<Input>}.judged_by("s_a").of_shape(),
+      Mode<Input>{"interference", "tip and fillet interference", &always<Input>}.judged_by("f_int").of_shape(),
+      Mode<Input>{"clearance_1", "tip clearance, gear 1", &always<Input>}.judged_by("c_1").of_shape(),
+      Mode<Input>{"clearance_2", "tip clearance, gear 2", &always<Input>}.judged_by("c_2").of_shape(),
+      Mode<Input>{"backlash", "backlash", &always<Input>}.judged_by("j_bn").of_shape(),
+      Mode<Input>{"trimming", "trimming interference at radial assembly",
                   [](const Input& in) { return in.mesh == Mesh::internal ? Applies::unseen : Applies::no; }}
           .special(),
-      Mode<Input>{"width", "uneven load over a wide face", [](const Input& in) { return shown_by(is_wide(in)); }}
+      Mode<Input>{"width", "face load distribution", [](const Input& in) { return shown_by(is_wide(in)); }}
           .special(),
-      Mode<Input>{"overload", "overload of the teeth by a peak", &unseen<Input>}.special(),
+      Mode<Input>{"overload", "tooth overload at peak torque", &unseen<Input>}.special(),
       Mode<Input>{"scuffing", "scuffing", &unseen<Input>}.special(),
       Mode<Input>{"micropitting", "micropitting", &unseen<Input>}.special(),
-      Mode<Input>{"wear", "wear of the flanks", &unseen<Input>}.special(),
-      Mode<Input>{"case_crushing", "crushing below a hardened case", &unseen<Input>}.special(),
-      Mode<Input>{"heat", "heat", &unseen<Input>}.special(),
-      Mode<Input>{"rim_1", "thin rim of gear 1 between root and bore, over its keyway", &unseen<Input>}
+      Mode<Input>{"wear", "wear of the tooth flanks", &unseen<Input>}.special(),
+      Mode<Input>{"case_crushing", "case crushing", &unseen<Input>}.special(),
+      Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special(),
+      Mode<Input>{"rim_1", "rim thickness, gear 1", &unseen<Input>}
           .judged_by("m_R1")
           .wanting("bore_1")
           .special(),
-      Mode<Input>{"rim_2", "thin rim of gear 2", &unseen<Input>}.judged_by("m_R2").wanting("bore_2").special()};
+      Mode<Input>{"rim_2", "rim thickness, gear 2", &unseen<Input>}.judged_by("m_R2").wanting("bore_2").special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

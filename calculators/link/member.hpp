@@ -29,12 +29,11 @@ struct LinkCycle {
 
 struct Member {
   static constexpr auto id = "link.member";
-  static constexpr auto title = "Link under normal force, shear and bending";
+  static constexpr auto title = "Link under axial force, shear and bending";
   static constexpr auto scope =
-      "Yield of a uniform link under N, V and M_b of a mechanism, its buckling about both axes by the method that is "
-      "chosen, and with bending by the secant formula in the plane of motion and by a sum across it. Holes, curved "
-      "links "
-      "and bending out of the plane are not covered.";
+      "Yielding of a uniform link under N, V and M_b from a mechanism, flexural buckling about both axes by "
+      "the chosen method, and buckling with bending by the secant formula in the plane of motion and by "
+      "summation out of it; holes, curved links and out-of-plane bending are not covered.";
   static constexpr auto source = "[Gere], [Mises], [B25], [EN1993-1-1-LTB], [Narrow-beam]";
   static constexpr auto synonyms =
       "link, connecting rod, rod, rocker, beam-column, combined bending and compression, buckling, internal forces, "
@@ -165,25 +164,25 @@ S = 1.5
            std::array{Bound<Input>{"A_v", "the section, EN 1993-1-1 6.2.6", &most_shear_area}});
 
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield of the extreme fibre under N and M_b", &loaded}.judged_by("u_y"),
-      Mode<Input>{"shear", "yield in the neutral axis under N and V", &sheared}.judged_by("u_Q").wanting("S, A_v"),
-      Mode<Input>{"buckling", "flexural buckling, about y and about z", &column::compressed<Input>}.judged_by("u, r_1"),
-      Mode<Input>{"bent", "buckling with bending", &compressed_and_bent}.judged_by("u_p, u_i"),
-      Mode<Input>{"slenderness", "slenderness", &column::compressed<Input>}.judged_by("r_lambda"),
-      Mode<Input>{"local", "local buckling of the walls", &walls_pressed}
+      Mode<Input>{"yield", "yielding under N and M_b", &loaded}.judged_by("u_y"),
+      Mode<Input>{"shear", "shear yielding under N and V", &sheared}.judged_by("u_Q").wanting("S, A_v"),
+      Mode<Input>{"buckling", "flexural buckling about y and z", &column::compressed<Input>}.judged_by("u, r_1"),
+      Mode<Input>{"bent", "bending and axial compression", &compressed_and_bent}.judged_by("u_p, u_i"),
+      Mode<Input>{"slenderness", "slenderness limit", &column::compressed<Input>}.judged_by("r_lambda"),
+      Mode<Input>{"local", "local buckling (class 3 limit)", &walls_pressed}
           .judged_by("r_class, x_E")
           .wanting("kind, h, b, t_f, t_w"),
-      Mode<Input>{"torsional", "torsional and torsional-flexural buckling of an open section",
+      Mode<Input>{"torsional", "torsional and torsional-flexural buckling",
                   &column::twisting<Input, &column::Buckling::outline_of>},
-      Mode<Input>{"lateral_torsional", "lateral-torsional buckling by the moment", &twisting_when_bent}
+      Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &twisting_when_bent}
           .judged_by("u_t")
           .wanting("S"),
-      Mode<Input>{"net_section", "net section at holes and pins: pin.lug", &unseen<Input>}.assessed_beside("pin.lug"),
-      Mode<Input>{"fatigue", "fatigue, at holes and changes of section first", &unseen<Input>}
+      Mode<Input>{"net_section", "net section rupture (holes, pins)", &unseen<Input>}.assessed_beside("pin.lug"),
+      Mode<Input>{"fatigue", "fatigue (holes, section changes)", &unseen<Input>}
           .left_to("fatigue.cycle", "cycle.fatigue")
           .in_service(),
-      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"weight", "bending by its own weight, where the mechanism has none", &unseen<Input>}.special()};
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"weight", "bending by self-weight", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -58,7 +58,7 @@ void compare_cycles(const Input& in, Result& r, Tracer& trace) {
 template <auto varies, class Input>
 constexpr Mode<Input> fatigue_of_metal() {
   return Mode<Input>{
-      "cycles", "fatigue of a metal without a fatigue limit: by N and N_D, or by a fatigue.life with its cycles N",
+      "cycles", "fatigue without a fatigue limit (N and N_D, or fatigue.life)",
       [](const Input& in) { return where(lacks_fatigue_limit(in) && varies(in) > decltype(varies(in)){}); }}
       .judged_by("x_N")
       .wanting("N, N_D");

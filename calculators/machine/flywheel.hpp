@@ -23,11 +23,11 @@ namespace loadpath::machine {
 
 struct Flywheel {
   static constexpr auto id = "machine.flywheel";
-  static constexpr auto title = "Flywheel and motor power";
+  static constexpr auto title = "Flywheel sizing and motor power";
   static constexpr auto scope =
-      "Moment of inertia of a flywheel for a given unevenness from the driving moment over a cycle, the unevenness of "
-      "a "
-      "given flywheel, the speeds that it swings between, and the mean power of the motor. Periodic motion.";
+      "Moment of inertia of a flywheel for a required coefficient of speed fluctuation from the driving moment "
+      "over a cycle, the fluctuation of a given flywheel, its speed limits and the mean motor power; periodic "
+      "motion.";
   static constexpr auto source = "[Khurmi-16], [B36]";
   static constexpr auto synonyms =
       "flywheel, speed fluctuation, coefficient of fluctuation, degree of irregularity, cyclic irregularity, "
@@ -166,12 +166,12 @@ delta = 0.01
   static constexpr std::array meanings{Meaning{"M_m", "mean"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"unevenness", "the machine runs unevenly", &always<Input>}.of_service().judged_by("u_delta"),
-      Mode<Input>{"motor", "the motor is too weak", &always<Input>}.of_service().judged_by("u_P"),
-      Mode<Input>{"bursting", "the rim bursts by its speed", [](const Input& in) { return shown_by(is_set(in.D)); }}
+      Mode<Input>{"unevenness", "speed fluctuation", &always<Input>}.of_service().judged_by("u_delta"),
+      Mode<Input>{"motor", "motor power rating", &always<Input>}.of_service().judged_by("u_P"),
+      Mode<Input>{"bursting", "rim bursting", [](const Input& in) { return shown_by(is_set(in.D)); }}
           .judged_by("u_v")
           .wanting("D, v_adm"),
-      Mode<Input>{"overspeed", "the rim bursts when the load is lost", &unseen<Input>}.special()};
+      Mode<Input>{"overspeed", "rim bursting at load rejection", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -18,10 +18,10 @@ namespace loadpath::motion {
 
 struct Compound {
   static constexpr auto id = "motion.compound";
-  static constexpr auto title = "Compound motion of a point";
+  static constexpr auto title = "Relative (compound) motion of a point";
   static constexpr auto scope =
-      "Absolute velocity and acceleration of a point that moves in a frame which moves and turns itself: relative, "
-      "transport and Coriolis parts. One instant; the frame turns about an axis of fixed direction.";
+      "Absolute velocity and acceleration of a point in a moving and rotating frame at one instant, by "
+      "relative, transport and Coriolis components; the frame rotates about an axis of fixed direction.";
   static constexpr auto source = "[B31]";
   static constexpr auto synonyms =
       "relative motion, compound motion, Coriolis acceleration, rotating frame, transport velocity, "

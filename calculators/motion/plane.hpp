@@ -21,11 +21,11 @@ namespace loadpath::motion {
 
 struct Plane : PlaneTypes {
   static constexpr auto id = "motion.plane";
-  static constexpr auto title = "Plane motion of a body";
+  static constexpr auto title = "Plane motion of a rigid body";
   static constexpr auto scope =
-      "Angular speed and pole of velocities of a body in plane motion, from its angular speed or from the velocities "
-      "of "
-      "two of its points; velocities of further points, and accelerations where that of A is given. One instant.";
+      "Angular velocity and instantaneous centre of velocity of a body in plane motion at one instant, from "
+      "its angular velocity or the velocities of two points, with velocities of further points and, for a "
+      "known acceleration of A, their accelerations.";
   static constexpr auto source = "[B29], [B28]";
   static constexpr auto synonyms =
       "plane motion, rigid body kinematics, instantaneous centre, instant centre of rotation, relative velocity, "

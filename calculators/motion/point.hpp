@@ -23,10 +23,10 @@ namespace loadpath::motion {
 
 struct Point {
   static constexpr auto id = "motion.point";
-  static constexpr auto title = "Motion of a point";
+  static constexpr auto title = "Kinematics of a point";
   static constexpr auto scope =
-      "Path, velocity and acceleration of a point from its law of motion x(t), y(t), z(t), with the parts along the "
-      "tangent and the normal, the radius of curvature and the way over a range of time. Laws must be smooth.";
+      "Path, velocity, acceleration with tangential and normal components, radius of curvature and distance "
+      "travelled of a point from smooth laws of motion x(t), y(t), z(t).";
   static constexpr auto source = "[B26], [B28]";
   static constexpr auto synonyms =
       "kinematics, particle, velocity, acceleration, trajectory, tangential acceleration, normal acceleration, "

@@ -21,10 +21,10 @@ namespace loadpath::motion {
 
 struct Rotation {
   static constexpr auto id = "motion.rotation";
-  static constexpr auto title = "Rotation of a body about a fixed axis";
+  static constexpr auto title = "Rotation about a fixed axis";
   static constexpr auto scope =
-      "Angular speed and acceleration from the law of rotation phi(t); speed and acceleration of a point of the body; "
-      "turns over a range of time. Laws must be smooth.";
+      "Angular velocity and acceleration of a body from a smooth law phi(t), velocity and acceleration of one "
+      "of its points, and revolutions over a time range.";
   static constexpr auto source = "[B28]";
   static constexpr auto synonyms =
       "rotation, angular velocity, angular acceleration, revolutions, fixed axis, Drehung um feste Achse, "

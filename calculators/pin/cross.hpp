@@ -24,10 +24,11 @@ namespace loadpath::pin {
 
 struct Cross {
   static constexpr auto id = "pin.cross";
-  static constexpr auto title = "Pin across shaft and hub";
+  static constexpr auto title = "Cross pin (shaft-hub)";
   static constexpr auto scope =
-      "Shear of a pin that goes across a solid shaft and its hub and carries the torque, pressure in shaft and hub, "
-      "torsion of the shaft beside its hole. Static; the notch of the hole and the hub are not covered.";
+      "Shear of a pin through a solid shaft and its hub that transmits the torque, bearing pressure in shaft "
+      "and hub, and torsion of the shaft at the hole; static; the stress concentration of the hole and the hub "
+      "are not covered.";
   static constexpr auto source = "[RM-9], [Inggo-31], [DIN743]";
   static constexpr auto synonyms =
       "cross pin, transverse pin, taper pin, dowel pin, shear pin, shaft-hub connection, Querstift, "
@@ -139,19 +140,19 @@ tau_adm_1 = "40 MPa"
   static constexpr std::array senses{SenseClaim{"T", "loading", "steady, pulsating", "alternating"}};
   static constexpr std::array meanings{Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
-      Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau, x_E"),
-      Mode<Input>{"shaft_bore", "bore of the shaft crushed", &loaded}.judged_by("u_1"),
-      Mode<Input>{"hub_bore", "bores of the hub crushed", &loaded}.judged_by("u_2"),
-      Mode<Input>{"shaft", "shaft twisted off beside its hole", &loaded}.judged_by("u_t, x_d"),
-      Mode<Input>{"fatigue", "fatigue of the pin, by what the loading allows", &varies}.judged_by("u_tau"),
-      Mode<Input>{"variation", "fatigue of a pin whose loading is not said to vary", &may_vary}.in_service().wanting(
+      Mode<Input>{"shear", "shear of the pin", &loaded}.judged_by("u_tau, x_E"),
+      Mode<Input>{"shaft_bore", "bearing pressure, shaft", &loaded}.judged_by("u_1"),
+      Mode<Input>{"hub_bore", "bearing pressure, hub", &loaded}.judged_by("u_2"),
+      Mode<Input>{"shaft", "torsion of the shaft at the hole", &loaded}.judged_by("u_t, x_d"),
+      Mode<Input>{"fatigue", "pin, allowable stress for stated loading", &varies}.judged_by("u_tau"),
+      Mode<Input>{"variation", "pin fatigue, loading type unstated", &may_vary}.in_service().wanting(
           "loading = pulsating"),
-      Mode<Input>{"shaft_fatigue", "fatigue of the shaft at the edge of the hole", &shaft_varies}
+      Mode<Input>{"shaft_fatigue", "shaft fatigue at the cross hole", &shaft_varies}
           .in_service()
           .assessed_beside("shaft.design"),
-      Mode<Input>{"wall", "the wall of the hub beside the pin", &unseen<Input>},
-      Mode<Input>{"other_loads", "what comes along with the torque: forces on the hub", &unseen<Input>}.by_companions(),
-      Mode<Input>{"fretting", "a hub that is loose on its shaft and beats the pin out", &unseen<Input>}.special()};
+      Mode<Input>{"wall", "hub wall strength at the pin", &unseen<Input>},
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"fretting", "loosening of hub and pin", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -20,12 +20,11 @@ namespace loadpath::pin {
 
 struct En1993 {
   static constexpr auto id = "pin.en1993";
-  static constexpr auto title = "Pin connection by EN 1993-1-8";
+  static constexpr auto title = "Pin connection to EN 1993-1-8";
   static constexpr auto scope =
-      "Resistance of a solid pin in shear and bending, of its plates in bearing, their least edge distances, and what "
-      "a "
-      "pin that can be replaced needs besides, by EN 1993-1-8:2005, 3.13, with partial factors. Fatigue and bored pins "
-      "are not covered.";
+      "Shear, bending and bearing resistance of a solid pin and its plates, minimum end and edge distances, "
+      "and the additional requirements for replaceable pins, to EN 1993-1-8:2005, 3.13, with partial factors; "
+      "fatigue and hollow pins are not covered.";
   static constexpr auto source = "[EN1993-1-8]";
   static constexpr auto synonyms =
       "EN 1993-1-8, Eurocode 3, pinned connection, pin plate, bearing resistance, replaceable pin, "
@@ -170,17 +169,17 @@ e_c2 = "35 mm"
                   "gamma_M6, replaceable", "gamma_M6 belongs to a pin that can be replaced: replaceable = \"yes\""}};
 
   static constexpr std::array modes{
-      Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_v"),
-      Mode<Input>{"bending", "pin bent, with its shear", &loaded}.judged_by("u_m, u_vm"),
-      Mode<Input>{"bearing_1", "bore of the middle plate crushed", &loaded}.judged_by("u_b1"),
-      Mode<Input>{"bearing_2", "bores of the outer plates crushed", &loaded}.judged_by("u_b2"),
-      Mode<Input>{"plate_1", "middle plate torn or sheared out at the bore", &loaded}.judged_by("u_a1, u_c1"),
-      Mode<Input>{"plate_2", "outer plates torn or sheared out at the bore", &loaded}.judged_by("u_a2, u_c2"),
-      Mode<Input>{"replacing", "a pin that cannot be drawn any more", &replaced}.judged_by(
+      Mode<Input>{"shear", "shear of the pin", &loaded}.judged_by("u_v"),
+      Mode<Input>{"bending", "bending resistance of the pin, with shear", &loaded}.judged_by("u_m, u_vm"),
+      Mode<Input>{"bearing_1", "bearing resistance, middle plate", &loaded}.judged_by("u_b1"),
+      Mode<Input>{"bearing_2", "bearing resistance, outer plates", &loaded}.judged_by("u_b2"),
+      Mode<Input>{"plate_1", "end and edge distance, middle plate", &loaded}.judged_by("u_a1, u_c1"),
+      Mode<Input>{"plate_2", "end and edge distance, outer plates", &loaded}.judged_by("u_a2, u_c2"),
+      Mode<Input>{"replacing", "serviceability of a replaceable pin", &replaced}.judged_by(
           "u_ms, u_s1, u_s2, u_h1, u_h2"),
       Mode<Input>{"fatigue", "fatigue of pin and plates", &unseen<Input>}.in_service().assessed_beside("fatigue.life"),
-      Mode<Input>{"other_loads", "what comes along with the force, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"wear", "wear of pin and bores where they turn", &unseen<Input>}.special()};
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"wear", "wear of pin and bores", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -35,11 +35,11 @@ struct LugLoad {
 
 struct Joint {
   static constexpr auto id = "pin.joint";
-  static constexpr auto title = "Pin in a fork or a wall";
+  static constexpr auto title = "Clevis pin or cantilever pin joint";
   static constexpr auto scope =
-      "Bending and shear of a pin, solid or bored, in a fork and an eye or held on one side; pressure in eye and fork; "
-      "pressure times speed where it turns. The walls of eye and fork are left to pin.lug; a bored pin that turns oval "
-      "is not covered.";
+      "Bending and shear of a solid or hollow pin in a clevis and eye, or cantilevered from a wall, bearing "
+      "pressure in eye and clevis, and the pv value where it turns; eye and clevis walls are assessed by "
+      "pin.lug; ovalisation of a hollow pin is not covered.";
   static constexpr auto source = "[RM-9], [Bhandari-4], [Mises]";
   static constexpr auto synonyms =
       "clevis pin, pin joint, fork pin, gudgeon pin, wrist pin, hinge pin, knuckle joint, bearing pressure, "
@@ -189,25 +189,25 @@ p_adm_2 = "100 MPa"
   static constexpr std::array meanings{Meaning{"sigma_adm", allowable_in_normal},
                                        Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
-      Mode<Input>{"bending", "pin bent", &loaded}.judged_by("u_b, u_v, x_E"),
-      Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau, x_E"),
-      Mode<Input>{"eye", "pin or bore of the eye crushed", &loaded}.judged_by("u_1"),
-      Mode<Input>{"fork", "pin or bore of fork or wall crushed", &loaded}.judged_by("u_2"),
-      Mode<Input>{"fatigue", "fatigue of the pin, by what the loading allows", &varies}.judged_by("u_b, u_tau"),
-      Mode<Input>{"variation", "fatigue of a pin whose loading is not said to vary", &may_vary}.in_service().wanting(
+      Mode<Input>{"bending", "bending of the pin", &loaded}.judged_by("u_b, u_v, x_E"),
+      Mode<Input>{"shear", "shear of the pin", &loaded}.judged_by("u_tau, x_E"),
+      Mode<Input>{"eye", "bearing pressure, eye", &loaded}.judged_by("u_1"),
+      Mode<Input>{"fork", "bearing pressure, clevis or wall", &loaded}.judged_by("u_2"),
+      Mode<Input>{"fatigue", "pin, allowable stress for stated loading", &varies}.judged_by("u_b, u_tau"),
+      Mode<Input>{"variation", "pin fatigue, loading type unstated", &may_vary}.in_service().wanting(
           "loading = pulsating"),
-      Mode<Input>{"wear", "wear and heat of the seat that slides", &turns_in_seat}
+      Mode<Input>{"wear", "wear and heating (pv value)", &turns_in_seat}
           .judged_by("u_pv")
           .wanting("n, pv_adm")
           .special()
           .in_service(),
-      Mode<Input>{"eye_wall", "eye torn or sheared out", &loaded}.left_to("pin.lug", "eye.net, eye.shear_out"),
-      Mode<Input>{"fork_wall", "cheek of the fork torn or sheared out", &forked}.left_to("pin.lug",
+      Mode<Input>{"eye_wall", "net section and shear-out, eye", &loaded}.left_to("pin.lug", "eye.net, eye.shear_out"),
+      Mode<Input>{"fork_wall", "net section and shear-out, clevis", &forked}.left_to("pin.lug",
                                                                                          "cheek.net, cheek.shear_out"),
-      Mode<Input>{"wall", "wall that holds the pin on one side broken", &in_wall},
-      Mode<Input>{"oval", "a bored pin that turns oval", &bored},
-      Mode<Input>{"other_loads", "what comes along with the force, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"locking", "a pin that creeps out of its seat", &unseen<Input>}.special()};
+      Mode<Input>{"wall", "strength of the supporting wall", &in_wall},
+      Mode<Input>{"oval", "ovalisation of a hollow pin", &bored},
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"locking", "axial retention of the pin", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

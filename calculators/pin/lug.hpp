@@ -22,10 +22,11 @@ namespace loadpath::pin {
 
 struct Lug {
   static constexpr auto id = "pin.lug";
-  static constexpr auto title = "Eye around a pin";
+  static constexpr auto title = "Lug (eye) of a pin joint";
   static constexpr auto scope =
-      "Net section, shear-out and bearing of an eye or of one cheek of a fork, by nominal stresses, along its axis. "
-      "Eyes of another shape than a round head, forces across the axis and the notch of the bore are not covered.";
+      "Nominal net section, shear-out and bearing stresses of an eye or one clevis cheek loaded along its "
+      "axis; eyes other than round heads, transverse forces and the stress concentration of the bore are not "
+      "covered.";
   static constexpr auto source = "[Bhandari-4], [EN1993-1-8], [Mises]";
   static constexpr auto synonyms =
       "lug, eye, eye bar, clevis cheek, net section, shear-out, tear-out, bearing stress, Augenstab, Lasche, Auge, "
@@ -123,14 +124,14 @@ p_adm = "80 MPa"
                                        Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array notch_claims{NotchClaim{"sigma_n, cycle.sigma_max", "K_t"}};
   static constexpr std::array modes{
-      Mode<Input>{"net", "eye torn beside the bore", &loaded}.judged_by("u_n, x_b").wanting("sigma_adm"),
-      Mode<Input>{"shear_out", "eye sheared out to its crown", &loaded}.judged_by("u_s").wanting("tau_adm"),
-      Mode<Input>{"crown", "eye split or bent at its crown", &loaded}.judged_by("x_a").of_shape(),
-      Mode<Input>{"bearing", "bore crushed", &loaded}.judged_by("u_p"),
-      Mode<Input>{"fatigue", "fatigue at the edge of the bore", &varies}
+      Mode<Input>{"net", "net section tension", &loaded}.judged_by("u_n, x_b").wanting("sigma_adm"),
+      Mode<Input>{"shear_out", "shear-out", &loaded}.judged_by("u_s").wanting("tau_adm"),
+      Mode<Input>{"crown", "end distance of the lug", &loaded}.judged_by("x_a").of_shape(),
+      Mode<Input>{"bearing", "bearing pressure in the bore", &loaded}.judged_by("u_p"),
+      Mode<Input>{"fatigue", "fatigue at the bore edge", &varies}
           .left_to("fatigue.cycle", "cycle.fatigue")
           .in_service(),
-      Mode<Input>{"across", "what comes along with the force across the axis of the eye", &unseen<Input>}
+      Mode<Input>{"across", "transverse loads on the lug", &unseen<Input>}
           .by_companions()};
 
   template <class Tracer>

@@ -19,10 +19,11 @@ namespace loadpath::shaft {
 
 struct Circlip {
   static constexpr auto id = "shaft.circlip";
-  static constexpr auto title = "Retaining ring on a shaft";
+  static constexpr auto title = "Retaining ring (circlip) and groove";
   static constexpr auto scope =
-      "What the groove of a retaining ring, its shoulder and the ring itself bear along the shaft, and the speed at "
-      "which the ring opens. Impact and assembly are not covered, the shaft's fatigue at the groove is shaft.design's.";
+      "Axial load capacity of groove, shoulder and ring of a retaining ring on a shaft, and the detaching "
+      "speed of the ring; impact and assembly are not covered; shaft fatigue at the groove is assessed by "
+      "shaft.design.";
   static constexpr auto source = "[DIN471]";
   static constexpr auto synonyms =
       "circlip, retaining ring, snap ring, groove, axial retention, detaching speed, DIN 471, Sicherungsring, "
@@ -135,23 +136,23 @@ n = "1500 rpm"
                                                 "F_Rg, g", "F_Rg is for a chamfer g: give both"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"groove", "side of the groove crushed, or its shoulder sheared off", &loaded}.judged_by(
+      Mode<Input>{"groove", "groove yielding and shoulder shear", &loaded}.judged_by(
           "u_N, x_w, x_t"),
-      Mode<Input>{"bore", "the wall of a hollow shaft under the groove",
+      Mode<Input>{"bore", "shaft wall under the groove",
                   [](const Input& in) { return where(in.d_bore > 0.0 * mm); }}
           .judged_by("x_b")
           .of_shape(),
-      Mode<Input>{"ring", "ring dished or pushed out", &loaded}.judged_by("u_R").wanting("c, F_R"),
-      Mode<Input>{"opening", "a ring that opens at speed", &turns_round}
+      Mode<Input>{"ring", "ring dishing and push-out", &loaded}.judged_by("u_R").wanting("c, F_R"),
+      Mode<Input>{"opening", "detaching speed of the ring", &turns_round}
           .judged_by("u_n")
           .wanting("n, n_abl")
           .in_service(),
-      Mode<Input>{"fatigue", "fatigue of the shaft at the groove", &varies}
+      Mode<Input>{"fatigue", "shaft fatigue at the groove", &varies}
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),
-      Mode<Input>{"other_loads", "what comes along with the force, and no ring bears", &unseen<Input>}.by_companions(),
-      Mode<Input>{"impact", "a part that strikes the ring", &unseen<Input>}.special(),
-      Mode<Input>{"assembly", "a ring that is stretched too far when it is put on", &unseen<Input>}.special()};
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"impact", "impact on the ring", &unseen<Input>}.special(),
+      Mode<Input>{"assembly", "ring stress at assembly", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

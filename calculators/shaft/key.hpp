@@ -26,9 +26,9 @@ struct Key {
   static constexpr auto id = "shaft.key";
   static constexpr auto title = "Parallel key";
   static constexpr auto scope =
-      "Pressure on the sides of one key or two in shaft and hub, on the key itself, its shear; whether the key belongs "
-      "to the shaft, and bears in the hub; the wall of the hub under the root circle of a gear, sprocket or pulley. "
-      "The shaft at the end of its seat and fretting are not covered.";
+      "Bearing pressure of one or two parallel keys on shaft, hub and key, shear of the key, the fit of the "
+      "key to shaft diameter, keyways and hub length, and the hub wall under the root circle of a gear, "
+      "sprocket or pulley; shaft fatigue at the keyway end and fretting are not covered.";
   static constexpr auto source = "[DIN6892], [Mises]";
   static constexpr auto synonyms =
       "key, parallel key, feather key, keyway, keyseat, shaft-hub connection, bearing pressure, DIN 6892, DIN 6885, "
@@ -221,40 +221,40 @@ R_e_k = "420 MPa"
 
   static constexpr std::array senses{SenseClaim{"T", "torque", "one_way", "reversing"}};
   static constexpr std::array modes{
-      Mode<Input>{"shaft", "side of the seat in the shaft crushed", &torque_loads<Input>}.judged_by("u_1"),
-      Mode<Input>{"hub", "side of the seat in the hub crushed", &torque_loads<Input>}.judged_by("u_2"),
-      Mode<Input>{"key", "side of the key crushed", &torque_loads<Input>}.judged_by("u_k"),
-      Mode<Input>{"shear", "key sheared off", &torque_loads<Input>}.judged_by("u_tau"),
-      Mode<Input>{"core", "shaft twisted off under its seat", &twisted}.judged_by("u_t").left_to("shaft.design",
+      Mode<Input>{"shaft", "bearing pressure, shaft keyway", &torque_loads<Input>}.judged_by("u_1"),
+      Mode<Input>{"hub", "bearing pressure, hub keyway", &torque_loads<Input>}.judged_by("u_2"),
+      Mode<Input>{"key", "bearing pressure, key", &torque_loads<Input>}.judged_by("u_k"),
+      Mode<Input>{"shear", "shear of the key", &torque_loads<Input>}.judged_by("u_tau"),
+      Mode<Input>{"core", "torsional yielding of the shaft", &twisted}.judged_by("u_t").left_to("shaft.design",
                                                                                                  "notch.yield"),
-      Mode<Input>{"reversal", "sides beaten out where the torque changes its sense", &torque_reverses<Input>}
+      Mode<Input>{"reversal", "bearing pressure under reversing torque", &torque_reverses<Input>}
           .judged_by("u_W")
           .in_service(),
-      Mode<Input>{"length", "a key so long that its end does not bear", &torque_loads<Input>}
+      Mode<Input>{"length", "effective key length", &torque_loads<Input>}
           .judged_by("x_l")
           .of_shape(),
-      Mode<Input>{"hub_length", "a key that sticks out of the hub", &always<Input>}.judged_by("u_n").of_shape(),
-      Mode<Input>{"fit", "a key that does not belong to the shaft", &always<Input>}
+      Mode<Input>{"hub_length", "key length within the hub", &always<Input>}.judged_by("u_n").of_shape(),
+      Mode<Input>{"fit", "key size for the shaft diameter", &always<Input>}
           .judged_by("x_d, x_b, x_t")
           .of_shape(),
-      Mode<Input>{"depth", "a key that is too high for its seats", &always<Input>}.judged_by("x_h").of_shape(),
-      Mode<Input>{"bore", "the wall of a hollow shaft under the seat",
+      Mode<Input>{"depth", "key height within the keyways", &always<Input>}.judged_by("x_h").of_shape(),
+      Mode<Input>{"bore", "shaft wall under the keyway",
                   [](const Input& in) { return where(in.d_bore > 0.0 * mm); }}
           .judged_by("x_w")
           .of_shape(),
-      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the seat", &torque_varies<Input>}
+      Mode<Input>{"fatigue", "shaft fatigue at the keyway end", &torque_varies<Input>}
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),
-      Mode<Input>{"seat", "a hub that shifts or tilts by the forces that come with the torque: no key holds it",
+      Mode<Input>{"seat", "hub tilting and axial shift",
                   &unseen<Input>}
           .by_companions(),
-      Mode<Input>{"wall", "wall thickness of the hub above the keyway", &has_root<Input>}
+      Mode<Input>{"wall", "hub wall strength at the keyway", &has_root<Input>}
           .judged_by("m_R, x_R")
           .wanting("d_f")
           .of_shape(),
       overhang<Input>(),
-      Mode<Input>{"fretting", "fretting of the seat", &unseen<Input>}.special(),
-      Mode<Input>{"balance", "imbalance by a single key at a high speed", &unseen<Input>}.special()};
+      Mode<Input>{"fretting", "fretting of the key connection", &unseen<Input>}.special(),
+      Mode<Input>{"balance", "unbalance of a single key", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

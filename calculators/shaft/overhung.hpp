@@ -21,10 +21,9 @@ struct Overhung {
   static constexpr auto id = "shaft.overhung";
   static constexpr auto title = "Overhung shaft end in bending and torsion";
   static constexpr auto scope =
-      "Least diameter of a round shaft at the bearing beside an overhang, from the transverse force and the torque "
-      "that "
-      "act at the same time; stresses at the chosen diameter. Static strength. Fatigue, notches and deflection are not "
-      "covered.";
+      "Minimum diameter of a circular shaft at the bearing next to an overhang, for simultaneous transverse "
+      "force and torque, with the static stresses at the chosen diameter; fatigue, notches and deflection are "
+      "not covered.";
   static constexpr auto source = "[B19], [Mises]";
   static constexpr auto synonyms =
       "overhung shaft, cantilever shaft, shaft end, crankshaft end, bending and torsion, equivalent moment, "
@@ -116,9 +115,9 @@ tau_adm = "30 MPa"
 
   static constexpr std::array meanings{Meaning{"sigma_b, M_b", reverses_in_turns}};
   static constexpr auto modes = with_modes_of_shafts(std::array{
-      Mode<Input>{"yield", "yield beside the bearing, in bending with torsion", &loaded}.judged_by("u_v"),
-      Mode<Input>{"shear", "yield at the neutral axis, in shear", &loaded}.judged_by("u_Q"),
-      Mode<Input>{"torsion", "torsion alone", [](const Input& in) { return where(is_set(in.tau_adm)); }}.judged_by(
+      Mode<Input>{"yield", "yielding in bending and torsion", &loaded}.judged_by("u_v"),
+      Mode<Input>{"shear", "shear yielding at the neutral axis", &loaded}.judged_by("u_Q"),
+      Mode<Input>{"torsion", "yielding in pure torsion", [](const Input& in) { return where(is_set(in.tau_adm)); }}.judged_by(
           "u_tau"),
       fatigue_of_shaft<Input>().assessed_in("shaft.design")});
 

@@ -27,11 +27,11 @@ namespace loadpath::shaft {
 
 struct PressFit {
   static constexpr auto id = "shaft.press_fit";
-  static constexpr auto title = "Press fit";
+  static constexpr auto title = "Interference fit (press or shrink fit)";
   static constexpr auto scope =
-      "Pressure between shaft and hub, elastic, from the smallest and from the largest interference; slip under torque "
-      "and axial force, yield of both rings, force to press it on or heat to shrink it, loss of "
-      "interference at speed. Fatigue at the edge of the hub is not covered.";
+      "Joint pressure at minimum and maximum interference of an elastic interference fit, slip under torque "
+      "and axial force, yielding of shaft and hub, press-in force, heating for assembly, and loss of "
+      "interference at speed; fatigue at the hub edge is not covered.";
   static constexpr auto source = "[Lame], [DIN7190]";
   static constexpr auto synonyms =
       "interference fit, press fit, shrink fit, force fit, interference, oversize, Lamé, DIN 7190, slip, "
@@ -248,29 +248,29 @@ dT_adm = "250 K"
 
   static constexpr std::array meanings{Meaning{"R_e_1, R_e_2", yield_strength}};
   static constexpr std::array modes{
-      Mode<Input>{"slip", "slip of the hub", &loaded}.judged_by("u_s, x_l").wanting("T, mu, S_r"),
-      Mode<Input>{"shaft", "yield of the shaft under the hub", &always<Input>}.judged_by("u_1"),
-      Mode<Input>{"core", "shaft twisted off beside the hub", &twisted}.judged_by("u_t"),
-      Mode<Input>{"hub", "yield of the hub at its bore", &always<Input>}.judged_by("u_2"),
-      Mode<Input>{"pressing", "a hub that the press does not get on", &always<Input>}.judged_by("u_F").of_service(),
-      Mode<Input>{"shrinking", "a hub that heat does not get on", &always<Input>}.judged_by("u_A").of_service(),
-      Mode<Input>{"fatigue", "fatigue of the shaft under the edge of the hub, and fretting",
+      Mode<Input>{"slip", "slip of the interference fit", &loaded}.judged_by("u_s, x_l").wanting("T, mu, S_r"),
+      Mode<Input>{"shaft", "yielding of the shaft", &always<Input>}.judged_by("u_1"),
+      Mode<Input>{"core", "torsional yielding of the shaft", &twisted}.judged_by("u_t"),
+      Mode<Input>{"hub", "yielding of the hub bore", &always<Input>}.judged_by("u_2"),
+      Mode<Input>{"pressing", "press-in force", &always<Input>}.judged_by("u_F").of_service(),
+      Mode<Input>{"shrinking", "hub heating for shrink fitting", &always<Input>}.judged_by("u_A").of_service(),
+      Mode<Input>{"fatigue", "shaft fatigue and fretting, hub edge",
                   [](const Input& in) { return shown_by(in.K_A > 1.0); }}
           .in_service()
           .assessed_beside("shaft.design"),
-      Mode<Input>{"opening", "a hub that gapes or creeps by the forces that come with the torque", &unseen<Input>}
+      Mode<Input>{"opening", "joint gaping under bending", &unseen<Input>}
           .by_companions(),
-      Mode<Input>{"speed", "loss of interference at speed",
+      Mode<Input>{"speed", "centrifugal loss of interference",
                   [](const Input& in) { return is_set(in.n) ? where(abs(in.n) > 0.0 * rpm) : Applies::unseen; }}
           .judged_by("u_n")
           .wanting("rho_1, rho_2")
           .special(),
-      Mode<Input>{"wall", "rim of the gear over the fit", &has_root<Input>}.judged_by("m_R").wanting("d_f").of_shape(),
+      Mode<Input>{"wall", "gear rim over the fit", &has_root<Input>}.judged_by("m_R").wanting("d_f").of_shape(),
       overhang<Input>(),
-      Mode<Input>{"warmth", "interference that is lost where hub and shaft do not warm alike",
+      Mode<Input>{"warmth", "thermal loss of interference",
                   [](const Input& in) { return is_set(in.dT_1) || is_set(in.dT_2) ? Applies::no : Applies::unseen; }}
           .special(),
-      Mode<Input>{"brittle", "a brittle hub that bursts", &unseen<Input>}.special()};
+      Mode<Input>{"brittle", "brittle fracture of the hub", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

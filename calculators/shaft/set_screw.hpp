@@ -22,10 +22,11 @@ namespace loadpath::shaft {
 
 struct SetScrew {
   static constexpr auto id = "shaft.set_screw";
-  static constexpr auto title = "Set screws of a hub";
+  static constexpr auto title = "Set screw connection";
   static constexpr auto scope =
-      "Torque and force along the shaft that one set screw or two hold by their points, with the safety that tests of "
-      "makers ask for. Loosening by vibration and the dent in the shaft are not covered.";
+      "Torque and axial force that one or two set screws transmit by their points, against the safety factors "
+      "recommended by manufacturers from tests; self-loosening by vibration and the indentation of the shaft "
+      "are not covered.";
   static constexpr auto source = "[SPS]";
   static constexpr auto synonyms =
       "set screw, grub screw, cup point, hub fastening, holding power, axial holding force, Gewindestift, "
@@ -140,21 +141,21 @@ S = 2
                   "two screws hold less than twice one: give phi with i = 2, and with nothing else"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"slip", "hub that slips around or along the shaft", &loaded}.judged_by("u, x_d, x_h"),
-      Mode<Input>{"screw", "holding force of a set screw of unknown size",
+      Mode<Input>{"slip", "circumferential and axial slip", &loaded}.judged_by("u, x_d, x_h"),
+      Mode<Input>{"screw", "holding force, screw size unknown",
                   [](const Input& in) { return where(!is_set(in.d_s)); }}
           .wanting("d_s"),
-      Mode<Input>{"wall", "thread length in the wall of the hub", &has_root<Input>}
+      Mode<Input>{"wall", "thread length in the hub wall", &has_root<Input>}
           .judged_by("m_R, x_R")
           .wanting("d_f")
           .of_shape(),
-      Mode<Input>{"safety", "a safety below that which tests of this load case ask for", &loaded}.judged_by("u_S"),
-      Mode<Input>{"bore", "the wall of a hollow shaft pushed in by the point",
+      Mode<Input>{"safety", "minimum safety factor for the load case", &loaded}.judged_by("u_S"),
+      Mode<Input>{"bore", "wall of a hollow shaft under the point",
                   [](const Input& in) { return where(in.d_bore > 0.0 * mm); }},
-      Mode<Input>{"core", "shaft twisted off", &twisted}.judged_by("u_t"),
-      Mode<Input>{"seat", "a hub that tilts by the forces that come with the torque", &unseen<Input>}.by_companions(),
-      Mode<Input>{"loosening", "screws that loosen by vibration", &unseen<Input>}.special(),
-      Mode<Input>{"shaft", "fatigue of the shaft at the dent of the point", &unseen<Input>}.in_service()};
+      Mode<Input>{"core", "torsional yielding of the shaft", &twisted}.judged_by("u_t"),
+      Mode<Input>{"seat", "hub tilting", &unseen<Input>}.by_companions(),
+      Mode<Input>{"loosening", "self-loosening by vibration", &unseen<Input>}.special(),
+      Mode<Input>{"shaft", "shaft fatigue at the point indentation", &unseen<Input>}.in_service()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -25,10 +25,11 @@ namespace loadpath::shaft {
 
 struct Spline {
   static constexpr auto id = "shaft.spline";
-  static constexpr auto title = "Splined shaft and hub";
+  static constexpr auto title = "Spline connection";
   static constexpr auto scope =
-      "Mean pressure on the flanks of straight-sided or involute splines in shaft and hub, shear of the teeth, wear of "
-      "a hub that slides. Bending of teeth, the hub's wall and the shaft at the end of the splines are not covered.";
+      "Mean bearing pressure on the flanks of straight-sided or involute splines in shaft and hub, shear of "
+      "the teeth, wear of a sliding hub, and the hub wall under a root circle; tooth bending and shaft fatigue "
+      "at the spline end are not covered.";
   static constexpr auto source = "[Bhandari-9], [WelleNabe], [DIN6892], [Mises]";
   static constexpr auto synonyms =
       "spline, splined shaft, involute spline, straight-sided spline, ISO 14, DIN 5480, shaft-hub connection, "
@@ -205,30 +206,30 @@ R_e_2 = "300 MPa"
 
   static constexpr std::array senses{SenseClaim{"T", "torque", "one_way", "reversing"}};
   static constexpr std::array modes{
-      Mode<Input>{"shaft", "flanks of the shaft crushed", &torque_loads<Input>}.judged_by("u_1"),
-      Mode<Input>{"hub", "flanks of the hub crushed", &torque_loads<Input>}.judged_by("u_2"),
-      Mode<Input>{"teeth", "teeth sheared off", &torque_loads<Input>}.judged_by("u_tau").wanting("b"),
-      Mode<Input>{"core", "shaft twisted off inside of its teeth", &torque_loads<Input>}.judged_by("u_t").left_to(
+      Mode<Input>{"shaft", "bearing pressure, shaft spline", &torque_loads<Input>}.judged_by("u_1"),
+      Mode<Input>{"hub", "bearing pressure, hub spline", &torque_loads<Input>}.judged_by("u_2"),
+      Mode<Input>{"teeth", "shear of the spline teeth", &torque_loads<Input>}.judged_by("u_tau").wanting("b"),
+      Mode<Input>{"core", "torsional yielding of the shaft core", &torque_loads<Input>}.judged_by("u_t").left_to(
           "shaft.design", "notch.yield"),
-      Mode<Input>{"reversal", "sides beaten out where the torque changes its sense", &torque_reverses<Input>}
+      Mode<Input>{"reversal", "bearing pressure under reversing torque", &torque_reverses<Input>}
           .judged_by("u_W")
           .in_service(),
-      Mode<Input>{"wear", "wear of a hub that slides on the shaft", &slides}.judged_by("u_w"),
-      Mode<Input>{"form", "teeth higher than any spline's", &torque_loads<Input>}.judged_by("x_s").of_shape(),
-      Mode<Input>{"length", "splines so long that their end does not bear", &bears_evenly}.judged_by("x_l").of_shape(),
-      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the splines", &torque_varies<Input>}
+      Mode<Input>{"wear", "flank wear of a sliding hub", &slides}.judged_by("u_w"),
+      Mode<Input>{"form", "spline tooth height", &torque_loads<Input>}.judged_by("x_s").of_shape(),
+      Mode<Input>{"length", "effective spline length", &bears_evenly}.judged_by("x_l").of_shape(),
+      Mode<Input>{"fatigue", "shaft fatigue at the spline end", &torque_varies<Input>}
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),
-      Mode<Input>{"seat", "a hub that tilts by the forces that come with the torque", &unseen<Input>}.by_companions(),
-      Mode<Input>{"wall", "wall of the hub under the root circle", &has_root<Input>}
+      Mode<Input>{"seat", "hub tilting", &unseen<Input>}.by_companions(),
+      Mode<Input>{"wall", "hub wall under the root circle", &has_root<Input>}
           .judged_by("m_R, x_R")
           .wanting("d_f")
           .of_shape(),
       overhang<Input>(),
-      Mode<Input>{"notch_factors", "fatigue of the shaft with notch factors lower than those of splines", &low_factors}
+      Mode<Input>{"notch_factors", "notch factors of the splines, shaft fatigue", &low_factors}
           .advising("give beta_b and beta_t of DIN 743, or their source: accept.notch_factors = \"...\""),
-      Mode<Input>{"burst", "the wall of the hub, which flanks at an angle press outwards", &unseen<Input>},
-      Mode<Input>{"fretting", "fretting of the flanks", &unseen<Input>}.special()};
+      Mode<Input>{"burst", "hub bursting by radial flank forces", &unseen<Input>},
+      Mode<Input>{"fretting", "fretting of the spline flanks", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -19,9 +19,9 @@ struct Cone {
   static constexpr auto id = "vessel.cone";
   static constexpr auto title = "Thin-walled conical vessel";
   static constexpr auto scope =
-      "Wall of a cone under internal pressure of gas, or hanging point down with a liquid. Membrane stresses, static. "
-      "Bending at the junction with a cylinder, knuckles, weight of the wall, external pressure and fatigue are not "
-      "covered.";
+      "Static membrane stresses and wall thickness of a cone under internal gas pressure, or hanging apex down "
+      "and filled with liquid; bending at the junction with a cylinder, knuckles, self-weight, external "
+      "pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [ExpertsMind-cone], [Mises]";
   static constexpr auto synonyms =
       "pressure vessel, cone, hopper, conical shell, reducer, Kegel, Trichter, Kegelschale, коническая оболочка, "

@@ -19,9 +19,9 @@ struct Cylinder {
   static constexpr auto id = "vessel.cylinder";
   static constexpr auto title = "Thin-walled cylindrical vessel";
   static constexpr auto scope =
-      "Wall of a cylinder under internal pressure of gas and liquid: open pipe, closed vessel, vessel with rings. "
-      "Membrane stresses, static. Nozzles, junctions with the ends, weight of the wall, external pressure and fatigue "
-      "are not covered.";
+      "Static membrane stresses and wall thickness of a cylinder under internal gas and liquid pressure, as "
+      "open pipe, closed vessel or ring-reinforced vessel; nozzles, end junctions, self-weight, external "
+      "pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Lame], [Mises]";
   static constexpr auto synonyms =
       "pressure vessel, cylinder, pipe, hoop stress, boiler formula, membrane stress, wall thickness, "
@@ -106,10 +106,10 @@ sigma_adm = "140 MPa"
   static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>(
       "u_v, t_R, w_r",
-      Mode<Input>{"ends", "bending of flat ends; dished ones: vessel.sphere, torus, ellipsoid", &has_ends}
+      Mode<Input>{"ends", "strength of the ends (dished: vessel.sphere, torus, ellipsoid)", &has_ends}
           .judged_by("u_e")
           .of_service(),
-      Mode<Input>{"rings", "rings too far apart to help the wall", &ringed}.judged_by("w_r").wanting("A_r, l_r"));
+      Mode<Input>{"rings", "spacing of reinforcing rings", &ringed}.judged_by("w_r").wanting("A_r, l_r"));
 
   static constexpr std::array forms{
       Form{"p, R, delta, sigma_adm", "sigma_o, sigma_M, sigma_v, t_R, delta_min, p_max, u_v, sigma_L, delta_L"}};

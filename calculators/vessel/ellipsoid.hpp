@@ -18,8 +18,9 @@ struct Ellipsoid {
   static constexpr auto id = "vessel.ellipsoid";
   static constexpr auto title = "Thin-walled ellipsoidal vessel or head";
   static constexpr auto scope =
-      "Wall of an ellipsoid of revolution or a half-ellipsoidal head under internal gas pressure. Membrane stresses, "
-      "static. Bending at the junction with a cylinder, nozzles, external pressure and fatigue are not covered.";
+      "Static membrane stresses and wall thickness of an ellipsoid of revolution or a semi-ellipsoidal head "
+      "under internal gas pressure; bending at the junction with a cylinder, nozzles, external pressure and "
+      "fatigue are not covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Mises]";
   static constexpr auto synonyms =
       "ellipsoidal head, dished end, dished head, vessel head, knuckle, crown, pressure vessel, Ellipsoidboden, "
@@ -74,7 +75,7 @@ sigma_adm = "140 MPa"
   static constexpr Applies flat(const Input& in) { return where(in.a * in.a > 2.0 * in.b * in.b); }
   static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>(
-      "u_v, t_R, x_s", Mode<Input>{"knuckle", "buckling of the knuckle in compression", &flat}.judged_by("w_b"));
+      "u_v, t_R, x_s", Mode<Input>{"knuckle", "buckling of the knuckle", &flat}.judged_by("w_b"));
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -21,12 +21,11 @@ namespace loadpath::vessel {
 
 struct Shell {
   static constexpr auto id = "vessel.shell";
-  static constexpr auto title = "Thin shell of revolution with any meridian";
+  static constexpr auto title = "Thin shell of revolution";
   static constexpr auto scope =
-      "Membrane stresses of a shell of revolution whose meridian is given by points, under internal pressure of gas "
-      "and "
-      "liquid; least thickness. Edges of the meridian, jumps of its curvature (a knuckle beside a crown: see "
-      "vessel.sphere and vessel.torus), weight of the wall, external pressure and fatigue are not covered.";
+      "Membrane stresses and minimum thickness of a shell of revolution with a point-defined meridian, under "
+      "internal gas and liquid pressure; meridian kinks, curvature jumps (knuckle at a crown), self-weight, "
+      "external pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Mises]";
   static constexpr auto synonyms =
       "shell of revolution, membrane theory, meridian, hoop stress, meridional stress, tank, Rotationsschale, "
@@ -120,8 +119,8 @@ sigma_adm = "120 MPa"
   static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>(
       "u_v, t_R, psi_max, s_min, x_s, w_kappa",
-      Mode<Input>{"knuckle", "buckling of a knuckle in compression", &knuckle_compressed}.judged_by("w_b"),
-      Mode<Input>{"buckling", "buckling of the wall in compression", &compressed});
+      Mode<Input>{"knuckle", "buckling of the knuckle", &knuckle_compressed}.judged_by("w_b"),
+      Mode<Input>{"buckling", "compressive buckling of the wall", &compressed});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

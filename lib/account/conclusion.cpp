@@ -36,7 +36,7 @@ Message of_gaps(const Modes& sorted, const Conclusion& all) {
   return outside == 0 ? needed : say("{1}, {2} outside the scope", needed, std::to_string(outside));
 }
 
-/// "fatigue" of "fatigue, at shoulders, keyways and press fits first".
+/// "fatigue" of "fatigue (shoulders, keyways, press fits)".
 std::string short_title(const Mode& mode) {
   const std::string title = mode.title.text();
   return title.substr(0, title.find_first_of(",:;("));

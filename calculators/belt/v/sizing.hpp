@@ -13,11 +13,11 @@ namespace loadpath::belt {
 
 struct VSizing : VSizingTypes {
   static constexpr auto id = "belt.v_sizing";
-  static constexpr auto title = "V-belt drives that can be bought";
+  static constexpr auto title = "V-belt drive selection";
   static constexpr auto scope =
-      "Ranked list of V-belt drives out of standard sections, pulleys and lengths for a power, two speeds and a rough "
-      "centre distance, on one basis; the best one with its whole calculation, or where none passes the one that comes "
-      "nearest, with the most belts that are allowed. Covers what belt.v covers.";
+      "Ranked selection of V-belt drives from standard sections, pulleys and lengths for a power, two speeds "
+      "and an approximate centre distance, with the complete belt.v calculation of the best one or of the "
+      "nearest candidate where none passes.";
   static constexpr auto source = V::source;
   static constexpr auto synonyms =
       "V-belt selection, V-belt sizing, belt selection, standard pulley, standard belt length, catalogue selection, "
@@ -127,16 +127,16 @@ a_set = "600 mm"
   static constexpr std::array meanings{Meaning{"P", "mean"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"drives", "room, sizes that are sold, and all that belt.v asks of a drive", &always<Input>}
+      Mode<Input>{"drives", "availability of a standard drive", &always<Input>}
           .judged_by("drives")
           .of_shape(),
-      Mode<Input>{"power", "power of the belts", &always<Input>}.judged_by("u_P"),
-      Mode<Input>{"grip", "slip in the grooves, by Euler's condition",
+      Mode<Input>{"power", "power rating of the belts", &always<Input>}.judged_by("u_P"),
+      Mode<Input>{"grip", "belt slip (Euler-Eytelwein)",
                   [](const Input& in) { return shown_by(is_set(in.mu)); }}
           .judged_by("u_grip"),
-      Mode<Input>{"rim", "bursting of the rims", &always<Input>}.judged_by("u_rim"),
-      Mode<Input>{"bending", "bending frequency", &always<Input>}.judged_by("u_B"),
-      Mode<Input>{"radial_load", "radial load that the motor bears", &unseen<Input>}.special(),
+      Mode<Input>{"rim", "bursting of pulley rims", &always<Input>}.judged_by("u_rim"),
+      Mode<Input>{"bending", "flexing frequency", &always<Input>}.judged_by("u_B"),
+      Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special(),
       Mode<Input>{"heat", "heat, oil and dust", &unseen<Input>}.special()};
 
   template <class Tracer>

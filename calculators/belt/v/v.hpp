@@ -26,10 +26,9 @@ struct V : VTypes {
   static constexpr auto id = "belt.v";
   static constexpr auto title = "V-belt drive";
   static constexpr auto scope =
-      "Number of belts, course, initial tension with its measurement, shaft loads and pulleys of an open V-belt drive "
-      "with two pulleys, on one basis: ISO 5292 (GOST 1284.3, classes III and IV) or Optibelt. Within the diameters, "
-      "speeds and lengths that the basis rates. A life is given only where the basis states one. What shafts take "
-      "whole is the largest pull: in running, at standstill or of new belts.";
+      "Number of belts, length, initial tension and its measurement, shaft loads and pulleys of a two-pulley "
+      "open V-belt drive, rated by ISO 5292 (GOST 1284.3, classes III and IV) or Optibelt, within the rated "
+      "diameters, speeds and lengths; life is given only where the rating states one.";
   static constexpr auto source = "[B40], [GOST1284.3], [Optibelt-V]";
   static constexpr auto synonyms =
       "V-belt, wedge belt, narrow V-belt, SPZ, SPA, SPB, belt drive, power rating, ISO 5292, GOST 1284.3, Optibelt, "
@@ -113,7 +112,7 @@ L = "2650 mm"
       Field{&Result::gamma, "gamma", deg, "inclination of the spans to the line of centres"},
       Field{&Result::alpha_1, "alpha_1", deg, "wrap of the driving pulley"},
       Field{&Result::alpha_2, "alpha_2", deg, "wrap of the driven pulley"},
-      Field{&Result::alpha, "alpha", deg, "wrap of the smaller pulley"},
+      Field{&Result::alpha, "alpha", deg, "wrap angle, smaller pulley"},
       Field{&Result::K_A, "K_A", ratio, "service factor"},
       Field{&Result::P_B, "P_B", kW, "design power"}.holding("K_A"),
       Field{&Result::P_0, "P_0", kW, "rated power of one belt, equal pulleys"},
@@ -203,26 +202,26 @@ L = "2650 mm"
   static constexpr std::array meanings{Meaning{"P", "mean"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"power", "power of the belts", &always<Input>}.judged_by("u_P, P_N, x_n"),
-      Mode<Input>{"pulley", "least pulley of the section", &always<Input>}.judged_by("x_d"),
-      Mode<Input>{"length", "length that the basis rates", &always<Input>}.judged_by("x_L").of_shape(),
-      Mode<Input>{"wrap", "wrap of the smaller pulley", &always<Input>}.judged_by("x_alpha"),
-      Mode<Input>{"grip", "slip in the grooves, by Euler's condition",
+      Mode<Input>{"power", "power rating of the belts", &always<Input>}.judged_by("u_P, P_N, x_n"),
+      Mode<Input>{"pulley", "pulley diameter range", &always<Input>}.judged_by("x_d"),
+      Mode<Input>{"length", "belt length range", &always<Input>}.judged_by("x_L").of_shape(),
+      Mode<Input>{"wrap", "wrap angle, smaller pulley", &always<Input>}.judged_by("x_alpha"),
+      Mode<Input>{"grip", "belt slip (Euler-Eytelwein)",
                   [](const Input& in) { return shown_by(is_set(in.mu)); }}
           .judged_by("u_grip"),
-      Mode<Input>{"speed", "speed of the section", &always<Input>}.judged_by("x_v"),
-      Mode<Input>{"rim", "bursting of the rims", &always<Input>}.judged_by("u_rim"),
-      Mode<Input>{"bending", "bending frequency", &always<Input>}.judged_by("u_B"),
-      Mode<Input>{"sharing", "load shared by many belts", &always<Input>}.judged_by("x_z"),
-      Mode<Input>{"room", "room between the rims", &always<Input>}.judged_by("g_r").of_shape(),
-      Mode<Input>{"fitting", "room to fit the belts", &always<Input>}.judged_by("g_f").of_shape(),
-      Mode<Input>{"sold_pulleys", "pulleys that are sold", &always<Input>}.judged_by("off_d").of_shape(),
-      Mode<Input>{"sold_belts", "belts of a length that is sold",
+      Mode<Input>{"speed", "maximum belt speed", &always<Input>}.judged_by("x_v"),
+      Mode<Input>{"rim", "bursting of pulley rims", &always<Input>}.judged_by("u_rim"),
+      Mode<Input>{"bending", "flexing frequency", &always<Input>}.judged_by("u_B"),
+      Mode<Input>{"sharing", "load sharing between belts", &always<Input>}.judged_by("x_z"),
+      Mode<Input>{"room", "clearance between pulley rims", &always<Input>}.judged_by("g_r").of_shape(),
+      Mode<Input>{"fitting", "clearance for belt installation", &always<Input>}.judged_by("g_f").of_shape(),
+      Mode<Input>{"sold_pulleys", "standard pulley diameters", &always<Input>}.judged_by("off_d").of_shape(),
+      Mode<Input>{"sold_belts", "standard belt length",
                   [](const Input& in) { return shown_by(is_set(in.L)); }}
           .judged_by("off_L")
           .wanting("L")
           .of_shape(),
-      Mode<Input>{"radial_load", "radial load that the motor bears", &unseen<Input>}.special(),
+      Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special(),
       Mode<Input>{"heat", "heat, oil and dust", &unseen<Input>}.special()};
 
   template <class Tracer>

@@ -20,13 +20,12 @@ namespace loadpath::column {
 
 struct Lightest : LightestTypes {
   static constexpr auto id = "column.lightest";
-  static constexpr auto title = "Lightest section of a compressed bar";
+  static constexpr auto title = "Lightest column section";
   static constexpr auto scope =
-      "Ranked list of the sections of one family or several that carry a compressed bar, the lightest first, with the "
-      "reason why lighter ones fail; the best one with its whole calculation by column.buckling, and what that does "
-      "not cover: torsional buckling of channels and angles, sections of class 4, holes of a bar in tension. With a "
-      "material each section has the yield strength of its own thickness; those thicker than it is given for are not "
-      "judged.";
+      "Ranking of tabulated sections of the given families by mass per length for an axial force, with the "
+      "reason for the rejection of each lighter section and the complete column.buckling calculation of the "
+      "best one; torsional buckling of channels and angles, class 4 sections and holes in tension members are "
+      "not covered.";
   static constexpr auto source = Buckling::source;
   static constexpr auto synonyms =
       "column selection, section selection, lightest section, optimum column, IPE, HEA, RHS, CHS, strut selection, "

@@ -224,7 +224,7 @@ void yield(const Input& in, const Collective& all, Result& r, Tracer& trace) {
   STEP_TO(r, sigma_min, in.K_A * sigma_2, "with the service factor");
   if (!is_set(in.R_e)) return;
   STEP(sigma_y, in.stress == Stresses::shear ? in.R_e / sqrt(3.0) : in.R_e, "yield strength; of shear by [Mises]");
-  STEP_TO(r, u_y, max(abs(sigma_max), abs(sigma_min)) / sigma_y, "yield at the first cycle");
+  STEP_TO(r, u_y, max(abs(sigma_max), abs(sigma_min)) / sigma_y, "first-cycle yielding");
   if (is_set(in.S_F)) {
     STEP_TO(r, u_F, in.S_F * u_y, "with its safety");
   }

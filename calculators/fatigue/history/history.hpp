@@ -28,11 +28,11 @@ namespace loadpath::fatigue {
 
 struct History : HistoryTypes {
   static constexpr auto id = "fatigue.history";
-  static constexpr auto title = "Life under a history of stress";
+  static constexpr auto title = "Variable-amplitude fatigue (rainflow, Miner)";
   static constexpr auto scope =
-      "Rainflow counting of one turn of a mechanism or of a file of any length, or blocks; damage by Miner's rule with "
-      "the curve of a part or of a welded detail; how often the history can be borne; yield. One nominal stress. "
-      "Recalled: the consistent rule and that of Liu and Zenner.";
+      "Rainflow counting of a stress history (one mechanism cycle or a file) or of load blocks, Miner damage "
+      "with the S-N curve of a part or a welded detail, number of allowable repetitions, and yielding, for one "
+      "nominal stress component.";
   static constexpr auto source = "[E1049], [HCM], [Miner], [Haibach], [EN1993-1-9], [DNVC203], [FKM]";
   static constexpr auto synonyms =
       "rainflow, cycle counting, Miner, Palmgren-Miner, damage sum, load spectrum, load history, "
@@ -256,21 +256,20 @@ n_req = 1
                                        Meaning{"blocks.sigma_a", "amplitude"}, Meaning{"blocks.sigma_m", steady_part}};
 
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
-      Mode<Input>{"fatigue", "fatigue under the history", &always<Input>}
+      Mode<Input>{"yield", "first-cycle yielding", &always<Input>}.judged_by("u_y, u_F"),
+      Mode<Input>{"fatigue", "cumulative fatigue damage", &always<Input>}
           .judged_by("u_D, u_m, x_N, x_B, x_R, x_g, x_O")
           .wanting("n_req"),
       Mode<Input>{"metal",
-                  "fatigue of a metal without a fatigue limit: on the curve of a part, by miner = \"modified\" or "
-                  "\"elementary\"",
+                  "fatigue without a fatigue limit (miner = modified or elementary)",
                   &lacks_limit},
-      Mode<Input>{"mean", "mean stresses in tension, which the curve of r = -1 does not hold", &has_tension}.wanting(
+      Mode<Input>{"mean", "mean stress effect", &has_tension}.wanting(
           "mean"),
-      Mode<Input>{"residue", "cycles of the residue, which are left out", &leaves_residue},
-      Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
-      Mode<Input>{"multiaxial", "other stresses of the same place", &unseen<Input>}.by_companions().assessed_beside(
+      Mode<Input>{"residue", "damage of the rainflow residue", &leaves_residue},
+      Mode<Input>{"notch", "local yielding at the notch root", &unseen<Input>},
+      Mode<Input>{"multiaxial", "additional stress components", &unseen<Input>}.by_companions().assessed_beside(
           "fatigue.multiaxial"),
-      Mode<Input>{"surroundings", "corrosion, heat, fretting", &unseen<Input>}.special()};
+      Mode<Input>{"surroundings", "corrosion, heat and fretting", &unseen<Input>}.special()};
 
   static constexpr bool takes_series = false;
   template <class Tracer>

@@ -36,7 +36,7 @@ void yield(const Input& in, const StressPath& path, Result& r, Tracer& trace) {
                   "largest root of sigma_x^2 + sigma_y^2 - sigma_x sigma_y + 3 tau_xy^2 along the path, [Mises]");
   STEP_TO(r, sigma_v, in.K_A * sigma_v1, "with the service factor");
   if (!is_set(in.R_e)) return;
-  STEP_TO(r, u_y, sigma_v / in.R_e, "yield at the most stressed moment");
+  STEP_TO(r, u_y, sigma_v / in.R_e, "yielding at peak equivalent stress");
   r.n_y = trace.value("n_y", 1.0 / u_y, "safety against it");
   if (is_set(in.S_F)) {
     STEP_TO(r, u_F, in.S_F * u_y, "with its safety");

@@ -26,11 +26,12 @@ namespace loadpath::fatigue {
 
 struct Multiaxial {
   static constexpr auto id = "fatigue.multiaxial";
-  static constexpr auto title = "Plane stress out of phase";
+  static constexpr auto title = "Non-proportional multiaxial fatigue";
   static constexpr auto scope =
-      "Safety without end of a point whose stresses sigma_x, sigma_y and tau_xy vary apart: Findley, Matake, Crossland "
-      "and Dang Van side by side, von Mises in phase beside them; the plane, its amplitude by the smallest circle; "
-      "yielding. Not covered: finite life, brittle metals, stresses across the surface.";
+      "Infinite-life safety factor at a surface point in plane stress with independently varying sigma_x, "
+      "sigma_y and tau_xy by Findley, Matake, Crossland and Dang Van, with von Mises in phase for comparison, "
+      "the critical plane and yielding; finite life, brittle metals and stresses normal to the surface are not "
+      "covered.";
   static constexpr auto source = "[Findley], [Matake], [Crossland], [DangVan], [Mises]";
   static constexpr auto synonyms =
       "multiaxial fatigue, non-proportional, out of phase, critical plane, Findley, Matake, Crossland, Dang Van, "
@@ -180,12 +181,12 @@ S_F = 1.5
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear},
                                        Meaning{"sigma_x, sigma_y, tau_xy", steady_part}};
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield at the most stressed moment", &always<Input>}.judged_by("u_y, u_F"),
-      Mode<Input>{"fatigue", "fatigue, without end, stresses out of phase", &always<Input>}.judged_by("u_D, x_D, x_C"),
+      Mode<Input>{"yield", "yielding at peak equivalent stress", &always<Input>}.judged_by("u_y, u_F"),
+      Mode<Input>{"fatigue", "infinite-life fatigue, non-proportional stresses", &always<Input>}.judged_by("u_D, x_D, x_C"),
       fatigue_of_metal<&varies, Input>(),
-      Mode<Input>{"rest", "what else acts at the same place", &unseen<Input>}.by_companions(),
-      Mode<Input>{"across", "stresses across the surface: pressure, fretting, what lies beneath", &unseen<Input>},
-      Mode<Input>{"surroundings", "corrosion, heat", &unseen<Input>}.special()};
+      Mode<Input>{"rest", "additional stress components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"across", "surface-normal and subsurface stresses", &unseen<Input>},
+      Mode<Input>{"surroundings", "corrosion and heat", &unseen<Input>}.special()};
 
   static constexpr bool takes_series = false;
   template <class Tracer>

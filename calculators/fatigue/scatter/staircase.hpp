@@ -23,11 +23,11 @@ namespace loadpath::fatigue {
 
 struct Staircase {
   static constexpr auto id = "fatigue.staircase";
-  static constexpr auto title = "Fatigue limit by a staircase test";
+  static constexpr auto title = "Staircase test evaluation (Dixon-Mood)";
   static constexpr auto scope =
-      "Mean and standard deviation of the fatigue strength from a staircase test by Dixon and Mood, with the range in "
-      "which its scatter can be told; scatter T_S, strength at a survival probability. Not covered: the confidence of "
-      "a small sample, maximum likelihood.";
+      "Mean and standard deviation of a fatigue limit from a staircase test by Dixon and Mood, scatter T_S, "
+      "and the strength at a survival probability; the confidence of a small sample and maximum likelihood are "
+      "not covered.";
   static constexpr auto source = "[DixonMood], [ISO12107]";
   static constexpr auto synonyms =
       "staircase method, up-and-down method, Dixon-Mood, fatigue limit test, scatter, survival probability, "
@@ -108,10 +108,10 @@ P_s = 0.9
 
   static constexpr std::array meanings{Meaning{"S_50", mean_strength}};
   static constexpr std::array modes{
-      Mode<Input>{"scatter", "a scatter of which so few tests, or so wide steps, do not tell", &always<Input>}
+      Mode<Input>{"scatter", "sample size and step size", &always<Input>}
           .judged_by("x_s, x_n")
           .of_shape(),
-      Mode<Input>{"survival", "a survival of which so few tests do not tell", &always<Input>}
+      Mode<Input>{"survival", "survival probability supported by the sample", &always<Input>}
           .judged_by("P_f")
           .of_shape()};
 

@@ -17,10 +17,11 @@ namespace loadpath::fatigue {
 
 struct Survival {
   static constexpr auto id = "fatigue.survival";
-  static constexpr auto title = "Strength and life at a survival probability";
+  static constexpr auto title = "Conversion of survival probability";
   static constexpr auto scope =
-      "Shift of a fatigue strength, of a life and of the knee from one survival probability to another, log-normal, by "
-      "the scatter T_S or T_N. Not covered: the confidence of a scatter, tails beyond 0.1 %.";
+      "Conversion of a log-normally distributed fatigue strength, life and knee from one survival probability "
+      "to another by the scatter T_S or T_N; the confidence of the scatter and tails beyond 0.1 % are not "
+      "covered.";
   static constexpr auto source = "[ISO12107], [pylife-tests]";
   static constexpr auto synonyms =
       "survival probability, failure probability, reliability, scatter, T_S, T_N, log-normal, quantile, "
@@ -91,7 +92,7 @@ P = 0.975
                   "a strength moves by T_S, a life by T_N; one gives the other with the slope k"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"tail", "a tail of which no tests tell", &always<Input>}.judged_by("x_P").of_shape()};
+      Mode<Input>{"tail", "validity: survival probability", &always<Input>}.judged_by("x_P").of_shape()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

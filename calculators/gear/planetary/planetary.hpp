@@ -28,8 +28,9 @@ struct Planetary : PlanetaryTypes {
   static constexpr auto id = "gear.planetary";
   static constexpr auto title = "Planetary gear set";
   static constexpr auto scope =
-      "Speeds, torques, powers and efficiency of sun, carrier and ring by Willis, with any member held or none; "
-      "conditions of assembly, meshes of sun, planets and ring. Tooth losses only; strength is not covered.";
+      "Speeds, torques, powers and efficiency of sun, carrier and ring by Willis with any member fixed or "
+      "none, assembly conditions and mesh geometry of sun, planets and ring; losses are tooth losses only; "
+      "tooth strength is not covered.";
   static constexpr auto source = "[Willis], [Mueller]";
   static constexpr auto synonyms =
       "planetary gear, epicyclic gear, sun gear, ring gear, carrier, planet, Willis equation, assembly condition, "
@@ -168,31 +169,31 @@ h_ar = 0.9
   static constexpr bool turns = true;
   static Applies loaded(const Input& in) { return where(is_set(in.T_s) || is_set(in.T_c) || is_set(in.T_r)); }
   static constexpr std::array modes{
-      Mode<Input>{"room", "room between every two neighbouring planets", &always<Input>}.judged_by("u_N").of_shape(),
-      Mode<Input>{"coaxial", "sun, planets and ring on one axis", &always<Input>}.judged_by("z_gap").of_shape(),
-      Mode<Input>{"mesh_sun", "mesh of sun and planets: interference and contact", &always<Input>}
+      Mode<Input>{"room", "clearance between adjacent planets", &always<Input>}.judged_by("u_N").of_shape(),
+      Mode<Input>{"coaxial", "coaxiality condition", &always<Input>}.judged_by("z_gap").of_shape(),
+      Mode<Input>{"mesh_sun", "interference and contact ratio, sun-planet", &always<Input>}
           .judged_by("f_sp, eps_sp")
           .of_shape(),
-      Mode<Input>{"mesh_ring", "mesh of planets and ring: interference and contact", &always<Input>}
+      Mode<Input>{"mesh_ring", "interference and contact ratio, planet-ring", &always<Input>}
           .judged_by("f_pr, eps_pr")
           .of_shape(),
       Mode<Input>{"undercut", "undercut of sun and planets", &always<Input>}.judged_by("x_free").of_shape(),
-      Mode<Input>{"clearance", "tips in the roots of their mates", &always<Input>}.judged_by("c_a").of_shape(),
-      Mode<Input>{"pointed", "pointed teeth", &always<Input>}.judged_by("s_a").of_shape(),
-      Mode<Input>{"teeth_sun", "teeth of the sun: root and pitting", &loaded}.left_to(
+      Mode<Input>{"clearance", "tip clearance", &always<Input>}.judged_by("c_a").of_shape(),
+      Mode<Input>{"pointed", "tip thickness", &always<Input>}.judged_by("s_a").of_shape(),
+      Mode<Input>{"teeth_sun", "tooth strength, sun", &loaded}.left_to(
           "gear.pair", "sun_mesh.root_1, sun_mesh.pitting_1"),
-      Mode<Input>{"teeth_planet", "teeth of the planets: root, bent both ways, and pitting", &loaded}.left_to(
+      Mode<Input>{"teeth_planet", "tooth strength, planets", &loaded}.left_to(
           "gear.pair", "sun_mesh.root_2, sun_mesh.pitting_2, ring_mesh.root_1, ring_mesh.pitting_1"),
-      Mode<Input>{"teeth_ring", "teeth of the ring: root and pitting", &loaded}.left_to(
+      Mode<Input>{"teeth_ring", "tooth strength, ring", &loaded}.left_to(
           "gear.pair", "ring_mesh.root_mate, ring_mesh.pitting_2"),
-      Mode<Input>{"trimming", "planets put into the ring sideways", &unseen<Input>}.special(),
-      Mode<Input>{"sharing", "load shared unevenly by the planets",
+      Mode<Input>{"trimming", "trimming interference at radial assembly", &unseen<Input>}.special(),
+      Mode<Input>{"sharing", "load sharing between planets",
                   [](const Input& in) { return in.N_p > 1 && in.K_gamma == 1.0 ? Applies::unseen : Applies::no; }}
           .special(),
-      Mode<Input>{"pins", "pins and bearings of the planets", &unseen<Input>}.special(),
+      Mode<Input>{"pins", "planet pins and bearings", &unseen<Input>}.special(),
       Mode<Input>{"wear", "scuffing, micropitting and wear", &unseen<Input>}.special(),
-      Mode<Input>{"heat", "heat", &unseen<Input>}.special(),
-      Mode<Input>{"rim", "thin rim of planets and ring", &unseen<Input>}.special()};
+      Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special(),
+      Mode<Input>{"rim", "rim thickness, planets and ring", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

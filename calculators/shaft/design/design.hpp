@@ -35,13 +35,11 @@ namespace loadpath::shaft {
 
 struct Design {
   static constexpr auto id = "shaft.design";
-  static constexpr auto title = "Shaft on its bearings";
+  static constexpr auto title = "Shaft design (strength, fatigue, critical speeds)";
   static constexpr auto scope =
-      "Reactions, moments, deflection, slope and twist of a shaft of cylinders and tapers on two or more bearings, "
-      "with "
-      "what sits on it; yield "
-      "and fatigue of every section and notch; critical speeds in bending and in torsion. Forces stand in space while "
-      "the shaft turns, or are given over a turn.";
+      "Reactions, internal forces, deflection, slope and twist of a stepped or tapered shaft on two or more "
+      "bearings, with yielding and fatigue of every section and notch and the lateral and torsional critical "
+      "speeds; loads are fixed in space while the shaft turns, or given over one revolution.";
   static constexpr auto source =
       "[Shigley6], [Shigley7], [DIN743], [FKM], [GOST25504], [Peterson], [Cowper], [Mises], [Foeppl]";
   static constexpr auto synonyms =
@@ -290,79 +288,79 @@ r_T = 0
       Meaning{"sigma_W", fatigue::specimen_in_bending},
       Meaning{"sections.sigma_b, sections.M, sections.M_x, sections.M_y, M_max", reverses_in_turns}};
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v, s_max"),
-      Mode<Input>{"fatigue", "fatigue of a notch or section", &tired}
+      Mode<Input>{"yield", "yielding of shaft sections", &loaded}.judged_by("sections.u_v, s_max"),
+      Mode<Input>{"fatigue", "fatigue of sections and notches", &tired}
           .judged_by("safeties.u_D, safeties.x_b, safeties.x_t, safeties.x_d, safeties.x_n, safeties.x_r, "
                      "safeties.x_DIN, x_E, s_max")
           .wanting("S_D, r_T")
           .in_service(),
       Mode<Input>{"cycles",
-                  "fatigue of a metal without a fatigue limit: a fatigue.life of each section, with its cycles N",
+                  "fatigue without a fatigue limit (fatigue.life of each section)",
                   &endless}
           .assessed_beside("fatigue.life"),
-      Mode<Input>{"neighbours", "fatigue where one notch feels the next", &crowds},
-      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"neighbours", "fatigue at interacting notches", &crowds},
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
       Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y, s_max").of_service(),
-      Mode<Input>{"slope_bearings", "slope of the shaft in its bearings", &loaded}
+      Mode<Input>{"slope_bearings", "shaft slope at bearings", &loaded}
           .judged_by("bearings.u_beta, s_max")
           .wanting("supports beta_adm")
           .of_service(),
-      Mode<Input>{"slope_seats", "slope of the shaft under gears", &loaded}
+      Mode<Input>{"slope_seats", "shaft slope at gears", &loaded}
           .judged_by("seats.u_beta, s_max")
           .wanting("seats beta_adm")
           .of_service(),
-      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta, s_max").of_service(),
-      Mode<Input>{"critical_bending", "critical speed in bending", &running}
+      Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta, s_max").of_service(),
+      Mode<Input>{"critical_bending", "lateral critical speed (whirling)", &running}
           .judged_by("u_n, s_max")
           .wanting("rho, seats mass")
           .in_service(),
-      Mode<Input>{"discs", "turning of what sits on it out of its plane: long hubs lower the critical speed",
+      Mode<Input>{"discs", "gyroscopic effect of attached discs",
                   &bears_discs}
           .wanting("seats I_p, seats I_d")
           .special(),
-      Mode<Input>{"whirl_orders", "forces that come more often than once in a turn, at a frequency of whirl",
+      Mode<Input>{"whirl_orders", "whirl excitation by higher orders",
                   &unseen<Input>}
           .special(),
-      Mode<Input>{"critical_torsion", "critical speed in torsion", &running}
+      Mode<Input>{"critical_torsion", "torsional critical speed", &running}
           .judged_by("harmonics.u_h, s_max")
           .wanting("rho, seats J")
           .in_service(),
-      Mode<Input>{"resonance", "running through a resonance in torsion", &passes_resonance}.special(),
-      Mode<Input>{"train", "torsional vibration of the train that it is coupled to", &unseen<Input>}.special(),
-      Mode<Input>{"bearings", "life and static safety of its bearings", &bears_bearings}
+      Mode<Input>{"resonance", "passage through torsional resonance", &passes_resonance}.special(),
+      Mode<Input>{"train", "torsional vibration of the drive train", &unseen<Input>}.special(),
+      Mode<Input>{"bearings", "bearing life and static safety factor", &bears_bearings}
           .left_to("bearing.rolling",
                    "bearings.fatigue, bearings.static, bearings.axial, bearings.radial, bearings.ribs, bearings.mate, "
                    "bearings.skidding, bearings.speed")
           .in_service(),
-      Mode<Input>{"weight", "bending by weight", &weighed}.wanting("g_angle").special(),
-      Mode<Input>{"wall", "buckling of a thin wall", &thin_wall},
-      Mode<Input>{"abutment", "height of shoulders for what is set against them", &abuts}
+      Mode<Input>{"weight", "bending by self-weight", &weighed}.wanting("g_angle").special(),
+      Mode<Input>{"wall", "local buckling of thin walls", &thin_wall},
+      Mode<Input>{"abutment", "shoulder (abutment) height", &abuts}
           .judged_by("sections.u_h")
           .of_shape(),
-      Mode<Input>{"hub", "shaft-hub connections that no step assesses, of seats without integral = true",
+      Mode<Input>{"hub", "keys, splines and press fits",
                   &lacks_connection}
           .wanting("seats connection")
           .assessed_beside("shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw, pin.cross"),
-      Mode<Input>{"connection", "torque above that which a shaft-hub connection is assessed for", &has_connection}
+      Mode<Input>{"connection", "torque capacity of shaft-hub connections", &has_connection}
           .judged_by("seats.x_c, seats.x_peak"),
-      Mode<Input>{"pushed", "hub pushed along the shaft, which its connection is not assessed for", &pushes_hubs}
+      Mode<Input>{"pushed", "axial load on shaft-hub connections", &pushes_hubs}
           .wanting("seats F_c"),
-      Mode<Input>{"seat_fatigue", "fatigue of the shaft under a hub whose connection is no notch of it", &lacks_notch}
+      Mode<Input>{"seat_fatigue", "shaft fatigue under hubs, notch of the connection missing", &lacks_notch}
           .wanting("notches part"),
-      Mode<Input>{"notch_factors", "fatigue with notch factors lower than those of the connection", &has_mild_notch}
+      Mode<Input>{"notch_factors", "notch factors of the connection", &has_mild_notch}
           .advising("use the notch of the connection, part = \"=key.notch\", or give the source: accept.notch_factors "
                     "= \"...\""),
-      Mode<Input>{"rim", "thin rim of a gear between root circle and shaft, over its keyway", &bears_rims}
+      Mode<Input>{"rim", "gear rim thickness over the keyway", &bears_rims}
           .judged_by("seats.m_R, seats.x_R")
           .of_shape(),
-      Mode<Input>{"hub_length", "connection longer than its hub", &has_long_hub}.advising(
+      Mode<Input>{"hub_length", "connection length within the hub", &has_long_hub}.advising(
           "give the hub width b of the seat, or confirm a longer hub: accept.hub_length = \"...\""),
-      Mode<Input>{"one_piece", "pulley or sprocket as one piece with the shaft", &has_turned_pulley}.advising(
+      Mode<Input>{"one_piece", "pulley or sprocket integral with the shaft", &has_turned_pulley}.advising(
           "give the seat a connection, or confirm the integral design: accept.one_piece = \"...\""),
-      Mode<Input>{"assembly", "components that overlap or cannot be mounted", &cannot_be_assembled}.advising(
+      Mode<Input>{"assembly", "axial clearance and assembly of components", &cannot_be_assembled}.advising(
           "correct positions and diameters, or confirm the design (split, dished): accept.assembly = \"...\""),
-      Mode<Input>{"fit_speed", "loss of interference of a press fit at speed", &has_fast_fit}.judged_by("seats.x_n"),
-      Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
+      Mode<Input>{"fit_speed", "interference of press fits at speed", &has_fast_fit}.judged_by("seats.x_n"),
+      Mode<Input>{"turning_loads", "rotating loads (unbalance, crank)", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &brittle}.special(),
       Mode<Input>{"corrosion", "corrosion and fretting", &unseen<Input>}.special()};
 

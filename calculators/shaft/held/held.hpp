@@ -26,12 +26,11 @@ namespace loadpath::shaft {
 
 struct Held : HeldTypes {
   static constexpr auto id = "shaft.held";
-  static constexpr auto title = "Bar held in torsion";
+  static constexpr auto title = "Bar in torsion with fixed or elastic ends";
   static constexpr auto scope =
-      "Reactions, moments, rotations and shear stresses of a bar in torsion that one end or both hold, rigidly or by "
-      "springs; cylinders and cones in series, sleeves that turn with them, torques at places and along a part. "
-      "Bending, "
-      "fatigue, notches and the joint under a sleeve are not covered.";
+      "Reactions, internal torques, rotations and shear stresses of a bar in torsion with one or both ends "
+      "fixed or elastic, made of cylinders and cones in series with sleeves that rotate with them, under point "
+      "and distributed torques; bending, fatigue, notches and the joint under a sleeve are not covered.";
   static constexpr auto source = "[B19], [Gere-3]";
   static constexpr auto synonyms =
       "statically indeterminate torsion, fixed-fixed bar, bar in torsion, torsion bar, composite shaft, "
@@ -145,18 +144,18 @@ phi_adm = "1 deg"
                                        Meaning{"segments.tau_adm, sleeves.tau_adm", allowable_in_shear}};
   static constexpr std::array notch_claims{NotchClaim{"tau_max, cycle.sigma_max", "K_ts"}};
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, s_max"),
-      Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, s_max"),
-      Mode<Input>{"twist", "twist per length", &loaded}.judged_by("u_theta").of_service(),
-      Mode<Input>{"rotation", "rotation of a section", &loaded}.judged_by("u_phi").of_service(),
-      Mode<Input>{"ends", "what holds the ends, under R_1 and R_2", &unseen<Input>},
-      Mode<Input>{"joint", "shear and slip of the joint under a sleeve",
+      Mode<Input>{"yield", "yielding in torsion", &tough}.judged_by("u_tau, s_max"),
+      Mode<Input>{"fracture", "brittle fracture in torsion", &brittle}.judged_by("u_tau, s_max"),
+      Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta").of_service(),
+      Mode<Input>{"rotation", "rotation of sections", &loaded}.judged_by("u_phi").of_service(),
+      Mode<Input>{"ends", "strength of the end supports", &unseen<Input>},
+      Mode<Input>{"joint", "shear and slip of sleeve joints",
                   [](const Input& in) { return where(!in.sleeves.empty() && loaded(in) == Applies::yes); }},
-      Mode<Input>{"notch", "yield at steps, keyways and other notches", &unseen<Input>},
+      Mode<Input>{"notch", "yielding at steps and notches", &unseen<Input>},
       fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue"),
-      Mode<Input>{"other_loads", "what comes along with its torques, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"wall", "buckling of a thin wall", &thin},
-      Mode<Input>{"critical_torsion", "critical frequency in torsion", &unseen<Input>}.in_service()};
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"wall", "local buckling of thin walls", &thin},
+      Mode<Input>{"critical_torsion", "torsional natural frequency", &unseen<Input>}.in_service()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -33,8 +33,9 @@ struct Torsion : TorsionTypes {
   static constexpr auto id = "shaft.torsion";
   static constexpr auto title = "Shaft in torsion";
   static constexpr auto scope =
-      "Least diameter of a round shaft, solid or bored, by strength and by stiffness; stresses and twist at the "
-      "chosen diameter. Static torsion of circular sections. Bending, fatigue and notches are not covered.";
+      "Minimum diameter of a solid or hollow circular shaft for strength and stiffness under static torsion, "
+      "with the stresses and the angle of twist at the chosen diameter; bending, fatigue and notches are not "
+      "covered.";
   static constexpr auto source = "[B19]";
   static constexpr auto synonyms =
       "shaft, torsion, torque, line shaft, angle of twist, twist, torsional stiffness, hollow shaft, "
@@ -162,9 +163,9 @@ theta_adm = "0.004 rad/m"
   static constexpr std::array meanings{all_in_shear, all_in_normal};
   static constexpr std::array notch_claims{NotchClaim{"tau_max, cycle.sigma_max", "K_ts"}};
   static constexpr auto modes = with_modes_of_shafts(
-      std::array{Mode<Input>{"yield", "yield in torsion", &loaded}.judged_by("u_tau").wanting("tau_adm"),
-                 Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta").of_service(),
-                 Mode<Input>{"bending", "bending by forces across the shaft: a shaft.overhung",
+      std::array{Mode<Input>{"yield", "yielding in torsion", &loaded}.judged_by("u_tau").wanting("tau_adm"),
+                 Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta").of_service(),
+                 Mode<Input>{"bending", "bending by transverse forces",
                              [](const Input& in) { return shown_by(is_set(in.F)); }}
                      .judged_by("F_bend")
                      .wanting("F")

@@ -16,7 +16,7 @@ template <class Tracer>
 void move(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, i, in.d_2 / in.d_1 / (1.0 - in.epsilon), "transmission ratio with slip, [B40]");
   STEP_TO(r, n_2, in.n_1 / i, "speed of the driven pulley");
-  STEP_TO(r, v, in.n_1 * in.d_1 / 2.0, "speed of the belt");
+  STEP_TO(r, v, in.n_1 * in.d_1 / 2.0, "belt speed");
 }
 
 template <class Tracer>

@@ -55,22 +55,22 @@ stages = [
   static bool members_differ(const Input& in);
   static FieldFault same_member(const Input& in);
   static constexpr Fields inputs{
-      Field{&Input::P, "P", kW, "power that enters, with n_1"}.load().positive().may_be_missing(),
-      Field{&Input::T_1, "T_1", N_m, "torque that enters, in place of P"}.load().positive().may_be_missing(),
+      Field{&Input::P, "P", kW, "input power, with n_1"}.load().positive().may_be_missing(),
+      Field{&Input::T_1, "T_1", N_m, "input torque, replaces P"}.load().positive().may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the first shaft"}.positive().may_be_missing(),
-      ListField{&Input::stages, "stages", "stages from the motor to the machine"}};
+      ListField{&Input::stages, "stages", "stages from the motor to the driven machine"}};
 
   static constexpr Fields results{
-      Field{&Result::i, "i", ratio, "ratio of the train, negative where the last shaft turns the other way"},
-      Field{&Result::eta, "eta", ratio, "efficiency of the train"},
-      Choice{&Result::works, "works", "what the train does to the speed"},
-      Field{&Result::T_1, "T_1", N_m, "torque that enters"}.load(),
-      Field{&Result::n_out, "n_out", rpm, "speed of the last shaft, signed"},
-      Field{&Result::T_out, "T_out", N_m, "torque that leaves, signed"}.load(),
-      Field{&Result::P_out, "P_out", kW, "power that leaves"},
-      Field{&Result::P_loss, "P_loss", kW, "power that is lost"},
+      Field{&Result::i, "i", ratio, "overall ratio, negative for opposite direction of rotation"},
+      Field{&Result::eta, "eta", ratio, "overall efficiency"},
+      Choice{&Result::works, "works", "effect on the speed: reducing or increasing"},
+      Field{&Result::T_1, "T_1", N_m, "input torque"}.load(),
+      Field{&Result::n_out, "n_out", rpm, "output speed, signed"},
+      Field{&Result::T_out, "T_out", N_m, "output torque, signed"}.load(),
+      Field{&Result::P_out, "P_out", kW, "output power"},
+      Field{&Result::P_loss, "P_loss", kW, "power loss"},
       ListField{&Result::stages, "stages", "stages"},
-      ListField{&Result::shafts, "shafts", "shafts, the first to the last"}};
+      ListField{&Result::shafts, "shafts", "shafts, from first to last"}};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !in.stages.empty(); }, "stages", "give at least one stage"},

@@ -98,11 +98,11 @@ S_F = 1.5
           modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
           diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
           Choice{&Input::rule, "rule", "rule that decides"}.may_be_missing(),
-          Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
+          Field{&Input::S_D, "S_D", ratio, "required fatigue safety factor, on the load"}
               .at_least(1)
               .usually(1.2, 6)
               .factor(),
-          Field{&Input::S_F, "S_F", ratio, "safety against yielding"}
+          Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)
               .usually(1, 6)
               .may_be_missing()

@@ -67,16 +67,15 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static FieldFault objectionable(const Input& in);
   static Applies varies(const Input& in);
   static constexpr Fields inputs = join(
-      Fields{RecordField<Input>{"cycle", "the largest stress of a part, whole: cycle = \"=shaft.cycle\""}},
-      given_fields<Input>(),
-      Fields{Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
+      Fields{RecordField<Input>{"cycle", "maximum stress of a part: cycle = \"=shaft.cycle\""}}, given_fields<Input>(),
+      Fields{Choice<Input, Stresses>{&Input::stress, "stress", "stress component: normal or shear"}.may_be_missing(),
              Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, to check the largest stress"}
                  .positive()
                  .usually(50, 2500)
                  .from("material", "R_e", "d_h"),
              modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
              diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
-             Field<Input, double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
+             Field<Input, double>{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
                  .at_least(1)
                  .usually(1, 6)
                  .may_be_missing()
@@ -149,8 +148,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
           .judged_by("u_D, x_m")
           .left_to("fatigue.life", "cycle.fatigue"),
       fatigue_of_metal<&varies, Input>(),
-      Mode<Input>{"life", "finite-life fatigue", &unseen<Input>}.left_to("fatigue.life",
-                                                                                                    "cycle.fatigue"),
+      Mode<Input>{"life", "finite-life fatigue", &unseen<Input>}.left_to("fatigue.life", "cycle.fatigue"),
       Mode<Input>{"notch", "local yielding at the notch root", &unseen<Input>}};
 
   static constexpr std::array forms{Form{"sigma_max, sigma_min, R_e"}};

@@ -88,10 +88,10 @@ S_F = 1.5
   template <class Quantity>
   using F = Field<Input, Quantity>;
   static constexpr Fields inputs = join(
-      Fields{RecordField<Input>{"cycle", "the cycle of a part, whole: cycle = \"=rod.cycle\" of a fatigue.cycle"}},
+      Fields{RecordField<Input>{"cycle", "stress cycle of a fatigue.cycle step: cycle = \"=rod.cycle\""}},
       given_fields<Input>(),
       Fields{
-          Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
+          Choice<Input, Stresses>{&Input::stress, "stress", "stress component: normal or shear"}.may_be_missing(),
           F<Stress>{&Input::sigma_D, "sigma_D", MPa,
                     "fatigue limit of the part, r = -1, as nominal stress: of fatigue.endurance"}
               .positive()
@@ -105,11 +105,11 @@ S_F = 1.5
           modulus_of_material(&Input::E),
           density_of_material(&Input::rho),
           diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
-          F<double>{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
+          F<double>{&Input::S_D, "S_D", ratio, "required fatigue safety factor, on the load"}
               .at_least(1)
               .usually(1.2, 6)
               .factor(),
-          F<double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
+          F<double>{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)
               .usually(1, 6)
               .may_be_missing()
@@ -278,10 +278,8 @@ S_F = 1.5
       Mode<Input>{"yield", "first-cycle yielding", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),
       Mode<Input>{"fatigue", "constant-amplitude fatigue", &varies}.judged_by("u_D, x_m, x_B, x_N, x_D, x_f, x_E"),
       Mode<Input>{"notch", "local yielding at the notch root", &unseen<Input>},
-      Mode<Input>{"multiaxial", "combined normal and shear stresses", &unseen<Input>}.assessed_in(
-          "fatigue.combined"),
-      Mode<Input>{"history", "variable-amplitude loading", &unseen<Input>}.assessed_in(
-          "fatigue.history"),
+      Mode<Input>{"multiaxial", "combined normal and shear stresses", &unseen<Input>}.assessed_in("fatigue.combined"),
+      Mode<Input>{"history", "variable-amplitude loading", &unseen<Input>}.assessed_in("fatigue.history"),
       Mode<Input>{"surroundings", "corrosion, creep and fretting", &unseen<Input>}.special()};
 
   template <class Tracer>

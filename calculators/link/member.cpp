@@ -50,8 +50,8 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, sigma_N, N / A, "even over the section");
   STEP(sigma_b, in.M_b / W_y, "extreme fibre, with the sign of the moment");
   STEP_TO(r, sigma_M, abs(sigma_b), "its size");
-  STEP_TO(r, sigma_o, sigma_N + sigma_b, "fibre that a positive moment pulls");
-  STEP_TO(r, sigma_u, sigma_N - sigma_b, "fibre that it presses");
+  STEP_TO(r, sigma_o, sigma_N + sigma_b, "stress at the fibre in tension under a positive moment");
+  STEP_TO(r, sigma_u, sigma_N - sigma_b, "stress at the fibre in compression under a positive moment");
   r.tau = shear_stress(in, A, trace);
   r.cycle = {Stresses::normal, abs(r.sigma_N) + r.sigma_M, in.E};
 }

@@ -78,7 +78,7 @@ constexpr auto wall_inputs() {
                            "efficiency of circumferential seams, which carry meridional stress"}
           .within(0.3, 1)
           .factor(),
-      Field<Input, Stress>{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress, without a further safety factor"}
+      Field<Input, Stress>{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress (safety factor included)"}
           .positive()
           .usually(10, 1000)
           .may_be_missing(),

@@ -173,7 +173,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.searched_in = stock;
     return f;
   }
-  /// Of the part alone, whatever a record has under the same key: the diameter of the shaft under a gear.
+  /// Of the part alone, whatever a record has under the same key: the shaft diameter under a gear.
   [[nodiscard]] constexpr Field own() const {
     Field f = *this;
     f.is_own = true;

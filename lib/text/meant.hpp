@@ -15,7 +15,7 @@ struct Known {
   std::string meaning;
 };
 
-/// "did you mean 'd_bore' (diameter of the bore)?": the nearest by name, longer ones that begin alike, else those in
+/// "did you mean 'd_bore' (bore diameter)?": the nearest by name, longer ones that begin alike, else those in
 /// whose meaning the word is; three at most, behind `prefix`. `otherwise` where there is none.
 Message meant(std::string_view word, const std::vector<Known>& known, Message otherwise,
               const std::string& prefix = {});

@@ -45,19 +45,19 @@ struct VSizingTypes {
     double u_P = unset<double>, excess = unset<double>;
     Merit merit = Merit::none;
     static constexpr Fields fields{
-        Choice{&Candidate::section, "section", "section of the belts"},
+        Choice{&Candidate::section, "section", "belt section"},
         Field{&Candidate::d_1, "d_1", mm, "driving pulley"},
         Field{&Candidate::d_2, "d_2", mm, "driven pulley"},
         Field{&Candidate::L, "L", mm, "length of the belts"},
         Count{&Candidate::z, "z", 0, 100, "number of belts"},
         Field{&Candidate::a, "a", mm, "centre distance"},
         Field{&Candidate::n_2, "n_2", rpm, "speed of the driven pulley"},
-        Field{&Candidate::B, "B", mm, "width of the pulleys"},
+        Field{&Candidate::B, "B", mm, "pulley face width"},
         Field{&Candidate::V, "V", dm3, "volume of the two pulleys as full discs"},
         Field{&Candidate::R_new, "R_new", N, "shaft load at standstill, new belts"}.load(),
         Field{&Candidate::u_P, "u_P", ratio, "utilisation of the belts"},
-        Field{&Candidate::excess, "excess", ratio, "how much more than the first it takes of what is ranked by"},
-        Choice{&Candidate::merit, "merit", "what it does better than the first all the same"}};
+        Field{&Candidate::excess, "excess", ratio, "relative excess over the first candidate in the ranking criterion"},
+        Choice{&Candidate::merit, "merit", "advantage over the first candidate"}};
   };
   using Candidates = List<Candidate, 20>;
 

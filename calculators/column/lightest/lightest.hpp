@@ -47,30 +47,31 @@ gamma_F = 1
 )";
 
   static constexpr auto inputs = join(
-      Fields{ListField{&Input::families, "families", "families of the section tables to choose from"}.as_arrays()},
+      Fields{ListField{&Input::families, "families", "section families to select from"}.as_arrays()},
       held_inputs<Input>(),
-      Fields{Choice{&Input::kind, "kind", "kind of the sections whose table leaves it open: of round tubes"}
-                 .may_be_missing(),
-             Field{&Input::h_max, "h_max", mm, "largest height that there is room for"}.positive().may_be_missing(),
-             Field{&Input::b_max, "b_max", mm, "largest width that there is room for"}.positive().may_be_missing()},
+      Fields{
+          Choice{&Input::kind, "kind", "section type where the table does not give it (round tubes)"}.may_be_missing(),
+          Field{&Input::h_max, "h_max", mm, "maximum section height"}.positive().may_be_missing(),
+          Field{&Input::b_max, "b_max", mm, "maximum section width"}.positive().may_be_missing()},
       material_inputs<Input>(),
-      Fields{ListField{&Input::strengths, "strengths", "yield strengths by thickness, in place of R_e alone"}
+      Fields{ListField{&Input::strengths, "strengths", "yield strengths by thickness, replaces R_e"}
                  .as_arrays()
                  .from_sizes("material", "R_e", "R_e")},
       method_inputs<Input>());
 
   static constexpr auto results = join(
       Fields{NameField{&Result::section, "section",
-                       "lightest section; the strongest of those judged where none carries the bar"}
+                       "lightest adequate section; if none is adequate, the strongest assessed"}
                  .chosen(),
-             Field{&Result::q, "q", kg_per_m, "its mass per length"},
-             Field{&Result::mass, "mass", kg, "mass of the bar"},
-             Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}},
+             Field{&Result::q, "q", kg_per_m, "mass per length"}, Field{&Result::mass, "mass", kg, "mass of the bar"},
+             Field{&Result::sections, "sections", ratio, "sections of the families within the size limits"}},
       member_results<Result>(),
-      Fields{Field{&Result::lack, "lack", ratio, "part of the force that even the strongest judged does not carry"},
-             Field{&Result::carrying, "carrying", ratio, "sections that carry the bar"}.limit(1, 1e6).criterion(),
-             ListField{&Result::candidates, "candidates", "sections that carry the bar, lightest first"},
-             ListField{&Result::lighter, "lighter", "the next lighter ones and why they fail, heaviest first"}});
+      Fields{Field{&Result::lack, "lack", ratio,
+                   "share of the force beyond the capacity of the strongest section assessed"},
+             Field{&Result::carrying, "carrying", ratio, "number of adequate sections"}.limit(1, 1e6).criterion(),
+             ListField{&Result::candidates, "candidates", "adequate sections, lightest first"},
+             ListField{&Result::lighter, "lighter",
+                       "next lighter sections with the reason for rejection, heaviest first"}});
 
   static bool families_known(const Input& in);
   static FieldFault unknown_family(const Input& in);

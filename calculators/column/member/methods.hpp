@@ -75,7 +75,7 @@ void add_method(const Member& in, const Material& material, Method method, Membe
     STEP_TO(by, P_cr, sigma_cr * r.A, "critical force");
     if (is_set(n)) {
       STEP_TO(by, P_all, P_cr / n, "allowable force");
-      if (is_set(r.F)) by.u = NAMED_STEP("u", r.F / P_all, "force over the allowable one");
+      if (is_set(r.F)) by.u = NAMED_STEP("u", r.F / P_all, "force / allowable force");
     }
   }
   r.methods.push_back(by);

@@ -60,7 +60,7 @@ constexpr auto din743_section() {
           .at_most_that_of_source("d, d_max")
           .positive()
           .usually(5, 500),
-      Field<Input, Length>{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0),
+      Field<Input, Length>{&Input::d_bore, "d_bore", mm, "bore diameter"}.at_least(0),
       Field<Input, Length>{&Input::D, "D", mm, "larger diameter, of a shoulder or beside a groove"}
           .positive()
           .usually(5, 600)

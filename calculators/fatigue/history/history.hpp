@@ -75,8 +75,8 @@ n_req = 1
           .load()
           .may_be_missing(),
       ListField{&Input::blocks, "blocks", "cycles in blocks, in place of a series"}.may_be_missing(),
-      Choice{&Input::stress, "stress", "what varies"}.may_be_missing(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
+      Choice{&Input::stress, "stress", "stress component: normal or shear"}.may_be_missing(),
+      Field{&Input::K_A, "K_A", ratio, "application factor K_A on the stresses (1 if they include it)"}
           .at_least(1)
           .usually(1, 4)
           .factor(),
@@ -134,7 +134,11 @@ n_req = 1
       Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
       modulus_of_material(&Input::E),
       density_of_material(&Input::rho),
-      Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor(),
+      Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
+          .at_least(1)
+          .usually(1, 6)
+          .may_be_missing()
+          .factor(),
       Field{&Input::D_adm, "D_adm", ratio, "allowable damage sum; of the relative rule below 1, as 0.3"}
           .within(0, 1)
           .positive()
@@ -150,8 +154,8 @@ n_req = 1
 
   static constexpr Fields results{
       Field{&Result::n, "n", ratio, "cycles of one passage, halves as 0.5"},
-      Field{&Result::sigma_max, "sigma_max", MPa, "largest stress, with the service factor"}.holding("K_A"),
-      Field{&Result::sigma_min, "sigma_min", MPa, "least stress, with the service factor"}.holding("K_A"),
+      Field{&Result::sigma_max, "sigma_max", MPa, "maximum stress, with the application factor"}.holding("K_A"),
+      Field{&Result::sigma_min, "sigma_min", MPa, "minimum stress, with the application factor"}.holding("K_A"),
       Field{&Result::sigma_a1, "sigma_a1", MPa, "amplitude of the cycle that does most damage"}.holding("K_A"),
       Field{&Result::sigma_m1, "sigma_m1", MPa, "its mean stress"}.holding("K_A"),
       Field{&Result::S_1, "S_1", MPa, "its stress on the curve, with S_D: amplitude at r = -1, or range of a detail"},
@@ -192,7 +196,7 @@ n_req = 1
           .limit(0, 0.01)
           .where_it_applies(),
       ListField{&Result::worst, "worst", "cycles that do most damage"},
-      ListField{&Result::matrix, "matrix", "rainflow matrix, where it is not empty: all with the service factor"},
+      ListField{&Result::matrix, "matrix", "rainflow matrix, non-empty classes, with the application factor"},
       ListField{&Result::range_pairs, "range_pairs", "range pairs, the largest first"},
       ListField{&Result::crossings, "crossings", "level crossings, the highest first, without the gate"}};
 
@@ -260,11 +264,8 @@ n_req = 1
       Mode<Input>{"fatigue", "cumulative fatigue damage", &always<Input>}
           .judged_by("u_D, u_m, x_N, x_B, x_R, x_g, x_O")
           .wanting("n_req"),
-      Mode<Input>{"metal",
-                  "fatigue without a fatigue limit (miner = modified or elementary)",
-                  &lacks_limit},
-      Mode<Input>{"mean", "mean stress effect", &has_tension}.wanting(
-          "mean"),
+      Mode<Input>{"metal", "fatigue without a fatigue limit (miner = modified or elementary)", &lacks_limit},
+      Mode<Input>{"mean", "mean stress effect", &has_tension}.wanting("mean"),
       Mode<Input>{"residue", "damage of the rainflow residue", &leaves_residue},
       Mode<Input>{"notch", "local yielding at the notch root", &unseen<Input>},
       Mode<Input>{"multiaxial", "additional stress components", &unseen<Input>}.by_companions().assessed_beside(

@@ -74,7 +74,7 @@ S_F = 1.5
               .load()
               .may_be_missing(),
           Field{&Input::tau_xy, "tau_xy", MPa, "shear stress, the same, at the same moments"}.load().may_be_missing(),
-          Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
+          Field{&Input::K_A, "K_A", ratio, "application factor K_A on the stresses (1 if they include it)"}
               .at_least(1)
               .usually(1, 4)
               .factor(),
@@ -90,7 +90,7 @@ S_F = 1.5
               .at_least(1)
               .usually(1.2, 6)
               .factor(),
-          Field{&Input::S_F, "S_F", ratio, "safety against yielding"}
+          Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)
               .usually(1, 6)
               .may_be_missing()
@@ -182,7 +182,8 @@ S_F = 1.5
                                        Meaning{"sigma_x, sigma_y, tau_xy", steady_part}};
   static constexpr std::array modes{
       Mode<Input>{"yield", "yielding at peak equivalent stress", &always<Input>}.judged_by("u_y, u_F"),
-      Mode<Input>{"fatigue", "infinite-life fatigue, non-proportional stresses", &always<Input>}.judged_by("u_D, x_D, x_C"),
+      Mode<Input>{"fatigue", "infinite-life fatigue, non-proportional stresses", &always<Input>}.judged_by(
+          "u_D, x_D, x_C"),
       fatigue_of_metal<&varies, Input>(),
       Mode<Input>{"rest", "additional stress components", &unseen<Input>}.by_companions(),
       Mode<Input>{"across", "surface-normal and subsurface stresses", &unseen<Input>},

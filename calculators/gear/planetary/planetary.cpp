@@ -76,7 +76,7 @@ void powers(Planetary::Result& r, Tracer& trace) {
   STEP_TO(r, P_c, r.T_c * r.n_c, "into the carrier");
   STEP_TO(r, P_r, r.T_r * r.n_r, "into the ring");
   STEP_TO(r, P_w, r.T_s * (r.n_s - r.n_c), "rolls in the teeth");
-  STEP_TO(r, P_in, max(P_s, 0.0 * W) + max(P_c, 0.0 * W) + max(P_r, 0.0 * W), "power that enters");
+  STEP_TO(r, P_in, max(P_s, 0.0 * W) + max(P_c, 0.0 * W) + max(P_r, 0.0 * W), "input power");
   STEP_TO(r, P_loss, P_s + P_c + P_r, "enters and does not come out");
   if (!(P_in > 0.0 * W)) return;
   STEP_TO(r, eta, 1.0 - P_loss / P_in, "efficiency");

@@ -22,21 +22,21 @@ struct TorsionTypes {
     static constexpr Fields fields{
         NameField{&Segment::name, "name", "name of the part"}.may_be_missing(),
         Field{&Segment::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
-        Field{&Segment::d, "d", mm, "outer diameter; the common one where missing"}
+        Field{&Segment::d, "d", mm, "outer diameter; the common one if omitted"}
             .positive()
             .usually(1, 2000)
             .findable("R40")
             .may_be_missing(),
         Field{&Segment::chi, "chi", ratio, "bore ratio d_bore/d"}.at_least(0).below(0.99).may_be_missing(),
-        Field{&Segment::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing()};
+        Field{&Segment::d_bore, "d_bore", mm, "bore diameter"}.at_least(0).may_be_missing()};
   };
 
   struct Torque {
     Name name;
     Length x = unset<Length>;
     Moment T = unset<Moment>;
-    static constexpr Fields fields{NameField{&Torque::name, "name", "what brings the torque"}.may_be_missing(),
-                                   Field{&Torque::x, "x", mm, "place from the left end"}.at_least(0),
+    static constexpr Fields fields{NameField{&Torque::name, "name", "source of the torque"}.may_be_missing(),
+                                   Field{&Torque::x, "x", mm, "position from the left end"}.at_least(0),
                                    Field{&Torque::T, "T", N_m, "torque on the shaft, signed"}.load()};
   };
 
@@ -67,20 +67,20 @@ struct TorsionTypes {
         Field{&Stretch::l, "l", mm, "length"},
         Field{&Stretch::M, "M", N_m, "internal moment, signed"},
         Field{&Stretch::M_t, "M_t", N_m, "design moment"},
-        Field{&Stretch::d_strength, "d_strength", mm, "least diameter by strength"},
-        Field{&Stretch::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"},
+        Field{&Stretch::d_strength, "d_strength", mm, "minimum diameter for strength"},
+        Field{&Stretch::d_stiffness, "d_stiffness", mm, "minimum diameter for stiffness"},
         Field{&Stretch::d, "d", mm, "outer diameter"},
         Field{&Stretch::d_bore, "d_bore", mm, "bore"},
-        Field{&Stretch::tau, "tau", MPa, "largest shear stress"},
-        Field{&Stretch::theta, "theta", deg_per_m, "twist per length, signed"},
-        Field{&Stretch::phi, "phi", deg, "twist of the right end against the left, positive like M"}};
+        Field{&Stretch::tau, "tau", MPa, "maximum shear stress"},
+        Field{&Stretch::theta, "theta", deg_per_m, "angle of twist per unit length, signed"},
+        Field{&Stretch::phi, "phi", deg, "angle of twist of the right end relative to the left, positive like M"}};
   };
 
   struct Section {
     Length x = unset<Length>;
     double phi = unset<double>;
-    static constexpr Fields fields{Field{&Section::x, "x", mm, "place from the left end"},
-                                   Field{&Section::phi, "phi", deg, "twist against the left end, signed"}};
+    static constexpr Fields fields{Field{&Section::x, "x", mm, "position from the left end"},
+                                   Field{&Section::phi, "phi", deg, "angle of twist relative to the left end, signed"}};
   };
 
   struct Result {

@@ -172,6 +172,6 @@ a.toml:5:27: error: 'axle' has no result 'd_mn'
 
   TEST_CASE("a number of teeth that is not given is missing") {
     CHECK(first_error("[chain_1]\ncalculator = \"chain.roller\"\nchain = \"16B\"\nz_1 = 21\na = \"1 m\"\n") ==
-          "'z_2' is missing: teeth of the driven sprocket");
+          "'z_2' is missing: number of teeth, driven sprocket");
   }
 }

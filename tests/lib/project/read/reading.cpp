@@ -123,12 +123,13 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 5 | segments = [{ l = "1 m", width = "3 mm" }]
   |                          ^^^^^
   = help: there is: name ()"));
-    for (const char* key : {", l (length)", ", d (", ", chi (", ", d_bore ("}) CHECK(told.find(key) != std::string::npos);
+    for (const char* key : {", l (length)", ", d (", ", chi (", ", d_bore ("})
+      CHECK(told.find(key) != std::string::npos);
   }
 
   TEST_CASE("a missing field is told with its meaning and unit") {
     CHECK(issues_of("[pin]\ncalculator = \"shaft.overhung\"\nF = \"1 kN\"\nT = \"9 N*m\"\nsigma_adm = \"60 MPa\"\n") ==
-          R"(a.toml:1:1: error: 'a' is missing: overhang: from the force to the middle of the bearing
+          R"(a.toml:1:1: error: 'a' is missing: overhang: distance from the force to the bearing centre
 1 | [pin]
   | ^^^^^
   = help: write a = "... mm"
@@ -138,7 +139,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   TEST_CASE("a field that is missing inside a list is told by its element") {
     CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\ntorques = [{ x = \"0 m\", T = \"9 N*m\" }, { name = \"gear\", T = "
                            "\"-9 N*m\" }]\n") ==
-          R"(a.toml:4:40: error: 'torques.gear.x' is missing: place from the left end
+          R"(a.toml:4:40: error: 'torques.gear.x' is missing: position from the left end
 4 | torques = [{ x = "0 m", T = "9 N*m" }, { name = "gear", T = "-9 N*m" }]
   |                                        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   = help: write x = "... mm"

@@ -284,7 +284,7 @@ draw::Figure haigh_diagram(const Input& in, const Haigh& h, const Result& r) {
     plot.curves.push_back({"load", {m, m}, {0.0, left * a}});
   }
   plot.marks.push_back({m, a, "cycle"});
-  return {"haigh", "Haigh diagram: the cycle, how its load grows, and what the rules bear", std::move(plot)};
+  return {"haigh", "Haigh diagram: stress cycle, load line, limit curves of the mean stress rules", std::move(plot)};
 }
 
 draw::Figure wohler_diagram(const Input& in, const Result& r) {

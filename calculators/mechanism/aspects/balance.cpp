@@ -149,7 +149,7 @@ Table weight_table(const Mechanism::Input& in, const Balanced& balanced) {
 Table shaking_table(const Mechanism::Input& in, const Balanced& balanced) {
   const bool rms = in.balance == planar::Balance::rms;
   Table table{rms ? say("Shaking force and moment: counterweights for the smallest root mean square of the force")
-                  : say("Shaking force and moment: counterweights for the smallest peak of the force"),
+                  : say("Shaking force and moment; counterweights for minimum peak force"),
               {say("quantity"), say("without"), say("with counterweights"), say("left")},
               {}};
   const auto add = [&](Message name, double ShakingCycle::*of, const char* unit, bool known) {

@@ -207,7 +207,7 @@ class StandingTable {
   const Cycle& cycle_;
   const Axis* axis_;
   std::string unit_;
-  Table table_{say("At rest: what starts the mechanism, and where it stands without its drive"), {}, {}};
+  Table table_{say("At rest: breakaway effort and self-locking positions"), {}, {}};
 };
 
 /// Rows of what differs: how it is with the friction one way and the other.

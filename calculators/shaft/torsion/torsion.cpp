@@ -147,7 +147,7 @@ std::vector<draw::Figure> Torsion::figures(const Input&, const Result& r) {
   diagram.x = {"x", "place along the shaft", "mm"};
   diagram.y = {"M", "internal moment", "N*m"};
   diagram.curves.push_back(std::move(moment));
-  return {{"shaft", "The shaft from the side", std::move(side)},
+  return {{"shaft", "Side view of the shaft", std::move(side)},
           {"torque-diagram", "Torque diagram", std::move(diagram)}};
 }
 

@@ -60,7 +60,7 @@ TEST_SUITE("mechanism motion") {
 
   TEST_CASE("an assembly is chosen by the side of a dyad, and the report lists them all") {
     const auto stated = solved(rocker), other = solved(rocker + "sides = [\"B_right\"]\n");
-    const account::Table* table = table_of(stated, "Assemblies at the first position");
+    const account::Table* table = table_of(stated, "Assembly modes at the first position");
     REQUIRE(table != nullptr);
     REQUIRE(table->rows.size() == 2);
     CHECK(text_of(table->rows[0][0]) == "B_left");

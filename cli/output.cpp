@@ -50,14 +50,15 @@ bool can_stream(const OutputOptions& options) {
   for (const std::string& report : options.reports) {
     if (report == "-" || (report.ends_with(":-") && report != html_out)) {
       std::cerr << "loadpath: '--report " << report
-                << "' is no report: on standard output it is HTML\n  = help: write --report html:-, or name a file\n";
+                << "' cannot be written to standard output: a report there is HTML\n  = help: write --report html:-, "
+                   "or name a file\n";
       return false;
     }
   }
   if (options.json) all.push_back("--json");
   if (all.size() < 2 || (options.json && all.size() == 1)) return true;
   std::cerr << "loadpath: '" << all[0] << "' and '" << all[1]
-            << "' both ask for standard output\n  = help: name a file for one of them\n";
+            << "' both write to standard output\n  = help: name a file for one of them\n";
   return false;
 }
 

@@ -268,7 +268,7 @@ P_R = "5.5 kW"
 
 constexpr auto choices_of(Roller::Edition) {
   using Edition = Roller::Edition;
-  return std::array{ChoiceName<Edition>{Edition::maker, "maker", "a maker's current list (Donghua 2020)"},
+  return std::array{ChoiceName<Edition>{Edition::maker, "maker", "current list of a manufacturer (Donghua 2020)"},
                     ChoiceName<Edition>{Edition::iso606_1994, "iso606_1994", "ISO 606:1994"}};
 }
 constexpr auto choices_of(Roller::Lubrication) {

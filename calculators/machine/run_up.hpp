@@ -69,7 +69,7 @@ n_2 = "1400 rpm"
       ListField{&Input::parts, "parts", "what is accelerated, with its speed over that of the motor"},
       ListField{&Input::motor, "motor", "moment of the motor over the speed, of a brake negative: [[n, M], ...]"}
           .as_arrays(),
-      ListField{&Input::load, "load", "moment that the load asks for over the speed: [[n, M], ...]; none where missing"}
+      ListField{&Input::load, "load", "load torque over speed: [[n, M], ...]; omitted: none"}
           .as_arrays()
           .may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed at the start"}.at_least(0),

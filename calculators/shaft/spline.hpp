@@ -193,7 +193,7 @@ R_e_2 = "300 MPa"
                              },
                              "bore, d_1, d_2", "the bore of the mounted component must equal d_1 or d_2"},
                  Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
-                             "a spline has a whole number of teeth"},
+                             "a spline has an integer number of teeth"},
                  Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be the larger"},
                  Rule<Input>{[](const Input& in) { return !(in.d_2 - in.d_1 <= 4.0 * in.g); }, "g, d_1, d_2",
                              "the chamfers leave nothing of the flank"},
@@ -245,8 +245,8 @@ constexpr auto choices_of(Spline::Hub) {
 }
 constexpr auto choices_of(Spline::Centring) {
   using Centring = Spline::Centring;
-  return std::array{ChoiceName<Centring>{Centring::inner, "inner", "the inner diameter: 0.75 of the flanks bear"},
-                    ChoiceName<Centring>{Centring::flanks, "flanks", "the flanks: 0.9 of them bear"}};
+  return std::array{ChoiceName<Centring>{Centring::inner, "inner", "inner centring: 0.75 of the flanks carry load"},
+                    ChoiceName<Centring>{Centring::flanks, "flanks", "flank centring: 0.9 of the flanks carry load"}};
 }
 
 }  // namespace loadpath::shaft

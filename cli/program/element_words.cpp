@@ -77,7 +77,7 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
   add("title", "title of the report", "TEXT");
   if (!calculator.modes.empty()) {
     app.add_option("--accept", options.accepted,
-                   "answer for a failure mode that is not assessed: --accept fatigue=\"stands still\"")
+                   "accept a failure mode that is not assessed: --accept fatigue=\"static use\"")
         ->type_name("MODE=REASON")
         ->expected(1)
         ->take_all()
@@ -85,8 +85,8 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
   }
   if (calculator.result != nullptr) {
     app.add_option("--because", options.because,
-                   "why a typed value is better than the row or the record beside it: --because R_e=\"certificate "
-                   "4711\"")
+                   "reason why a typed value is more favourable than its row or record: --because "
+                   "R_e=\"certificate 4711\"")
         ->type_name("KEY=REASON")
         ->expected(1)
         ->take_all()

@@ -15,7 +15,7 @@ CLI::Validator whole_from(std::int64_t least) {
             const char* const end = text.data() + text.size();
             const auto read = std::from_chars(text.data(), end, number);
             const bool fits = read.ec == std::errc() && read.ptr == end && number >= least;
-            return fits ? std::string() : "'" + text + "' is no whole number of " + std::to_string(least) + " or more";
+            return fits ? std::string() : "'" + text + "' is not an integer of " + std::to_string(least) + " or more";
           },
           ""};
 }
@@ -30,8 +30,7 @@ void add_output(CLI::App& app, OutputOptions& output) {
       ->take_all()
       ->allow_extra_args(false);
   app.add_option("--detail", output.detail,
-                 "how much reports and the terminal tell: brief, the answer alone; normal; full, with every list and "
-                 "formula, and the input")
+                 "detail of reports: brief (answer only), normal, full (every list, formula and input)")
       ->type_name("WORD")
       ->check(CLI::IsMember({"brief", "normal", "full"}));
   app.add_flag("--json", output.json, "print the results as one JSON object, of several projects as a list");

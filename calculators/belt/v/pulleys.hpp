@@ -61,7 +61,7 @@ inline double life_factor(VTypes::Duty duty) {
 template <class Tracer>
 void live(const VSection& section, const VTypes::Input& in, VTypes::Result& r, Tracer& trace) {
   if (section.basis == Basis::optibelt) {
-    r.L_h = trace.value("L_h", section.row.L_h, "life that the ratings hold for, [Optibelt-V]");
+    r.L_h = trace.value("L_h", section.row.L_h, "life for which the ratings are stated, [Optibelt-V]");
     return;
   }
   if (in.duty == VTypes::Duty::unstated) return;

@@ -191,7 +191,7 @@ L = "2650 mm"
                   "the count factor belongs to the basis iso; the basis optibelt has none"},
       Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
                   "give either the centre distance a or the length of the belt L"},
-      Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must stand clear of each other", &touching}};
+      Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching}};
 
   static constexpr bool turns = true;
   static constexpr std::array meanings{Meaning{"P", "mean"}};

@@ -114,7 +114,7 @@ enum class Loading { none, compression, tension };
 
 constexpr auto choices_of(Loading) {
   using L = Loading;
-  return std::array{ChoiceName<L>{L::none, "none", "no load given: the allowable loads alone"},
+  return std::array{ChoiceName<L>{L::none, "none", "no load given: allowable loads only"},
                     ChoiceName<L>{L::compression, "compression", "compressed"},
                     ChoiceName<L>{L::tension, "tension", "no compression: a bar in tension does not buckle"}};
 }

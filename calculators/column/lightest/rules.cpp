@@ -68,8 +68,7 @@ Message remedy_of(Failure failure) {
   if (failure == Failure::strength)
     return say("name a material that is given for thicker sections, or families with thinner walls");
   if (failure == Failure::beyond) return say("name families of larger sections, or hold the bar better");
-  if (failure == Failure::range)
-    return say("take a method that holds for stocky bars too: tetmajer, johnson, ec3, aisc");
+  if (failure == Failure::range) return say("use a method that covers stocky bars: tetmajer, johnson, ec3, aisc");
   return {};
 }
 

@@ -42,7 +42,7 @@ Stress on_curve(const Input& in, const Haigh& haigh, const Cycle& cycle, Tracer&
   STEP(sigma_s, in.stress == Stresses::shear ? in.K_A * abs(sigma_m0) : in.K_A * sigma_m0,
        "with the application factor; of shear its magnitude");
   STEP(sigma_m, in.mean == History::Means::fkm ? sigma_s : max(sigma_s, 0.0 * MPa),
-       "what compression gives is counted by FKM alone");
+       "the benefit of compression is considered by FKM only");
   if (in.stress == Stresses::shear && is_set(haigh.R_m)) trace.value("R_m", haigh.R_m, "of shear, [Shigley6] (6-54)");
   if (in.stress == Stresses::shear && is_set(haigh.R_e)) trace.value("R_e", haigh.R_e, "of shear, [Mises]");
   const Stress sigma_ar = equivalent(rule_of(in), haigh, {sigma_a, sigma_m}, trace);
@@ -172,8 +172,7 @@ void largest_cycle(const Input& in, const std::vector<Cycle>& cycles, const OnCu
   const rainflow::SnCurve curve = weighing_curve(in, on.largest);
   const auto N = curve.cycles(r.S_1 / MPa);
   r.N_S1 = N ? trace.value("N_S1", *N, "cycles on the curve, not reversals") : endless;
-  if (const auto least = curve.cycles(on.largest))
-    r.x_N = trace.value("x_N", *least, "life of the largest cycle alone");
+  if (const auto least = curve.cycles(on.largest)) r.x_N = trace.value("x_N", *least, "life at the largest cycle only");
 }
 
 /// What the gate leaves out, by the curve that one cycle is weighed with.

@@ -71,7 +71,7 @@ n_req = 1
   }
   static constexpr Fields inputs{
       Field{&Input::sigma, "sigma", MPa,
-            "nominal stress over the history: a series, whole, or { file, column, unit }, or { values, unit }"}
+            "nominal stress over the history: a series, or { file, column, unit }, or { values, unit }"}
           .load()
           .may_be_missing(),
       ListField{&Input::blocks, "blocks", "cycles in blocks, in place of a series"}.may_be_missing(),
@@ -143,7 +143,7 @@ n_req = 1
           .within(0, 1)
           .positive()
           .usually(0.1, 1),
-      Field{&Input::n_req, "n_req", ratio, "how often the history has to be borne, once at least"}
+      Field{&Input::n_req, "n_req", ratio, "required repetitions of the history, at least 1"}
           .at_least(1)
           .may_be_missing(),
       Field{&Input::N_eq, "N_eq", ratio, "cycles of the equivalent stress of one size"}.positive().may_be_missing(),
@@ -166,7 +166,7 @@ n_req = 1
       Field{&Result::D_consistent, "D_consistent", ratio, "the same, consistent: the fatigue limit falls"},
       Field{&Result::D_LZ, "D_LZ", ratio, "the same by Liu and Zenner"},
       Field{&Result::D, "D", ratio, "damage of one passage, by the rule that decides"},
-      Field{&Result::Z, "Z", ratio, "passages that are borne; endless if no cycle does any damage"}.may_be_infinite(),
+      Field{&Result::Z, "Z", ratio, "allowable repetitions; infinite if no cycle causes damage"}.may_be_infinite(),
       Field{&Result::L, "L", hour, "life"}.may_be_infinite(),
       Field{
           &Result::S_eq, "S_eq", MPa,
@@ -219,12 +219,13 @@ n_req = 1
   static constexpr std::array rules{
       Rule<Input>{&one_source, "sigma, blocks", "give the stress sigma as a series, or blocks, one of the two"},
       Rule<Input>{&is_history, "sigma",
-                  "one value is no history: take the series itself, without peak, max or mean, or give blocks"},
+                  "a single value is not a load history: refer to the series, without peak, max or mean, or "
+                  "give blocks"},
       Rule<Input>{&curve_given, "curve, sigma_D, N_D, k, sigma_C, detail, lg_a", "the curve lacks numbers",
                   &missing_of_curve},
       Rule<Input>{&curve_alone, "curve, sigma_D, N_D, k, sigma_C, detail, lg_a, m_1, m_2, N_1",
-                  "give the numbers of the curve that is chosen alone: sigma_D, N_D and k of a part; sigma_C of "
-                  "EN 1993-1-9; detail, or lg_a, of DNV-RP-C203"},
+                  "give only the numbers of the chosen curve: sigma_D, N_D and k of a part; sigma_C of EN "
+                  "1993-1-9; detail, or lg_a, of DNV-RP-C203"},
       Rule<Input>{[](const Input& in) { return in.detail == Detail::untold || !(is_set(in.lg_a) || is_set(in.m_1)); },
                   "detail, lg_a, m_1", "the detail has its own lg a and slope: give detail, or lg_a with m_1"},
       Rule<Input>{&slopes_fall, "m_1, m_2", "the second branch falls less than the first: m_2 is above m_1"},
@@ -250,7 +251,7 @@ n_req = 1
                   "HCM begins on a branch that closes nothing: repeat the history, or count by four points"},
       Rule<Input>{[](const Input& in) { return in.classes == 0 || in.sigma.is_series(); }, "classes, blocks",
                   "classes sort the cycles of a series; blocks are classes already"},
-      Rule<Input>{&varies, "sigma", "a stress that does not vary is no history"},
+      Rule<Input>{&varies, "sigma", "a constant stress is not a load history"},
       lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
       safety_has_its_yield<Input>(),
       yields_before_it_breaks<Input>()};

@@ -113,7 +113,7 @@ h_ar = 0.9
       Field{&Result::h_clear, "h_clear", ratio,
             "maximum addendum of the ring gear without interference with the planet fillets"},
       Choice{&Result::coaxial, "coaxial", "coaxiality of sun, planet and ring gear"},
-      Field{&Result::z_gap, "z_gap", ratio, "coaxial: z_r - z_s - 2 z_p, which profile shift can still mend"}.limit(
+      Field{&Result::z_gap, "z_gap", ratio, "coaxiality: z_r - z_s - 2 z_p, which profile shift can correct"}.limit(
           -most_shifted, most_shifted),
       Field{&Result::u_N, "u_N", ratio, "planet clearance: tip diameter / distance of adjacent planet axes"}.check(),
       Field{&Result::f_sp, "f_sp", ratio, "interference of sun and planet: minimum clearance, in modules"}

@@ -173,7 +173,7 @@ void check_names_of_balance(NameFaults& faults) {
     faults.add("counterweights", say("counterweights balance inertia, and the analysis is static"),
                say("leave out analysis = \"static\""));
   if (!is_whole_turn(in))
-    faults.add("counterweights", say("counterweights are found over a whole turn of a crank, and there is none"),
+    faults.add("counterweights", say("counterweights need a full revolution of a crank, and there is none"),
                say("drive by a crank, without 'at' and 'law'"));
   for (const planar::Counterweight& weight : in.counterweights) {
     const std::string path = path_of("counterweights", weight.name);

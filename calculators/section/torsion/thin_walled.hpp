@@ -130,10 +130,10 @@ theta_adm = "0.5 deg/m"
           &sizes_given, "cells, walls",
           "give the area of a cell as A or by three points or more, the length of a wall as l or by two or more"},
       Rule<Input>{&cells_once, "cells", "every cell has a name of its own"},
-      Rule<Input>{&cells_known, "walls, cells",
-                  "a wall names the cell that it bounds, and another one beside it where there is one", &unknown_cell},
+      Rule<Input>{&cells_known, "walls, cells", "a wall names its cell, and the adjacent cell if there is one",
+                  &unknown_cell},
       Rule<Input>{&cells_close, "cells, walls",
-                  "a cell has walls, and its walls or those of cells beside it have the outside on their other side",
+                  "a cell needs walls, and at least one of its walls or of adjacent cells borders on the outside",
                   &open_cell},
       Rule<Input>{&no_islands, "cells, walls", "cells lie side by side", &island},
       Rule<Input>{&outlines_apart, "cells", "the outlines of cells neither cross nor cover one another",
@@ -159,8 +159,7 @@ theta_adm = "0.5 deg/m"
       Mode<Input>{"warping", "restrained warping stress", &unseen<Input>},
       Mode<Input>{"distortion", "cross-section distortion", &unseen<Input>},
       Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
-      Mode<Input>{"fatigue", "fatigue (welds, corners)",
-                  [](const Input& in) { return shown_by(in.K_A > 1.0); }}
+      Mode<Input>{"fatigue", "fatigue (welds, corners)", [](const Input& in) { return shown_by(in.K_A > 1.0); }}
           .in_service()
           .left_to("fatigue.cycle", "cycle.fatigue")};
 

@@ -145,7 +145,7 @@ void judge_member(const Input& in, const Slices& slices, const Part& part, std::
   Held::Member member;
   member.name = part.sleeve != nullptr ? part.sleeve->name : in.segments[segment].name;
   member.x = trace.value("x", s.x + x, "where its stress is the largest");
-  const Moment M = trace.value("M", r.stretches[worst.slice].M_1 - s.m * x, "moment of the whole section there");
+  const Moment M = trace.value("M", r.stretches[worst.slice].M_1 - s.m * x, "total moment of the section there");
   const auto C = trace.value("C", stiffness_at(in, s, x), "sum of G I_p there over the members, which twist alike");
   const Stress G = trace.value("G", part.G, "its shear modulus");
   const Length d = member.d = trace.value("d", ring.d, "its outer diameter");
@@ -269,7 +269,7 @@ Held::Result Held::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const Slices slices = slices_of(in);
   const Yielded whole = give_way(in, slices, trace);
-  trace.value("F", whole.F, "rotation over the whole bar by a moment of 1: the sum over the stretches");
+  trace.value("F", whole.F, "rotation over the full bar per unit moment: sum over the intervals");
   trace.angle("phi_0", whole.phi_0, "rotation of its second end against its first by the loads, without R_1");
   react(in, whole.F, whole.phi_0, r, trace);
   along(slices, whole.yields, r, trace);

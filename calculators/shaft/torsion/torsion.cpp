@@ -52,7 +52,7 @@ void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   if (by_strength) trace.value("d_strength", r.d_strength, "largest of the shaft");
   if (is_set(in.theta_adm) && !by_strength) {
     trace.value("d_stiffness", r.d_stiffness, "largest of the shaft");
-    STEP_TO(r, d_min, r.d_stiffness, "by stiffness alone: no strength is given");
+    STEP_TO(r, d_min, r.d_stiffness, "by stiffness only: no strength is given");
     r.governs = Torsion::Governs::stiffness;
     return;
   }

@@ -246,7 +246,8 @@ A2 = { links = ["c2", "bar"] }
     }
     const auto& verdicts = project.steps[0]->account().verdicts;
     CHECK(verdicts[0].note.text() ==
-          "a change point at 180 deg, 360 deg: the drive does not hold it there; choose places beside it, crank = { "
+          "change point at 180 deg, 360 deg: the drive does not determine the motion there; choose other positions, "
+          "crank = { "
           "start = \"92.5 deg\" }");
     const auto beside = solved(replaced(parallel, "90 deg\" }\ngravity", "92.5 deg\" }\ngravity"));
     CHECK(beside.steps[0]->account().verdicts[0].state == account::State::pass);

@@ -114,7 +114,7 @@ TEST_SUITE("mechanism design") {
     const std::string positions = "positions = 36";
     at.replace(at.find(positions), positions.size(), "at = [\"0 deg\", \"90 deg\"]");
     check_said(at + "counterweights.w = { link = \"crank\", at = \"O\" }\n",
-               "counterweights are found over a whole turn of a crank, and there is none");
+               "counterweights need a full revolution of a crank, and there is none");
   }
 
   TEST_CASE("a rod reduced to two masses is one with their moment of inertia; to three it stays as it is") {

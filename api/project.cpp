@@ -75,7 +75,7 @@ class Keeping {
 
  private:
   bool rows_;
-  std::vector<std::size_t> results_;  // of a block, that have a column
+  std::vector<std::size_t> results_;  // results of a block that have a column
   Sweep sweep_;
 };
 

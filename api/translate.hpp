@@ -1,4 +1,4 @@
-// From what the library has inside to what it hands out.
+// Conversion of the library's internal types to those of the API.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -16,7 +16,7 @@ namespace loadpath::api {
 /// Texts that issues point into, by the names of their files.
 using Sources = std::map<std::string, std::string>;
 
-/// The project's own text, and the files that it was read from beside it.
+/// The project's own text, and the other files that it was read from.
 Sources sources_of(const project::Project& project, Sources own);
 
 std::vector<Issue> issues_of(const std::vector<loadpath::Issue>& issues);
@@ -37,7 +37,7 @@ std::string si_name(const Dimension& dimension);
 
 Column column_of(const project::SweptInput& input);
 Column column_of(const project::SweptResult& result);
-/// In the order of their first points.
+/// Sorted by their first points.
 std::vector<Refused> in_order(std::vector<Refused> all);
 
 unsigned threads_for(unsigned jobs);

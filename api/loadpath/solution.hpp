@@ -9,7 +9,7 @@
 
 namespace loadpath::api {
 
-/// How a part, a mode of failure or a check came out. Columns of sweeps hold the number.
+/// The state of a part, a failure mode or a check. Columns of sweeps contain the number.
 enum class State {
   absent = -1,  // the mode does not concern the part
   pass = 0,
@@ -19,7 +19,7 @@ enum class State {
   not_covered,    // outside of what the method covers
   not_available,  // a value is missing
   fail,
-  refused  // the point of a sweep breaks a rule: it is no machine
+  refused  // the point of the sweep violates an input rule: it is invalid
 };
 /// "not covered"
 std::string word_of(State state);
@@ -37,10 +37,10 @@ struct Quantity {
   double value = std::numeric_limits<double>::quiet_NaN();  // not available; of a series NaN
   std::vector<double> series;                               // over the cycle; empty where there is one value
   std::string axis;                                         // that the series goes over: "lever: crank angle"
-  std::vector<double> positions;                            // of the axis
+  std::vector<double> positions;                            // positions along the axis
   std::string word;                                         // a choice or a name in place of a number
   std::string text;                                         // "12.5 mm"
-  std::string reason;                                       // why there is no value
+  std::string reason;                                       // reason for a missing value
 };
 
 struct Mode {
@@ -62,7 +62,7 @@ struct Check {
 
 struct Solution {
   std::vector<Quantity> quantities;  // inputs, then results, step by step
-  std::vector<Mode> modes;           // of failure, the worst first
+  std::vector<Mode> modes;           // failure modes, the worst first
   std::vector<Check> checks;
   std::vector<Issue> warnings;
   State state = State::open;

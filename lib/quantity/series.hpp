@@ -17,7 +17,7 @@ struct Axis {
   std::vector<double> at;     // SI, ascending or descending; a cycle holds no doubled end point
   std::vector<double> share;  // part of the cycle's time that belongs to each position; sums to 1; empty: not a cycle
   double period = 0.0;        // SI, signed; 0: not a cycle
-  double speed = 0.0;         // of what turns through an angle, rad/s; 0: not known, or not constant
+  double speed = 0.0;         // angular velocity of the rotating part, rad/s; 0: unknown, or not constant
   [[nodiscard]] std::string name() const { return step + ": " + quantity; }
   [[nodiscard]] bool cyclic() const { return period != 0.0; }
 };
@@ -36,7 +36,8 @@ struct Value {
 };
 
 /// An extreme of a series, refined between positions by the quartic through five of them; where the parabolas through
-/// three neighbours each differ by more than a quarter in curvature (a jump, a kink, fewer than about 13 positions to a
+/// three neighbours each differ by more than a quarter in curvature (a jump, a kink, fewer than about 13 positions to
+/// a
 /// wave) the position itself is taken. An open axis is never left. Of extremes that differ by no more than the
 /// series' rounding, or 1e-12 of their size, the first; a place is zero within 1e-6 of a step.
 struct Extreme {
@@ -48,8 +49,9 @@ Extreme maximum(const Value& series);
 Extreme minimum(const Value& series);
 /// The value of largest magnitude, with its sign (`peak` of the expressions is its magnitude).
 Extreme largest(const Value& series);
-/// Whether the positions of a cycle stand so near one another that they tell its extremes: 36 of them at least, and
-/// what lies higher between them is no more than 1 % of the range. Of what is no cycle always.
+/// Whether the positions of a cycle are dense enough to resolve its extremes: at least 36, and values between them
+/// exceed
+/// them by no more than 1 % of the range. Always true without a cycle.
 bool tells_its_extremes(const Value& series);
 /// Whether its values differ by nothing but rounding. Not of a series that holds NaN.
 bool is_constant(const Value& series);

@@ -17,7 +17,7 @@ struct ParsedUnit {
   double offset = 0.0;
   Dimension dimension;
   int names = 0;       // how many units of the table it is made of
-  unsigned marks = 0;  // of all of them
+  unsigned marks = 0;  // union of the marks
 
   [[nodiscard]] bool has(Mark mark) const { return (marks & static_cast<unsigned>(mark)) != 0; }
   [[nodiscard]] double to_si(double value) const;

@@ -11,7 +11,7 @@ namespace loadpath {
 Message unknown_unit(std::string_view name);
 Message unknown_unit_hint(std::string_view name);
 
-/// "kNm" as "kN*m": two known names that were run together; empty where the name is no such pair.
+/// "kNm" as "kN*m": two known names run together; empty for any other name.
 std::string split(std::string_view name);
 
 /// How `above/below` and then `sign rest` is written with one division: "N/m*s" as 'N/(m*s)' or 'N*s/m'.

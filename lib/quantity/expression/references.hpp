@@ -1,4 +1,4 @@
-// What an expression refers to: as it stands in the text, as it is declared when the file is read, and with its values.
+// The references of an expression: as written in the text, as declared when the file is read, and with their values.
 #pragma once
 
 #include "lib/quantity/series.hpp"
@@ -10,7 +10,7 @@
 
 namespace loadpath::expression {
 
-/// A reference as written and where it stands in the text (bytes).
+/// A reference as written, and its position in the text (bytes).
 struct Reference {
   std::string path;
   std::size_t at = 0;

@@ -4,7 +4,7 @@
 Usage: python3 scripts/count_words.py [--max N] [--list] [PATH...]
 
 Counted are C++ comments and Python `#` comments of the files that git tracks below the paths (default: api, calculators, cli, lib,
-python, tests). Strings, code, names in backquotes and quoted text do not count. Prints one line per folder (two levels) and the
+python, tests). Strings, code, paths, names in backquotes and quoted text do not count. Prints one line per folder (two levels) and the
 total; `--list` prints each comment with a counted word as FILE:LINE: WORDS: TEXT. `--max N` exits 1 if the total exceeds N per
 1,000 words.
 """
@@ -30,12 +30,12 @@ WORDS = [
     r"holds? for",
     r"(?:asks?|asked|asking) for",
     r"(?:comes?|came|coming) (?:with|along)",
-    r"is no(?! (?:longer|more|less)\b)",
+    r"(?<!there )is no(?! (?:longer|more|less)\b)",
     r"mend(?:s|ed|ing)?",
     r"feels?|felt|feeling",
     r"pulls?",
     r"senses? of",
-    r"ways?",
+    r"(?<!-)ways?",
     r"play",
     r"anew",
 ]
@@ -89,7 +89,7 @@ def comments(path):
 
 
 def plain(comment):
-    return re.sub(r"`[^`]*`|\"[^\"]*\"", "", comment).strip()
+    return re.sub(r"`[^`]*`|\"[^\"]*\"|\b\w+/\S+", "", comment).strip()
 
 
 def found(path, comment):

@@ -40,8 +40,7 @@ struct Sweep {
 
 struct SweepOptions {
   /// Expressions over results, "m = rod.mass", "rod.utilisation", "rod.modes.buckling", in addition to those of the
-  /// file.
-  /// For a calculator, names of its results; default: all numeric ones.
+  /// file. For a calculator, names of its results; default: all numeric ones.
   std::vector<std::string> results = {};
   unsigned jobs = 0;    // number of threads; 0: one per processor core. The values do not depend on it.
   bool strict = false;  // modes not considered count as not assessed

@@ -49,8 +49,7 @@ inline bool is_kept(const FieldInfo& row, double si) {
 inline bool acts(double si) { return !std::isnan(si) && si != 0.0; }
 
 /// The value of a limit farthest beyond the nearer bound, or nearest to it; bounds of non-negative quantities are
-/// never
-/// near zero, and NaN is farther than any number.
+/// never near zero, and NaN is farther than any number.
 inline double farthest_from(const Range& bounds, std::span<const double> si) {
   const auto distance = [&](double x) {
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -7,8 +7,8 @@
 
 namespace loadpath {
 
-/// Keys, separated by ", ". A choice stands with its word, "method = euler", or alone, with whatever word it has. All
-/// that is not named is as in a blank input. Of several forms that serve a sweep the first is taken.
+/// Keys, separated by ", ". A choice is given with its word, "method = euler", or without, for any word. All other
+/// inputs are as in a blank input. If several forms serve a sweep, the first is used.
 struct Form {
   const char* given;       // inputs: quantities, counts, choices of the input itself, of no list
   const char* asked = "";  // results: "u_tau, cycle.sigma_max"; empty: every quantity outside of lists

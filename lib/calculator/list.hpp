@@ -1,4 +1,5 @@
-// Lists inside inputs and results: bounded, inline, without allocation. What is never swept may be a std::vector.
+// Lists inside inputs and results: bounded, inline, without allocation. Members that are never swept may be a
+// std::vector.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -46,7 +47,7 @@ class ShortText {
   unsigned char size_ = 0;
 };
 
-/// Of an element, a link, a joint.
+/// The name of an element, a link, a joint.
 using Name = ShortText<31>;
 /// A quantity as a function of one variable: "30 deg + 9 deg*sin(t/(1 s))".
 using Formula = ShortText<160>;

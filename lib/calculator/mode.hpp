@@ -1,5 +1,5 @@
-// The ways in which a part can fail or stop serving. A calculator declares them beside its fields; a verdict is about
-// them, not about the checks that happened to be computed: what applies and was not judged does not pass.
+// The failure modes of a part. A calculator declares them next to its fields; a verdict is about them, not about the
+// checks that happened to be computed: a mode that applies and was not assessed does not pass.
 #pragma once
 
 #include <array>
@@ -7,18 +7,18 @@
 
 namespace loadpath {
 
-/// Whether a mode concerns a part; unseen: the input cannot tell.
+/// Whether a mode concerns a part; unseen: the input does not decide it.
 enum class Applies { no, unseen, yes };
 
-/// What a mode is about, which decides what is said of it where nothing judges it.
+/// The kind of a mode, which determines its state if it is not assessed.
 enum class ModeKind {
   strength,  // worse with load
   service,   // twist, sag: a bound that only the user can set; open until it is given
   shape,     // interference, undercut, room
-  special    // decides in special service alone: wear, creep; open until an input shows that service
+  special    // critical only in special service: wear, creep; open until an input shows that service
 };
 
-/// What is known of a mode without the type of its input.
+/// Data of a mode that do not depend on the type of its input.
 struct ModeInfo {
   const char* id = "";     // "root_1": the key of `accept`, and of JSON
   const char* title = "";  // "tooth root of gear 1 in bending"
@@ -26,10 +26,10 @@ struct ModeInfo {
   const char* checks = "";  // the checks and limits that judge it, all of them: "u_F1, v_share", "segments.u_tau"
   const char* judge = "";   // the calculator that judges it, or what its checks leave; without both nothing does
   const char* taken = "";   // how that judges it: modes of it, by the record that it takes, "sun_mesh.root_1"
-  const char* wants = "";   // inputs that would let it be judged, where its checks do not tell
-  const char* advice = "";  // what else to do where no input is missing
+  const char* wants = "";   // inputs needed to assess it, if its checks do not show them
+  const char* advice = "";  // other remedy if no input is missing
   const char* use = "";     // the calculator that assesses it when it takes the place of this one: "shaft.design"
-  const char* add = "";     // calculators of which a step beside this one assesses it: "shaft.key, shaft.spline"
+  const char* add = "";     // calculators of which an additional step assesses it: "shaft.key, shaft.spline"
   bool by_service = false;  // unseen, it applies where what loads the part says that it turns or that the load varies
   bool by_rest = false;     // unseen, it applies where a load has companions that the step does not take
 };
@@ -60,13 +60,13 @@ struct Mode : ModeInfo {
     mode.taken = modes;
     return mode;
   }
-  /// What to give so that it is judged: "sigma_adm_1".
+  /// The inputs to be given so that it is assessed: "sigma_adm_1".
   [[nodiscard]] constexpr Mode wanting(const char* inputs) const {
     Mode mode = *this;
     mode.wants = inputs;
     return mode;
   }
-  /// What to do where all inputs are given and it is not assessed: "give the hub its length".
+  /// The remedy if all inputs are given and it is not assessed: "give the hub its length".
   [[nodiscard]] constexpr Mode advising(const char* text) const {
     Mode mode = *this;
     mode.advice = text;
@@ -78,19 +78,19 @@ struct Mode : ModeInfo {
     mode.use = calculator;
     return mode;
   }
-  /// Assessed by a step of one of these calculators beside this one.
+  /// Assessed by an additional step of one of these calculators.
   [[nodiscard]] constexpr Mode assessed_beside(const char* calculators) const {
     Mode mode = *this;
     mode.add = calculators;
     return mode;
   }
-  /// Of a part that turns, or whose load varies.
+  /// Applies to a part that rotates, or whose load varies.
   [[nodiscard]] constexpr Mode in_service() const {
     Mode mode = *this;
     mode.by_service = true;
     return mode;
   }
-  /// Brought by what comes along with the load that is taken: bending, with the torque of a gear.
+  /// Caused by further components of the load that is taken: bending, with the torque of a gear.
   [[nodiscard]] constexpr Mode by_companions() const {
     Mode mode = *this;
     mode.by_rest = true;
@@ -131,7 +131,7 @@ constexpr Applies unseen(const Input&) {
 }
 /// Yes where it holds, else not at all.
 constexpr Applies where(bool holds) { return holds ? Applies::yes : Applies::no; }
-/// Yes where an input shows it, else the input cannot tell.
+/// Yes if an input shows it, else undecided by the input.
 constexpr Applies shown_by(bool holds) { return holds ? Applies::yes : Applies::unseen; }
 
 }  // namespace loadpath

@@ -95,7 +95,7 @@ const FieldInfo* find_field_at(std::span<const FieldInfo> fields, std::string_vi
   if (field == nullptr || path.empty()) return field;
   if (field->type == FieldInfo::Type::list && !skip_element(*field, path)) return nullptr;
   if (!field->has_fields()) return nullptr;
-  if (path.empty()) return field;  // the whole element
+  if (path.empty()) return field;  // the entire element
   return path.starts_with('.') ? find_field_at(field->fields, path.substr(1)) : nullptr;
 }
 

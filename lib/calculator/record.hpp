@@ -31,7 +31,7 @@ struct FieldInfo {
     formula,
     group,
     list,
-    record  // of another step: no value of its own
+    record  // record of another step: without a value of its own
   };
 
   Type type = Type::quantity;
@@ -80,7 +80,7 @@ struct FieldInfo {
   double* (*address)(void* owner) = nullptr;                // quantity
   double (*get)(const void* owner) = nullptr;               // quantity, count, choice (its index)
   void (*set)(void* owner, double si) = nullptr;            // quantity, count, choice
-  void (*set_series)(void* owner, Value series) = nullptr;  // quantity that takes a series whole
+  void (*set_series)(void* owner, Value series) = nullptr;  // quantity that takes an entire series
   const Value* (*series)(const void* owner) = nullptr;      // the same; null where it is one value
   std::string_view (*text)(const void* owner) = nullptr;    // name, formula
   void (*set_text)(void* owner, std::string_view text) = nullptr;
@@ -151,7 +151,7 @@ const FieldInfo* find_field_at(std::span<const FieldInfo> fields, std::string_vi
 /// Whether a field that must be given has no value.
 bool is_missing(const FieldInfo& field, void* owner);
 
-/// What a choice, a name or a formula says.
+/// The text of a choice, a name or a formula.
 std::string word_of(const Leaf& leaf);
 /// Gives a choice, a name or a formula its text; false where a choice has no such word, or a name is too long.
 bool set_word(const Leaf& leaf, std::string_view word);

@@ -1,5 +1,5 @@
-// What a material bounds: stresses that nobody may allow beyond its strength, and fatigue limits that no material has
-// beside its tensile strength. A calculator says with a Meaning which of its inputs are such; lib/project compares.
+// Bounds by the material: allowable stresses must not exceed its strength, and fatigue limits are bounded by its
+// tensile strength. A calculator marks such inputs with a Meaning; lib/project compares.
 #pragma once
 
 #include <array>
@@ -25,7 +25,7 @@ struct StrengthBound {
   const char* meaning;
   const char* column;
   double part;
-  const char* text;  // of the bound, in messages
+  const char* text;  // name of the bound, in messages
 };
 
 /// Yield in shear by the distortion energy hypothesis; 0.7 R_m is above the limit of any steel in bending (recalled:

@@ -1,5 +1,5 @@
-// What a block of points does to the rules and modes of a calculator class. Included by the source of a calculator,
-// through calculator_of.hpp.
+// The rules and modes of a calculator class at a block of points. Included by the source of a calculator, through
+// calculator_of.hpp.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath::detail {
 
-/// Whether one of the rules that are asked for is broken.
+/// Whether one of the requested rules is violated.
 template <class C, std::size_t... rule>
 bool breaks_any(const typename C::Input& in, std::span<const char> asked, std::index_sequence<rule...>) {
   return ((asked[rule] != 0 && !C::rules[rule].holds(in)) || ...);

@@ -1,5 +1,5 @@
-// A quantity that a calculator sees over a whole cycle at once. Of an ordinary input that is a series it sees one
-// position after the other, and can say nothing of what comes and goes.
+// A quantity that a calculator gets over an entire cycle at once. Of an ordinary input with a series it gets one
+// position after the other, and cannot assess the variation.
 #pragma once
 
 #include "lib/quantity/series.hpp"

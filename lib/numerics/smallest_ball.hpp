@@ -109,9 +109,9 @@ Ball<dim> ball_of(Few<dim>& points) {
 
 }  // namespace detail
 
-/// Of `point(0)` to `point(count - 1)`, count > 0. From ball to ball, each of at most dim + 1 corners and the point
-/// that lies farthest outside of the one before, so that the radius grows until none lies outside. It allocates
-/// nothing. The radius is the distance of the farthest point from the centre: never too small.
+/// The smallest ball around `point(0)` to `point(count - 1)`, count > 0. From ball to ball, each through at most dim
+/// + 1 corners and the point farthest outside the previous one, so that the radius grows until no point is outside.
+/// Does not allocate. The radius is the distance of the farthest point from the centre: never too small.
 template <std::size_t dim, class PointAt>
 Ball<dim> smallest_ball(std::size_t count, const PointAt& point) {
   constexpr int most_steps = 100;

@@ -20,7 +20,7 @@ class SparseLu {
   /// Factors the matrix with these values, in the order of the pattern. False when it is singular to rounding.
   [[nodiscard]] bool factor(std::span<const double> values);
 
-  /// The next matrix is ordered anew, as if it were the first.
+  /// Forces a new ordering at the next matrix, as if it were the first.
   void forget_order() { ordered_ = false; }
 
   /// Replaces the right side by the solution of A x = b, or of A^T x = b.
@@ -31,7 +31,7 @@ class SparseLu {
   [[nodiscard]] double reciprocal_condition(std::span<const double> values);
 
  private:
-  struct Rows {  // of a triangle, compressed
+  struct Rows {  // rows of a triangle, compressed
     std::vector<std::size_t> start, index;
     std::vector<double> value;
   };

@@ -17,7 +17,7 @@ class RestToRestSpline {
   /// Before the first point and after the last it rests.
   [[nodiscard]] Jet at(double x) const;
 
-  /// Where it lies beyond the two points that it is between, and by how much.
+  /// The location of an overshoot beyond the two adjacent points, and its amount.
   struct Overshoot {
     double x = 0.0, y = 0.0, by = 0.0;
   };

@@ -1,5 +1,5 @@
-// Why a typed value is better than a row of a table or a record beside it says: because.R_e = "certificate 4711". It
-// answers for the value, where `accept` answers for a mode of failure; no verdict is better for it.
+// The reason why a typed value is better than the row of a table or a record for the same field: because.R_e =
+// "certificate 4711". It justifies the value, while `accept` accepts a failure mode; no verdict improves by it.
 #pragma once
 
 #include "lib/project/step.hpp"

@@ -1,4 +1,4 @@
-// What the program has; filled by calculators/catalogue.cpp, handed to whoever reads a project.
+// The contents of the program; filled by calculators/catalogue.cpp, passed to all readers of a project.
 #pragma once
 
 #include "lib/project/step.hpp"

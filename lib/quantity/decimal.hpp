@@ -9,8 +9,7 @@ namespace loadpath {
 /// Multiples of a power of ten.
 class Decimals {
  public:
-  /// The coarsest power of ten that changes no number by more than half of `rounding`. For 0, all digits are
-  /// kept.
+  /// The coarsest power of ten that changes no number by more than half of `rounding`. For 0, all digits are kept.
   static Decimals within(double rounding);
   /// The finest power of ten that is not below `rounding`.
   static Decimals beyond(double rounding);

@@ -37,8 +37,7 @@ struct Value {
 
 /// An extreme of a series, refined between positions by the quartic through five of them; where the parabolas through
 /// three neighbours each differ by more than a quarter in curvature (a jump, a kink, fewer than about 13 positions to
-/// a
-/// wave) the position itself is taken. An open axis is never left. Of extremes that differ by no more than the
+/// a wave) the position itself is taken. An open axis is never left. Of extremes that differ by no more than the
 /// series' rounding, or 1e-12 of their size, the first; a place is zero within 1e-6 of a step.
 struct Extreme {
   double value = 0.0;       // SI; NaN for an empty series or one that holds NaN
@@ -50,8 +49,7 @@ Extreme minimum(const Value& series);
 /// The value of largest magnitude, with its sign (`peak` of the expressions is its magnitude).
 Extreme largest(const Value& series);
 /// Whether the positions of a cycle are dense enough to resolve its extremes: at least 36, and values between them
-/// exceed
-/// them by no more than 1 % of the range. Always true without a cycle.
+/// exceed them by no more than 1 % of the range. Always true without a cycle.
 bool tells_its_extremes(const Value& series);
 /// Whether its values differ by nothing but rounding. Not of a series that holds NaN.
 bool is_constant(const Value& series);

@@ -11,7 +11,7 @@ namespace loadpath::table {
 
 namespace {
 
-/// What is wrong with a built-in file is a fault of the program.
+/// An error in a built-in file is a fault of the program.
 void insist(const std::vector<Issue>& issues) {
   if (!issues.empty()) throw std::logic_error(render(issues, [](const std::string&) { return std::string(); }));
 }

@@ -10,7 +10,7 @@
 
 namespace loadpath::table {
 
-/// The tables that are built into the program, read when first asked for.
+/// The tables built into the program, read at first use.
 const Library& built_in();
 
 /// A row of them, of which it reads only what it needs. So do those below.

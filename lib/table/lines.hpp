@@ -5,8 +5,8 @@
 //     ["HEA 100", ["HE 100 A"], 96, 100, 5.5],
 //   ]
 //
-// Only this form is read here. Whatever else TOML allows (comments, escapes, several lines for a row), or is wrong, is
-// left to the parser, which tells where.
+// Only this form is read here. Other TOML (comments, escapes, several lines for a row) and errors are left to the
+// parser, which reports the place.
 #pragma once
 
 #include <optional>
@@ -38,7 +38,7 @@ bool read_line(std::string_view line, std::vector<Cell>& cells);
 /// The texts of such a cell: ["HE 100 A", "HEA100"].
 bool read_texts(const Cell& cell, std::vector<std::string>& texts);
 
-/// The value of a line KEY = "text", or of one with the key in quotes, as the file has it; nothing where there is no
+/// The value of a line KEY = "text", or of one with the key in quotes, as the file has it; nothing if there is no
 /// such line, or its text has escapes.
 std::optional<std::string_view> plain_text(std::string_view file, std::string_view key);
 

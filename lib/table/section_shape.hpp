@@ -20,7 +20,7 @@ struct SectionShape {
 };
 
 struct Misfit {
-  std::string key;  // of the value that does not fit
+  std::string key;  // key of the inconsistent value
   Message message;
 };
 

@@ -1,4 +1,4 @@
-// What is wrong with an input: where it stands, which rule it breaks, and what would be right.
+// An error in an input: its place, the violated rule, and the remedy.
 //
 // A Message is an id (the English literal, with arguments {1}, {2}...) and its arguments, never a finished sentence,
 // so that other languages can be added without touching the places that speak.
@@ -44,7 +44,7 @@ Message say(std::string_view id, Args&&... args) {
   return {id, {Argument(std::forward<Args>(args))...}};
 }
 
-/// A range of characters in a file, both counted from 1 in code points; line 0: the file as a whole.
+/// A range of characters in a file, both counted from 1 in code points; line 0: the file in general.
 struct Place {
   std::string file;
   int line = 0;
@@ -52,7 +52,7 @@ struct Place {
   int length = 1;
 };
 
-/// What a parser of one string found: a byte range of that string, the rule, and the remedy.
+/// A fault found by a parser of one string: a byte range of that string, the rule, and the remedy.
 struct Fault {
   std::size_t at = 0;
   std::size_t length = 1;
@@ -80,7 +80,7 @@ class Outcome {
   bool ok_ = false;
 };
 
-/// What is wrong with values that were read: the path of the field that says it ("joints.A.links"), rule and remedy.
+/// A fault in values that were read: the path of the field ("joints.A.links"), rule and remedy.
 struct FieldFault {
   std::string path;
   Message message;

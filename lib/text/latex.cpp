@@ -8,7 +8,7 @@
 namespace loadpath {
 namespace {
 
-/// A character that means something to LaTeX, and what stands for it.
+/// A character with a meaning in LaTeX, and its replacement.
 struct Command {
   char32_t letter;
   std::u32string_view tex;

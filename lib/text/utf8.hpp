@@ -17,7 +17,7 @@ std::size_t first_control(std::string_view text, std::string_view allowed);
 /// How many bytes the character at `at` takes: 1 to 4, never past the end of `text`.
 std::size_t character_length(std::string_view text, std::size_t at);
 
-/// The code points of `text`; a byte that is not well-formed stands for itself.
+/// The code points of `text`; a malformed byte maps to itself.
 std::u32string code_points(std::string_view text);
 
 /// The text of code points.

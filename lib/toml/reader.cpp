@@ -22,7 +22,7 @@ namespace loadpath::toml {
 
 namespace {
 
-/// What the parser has found, with the letters and places of the file.
+/// Results of the parser, with the letters and places of the file.
 class Conversion {
  public:
   Conversion(const Ascii& ascii, const std::string& file) : ascii_(ascii), file_(file) {}
@@ -139,7 +139,7 @@ std::optional<char> open_quote(std::string_view line) {
   return open;
 }
 
-/// Whether a backslash stands at a column, or before it, and a letter outside ASCII behind the backslash.
+/// Whether a backslash is at a column, or before it, and a letter outside ASCII after the backslash.
 bool is_escaped_foreign(std::string_view line, int column) {
   const std::u32string letters = code_points(line);
   constexpr char32_t first_foreign = 0x80;
@@ -240,7 +240,7 @@ const Tree::Entry* Tree::find(std::string_view key) const {
   return found == entries.end() ? nullptr : &*found;
 }
 
-/// Of what never ends no more than what is refused.
+/// Reads an endless stream only up to the size that is refused.
 static void read_whole(std::istream& stream, std::string& text) {
   std::array<char, 1U << 14U> part{};
   while (stream && text.size() <= largest_file) {

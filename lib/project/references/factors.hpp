@@ -1,4 +1,4 @@
-// Factors that travel with loads: a service factor counts once on the way from the machine to the part.
+// Factors included in loads: an application factor is applied once between the driving machine and the part.
 #pragma once
 
 #include "lib/project/project.hpp"

@@ -13,7 +13,8 @@ namespace loadpath::project {
 /// A step that values are taken from, and the element of its list that they come from.
 struct Source {
   std::string step;
-  std::string place;  // "2" of "train.shafts[2].T"; empty if several are named, or the last is left: "train.P_out"
+  std::string place;        // index in the path: "2" in "train.shafts[2].T"; empty if several are named, or the last is
+                            // left: "train.P_out"
   bool is_assumed = false;  // no reference names a place: "1"
 };
 std::vector<Source> sources_of(const Reading& reading);

@@ -1,4 +1,4 @@
-// What the calculation says at the position that governs.
+// Results of the calculation at the governing position.
 #pragma once
 
 #include "lib/project/run/evaluation/results.hpp"

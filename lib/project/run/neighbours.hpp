@@ -1,4 +1,4 @@
-// What stands beside typed values: a row of a table or a record that has the same field, or a strength that bounds it.
+// Neighbours of typed values: a row of a table or a record that has the same field, or a strength that bounds it.
 #pragma once
 
 #include "lib/project/run/beside.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath::project {
 
-/// What stands beside a typed value.
+/// A neighbour of a typed value.
 struct Neighbour {
   std::string path;
   Leaf leaf;

@@ -17,10 +17,10 @@ struct SweptInput {
   std::vector<std::string> words;                   // in place of numbers
   Place place;
 
-  /// Where it goes: fields of steps, and a literal of [values].
+  /// The destination of a value: fields of steps, and a literal of [values].
   struct Target {
     Step* step;
-    std::size_t varied;  // of its reading
+    std::size_t varied;  // index in its reading
   };
   std::vector<Target> targets;
   bool is_literal = false;

@@ -25,11 +25,11 @@ struct SweepWork {
   const std::atomic<bool>* stop = nullptr;  // ends the work between two blocks, once it is true
 };
 
-/// What solves parts in one thread: it has read the project for itself.
+/// Solves parts in one thread, with a project that it has read itself.
 class PartSolver {
  public:
   explicit PartSolver(const SweepWork& work);
-  /// Of what is stopped, the blocks before: `blocks` of the part says which.
+  /// If stopped, the blocks finished so far: see `blocks` of the part.
   [[nodiscard]] SweptPart solve(BlockRange blocks);
 
  private:

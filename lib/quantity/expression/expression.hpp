@@ -83,13 +83,11 @@ class Expression {
   /// Whether it consists of one reference, which may also refer to non-numbers.
   [[nodiscard]] bool is_reference() const;
   /// Replaces references by other expressions: `by` gives the one for a path, null to keep the path. Messages about
-  /// them
-  /// point to the reference. Returns false, with nothing changed, if the result would exceed the size limit.
+  /// them point to the reference. Returns false, with nothing changed, if the result would exceed the size limit.
   using Written = std::function<const Expression*(const std::string& path)>;
   bool write_out(const Written& by);
   /// The references whose value it passes on unchanged, or as one of several: by itself, in "peak(limit.sigma_D)", in
-  /// a sum,
-  /// times a number. Their origin is that of the result; any other product has its own.
+  /// a sum, times a number. Their origin is that of the result; any other product has its own.
   [[nodiscard]] std::vector<Reference> handed_on() const;
   /// Dimension and axis of the result, or the first fault: unknown names, unlike dimensions or axes, °C, wrong
   /// arguments.

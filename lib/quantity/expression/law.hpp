@@ -30,8 +30,7 @@ class Law {
   Law& operator=(Law&&) noexcept;
 
   /// The first fault: of grammar or dimensions, a name other than the variable, a result that is not a `result`
-  /// (angles
-  /// and numbers are alike), a function with kinks (abs, min, max).
+  /// (angles and numbers are alike), a function with kinks (abs, min, max).
   static Outcome<Law> parse(std::string_view text, const Variable& variable, const Dimension& result);
 
   /// The value in SI and its derivatives; what is not finite where the law is not smooth, as a root of zero.

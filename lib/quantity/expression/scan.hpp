@@ -31,8 +31,7 @@ std::size_t word_end(std::string_view text, std::size_t at);
 
 /// The longest unit: words with exponents joined by * · /, up to a reference, a call, a number or pi. Several
 /// divisors are in parentheses (`W/(m*K)`), a reciprocal may begin with 1 (`1/min`), a `^` after a word belongs to
-/// it.
-/// `variable`: a word that is not a unit.
+/// it. `variable`: a word that is not a unit.
 std::size_t unit_end(std::string_view text, std::size_t at, std::string_view variable = {});
 
 }  // namespace loadpath::expression

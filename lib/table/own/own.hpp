@@ -1,5 +1,5 @@
-// Reads the tables of a project into a library: rows and series that stand in its file, and files in the form of the
-// built-in tables. Only what the built-in tables know can be given: their groups, their columns, in their dimensions.
+// Reads the tables of a project into a library: rows and series in its file, and files in the form of the built-in
+// tables. Only groups and columns of the built-in tables can be given, in their dimensions.
 //
 //   [tables.materials.P265GH]            one row: columns with units; kind, standard, note, aliases; `source` is
 //   required R_e = "265 MPa"                      at any size, or by_size = [{ size_max = "16 mm", R_e = "265 MPa" }]
@@ -23,7 +23,7 @@ class OwnReader {
   OwnReader(Library& own, std::vector<std::string> groups, std::vector<Issue>& issues)
       : own_(own), groups_(std::move(groups)), issues_(issues) {}
 
-  /// `[tables]` of a project file.
+  /// Reads `[tables]` of a project file.
   void read_tables(const toml::Tree::Entry& tables);
   /// A file of the form of lib/table/reader.hpp.
   void read_file(std::string_view text, const std::string& file);

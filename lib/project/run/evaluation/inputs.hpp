@@ -12,7 +12,7 @@
 
 namespace loadpath::project {
 
-/// An input whose value comes from other steps: set anew at every position, or once where it takes a series whole.
+/// An input whose value comes from other steps: set at every position, or once if it takes an entire series.
 struct ComputedInput {
   std::string path;
   Leaf leaf;
@@ -60,11 +60,11 @@ class Inputs {
   /// The input or result that the rows are asked at: the first of the sizes that is given, "d_h, d", else the last.
   [[nodiscard]] std::string_view size_field() const;
   [[nodiscard]] Origin origin_of(const std::string& path, const Leaf& leaf) const;
-  /// Where a row comes from that was taken from another step or found; null for one that the step names itself.
+  /// The origin of a row that was taken from another step or found; null for one that the step names itself.
   [[nodiscard]] const Origin* origin_of_row(const std::string& group) const;
   /// Why a table's value is not available; empty where all are.
   [[nodiscard]] const Message& table_gap() const { return table_gap_; }
-  /// Which of the inputs has no value somewhere; empty where all have.
+  /// The message that names an input without a value somewhere; empty if all have values.
   [[nodiscard]] Message missing() const;
   [[nodiscard]] account::Subject subject_of_missing() const { return subject_; }
 
@@ -82,7 +82,7 @@ class Inputs {
   Rows rows_;
   std::vector<Provided> provided_;
   std::vector<ComputedInput> computed_;
-  std::map<std::string, Origin> origins_;  // of rows, and of leaves that were provided, kept or searched for
+  std::map<std::string, Origin> origins_;  // origins of rows, and of leaves that were provided, kept or searched for
   Message unavailable_;                    // a word, a list, or what a search has not found; empty: there is none
   account::Subject subject_ = account::Subject::input;
   Message table_gap_;

@@ -1,4 +1,4 @@
-// Inputs that nobody typed but that have a source: a row of a table, or what comes along with another input.
+// Inputs that nobody typed but that have a source: a row of a table, or a component of another input's load.
 #pragma once
 
 #include "lib/project/step.hpp"
@@ -11,11 +11,11 @@ struct Provided {
   std::string path;
   const FieldInfo* field;
   std::string row;                      // table: the row's name, "C45E"
-  std::vector<std::string> companions;  // companion: full paths of what comes along
+  std::vector<std::string> companions;  // companion: full paths of the load components
   table::Entry entry = {};              // table: the row itself
 };
 
-/// What a table says.
+/// The result of looking up a table.
 struct Lookup {
   double si = 0.0;  // NaN: not available, with the reason
   Origin origin;
@@ -29,7 +29,7 @@ using Rows = std::map<std::string, Typed>;
 std::vector<Provided> provided_by_rows(const StepInput& input, const Rows& rows, std::vector<Issue>& issues);
 /// Whether a row has a value for the input.
 bool gives(const table::Entry& row, const FieldInfo& field);
-/// Those that come along with the loads of others.
+/// The inputs provided by load components of other inputs.
 std::vector<Provided> provided_by_companions(const StepInput& input, const Companions& companions);
 
 /// Fills the lists of a record that take a row's values at all its sizes, and says by leaf where these come from.

@@ -9,7 +9,7 @@
 
 namespace loadpath::project {
 
-/// What a search goes through, ascending: sizes of a stock, or rows of a table.
+/// The candidates of a search, ascending: sizes of a stock, or rows of a table.
 struct Candidates {
   Leaf leaf;  // without field: rows
   std::vector<double> sizes;
@@ -20,14 +20,15 @@ struct Candidates {
 
 class SizeSearch {
  public:
-  /// `in_words`: what is found says why it is no smaller.
+  /// `in_words`: the result explains why it is not smaller.
   SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words);
   void run(std::vector<Issue>& issues);
 
  private:
-  /// What another step of the same body gives is not searched for: this one is assessed at it. Whether that is so.
+  /// A size given by another step of the same body is not searched: this one is assessed at it. Returns whether that
+  /// applies.
   bool takes_size_of_body();
-  /// No size is smaller than what the other steps of the same body ask for.
+  /// Excludes sizes smaller than those that the other steps of the same body require.
   void keep_to_body();
   void try_candidate(std::size_t i);
   /// Whether the rules about what is searched for hold with a candidate, at the sizes that follow from it.

@@ -27,8 +27,8 @@ using OfSupports = boost::container::static_vector<Element, most_supports>;
 
 inline constexpr double rigid = std::numeric_limits<double>::infinity();
 
-/// A stretch between two neighbouring nodes by how it gives way. A force across it at its centre turns its ends by
-/// nothing against each other, and a couple shifts them by nothing.
+/// A span between two neighbouring nodes by its flexibility, split so that a transverse force at its centre causes no
+/// relative rotation of its ends, and a couple no relative displacement.
 struct Span {
   double l = 0.0;
   double bending = 0.0;   // the integral of 1/EI, rad/(N m): turns by a couple
@@ -43,12 +43,12 @@ inline Span uniform(double l, double EI, double GA = rigid) {
 
 /// Forces and couples at the two ends of a span: those of the left first.
 using OfEnds = std::array<double, 4>;
-/// What an even load q, N/m, does to the ends of a uniform span.
+/// End forces and couples of a uniform span under a uniform load q, N/m.
 inline OfEnds even(const Span& span, double q) {
   return {q * span.l / 2.0, q * span.l * span.l / 12.0, q * span.l / 2.0, -q * span.l * span.l / 12.0};
 }
 
-/// What holds a node: stiffness against v, N/m, or rigid.
+/// A support of a node: stiffness against v, N/m, or rigid.
 struct Support {
   std::size_t node = 0;
   double k = rigid;
@@ -61,7 +61,7 @@ struct Load {
 
 struct Node {
   double v = 0.0;
-  double slope = 0.0;  // of the cross section
+  double slope = 0.0;  // rotation of the cross section
 };
 
 struct End {
@@ -92,7 +92,7 @@ class Beam {
   /// Forces and couples at each node in turn, in place of them its displacement and slope.
   void displace(std::span<double> unknowns) const;
 
-  /// Of each node what a unit force there displaces it.
+  /// For each node, its displacement under a unit force there.
   [[nodiscard]] Row<double> flexibilities() const;
 
   /// Whether masses at the nodes have no frequency below that of this square, rad^2/s^2.
@@ -117,12 +117,12 @@ class Beam {
   bool holds_ = false;
 };
 
-/// The lowest angular frequency of bending, rad/s, of masses at the nodes on a beam without mass; zero where there are
-/// none, or nothing moves. What does not settle is NaN.
+/// The lowest angular frequency of bending, rad/s, of masses at the nodes on a massless beam; zero if there are no
+/// masses, or none moves. NaN without convergence.
 struct Frequencies {
   double lowest = 0.0;     // by Lanczos, and none is below
-  double rayleigh = 0.0;   // of the shape under the weights: never below
-  double dunkerley = 0.0;  // of the flexibilities: never above
+  double rayleigh = 0.0;   // from the deflection under the weights: never below
+  double dunkerley = 0.0;  // from the flexibilities: never above
 };
 Frequencies frequencies(const Beam& beam, std::span<const double> masses);
 

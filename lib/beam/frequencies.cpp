@@ -13,7 +13,7 @@ namespace {
 
 using Unknowns = boost::container::static_vector<double, 2 * most_nodes>;
 
-/// What the nodes do where each is pushed.
+/// The displacements of the nodes under forces.
 Row<double> pushed(const Beam& beam, std::span<const double> forces) {
   Unknowns u(2 * forces.size());
   for (std::size_t n = 0; n < forces.size(); ++n) u[2 * n] = forces[n];
@@ -64,7 +64,7 @@ struct Tridiagonal {
 /// The flexibility between the masses, each force and displacement times the root of its mass.
 struct Humming {
   const Beam& beam;
-  Row<double> roots;  // of the masses
+  Row<double> roots;  // square roots of the masses
 
   [[nodiscard]] Row<double> operator()(Row<double> x) const {
     for (std::size_t n = 0; n < x.size(); ++n) x[n] *= roots[n];

@@ -3,7 +3,7 @@
 // other; how many frequencies lie below one that is tried is counted after Wittrick and Williams, so that none is
 // missed.
 //
-// SI throughout. Both ends are free; what holds an end is a disc of an inertia that is large beside the others.
+// SI throughout. Both ends are free; a fixed end is a disc of a relatively large inertia.
 #pragma once
 
 #include "lib/beam/beam.hpp"
@@ -34,9 +34,9 @@ class Swing {
 
   Swing(const Rods& rods, const Discs& discs) : rods_(rods), discs_(discs) {}
 
-  /// Of the natural frequencies how many lie below omega, rad/s; turning as a whole is the first of them, at 0.
+  /// The number of natural frequencies below omega, rad/s; rigid-body rotation is the first of them, at 0.
   [[nodiscard]] std::size_t below(double omega) const { return walk(omega).below; }
-  /// The natural frequency number i, rad/s, of which number 0 is turning as a whole; NaN where there is none.
+  /// The natural frequency number i, rad/s, where number 0 is rigid-body rotation; NaN if there is none.
   [[nodiscard]] double natural(std::size_t i) const;
 
  private:

@@ -12,11 +12,12 @@ namespace loadpath::draw {
 namespace {
 
 constexpr double shaft_left = 30.0, shaft_right = 450.0, least_length = 180.0;
-constexpr double diagrams_left = 62.0, diagrams_right = 466.0;  // beside the numbers of their scales
-constexpr double least_depth = 78.0, most_depth = 170.0;        // of the thickest part
-constexpr double torque_reach = 16.0;                           // of a torque's line beyond the thickest part
+constexpr double diagrams_left = 62.0, diagrams_right = 466.0;  // room for the numbers of their scales
+constexpr double least_depth = 78.0, most_depth = 170.0;        // thickness of the thickest part
+constexpr double torque_reach = 16.0;                           // overhang of a torque's line beyond the thickest
+                                                                // part
 constexpr double torque_radius = 6.5;
-constexpr double support_depth = 22.0;  // of the sign of a bearing with its ground
+constexpr double support_depth = 22.0;  // depth of a bearing symbol with its ground
 
 std::string millimetres(double metres) { return format_number(1e3 * metres, 5); }
 std::string diameter_text(double metres) { return "⌀" + millimetres(metres); }
@@ -31,7 +32,7 @@ std::string diameters(const Shaft::Part& part) {
 struct Cylinder {
   const Shaft::Part* part;
   double left, right, radius, bore;  // view units
-  double right_radius = 0.0;         // of a taper another one
+  double right_radius = 0.0;         // right radius; differs for a taper
   [[nodiscard]] bool tapers() const { return part->right_diameter() != part->diameter; }
   [[nodiscard]] double radius_at(double x) const {
     return tapers() ? radius + (right_radius - radius) * std::clamp((x - left) / (right - left), 0.0, 1.0) : radius;

@@ -24,7 +24,7 @@ void append_rounded(double value, std::string& text) {
   text.append(buffer.data(), end.ptr);
 }
 
-/// Numbers in the unit of their column, as far as rounding lets them be told.
+/// Numbers in the unit of their column, with as many digits as rounding leaves significant.
 class Column {
  public:
   Column(const std::vector<double>& si, double rounding, const std::string& unit) : values_(in_unit(si, unit)) {

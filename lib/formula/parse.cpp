@@ -100,7 +100,7 @@ class Parser {
     }
     return left;
   }
-  /// Kind::wide beside in.kind is in.kind::wide.
+  /// Completes Kind::wide compared with in.kind to in.kind::wide.
   static void belong(const Node& choice, Node& word) {
     const std::size_t type = word.text.rfind("::");
     if (type != std::string::npos) word.text.replace(0, type, choice.text);

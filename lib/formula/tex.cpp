@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-// No backslash stands before a punctuation mark (\, \{ \|) where TeX has a word for it: Markdown would swallow it.
+// No backslash before a punctuation mark (\, \{ \|) for which TeX has a word: Markdown would swallow it.
 
 namespace loadpath::formula {
 namespace {

@@ -42,7 +42,8 @@ bool is_known(const Entry& entry) {
   return !entry.word.empty() || (!entry.value.si.empty() && !std::isnan(entry.value.si.front()));
 }
 
-/// A size with its symbol; a long path may stand on a line of its own, or a column for it leaves none for the reasons.
+/// A size with its symbol; a long path gets a line of its own, because a column for it would leave no space for the
+/// reasons.
 std::string size_text(const Entry& entry) {
   constexpr std::size_t short_path = 8;
   const std::string text = short_text(entry);
@@ -82,7 +83,7 @@ std::vector<std::pair<std::string, std::string>> rows_of(const Step& step) {
   return rows;
 }
 
-/// What the step has decided on: a section, a drive.
+/// The results of the step's choices: a section, a drive.
 std::vector<const Entry*> decided_on(const Step& step) {
   std::vector<const Entry*> decided;
   if (step.input().calculator->result == nullptr) return decided;  // a mechanism decides on none
@@ -156,7 +157,7 @@ Tone tone_of(State state) {
   return Tone::quiet;
 }
 
-/// What one step takes of others, by the step that it comes from, each once.
+/// The values that one step takes from others, by the step of origin, each once.
 class Taking {
  public:
   explicit Taking(const Step& step) : step_(step) {
@@ -192,7 +193,7 @@ class Taking {
     return value.empty() ? path : set(path + " = " + value);
   }
 
-  /// A record by its leading number: what else it holds comes along.
+  /// Names a record by its leading number; its other values are implied.
   [[nodiscard]] std::string named_record(const project::Taken& record) const {
     for (const project::Operand& operand : step_.input().reading.operands) {
       if (!operand.of_record) continue;

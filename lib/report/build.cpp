@@ -37,7 +37,7 @@ Cell cell_of(const Entry& entry) {
   return say("{1} to {2}", format_quantity(low, entry.unit, 5), format_quantity(high, entry.unit, 5));
 }
 
-/// Where a value comes from, with the keys of its sources; a recalled value says so.
+/// The origin of a value, with the keys of its sources; a recalled value is marked.
 Cell origin_cell(const account::Origin& origin) {
   std::string text = origin.text.text();
   for (const std::string& key : origin.sources) text += " [" + key + "]";
@@ -92,7 +92,7 @@ void append(std::vector<Block>& blocks, const Items& items) {
   for (const auto& item : items) blocks.emplace_back(item);
 }
 
-/// What is covered is told by the verdicts.
+/// The verdicts already show the limits.
 std::vector<Entry> without_limits(std::vector<Entry> entries) {
   std::erase_if(entries, [](const Entry& e) { return e.role == Role::limit; });
   return entries;
@@ -106,7 +106,7 @@ void add_remarks(const std::vector<Message>& remarks, std::vector<Block>& blocks
   blocks.emplace_back(Paragraph{all, Paragraph::Tone::note});
 }
 
-/// What part it is, what warns of it, what it says of itself.
+/// Title of the part, warnings, notes.
 void add_head(const Step& step, std::vector<Block>& blocks) {
   const auto& input = step.input();
   blocks.emplace_back(Heading{2, input.title.empty() ? step.name() : input.title, step.name()});
@@ -209,7 +209,7 @@ std::string heading_of(const Project& project, std::string_view key) {
   return {};
 }
 
-/// Who prepared it stands in the project, with the date; who checks signs with another.
+/// The preparer comes from the project, with the date; the checker signs separately.
 void add_signatures(const Project& project, std::vector<Block>& blocks) {
   blocks.emplace_back(Heading{2, "Signatures", "signatures"});
   Table table{{}, {say("part"), say("name"), say("date"), say("signature")}, {}};

@@ -1,4 +1,4 @@
-// How much is told of a solved project.
+// The level of detail of a report.
 #pragma once
 
 namespace loadpath::report {

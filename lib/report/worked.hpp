@@ -1,4 +1,4 @@
-// What the writers share about steps and values: names, numbers and trees ready to be printed.
+// Common functions of the writers for steps and values: names, numbers and trees ready to be printed.
 #pragma once
 
 #include "lib/formula/formula.hpp"

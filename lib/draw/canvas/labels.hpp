@@ -1,4 +1,4 @@
-// Finds places for labels: beside what they name, off lines and other labels.
+// Finds positions for labels: next to their objects, off lines and other labels.
 #pragma once
 
 #include "lib/draw/canvas/view.hpp"
@@ -43,7 +43,7 @@ class Labels {
     Box extent_;
     double half_width_, weight_;
   };
-  /// What the candidate costs with all that it hits; counting ends where that is `enough`.
+  /// The cost of the candidate with all its collisions; summation stops at `enough`.
   [[nodiscard]] double cost(const Candidate& candidate, double enough) const;
 
   Box area_;

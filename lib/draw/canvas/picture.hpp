@@ -25,7 +25,7 @@ Picture picture(const Motion& motion);
 Picture picture(const Charted& chart);
 /// The drawing that it holds.
 Picture picture(const Drawn& drawing);
-/// Of its content.
+/// The bounds of its content.
 Picture picture(const Figure& figure);
 
 }  // namespace loadpath::draw

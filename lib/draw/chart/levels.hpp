@@ -7,7 +7,7 @@
 
 namespace loadpath::draw {
 
-/// Places of columns and rows on the page, each rising or falling; values stand row by row.
+/// Positions of columns and rows on the page, each rising or falling; values are stored row by row.
 struct Lattice {
   std::vector<double> x, y;
   [[nodiscard]] std::size_t node(std::size_t column, std::size_t row) const { return row * x.size() + column; }

@@ -5,7 +5,7 @@
 namespace loadpath::draw {
 namespace {
 
-constexpr double half_ground = 13.0;  // of the ground
+constexpr double half_ground = 13.0;  // half width of the ground
 constexpr double depth = 15.0, gap = 4.0;
 
 /// Hatched ground across `into`, its surface through the point.
@@ -15,7 +15,7 @@ void ground(Canvas& canvas, Point at, Point into) {
   hatch(canvas, at + side, at - side);
 }
 
-/// A triangle that stands on a line, and the ground below on which it slides.
+/// A triangle on a line, and the ground below on which it slides.
 void roller(Canvas& canvas, Point at, Point into) {
   const Point foot = at + depth * into, side = 8.5 * across(into);
   canvas.polygon("pin", {at, foot + side, foot - side});

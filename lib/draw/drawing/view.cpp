@@ -13,8 +13,8 @@ namespace {
 
 using Line = Drawing::Line;
 
-constexpr double least_hatched = 4.0;  // of thinner walls the section is filled, as ISO 128 lets it
-constexpr double thinnest_seen = 0.7;  // what is thinner is drawn as a line
+constexpr double least_hatched = 4.0;  // sections of thinner walls are filled, as ISO 128 permits
+constexpr double thinnest_seen = 0.7;  // thinner walls are drawn as lines
 
 std::string_view style_of(Line line) {
   switch (line) {

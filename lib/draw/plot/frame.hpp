@@ -1,4 +1,4 @@
-// The frame of a plot: ranges, axes, and where a value stands on the page.
+// The frame of a plot: ranges, axes, and the position of a value on the page.
 #pragma once
 
 #include "lib/draw/canvas/canvas.hpp"
@@ -20,7 +20,7 @@ class Extent {
   Range range_{1e300, -1e300};
 };
 
-/// Where a plot stands that shares its scale across with what is above it; the last one has the scale written out.
+/// The position of a plot that shares its horizontal scale with those above; only the last one labels the scale.
 struct Strip {
   Box area;
   Range across;  // SI, from the left to the right of the area

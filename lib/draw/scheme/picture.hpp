@@ -10,7 +10,7 @@ namespace loadpath::draw {
 
 class SchemePicture {
  public:
-  /// `motion`: null, or what moves the scheme; its parts then stand in groups that say by what they are carried.
+  /// `motion`: null, or the motion of the scheme; its parts are then in groups named after their carriers.
   SchemePicture(Scheme scheme, const Fit& fit, const Motion* motion = nullptr)
       : scheme_(std::move(scheme)),
         fit_(fit),

@@ -96,12 +96,12 @@ std::string options_of_words(const StyleRule& rule) {
 }
 
 bool is_halo(const StyleRule& rule) { return !declared(rule, "paint-order").empty(); }
-/// For parts of words alone, or for the page itself, that is as it is.
+/// Whether a rule is for text only, or for the page itself, which remains unchanged.
 bool is_of_no_element(const StyleRule& rule) {
   return rule.selector == ".page" || rule.selector == ".s" || rule.selector == ".u";
 }
 
-/// What comes after the rule of all words may change it.
+/// Whether a rule is for all text; rules after it may override it.
 bool is_for_words(const StyleRule& rule) {
   const auto rules = style_rules();
   const auto base =

@@ -1,4 +1,4 @@
-// What is in the folder of a sweep, and how it is spoken of.
+// The contents of the folder of a sweep, and their names in messages.
 #pragma once
 
 #include "lib/project/sweep/blocks.hpp"
@@ -14,7 +14,7 @@ namespace loadpath::exports {
 constexpr const char* state_name = "state";
 constexpr const char* manifest_name = "manifest.json";
 
-/// What is written before it is put in place.
+/// The temporary name of a file before it is moved into place.
 std::string aside_of(const std::string& name);
 
 /// CRC-64 of ECMA-182, taken up where it stopped.
@@ -26,7 +26,7 @@ bool is_unbegun(const std::filesystem::path& folder);
 
 Fault refused(const std::filesystem::path& folder, Message message, Message hint = {});
 Message not_what_was_written(const std::filesystem::path& column);
-/// "512-1023" of so many points, as --shard takes it.
+/// "512-1023" for so many points, as --shard takes it.
 std::string points_of(project::BlockRange blocks, std::uint64_t points);
 
 }  // namespace loadpath::exports

@@ -20,7 +20,7 @@ class Hdf5File {
   static Outcome<Hdf5File> create(const std::filesystem::path& path, const SweepPlan& plan, const StoredSweep& sweep);
   /// The next points. A Message where the file cannot be written.
   Message append(const project::SolvedBlock& block);
-  /// Everything that was appended stands in the file afterwards.
+  /// Ensures that everything appended is in the file.
   Message close();
 
   Hdf5File();

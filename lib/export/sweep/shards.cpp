@@ -22,9 +22,8 @@ Outcome<SweepStore> SweepStore::open_shard(const fs::path& folder, SweepStore sh
   return shard;
 }
 
-/// Of shards in their order those that make the blocks, each block in one of them; else the message says what is
-/// missing. Wherever one ends another may begin, so that shards of different sizes fit, and what was solved twice does
-/// no harm.
+/// Among shards in their order, those that cover the blocks, each block once; else the message names the missing
+/// blocks. A shard may begin wherever another ends, so that shards of different sizes fit, and overlap does no harm.
 std::vector<const SweepStore*> SweepStore::chain_of(const std::vector<SweepStore>& shards, BlockRange blocks,
                                                     std::uint64_t points, Fault& missing) {
   std::map<std::uint64_t, const SweepStore*> ending{{blocks.first, nullptr}};  // by the block behind

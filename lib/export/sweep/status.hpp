@@ -11,8 +11,8 @@ namespace loadpath::exports {
 
 struct FolderStatus {
   std::string project;       // the name of its file
-  std::uint64_t points = 0;  // of the whole sweep
-  std::uint64_t first = 0;   // of this folder
+  std::uint64_t points = 0;  // points of the entire sweep
+  std::uint64_t first = 0;   // first point of this folder
   std::uint64_t end = 0;     // one past its last point
   std::uint64_t solved = 0;  // points on the disk, from the first
   Message at_work;           // which process is writing to it; empty: none

@@ -100,7 +100,7 @@ std::string step_text(const Step& step) {
   return out + "$$\n" + equation(step) + "\n$$\n\n";
 }
 
-/// Writes block after block; figures are collected on the way.
+/// Writes block after block and collects the figures.
 class Writer {
  public:
   Writer(std::string_view stem, Markdown& out) : stem_(stem), out_(out) {}

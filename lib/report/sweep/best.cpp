@@ -37,7 +37,7 @@ Table chosen_table(const Best& best) {
   return table;
 }
 
-/// Why the machine beside the best one is no better.
+/// The reason why a neighbour of the best design is not better.
 Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Message& lack) {
   using Outcome = sweep::Neighbour::Outcome;
   if (neighbour.outcome == Outcome::better) return say("better: the search ended before it");

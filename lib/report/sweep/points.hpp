@@ -1,5 +1,5 @@
-// Which points of a sweep its figures show: a bounded number, however many there are, the same on every machine. They
-// are solved once more, for a point is a function of its number.
+// The points of a sweep that its figures show: a bounded number, the same on every computer. They are solved once
+// more, since a point is a function of its number.
 #pragma once
 
 #include "lib/project/sweep/found.hpp"
@@ -12,7 +12,7 @@ namespace loadpath::report {
 
 struct SolvedPoints {
   std::vector<std::uint64_t> numbers;                // rising
-  std::vector<std::vector<double>> inputs, results;  // column by column; results asked for, then verdicts
+  std::vector<std::vector<double>> inputs, results;  // column by column; requested results, then verdicts
   [[nodiscard]] std::size_t size() const { return numbers.size(); }
 };
 

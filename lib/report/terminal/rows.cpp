@@ -74,7 +74,7 @@ Row mode_row(const Mode& mode, const std::string& name) {
 
 std::string mode_columns(const account::Modes& modes, bool of_project) {
   std::vector<Row> rows;
-  std::vector<std::pair<std::string, std::string>> remote;  // what would assess them, and which they are
+  std::vector<std::pair<std::string, std::string>> remote;  // calculators that would assess them, and the modes
   for (const Mode& mode : account::in_order(modes)) {
     if (account::is_remote(mode))
       add_remote(account::reason(mode).text(), name_of(mode, of_project), remote);

@@ -16,7 +16,7 @@ std::string value_text(const account::Entry& entry);
 /// "u = F / A", its value and its source; `in_element`: behind the name of the element that it belongs to.
 Row line_row(const account::Derived& line, bool in_element);
 
-/// How a mode came out, by the name that it has where it stands: "rod.yield" of a project, "yield" of a step.
+/// The state of a mode, with its name in context: "rod.yield" for a project, "yield" for a step.
 Row mode_row(const account::Mode& mode, const std::string& name);
 
 /// The modes as columns, what needs a hand first; those that no input would let be assessed share a line for each

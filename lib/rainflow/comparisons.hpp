@@ -7,13 +7,13 @@
 
 namespace loadpath::rainflow {
 
-/// What may be used; avx2 only where best_instructions() is that.
+/// Instructions to use; avx2 only if best_instructions() is that.
 enum class Instructions { portable, avx2 };
 
 /// The best of what this machine has.
 Instructions best_instructions();
 
-/// What counting can take: ranges of it are finite.
+/// The maximum value for counting: its ranges are finite.
 inline constexpr double largest_value = 8e307;
 
 /// How 64 samples go on to the next one each.

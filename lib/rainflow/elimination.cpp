@@ -44,7 +44,8 @@ std::size_t Elimination::pass(double* points, std::size_t count) {
 }
 
 std::size_t Elimination::reduce(double* points, std::size_t count) {
-  // Of independent peaks a pass leaves a third; what ten passes leave, or one that takes out little, is for a stack.
+  // For independent peaks a pass leaves a third; the remainder after ten passes, or after one that removes little, is
+  // for a stack.
   constexpr int most_passes = 10;
   constexpr std::size_t fewest_points = 128, smallest_share = 8;
   closed_count_ = 0;

@@ -1,6 +1,5 @@
-// What closes at once wherever it stands: a range that is smaller than the one before it, and no larger than the one
-// behind it. Taking these out block by block, without a branch that can be guessed wrongly, leaves the stack of a
-// counter the few that are left.
+// Cycles that close locally: a range smaller than the one before it, and not larger than the one after it.
+// Eliminating these block by block, without unpredictable branches, leaves only a few for the stack of a counter.
 #pragma once
 
 #include "lib/rainflow/comparisons.hpp"

@@ -8,10 +8,10 @@
 
 namespace loadpath::rainflow {
 
-/// Which loops close: lib/rainflow/methods.hpp.
+/// The condition for closing loops: lib/rainflow/methods.hpp.
 enum class Method { four_point, hcm, astm };
 
-/// What becomes of the turning points that close nothing.
+/// The treatment of turning points that close no loop.
 enum class Residue {
   ignore,
   half_cycles,  // each range is half a cycle
@@ -23,13 +23,13 @@ struct Rules {
   Method method = Method::four_point;
   Residue residue = Residue::half_cycles;
   double gate = 0.0;    // ranges below are not counted, in the unit of the series
-  bool placed = false;  // whether it is told where a cycle begins and ends
+  bool placed = false;  // whether the places of a cycle's begin and end are recorded
   bool blocks = true;   // whether loops that close at once are taken out first; never with places
   Instructions instructions = best_instructions();
 };
 
-/// What of the rules contradicts: the residue of ASTM E1049 is in half cycles, and HCM has forgotten the start that a
-/// repetition comes back to (count_periodic has not); a gate below zero.
+/// The contradiction between rules: the residue of ASTM E1049 is in half cycles, and HCM discards the start that a
+/// repetition returns to (count_periodic does not); an omission level below zero.
 std::optional<Fault> contradiction(const Rules& rules);
 
 }  // namespace loadpath::rainflow

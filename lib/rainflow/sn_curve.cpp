@@ -84,7 +84,8 @@ std::optional<double> SnCurve::cycles(double stress) const {
 }
 
 std::optional<double> SnCurve::stress(double cycles) const {
-  constexpr double rounding = 1.0 + 1e-9;  // of a life that is a sum over cycles: where a curve ends it is still on it
+  constexpr double rounding = 1.0 + 1e-9;  // rounding of a life summed over cycles: the end of a curve still belongs
+                                           // to it
   if (!is_positive(cycles)) return std::nullopt;
   for (const Segment& segment : segments_) {
     if (segment.from > 0.0 && cycles > rounding * segment.point.cycles) continue;

@@ -12,7 +12,7 @@
 
 namespace loadpath::rainflow {
 
-/// What of a cycle the stress of a curve is.
+/// The stress measure of the curve for a cycle.
 enum class Measure { amplitude, range };
 
 class SnCurve {
@@ -24,7 +24,7 @@ class SnCurve {
   struct Branch {
     double slope = 0.0;                    // 1 to 64
     double until = endless;                // cycles, rising from branch to branch
-    static constexpr double endless = -1;  // the last one alone: it goes on to the smallest stress
+    static constexpr double endless = -1;  // last branch only: it continues to the smallest stress
   };
   /// A branch in stresses: down to `from`, which is still on it, through `point`.
   struct Segment {
@@ -63,9 +63,9 @@ enum class Miner {
   liu_zenner,  // all by the slope (k + 3.6) / 2 from the largest cycle on, down to half of the limit; recalled
 };
 
-/// The curve that a damage sum by this rule is made with. `largest` is the stress of the largest cycle, for Liu-Zenner
-/// alone; where it is below the limit, nothing is damaged by that rule. A Fault where the curve has not one branch with
-/// an end: what has more says itself what follows.
+/// The curve for a damage sum by this rule. `largest` is the stress of the largest cycle, only for Liu-Zenner; if it
+/// is below the limit, there is no damage by that rule. A Fault unless the curve has one branch with an end: a curve
+/// with more branches defines its own continuation.
 Outcome<SnCurve> by_miner(const SnCurve& curve, Miner rule, double largest);
 
 /// How often a stress comes.

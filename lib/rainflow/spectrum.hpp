@@ -34,7 +34,7 @@ class Classes {
   std::size_t count_ = 0;
 };
 
-/// How many cycles go from one class to another; the two directions of a cycle are told apart.
+/// The number of cycles between each pair of classes; the two directions of a cycle are distinguished.
 class RainflowMatrix : public Consumer {
  public:
   explicit RainflowMatrix(Classes classes);
@@ -73,8 +73,8 @@ class RangePairs : public Consumer {
   double outside_ = 0.0;
 };
 
-/// How often a history goes through levels: up where it was below one and comes to it or above, down back. Of its
-/// turning points, behind the gate.
+/// The number of crossings of each level: upwards from below to the level or above, downwards back. For the turning
+/// points, after the omission of small ranges.
 class LevelCrossings : public Consumer {
  public:
   /// Levels in any order; those that are no finite number are left out.

@@ -1,4 +1,4 @@
-// What is swept, searched and differentiated: a function of a point, asked for many points at once.
+// The function to be swept, searched and differentiated: a function of a point, evaluated at many points at once.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,8 @@
 
 namespace loadpath::sweep {
 
-/// Inputs in, results out, column by column; the same point gives the same bits whatever stands beside it. An object
-/// works for one thread.
+/// Inputs in, results out, column by column; the same point gives the same bits in any batch. An object works for one
+/// thread.
 class Function {
  public:
   Function() = default;

@@ -55,9 +55,9 @@ class Differential {
   // In units of length, as the constraints; the ground comes last.
   std::vector<Dual> q_, velocity_, acceleration_;
   std::vector<Dual> right_, multipliers_, no_targets_;
-  std::vector<double> powers_;  // of external forces in the virtual motions, over the square of the length
+  std::vector<double> powers_;  // powers of external forces in the virtual motions, over the square of the length
 
-  // What reactions induce.
+  // The forces induced by reactions.
   InducedForces induced_;
   Position held_;
   std::vector<double> multiplier_;

@@ -201,7 +201,7 @@ bool CycleColumns::solve_in_lanes(std::span<const Drive> drives, bool statics) {
   return true;
 }
 
-/// Anew only where they are others than in the cycle before: most sweeps have the same ones throughout.
+/// Recompute only if the drives differ from the previous cycle; in most sweeps they do not.
 void CycleColumns::take_drives(std::span<const Drive> drives) {
   const Chain& chain = *system_.chain();
   bool others = std::memcmp(drives.data(), drives_.data(), drives_.size() * sizeof(Drive)) != 0;

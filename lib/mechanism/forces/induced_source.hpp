@@ -24,10 +24,10 @@ struct BasicInducedMode {
 };
 using InducedMode = BasicInducedMode<double>;
 
-/// The motion of a joint that tells the sense of its friction; 0 where it rests.
+/// The motion of a joint that determines the direction of its friction; 0 at rest.
 struct JointMotion {
-  double sliding = 0.0;  // m/s, of link i along the line of j
-  double turning = 0.0;  // rad/s, of link i against link j
+  double sliding = 0.0;  // sliding velocity, m/s, of link i along the line of j
+  double turning = 0.0;  // angular velocity, rad/s, of link i against link j
   double passing = 0.0;  // teeth, belts: m/s, of link i's wheel along the force on it, seen from the line of centres
 };
 
@@ -35,7 +35,7 @@ struct JointMotion {
 template <class Scalar>
 struct BasicInducedSource {
   std::size_t joint = 0;
-  std::size_t first = 0;  // of its modes
+  std::size_t first = 0;  // index of its first mode
   BasicPairShape<Scalar> shape = {};
   BasicPairPlace<Scalar> place = {};
   Scalar sliding = 0.0;  // as of JointMotion
@@ -44,12 +44,12 @@ struct BasicInducedSource {
 };
 using InducedSource = BasicInducedSource<double>;
 
-/// What friction takes for the sense of a joint that rests while the mechanism moves, as at a dead point: none, or that
-/// of its motion just before or just after.
+/// The direction of friction in a joint that rests while the mechanism moves, as at a dead point: none, or that of
+/// its motion just before or just after.
 enum class Resting { without_friction, as_before, as_after };
 struct FrictionTaken {
   Resting resting = Resting::without_friction;
-  double share = 1.0;  // of the model's coefficients and losses
+  double share = 1.0;  // factor on the model's coefficients and losses
 };
 
 /// How many forces the reaction of this joint brings with it.
@@ -66,7 +66,7 @@ struct RestLimits {
   double speed = 0.0, omega = 0.0;           // m/s, rad/s
   double acceleration = 0.0, epsilon = 0.0;  // m/s^2, rad/s^2
 };
-/// The tendency of a joint where the source stands, from that of the position.
+/// The tendency of motion of a joint at the source, from that of the position.
 JointMotion tendency_of(const Joint& joint, const InducedSource& source, const Position& at, Resting resting,
                         const RestLimits& limits);
 /// Whether its dry friction has no sense.

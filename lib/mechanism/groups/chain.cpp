@@ -104,7 +104,7 @@ class Reader {
   std::size_t group_ = 0;
 };
 
-/// Sets the frames and the hinges anew, from the first step on.
+/// Sets all frames and hinges, from the first step on.
 class Dimensions {
  public:
   Dimensions(const Model& model, const Plan& plan, Chain& chain) : model_(model), plan_(plan), chain_(chain) {}

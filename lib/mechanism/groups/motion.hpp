@@ -18,7 +18,7 @@ struct Moving {
   double omega = 0.0, epsilon = 0.0;
   Wrench needed;
 
-  /// What the acceleration of a point of the link, `arm` away from its origin, has beyond that of the origin.
+  /// The acceleration of a point of the link, at `arm` from its origin, relative to the origin.
   [[nodiscard]] Vec gained(Vec arm) const { return epsilon * normal(arm) - omega * omega * arm; }
 };
 
@@ -35,7 +35,7 @@ class GroupMotion {
   void find_forces(bool statics, const Induced& induced, Position& out);
 
   [[nodiscard]] const Moving& link(std::size_t k) const { return moving_[k]; }
-  /// Of the tree joints' coordinates, from the velocities and accelerations found last.
+  /// The rates of the tree joints' coordinates, from the velocities and accelerations found last.
   [[nodiscard]] Prediction rates() const { return {rate_, second_}; }
 
  private:
@@ -56,9 +56,9 @@ class GroupMotion {
   const Plan& plan_;
   GroupPositions& at_;
   std::vector<Moving> moving_;
-  std::vector<double> rate_, second_;  // of the tree joints
-  std::vector<double> right_;          // of the closing equations
-  std::vector<Wrench> above_;          // of the links
+  std::vector<double> rate_, second_;  // rates of the tree joints
+  std::vector<double> right_;          // right-hand side of the closing equations
+  std::vector<Wrench> above_;          // wrenches of the links
 };
 
 }  // namespace loadpath::mechanism

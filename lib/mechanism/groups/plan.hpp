@@ -14,8 +14,8 @@ namespace loadpath::mechanism {
 
 inline constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// The sine below which a group is near its other side even where the drives hardly move; beyond it by as much as they
-/// move, rad or parts of the mechanism's size. A way of `longest_way` is followed in small steps.
+/// The sine below which a group is near its change point even if the drives hardly move; beyond it in proportion to
+/// their change, rad or parts of the mechanism's size. A change of `longest_way` is followed in small steps.
 inline constexpr double near_change = 0.1;
 inline constexpr double longest_way = 1.0;
 
@@ -26,8 +26,8 @@ struct TreeJoint {
   Kind kind = Kind::turn;
   std::size_t link = 0, on = 0;
   bool based = false;         // `on` was there before the group
-  std::size_t joint = none;   // of the model
-  bool link_is_i = true;      // of that joint
+  std::size_t joint = none;   // joint of the model
+  bool link_is_i = true;      // whether the link is i of that joint
   std::size_t driver = none;  // that gives the coordinate
   double sense = 1.0;         // coordinate = sense * (the drive's coordinate - offset)
   double offset = 0.0;
@@ -76,18 +76,18 @@ struct GroupPlan {
 struct Plan {
   std::size_t ground = 0;   // the number of the ground
   std::size_t links = 0;    // with the ground and the massless ones
-  std::size_t drivers = 0;  // of the model
+  std::size_t drivers = 0;  // number of drivers of the model
   std::vector<TreeJoint> tree;
   std::vector<Cut> cuts;
   std::vector<GroupPlan> groups;  // in order of attachment
 };
 
-/// Of the model's links in a group the one with the lowest number: a group is called by it.
+/// The lowest-numbered link of a group, which identifies the group in messages.
 std::size_t first_link(const Plan& plan, const GroupPlan& group);
 
 /// The model has passed `diagnose`.
 Plan plan_of(const Model& model);
-/// Of a model of the same structure, for which the plan was made.
+/// For a model of the same structure, for which the plan was made.
 void take_dimensions(const Model& model, Plan& plan);
 
 }  // namespace loadpath::mechanism

@@ -63,7 +63,7 @@ inline void GroupPositions::place_cut(std::size_t k) {
   at.arm_j = at.pair.at - links_[cut.j].origin;
 }
 
-// The turn decides; of the angles that differ by whole turns the one next to the angle before.
+// The rotation decides; among angles that differ by full revolutions the one nearest to the previous angle.
 inline void GroupPositions::set_turn(std::size_t t, Turn turned) {
   hung_[t].turned = turned;
   const double angle = angle_of(turned);
@@ -103,7 +103,7 @@ void GroupPositions::read_value(std::size_t t) {
   hung.value = dot(along, link.point(tree.pin) - on.point(tree.seat));
 }
 
-// Which side of its closed form the group is on.
+// Takes the current assembly mode of the group.
 void GroupPositions::take_side(std::size_t g) {
   const GroupPlan& group = plan_.groups[g];
   if (group.closing == Closing::nothing || group.closing == Closing::by_newton) return;
@@ -279,7 +279,8 @@ bool GroupPositions::slide_to_line(const GroupPlan& group, std::size_t mover, do
 // From the predicted coordinates; a step that is not much smaller than the one before leads to another assembly.
 bool GroupPositions::close_by_newton(std::size_t g, const Prediction& prediction) {
   constexpr double longest_move = 0.5, largest_correction = 0.2, exact = 1e-13, quadratic = 1e-7;
-  constexpr double setting_out = 0.3;  // of the drives' change: a follower leaves its dwell faster than predicted
+  constexpr double setting_out = 0.3;  // share of the drives' change: a follower leaves its dwell faster than
+                                       // predicted
   constexpr int most_steps = 8;
   const GroupPlan& group = plan_.groups[g];
   double way = 0.0;

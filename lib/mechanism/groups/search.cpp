@@ -28,7 +28,7 @@ bool GroupPositions::close_on_side(std::size_t g, double branch) {
   return true;
 }
 
-// The two links of a slide keep their angle, which counts whole turns too; a jump to the other side may lose them.
+// The two links of a slide keep their angle, including full revolutions; a jump to the other assembly may lose them.
 void GroupPositions::unwind(const GroupPlan& group) {
   const Cut& cut = plan_.cuts[group.first_cut];
   const bool turns_i = plan_.tree[group.mover_i].kind == TreeJoint::Kind::turn;

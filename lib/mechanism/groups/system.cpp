@@ -60,13 +60,13 @@ struct GroupSystem::Work {
   InducedForces induced;
   WholeSystem whole;
   std::vector<Pose> held, reached;
-  std::vector<Drive> drives;  // of the position held
+  std::vector<Drive> drives;  // drives of the current position
   std::vector<Drive> way;     // to the goal, as if it took the time 1
   bool iterates = false;      // some group is closed by iteration
   bool closed = false;
   bool in_steps = false;
   FrictionTaken friction;
-  std::vector<std::optional<Vec>> first_points;  // of the links, to find the length
+  std::vector<std::optional<Vec>> first_points;  // points of the links, to find the length
 };
 
 GroupSystem::GroupSystem(const Model& model) : work_(std::make_unique<Work>(model)) {}
@@ -222,7 +222,7 @@ double GroupSystem::Work::change(std::span<const Drive> from, std::span<const Dr
   for (std::size_t k = 0; k < to.size(); ++k) {
     const bool linear = model.drivers[k].kind == Driver::Kind::linear;
     const double share = linear ? std::abs(way_of(k)) / length : std::abs(way_of(k));
-    if (!(share <= most)) most = share;  // what is no number stays so
+    if (!(share <= most)) most = share;  // NaN propagates
   }
   return most;
 }

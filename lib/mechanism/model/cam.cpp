@@ -23,7 +23,7 @@ BasicCurvePoint<Scalar> nearest(const Profile& profile, BasicVec<Scalar> pin, Sc
   return on;
 }
 
-/// The point of the curve that faces this way, likewise.
+/// The point of the curve with this normal direction, likewise.
 template <class Scalar>
 BasicCurvePoint<Scalar> facing(const Profile& profile, BasicVec<Scalar> out, Scalar& parameter) {
   parameter = profile.facing(value_of(out), loadpath::value_of(parameter));

@@ -42,7 +42,7 @@ Scalar rolling_radius_j(const BasicPairShape<Scalar>& shape) {
   return is_joint(shape, JointKind::belt) ? -shape.radius_j : shape.radius_j;
 }
 
-/// What the wheels keep constant while they roll, but for whole turns of the line of centres.
+/// The constant of rolling wheels, apart from full revolutions of the line of centres.
 template <class Scalar>
 Scalar rolled(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at, const BasicPlaced<Scalar>& i,
               const BasicPlaced<Scalar>& j) {

@@ -14,7 +14,7 @@ using std::cos, std::sin, std::sqrt;
 
 double sign_of(CamSense sense) { return sense == CamSense::counter_clockwise ? -1.0 : 1.0; }
 
-/// As the follower sees the cam turn, its frame goes round the cam the other way.
+/// In the frame of the cam, the frame of the follower rotates in the opposite direction.
 template <class Scalar>
 BasicLift<Scalar> lift_at(const Lift& lift, CamSense sense, Scalar parameter) {
   const double sign = sign_of(sense);
@@ -88,7 +88,7 @@ BasicCurvePoint<Scalar> point_of(const SplineCurve& curve, Scalar parameter) {
   return curve_point<Scalar>({x.y, y.y}, {x.first, y.first}, {x.second, y.second});
 }
 
-/// Shares of a whole turn by the lengths of the chords.
+/// Shares of a full revolution by the lengths of the chords.
 std::vector<double> chord_parameters(std::span<const Vec> points) {
   std::vector<double> parameters{0.0};
   for (std::size_t k = 1; k < points.size(); ++k) {

@@ -1,5 +1,5 @@
-// What acts on the links besides the constraints: weights, forces of inertia, loads, springs; and what reactions bring
-// with them.
+// Loads on the links other than constraint forces: weights, inertia forces, loads, springs; and forces induced by
+// reactions.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -14,7 +14,7 @@ namespace loadpath::mechanism {
 struct ActiveForce {
   enum class Kind { weight, inertia, load, spring, induced };
   Kind kind;
-  std::size_t index;    // of the link, of the load, of the spring, or of the joint
+  std::size_t index;    // index of the link, the load, the spring, or the joint
   std::size_t link;     // on which it acts
   Vec arm;              // from the origin of the link's frame, global axes, m
   Vec force;            // N, global axes

@@ -16,7 +16,7 @@ class OpenedChain {
 
   void find_forces(const Instant& instant, Forces& forces);
 
-  /// Of all groups, in the order of attachment.
+  /// The opened joints of all groups, in the order of attachment.
   [[nodiscard]] std::vector<std::size_t> opened_joints() const;
 
  private:

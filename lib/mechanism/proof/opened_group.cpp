@@ -34,7 +34,7 @@ void add(double* to, Vec arm, Vec force, double couple) {
   Eigen::Map<Triple>(to) += Triple(force.x, force.y, cross(arm, force) + couple);
 }
 
-/// Of forces and moments about the origin of the group's first link.
+/// The reaction as forces and moments about the origin of the group's first link.
 Reaction reaction_in(const Instant& instant, const Pair& pair, Vec first, const Triple& on_i) {
   const Vec force{on_i[0], on_i[1]};
   return {instant.length() * pair.at.at, force, instant.length() * (on_i[2] - cross(pair.at.at - first, force))};

@@ -24,11 +24,12 @@ struct Proof {
   std::array<double, methods> disagreement{};
   Residuals residuals;
   double unbalanced = 0.0;     // the largest residual of a link, N, moments likewise
-  double motion = 0.0;         // the largest error of places, velocities and accelerations, of the whole, `motion.hpp`
-  double largest_force = 0.0;  // of reactions, efforts and active forces, N, moments likewise
+  double motion = 0.0;         // the largest error of positions, velocities and accelerations, of the full system,
+                               // `motion.hpp`
+  double largest_force = 0.0;  // largest of reactions, efforts and active forces, N, moments likewise
   double condition = 1.0;      // number of the position, 1-norm, at least 1
 
-  /// A part of the largest force times the condition number. What cannot be told is no number.
+  /// A fraction of the largest force times the condition number. Unknown values are NaN.
   [[nodiscard]] double part(double force) const;
   [[nodiscard]] double part(Method method) const { return part(disagreement[method]); }
   /// Whether the motion, all methods and the equilibrium of every link agree within the tolerance.

@@ -125,7 +125,7 @@ Finding rubs_without_knowing(const Model& model, std::size_t joint) {
       say("leave out its friction and pressure angle, or the joints that repeat it")};
 }
 
-/// What keeps a mechanism with joints that hold too much from being solved.
+/// Reasons why a mechanism with redundant constraints cannot be solved.
 std::vector<Finding> about_redundancy(const Model& model, const Structure& structure) {
   std::vector<Finding> findings;
   if (!can_release(model)) {

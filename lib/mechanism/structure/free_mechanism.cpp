@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Of what differs from zero in a matrix whose entries are about 1.
+// Relative threshold of nonzero values in a matrix whose entries are about 1.
 constexpr double rank_threshold = 1e-9;
 constexpr double support_threshold = 1e-7;
 constexpr double closed = 1e-11;

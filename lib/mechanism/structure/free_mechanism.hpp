@@ -42,7 +42,7 @@ class FreeMechanism {
 
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
   [[nodiscard]] std::span<const double> q() const { return std::span(q_).first(constraints_.columns()); }
-  /// Of the links; `unit`: what the model's lengths are in, m.
+  /// The poses of the links; `unit`: unit of the model's lengths, m.
   [[nodiscard]] std::vector<Pose> poses(double unit) const;
 
  private:

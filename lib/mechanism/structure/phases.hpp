@@ -1,4 +1,4 @@
-// How wheels stand against each other where the poses of a mechanism are rough.
+// The phases of wheels against each other where the poses of a mechanism are approximate.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"

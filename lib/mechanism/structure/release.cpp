@@ -91,7 +91,7 @@ std::optional<Model> release_one(const Model& model, const FreeMechanism& free, 
       Model candidate = model;
       candidate.joints[k] = joint;
       const double hold = free_of(candidate, false).grip(rank);
-      if (hold <= 1.001 * most) continue;  // of equals the first, whatever rounding says
+      if (hold <= 1.001 * most) continue;  // among equals the first, independent of rounding
       most = hold;
       best = std::move(candidate);
     }

@@ -11,13 +11,13 @@
 
 namespace loadpath::mechanism {
 
-/// Whether the equilibrium of rigid links alone decides a joint's force and couple.
+/// Whether the equilibrium of rigid links determines a joint's force and couple.
 struct Uniqueness {
   bool force = true;
   bool couple = true;
 };
 
-/// Of every joint, near the stated poses and over the motion from there on. The model closes and is not singular.
+/// For every joint, near the stated poses and over the motion from there on. The model closes and is not singular.
 std::vector<Uniqueness> uniqueness(const Model& model);
 
 /// The same mechanism, without self-stress: of one joint of each set that shares a constraint too many, one constraint

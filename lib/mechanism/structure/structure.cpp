@@ -70,7 +70,7 @@ bool needs_distance(const Joint& joint) {
   return joint.kind == JointKind::gear || joint.kind == JointKind::belt || joint.kind == JointKind::rack;
 }
 
-/// The distance that other joints must hold for this one; of other kinds 0.
+/// The centre distance that other joints must maintain for this one; 0 for other kinds.
 double centre_distance(const Constraints& constraints, const Joint& joint) {
   if (!needs_distance(joint)) return 0.0;
   const bool two = joint.kind != JointKind::rack;

@@ -11,7 +11,7 @@
 
 namespace loadpath::mechanism {
 
-/// What stands in the way of solving a model, and which part of it that concerns.
+/// An obstacle to solving a model, and the part of it concerned.
 struct Finding {
   enum class About { model, link, joint, driver, load, spring };
   About about = About::model;
@@ -39,7 +39,7 @@ struct Structure {
   bool singular = false;       // the rank is lower here than nearby: a dead point or a change point
   /// Sets of joints that share one constraint too many, whichever of them is blamed; their reactions are not unique.
   std::vector<std::vector<std::size_t>> redundant;
-  /// Of gears and belts, whose joint does not hold its centres.
+  /// Misfits of gears and belts, whose joint does not fix its centres.
   std::vector<Misfit> misfits;
   /// Gears, racks and belts whose centres do not keep their distance as the mechanism moves.
   std::vector<std::size_t> parting;

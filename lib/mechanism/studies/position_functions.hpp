@@ -24,8 +24,8 @@ class PositionFunctions {
   /// respect to a drive's coordinate, the others holding still: rad and m per rad, or per m. False where the drives
   /// cannot hold the mechanism.
   [[nodiscard]] bool derive(Position& at, std::size_t driver = 0);
-  /// Of the closing equations of a group, in order of attachment, where it was derived last: the sign of their
-  /// determinant, +1 or -1. It changes where the group passes from one of its assemblies to another.
+  /// The sign of the determinant of a group's closing equations, in order of attachment, where it was derived last:
+  /// +1 or -1. It changes where the group passes from one of its assemblies to another.
   [[nodiscard]] double sign(std::size_t group) { return positions_.loops(group).sign(); }
   [[nodiscard]] const Plan& plan() const { return plan_; }
 

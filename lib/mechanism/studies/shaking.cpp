@@ -95,7 +95,7 @@ Eigen::VectorXd least_peak(const BalanceEquations& equations) {
       least = rest.maxCoeff();
       best = x;
     }
-    // What the weighted rms leaves is a lower bound of any peak.
+    // The residual of the weighted rms is a lower bound of any peak.
     if (least - std::sqrt(weight.dot(rest.cwiseAbs2())) <= close * scale) break;
     weight = weight.cwiseProduct(rest);
     const double sum = weight.sum();

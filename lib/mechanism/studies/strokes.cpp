@@ -12,7 +12,7 @@
 namespace loadpath::mechanism {
 namespace {
 
-// Of the largest derivative over the course: less is rounding.
+// Relative to the largest derivative over the motion: smaller values are rounding errors.
 constexpr double negligible = 1e-10;
 
 struct Motion {
@@ -79,7 +79,7 @@ class Finder {
     return std::abs(motions_[k].first) <= least_ ? 0.0 : motions_[k].first;
   }
 
-  /// A zero at a position counts to the interval that follows, if the motion before it was the other way.
+  /// A zero at a position counts to the interval that follows, if the previous motion was in the opposite direction.
   void find_reversals(Stroke& stroke) {
     const std::size_t count = course_.at.size();
     const bool cyclic = course_.period != 0.0;

@@ -16,7 +16,7 @@ class Continuation {
  public:
   explicit Continuation(const Model& model);
 
-  /// Of a model of the same structure, as if made from it.
+  /// For a model of the same structure, as if made from it.
   void take_dimensions(const Model& model);
   Status assemble(const Model& model);
   /// Takes over the poses of the model, closed at these coordinates of the drivers.

@@ -1,4 +1,4 @@
-// Where a mechanism stays open.
+// The gap that remains open in a mechanism.
 #pragma once
 
 namespace loadpath::mechanism {

@@ -12,7 +12,7 @@
 
 namespace loadpath::rainflow {
 
-/// Parts of a series in their order, each valid until the next is asked for.
+/// Parts of a series in their order, each valid until the next call.
 class Reader {
  public:
   Reader() = default;
@@ -37,7 +37,7 @@ struct Form {
   /// Between columns: ',', ';', a tab, or a blank for any number of blanks and tabs; none: what the first line with
   /// numbers or names shows, a tab before a semicolon before a comma before blanks.
   std::optional<char> separator;
-  /// What a line of comment begins with.
+  /// First character of a line of comment.
   char comment = '#';
 };
 

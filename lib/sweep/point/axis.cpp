@@ -10,7 +10,7 @@ namespace loadpath::sweep {
 
 namespace {
 
-// So many values are told apart by a double, and those of a logarithmic axis are kept.
+// A double distinguishes this many values, and those of a logarithmic axis are kept.
 constexpr double most_values = 0x1p53;
 constexpr std::uint64_t most_kept = 10'000'000;
 

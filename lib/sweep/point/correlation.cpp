@@ -12,7 +12,7 @@ namespace loadpath::sweep {
 
 namespace {
 
-// Below it the share of a variable that the others leave is rounding alone.
+// Below it the residual share of a variable, given the others, is rounding.
 constexpr double smallest_share = 1e-12;
 
 struct Matrix {
@@ -65,7 +65,7 @@ struct Bounds {
   double low, high, away;
 };
 
-/// What row i may have in column j, with its other coefficients before i as they are: where 1 - r' A^-1 r > 0.
+/// The permitted interval of row i in column j, with its other coefficients before i fixed: where 1 - r' A^-1 r > 0.
 std::optional<Bounds> bounds_of(const Matrix& R, const std::vector<double>& inverse, std::size_t i, std::size_t j) {
   double linear = 0.0, rest = -1.0;
   for (std::size_t a = 0; a < i; ++a) {

@@ -38,7 +38,7 @@ inline double value(const Weibull& law, double p, double q) {
   return value(law, p < 0.5 ? log_of_survival(p) : -natural_log(q));
 }
 
-/// What a column of probabilities is made of: `at(p)` for each.
+/// The transformation of a column of probabilities: `at(p)` for each.
 template <class At>
 LOADPATH_COLUMNS void each(const double* p, double* x, std::size_t n, const At& at) {
   for (std::size_t i = 0; i < n; ++i) x[i] = at(p[i]);

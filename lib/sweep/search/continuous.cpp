@@ -87,7 +87,8 @@ void Descent::look(const double* x) {
 }
 
 void Descent::differentiate(const double* x) {
-  constexpr double h = 1e-6;  // of the range: its square, of the differences' error, is near rounding's share of them
+  constexpr double h = 1e-6;  // relative to the range: its square, the truncation error of differences, is near their
+                              // rounding error
   const std::span here(x, free.size());
   if (std::equal(here.begin(), here.end(), sloped.begin(), sloped.end())) return;
   std::vector<Places> around;
@@ -163,7 +164,8 @@ void Descent::follow(nlopt::algorithm algorithm, double first_step, double margi
     double value = 0.0;
     optimiser.optimize(x, value);
   } catch (const std::exception&) {
-    // Rounding, or a direction that leads nowhere: what was seen is kept. What the function threw is thrown on.
+    // Rounding, or a direction without progress: the best point so far is kept. Exceptions of the function are passed
+    // on.
   }
   running = nullptr;
   if (failure) std::rethrow_exception(failure);

@@ -108,7 +108,7 @@ void Seeker::add_stretch(const Look& first, const Look& last) {
 
 /// A root or a leap between two places where the signs differ.
 void Seeker::add_between(const Look& left, const Look& right) {
-  constexpr double negligible = 1e-6;  // of what the output differs from the target at the ends
+  constexpr double negligible = 1e-6;  // relative to the deviation of the output from the target at the ends
   std::uintmax_t most = 200;
   std::vector<Look> seen;
   const auto rest = [&](double x) {

@@ -16,18 +16,18 @@ struct Goal {
   std::size_t points = 257;  // at which the range is looked at, 2 at least
 };
 
-/// Where the output has the target, or leaps over it.
+/// A point where the output equals the target, or jumps across it.
 struct Meeting {
   enum class Kind {
     crossing,  // to rounding: `within` is what is left of the bracket
-    touching,  // without going through; to a millionth of what the output differs from the target beside it
+    touching,  // without crossing; to a millionth of the neighbouring deviation of the output from the target
     stretch,   // from `at` to `to` at every point that was looked at
     leap       // past it: the output has the target on neither side
   };
   Kind kind = Kind::crossing;
   double at = 0.0, to = 0.0;
-  double value = 0.0;   // of the output at `at`
-  double within = 0.0;  // of the true place
+  double value = 0.0;   // value of the output at `at`
+  double within = 0.0;  // error bound of the position
 };
 
 struct Sought {

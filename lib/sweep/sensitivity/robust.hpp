@@ -10,7 +10,7 @@
 
 namespace loadpath::sweep {
 
-/// What an input of the inner function is: a design variable, scatter, or the one with the other on top.
+/// The role of an input of the inner function: a design variable, scatter, or the sum of both.
 struct Scattered {
   std::optional<std::size_t> design;   // an input of the robust function
   std::optional<std::size_t> scatter;  // a column of the sampler

@@ -1,4 +1,4 @@
-// What an output does when each input goes to its low and to its high value while the others stay.
+// The change of an output when each input goes to its low and to its high value with the others fixed.
 #pragma once
 
 #include "lib/sweep/function.hpp"

@@ -1,4 +1,4 @@
-// What reductions are stored as between shards and ranks: whole numbers and doubles to the bit, lowest byte first.
+// The storage format of reductions between shards and ranks: integers and doubles to the bit, lowest byte first.
 #pragma once
 
 #include <bit>
@@ -21,7 +21,7 @@ class Writer {
   std::string bytes_;
 };
 
-/// Gives zeros once the text has ended, and tells it.
+/// Gives zeros once the text has ended, and reports it.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {}

@@ -10,11 +10,11 @@
 
 namespace loadpath::sweep {
 
-/// Of the points at which every column is finite. A part for a Forest.
+/// Covariances over the points at which every column is finite. A part for a Forest.
 class Covariances {
  public:
   Covariances() = default;
-  /// Of one block of n points.
+  /// The covariances of one block of n points.
   Covariances(std::span<const double* const> columns, std::size_t n);
 
   void merge(const Covariances& right);
@@ -35,7 +35,7 @@ class Covariances {
 
   std::uint64_t count_ = 0;
   std::vector<double> means_;
-  std::vector<double> products_;  // of what is away from the means: the lower triangle, row after row
+  std::vector<double> products_;  // products of deviations from the means: the lower triangle, row after row
 };
 
 }  // namespace loadpath::sweep

@@ -1,8 +1,8 @@
 // Sums of blocks that come out the same to the bit however blocks are grouped, and in whatever order they come.
 //
-// Adding doubles hangs on the order. Here it is fixed by the numbers of the blocks: blocks 2k and 2k + 1 are merged to
-// one of the next level, and so on, as far as both are there. What is left stands in the order of its blocks, at most
-// two parts per level for blocks that follow one another, and is merged from the left when the whole is asked for.
+// Sums of doubles depend on the order. Here it is fixed by the numbers of the blocks: blocks 2k and 2k + 1 are merged
+// to one of the next level, and so on, as far as both are there. The remaining parts are in the order of their
+// blocks, at most two per level for consecutive blocks, and are merged from the left when the total is requested.
 #pragma once
 
 #include "lib/sweep/statistics/bytes.hpp"

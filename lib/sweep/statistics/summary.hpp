@@ -1,4 +1,4 @@
-// What is kept of a result over all points of a sweep, without keeping the points.
+// The statistics of a result over all points of a sweep, without storing the points.
 #pragma once
 
 #include "lib/sweep/statistics/forest.hpp"
@@ -13,7 +13,7 @@ namespace loadpath::sweep {
 
 struct Extreme {
   double value = std::numeric_limits<double>::quiet_NaN();
-  std::uint64_t index = 0;  // of its point; the first where there are several
+  std::uint64_t index = 0;  // index of its point; the first if there are several
 };
 
 class Summary {
@@ -23,8 +23,8 @@ class Summary {
   bool add(std::uint64_t block, std::uint64_t first, std::span<const double> values);
   bool merge(const Summary& other);
 
-  [[nodiscard]] std::uint64_t count() const { return count_; }      // of finite values
-  [[nodiscard]] std::uint64_t missing() const { return missing_; }  // of points without one
+  [[nodiscard]] std::uint64_t count() const { return count_; }      // number of finite values
+  [[nodiscard]] std::uint64_t missing() const { return missing_; }  // number of points without one
   [[nodiscard]] Moments moments() const { return moments_.total(); }
   [[nodiscard]] Extreme min() const { return min_; }  // NaN where there is no value
   [[nodiscard]] Extreme max() const { return max_; }

@@ -35,7 +35,7 @@ std::optional<double> utilisation_of(const std::vector<const Row*>& rows) {
   return most;
 }
 
-/// What is said of a mode that nothing was held against.
+/// The state of a mode without any check.
 State unjudged(const ModeInfo& mode, Applies applies) {
   const bool waits = mode.kind == ModeKind::service || applies == Applies::unseen;
   return waits ? State::open : State::not_judged;
@@ -84,7 +84,7 @@ bool agrees(const Step& judge, const std::string& beside, const Step& part, cons
   return !has_field || open || (input != inputs.end() && is_same(input->value.si, given->si));
 }
 
-/// The ways to name a record of a part: an element of a list by its place, and by its name.
+/// The names of a record of a part: an element of a list by its index, and by its name.
 using Names = std::vector<std::string>;
 
 /// The records behind a key: the one of that name, or every element of the list of that name.
@@ -150,7 +150,7 @@ void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges
   mode.note = say("by {1}.{2}: {3}", worst.step, worst.id, reason(worst));
 }
 
-/// Of "S, A_v" what the step does not give yet.
+/// The inputs among "S, A_v" that the step does not give yet.
 std::string still_wanted(const Step& step, const char* wants) {
   const Reading& reading = step.input().reading;
   std::string left;
@@ -234,7 +234,7 @@ account::Unjudged unjudged_of(const Step& step, const ModeInfo& info, const Chec
     const State state = doubtful && applies != Applies::no ? State::not_judged : unjudged(info, when);
     by.state[static_cast<std::size_t>(applies)] = account::number(state);
   }
-  // What holds under a load that lacks its factor may break under the whole one.
+  // A check passed under a load without its factor may fail under the full load.
   const bool lacks = info.kind == ModeKind::strength && !step.loads().lacking_factor.empty();
   if (lacks) by.passed = account::number(State::not_judged);
   return by;
@@ -249,7 +249,7 @@ account::Folded folded(const std::vector<const account::Verdict*>& rows) {
   return all;
 }
 
-/// What is missing for the mode, or why it may concern the part: of one that its rows do not decide.
+/// The missing inputs for the mode, or the reason why it may apply, if its rows do not decide it.
 void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<const account::Verdict*>& rows,
                       const CheckNeeds& needs, account::Mode& mode) {
   mode.wants = needs.wants.empty() ? still_wanted(step, info.wants) : needs.wants;

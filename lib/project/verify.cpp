@@ -18,7 +18,8 @@ Comparison compare(const Expectation& e, const Expression::Known& known) {
     c.deviation = c.holds ? 0.0 : std::nan("");
     return c;
   }
-  const double scale = e.is.si == 0.0 ? parse_unit(e.unit)->factor : std::abs(e.is.si);  // of 0: in its own unit
+  const double scale =
+      e.is.si == 0.0 ? parse_unit(e.unit)->factor : std::abs(e.is.si);  // zero: relative to its own unit
   c.deviation = (c.ours - e.is.si) / scale;
   c.allowed = e.within      ? *e.within
               : e.within_si ? *e.within_si / scale

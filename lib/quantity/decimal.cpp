@@ -18,7 +18,7 @@ namespace {
 // Integers up to here, of fifteen digits, are doubles, and no two of them are the same double at any power of ten.
 constexpr double most = 1e15;
 
-/// The nearest whole number of 10^power; NaN where it has more digits than a double can tell.
+/// The nearest integer multiple of 10^power; NaN if it has more digits than a double.
 double whole(double value, int power) {
   const double multiple = times_power_of_ten(value, -power);
   if (!(std::abs(multiple) < most)) return std::numeric_limits<double>::quiet_NaN();
@@ -104,7 +104,7 @@ void append_with_exponent(std::uint64_t number, int power, bool negative, std::s
   text += digits.text();
 }
 
-/// `number`, whole and below `most`, times 10^power. With an exponent from 10^15 on, and below 10^-4.
+/// `number`, an integer below `most`, times 10^power. With an exponent from 10^15 on, and below 10^-4.
 void append_multiple(double number, int power, std::string& text) {
   const auto size = static_cast<std::uint64_t>(std::abs(number));
   const double value = std::abs(number) * 1e4;
@@ -119,7 +119,7 @@ void append_multiple(double number, int power, std::string& text) {
   }
 }
 
-/// A power of ten that is beyond all doubles stands for those beyond it, and for that of zero.
+/// Clamps to a power of ten beyond all doubles, also for zero.
 int bounded(double power) { return static_cast<int>(std::clamp(power, -400.0, 400.0)); }
 
 }  // namespace

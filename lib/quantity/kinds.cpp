@@ -11,7 +11,7 @@ constexpr Dimension a_frequency = Dimension::of(0, 0, -1), an_angular_speed = Di
 constexpr Dimension a_temperature = Dimension::of(0, 0, 0, 1), a_time = Dimension::of(0, 0, 1);
 constexpr Dimension an_angle = Dimension::of(0, 0, 0, 0, 1);
 
-/// What the meaning or the symbol of a stress says; the first that fits decides.
+/// A word in the meaning or the symbol of a stress, with its kind; the first match decides.
 struct StressWord {
   std::string_view meaning, symbol;  // a part of the one, the start of the other; empty: any
   Meant kind;

@@ -12,7 +12,7 @@ namespace {
 
 using toml::Tree;
 
-/// Where records stand in turn: the way to them, the records, and what each is called.
+/// Records taken in turn: the path to them, the records, and their names.
 struct Turn {
   std::vector<std::size_t> way;  // entries and items, from the table on
   std::string name;              // "links.rod"

@@ -66,7 +66,7 @@ std::string with_point(std::string_view cell) {
   return text;
 }
 
-/// As the number or the text would stand in the project file.
+/// The number or the text as it would be written in the project file.
 Tree value_of(std::string_view cell, const Column& column, const Place& place) {
   Tree value;
   value.place = place;

@@ -16,7 +16,7 @@ using toml::Tree;
 
 bool is_literal(const Tree& tree) { return tree.type == Tree::Type::text || tree.type == Tree::Type::number; }
 
-/// What the reading of one value of many needs again and again.
+/// Data reused for reading each of many values.
 struct Many {
   const Tree& tree;
   const Dimension& dimension;
@@ -197,7 +197,7 @@ std::optional<sweep::Law> law_of_scale(const Many& many, const std::string& law)
   return sweep::Weibull{*wide, *shape, *least};
 }
 
-/// What the keys of the table say, where no distribution is named.
+/// The law implied by the keys of the table, if no distribution is named.
 std::string usual_law(const Tree& tree) {
   if (const auto* named = tree.find("distribution")) return named->value.text;
   if (tree.find("mean") != nullptr) return "normal";

@@ -12,7 +12,7 @@ namespace loadpath::project {
 using Type = FieldInfo::Type;
 
 static bool all_whole(const sweep::Axis& axis) {
-  constexpr std::uint64_t most = 1'000'000;  // more whole numbers no field takes
+  constexpr std::uint64_t most = 1'000'000;  // no field takes more integers
   if (axis.size() > most) return false;
   for (std::uint64_t i = 0; i < axis.size(); ++i) {
     if (axis.at(i) != std::floor(axis.at(i))) return false;

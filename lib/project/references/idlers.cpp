@@ -11,7 +11,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// A choice `idler` beside the numbers of teeth of two gears: of a pair.
+/// The choice `idler` of a gear pair, next to the numbers of teeth of two gears.
 const FieldInfo* idler_of(const Step& step) {
   const auto& fields = step.input().calculator->input->fields;
   const bool has_teeth = find_field(fields, "z_1") != nullptr && find_field(fields, "z_2") != nullptr;
@@ -19,7 +19,7 @@ const FieldInfo* idler_of(const Step& step) {
   return idler != nullptr && idler->type == FieldInfo::Type::choice ? idler : nullptr;
 }
 
-/// Which gears of a pair are idlers, and what the other pair or the planetary gear is called.
+/// The idlers of a pair, and the name of the other pair or the planetary gear.
 struct Found {
   bool first = false, second = false;
   std::string other;

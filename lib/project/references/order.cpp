@@ -77,7 +77,7 @@ class Ordering {
     }
   }
 
-  /// Who takes results of a step that waits, and is not waited for, comes when that is solved whole.
+  /// Steps that use results of a waiting step, but do not block it, follow its complete solution.
   void put_behind_whole() {
     for (const auto& entry : waits_) {
       const std::size_t waiting = entry.first;
@@ -166,7 +166,7 @@ class Ordering {
   std::vector<Issue>& issues_;
   std::vector<State> state_;
   std::vector<std::vector<Edge>> edges_;
-  std::map<std::size_t, std::vector<Edge>> waits_;  // of operands, not of references
+  std::map<std::size_t, std::vector<Edge>> waits_;  // by operands, not by references
   std::vector<std::size_t> path_;
   std::vector<std::size_t> order_;
 };

@@ -55,7 +55,7 @@ bool is_reduced(const Step& step, const std::string& rest) {
   return !holds_entry(step.account().inputs, rest);
 }
 
-/// What the value at a path of another step has left of its series.
+/// The remaining dependence of another step's value on its series.
 Reduced reduced_at(const Project& project, const std::string& path) {
   const Value* const value = project.value(path);
   Reduced reduced;
@@ -113,7 +113,7 @@ class ReductionCheck {
     loads_.push_back({operand.path, message(operand, r)});
   }
 
-  /// A list that is taken whole: its loads are those of the other step.
+  /// An entire list: its loads are those of the other step.
   void take(const Taken& taken) {
     if (taken.field == nullptr || taken.field->type != FieldInfo::Type::list) return;
     const auto [name, rest] = split_step(taken.source);
@@ -171,7 +171,7 @@ class ReductionCheck {
     return has_reversed_ratio(step_, prefix_of(operand.path));
   }
 
-  /// A field that is just this: an amplitude; one extreme of a cycle, where the other is given beside it.
+  /// A field defined as this reduction: an amplitude; one extreme of a cycle, if the other is given too.
   [[nodiscard]] bool is_that_reduction(const Operand& operand, const Reduced& r) const {
     const std::string own = reduction_of(*step_.input().calculator, operand.path);
     if (own == "amplitude" || own == "mean") return own == r.function;
@@ -181,7 +181,7 @@ class ReductionCheck {
     return has_beside(operand, r, "max", "min") || has_beside(operand, r, "min", "max");
   }
 
-  /// "max(rod.N)/A" has "min(rod.N)/A" beside it, in an input that is a reduction of a cycle.
+  /// Whether "max(rod.N)/A" has its counterpart "min(rod.N)/A", in an input that is a reduction of a cycle.
   [[nodiscard]] bool has_beside(const Operand& operand, const Reduced& r, std::string_view own,
                                 std::string_view other) const {
     std::string text = operand.text;

@@ -121,7 +121,7 @@ std::string Names::unit_of(const Line& line) const {
   return readable_unit(line.si, is_angle(line) ? Dimension::of(0, 0, 0, 0, 1) : line.dimension);
 }
 
-/// In C++ an angle is a plain number; its formula tells it from one.
+/// In C++ an angle is a plain number; its formula identifies it.
 bool Names::is_angle(const Line& line) const {
   if (!line.dimension.is_number()) return false;
   const auto tree = formula::parse(line.formula);
@@ -131,8 +131,8 @@ bool Names::is_angle(const Line& line) const {
          });
 }
 
-/// In C++ an angular speed has the dimension of a frequency; what it is a multiple of tells it from one: "rpm",
-/// "rad/s".
+/// In C++ an angular speed has the dimension of a frequency; the quantity that it is a multiple of distinguishes
+/// them: "rpm", "rad/s".
 std::string Names::unit_of_speed(const Line& line) const {
   if (line.dimension != Dimension::of(0, 0, -1)) return {};
   const auto tree = formula::parse(line.formula);

@@ -72,7 +72,7 @@ double size_of_row(const Inputs& inputs, const Results& results, const FieldInfo
   return size;
 }
 
-/// What a material bounds of a field, by its meaning; null: nothing.
+/// The strength bound of a field, by its meaning; null if there is none.
 const StrengthBound* bound_of(const Evaluation& evaluation, const std::string& path) {
   for (const Meaning& meaning : evaluation.calculator().meanings) {
     const auto keys = listed_keys(meaning.fields);
@@ -87,7 +87,7 @@ const StrengthBound* bound_of(const Evaluation& evaluation, const std::string& p
   return nullptr;
 }
 
-/// Typed fields that a row fills as well, and those that stand in place of one that it would fill.
+/// Adds typed fields that a row fills as well, and those that replace one that it would fill.
 void add_rows_beside(const Evaluation& evaluation, const Results& results, std::vector<Neighbour>& all) {
   const Inputs& inputs = evaluation.inputs();
   const StepInput& step = evaluation.step().input();
@@ -174,7 +174,7 @@ double strength_referred_to(const Evaluation& evaluation, const std::string& pat
 bool may_change(const Evaluation& evaluation, const char* column, double part, double typed) {
   const Inputs& inputs = evaluation.inputs();
   const Leaf own = inputs.leaf(column);
-  // Of what is not known the largest of the row stands there.
+  // For an unknown size, the largest value of the row is used.
   if (!own || std::isnan(largest_magnitude(inputs.value_of(column, own)))) return false;
   const auto& provided = inputs.provided();
   const auto of_material = std::find_if(provided.begin(), provided.end(), [&](const Provided& p) {
@@ -210,7 +210,7 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
   });
 }
 
-/// Where a source has the largest value of these keys, of the dimension of the field; empty where it has none.
+/// The key of a source with the largest value among these, of the dimension of the field; empty if it has none.
 std::string largest_in(const Source& source, const char* keys, const FieldInfo& field, const Known& known) {
   std::string largest;
   for (const std::string& key : listed_keys(keys)) {

@@ -49,7 +49,7 @@ void add_bounds_beside(const Evaluation& evaluation, const Known& known, std::ve
                    {{leaf.field->dimension, nullptr}, {value}},
                    say("{1}", say(bound.text)),
                    bound.is_least ? Beside::demand : Beside::capacity});
-    all.back().by_size = true;  // at another point other inputs stand beside it
+    all.back().by_size = true;  // at another point it has other neighbours
   }
 }
 

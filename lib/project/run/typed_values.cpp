@@ -49,7 +49,7 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
              : say("{1} = {2}, below {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
 }
 
-/// Those that are bolder than what stands beside them.
+/// The neighbours less favourable than the typed value.
 std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& results, const Known& known,
                                    WeighedValues& weighed) {
   std::vector<Neighbour> bolder;
@@ -77,7 +77,7 @@ bool is_same_in(const Results& others, const ResultSeries& series) {
                     [](double x, double y) { return x == y || (x != x && y != y); });
 }
 
-/// Evaluates with what stands beside a typed value in its place.
+/// Evaluates with the neighbour in place of the typed value.
 Results results_with(Evaluation& evaluation, const Neighbour& beside) {
   Inputs& inputs = evaluation.inputs();
   const Value typed = inputs.value_of(beside.path, beside.leaf);
@@ -122,9 +122,9 @@ bool is_far_from_usual(const Evaluation& evaluation, const Neighbour& beside) {
   return typed > far * usual.high || typed < usual.low / far;
 }
 
-/// The checks and limits that come out otherwise with what stands beside the value; where that is the nearest usual
-/// value, those that pass for it alone, and of a value `far` from it those that it lowers. True where results change,
-/// and none of them is a check or limit.
+/// Marks the checks and limits that change with the neighbour in place of the value; for the nearest usual value,
+/// those that pass only with the typed one, and if it is `far` off those that it lowers. True if results change, but
+/// no check or limit.
 bool mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, Beside kind, bool far,
                   WeighedValues& weighed) {
   bool decides = false, changes = false;
@@ -140,7 +140,7 @@ bool mark_decided(const Results& with_typed, const Results& with_other, const Bo
   return changes && !decides;
 }
 
-/// Whether a row of a table gives the value, which nothing can stand in for.
+/// Whether a row of a table gives the value, which cannot be replaced.
 bool is_of_row(const Evaluation& evaluation, const std::string& path) {
   const auto& provided = evaluation.inputs().provided();
   return std::any_of(provided.begin(), provided.end(),
@@ -202,7 +202,7 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
   std::set<const Typed*> used;
   std::vector<Neighbour> all = bolder_ones(evaluation, results, known, weighed);
   const auto reason_of = [&](const Neighbour& beside) { return reason_for(step, beside.path); };
-  // What holds a mode back is told before what does not.
+  // Values that hold back a mode are reported before the others.
   std::stable_partition(all.begin(), all.end(), [&](const Neighbour& beside) { return reason_of(beside) == nullptr; });
   const bool has_results = !results.series.empty();
   for (const Neighbour& beside : all) {

@@ -81,7 +81,7 @@ Issue contradiction(const std::string& body, const std::string& key, const Sized
   return issue;
 }
 
-/// Whether a search of the body begins anew.
+/// Whether a search of the body has to be repeated.
 bool hand_out(const std::string& body, const std::string& key, const Members& members, std::vector<Issue>& issues) {
   const std::vector<Sized> all = sized_of(members, key);
   if (all.size() < 2) return false;

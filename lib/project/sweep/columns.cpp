@@ -17,7 +17,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// What is wrong with "m" of "m = rod.mass"; a column that every sweep has keeps its name.
+/// The fault of "m" in "m = rod.mass"; the columns that every sweep has keep their names.
 std::optional<Fault> wrong_name(const std::string& name, const std::string& text) {
   const auto fault = [&](Message message, Message hint) {
     return Fault{0, std::max<std::size_t>(1, name.size()), std::move(message), std::move(hint)};

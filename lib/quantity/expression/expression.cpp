@@ -13,7 +13,7 @@ namespace {
 using expression::Node;
 using expression::Operation;
 
-/// What is never negative: a magnitude, or the larger of a value and a number that is not negative.
+/// Whether a call is never negative: a magnitude, or the larger of a value and a non-negative number.
 bool is_positive(const Node& call) {
   if (is_constant(call)) return false;
   return call.function->is_magnitude ||
@@ -44,7 +44,7 @@ std::string_view unsigned_of(const Node& node, const Expression::Declared& decla
   return sign && is_extreme ? std::string_view() : name;
 }
 
-constexpr std::size_t most_nodes = 4096;  // of an expression that others are written into
+constexpr std::size_t most_nodes = 4096;  // size limit of an expression with others written in
 
 std::size_t count_nodes(const Node& node) {
   std::size_t count = 1;
@@ -73,8 +73,8 @@ bool calls(const Node& node) {
   return node.operation == Operation::call || std::any_of(node.kids.begin(), node.kids.end(), calls);
 }
 
-/// What a number alone multiplies or divides, "1.2*shaft.tau_max"; null where it is anything else. A root or a function
-/// makes another of it: "sqrt(3)*shaft.tau_max".
+/// The reference that is multiplied or divided only by a number, "1.2*shaft.tau_max"; null for anything else. A root
+/// or a function changes its meaning: "sqrt(3)*shaft.tau_max".
 const Node* multiple_of(const Node& node) {
   const auto is_number = [](const Node& kid) { return is_constant(kid) && !calls(kid); };
   if (node.operation == Operation::divide) return is_number(node.kids[1]) ? &node.kids[0] : nullptr;

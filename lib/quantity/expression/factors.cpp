@@ -1,4 +1,4 @@
-// Which factors the value of an expression contains.
+// The factors that the value of an expression includes.
 #include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
@@ -116,7 +116,7 @@ class Walk {
     return powers;
   }
 
-  /// What both hold; a factor that stands in both counts twice.
+  /// Factors of both operands together; one included in both would be applied twice.
   Held product(const Node& node, double exponent) {
     const Held a = of_node(node.kids[0]);
     const Held b = of_node(node.kids[1]);
@@ -158,7 +158,7 @@ class Walk {
     return alike(node);
   }
 
-  /// Of a sum, a difference, a choice: what all hold alike.
+  /// Factors common to all operands of a sum, a difference, a choice.
   Held alike(const Node& node) {
     Held held;
     std::size_t first = 0;

@@ -1,4 +1,4 @@
-// Rules over literals alone, before any step is solved: what is not known yet may make up for what they find.
+// Rules over literals only, before any step is solved: values not known yet may remove a violation.
 #include "lib/project/run/evaluation/prepared_step.hpp"
 
 #include <algorithm>
@@ -58,8 +58,8 @@ std::vector<std::string> pending_leaves(const PreparedStep& step) {
 
 }  // namespace
 
-/// What is not known yet may make up for what a rule finds: it is broken where it is broken whatever is to come, and
-/// all rules are asked again when the project is solved.
+/// Values not known yet may remove a violation: a rule counts as violated only if it is for all of them, and all
+/// rules are checked again when the project is solved.
 void PreparedStep::check_rules_of_literals(std::vector<Issue>& issues) {
   const Calculator& calculator = *input().calculator;
   const auto is_list = [](const Taken& taken) {

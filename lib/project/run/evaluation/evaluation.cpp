@@ -55,8 +55,8 @@ double Evaluation::first_size() {
   return is_found ? 0.0 : size_now();
 }
 
-/// A strength falls with the size that it is asked for, so the size only grows from one round to the next. Where a row
-/// is stronger at a larger size it may alternate: then there is no size that follows from the values at itself.
+/// A strength falls with the size that it is looked up at, so the size only grows from one round to the next. If a
+/// row is stronger at a larger size it may alternate: then no size is consistent with the values at itself.
 void Evaluation::settle_sizes_from(double size) {
   unsettled_ = {};
   if (inputs_.size_field().empty()) return inputs_.set_values_of_rows(not_available);

@@ -10,7 +10,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// What a field is, from its meaning: "yield strength, with S in place of tau_adm".
+/// The noun of a field, from its meaning: "yield strength, with S in place of tau_adm".
 std::string noun_of(std::string_view doc) { return std::string(doc.substr(0, doc.find_first_of(",;:"))); }
 
 /// The size that a row is asked at: the first that is given of those that the provider names.
@@ -32,7 +32,7 @@ std::set<std::string> taken_paths(const Reading& reading, const std::vector<Prov
   return taken;
 }
 
-/// What comes along with the loads that are referred to, and neither another input nor a provider takes.
+/// Components of the referenced loads that neither another input nor a provider takes.
 std::vector<std::string> rest_of_loads(const Reading& reading, const std::vector<Provided>& provided,
                                        const Companions& companions) {
   std::set<std::string> taken = taken_paths(reading, provided);
@@ -141,7 +141,7 @@ bool PreparedStep::is_asked(const FieldInfo& check, const Record& record) const 
   const auto comes_from_row = [&](std::string_view input, const FieldInfo& field) {
     return names_row_for(std::string(input)) && !field.provider.may_lack;
   };
-  while (!inputs.empty()) {  // asked for every candidate of a search: no list of keys is made
+  while (!inputs.empty()) {  // called for every candidate of a search: avoids a list of keys
     const std::string_view input = inputs.substr(0, inputs.find(", "));
     const Leaf asking = find_leaf(record, input);
     if (asking && (!std::isnan(asking.get()) || comes_from_row(input, *asking.field))) return true;
@@ -263,7 +263,7 @@ bool is_more_than_number(const Calculator& calculator, const FieldInfo& field) {
   return field.is_load || field.is_factor || std::any_of(calculator.meanings.begin(), calculator.meanings.end(), means);
 }
 
-/// Of an expression over inputs that are known beforehand.
+/// The value of an expression over inputs that are known beforehand.
 std::optional<Value> evaluate_beforehand(const Operand& operand, const Step::Beforehand& of) {
   std::map<std::string, Value> values;
   for (const auto& reference : operand.expression.references()) {
@@ -297,7 +297,7 @@ std::optional<Value> PreparedStep::value_beforehand(const std::string& path, boo
   return Value{{leaf.field->dimension, nullptr}, {leaf.get()}};
 }
 
-/// Of a row that is named: at a size that is known too, or at none.
+/// The value of a named row: at a size that is known too, or at none.
 std::optional<Value> PreparedStep::row_beforehand(const FieldInfo& field, const Beforehand& of) const {
   const Provider& from = field.provider;
   const std::string& row = input().rows.at(from.table).text;

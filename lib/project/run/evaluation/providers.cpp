@@ -56,7 +56,7 @@ std::optional<Provided> from_table(const StepInput& input, const Rows& rows, con
   return std::nullopt;
 }
 
-/// What comes along with everything that the expression of another input refers to.
+/// The components of everything that the expression of another input refers to.
 std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& field, const Companions& companions) {
   Provided provided{field.key, &field, "", {}, {}};
   for (const Operand& operand : input.reading.operands) {

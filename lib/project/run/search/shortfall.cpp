@@ -15,7 +15,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// With as many digits as tell that it is above 1.
+/// With enough digits to show that it is above 1.
 std::string beyond_one(double utilisation) {
   int precision = 4;
   while (precision < 12 && format_number(utilisation, precision) == "1") ++precision;
@@ -53,14 +53,14 @@ void for_each_listed(Evaluation& evaluation, const Passing& passing,
 /// Adds the shortfall of list elements.
 void add_shortfall_of_lists(Evaluation& evaluation, const Passing& passing, Shortfall& shortfall) {
   for_each_listed(evaluation, passing, [&](const FieldInfo&, const Row& row, double si) {
-    if (std::isnan(si)) return;  // what has no value is told by the limits
+    if (std::isnan(si)) return;  // the limits report a missing value
     const FieldInfo& f = *row.field;
     double& most = f.role == Role::check || f.is_criterion ? shortfall.check : shortfall.limit;
     most = std::max(most, f.role == Role::check ? si : excess_over(f.bounds, si));
   });
 }
 
-/// "seats.coupling.x_c" of an element as it was evaluated last.
+/// The path "seats.coupling.x_c" of an element as it was evaluated last.
 std::string path_of(const Evaluation& evaluation, const FieldInfo& list, const Row& row) {
   return list.key + element_path(list, evaluation.result().data.get(), row.element) + "." + row.field->key;
 }
@@ -120,7 +120,7 @@ std::optional<double> failed_value(Evaluation& evaluation, const FieldInfo& chec
   return numerics::exceeds(largest, 1.0) ? std::optional(largest) : std::nullopt;
 }
 
-/// Whether what fails with the smallest and the largest candidate is no better with the largest.
+/// Whether a failure with both the smallest and the largest candidate does not improve with the largest.
 bool is_unmoved(const FieldInfo& field, double with_smallest, double with_largest) {
   const double change = with_largest - with_smallest, rounding = 1e-9 * std::abs(with_largest);
   return field.role == Role::check ? change >= -rounding : std::abs(change) <= rounding;

@@ -16,7 +16,7 @@ namespace loadpath::cli {
 
 struct RunOptions {
   std::vector<std::string> files;      // and folders of them
-  std::optional<std::uint64_t> point;  // of a sweep
+  std::optional<std::uint64_t> point;  // index of a point of a sweep
   PointOptions points;
   /// Fields in place of what the file says: "shaft.d=45 mm".
   std::vector<std::string> settings;
@@ -31,7 +31,7 @@ struct SweepOptions {
   /// Fields in place of what the file says: "shaft.d=45 mm".
   std::vector<std::string> settings;
   unsigned jobs = 0;                 // threads; 0: as many as the machine has
-  std::size_t worst = 5;             // points that are told
+  std::size_t worst = 5;             // number of points listed
   std::string pareto;                // "m:min,u:min"
   std::string csv;                   // file
   std::string hdf5;                  // file
@@ -45,7 +45,7 @@ struct SweepOptions {
   bool no_columns = false;
   std::string minimise, maximise;      // a result; the best machine in place of all
   std::vector<std::string> such_that;  // "every mode passes", "rod.mass <= 5 kg"
-  double quantile = 0.0;               // of what is uncertain, that both hold with; 0: at the mean
+  double quantile = 0.0;               // quantile of uncertain results that must satisfy both; 0: at the mean
   std::string seek;                    // "shaft.u_tau = 0.9"
   bool influence = false;              // tornado, slopes, budget of the scatter
   std::uint64_t sobol = 0;             // rows; 0: no Sobol indices
@@ -64,8 +64,8 @@ struct WhyOptions {
 };
 int why(const WhyOptions& options);
 
-/// One calculator from the shell: its flags are the keys of a project file. With a file the steps of this calculator in
-/// it, and what they refer to; the flags then stand in place of what these steps say.
+/// One calculator from the shell: its flags are the keys of a project file. With a file the steps of this calculator
+/// in it, and those that they refer to; the flags then replace values of these steps.
 struct CalculateOptions {
   const Calculator* calculator = nullptr;
   std::string file;
@@ -87,7 +87,7 @@ int list(const ListOptions& options);
 
 struct DescribeOptions {
   std::string id;
-  std::string name;  // behind an element: shaft torsion; else a part of what is told: loads, modes
+  std::string name;  // second word after an element: shaft torsion; else a section of the description: loads, modes
   std::string part;  // behind both
   bool json = false;
 };
@@ -124,7 +124,7 @@ struct WatchOptions {
 };
 int watch(const WatchOptions& options);
 
-/// A completion script for a shell; or the candidates that it asks for.
+/// A completion script for a shell; or the candidates that the script requests.
 struct CompletionOptions {
   std::string shell;               // bash, zsh, fish; candidates
   std::vector<std::string> words;  // up to the one that is begun
@@ -136,7 +136,7 @@ int man();
 
 int schema();
 
-/// A language server on standard input and output, for editors, until it is told to exit.
+/// A language server on standard input and output, for editors, until it receives the exit request.
 int language_server();
 
 }  // namespace loadpath::cli

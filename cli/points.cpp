@@ -20,7 +20,7 @@ std::vector<project::Placed> split(const std::string& list, const char* option) 
   return all;
 }
 
-/// Two whole numbers and what stands between them; 0 where it is something else.
+/// Two integers and their separator; 0 for any other text.
 char parted(const std::string& text, std::uint64_t& a, std::uint64_t& b) {
   const char* const end = text.data() + text.size();
   const auto first = std::from_chars(text.data(), end, a);

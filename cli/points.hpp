@@ -6,7 +6,7 @@
 
 namespace loadpath::cli {
 
-/// What the shell says in place of the file.
+/// Takes the options of the shell in place of the file's.
 void take_points(const PointOptions& options, project::SweepSettings& settings);
 
 /// The machine of one point, with its number in the heading; issues where there is no such point.

@@ -142,7 +142,7 @@ int show_row(const std::string& group, const TablesOptions& options) {
 
 using Tables = std::vector<const Table*>;
 
-/// The columns that were asked for, then those that come first in the tables, as many as a line holds.
+/// The requested columns, then the first ones of the tables, as many as fit in a line.
 std::vector<const table::Column*> columns_to_show(const Tables& chosen, const table::Condition& condition,
                                                   const table::Order& order) {
   constexpr std::size_t most = 10;
@@ -241,7 +241,8 @@ std::vector<table::Entry> rows_of(const Tables& tables) {
 
 }  // namespace
 
-/// Tables are named whole ("materials/steel_aisi"), by their folder ("materials"), or a series by its own name ("R40").
+/// Tables are given by full name ("materials/steel_aisi"), by their folder ("materials"), or a series by its own name
+/// ("R40").
 int tables(const TablesOptions& options) {
   if (!options.where.empty() || !options.sort.empty()) return search_tables(options);
   const Library& library = table::built_in();

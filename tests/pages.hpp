@@ -9,7 +9,7 @@
 
 namespace loadpath::test {
 
-/// "```toml" and what stands in it, or what stands between two such blocks, without a language.
+/// "```toml" and its content, or the text between two such blocks, without a language.
 struct Block {
   std::string language;  ///< empty of plain text
   std::string text;
@@ -17,7 +17,7 @@ struct Block {
 
 struct Command {
   std::string line;
-  int code = 0;  ///< of "# exit 1" behind it
+  int code = 0;  ///< exit code of "# exit 1" after it
 };
 
 /// A link as it is written: [words](target).
@@ -45,7 +45,7 @@ std::string text_of(const std::filesystem::path& path);
 /// Runs a command; `watch` until its page is there, and ends it by Ctrl-C. CHECKs its exit code, gives what it printed.
 std::string typed(const Desk& desk, const Command& command);
 
-/// What is wrong with the lines that are shown, "..." standing for some that are left out; empty where nothing is.
+/// The error in the lines shown, in which "..." replaces omitted ones; empty if there is none.
 std::string difference(const std::string& shown, const std::string& printed);
 
 /// Goes through a page: writes the files whose first line is "# NAME.toml", or "# NAME.toml, continued"; types the

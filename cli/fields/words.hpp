@@ -13,11 +13,11 @@ std::string bounds_of(const FieldInfo& field);
 std::string words_of(const FieldInfo& field);
 /// "default 1", "required", "optional", "from material", of a field of a blank record.
 std::string default_of(const FieldInfo& field, void* owner);
-/// What "?" finds, where it is no size of a stock.
+/// The object found by "?", unless it is a size of a stock.
 std::string searched_of(const FieldInfo& field);
 /// "list, at most 12"
 std::string list_of(const FieldInfo& field);
-/// The unit, or what stands in its place: "mm", "whole number", "mild | hard".
+/// The unit, or its replacement: "mm", "whole number", "mild | hard".
 std::string type_of(const FieldInfo& field);
 
 }  // namespace loadpath::cli

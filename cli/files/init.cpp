@@ -42,7 +42,7 @@ std::optional<std::string> ask(const std::string& question, const std::string& p
   return answer.empty() ? proposal : answer;
 }
 
-/// The template that is asked for, by its name or its number.
+/// The template selected by the user, by its name or its number.
 const Starter* ask_for_starter() {
   std::cerr << "What is it?\n";
   for (std::size_t i = 0; i < starters().size(); ++i)

@@ -1,4 +1,4 @@
-// What can be typed at a place, as an editor is told it.
+// Completions at a place, in the form of the protocol.
 #pragma once
 
 #include "cli/lsp/open_file.hpp"

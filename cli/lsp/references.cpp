@@ -35,7 +35,7 @@ bool alike(const Dimension& a, const FieldInfo* field) {
   return field != nullptr && field->type == Type::quantity && a.without_angle() == field->dimension.without_angle();
 }
 
-/// What a solved step has.
+/// Adds the values of a solved step.
 void add_solved(const project::Step& step, const FieldInfo* field, std::vector<Offer>& offers) {
   for (const auto* entries : {&step.account().results, &step.account().inputs}) {
     for (const account::Entry& entry : *entries) {
@@ -45,7 +45,8 @@ void add_solved(const project::Step& step, const FieldInfo* field, std::vector<O
   }
 }
 
-/// What every step of the calculator has: fields, and those of tables; of lists those of the first element.
+/// Adds the paths common to steps of the calculator: fields, and those of tables; for lists those of the first
+/// element.
 void add_declared(std::span<const FieldInfo> fields, const std::string& prefix, const FieldInfo* wanted,
                   std::vector<Offer>& offers) {
   for (const FieldInfo& field : fields) {

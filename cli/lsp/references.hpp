@@ -1,4 +1,4 @@
-// What an expression may refer to where the cursor stands in it: steps and their results, values, functions.
+// The possible references of an expression at the cursor: steps and their results, values, functions.
 #pragma once
 
 #include "cli/lsp/completions.hpp"

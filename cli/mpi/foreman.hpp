@@ -1,5 +1,5 @@
-// The first rank of a sweep: hands out blocks as the others ask for them, and hands on what they find in the order of
-// the points, so that what is written is the same for any number of ranks. It solves none itself and sleeps in between.
+// The first rank of a sweep: hands out blocks as the others request them, and passes on their results in the order of
+// the points, so that the output is the same for any number of ranks. It solves none itself and sleeps in between.
 //
 // Parts are as large as some tenths of a second: the size does not show in what is found. Helpers are given no more
 // while parts are done that cannot be handed on yet, so that memory is bounded.

@@ -1,4 +1,4 @@
-// What the letters between ranks hold, as bytes. All ranks are of one program on one kind of processor.
+// The content of letters between ranks, as bytes. All ranks run one program on one kind of processor.
 #pragma once
 
 #include "cli/parts/parts.hpp"

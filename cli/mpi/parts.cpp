@@ -12,7 +12,7 @@ namespace loadpath::cli {
 namespace {
 
 const Ranks* ranks = nullptr;  // while the program runs
-Order order;                   // of a rank that helps
+Order order;                   // order for a helping rank
 bool in_sweep = false;         // the others are at work
 bool greeted = false;          // the first rank knows whether this one helps
 
@@ -23,7 +23,7 @@ void greet(std::uint64_t parts, const std::string& wrong) {
   if (!wrong.empty()) static_cast<void>(ranks->wait());
 }
 
-/// What came of a letter from the first rank: false where the sweep is over.
+/// Processes a letter from the first rank: false if the sweep is finished.
 bool take_letter(const Letter& letter, Pool& pool) {
   const project::BlockRange blocks = blocks_from(letter.bytes);
   if (blocks.count() == 0) return false;

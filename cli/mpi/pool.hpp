@@ -1,4 +1,5 @@
-// The threads of a rank that solve parts; the main thread, which alone speaks with other ranks, gives and takes them.
+// The threads of a rank that solve parts; the main thread, the only one to communicate with other ranks, gives and
+// takes them.
 #pragma once
 
 #include "cli/mpi/letters.hpp"

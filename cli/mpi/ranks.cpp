@@ -1,4 +1,4 @@
-#define OMPI_SKIP_MPICXX 1  // the header of C alone
+#define OMPI_SKIP_MPICXX 1  // the header without C++ bindings
 #include "cli/mpi/ranks.hpp"
 
 #include <climits>

@@ -1,5 +1,5 @@
-// The processes of one run, numbered from 0, and letters between them. Calls come from the main thread alone. Who waits
-// sleeps: MPI's own waiting would take the core from a rank that solves.
+// The processes of one run, numbered from 0, and letters between them. Only the main thread may call. Waiting ranks
+// sleep: MPI's own waiting would occupy the core of a rank that solves.
 #pragma once
 
 #include <cstdint>

@@ -10,9 +10,9 @@
 
 namespace loadpath::cli {
 
-/// What all ranks must agree on.
+/// The data common to all ranks.
 struct SharedSweep {
-  std::string text;      // of the project file, which one rank has read
+  std::string text;      // text of the project file, which one rank has read
   std::string identity;  // everything that the numbers follow from
 };
 
@@ -24,14 +24,14 @@ struct Listener {
 /// Solves the blocks. Empty, or why that is not possible.
 std::string solve_parts(const project::SweepWork& work, const SharedSweep& shared, const Listener& listener);
 
-/// What main() does: `run` gives the exit code. A rank that helps runs it for every sweep that it helps with, others
+/// The body of main(): `run` gives the exit code. A helping rank runs it for every sweep that it helps with, others
 /// not.
 int run_program(const std::function<int()>& run);
 
 /// Whether who sends SIGTERM gives time to end; mpirun kills at once behind it.
 bool is_waited_for();
 
-/// Whose sweep this rank helps with; null for the one that reads, writes and prints.
+/// The sweep that this rank helps with; null for the one that reads, writes and prints.
 const std::string* helped_text();
 
 /// On a rank that helps: solves parts until there are no more. `wrong` says why it cannot.

@@ -1,4 +1,4 @@
-// Every command of the program with its words, and what they ask for once they are read.
+// Every command of the program with its words, and the requested action once they are read.
 #pragma once
 
 #include "cli/files/commands.hpp"
@@ -24,7 +24,7 @@ struct Options {
   FmtOptions fmt;
 };
 
-/// The commands refer to what lies beside them: stays where it is made.
+/// The commands refer to the members: it stays where it is made.
 struct CommandLine {
   CommandLine();
   CommandLine(const CommandLine&) = delete;
@@ -36,7 +36,7 @@ struct CommandLine {
 
   CLI::App app;
   Options options;
-  Action action;  // of the command that was read; none before
+  Action action;  // action of the command that was read; none before
   Late late;
 };
 

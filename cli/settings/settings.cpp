@@ -120,7 +120,7 @@ bool is_word(const Tree& project, const Setting& setting) {
   return field != nullptr && field->is_word();
 }
 
-/// Tables that a setting may be about: the steps, and what is beside them.
+/// Whether the table of a setting exists: one of the steps, or of the other tables.
 bool has_table(const Tree& project, const Part& part, std::vector<Issue>& issues) {
   if (part.key == "project" || project.find(part.key) != nullptr) return true;
   std::vector<std::string> names;

@@ -36,7 +36,7 @@ void add_elements(Candidates& all) {
   }
 }
 
-/// The rows that fill what a group stands for: materials, sections.
+/// Adds the rows of a group: materials, sections.
 void add_rows(const std::string& group, Candidates& all) {
   for (const table::Table& table : table::built_in().tables) {
     if (table.group != group) continue;
@@ -74,7 +74,7 @@ void add_steps(const std::string& file, const std::string& begun, Candidates& al
   }
 }
 
-/// Words in place of which a calculator's flag stands: "yes | no"; rows of a table.
+/// Adds values for the placeholder of a calculator's flag: "yes | no"; rows of a table.
 bool add_values(const std::string& id, const std::string& flag, Candidates& all) {
   const Calculator* const calculator = find_calculator(calculators(), id);
   if (calculator == nullptr) return false;
@@ -192,7 +192,7 @@ class Line {
   CommandLine& line_;
   std::string begun_;
   std::vector<CLI::App*> path_;  // the commands that are named
-  Words given_;                  // what is no command and no option
+  Words given_;                  // words that are neither commands nor options
   std::string last_;             // an option that may wait for a value
 };
 

@@ -71,7 +71,7 @@ void show_calculators() {
     std::cout << ".TP\n\\fB" << roff(c->id) << "\\fR\n" << roff(c->title) << "\n";
 }
 
-/// The lines behind a title of the footer, as they stand.
+/// The lines after a title of the footer, unchanged.
 void show_examples(const std::string& footer) {
   std::istringstream lines(footer);
   std::string line;

@@ -1,4 +1,4 @@
-// What the browser is shown while somebody edits a project.
+// The page in the browser while somebody edits a project.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ struct Revision {
 /// The page of a revision, with the script that keeps it up to date.
 std::string live_page(const Revision& revision);
 
-/// What the script is told of a revision: "7 solved", "8 problem".
+/// The event for the script about a revision: "7 solved", "8 problem".
 std::string news_of(const Revision& revision);
 
 }  // namespace loadpath::cli

@@ -53,7 +53,7 @@ struct Server::State {
   std::set<std::shared_ptr<Listener>> listeners;  // pages that are open
 };
 
-/// A page that is told of every revision, by server-sent events.
+/// A page that receives every revision by server-sent events.
 class Listener : public std::enable_shared_from_this<Listener> {
  public:
   Listener(beast::tcp_stream stream, std::weak_ptr<Server::State> state)
@@ -200,7 +200,7 @@ std::string Server::address() const {
 
 void Server::publish(Revision revision) {
   state_->revision = std::move(revision);
-  const auto listeners = state_->listeners;  // one may leave while it is told
+  const auto listeners = state_->listeners;  // one may leave during the loop
   for (const auto& listener : listeners) listener->tell();
 }
 

@@ -45,7 +45,7 @@ class Editor {
   std::vector<boost::json::value> heard_;
 };
 
-/// Where a byte of a text stands, as the protocol counts; the text is ASCII.
+/// The position of a byte of a text, as the protocol counts; the text is ASCII.
 boost::json::object position_of(const std::string& text, std::size_t at);
 
 }  // namespace loadpath::test

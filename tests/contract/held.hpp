@@ -20,7 +20,7 @@ std::string held(const project::Step& step, double load_factor);
 struct Known {
   std::string name;
   std::string text;
-  std::string file;  // beside which its histories stand
+  std::string file;  // file next to its histories
 };
 std::vector<Known> known_projects();
 /// Every step of them whose element this run covers, solved.

@@ -1,4 +1,4 @@
-// What the modes of failure of a project come to.
+// The combined state of a project's failure modes.
 #pragma once
 
 #include "lib/project/solving/read_project.hpp"

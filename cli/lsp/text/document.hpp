@@ -41,7 +41,7 @@ class Document {
   [[nodiscard]] std::string_view line(std::size_t number) const;
 
   std::string text_;
-  std::vector<std::size_t> starts_;  // of lines
+  std::vector<std::size_t> starts_;  // offsets of lines
 };
 
 }  // namespace loadpath::cli::lsp

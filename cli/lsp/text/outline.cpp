@@ -31,7 +31,7 @@ class Scanner {
  private:
   enum class Expect { key, equals, value, comma };
   struct Frame {
-    char open = '\0';  // of an inline table or a list; of neither the table of a header
+    char open = '\0';  // bracket of an inline table or a list; neither for the table of a header
     Path path;
     std::size_t count = 0;
   };
@@ -203,7 +203,7 @@ class Scanner {
     spot = bracket == '{' ? Spot{Spot::In::key, frame().path, at_} : Spot{Spot::In::value, value_path(), at_};
   }
 
-  /// What stands behind a value.
+  /// Skips the comma after a value.
   void comma() {
     const char c = text_[at_++];
     spot = {};

@@ -1,4 +1,4 @@
-// What the tests of sections share.
+// Helpers for the tests of sections.
 #pragma once
 
 #include "calculators/section/properties/properties.hpp"

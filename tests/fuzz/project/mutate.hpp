@@ -1,6 +1,6 @@
-// Changes of a project that a user could make, or a slip of the hand: values and lines of other projects, numbers at
-// the ends of what there is, other units and words, lines twice or not at all. Bytes alone would seldom pass the
-// reader.
+// Changes of a project that a user could make, deliberately or by mistake: values and lines of other projects,
+// numbers at the limits of the range, other units and words, lines repeated or omitted. Random bytes would seldom
+// pass the reader.
 #pragma once
 
 #include <cstddef>

@@ -164,7 +164,7 @@ inline Model slotted_lever(bool with_slider = false, double gamma = -0.349065850
   return model;
 }
 
-/// A crank on a moving base: the slot's line turns, and neither of its links is the ground's neighbour alone.
+/// A crank on a moving base: the slot's line rotates, and both of its links have neighbours other than the ground.
 inline Model slot_on_a_moving_link(bool with_slider) {
   Model model;
   model.gravity = {1.0, -9.0};

@@ -1,4 +1,4 @@
-// What the first step of a solved project has to say.
+// The account of the first step of a solved project.
 #pragma once
 
 #include "lib/project/project.hpp"

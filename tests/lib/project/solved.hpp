@@ -31,7 +31,7 @@ struct Solved {
     return text;
   }
   [[nodiscard]] std::string errors() const { return messages(Severity::error); }
-  /// Of a series its first.
+  /// The first value of a series.
   [[nodiscard]] double value(const std::string& path) const {
     const Value* const found = project.value(path);
     REQUIRE_MESSAGE(found != nullptr, path, "\n", messages());

@@ -12,7 +12,7 @@
 
 namespace loadpath::test {
 
-/// A slider-crank whose rod alone has a mass.
+/// A slider-crank in which only the rod has a mass.
 inline const std::string press_of_heavy_rod = R"toml([press]
 calculator = "mechanism.planar"
 template = "slider_crank"

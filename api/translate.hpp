@@ -20,7 +20,7 @@ using Sources = std::map<std::string, std::string>;
 Sources sources_of(const project::Project& project, Sources own);
 
 std::vector<Issue> issues_of(const std::vector<loadpath::Issue>& issues);
-/// Throws an Error where one of them is an error.
+/// Throws an Error if one of them is an error.
 void refuse_errors(const std::vector<loadpath::Issue>& issues, const Sources& sources);
 [[noreturn]] void refuse(const Message& message, const Message& hint = {});
 /// That there is nothing of this name: "there is no result '{1}'".

@@ -55,7 +55,7 @@ struct SweepOptions {
 };
 int sweep(const SweepOptions& options);
 
-/// Why a project, a step, a result or a mode of failure came out as it did.
+/// Why a project, a step, a result or a failure mode came out as it did.
 struct WhyOptions {
   std::string file;
   std::string of;  // "rod", "rod.u", "rod.buckling"; empty: every step in a line
@@ -74,7 +74,7 @@ struct CalculateOptions {
   /// Fields of any step of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;
   std::vector<std::string> because;   // inputs with reasons: "R_e=certificate 4711"
-  std::vector<std::string> accepted;  // modes of failure with reasons: "pitting=rated by the maker"
+  std::vector<std::string> accepted;  // failure modes with reasons: "pitting=rated by the maker"
   OutputOptions output;
 };
 int calculate(const CalculateOptions& options);

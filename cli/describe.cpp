@@ -156,7 +156,7 @@ void show_templates(const Calculator& calculator) {
             << terminal::columns(rows) << "  `loadpath describe " << calculator.id << ".NAME` tells more\n\n";
 }
 
-/// "mechanism.planar.slider_crank": shows the template; false where there is none of that name.
+/// "mechanism.planar.slider_crank": shows the template; false if there is none of that name.
 bool describe_template(const std::string& id) {
   for (const Calculator* c : calculators()) {
     const std::string prefix = std::string(c->id) + ".";

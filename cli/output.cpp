@@ -71,7 +71,7 @@ std::vector<File> report_files(const report::Document& document, const std::stri
   return files;
 }
 
-/// FILE.csv for the one step that has series, or a file for each in a folder. False where one file cannot hold them.
+/// FILE.csv for the one step that has series, or a file for each in a folder. False if one file cannot hold them.
 bool add_series(const project::Project& project, const OutputOptions& options, std::vector<File>& files) {
   const std::string& path = options.csv;
   auto tables = exports::csv_of(project, project::SeriesChoice(options.series));
@@ -122,7 +122,7 @@ bool is_one_for_several(const std::string& path, const char* kind, const std::ve
   return true;
 }
 
-/// FILE.svg with the leading figure, or every figure in a folder. False where one file cannot hold them.
+/// FILE.svg with the leading figure, or every figure in a folder. False if one file cannot hold them.
 bool add_figures(const project::Project& project, const std::string& path, std::vector<File>& files) {
   if (path.empty()) return true;
   const std::vector<Drawing> figures = leading_figures(project);
@@ -140,7 +140,7 @@ bool add_figures(const project::Project& project, const std::string& path, std::
   return true;
 }
 
-/// FILE.dxf with what is drawn to scale, or, of several, a folder with a file for each. False where one file cannot
+/// FILE.dxf with what is drawn to scale, or, of several, a folder with a file for each. False if one file cannot
 /// hold them.
 bool add_drawings(const project::Project& project, const std::string& path, std::vector<File>& files) {
   if (path.empty()) return true;

@@ -19,7 +19,7 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
 std::vector<terminal::SourceText> with_files_of(const project::Project& project,
                                                 std::vector<terminal::SourceText> sources);
 
-/// The exit code that modes of failure amount to.
+/// The exit code that failure modes amount to.
 int exit_for(const account::Modes& modes);
 
 }  // namespace loadpath::cli

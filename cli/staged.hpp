@@ -31,13 +31,13 @@ class Scratch {
   int create(const std::filesystem::path& path);
   /// Releases a path that has become an output.
   void release(const std::filesystem::path& path);
-  /// A new folder; empty where there can be none.
+  /// A new folder; empty if there can be none.
   std::filesystem::path create_folder();
   /// A folder with those that it lies in; what stays empty of them is removed.
   void create_parents(const std::filesystem::path& folder);
   /// The message on standard error if a signal ends the program at once.
   void leave_word(std::string word);
-  /// Starts another program, which says nothing; 0 where that fails. Killed where this one is ended.
+  /// Starts another program, which says nothing; 0 if that fails. Killed where this one is ended.
   pid_t start(const std::vector<std::string>& words);
   /// Its exit code, once it has ended; -1 where a signal has ended it.
   int wait();

@@ -23,7 +23,7 @@ using Rows = std::vector<std::vector<std::string>>;
 /// A row of values is never broken: it is searched for and compared.
 constexpr std::size_t any_width = std::numeric_limits<std::size_t>::max();
 
-/// "also: 1.0038, St 37-2"; empty where there are none.
+/// "also: 1.0038, St 37-2"; empty if there are none.
 std::string listed(const char* what, const std::vector<std::string>& names) {
   std::string all;
   for (const std::string& name : names) all += (all.empty() ? std::string(what) + ": " : ", ") + name;
@@ -219,7 +219,7 @@ int search_tables(const TablesOptions& options) {
                        part ? "search the part: loadpath tables " + options.table + "/" + options.key : "leave it out");
 }
 
-/// The series that is named by itself, or in its table; null where none is.
+/// The series that is named by itself, or in its table; null if none is.
 const table::Series* series_of(const TablesOptions& options) {
   if (const auto* series = table::series_named(options.table)) return series;
   const auto* series = table::series_named(options.key);

@@ -39,7 +39,7 @@ struct Given {
 
 class Calculator {
  public:
-  /// An Error with the nearest name where there is none: "shaft.torsion".
+  /// An Error with the nearest name if there is none: "shaft.torsion".
   static Calculator find(std::string_view id);
   static std::vector<Calculator> all();
 

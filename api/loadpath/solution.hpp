@@ -35,7 +35,7 @@ struct Quantity {
   std::string si_unit;                                      // "Pa"; "1" of a number
   std::string unit;                                         // that people read it in: "MPa"
   double value = std::numeric_limits<double>::quiet_NaN();  // not available; of a series NaN
-  std::vector<double> series;                               // over the cycle; empty where there is one value
+  std::vector<double> series;                               // over the cycle; empty if there is one value
   std::string axis;                                         // that the series goes over: "lever: crank angle"
   std::vector<double> positions;                            // positions along the axis
   std::string word;                                         // a choice or a name in place of a number
@@ -72,9 +72,9 @@ struct Solution {
   /// Whether every mode that applies passes, or is accepted: what the exit code 0 of the program says.
   bool passes = false;
 
-  /// Null where there is none of the name.
+  /// Null if there is none of the name.
   [[nodiscard]] const Quantity* find(std::string_view name) const;
-  /// An Error with the nearest name where there is none.
+  /// An Error with the nearest name if there is none.
   const Quantity& operator[](std::string_view name) const;
 };
 

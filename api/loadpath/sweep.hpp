@@ -32,9 +32,9 @@ struct Sweep {
   std::vector<Refused> refused;  // in the order of their first points
   std::string summary;           // projects only: the output of `loadpath sweep --json`
 
-  /// Null where there is none of the name.
+  /// Null if there is none of the name.
   [[nodiscard]] const Column* find(std::string_view name) const;
-  /// An Error with the nearest name where there is none.
+  /// An Error with the nearest name if there is none.
   const Column& operator[](std::string_view name) const;
 };
 

@@ -7,7 +7,7 @@
 
 namespace loadpath::cli {
 
-/// "must be > 0 mm"; empty where every value is taken.
+/// "must be > 0 mm"; empty if every value is taken.
 std::string bounds_of(const FieldInfo& field);
 /// The words of a choice: "mild | hard".
 std::string words_of(const FieldInfo& field);

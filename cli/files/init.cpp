@@ -32,7 +32,7 @@ bool is_there(const std::string& file) {
   return file != "-" && fs::exists(fs::symlink_status(file, error));
 }
 
-/// One line of an answer; the proposal where it is empty, nothing where there is no more to read.
+/// One line of an answer; the proposal where it is empty, nothing if there is no more to read.
 std::optional<std::string> ask(const std::string& question, const std::string& proposal) {
   std::cerr << question << (proposal.empty() ? "" : " [" + proposal + "]") << ": " << std::flush;
   std::string answer;

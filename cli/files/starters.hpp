@@ -25,7 +25,7 @@ struct Starter {
 
 /// Those that are built in, by their names.
 const std::vector<Starter>& starters();
-/// Null where there is none of this name.
+/// Null if there is none of this name.
 const Starter* find_starter(const std::string& name);
 
 /// Its text with these fields in place of its own, "T=80 N*m" for "values.T=80 N*m". Unknown fields, and a project

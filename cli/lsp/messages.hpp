@@ -32,7 +32,7 @@ struct Refusal : std::runtime_error {
   Fail code;
 };
 
-/// A member of parameters; a Refusal where there is none of the type.
+/// A member of parameters; a Refusal if there is none of the type.
 const boost::json::object& object_in(const boost::json::object& all, std::string_view key);
 const boost::json::array& array_in(const boost::json::object& all, std::string_view key);
 std::string text_in(const boost::json::object& all, std::string_view key);

@@ -31,7 +31,7 @@ std::string name_of_uri(const std::string& uri);
 /// Reads and solves the text again. For a sweep the first point is used.
 void refresh(OpenFile& file);
 
-/// The value of a path in a project that is solved; NaN where there is none.
+/// The value of a path in a project that is solved; NaN if there is none.
 const Value& value_in(const project::Project& project, const std::string& path);
 
 }  // namespace loadpath::cli::lsp

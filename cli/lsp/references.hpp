@@ -6,7 +6,7 @@
 
 namespace loadpath::cli::lsp {
 
-/// `field`: that the expression is for, whose dimension comes first; null where it is none.
+/// `field`: that the expression is for, whose dimension comes first; null if it is none.
 Completions references_at(const OpenFile& file, const Spot& spot, std::size_t offset, const FieldInfo* field);
 
 }  // namespace loadpath::cli::lsp

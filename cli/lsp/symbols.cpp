@@ -18,7 +18,7 @@ std::string joined(const Path& path, std::size_t from) {
   return all;
 }
 
-/// The reference of an expression that the offset is in; empty where there is none.
+/// The reference of an expression that the offset is in; empty if there is none.
 Expression::Reference reference_at(std::string_view expression, std::size_t offset) {
   const auto parsed = Expression::parse(expression);
   if (!parsed) return {};

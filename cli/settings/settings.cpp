@@ -20,7 +20,7 @@ void add(std::vector<Issue>& issues, const Place& place, Message message, Messag
   issues.push_back({place, "", std::move(message), std::move(hint), Severity::error});
 }
 
-/// "links.crank", "pieces[2]", `materials."IPE 330"` in parts; nothing where one is empty.
+/// "links.crank", "pieces[2]", `materials."IPE 330"` in parts; nothing if one is empty.
 std::vector<Part> parts_of(std::string_view path, int line) {
   std::vector<Part> parts;
   for (std::size_t at = 0; at <= path.size();) {
@@ -37,7 +37,7 @@ std::vector<Part> parts_of(std::string_view path, int line) {
   return parts;
 }
 
-/// The number of a counted element, from 1; 0 where the part is a name.
+/// The number of a counted element, from 1; 0 if the part is a name.
 std::size_t number_of(const Part& part) {
   if (part.key.size() < 3 || part.key.front() != '[' || part.key.back() != ']') return 0;
   std::size_t number = 0;

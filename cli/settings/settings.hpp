@@ -24,7 +24,7 @@ struct Setting {
   Place place;       // place of the value
 };
 
-/// A setting without its value's meaning; an issue where it is none. `line`: which one it is, from 1.
+/// A setting without its value's meaning; an issue if it is none. `line`: which one it is, from 1.
 Setting read_setting(const std::string& text, int line, std::vector<Issue>& issues);
 
 /// "45 mm" is a text, "1.4" a number unless the field is a word, and text that starts with a quote or a bracket is

@@ -57,7 +57,7 @@ void add_tables(const Words& given, Candidates& all) {
   }
 }
 
-/// Steps of a project, and behind a step's name with a point its results and modes of failure.
+/// Steps of a project, and behind a step's name with a point its results and failure modes.
 void add_steps(const std::string& file, const std::string& begun, Candidates& all) {
   std::string text;
   if (!toml::read_file(file, text)) return;
@@ -144,7 +144,7 @@ class Line {
   }
   [[nodiscard]] CLI::App* command() const { return path_.empty() ? &line_.app : path_.back(); }
 
-  /// The option whose value comes next; null where none does.
+  /// The option whose value comes next; null if none does.
   [[nodiscard]] const CLI::Option* waiting() const {
     const CLI::Option* const option = last_.empty() ? nullptr : command()->get_option_no_throw(last_);
     return option != nullptr && option->get_expected_max() > 0 ? option : nullptr;

@@ -381,8 +381,7 @@ int Sweeping::run() {
     if (!options_.quiet) std::cerr << "loadpath: left out, the points are in others: '" << folder.string() << "'\n";
   if (store->left().count() != 0) {
     if (!solve(&*store, found)) return wrong_input;
-  } else if (const Message wrong = store->save(); !wrong.empty()) {  // remains of a process killed after its last
-                                                                     // state
+  } else if (const Message wrong = store->save(); !wrong.empty()) {  // written after the last state by a killed process
     return refuse(wrong.text());
   }
   if (store->left().count() == 0) return tell(store->found());

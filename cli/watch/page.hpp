@@ -10,7 +10,7 @@ namespace loadpath::cli {
 struct Revision {
   std::uint64_t number = 0;
   std::string page;     // the report of the last one that could be solved; empty before
-  std::string problem;  // issues with their places; empty where it was solved
+  std::string problem;  // issues with their places; empty if it was solved
 };
 
 /// The page of a revision, with the script that keeps it up to date.

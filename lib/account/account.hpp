@@ -53,14 +53,13 @@ struct Account {
   std::vector<Verdict> verdicts;    // states of checks and limits
   Modes modes;                      // the verdict on the part that follows from them
   std::vector<Message> warnings;    // customs that the input breaks
-  Message governing;                // which position the derivation is for; empty where there is one value
+  Message governing;                // which position the derivation is for; empty if there is one value
   std::vector<Derived> derivation;  // where formulas are wanted
   std::set<std::string> scopes;     // subjects of its lines: "", "methods[2]"; known without it
   std::vector<Block> input_blocks;  // where the step shows its inputs itself, not in a list; where pictures are wanted
   std::vector<Block> blocks;        // output specific to this kind of step: tables, notes; pictures on request
   std::vector<draw::Figure> figures;  // where pictures are wanted
-  std::vector<std::string> sources;   // keys of tables/sources.toml, in addition to those that the calculator always
-                                      // cites
+  std::vector<std::string> sources;   // keys of tables/sources.toml, besides those that the calculator always cites
 };
 
 }  // namespace loadpath::account

@@ -58,7 +58,7 @@ struct Unjudged {
   std::array<double, 3> state{};        // by Applies
   double passed = number(State::pass);  // state if all rows pass
   bool needs_checks = false;            // limits do not suffice to assess it
-  bool never = false;                   // rows that pass do not judge it: a check is missing
+  bool never = false;                   // rows that pass do not assess it: a check is missing
 };
 
 /// The state of one mode: absent_state if it does not concern the part.
@@ -105,13 +105,13 @@ void leave_mode(std::span<const Applies> applies, const Unjudged& unjudged, Mode
 /// Combined results of several modes at every point.
 class VerdictColumns {
  public:
-  /// `is_strict`: what is open counts as not judged.
+  /// `is_strict`: what is open counts as not assessed.
   void fold(std::span<const ModeColumns* const> modes, std::size_t n, bool is_strict);
 
   [[nodiscard]] std::span<const double> utilisation() const { return utilisation_; }
   /// 1 where they pass, or are open, else 0.
   void write_passes(std::span<double> out) const;
-  /// `is_whole`: of all modes of a step or of the project, which pass where something was judged.
+  /// `is_whole`: of all modes of a step or of the project, which pass where something was assessed.
   void write_state(bool is_whole, std::span<double> out) const;
 
  private:

@@ -13,7 +13,7 @@ namespace loadpath::account {
 
 /// The subject of a row among the modes.
 enum class Subject {
-  mode,    // a mode of failure of the part
+  mode,    // a failure mode of the part
   input,   // an input needed for any assessment: a load, every input
   search,  // a search that has no result
 };
@@ -30,21 +30,20 @@ struct Mode {
   bool is_assessable = true;  // by some calculator of the catalogue
   std::string judge;          // the calculator that it is left to
   std::string use, add;       // calculators that assess it: as a replacement of this one, or in addition
-  std::string wants;          // inputs that would let it be judged: "sigma_adm_1"
+  std::string wants;          // inputs that would let it be assessed: "sigma_adm_1"
   Message note;               // where it governs, why it is accepted; may be empty
 };
 using Modes = std::vector<Mode>;
 
-/// The worst of all; pass where there is none.
+/// The worst of all; pass if there is none.
 State worst(const Modes& modes);
-/// The combined state: the worst, but modes not considered or accepted count only if no other passes; open if nothing
-/// was assessed.
+/// The worst state, if worse than open; otherwise pass if any mode was assessed, else open.
 State overall(const Modes& modes);
 /// Whether the part passes: every mode passes, is accepted, or was not considered.
 bool passes(const Modes& modes);
-/// The modes where nothing may be left open: what is open counts as not judged.
+/// The modes where nothing may be left open: what is open counts as not assessed.
 Modes strictly(Modes modes);
-/// Failures first, then what is not judged, then by utilisation; what is open comes last.
+/// Failures first, then what is not assessed, then by utilisation; what is open comes last.
 Modes in_order(Modes modes);
 /// "fail", "not assessed", "outside the scope".
 Message shown(const Mode& mode);

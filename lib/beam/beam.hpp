@@ -80,7 +80,7 @@ struct Bent {
 
 class Beam {
  public:
-  /// Each support at a node of its own. Nothing where they do not hold it: fewer than two of them.
+  /// Each support at a node of its own. Nothing if they do not hold it: fewer than two of them.
   static std::optional<Beam> of(const Row<Span>& spans, const OfSupports<Support>& supports);
 
   [[nodiscard]] std::size_t nodes() const { return spans_.size() + 1; }

@@ -31,12 +31,11 @@ Passed pass(const Rod& rod, double omega, double left) {
 }  // namespace
 
 numerics::Counted Swing::walk(double omega) const {
-  boost::container::static_vector<double, most_rods + 1> own(rods_.size() + 1);  // stiffnesses of the discs of each
-                                                                                 // node
+  boost::container::static_vector<double, most_rods + 1> own(rods_.size() + 1);  // by the discs of each node
   numerics::Counted walked{0, 1.0};
   for (const Disc& disc : discs_) {
     const double inertia = omega * omega * disc.J;
-    const double softened = 1.0 - inertia / disc.k;  // 0 where it swings by itself: no number is next to that
+    const double softened = 1.0 - inertia / disc.k;  // 0 if it swings by itself: no number is next to that
     own[disc.node] -= inertia / (softened == 0.0 ? std::numeric_limits<double>::epsilon() : softened);
     if (inertia > disc.k) ++walked.below;
     walked.rest *= softened;

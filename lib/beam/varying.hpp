@@ -32,8 +32,7 @@ class Spread {
 template <class Section>
 Varying varying(std::span<const double> cuts, const Section& section, const Spread& load) {
   double bending = 0.0, first = 0.0, second = 0.0, shear = 0.0;  // integrals of 1/EI with powers of x, and of 1/GA
-  double turned = 0.0, lifted = 0.0;                             // end rotation and deflection by the load, with only
-                                                                 // the left end fixed
+  double turned = 0.0, lifted = 0.0;                             // by the load on a cantilever fixed at the left
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
     for_each_gauss_8(cuts[k], cuts[k + 1], [&](double x, double weight) {
       const auto [EI, GA] = section(x);
@@ -43,8 +42,8 @@ Varying varying(std::span<const double> cuts, const Section& section, const Spre
     });
   }
   const double l = cuts.back(), centre = first / bending, shifting = second - centre * first + shear;
-  const double V = -(lifted - centre * turned) / shifting, M = -turned / bending - V * centre;  // reactions of the left
-                                                                                                // end, fixed
+  const double V = -(lifted - centre * turned) / shifting,
+               M = -turned / bending - V * centre;  // at the left end, fixed
   return {{l, bending, centre, shifting}, {-V, M, V + load.force(l), -(M + V * l + load.moment(l))}};
 }
 

@@ -32,7 +32,7 @@ struct Range {
   }
 };
 
-/// The key of a field whose member has a different name because C++ reserves the symbol: a mass, which collides with
+/// The key of a field whose member has another name because its symbol is in use in C++: a mass, which collides with
 /// the unit m. Any other difference between key and member is a mistake, and fails a test.
 constexpr const char* called(const char* key) { return key; }
 

@@ -34,7 +34,7 @@ constexpr bool names(std::string_view list, std::string_view key) {
   return any_of(list, [&](std::string_view entry) { return entry.substr(0, entry.find(equals)) == key; });
 }
 
-/// The word that the list gives a choice; empty where it gives none.
+/// The word that the list gives a choice; empty if it gives none.
 constexpr std::string_view word_in(std::string_view list, std::string_view key) {
   std::string_view word;
   any_of(list, [&](std::string_view entry) {

@@ -25,8 +25,7 @@ inline constexpr auto paired_middle = "middle beside its amplitude";
 /// which the stress acts.
 struct NotchClaim {
   const char* fields;      // "cycle.sigma_max, sigma_n", or the limit "sigma_D"
-  const char* factor;      // for a stress at least the stress concentration factor K_t; for a limit the fatigue notch
-                           // factor K_f
+  const char* factor;      // stress concentration factor K_t of a stress, at least; fatigue notch factor K_f of a limit
   const char* shape = "";  // for a limit: the stress concentration factor that K_f follows from, where given
 };
 

@@ -23,9 +23,9 @@ struct ModeInfo {
   const char* id = "";     // "root_1": the key of `accept`, and of JSON
   const char* title = "";  // "tooth root of gear 1 in bending"
   ModeKind kind = ModeKind::strength;
-  const char* checks = "";  // the checks and limits that judge it, all of them: "u_F1, v_share", "segments.u_tau"
-  const char* judge = "";   // the calculator that judges it, or what its checks leave; without both nothing does
-  const char* taken = "";   // how that judges it: modes of it, by the record that it takes, "sun_mesh.root_1"
+  const char* checks = "";  // the checks and limits that assess it, all of them: "u_F1, v_share", "segments.u_tau"
+  const char* judge = "";   // the calculator that assesses it, or what its checks leave; without both nothing does
+  const char* taken = "";   // how that assesses it: modes of it, by the record that it takes, "sun_mesh.root_1"
   const char* wants = "";   // inputs needed to assess it, if its checks do not show them
   const char* advice = "";  // other remedy if no input is missing
   const char* use = "";     // the calculator that assesses it when it takes the place of this one: "shaft.design"
@@ -53,7 +53,7 @@ struct Mode : ModeInfo {
     return mode;
   }
   /// Judged by steps of another calculator that take records of this part: all of `modes`, each behind the record,
-  /// "sun_mesh.root_2, ring_mesh.root_1". Where checks of its own judge it too, what they leave is left to these.
+  /// "sun_mesh.root_2, ring_mesh.root_1". Where checks of its own assess it too, what they leave is left to these.
   [[nodiscard]] constexpr Mode left_to(const char* calculator, const char* modes) const {
     Mode mode = *this;
     mode.judge = calculator;

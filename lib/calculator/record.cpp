@@ -74,7 +74,7 @@ Leaf find_leaf(std::span<const FieldInfo> fields, void* data, std::string_view p
 
 namespace {
 
-/// Takes "[2]" or ".journal" off the path behind a list; false where no element can be meant.
+/// Takes "[2]" or ".journal" off the path behind a list; false if no element can be meant.
 bool skip_element(const FieldInfo& list, std::string_view& path) {
   const bool numbered = path.starts_with('[');
   if (!numbered && find_field(list.fields, "name") == nullptr) return false;

@@ -81,7 +81,7 @@ struct FieldInfo {
   double (*get)(const void* owner) = nullptr;               // quantity, count, choice (its index)
   void (*set)(void* owner, double si) = nullptr;            // quantity, count, choice
   void (*set_series)(void* owner, Value series) = nullptr;  // quantity that takes an entire series
-  const Value* (*series)(const void* owner) = nullptr;      // the same; null where it is one value
+  const Value* (*series)(const void* owner) = nullptr;      // the same; null if it is one value
   std::string_view (*text)(const void* owner) = nullptr;    // name, formula
   void (*set_text)(void* owner, std::string_view text) = nullptr;
   std::size_t (*size)(const void* owner) = nullptr;        // list; a group has size 1
@@ -145,7 +145,7 @@ inline Leaf find_leaf(const Record& record, std::string_view path) {
   return find_leaf(record.type->fields, record.data.get(), path);
 }
 
-/// The field at a path of a record; which elements its lists have is known later. Null where there is none.
+/// The field at a path of a record; which elements its lists have is known later. Null if there is none.
 const FieldInfo* find_field_at(std::span<const FieldInfo> fields, std::string_view path);
 
 /// Whether a field that must be given has no value.
@@ -153,7 +153,7 @@ bool is_missing(const FieldInfo& field, void* owner);
 
 /// The text of a choice, a name or a formula.
 std::string word_of(const Leaf& leaf);
-/// Gives a choice, a name or a formula its text; false where a choice has no such word, or a name is too long.
+/// Gives a choice, a name or a formula its text; false if a choice has no such word, or a name is too long.
 bool set_word(const Leaf& leaf, std::string_view word);
 
 /// Every leaf with its path, in order.

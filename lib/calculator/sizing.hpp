@@ -26,7 +26,7 @@ struct Sizing {
   /// Before the search: sets stocks, notes, and groups of equal size, in one of the possible arrangements; false if
   /// there are no more. All arrangements have the same stocks, and equal sizes have equal stocks.
   bool (*arrange)(const void* input, std::span<Sought> sought, std::size_t way) = nullptr;
-  /// Raises each no further than the others and what is given ask; false where no size is large enough.
+  /// Raises each no further than the others and what is given ask; false if no size is large enough.
   bool (*raise)(const void* input, std::span<Sought> sought) = nullptr;
   /// The objective that the search minimises, at the current sizes of the input: a volume.
   double (*cost)(const void* input) = nullptr;

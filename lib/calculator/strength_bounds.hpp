@@ -44,7 +44,7 @@ inline constexpr std::array strength_bounds{
     StrengthBound{mean_strength, "R_m", most_fatigue_limit, "0.7 R_m"},
     StrengthBound{specimen_in_torsion, "R_m", most_fatigue_limit* shear_over_normal, "0.7 R_m/sqrt(3)"}};
 
-/// The bound of a meaning; null where it has none.
+/// The bound of a meaning; null if it has none.
 constexpr const StrengthBound* strength_bound_of(std::string_view meaning) {
   for (const StrengthBound& bound : strength_bounds) {
     if (meaning == bound.meaning) return &bound;

@@ -14,8 +14,7 @@ namespace {
 constexpr double shaft_left = 30.0, shaft_right = 450.0, least_length = 180.0;
 constexpr double diagrams_left = 62.0, diagrams_right = 466.0;  // room for the numbers of their scales
 constexpr double least_depth = 78.0, most_depth = 170.0;        // thickness of the thickest part
-constexpr double torque_reach = 16.0;                           // overhang of a torque's line beyond the thickest
-                                                                // part
+constexpr double torque_reach = 16.0;                           // of a torque line beyond the thickest part
 constexpr double torque_radius = 6.5;
 constexpr double support_depth = 22.0;  // depth of a bearing symbol with its ground
 

@@ -30,7 +30,7 @@ class Column {
   Column(const std::vector<double>& si, double rounding, const std::string& unit) : values_(in_unit(si, unit)) {
     if (rounding > 0.0) decimals_ = Decimals::beyond(in_unit(rounding, unit) - in_unit(0.0, unit));
   }
-  /// Nothing where there is no value: a reader of CSV must not meet "nan".
+  /// Nothing if there is no value: a reader of CSV must not meet "nan".
   void add_cell(std::size_t position, std::string& text) const {
     const double value = values_[position];
     if (!std::isfinite(value)) return;

@@ -12,7 +12,7 @@ namespace loadpath::exports {
 
 /// Every calculator with its title.
 std::string json_of(Calculators calculators);
-/// One with its inputs, results, rules, modes of failure, sources and example.
+/// One with its inputs, results, rules, failure modes, sources and example.
 std::string json_of(const Calculator& calculator);
 
 /// The tables and series that there are.

@@ -9,7 +9,7 @@
 namespace loadpath::draw {
 
 struct Chart {
-  enum class Verdict : char { passes, fails, open, none };  // open: not judged; none: no machine
+  enum class Verdict : char { passes, fails, open, none };  // open: not assessed; none: no machine
   struct Dot {
     double x = 0.0;  // SI
     double y = 0.0;

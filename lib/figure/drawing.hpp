@@ -107,7 +107,7 @@ struct Drawing {
     Point from, to;
   };
   struct View {
-    std::string title;   // empty where it is the only one
+    std::string title;   // empty if it is the only one
     double share = 1.0;  // share of the page's width; views that fit are side by side
     double most_height = 330.0;
     bool is_scaled = true;  // else its places are proportions, without a scale bar

@@ -248,8 +248,7 @@ struct Motion {
   Scheme still;
   std::size_t shown = 0;                                                 // the frame of `still`
   std::vector<Link> links;                                               // link k carries body k
-  std::vector<Carried> joints, guides, points, wheels, racks, outlines;  // carriers of the parts of `still`, in their
-                                                                         // order
+  std::vector<Carried> joints, guides, points, wheels, racks, outlines;  // the parts of `still`, in their order
   std::vector<Between> springs;                                          // likewise
   std::vector<Carried> coils;
   std::vector<Force> forces;    // first those of the arrows of `still`, in their order, then others of the plans

@@ -22,7 +22,7 @@ struct Node {
   std::vector<Node> kids;
 };
 
-/// The tree of a formula, or nothing where the text is not in the language. A name keeps what it is read from ("in.d");
+/// The tree of a formula, or nothing if the text is not in the language. A name keeps what it is read from ("in.d");
 /// a word of a choice takes it from its choice: in.kind == Kind::wide compares "in.kind" with "in.kind::wide".
 std::optional<Node> parse(std::string_view cpp);
 
@@ -35,10 +35,10 @@ std::string_view symbol_of(std::string_view name);
 /// The formula as it is shown: of every name its symbol.
 std::string shown(std::string_view cpp);
 
-/// The SI value of a symbol or unit name; nothing where it is unknown.
+/// The SI value of a symbol or unit name; nothing if it is unknown.
 using Known = std::function<std::optional<double>(std::string_view name)>;
 
-/// The value of the tree over SI values; NaN where a name is unknown. `pi` and the units of lib/formula/units.cpp need
+/// The value of the tree over SI values; NaN if a name is unknown. `pi` and the units of lib/formula/units.cpp need
 /// no `known`.
 double value(const Node& tree, const Known& known);
 

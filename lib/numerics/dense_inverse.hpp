@@ -23,7 +23,7 @@ class DenseInverse {
   std::vector<std::size_t> exchanged_;  // with which row each was
 };
 
-/// The largest sum of magnitudes of a row, for matrices row after row; NaN where one is.
+/// The largest sum of magnitudes of a row, for matrices row after row; NaN if one is.
 double largest_row_sum(std::span<const double> matrix, std::size_t size);
 
 /// The 1-norm of A^-1, or slightly less: Hager's estimate, which climbs from corner to corner of the unit ball

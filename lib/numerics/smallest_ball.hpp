@@ -33,7 +33,7 @@ struct Few {
   std::size_t count = 0;
 };
 
-/// Solves the symmetric system of `n` rows; false where it is singular.
+/// Solves the symmetric system of `n` rows; false if it is singular.
 template <std::size_t dim>
 bool solve(std::array<std::array<double, dim + 1>, dim>& rows, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
@@ -51,7 +51,7 @@ bool solve(std::array<std::array<double, dim + 1>, dim>& rows, std::size_t n) {
   return true;
 }
 
-/// The smallest ball with all these points on its surface; radius below 0 where they are no corners of one. Lengths
+/// The smallest ball with all these points on its surface; radius below 0 if they are no corners of one. Lengths
 /// are made free of their size first.
 template <std::size_t dim>
 Ball<dim> through(const Few<dim>& corners) {

@@ -21,7 +21,7 @@ class RestToRestSpline {
   struct Overshoot {
     double x = 0.0, y = 0.0, by = 0.0;
   };
-  /// The largest; 0 where there is none.
+  /// The largest; 0 if there is none.
   [[nodiscard]] Overshoot largest_overshoot() const;
 
  private:

@@ -15,7 +15,7 @@ bool is_reason(const toml::Tree& tree);
 /// An input that the calculator does not have, or no reason, is an issue.
 void read_because(const toml::Tree& table, StepInput& input, std::vector<Issue>& issues);
 
-/// The reason for the value at a path, or for the list or group that it is in; null where there is none.
+/// The reason for the value at a path, or for the list or group that it is in; null if there is none.
 const Typed* reason_for(const StepInput& input, const std::string& path);
 
 }  // namespace loadpath::project

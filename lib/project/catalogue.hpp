@@ -16,7 +16,7 @@ struct CatalogueEntry {
 };
 using Catalogue = std::span<const CatalogueEntry>;
 
-/// The entry of a calculator, by its id; null where there is none.
+/// The entry of a calculator, by its id; null if there is none.
 const CatalogueEntry* find_entry(Catalogue catalogue, std::string_view id);
 
 }  // namespace loadpath::project

@@ -41,7 +41,7 @@ State unjudged(const ModeInfo& mode, Applies applies) {
   return waits ? State::open : State::not_judged;
 }
 
-/// "=epi.sun_mesh and =epi.ring_mesh", "each of =shaft.bearings": what a step takes that judges the mode.
+/// "=epi.sun_mesh and =epi.ring_mesh", "each of =shaft.bearings": what a step takes that assesses the mode.
 std::string records_of(const ModeInfo& left, std::span<const FieldInfo> fields, const std::string& part) {
   std::string all;
   for (const std::string& key : listed_keys(left.taken)) {
@@ -67,8 +67,8 @@ bool is_same(const std::vector<double>& a, const std::vector<double>& b) {
   });
 }
 
-/// Whether an input of the judge has what the part says of itself; what that leaves open is the judge's own. `beside`:
-/// the fields that the record fills, "notches[2].", and what is before their keys.
+/// Whether an input of the assess has what the part says of itself; what that leaves open is the assess's own.
+/// `beside`: the fields that the record fills, "notches[2].", and what is before their keys.
 bool agrees(const Step& judge, const std::string& beside, const Step& part, const Member& member) {
   const auto& inputs = judge.account().inputs;
   const std::string path = beside + member.key;
@@ -113,7 +113,7 @@ bool takes(const Step& judge, const Step& part, const Names& record) {
   });
 }
 
-/// The modes of a calculator's steps that judge what is left to it. A record that no such step takes, or of which none
+/// The modes of a calculator's steps that assess what is left to it. A record that no such step takes, or of which none
 /// of these modes concerns the step, leaves all of it open: nothing comes back.
 std::vector<const account::Mode*> judges_of(const ModeInfo& left, const Step& part, const Project& project) {
   std::vector<const account::Mode*> judges;
@@ -138,10 +138,10 @@ std::vector<const account::Mode*> judges_of(const ModeInfo& left, const Step& pa
   return judges;
 }
 
-/// As the worst of its judges came out.
+/// As the worst of its assesses came out.
 void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges) {
   const account::Mode& worst = governing(judges);
-  // A judge that sees nothing of the service does not take back what the part has seen.
+  // A assess that sees nothing of the service does not take back what the part has seen.
   const bool weaker = mode.state != State::open && worst.state == State::open;
   if (!weaker) mode.state = worst.state;
   mode.utilisation = utilisation_of(judges);
@@ -181,7 +181,7 @@ bool is_doubtful(const Step& step, const ModeInfo& info) {
 }  // namespace
 
 void settle_left(Project& project) {
-  for (auto part = project.order.rbegin(); part != project.order.rend(); ++part) {  // judges first
+  for (auto part = project.order.rbegin(); part != project.order.rend(); ++part) {  // assesses first
     Step& step = *project.steps[*part];
     for (account::Mode& mode : step.modes()) {
       const ModeInfo* const info = info_of(step, mode.id);
@@ -279,7 +279,7 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
                     : say("not included, although it acts with the load: {1}; assess it by hand: accept.{2} = \"...\"",
                           step.loads().left, info.id);
   }
-  // A row that judges nothing says itself why.
+  // A row that assesses nothing says itself why.
   if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();
   if (mode.state == State::not_judged && is_doubtful(step, info)) {
     mode.wants.clear();

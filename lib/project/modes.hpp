@@ -1,4 +1,4 @@
-// From checks and limits to modes of failure: what was held against a mode decides it, and what was not is said.
+// From checks and limits to failure modes: what was held against a mode decides it, and what was not is said.
 #pragma once
 
 #include "lib/account/fold.hpp"
@@ -13,7 +13,7 @@
 
 namespace loadpath::project {
 
-/// The rows of the account that judge a mode. A key of its checks names a row, "u_tau", that of every element,
+/// The rows of the account that assess a mode. A key of its checks names a row, "u_tau", that of every element,
 /// "segments.u_tau", or all that begin so, "contact_*".
 std::vector<const account::Verdict*> rows_of(const ModeInfo& mode, const std::vector<account::Verdict>& all);
 /// Whether the key names the row.

@@ -13,7 +13,7 @@ namespace loadpath::project {
 /// A further file that a project is read from.
 struct NamedFile {
   std::string name;
-  std::string text;  // empty where no issue points into it
+  std::string text;  // empty if no issue points into it
 };
 
 /// Whether an entry is `[tables]`, and no step that was called so.

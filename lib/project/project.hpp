@@ -45,7 +45,7 @@ struct Project {
   [[nodiscard]] const Step* find(std::string_view name) const;
   /// The fault that no step has a path's name, with the possible names.
   [[nodiscard]] Fault unknown_step(const std::string& path) const;
-  /// Dimension and axis of "step.path", "values.n", "tables.materials.S355.E"; a Fault where there is none.
+  /// Dimension and axis of "step.path", "values.n", "tables.materials.S355.E"; a Fault if there is none.
   [[nodiscard]] Outcome<Signature> signature(const std::string& path);
   /// The value at "step.path" after solving, or nothing.
   [[nodiscard]] const Value* value(const std::string& path) const;
@@ -58,7 +58,7 @@ bool is_of_tables(const std::string& path);
 
 /// The checks and limits of all steps.
 std::vector<account::Verdict> verdicts(const Project& project);
-/// How the modes of failure of all parts came out, as strictly as the project is judged: the verdict.
+/// How the failure modes of all parts came out, as strictly as the project is assessed: the verdict.
 account::Modes modes(const Project& project);
 
 }  // namespace loadpath::project

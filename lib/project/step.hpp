@@ -51,7 +51,7 @@ struct StepInput {
   std::shared_ptr<const table::Tables> tables;  // tables for its rows and stocks; never null
   /// Rows that the step names for its providers: "material" -> "C45E".
   std::map<std::string, Typed> rows;
-  /// Modes of failure that the user answers for, and why: "pitting" -> "rated by the maker, drawing 12".
+  /// Failure modes that the user answers for, and why: "pitting" -> "rated by the maker, drawing 12".
   std::map<std::string, Typed> accepted;
   /// Reasons why a typed value is better than that of a row or a record: "R_e" -> "certificate 4711".
   std::map<std::string, Typed> because;
@@ -67,7 +67,7 @@ using Declared = Expression::Declared;
 /// Values of other steps, when the project is solved.
 struct Known {
   Expression::Known value;
-  /// A choice, a name, a row; empty where there is none.
+  /// A choice, a name, a row; empty if there is none.
   std::function<std::string(const std::string& path)> word;
   /// Everything in a record or a list, "pulleys": paths behind it, "[2].R", ".pump.R".
   std::function<std::vector<std::pair<std::string, const Entry*>>(const std::string& path)> within;
@@ -101,7 +101,7 @@ struct LoadFacts {
   /// if there is none. Loads taken from this step lack it too. Known when it is solved.
   Message lacking_factor = {};
   /// Loads that are less than the series that they come from, and that nobody answers for: no mode of strength is
-  /// judged by them, here and where the results go; known when it is solved.
+  /// assessed by them, here and where the results go; known when it is solved.
   std::vector<ReducedLoad> reduced = {};
   std::optional<Reversal> reversal = {};  // reversal of a load; known when the step is solved
 };
@@ -132,7 +132,7 @@ class Step {
   /// Dimension and axis of a path; a Fault with a hint if there is none, without a message if an error of the step,
   /// already reported, leaves it unknown. After `prepare`.
   [[nodiscard]] virtual Outcome<Signature> signature(const std::string& path) const = 0;
-  /// The field at a path, a result or an input; null where there is none, or its shape depends on the model.
+  /// The field at a path, a result or an input; null if there is none, or its shape depends on the model.
   [[nodiscard]] virtual const FieldInfo* field(const std::string& path) const;
   /// The members of a record of the step: "gear_2", "links.rod"; empty if there is none of that name.
   [[nodiscard]] virtual std::vector<Member> members(const std::string& path) const;
@@ -144,14 +144,14 @@ class Step {
   /// Solves for results only, with these inputs left open: results that depend on them are not available, or turn out
   /// to differ when the step is solved completely.
   virtual void solve_without(const std::set<std::string>& inputs, const Known& known);
-  /// The value at a path, after `solve`; nothing where there is none (an element that the list does not have).
+  /// The value at a path, after `solve`; nothing if there is none (an element that the list does not have).
   [[nodiscard]] virtual const Value* value(const std::string& path) const;
-  /// The value of an input before `solve`; nothing where that is not certain. `of` gives inputs of other steps.
+  /// The value of an input before `solve`; nothing if that is not certain. `of` gives inputs of other steps.
   /// `settled`: not one of several values either.
   using Beforehand = std::function<std::optional<Value>(const std::string& path)>;
   [[nodiscard]] virtual std::optional<Value> value_beforehand(const std::string& path, bool settled,
                                                               const Beforehand& of) const;
-  /// The choice, name or row at a path, after `solve`; empty where there is none.
+  /// The choice, name or row at a path, after `solve`; empty if there is none.
   [[nodiscard]] std::string word(const std::string& path) const;
   /// Results, else inputs, in a record or a list, each with the rest of its path.
   [[nodiscard]] std::vector<std::pair<std::string, const Entry*>> within(const std::string& path) const;
@@ -199,7 +199,7 @@ Form form_of(const Step& step, const std::string& path);
 const Axis* check_operands(const Reading& reading, const std::string& step, bool lifted, const Declared& declared,
                            std::vector<Issue>& issues);
 
-/// The value of an operand; nothing and an issue where its field refuses it.
+/// The value of an operand; nothing and an issue if its field refuses it.
 std::optional<Value> evaluate_operand(const Operand& operand, const std::string& step, const Known& known,
                                       std::vector<Issue>& issues);
 

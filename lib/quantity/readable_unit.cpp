@@ -6,7 +6,7 @@
 namespace loadpath {
 namespace {
 
-/// From which magnitude (SI) a unit is the habit of textbooks; the first row of a dimension serves where there is none.
+/// From which magnitude (SI) a unit is the habit of textbooks; the first row of a dimension serves if there is none.
 struct Habit {
   Dimension dimension;
   std::string_view unit;

@@ -54,7 +54,7 @@ bool tells_its_extremes(const Value& series);
 /// Whether its values differ by nothing but rounding. Not of a series that holds NaN.
 bool is_constant(const Value& series);
 
-/// Mean and root mean square over time on the closed cycle (trapezoid, end point counted once); NaN where the series
+/// Mean and root mean square over time on the closed cycle (trapezoid, end point counted once); NaN if the series
 /// is not a cycle.
 double mean(const Value& series);
 double root_mean_square(const Value& series);

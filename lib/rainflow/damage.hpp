@@ -22,7 +22,7 @@ class DamageSum : public Consumer {
 
   void take(const Batch& batch) override;
 
-  /// A Fault where it is beyond what numbers hold.
+  /// A Fault if it is beyond what numbers hold.
   [[nodiscard]] Outcome<double> total() const;
   /// How many cycles, halves as 0.5.
   [[nodiscard]] double cycles() const { return cycles_; }

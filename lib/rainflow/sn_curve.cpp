@@ -32,7 +32,7 @@ std::optional<Fault> fault_of(std::span<const SnCurve::Branch> branches, std::si
   return std::nullopt;
 }
 
-/// The one branch of a curve, with its end at `from`; none where the curve is another.
+/// The one branch of a curve, with its end at `from`; none if the curve is another.
 const SnCurve::Segment* one_branch(const SnCurve& curve) {
   const auto segments = curve.segments();
   return segments.size() == 1 && segments[0].from > 0.0 ? segments.data() : nullptr;
@@ -84,8 +84,7 @@ std::optional<double> SnCurve::cycles(double stress) const {
 }
 
 std::optional<double> SnCurve::stress(double cycles) const {
-  constexpr double rounding = 1.0 + 1e-9;  // rounding of a life summed over cycles: the end of a curve still belongs
-                                           // to it
+  constexpr double rounding = 1.0 + 1e-9;  // of a life summed over cycles: the end of a curve still belongs to it
   if (!is_positive(cycles)) return std::nullopt;
   for (const Segment& segment : segments_) {
     if (segment.from > 0.0 && cycles > rounding * segment.point.cycles) continue;

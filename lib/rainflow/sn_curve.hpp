@@ -43,11 +43,11 @@ class SnCurve {
   /// From the highest stresses down.
   [[nodiscard]] std::span<const Segment> segments() const { return segments_; }
 
-  /// The share of the life that one cycle of this stress (>= 0) takes, 1 / N; 0 where it never fails; finite.
+  /// The share of the life that one cycle of this stress (>= 0) takes, 1 / N; 0 if it never fails; finite.
   [[nodiscard]] double damage(double stress) const;
-  /// Cycles to failure; none where it never fails, or beyond what numbers hold.
+  /// Cycles to failure; none if it never fails, or beyond what numbers hold.
   [[nodiscard]] std::optional<double> cycles(double stress) const;
-  /// The stress that fails after so many cycles; none where none does.
+  /// The stress that fails after so many cycles; none if none does.
   [[nodiscard]] std::optional<double> stress(double cycles) const;
 
  private:

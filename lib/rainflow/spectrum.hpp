@@ -19,7 +19,7 @@ class Classes {
   static constexpr std::size_t most = 1024;
 
   Classes() = default;
-  /// `count` classes from `low` on, in the unit of the series. A Fault where the width is not above 0, or there are
+  /// `count` classes from `low` on, in the unit of the series. A Fault if the width is not above 0, or there are
   /// more than 1024.
   static Outcome<Classes> make(double low, double width, std::size_t count);
 

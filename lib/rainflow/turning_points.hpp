@@ -13,7 +13,7 @@
 
 namespace loadpath::rainflow {
 
-/// Why this sample, counted from 0, cannot be counted; `at` is its place. None where it can.
+/// Why this sample, counted from 0, cannot be counted; `at` is its place. None if it can.
 std::optional<Fault> refusal(double sample, std::uint64_t at);
 
 class TurningPoints {
@@ -25,7 +25,7 @@ class TurningPoints {
   /// there are; a Fault whose `at` is the sample, where one is not finite or beyond 8e307: after it the series is over.
   Outcome<std::size_t> feed(std::span<const double> samples, double* values, std::uint64_t* at = nullptr);
 
-  /// The last value of the series; none of an empty series, and none where all of it was one plateau.
+  /// The last value of the series; none of an empty series, and none if all of it was one plateau.
   std::size_t finish(double* value, std::uint64_t* at = nullptr) const;
 
   /// Samples so far.

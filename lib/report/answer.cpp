@@ -132,7 +132,7 @@ std::string reasons_text(const Step& step) {
   return all.empty() && !sizes_text(step).empty() ? say("given").text() : all;
 }
 
-/// The modes of one step, judged as strictly as the project is.
+/// The modes of one step, assessed as strictly as the project is.
 Modes modes_of(const Step& step, const Modes& all) {
   Modes own;
   std::copy_if(all.begin(), all.end(), std::back_inserter(own), [&](const Mode& m) { return m.step == step.name(); });
@@ -227,7 +227,7 @@ draw::Flow::Part part_of(const Step& step, const Modes& all) {
 
 namespace {
 
-/// Adds a step to the part that describes the same body; false where there is none.
+/// Adds a step to the part that describes the same body; false if there is none.
 bool join_body(const ChosenPart& part, std::vector<ChosenPart>& parts) {
   const auto same = std::find_if(parts.begin(), parts.end(), [&](const ChosenPart& other) {
     return !part.body.empty() && other.body == part.body;

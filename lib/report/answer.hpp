@@ -10,7 +10,7 @@
 
 namespace loadpath::report {
 
-/// A part that has a size, or a mode of failure with a utilisation.
+/// A part that has a size, or a failure mode with a utilisation.
 struct ChosenPart {
   std::string step;  // or the body that several steps describe
   std::string body = {};

@@ -54,7 +54,7 @@ Table result_table(const Account& account) {
   return table;
 }
 
-/// "segments[2].tau" or "torques.M1.x" in its parts; nothing where the path is none of an element.
+/// "segments[2].tau" or "torques.M1.x" in its parts; nothing if the path is none of an element.
 struct ElementPath {
   std::string list, element, field;
 };
@@ -156,7 +156,7 @@ void add_step(const Step& step, Detail detail, std::vector<Block>& blocks) {
     blocks.emplace_back(Verdicts{account.blocks.empty() ? folded(account.verdicts) : account.verdicts});
 }
 
-/// The inputs that the verdicts of a step follow from; none where no formula is written out.
+/// The inputs that the verdicts of a step follow from; none if no formula is written out.
 std::set<std::string> deciding_inputs(const Account& account) {
   std::set<std::string> paths;
   for (const account::Verdict& row : account.verdicts) {

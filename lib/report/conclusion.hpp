@@ -1,4 +1,4 @@
-// The outcome of all modes of failure in words, and the numbers of headings, tables and figures.
+// The outcome of all failure modes in words, and the numbers of headings, tables and figures.
 #pragma once
 
 #include "lib/report/document.hpp"

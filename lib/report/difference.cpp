@@ -38,7 +38,7 @@ bool same(const Value& a, const Value& b) {
   return true;
 }
 
-/// The value, of a series the largest in magnitude; NaN where there is none.
+/// The value, of a series the largest in magnitude; NaN if there is none.
 double peak_of(const Value& value) {
   double peak = std::numeric_limits<double>::quiet_NaN();
   for (const double x : value.si) {
@@ -74,7 +74,7 @@ std::string text_of(const Entry& entry) {
   return entry.value.is_series() ? "peak " + text : text;
 }
 
-/// Nothing where both say the same.
+/// Nothing if both say the same.
 std::optional<Difference> difference_of(const Entry& before, const Entry& after, bool is_input) {
   const bool words = !before.word.empty() || !after.word.empty();
   if (words ? before.word == after.word : same(before.value, after.value)) return std::nullopt;
@@ -132,7 +132,7 @@ void compare_typed(const Typed& before, const Typed& after, const std::string& p
 
 std::string word_of(account::State state) { return account::shown(state).text(); }
 
-/// "yield by u_tau", empty where no mode decides.
+/// "yield by u_tau", empty if no mode decides.
 std::string deciding_words(const account::Modes& modes) {
   const auto mode = deciding(modes);
   if (!mode) return {};

@@ -26,8 +26,8 @@ std::vector<account::Derived> deciding_lines(const account::Account& account);
 /// Inputs that were searched for, with what the search says of them: rows, sizes, loads.
 std::vector<const account::Entry*> chosen(const account::Account& account);
 
-/// The mode of failure that decides over a part: the worst, among like ones the most utilised; one that is open only
-/// where there is no other. Nothing where there is none.
+/// The failure mode that decides over a part: the worst, among like ones the most utilised; one that is open only
+/// if there is no other. Nothing if there is none.
 std::optional<account::Mode> deciding(const account::Modes& modes);
 
 /// The mode whose formulas explain the verdict of a part: a failing one, else the most utilised; nothing if none has

@@ -29,10 +29,10 @@ struct Lines {
   std::vector<std::string_view> lines;
 };
 
-/// Nothing where the text has no rows of this form.
+/// Nothing if the text has no rows of this form.
 std::optional<Lines> cut_lines(std::string_view text);
 
-/// The cells of an array on one line; false where it is not of this form. `cells` is used again and again.
+/// The cells of an array on one line; false if it is not of this form. `cells` is used again and again.
 bool read_line(std::string_view line, std::vector<Cell>& cells);
 
 /// The texts of such a cell: ["HE 100 A", "HEA100"].

@@ -5,7 +5,7 @@
 // that hold up to a `size_max`. `sources` are those of all values of a row or a step, `cite.KEY` those of the values it
 // lists, and `recalled` (a list, or true) marks the values that no source was seen for. A file of sizes has
 // `[[series]]` instead; `[sources]` are the citations. Rows that all give the same keys may be written as lines:
-// `columns` are the keys, and each of `rows` is an array of their values, "" where there is none.
+// `columns` are the keys, and each of `rows` is an array of their values, "" if there is none.
 #pragma once
 
 #include "lib/quantity/unit.hpp"
@@ -48,8 +48,7 @@ class Reader {
   struct Frame {
     std::vector<ReadColumn> units;
     Row defaults;
-    Credit credit;  // sources of values that a row gives itself: the default sources, without those of the default
-                    // values
+    Credit credit;  // of values that a row gives itself: the default sources, not those of the default values
   };
 
   /// A column of rows written as lines.
@@ -63,7 +62,7 @@ class Reader {
     Place place;
   };
 
-  /// False where there are lines and one of them is of another form.
+  /// False if there are lines and one of them is of another form.
   bool read_tree(const Tree& tree, const Lines* lines);
   void read_citations(const Tree& table, bool of_method);
   bool read_rows(const Tree& file, const Lines* lines);

@@ -22,7 +22,7 @@ struct Most {
   const char* why;
 };
 
-/// The area of the walls by the middle lines or rectangles of a kind; NaN where they are not known.
+/// The area of the walls by the middle lines or rectangles of a kind; NaN if they are not known.
 double area_of_walls(const SectionShape& s) {
   const double web = std::isnan(s.t_w) ? s.t_f : s.t_w, flange = std::isnan(s.t_f) ? web : s.t_f;
   if (!std::isnan(s.d)) return s.kind == "solid" ? pi / 4.0 * s.d * s.d : pi * web * (s.d - web);

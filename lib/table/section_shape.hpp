@@ -10,7 +10,7 @@
 
 namespace loadpath::table {
 
-/// SI; what is not known is NaN. The kind is a word of column.buckling, "rolled_I", "solid"; empty where it is not
+/// SI; what is not known is NaN. The kind is a word of column.buckling, "rolled_I", "solid"; empty if it is not
 /// said.
 struct SectionShape {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();

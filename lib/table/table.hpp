@@ -35,10 +35,8 @@ struct Row {
   std::string note;
   std::vector<Value> values;                        // at any size
   std::vector<Step> by_size;                        // ascending
-  bool own = false;                                 // table of the project: its sources are texts, not keys of
-                                                    // citations
-  std::map<std::string, std::string> because = {};  // project tables: the reason why a value is better than a
-                                                    // built-in one
+  bool own = false;                                 // project table: its sources are texts, not citation keys
+  std::map<std::string, std::string> because = {};  // project table: why a value is better than a built-in one
 };
 
 struct Column {
@@ -111,7 +109,7 @@ struct SizedProperty {
 };
 std::vector<SizedProperty> values_by_size(const Entry& entry, std::string_view key);
 
-/// The largest size that a property is given for: infinite where it holds at any, zero where the row has no such value.
+/// The largest size that a property is given for: infinite if it holds at any, zero if the row has no such value.
 double covered_size(const Entry& entry, std::string_view key);
 
 Outcome<const Series*> find_series(const Library& library, std::string_view name);

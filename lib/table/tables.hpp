@@ -31,7 +31,7 @@ class Tables {
     Property value;
     Dimension dimension;
   };
-  /// The value that an expression names, "tables.sections.\"IPE 330\".I_y"; a Fault where there is none, or where it
+  /// The value that an expression names, "tables.sections.\"IPE 330\".I_y"; a Fault if there is none, or where it
   /// depends on the size.
   [[nodiscard]] Outcome<Referred> value_at(std::string_view path) const;
 
@@ -43,10 +43,10 @@ class Tables {
 };
 
 /// The property by which the rows of a group are small or large, so that one can be searched for: the area of a
-/// section, the pitch of a chain. Empty where they have no such order.
+/// section, the pitch of a chain. Empty if they have no such order.
 std::string_view order_of(std::string_view group);
 
-/// The group of a word of `[tables]`, which is its plural too: "materials", "material". Empty where it is none of them.
+/// The group of a word of `[tables]`, which is its plural too: "materials", "material". Empty if it is none of them.
 std::string group_of(std::string_view word, const std::vector<std::string>& groups);
 
 /// The tables of a group as one: the columns of its rows, and the column with their sizes.

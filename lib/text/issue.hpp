@@ -91,7 +91,7 @@ enum class Severity { error, warning };
 
 struct Issue {
   Place place;
-  std::string key;  // the path of the field, "crankshaft.tau_adm"; empty where there is none
+  std::string key;  // the path of the field, "crankshaft.tau_adm"; empty if there is none
   Message message;
   Message hint;
   Severity severity = Severity::error;

@@ -7,10 +7,10 @@
 
 namespace loadpath {
 
-/// The first byte that is not part of well-formed UTF-8; npos where all is well.
+/// The first byte that is not part of well-formed UTF-8; npos if all is well.
 std::size_t first_invalid_byte(std::string_view text);
 
-/// The first control character, U+0000 to U+001F or U+007F to U+009F, that is not among `allowed`; npos where there is
+/// The first control character, U+0000 to U+001F or U+007F to U+009F, that is not among `allowed`; npos if there is
 /// none. Terminals obey them.
 std::size_t first_control(std::string_view text, std::string_view allowed);
 

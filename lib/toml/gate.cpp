@@ -19,7 +19,7 @@ std::string code_of(std::string_view text, std::size_t at) {
   return std::string("U+00") + digits[(point >> 4U) & 0x0FU] + digits[point & 0x0FU];
 }
 
-/// Behind the text in quotes that starts at `at`; npos where it is not closed.
+/// Behind the text in quotes that starts at `at`; npos if it is not closed.
 std::size_t behind_quotes(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool long_text = text.substr(at, 3) == std::string(3, quote);

@@ -120,7 +120,7 @@ Message hint_for(std::string_view line) {
              : Message{};
 }
 
-/// The quote of a text that is still open where the line ends; nothing where none is, or the text may have several
+/// The quote of a text that is still open where the line ends; nothing if none is, or the text may have several
 /// lines.
 std::optional<char> open_quote(std::string_view line) {
   if (line.find("\"\"\"") != std::string_view::npos || line.find("'''") != std::string_view::npos) return {};

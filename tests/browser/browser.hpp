@@ -29,7 +29,7 @@ class Browser {
   void open(const std::string& address);
   /// The value of an expression in the page; a promise is waited for.
   boost::json::value value(const std::string& expression);
-  /// Waits until an expression is true; false where it is not within minutes.
+  /// Waits until an expression is true; false if it is not within minutes.
   bool becomes_true(const std::string& expression);
 
  private:

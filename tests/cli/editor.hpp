@@ -26,7 +26,7 @@ class Editor {
   /// Says good bye, runs the server with all that was said, and keeps what it says.
   void run(bool says_good_bye = true);
 
-  /// The result of a request; the error where there is none.
+  /// The result of a request; the error if there is none.
   [[nodiscard]] const boost::json::value& answer(int id) const;
   /// The diagnostics of an address that came last.
   [[nodiscard]] boost::json::array diagnostics(const std::string& uri = address) const;

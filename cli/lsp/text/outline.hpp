@@ -33,7 +33,7 @@ struct Outline {
   std::vector<Header> headers;
   std::vector<Item> items;
 
-  /// The value whose key, text or quotes are at the offset; null where none is.
+  /// The value whose key, text or quotes are at the offset; null if none is.
   [[nodiscard]] const Item* at(std::size_t offset) const;
   [[nodiscard]] const Item* find(const Path& path) const;
   [[nodiscard]] const Header* header_at(std::size_t offset) const;
@@ -48,8 +48,7 @@ struct Spot {
   enum class In { key, header, text, value, comment, nothing };
   In in = In::nothing;
   Path path;              // for a key its table's path; for a value its own; none for a header
-  std::size_t begin = 0;  // start of the word being typed: the last part of a key, the text after its quote, a bare
-                          // value
+  std::size_t begin = 0;  // the word being typed: last part of a key, text after its quote, bare value
 };
 Spot spot_at(std::string_view text, std::size_t offset);
 

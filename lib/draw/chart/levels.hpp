@@ -20,7 +20,7 @@ struct InCell {
 };
 InCell cell_at(const Lattice& lattice, Point place);
 
-/// Between the four corners of the cell; NaN where one has none.
+/// Between the four corners of the cell; NaN if one has none.
 double between(const Lattice& lattice, const std::vector<double>& values, const InCell& in);
 
 /// Open and closed lines; none goes through a cell with a corner that has no value.

@@ -10,7 +10,7 @@ namespace loadpath::draw {
 
 struct MotionPictures {
   std::string scheme;  // <svg>: groups with data-carried, data-force, data-name, data-couple
-  std::string plan;    // <svg>: a group with data-plan for every link; empty where there is no plan
+  std::string plan;    // <svg>: a group with data-plan for every link; empty if there is no plan
   std::string data;    // JSON of numbers only: it cannot contain a user's text
 };
 

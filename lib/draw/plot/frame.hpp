@@ -34,9 +34,9 @@ class PlotFrame {
   /// On a page of its own, around these SI values and nothing else.
   PlotFrame(const Scale& x, const Scale& y, const Extent& across, const Extent& up);
 
-  /// The place of SI values; nothing where one is not available.
+  /// The place of SI values; nothing if one is not available.
   [[nodiscard]] std::optional<Point> place(double x, double y) const;
-  /// The place of a value on the left side; nothing where it is not available.
+  /// The place of a value on the left side; nothing if it is not available.
   [[nodiscard]] std::optional<Point> left_end(double y) const;
   /// The height of zero, or of the end of the range that is nearest to it.
   [[nodiscard]] double zero_line() const;

@@ -40,7 +40,7 @@ std::string points(std::string_view view_units) { return points(number(view_unit
 std::string name_of(const StyleColour& colour) { return "lp" + std::string(colour.variable.substr(2)); }
 std::string name_of(const StyleRule& rule) { return std::string(rule.selector.substr(1)); }
 
-/// The value of a declaration, empty where the rule has none of this name.
+/// The value of a declaration, empty if the rule has none of this name.
 std::string_view declared(const StyleRule& rule, std::string_view name) {
   for (const std::string_view declaration : split(rule.rest, ';')) {
     const std::size_t colon = declaration.find(':');

@@ -28,7 +28,7 @@ class Handle {
     return *this;
   }
 
-  /// False where the library could not.
+  /// False if the library could not.
   bool end() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
   [[nodiscard]] bool is_open() const { return id_ >= 0; }
   [[nodiscard]] hid_t operator*() const { return id_; }

@@ -16,7 +16,7 @@ class Hdf5File {
   /// Whether the program was built with HDF5 (LOADPATH_HDF5).
   static bool is_there();
 
-  /// A new file for all points of the plan. A Fault where it cannot be written.
+  /// A new file for all points of the plan. A Fault if it cannot be written.
   static Outcome<Hdf5File> create(const std::filesystem::path& path, const SweepPlan& plan, const StoredSweep& sweep);
   /// The next points. A Message where the file cannot be written.
   Message append(const project::SolvedBlock& block);

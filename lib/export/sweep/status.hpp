@@ -21,7 +21,7 @@ struct FolderStatus {
   [[nodiscard]] bool is_share() const { return first != 0 || end != points; }
 };
 
-/// A Fault where no sweep is in the folder, or its manifest cannot be read.
+/// A Fault if no sweep is in the folder, or its manifest cannot be read.
 Outcome<FolderStatus> status_of(const std::filesystem::path& folder);
 
 std::string json_of(const FolderStatus& status);

@@ -41,7 +41,7 @@ std::string fingerprint(std::string_view identity);
 class SweepStore {
  public:
   SweepStore() = default;
-  /// A new folder, or one in which a sweep was killed before it had a state; a Fault where there is something else in
+  /// A new folder, or one in which a sweep was killed before it had a state; a Fault if there is something else in
   /// it, another process is at work on it, or it cannot be written.
   static Outcome<SweepStore> create(const std::filesystem::path& folder, const SweepPlan& plan, StoredSweep sweep,
                                     Found none);

@@ -29,7 +29,7 @@ class Sensitivity {
   [[nodiscard]] std::span<const Parameter> parameters() const;
 
   /// At a solved position, with the drives and the loads of the position kept constant. `singular`: near a change
-  /// point, where there are no derivatives; `jams`: as reported by the solver. Where the direction of friction or the
+  /// point, if there are no derivatives; `jams`: as reported by the solver. Where the direction of friction or the
   /// loaded flank changes, the derivative is one-sided, on the side of the position. Does not allocate, apart from
   /// the scratch of an inverse.
   Status find(const Position& at, bool statics = false);

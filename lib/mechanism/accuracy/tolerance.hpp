@@ -19,8 +19,7 @@ namespace loadpath::mechanism {
 struct Output {
   enum class Kind { x, y, phi, effort, reaction };
   Kind kind = Kind::phi;
-  std::size_t index = 0;  // index of the link; effort: of the driver; reaction, the magnitude of its force: of the
-                          // joint
+  std::size_t index = 0;  // link; effort: driver; reaction (magnitude of its force): joint
   Vec point = {};         // point of the link, link frame, without tolerance: x and y
 
   /// m, rad, N m or N.
@@ -71,7 +70,7 @@ struct OutputError {
   double worst_high = 0.0;       // >= 0, likewise
   double deviation = 0.0;        // standard deviation, of independent numbers
   std::vector<double> shares{};  // df/dx t of each tolerance, signed; then of each clearance in any direction, >= 0
-  /// How far the worst corners, solved again, are from the linear ones, over the linear worst case; infinite where one
+  /// How far the worst corners, solved again, are from the linear ones, over the linear worst case; infinite if one
   /// does not close or the linear worst case is nothing.
   double curvature = 0.0;
   /// Worst cases and deviation come from mechanisms solved again.

@@ -179,7 +179,7 @@ void CycleColumns::read(std::size_t position, const Kept& what, Position& out) c
     out.loads[n] = courses_[n].empty() ? LoadNow{model_.loads[n].force, model_.loads[n].moment} : courses_[n][position];
 }
 
-/// False where some position is not clear.
+/// False if some position is not clear.
 bool CycleColumns::solve_in_lanes(std::span<const Drive> drives, bool statics) {
   const Chain* const chain = system_.chain();
   if (chain == nullptr || now_.empty()) return false;

@@ -84,8 +84,7 @@ class InducedForces {
   std::vector<InducedSource> sources_;
   std::vector<InducedMode> modes_;
   std::vector<double> amounts_, induced_, before_;
-  std::vector<Reaction> free_, by_, moved_;  // reactions of the sources: without any amount, at these, at
-                                             // neighbouring amounts
+  std::vector<Reaction> free_, by_, moved_;  // by source: at zero, at these, at neighbouring amounts
   std::vector<Reaction> influences_;         // per mode, the effect of a unit amount on each source
   double scale_ = 0.0;                       // N, of the reactions
   SmallLu newton_{0};

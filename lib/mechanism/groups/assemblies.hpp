@@ -31,7 +31,7 @@ struct Assemblies {
 
 inline constexpr std::size_t most_assemblies = 64;
 
-/// At the drives' coordinates of the assembly nearest to the stated poses; that one comes first. Empty where there is
+/// At the drives' coordinates of the assembly nearest to the stated poses; that one comes first. Empty if there is
 /// none. The model has passed `diagnose`.
 Assemblies assemblies(const Model& model);
 

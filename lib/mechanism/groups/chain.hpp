@@ -87,7 +87,7 @@ struct Chain {
 
 /// Whether it has neither springs nor joints whose reactions bring forces with them.
 bool is_chain(const Model& model);
-/// Nothing where the mechanism is not such a one.
+/// Nothing if the mechanism is not such a one.
 std::optional<Chain> chain_of(const Model& model, const Plan& plan);
 
 }  // namespace loadpath::mechanism

@@ -14,8 +14,8 @@ namespace loadpath::mechanism {
 
 inline constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// The sine below which a group is near its change point even if the drives hardly move; beyond it in proportion to
-/// their change, rad or parts of the mechanism's size. A change of `longest_way` is followed in small steps.
+/// The sine below which a group is near its change point; increased by the change of the drives, rad or parts of the
+/// mechanism's size. A change of `longest_way` is followed in small steps.
 inline constexpr double near_change = 0.1;
 inline constexpr double longest_way = 1.0;
 

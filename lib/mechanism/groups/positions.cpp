@@ -279,8 +279,7 @@ bool GroupPositions::slide_to_line(const GroupPlan& group, std::size_t mover, do
 // From the predicted coordinates; a step that is not much smaller than the one before leads to another assembly.
 bool GroupPositions::close_by_newton(std::size_t g, const Prediction& prediction) {
   constexpr double longest_move = 0.5, largest_correction = 0.2, exact = 1e-13, quadratic = 1e-7;
-  constexpr double setting_out = 0.3;  // share of the drives' change: a follower leaves its dwell faster than
-                                       // predicted
+  constexpr double setting_out = 0.3;  // by the drives' change: a follower leaves a dwell faster than predicted
   constexpr int most_steps = 8;
   const GroupPlan& group = plan_.groups[g];
   double way = 0.0;
@@ -315,7 +314,7 @@ void GroupPositions::place_turned(const GroupPlan& group) {
   place_tree(group);
 }
 
-/// The largest change that it makes; no number where the closing equations are singular.
+/// The largest change that it makes; no number if the closing equations are singular.
 double GroupPositions::newton_step(std::size_t g) {
   const GroupPlan& group = plan_.groups[g];
   place_turned(group);

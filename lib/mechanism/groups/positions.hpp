@@ -46,11 +46,11 @@ class GroupPositions {
   /// if a group does not close or comes so near to its change point that the move has to be followed in small steps;
   /// the state is then not an assembly.
   [[nodiscard]] bool move(std::span<const Drive> drives, double change, const Prediction& prediction);
-  /// Sets up the closing equations where the mechanism is. False where they are singular.
+  /// Sets up the closing equations where the mechanism is. False if they are singular.
   [[nodiscard]] bool factor();
 
   /// The search of assemblies (search.cpp): the drives' coordinates; then the groups one after the other, each
-  /// on its side +1 or -1 where it has a closed form, else by iteration from these unknown coordinates. False where
+  /// on its side +1 or -1 where it has a closed form, else by iteration from these unknown coordinates. False if
   /// that leads to no assembly.
   void aim(std::span<const Drive> drives);
   [[nodiscard]] bool close_on_side(std::size_t g, double branch);

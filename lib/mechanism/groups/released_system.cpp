@@ -12,7 +12,7 @@ namespace {
 
 // Relative to the unit of length, or rad: more than the rounding error of a closed joint.
 constexpr double closed = 1e-9;
-// Relative to the independence of the constraints when chosen: below it the release is chosen again.
+// Share of the grip when the release was chosen, below which it is chosen again.
 constexpr double enough = 0.3;
 
 Model without_drivers(Model model) {
@@ -87,7 +87,7 @@ void ReleasedSystem::Work::hold(std::span<const Drive> goal, const Position& at)
   held_drives.assign(goal.begin(), goal.end());
 }
 
-/// To the goal with the current release, else with one chosen at the current position, else in two halves.
+/// To the goal with the current release, else with one chosen at the current position, else half the move first.
 Status ReleasedSystem::Work::follow(std::span<const Drive> goal, bool statics, int halvings, Position& out) {
   Status status = system->solve(goal, out, statics);
   if (fits(status, out, enough * first_grip)) {

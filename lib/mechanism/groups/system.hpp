@@ -25,7 +25,7 @@ class GroupSystem {
   explicit GroupSystem(const Model& model);
   ~GroupSystem();
   GroupSystem(GroupSystem&&) noexcept;
-  /// Takes a model of the same structure, as if made from it. Allocates nothing where the mechanism is a chain of
+  /// Takes a model of the same structure, as if made from it. Allocates nothing if the mechanism is a chain of
   /// drives and dyads without springs and friction. It is to be assembled then.
   void take_dimensions(const Model& model);
 

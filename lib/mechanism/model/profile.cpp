@@ -117,7 +117,7 @@ double best_of_all(Measure measure) {
   return best;
 }
 
-/// Newton's iteration for a parameter, with steps held short; no number where it finds none, or leads to a place where
+/// Newton's iteration for a parameter, with steps held short; no number if it finds none, or leads to a place where
 /// the curve is farthest.
 template <class Step>
 double iterate(double parameter, Step step) {
@@ -134,7 +134,7 @@ double iterate(double parameter, Step step) {
   return Profile::anywhere;
 }
 
-/// From `start`; where there is none, or nothing is found from there, from the best place of all. No number where that
+/// From `start`; if there is none, or nothing is found from there, from the best place of all. No number where that
 /// leads nowhere.
 template <class Step, class Measure>
 double find(double start, Step step, Measure measure) {

@@ -24,8 +24,7 @@ struct Proof {
   std::array<double, methods> disagreement{};
   Residuals residuals;
   double unbalanced = 0.0;     // the largest residual of a link, N, moments likewise
-  double motion = 0.0;         // the largest error of positions, velocities and accelerations, of the full system,
-                               // `motion.hpp`
+  double motion = 0.0;         // maximum error of positions, velocities and accelerations, `motion.hpp`
   double largest_force = 0.0;  // largest of reactions, efforts and active forces, N, moments likewise
   double condition = 1.0;      // number of the position, 1-norm, at least 1
 

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t freedoms_of_link = 3;  // degrees of freedom of a link in the plane
 constexpr int nobody = -2;
 
-/// One constraint equation and the links in it. `ground` where there is none.
+/// One constraint equation and the links in it. `ground` if there is none.
 struct Equation {
   std::array<int, 2> links;
   int holds = nobody;  // the link that it was given to

@@ -72,7 +72,7 @@ Finding wrong_number_of_drivers(const Model& model, const Structure& structure) 
   return {Finding::About::model, 0, std::move(message), std::move(hint)};
 }
 
-/// The pin about which a link spins that is nothing but the roller of a cam; nullptr where it is more than that.
+/// The pin about which a link spins that is nothing but the roller of a cam; nullptr if it is more than that.
 const Joint* pin_of_roller(const Model& model, std::size_t k) {
   const int link = static_cast<int>(k);
   const Joint *pin = nullptr, *cam = nullptr;

@@ -24,13 +24,13 @@ class FreeMechanism {
   void go_to(std::span<const double> q);
   void shift(std::span<const double> by);
   /// Goes to the nearest coordinates at which all joints are closed and all drivers where they should be, by steps of
-  /// least norm. False where there are none near.
+  /// least norm. False if there are none near.
   bool close() { return close_without({}, {}); }
   /// The same as if these rows of the constraints were not there; these coordinates stay where they are as long as
   /// others can do it.
   bool close_without(std::span<const std::size_t> rows, std::span<const std::size_t> reluctant);
   /// Moves along all of its motions at once, unequally, so that no symmetry is kept, by about this much (rad, or parts
-  /// of the unit of length), and closes. False where that leads nowhere.
+  /// of the unit of length), and closes. False if that leads nowhere.
   bool move_on(double by);
 
   /// Motions that no constraint stops: 3 entries for each link.

@@ -113,7 +113,7 @@ class Chain {
         std::count_if(edges_.begin(), edges_.end(), [=](const Edge& e) { return e.a == member || e.b == member; }));
   }
 
-  /// The number of members in the shortest loop inside the chain through this joint; 0 where there is none.
+  /// The number of members in the shortest loop inside the chain through this joint; 0 if there is none.
   [[nodiscard]] int shortest_loop(std::size_t through) const {
     const Edge& start = edges_[through];
     if (start.a == outside || start.b == outside) return 0;

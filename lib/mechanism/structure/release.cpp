@@ -78,7 +78,7 @@ bool takes_part(const NullSpace& self_stresses, const Pair& pair) {
   return false;
 }
 
-/// The model with the one constraint less that it misses least; nothing where each is missed.
+/// The model with the one constraint less that it misses least; nothing if each is missed.
 std::optional<Model> release_one(const Model& model, const FreeMechanism& free, const NullSpace& self_stresses) {
   constexpr double firm = 1e-6;
   const std::size_t rank = free.constraints().rows() - self_stresses.size();

@@ -22,7 +22,7 @@ std::vector<Uniqueness> uniqueness(const Model& model);
 
 /// The same mechanism, without self-stress: of one joint of each set that shares a constraint too many, one constraint
 /// is left out, so that what stays holds as firmly as can be at these poses. It moves as the given one does; the
-/// reactions that are unique are those of the given one. The joints keep their places in the model. Nothing where
+/// reactions that are unique are those of the given one. The joints keep their places in the model. Nothing if
 /// every choice would leave it loose.
 std::optional<Model> release(const Model& model, std::span<const Pose> poses);
 

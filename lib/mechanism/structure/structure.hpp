@@ -51,7 +51,7 @@ Structure analyse(const Model& model);
 /// Empty when the model can be solved at its stated assembly. Mobility 0 without drivers is legal: statics. So are
 /// joints that hold too much, where that can be released and no friction hangs on a reaction that is not unique.
 std::vector<Finding> diagnose(const Model& model);
-/// Gives the structure too; it is empty where the model has not passed `check_parts`.
+/// Gives the structure too; it is empty if the model has not passed `check_parts`.
 std::vector<Finding> diagnose(const Model& model, Structure& structure);
 
 /// The sets of `redundant`, each once, with how many freedoms too many they hold.

@@ -11,8 +11,7 @@ namespace loadpath::mechanism {
 
 struct CamState {
   double pressing = 0.0;  // contact force, N, of the cam on the follower; negative: contact would be lost
-  double sliding = 0.0;   // sliding velocity, m/s, of the follower on the cam, counter-clockwise round it; a roller's
-                          // surface is at rest
+  double sliding = 0.0;   // m/s, of the follower on the cam, counter-clockwise round it; 0 for a roller's surface
   /// The angle between the normal of the contact and the path of the follower's point, rad, 0 to pi/2; none if no pin
   /// or slide of the follower determines that path.
   std::optional<double> pressure_angle;

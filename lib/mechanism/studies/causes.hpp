@@ -27,7 +27,7 @@ class CauseSplit {
 
   /// All that the model can have: weights first, then links, loads, springs and joints in their order.
   [[nodiscard]] std::span<const Cause> causes() const { return causes_; }
-  /// Splits a solved position. False where the position is singular to rounding. Takes no memory.
+  /// Splits a solved position. False if the position is singular to rounding. Takes no memory.
   [[nodiscard]] bool find(const Position& at, bool statics = false);
   /// The reactions, at the position's pins, and the efforts due to one cause. Induced forces are taken at their
   /// amounts there, and count with the joint that induces them.

@@ -21,7 +21,7 @@ class PositionFunctions {
   PositionFunctions& operator=(const PositionFunctions&) = delete;
 
   /// From the poses of `at`, an assembly, its velocities and accelerations as the first and second derivatives with
-  /// respect to a drive's coordinate, the others holding still: rad and m per rad, or per m. False where the drives
+  /// respect to a drive's coordinate, the others holding still: rad and m per rad, or per m. False if the drives
   /// cannot hold the mechanism.
   [[nodiscard]] bool derive(Position& at, std::size_t driver = 0);
   /// The sign of the determinant of a group's closing equations, in order of attachment, where it was derived last:

@@ -31,7 +31,7 @@ class Reduction {
  public:
   /// The model is referred to: its loads may change between positions.
   explicit Reduction(const Model& model);
-  /// At a position, of which poses count, and for what is induced the reactions. Nothing where the drive cannot move
+  /// At a position, of which poses count, and for what is induced the reactions. Nothing if the drive cannot move
   /// the mechanism, at a dead point. Takes no memory.
   [[nodiscard]] std::optional<Reduced> find(const Position& at, std::size_t driver = 0);
   /// The same where it is known how the drive moves the mechanism, as PositionFunctions derives it.

@@ -57,7 +57,7 @@ class Finder {
  public:
   Finder(const Model& model, const Course& course) : model_(model), course_(course), near_(model) {}
 
-  /// Nothing where it does not move.
+  /// Nothing if it does not move.
   std::optional<Stroke> find(Stroke::Of of, std::size_t index, double unit) {
     Stroke stroke{.of = of, .index = index};
     motions_.clear();

@@ -63,7 +63,7 @@ void sort_groups(std::vector<Group>& groups, const std::vector<std::string>& ord
   }
 }
 
-/// The field that keys lead to; names of elements lead nowhere. Null where a key is none of them.
+/// The field that keys lead to; names of elements lead nowhere. Null if a key is none of them.
 const FieldInfo* field_at(std::span<const FieldInfo> fields, const std::vector<std::string>& keys) {
   const FieldInfo* at = nullptr;
   for (const std::string& key : keys) {

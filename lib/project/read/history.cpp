@@ -93,7 +93,7 @@ class Turns {
  public:
   explicit Turns(Kept kept) : kept_(kept) {}
 
-  /// None where all is well.
+  /// None if all is well.
   std::optional<Fault> take(std::span<const double> samples) {
     if (kept_ == Kept::all) return take_all(samples);
     values_.resize(count_ + samples.size() + 4);
@@ -105,7 +105,7 @@ class Turns {
       return told(say("it turns more than {1} times", std::to_string(most_turns)), say("cut it, and count its parts"));
     return std::nullopt;
   }
-  /// None where there is a history.
+  /// None if there is a history.
   std::optional<Fault> finish(const Message& what) {
     if (kept_ == Kept::turns) count_ += turning_points_.finish(values_.data() + count_, at_.data() + count_);
     values_.resize(count_);

@@ -93,8 +93,7 @@ struct Reading {
   Record record;
   Record parameters;  // parameters of the template that laid the record out; without type if there is none
   std::vector<Operand> operands;
-  std::vector<Operand> whole;  // operands of single record values that the step derives from all positions of a
-                               // series
+  std::vector<Operand> whole;  // single values of the record, derived from all positions of a series
   std::vector<Taken> taken;
   std::vector<Taken> records;     // that are among the operands and the words now, field by field
   std::vector<TypedBeside> kept;  // typed, though a record has it too

@@ -131,7 +131,7 @@ class Rows {
     return std::nullopt;
   }
 
-  /// The first column whose cells are numbers without a unit that its field has; null where there is none.
+  /// The first column whose cells are numbers without a unit that its field has; null if there is none.
   [[nodiscard]] const Column* without_unit(std::string_view line) const {
     const auto cells = cells_of(line, separator_);
     for (std::size_t k = 0; k < std::min(cells.size(), columns_.size()); ++k) {

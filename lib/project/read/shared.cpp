@@ -302,8 +302,7 @@ void Values::read_several(const std::string& name, Shared& shared) {
     si = one->si[0];
     return true;
   };
-  const auto silent = [](const Place&, const Message&, const Message&) {};  // the caller reports that it is not a
-                                                                            // literal
+  const auto silent = [](const Place&, const Message&, const Message&) {};  // the caller reports a non-literal
   const auto of_first = [&](const Tree& text) {
     const auto one = literal_of(text);
     return one ? one->signature.dimension : Dimension{};

@@ -36,9 +36,9 @@ class Values {
 
   /// The tree with values in place of bare references. Unknown names become issues.
   [[nodiscard]] toml::Tree in_place(const toml::Tree& tree, std::vector<Issue>& issues);
-  /// The literal of a name, for an expression; a Fault where there is none.
+  /// The literal of a name, for an expression; a Fault if there is none.
   [[nodiscard]] Outcome<Signature> signature(const std::string& name);
-  /// Null where there is none.
+  /// Null if there is none.
   [[nodiscard]] const Value* literal(const std::string& name) const;
   /// The same, of one that no sweep gives other values, calculated or not.
   [[nodiscard]] const Value* fixed(const std::string& name) const;

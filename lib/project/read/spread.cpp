@@ -42,7 +42,7 @@ bool Many::has_only(const std::vector<std::string>& keys) const {
   return true;
 }
 
-/// Nothing where the key is missing, or its value refused.
+/// Nothing if the key is missing, or its value refused.
 std::optional<double> Many::value(std::string_view key) const {
   const auto* entry = tree.find(key);
   double si = 0.0;

@@ -38,7 +38,7 @@ std::optional<sweep::Axis> read_grid(const toml::Tree& tree, const Dimension& di
 std::optional<sweep::Distribution> read_uncertain(const toml::Tree& tree, const Dimension& dimension, const ToSi& to_si,
                                                   const Refuse& refuse);
 
-/// { each = "R40" }: the stock; empty where the tree is none.
+/// { each = "R40" }: the stock; empty if the tree is none.
 std::string stock_of(const toml::Tree& tree);
 
 }  // namespace loadpath::project

@@ -20,7 +20,7 @@ static bool all_whole(const sweep::Axis& axis) {
   return true;
 }
 
-/// One value of several, with the field's own checks; false where it is refused.
+/// One value of several, with the field's own checks; false if it is refused.
 bool Reader::read_one(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path, double& si) {
   const auto errors = [this] {
     return std::count_if(issues_.begin(), issues_.end(), [](const Issue& i) { return i.severity == Severity::error; });

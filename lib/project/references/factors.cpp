@@ -59,9 +59,7 @@ Factors factors_at(const Project& project, const std::string& path) {
   const Step* const step = project.find(name);
   const FieldInfo* const field = step == nullptr ? nullptr : step->field(rest);
   if (step == nullptr) return {};
-  if (field == nullptr)
-    return step->loads().factors;  // result of a mechanism: its reactions include the factors of
-                                   // its loads
+  if (field == nullptr) return step->loads().factors;  // mechanism: its reactions include the factors of its loads
   Factors held;
   const auto add = [&](const std::string& key, const std::string& of) {
     if (const double factor = input_of(*step, key); counts(factor)) held[of] = factor;

@@ -40,7 +40,7 @@ void set(Step& step, const Found& found, std::vector<Issue>& issues) {
   step.remark(say("idler = {1}: that gear is one of '{2}' too", word, found.other));
 }
 
-/// A number as far as it is known before the project is solved; NaN where it is not.
+/// A number as far as it is known before the project is solved; NaN if it is not.
 double number_of(const Step& step, const std::string& key) {
   const Reading& reading = step.input().reading;
   for (const Operand& operand : reading.operands) {

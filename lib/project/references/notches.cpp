@@ -17,7 +17,7 @@ namespace {
 /// Lowest notch sensitivity (cast iron); agreement of shape factors from charts and formulas.
 constexpr double least_sensitivity = 0.2, agreement = 0.9;
 
-/// A factor of a step by its full path; NaN where there is none.
+/// A factor of a step by its full path; NaN if there is none.
 struct Factor {
   std::string path;
   double value = std::nan("");

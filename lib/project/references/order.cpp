@@ -92,7 +92,7 @@ class Ordering {
     }
   }
 
-  /// The input of a step that takes the path, where it can wait; empty where none can.
+  /// The input of a step that takes the path, where it can wait; empty if none can.
   [[nodiscard]] std::string waiting_operand(std::size_t i, const Edge& edge) const {
     const std::string rest = split_step(edge.path).second;
     const Step& source = *project_.steps[edge.to];

@@ -12,7 +12,7 @@ namespace loadpath::project {
 /// this one: the yield strength of a shaft whose size hangs on the notch of its key (Pass::without).
 void put_in_order(Project& project, std::vector<Issue>& issues);
 
-/// The value of an input before its step is solved: typed, of a row, or of such inputs; nothing where it has none.
+/// The value of an input before its step is solved: typed, of a row, or of such inputs; nothing if it has none.
 std::optional<Value> value_beforehand(const Project& project, const std::string& path);
 
 }  // namespace loadpath::project

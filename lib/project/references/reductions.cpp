@@ -25,7 +25,7 @@ bool is_of_loads(const Dimension& dimension) {
 /// The last name of a path: "sigma_max" of "others[2].sigma_max".
 std::string last_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
-/// The reduction that a field is by its definition: "amplitude"; empty where it is the load itself.
+/// The reduction that a field is by its definition: "amplitude"; empty if it is the load itself.
 std::string reduction_of(const Calculator& calculator, const std::string& path) {
   const std::string key = last_of(path);
   for (const Meaning& meaning : calculator.meanings) {

@@ -1,4 +1,4 @@
-// How an evaluation comes out: verdicts on its checks and limits, and what they say of the modes of failure.
+// How an evaluation comes out: verdicts on its checks and limits, and what they say of the failure modes.
 #pragma once
 
 #include "lib/project/run/typed_values.hpp"

@@ -39,7 +39,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The largest value of a column, which is that of the least size; NaN where the row has none.
+/// The largest value of a column, which is that of the least size; NaN if the row has none.
 double largest_in_row(const table::Entry& row, std::string_view column) {
   if (const auto same = table::property(row, column)) return same->si;
   double most = unknown;
@@ -137,7 +137,7 @@ void add_records_beside(const Evaluation& evaluation, const Known& known, std::v
   }
 }
 
-/// The material that the step names; empty where it names none.
+/// The material that the step names; empty if it names none.
 std::string named_material(const Inputs& inputs) {
   const auto named = inputs.rows().find("material");
   return named == inputs.rows().end() ? "" : named->second.text;

@@ -27,7 +27,7 @@ struct WeighedValues {
 bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::vector<Issue>& issues);
 
 /// Keeps the justification of each more favourable value, or holds back the modes that it decides. An unnecessary
-/// justification is an issue where unused inputs are reported.
+/// justification is an issue if unused inputs are reported.
 WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results, const Known& known,
                                  const Wanted& wanted, std::vector<Issue>& issues);
 

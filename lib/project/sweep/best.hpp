@@ -35,8 +35,7 @@ struct Best {
   std::string unit;                 // unit of the objective
   std::vector<Demand> demands;
   sweep::Optimum optimum;      // over the chosen ones; its outputs are the objective, then the demands
-  std::vector<Message> lacks;  // per neighbour, the reason for a missing value of the violated constraint; empty if
-                               // it has one
+  std::vector<Message> lacks;  // per neighbour, why the violated constraint has no value; empty if it has one
 };
 
 /// Inputs with values, words and stocks are chosen from these, { min, max } from the interval; other uncertain inputs

@@ -38,7 +38,7 @@ std::optional<Kind> kind_of_word(std::string_view word) {
   return std::nullopt;
 }
 
-/// "rod", "buckling", "utilisation" of "rod.modes.buckling.utilisation"; false where the text speaks of no verdict.
+/// "rod", "buckling", "utilisation" of "rod.modes.buckling.utilisation"; false if the text speaks of no verdict.
 bool read_verdict(const std::string& text, const Project& project, SweptResult& column) {
   const std::size_t last = text.rfind('.');
   if (const auto kind = kind_of_word(text)) {

@@ -16,7 +16,7 @@ struct SweptResult {
     expression,   // expression over results: "rod.mass", "peak(lever.drive.M)"
     state,        // state of the project, a step or a mode: a number of account::State
     utilisation,  // the largest of it; of modes that have none NaN
-    passes        // 1 where all that applies is judged or accepted, else 0
+    passes        // 1 where all that applies is assessed or accepted, else 0
   };
   Kind kind = Kind::expression;
   std::string name;  // name of the column
@@ -38,7 +38,7 @@ Outcome<SweptResult> read_column(const std::string& text, Project& project);
 /// The columns read at every point: state and utilisation of the project, then of every failure mode.
 std::vector<SweptResult> verdict_columns(const Project& project);
 
-/// The modes of failure that a step may have, in the order of its calculator.
+/// The failure modes that a step may have, in the order of its calculator.
 std::vector<std::string> modes_of(const Step& step);
 
 }  // namespace loadpath::project

@@ -77,8 +77,7 @@ void Variants::solve_batch(std::span<const double* const> in, std::span<double* 
   for (const double*& column : from_) column += start;
   for (double*& column : to_) column += start;
   if (way_ == Way::columns) solve_columns(from_, to_, count);
-  if (points_.axes_differ && !one_alone) {  // their series have other positions, and are published one by one from
-                                            // now on
+  if (points_.axes_differ && !one_alone) {  // other positions of the series: one by one from now on
     for (std::size_t row = 0; row < count; ++row) solve_batch(in, out, start + row, 1);
     return;
   }

@@ -128,7 +128,7 @@ std::string_view Expression::unsigned_part(const Declared& declared) const {
 
 namespace {
 
-/// False where it grows out of bounds.
+/// False if it grows out of bounds.
 bool write_into(Node& node, const std::function<const Node*(const std::string&)>& by, std::size_t& count) {
   const Node* const other = node.operation == Operation::reference ? by(node.path) : nullptr;
   if (other != nullptr) {

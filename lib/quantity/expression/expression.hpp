@@ -39,9 +39,9 @@ using Factors = std::map<std::string, double>;
 using FactorsOf = std::function<Factors(const std::string& path)>;
 /// "chain.K_A": "K_A".
 std::string kind_of(const std::string& factor);
-/// The factor of this kind; empty where there is none.
+/// The factor of this kind; empty if there is none.
 std::string of_kind(const Factors& factors, const std::string& kind);
-/// One of these that has no equal among the others; empty where every one has.
+/// One of these that has no equal among the others; empty if every one has.
 std::string without_equal(const Factors& factors, const Factors& others);
 
 /// The reduction of the series that a value depends on.
@@ -108,7 +108,7 @@ class Expression {
   /// The value. A result that is not finite is NaN (never an infinity).
   [[nodiscard]] Value evaluate(const Known& known) const;
   /// The same, to the bit, where every reference is one value, for many points at once: `column` gives the n values of
-  /// a path. False where it takes a place of a series.
+  /// a path. False if it takes a place of a series.
   bool evaluate(const Column& column, std::span<double> out) const;
 
  private:

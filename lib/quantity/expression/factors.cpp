@@ -41,7 +41,7 @@ Held raised_to(const Held& base, double exponent) {
   return powers;
 }
 
-/// The kind that counts more than once; empty where none does.
+/// The kind that counts more than once; empty if none does.
 std::string counted_twice(const Powers& powers) {
   std::map<std::string, double> sums;
   for (const auto& [identity, raised] : powers) sums[identity.first] += std::max(raised.power, 0.0);
@@ -49,7 +49,7 @@ std::string counted_twice(const Powers& powers) {
   return most == sums.end() ? "" : most->first;
 }
 
-/// A factor of these that the others do not hold, or in another power; empty where they hold all.
+/// A factor of these that the others do not hold, or in another power; empty if they hold all.
 std::string more_than(const Powers& others, const Powers& powers) {
   for (const auto& [identity, raised] : powers) {
     const auto other = others.find(identity);

@@ -44,7 +44,7 @@ struct Function {
   IntervalJet (*bounds_of_two)(const IntervalJet&, const IntervalJet&) = nullptr;
 };
 
-/// Null where no function has the name.
+/// Null if no function has the name.
 const Function* find_function(std::string_view name);
 std::vector<std::string> function_names();
 

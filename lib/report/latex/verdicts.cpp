@@ -1,4 +1,4 @@
-// Verdicts, and how the machine's modes of failure came out.
+// Verdicts, and how the machine's failure modes came out.
 #include "lib/quantity/format.hpp"
 #include "lib/report/conclusion.hpp"
 #include "lib/report/latex/tex.hpp"

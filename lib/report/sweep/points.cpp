@@ -76,7 +76,7 @@ std::vector<std::uint64_t> numbers_of_cloud(const SweepPlan& plan, const Found& 
   return {numbers.begin(), numbers.end()};
 }
 
-/// Places of an axis in rising order of their values; none where two values are equal.
+/// Places of an axis in rising order of their values; none if two values are equal.
 std::vector<std::uint64_t> rising_places(const SweptInput& input, std::size_t wanted) {
   std::vector<std::uint64_t> places = spread_out(input.axis.size(), wanted);
   const auto value = [&](std::uint64_t i) { return input.axis.at(i); };

@@ -1,4 +1,4 @@
-// Rows of the terminal's columns: values, lines of a calculation, modes of failure.
+// Rows of the terminal's columns: values, lines of a calculation, failure modes.
 #pragma once
 
 #include "lib/account/account.hpp"

@@ -47,7 +47,7 @@ const Mode* find_mode(const Step& step, const std::string& id) {
   return found == modes.end() ? nullptr : &*found;
 }
 
-/// A mode of failure, a value, or a mode of the calculator that does not concern this part; none where there is no
+/// A failure mode, a value, or a mode of the calculator that does not concern this part; none if there is no
 /// such.
 std::vector<Row> rows_about(const Step& step, const std::string& name) {
   if (const Mode* const mode = find_mode(step, name)) return {mode_row(*mode, mode->id)};

@@ -7,7 +7,7 @@
 
 namespace loadpath::terminal {
 
-/// The mode of failure that decides over every step.
+/// The failure mode that decides over every step.
 void show_deciding(const project::Project& project);
 
 /// The derivation of a value or a failure mode: the formulas that lead there and their inputs. `of` empty: all modes

@@ -22,7 +22,7 @@ class NpyColumn {
   static Outcome<NpyColumn> open(const std::filesystem::path& path, std::uint64_t rows = 0);
 
   [[nodiscard]] bool append(std::span<const double> values);
-  /// Everything that was appended is on the disk afterwards; false where that cannot be.
+  /// Everything that was appended is on the disk afterwards; false if that cannot be.
   [[nodiscard]] bool flush();
   [[nodiscard]] std::uint64_t rows() const { return rows_; }
 
@@ -34,7 +34,7 @@ class NpyColumn {
   std::uint64_t rows_ = 0;
 };
 
-/// Everything that was written to the file is on the disk afterwards; false where that cannot be.
+/// Everything that was written to the file is on the disk afterwards; false if that cannot be.
 bool flush_to_disk(std::FILE* file);
 
 /// Passes on the numbers of such a file, some at a time, until `take` ends it with false. Returns the error in the

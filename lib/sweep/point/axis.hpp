@@ -28,7 +28,7 @@ class Axis {
  private:
   std::vector<double> values_;  // values of a list; empty if they are computed
   double from_ = 0.0, to_ = 0.0;
-  double step_ = 0.0;  // zero where the ends and the number are given
+  double step_ = 0.0;  // zero if the ends and the number are given
   double last_ = 0.0;  // the value at size - 1
   std::uint64_t size_ = 1;
 };

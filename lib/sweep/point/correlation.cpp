@@ -43,7 +43,7 @@ std::optional<Fault> fault_of_entries(const Matrix& R, const std::vector<std::st
   return std::nullopt;
 }
 
-/// The rows up to the first that leaves nothing of its variable; all of them where there is none.
+/// The rows up to the first that leaves nothing of its variable; all of them if there is none.
 std::size_t root_of(const Matrix& R, std::vector<double>& root) {
   root.assign(R.size * R.size, 0.0);
   for (std::size_t i = 0; i < R.size; ++i) {

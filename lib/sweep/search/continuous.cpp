@@ -87,8 +87,7 @@ void Descent::look(const double* x) {
 }
 
 void Descent::differentiate(const double* x) {
-  constexpr double h = 1e-6;  // relative to the range: its square, the truncation error of differences, is near their
-                              // rounding error
+  constexpr double h = 1e-6;  // share of the range: the truncation error, h^2, is near the rounding error
   const std::span here(x, free.size());
   if (std::equal(here.begin(), here.end(), sloped.begin(), sloped.end())) return;
   std::vector<Places> around;

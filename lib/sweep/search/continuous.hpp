@@ -11,7 +11,7 @@ enum class Care {
 };
 
 /// The best point that a descent from `start` saw, `start` included; a local optimum. Gradients are central
-/// differences, and steer by the utilisations (SLSQP and COBYLA of NLopt); what counts as best is judged with all
+/// differences, and steer by the utilisations (SLSQP and COBYLA of NLopt); what counts as best is assessed with all
 /// constraints. `scale` is the usual size of the objective.
 [[nodiscard]] Trial descended(Trials& trials, const Trial& start, double scale, Care care);
 

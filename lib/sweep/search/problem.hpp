@@ -59,7 +59,7 @@ struct Standing {
 /// The rank of a point with these outputs.
 [[nodiscard]] Standing judge(const Problem& problem, std::span<const double> outputs);
 
-/// By how much a value of this output breaks it; 0 where it does not, infinity where the value is not finite.
+/// By how much a value of this output breaks it; 0 if it does not, infinity where the value is not finite.
 [[nodiscard]] double excess(Constraint::Kind kind, double value);
 
 /// The same of one constraint of a problem.

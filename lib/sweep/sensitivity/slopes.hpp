@@ -24,7 +24,7 @@ struct Slope {
   Kind kind = Kind::none;
   double value, error;  // the error is estimated, and absolute
   double below, above;  // slopes on each side; NaN if not available
-  double elasticity;    // relative change of the output to that of the input; NaN where the output is 0
+  double elasticity;    // relative change of the output to that of the input; NaN if the output is 0
 };
 
 struct Slopes {

@@ -10,8 +10,8 @@ namespace loadpath::sweep {
 struct Bar {
   std::size_t input = 0;
   double low = 0.0, high = 0.0;  // the output at the low and at the high value
-  double swing = 0.0;  // the largest less the smallest of both and of the base; NaN where one is not available
-  bool turns = false;  // the output at the base does not lie between both
+  double swing = 0.0;            // the largest less the smallest of both and of the base; NaN if one is not available
+  bool turns = false;            // the output at the base does not lie between both
 };
 
 struct Tornado {

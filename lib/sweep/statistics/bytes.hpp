@@ -35,7 +35,7 @@ class Reader {
     return found;
   }
   double real() { return std::bit_cast<double>(number()); }
-  /// How many things of so many numbers each follow; none where there is no room for them.
+  /// How many things of so many numbers each follow; none if there is no room for them.
   std::uint64_t count(std::uint64_t numbers_each) {
     const std::uint64_t found = number();
     return found <= bytes_.size() / 8 / numbers_each ? found : fail();

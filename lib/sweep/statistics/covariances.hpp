@@ -23,7 +23,7 @@ class Covariances {
   [[nodiscard]] std::size_t size() const { return means_.size(); }
   [[nodiscard]] double mean(std::size_t i) const;
   [[nodiscard]] double covariance(std::size_t i, std::size_t j) const;
-  /// NaN where one of the two does not vary.
+  /// NaN if one of the two does not vary.
   [[nodiscard]] double correlation(std::size_t i, std::size_t j) const;
 
   void store(Writer& writer) const;

@@ -55,7 +55,7 @@ class Ranks {
   [[nodiscard]] std::uint64_t count() const { return count_; }
   /// The value of rank 0 ... count() - 1.
   [[nodiscard]] double at(std::uint64_t rank) const;
-  /// With linear interpolation between ranks p (n - 1), as numpy and R (type 7) do it; NaN where there are no values.
+  /// With linear interpolation between ranks p (n - 1), as numpy and R (type 7) do it; NaN if there are no values.
   [[nodiscard]] double quantile(double p) const;
   /// The bounds of the quantile with this confidence; NaN on a side where the sample is too small.
   [[nodiscard]] Interval quantile_bounds(double p, double confidence) const;

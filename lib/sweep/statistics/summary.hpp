@@ -26,7 +26,7 @@ class Summary {
   [[nodiscard]] std::uint64_t count() const { return count_; }      // number of finite values
   [[nodiscard]] std::uint64_t missing() const { return missing_; }  // number of points without one
   [[nodiscard]] Moments moments() const { return moments_.total(); }
-  [[nodiscard]] Extreme min() const { return min_; }  // NaN where there is no value
+  [[nodiscard]] Extreme min() const { return min_; }  // NaN if there is no value
   [[nodiscard]] Extreme max() const { return max_; }
   [[nodiscard]] Ranks ranks() const { return Ranks(sketch_); }
 

@@ -215,7 +215,7 @@ void OwnReader::check_sign(const Value& value, const Column& column, std::string
   complain(place, value.key, say("{1} = {2}: must be > 0", value.key, format_quantity(value.si, column.unit)));
 }
 
-/// The value in SI; NaN and an issue where it is none of the column.
+/// The value in SI; NaN and an issue if it is none of the column.
 double OwnReader::read_quantity(const Tree& tree, const Column& column, const std::string& key) {
   const bool number = tree.type == Tree::Type::number;
   if (!number && tree.type != Tree::Type::text) {

@@ -37,7 +37,7 @@ class OwnReader {
   void read_value(const Tree::Entry& entry, const Table& table, const std::string& key, std::vector<Value>& values);
   void read_sizes(const Tree& tree, const Table& table, const std::string& key, Row& row);
   void read_size(const Tree& tree, const Table& table, const std::string& key, Row& row);
-  /// An issue where a value is zero or less, and those of the built-in rows never are.
+  /// An issue if a value is zero or less, and those of the built-in rows never are.
   void check_sign(const Value& value, const Column& column, std::string_view group, const Place& place);
   double read_quantity(const Tree& tree, const Column& column, const std::string& key);
   void check_kind(const Tree::Entry& entry, const std::string& key, std::string_view group);

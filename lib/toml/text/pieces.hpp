@@ -12,7 +12,7 @@ struct Pair {
   std::vector<std::string> before;  // comments in the lines above it
   std::string key;                  // "links.rod.mass", without spaces around its dots
   std::string value;                // as written, over several lines perhaps
-  std::string comment;              // behind it, with its #; empty where there is none
+  std::string comment;              // behind it, with its #; empty if there is none
 };
 
 /// Pairs without a blank line between them.

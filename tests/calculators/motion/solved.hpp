@@ -36,7 +36,7 @@ class SolvedStep {
     }
     return {};
   }
-  /// The first error, with its field: "v_B: ..."; empty where nothing is wrong.
+  /// The first error, with its field: "v_B: ..."; empty if nothing is wrong.
   [[nodiscard]] std::string fault() const {
     for (const Issue& issue : issues_) {
       if (issue.severity == Severity::error) return issue.key + ": " + issue.message.text();

@@ -11,7 +11,7 @@ namespace loadpath::fuzz {
 
 using Random = std::minstd_rand;
 
-/// The project with a change or two; a seed where there is no project to change.
+/// The project with a change or two; a seed if there is no project to change.
 std::string mutated(std::string text, Random& random);
 /// One project with steps of another.
 std::string crossed(const std::string& a, const std::string& b, Random& random);

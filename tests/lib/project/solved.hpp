@@ -47,7 +47,7 @@ struct Solved {
     }
     return "none";
   }
-  /// "gears.root_1"; nullptr where it does not concern the part.
+  /// "gears.root_1"; nullptr if it does not concern the part.
   [[nodiscard]] const account::Mode* find_mode(const std::string& name) const {
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const account::Mode& m) { return m.step + "." + m.id == name; });

@@ -37,7 +37,7 @@ class Inputs {
   void clear_row(const std::string& group);
   /// Sets the values of rows at a size; where a table has none, `table_gap` says why.
   void set_values_of_rows(double size);
-  /// Puts the computed inputs at position i into the record; false where one of them is not available there.
+  /// Puts the computed inputs at position i into the record; false if one of them is not available there.
   bool set_position(std::size_t i);
   /// Sets an input at every position.
   void set_value(const std::string& path, const Leaf& leaf, const Value& value);
@@ -51,7 +51,7 @@ class Inputs {
   [[nodiscard]] const Record& record() const { return record_; }
   [[nodiscard]] Leaf leaf(std::string_view path) const { return find_leaf(record_, path); }
   [[nodiscard]] const std::vector<ComputedInput>& computed() const { return computed_; }
-  /// The computed input at a path; null where there is none.
+  /// The computed input at a path; null if there is none.
   [[nodiscard]] const ComputedInput* find_computed(std::string_view path) const;
   [[nodiscard]] Value value_of(const std::string& path, const Leaf& leaf) const;
   [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
@@ -62,7 +62,7 @@ class Inputs {
   [[nodiscard]] Origin origin_of(const std::string& path, const Leaf& leaf) const;
   /// The origin of a row that was taken from another step or found; null for one that the step names itself.
   [[nodiscard]] const Origin* origin_of_row(const std::string& group) const;
-  /// Why a table's value is not available; empty where all are.
+  /// Why a table's value is not available; empty if all are.
   [[nodiscard]] const Message& table_gap() const { return table_gap_; }
   /// The message that names an input without a value somewhere; empty if all have values.
   [[nodiscard]] Message missing() const;

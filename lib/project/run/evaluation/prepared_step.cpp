@@ -157,7 +157,7 @@ bool PreparedStep::is_about(std::size_t rule, const std::string& path) const {
 
 namespace {
 
-/// The input of a rule that a row was to fill, and the row has no such value; null where there is none.
+/// The input of a rule that a row was to fill, and the row has no such value; null if there is none.
 const Provided* lacking_row(const RuleInfo& rule, const Record& record, const std::vector<Provided>& all) {
   const auto fields = listed_keys(rule.fields);
   for (const Provided& provided : all) {

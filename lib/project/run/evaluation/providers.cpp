@@ -36,7 +36,7 @@ class RowsFound {
   std::map<std::string, Outcome<table::Entry>> found_;  // by the group, of which a step names one
 };
 
-/// The row that the step names for this input; nothing where it names none, or where the row does not exist.
+/// The row that the step names for this input; nothing if it names none, or where the row does not exist.
 std::optional<Provided> from_table(const StepInput& input, const Rows& rows, const FieldInfo& field, RowsFound& found,
                                    std::vector<Issue>& issues) {
   const auto named = rows.find(field.provider.table);

@@ -38,10 +38,10 @@ std::map<std::string, Origin> fill_lists(const StepInput& input, const Rows& row
 /// Rounds after which a size that follows from values of rows at that size is given up.
 constexpr int most_size_rounds = 20;
 
-/// The value of a table's row, at a size where it depends on one; none where that is not known (NaN).
+/// The value of a table's row, at a size where it depends on one; none if that is not known (NaN).
 Lookup look_up(const Provided& provided, double size);
 
-/// The values of a stock in SI, ascending: "R20", "R40", "shaft"...; empty where the stock is unknown.
+/// The values of a stock in SI, ascending: "R20", "R40", "shaft"...; empty if the stock is unknown.
 std::vector<double> stock_values(const table::Tables& tables, const std::string& stock);
 /// The origin of a value that was taken from a stock: the stock's sources, or that one of its sizes is recalled.
 Origin stock_origin(const table::Tables& tables, const std::string& stock, Message text);

@@ -16,7 +16,7 @@ struct ResultSeries {
 };
 
 struct Results {
-  std::vector<ResultSeries> series;  // empty where no position is available
+  std::vector<ResultSeries> series;  // empty if no position is available
   std::vector<Applies> applies;      // applicability of every mode, over the positions
 };
 

@@ -37,7 +37,7 @@ std::string elements_in(const Known& known, const std::string& list) {
   return names;
 }
 
-/// A record of an element that the list of a solved step does not have, "shaft.bearings.left"; nothing where it has.
+/// A record of an element that the list of a solved step does not have, "shaft.bearings.left"; nothing if it has.
 std::optional<Issue> missing_element(const Known& known, const std::string& step, const Taken& record) {
   const std::size_t dot = record.source.rfind('.');
   const std::string list = record.source.substr(0, dot), name = record.source.substr(dot + 1);

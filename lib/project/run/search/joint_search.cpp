@@ -107,7 +107,7 @@ bool JointSearch::elements_pass(std::size_t first) const {
   return true;
 }
 
-/// The sizes one after the other, ascending: the least of the rest bound the cost, and what is judged at places whose
+/// The sizes one after the other, ascending: the least of the rest bound the cost, and what is assessed at places whose
 /// sizes are all set excludes most of what follows.
 struct JointSearch::Branching {
   SizeIndices firsts;  // first candidates of equal sizes
@@ -145,7 +145,7 @@ void JointSearch::branch(Branching& b, std::size_t depth) {
   }
 }
 
-/// From what a first search has found, if anything; true where there is a cheaper part.
+/// From what a first search has found, if anything; true if there is a cheaper part.
 bool JointSearch::find_cheaper(double lowest, SizeIndices& least) {
   constexpr int most_trials = 20000;
   Branching b{sizes_.firsts(), least, {}, lowest, most_trials};

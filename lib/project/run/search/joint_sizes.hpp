@@ -38,10 +38,10 @@ class JointSizes {
 
   /// Selects one of the calculator's arrangements of the sizes; false if there are no more.
   bool arrange(std::size_t way);
-  /// Sets sizes that go together, none of which is below its least; false where there are none.
+  /// Sets sizes that go together, none of which is below its least; false if there are none.
   bool set(const SizeIndices& least);
   /// Makes one of them, with those that are of one size with it, a size smaller than `laid`, in no record yet; false
-  /// where there is none.
+  /// if there is none.
   bool shrink(const SizeIndices& laid, std::size_t which);
   /// Sets a smaller size with the others unchanged; false if they prevent it.
   bool set_smaller(const SizeIndices& laid, std::size_t which);

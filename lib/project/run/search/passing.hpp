@@ -45,9 +45,9 @@ class Passing {
   /// Excuses all that depend only on the loads.
   void excuse_sizeless();
   [[nodiscard]] std::size_t count_of_excused() const { return excused_.size(); }
-  /// Whether a check or a limit of the result, or of an element of a list, is judged, and not excused.
+  /// Whether a check or a limit of the result, or of an element of a list, is assessed, and not excused.
   [[nodiscard]] bool counts(const Row& row) const;
-  /// The first value of a limit that is outside of it, or that is missing; nothing where it is kept.
+  /// The first value of a limit that is outside of it, or that is missing; nothing if it is kept.
   std::optional<double> first_outside(const FieldInfo& limit);
 
  private:

@@ -31,7 +31,7 @@ double excess_over(const Range& bounds, double si) {
   return std::max(1.0, std::max(si / bound, bound / si));
 }
 
-/// Every judged row of the elements of lists that counts, at every position: of the part as it was evaluated last
+/// Every assessed row of the elements of lists that counts, at every position: of the part as it was evaluated last
 /// there.
 void for_each_listed(Evaluation& evaluation, const Passing& passing,
                      const std::function<void(const FieldInfo& list, const Row& row, double si)>& visit) {
@@ -65,7 +65,7 @@ std::string path_of(const Evaluation& evaluation, const FieldInfo& list, const R
   return list.key + element_path(list, evaluation.result().data.get(), row.element) + "." + row.field->key;
 }
 
-/// The check in a list that is beyond 1 most, and beyond `most`; empty where none is.
+/// The check in a list that is beyond 1 most, and beyond `most`; empty if none is.
 Message fault_of_lists(Evaluation& evaluation, const Passing& passing, double most) {
   Message worst;
   for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
@@ -76,7 +76,7 @@ Message fault_of_lists(Evaluation& evaluation, const Passing& passing, double mo
   return worst;
 }
 
-/// The first limit in a list that is not kept, else the first check there without a value; empty where there is none.
+/// The first limit in a list that is not kept, else the first check there without a value; empty if there is none.
 Message fault_of_listed_limits(Evaluation& evaluation, const Passing& passing) {
   Message outside, unknown;
   for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
@@ -90,7 +90,7 @@ Message fault_of_listed_limits(Evaluation& evaluation, const Passing& passing) {
   return outside.empty() ? unknown : outside;
 }
 
-/// The first check of the part without a value; empty where all have one.
+/// The first check of the part without a value; empty if all have one.
 Message check_without_value(Evaluation& evaluation, const Passing& passing) {
   for (const FieldInfo& f : evaluation.calculator().result->fields) {
     if (f.role != Role::check || f.where_set || !passing.counts({&f})) continue;
@@ -114,7 +114,7 @@ Message fault_of_limits(Evaluation& evaluation, Passing& passing) {
   return gap.empty() ? check_without_value(evaluation, passing) : gap;
 }
 
-/// The largest value of a check that is not passed; nothing where it is.
+/// The largest value of a check that is not passed; nothing if it is.
 std::optional<double> failed_value(Evaluation& evaluation, const FieldInfo& check) {
   const double largest = evaluation.largest_result(check);
   return numerics::exceeds(largest, 1.0) ? std::optional(largest) : std::nullopt;

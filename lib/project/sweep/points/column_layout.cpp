@@ -129,7 +129,7 @@ bool ColumnLayout::add_companions(const PointColumns& points) {
   return true;
 }
 
-/// The first of the sizes that rows are asked at which is given, "d_h, d", else the last; empty where none is asked.
+/// The first of the sizes that rows are asked at which is given, "d_h, d", else the last; empty if none is asked.
 std::string ColumnLayout::size_field() const {
   for (const Provided& provided : step.provided()) {
     if (provided.row.empty() || *provided.field->provider.size == '\0') continue;
@@ -154,7 +154,7 @@ Size ColumnLayout::size_of(const std::string& field) const {
   return {.is_sought = is_sought, .same = given ? given.get() : nan};
 }
 
-/// False where a row lacks a value.
+/// False if a row lacks a value.
 bool ColumnLayout::add_values_of_rows() {
   const std::string field = size_field();
   const Size all = field.empty() ? Size{} : size_of(field);

@@ -60,7 +60,7 @@ struct Sought {
 bool is_fixed(std::span<const FieldInfo> fields, std::string_view path);
 std::size_t offset_in(const Record& record, const Leaf& leaf);
 
-/// A mode, and which of the numbers that are read judge it.
+/// A mode, and which of the numbers that are read assess it.
 struct Judging {
   std::size_t mode;
   std::vector<std::size_t> rows = {};

@@ -30,7 +30,7 @@ class Fed {
   /// At every position of every point.
   [[nodiscard]] const std::vector<double>& si() const { return si_; }
 
-  /// Over the positions of `axis`, which is null where there is one. Points where it has no value, or one that its
+  /// Over the positions of `axis`, which is null if there is one. Points where it has no value, or one that its
   /// field refuses or that is unusual, become another's.
   void fill(PointColumns& points, const Axis* axis);
   /// Publishes the values that others may refer to.

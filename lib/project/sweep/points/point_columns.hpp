@@ -31,7 +31,7 @@ struct PointColumns {
   bool axes_differ = false;   // between points: no common series can represent them
   bool speeds_matter = true;  // somebody reads how fast an axis runs
 
-  /// The values of a path, NaN where it has none.
+  /// The values of a path, NaN if it has none.
   const double* of(const std::string& path);
   /// A number or a series at one point, as the step gives it for that point; `value` keeps its memory.
   void read(const std::string& path, std::size_t point, Value& value);
@@ -55,7 +55,7 @@ class PointExpression {
   bool reads_series_ = false;
 };
 
-/// The positions of an axis; 1 where there is none.
+/// The positions of an axis; 1 if there is none.
 std::size_t positions_of(const Axis* axis);
 
 }  // namespace loadpath::project

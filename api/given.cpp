@@ -49,7 +49,7 @@ Tree array_tree(const std::string& name, std::vector<Tree> items) {
   return tree;
 }
 
-/// The fields of a calculator by their names; what is none is a table that rows are taken from.
+/// The fields of a calculator by their names; any other name is a table that rows are taken from.
 class Calling {
  public:
   Calling(const loadpath::Calculator& calculator, Call& call) : calculator_(calculator), call_(call) {}

@@ -23,10 +23,10 @@ std::vector<Issue> issues_of(const std::vector<loadpath::Issue>& issues);
 /// Throws an Error if one of them is an error.
 void refuse_errors(const std::vector<loadpath::Issue>& issues, const Sources& sources);
 [[noreturn]] void refuse(const Message& message, const Message& hint = {});
-/// That there is nothing of this name: "there is no result '{1}'".
+/// Throws the Error for an unknown name: "there is no result '{1}'".
 [[noreturn]] void refuse_name(std::string_view id, std::string_view name, const std::vector<std::string>& known);
 
-/// Solves a project that was read without an error. `step`: whose name is left out of the names of quantities.
+/// Solves a project that was read without an error. `step`: the step whose name is omitted in names of quantities.
 Solution solution_of(project::Project& project, std::vector<loadpath::Issue> issues, const Sources& sources,
                      const std::string& step = {});
 

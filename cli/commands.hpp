@@ -18,7 +18,7 @@ struct RunOptions {
   std::vector<std::string> files;      // and folders of them
   std::optional<std::uint64_t> point;  // index of a point of a sweep
   PointOptions points;
-  /// Fields in place of what the file says: "shaft.d=45 mm".
+  /// Fields that replace those of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;
   OutputOptions output;
 };
@@ -28,7 +28,7 @@ struct SweepOptions {
   std::string file;
   std::vector<std::string> results;
   PointOptions points;
-  /// Fields in place of what the file says: "shaft.d=45 mm".
+  /// Fields that replace those of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;
   unsigned jobs = 0;                 // threads; 0: as many as the machine has
   std::size_t worst = 5;             // number of points listed
@@ -40,10 +40,10 @@ struct SweepOptions {
   std::string shard;                 // "2/10"
   std::vector<std::string> merge;    // folders of shards
   bool resume = false;
-  std::string status;       // folder whose sweep is asked about
+  std::string status;       // folder of the sweep whose status is shown
   double save_every = 2.0;  // seconds between states on the disk
   bool no_columns = false;
-  std::string minimise, maximise;      // a result; the best machine in place of all
+  std::string minimise, maximise;      // a result to be optimised; only the best design instead of all points
   std::vector<std::string> such_that;  // "every mode passes", "rod.mass <= 5 kg"
   double quantile = 0.0;               // quantile of uncertain results that must satisfy both; 0: at the mean
   std::string seek;                    // "shaft.u_tau = 0.9"
@@ -59,7 +59,7 @@ int sweep(const SweepOptions& options);
 struct WhyOptions {
   std::string file;
   std::string of;  // "rod", "rod.u", "rod.buckling"; empty: every step in a line
-  /// Fields in place of what the file says: "shaft.d=45 mm".
+  /// Fields that replace those of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;
 };
 int why(const WhyOptions& options);
@@ -69,7 +69,7 @@ int why(const WhyOptions& options);
 struct CalculateOptions {
   const Calculator* calculator = nullptr;
   std::string file;
-  std::string at;                                           // crank angles, in place of those of the file
+  std::string at;                                           // crank angles that replace those of the file
   std::vector<std::pair<std::string, std::string>> values;  // key, text as typed
   /// Fields of any step of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;

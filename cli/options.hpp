@@ -21,7 +21,7 @@ struct OutputOptions {
   bool strict = false;  // modes not considered count as not assessed
 };
 
-/// The points of a sweep, where the project does not say them.
+/// The points of a sweep, for projects that do not define them.
 struct PointOptions {
   std::optional<std::uint64_t> samples, seed;
   bool latin = false;

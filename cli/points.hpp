@@ -1,4 +1,4 @@
-// The points of a project's sweep, as the file and the shell say them.
+// The points of a project's sweep, from the file and the shell.
 #pragma once
 
 #include "cli/options.hpp"

@@ -69,7 +69,7 @@ class Staged {
   std::filesystem::path aside(const std::filesystem::path& path);
   /// The same, opened for writing; null with errno if that fails.
   std::FILE* open(const std::filesystem::path& path);
-  /// Puts every file in its place. False, with a word, where one cannot be put there.
+  /// Moves every file into place. False, with a message, if one cannot be put there.
   bool finish();
 
  private:

@@ -1,4 +1,4 @@
-// Pages of the documentation as a reader follows them: files to write, commands to type, what is then printed.
+// Pages of the documentation as a reader follows them: files to write, commands to type, expected output.
 #pragma once
 
 #include "tests/cli/process.hpp"
@@ -28,7 +28,7 @@ struct Link {
 
 std::vector<Block> blocks_of(const std::string& page);
 
-/// The lines of code that start with the program's name; a backslash at the end goes on in the next.
+/// The lines of code that start with the program's name; a backslash at the end continues on the next line.
 std::vector<Command> commands_of(const std::string& code);
 
 /// Those outside of code.
@@ -48,8 +48,8 @@ std::string typed(const Desk& desk, const Command& command);
 /// The error in the lines shown, in which "..." replaces omitted ones; empty if there is none.
 std::string difference(const std::string& shown, const std::string& printed);
 
-/// Goes through a page: writes the files whose first line is "# NAME.toml", or "# NAME.toml, continued"; types the
-/// commands; holds what a block of text shows against what the commands before it printed.
+/// Goes through a page: writes the files whose first line is "# NAME.toml", or "# NAME.toml, continued"; runs the
+/// commands; compares each block of text with the output of the commands before it.
 void follow(const Desk& desk, const std::string& page);
 
 }  // namespace loadpath::test

@@ -16,7 +16,7 @@
 
 namespace loadpath::test {
 
-/// A mark of a suite; for doctest it means nothing.
+/// A mark of a suite; doctest ignores it.
 struct Mark {
   void fill(doctest::detail::TestSuite&) const {}
 };

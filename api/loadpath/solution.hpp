@@ -1,4 +1,4 @@
-// A machine that was solved: its numbers by name, and what is said of its parts. Numbers are SI.
+// The solution of a project: its numbers by name, and the states of its parts. Numbers are SI.
 #pragma once
 
 #include <limits>
@@ -14,8 +14,8 @@ enum class State {
   absent = -1,  // the mode does not concern the part
   pass = 0,
   accepted,       // by the user, with a reason
-  open,           // it may concern the part, and nothing says so
-  not_judged,     // it concerns the part, and nothing was held against it
+  open,           // may concern the part, but nothing states whether it does
+  not_judged,     // concerns the part, and has not been assessed
   not_covered,    // outside of what the method covers
   not_available,  // a value is missing
   fail,
@@ -38,7 +38,7 @@ struct Quantity {
   std::vector<double> series;                               // over the cycle; empty if there is one value
   std::string axis;                                         // that the series goes over: "lever: crank angle"
   std::vector<double> positions;                            // positions along the axis
-  std::string word;                                         // a choice or a name in place of a number
+  std::string word;                                         // choices and names: instead of a number
   std::string text;                                         // "12.5 mm"
   std::string reason;                                       // reason for a missing value
 };
@@ -69,7 +69,7 @@ struct Solution {
   std::string headline;  // "PASS", "FAIL", "NO SOLUTION" or "INCOMPLETE"
   std::string verdict;   // "fail: rod.buckling; not assessed: rod.bending"
 
-  /// Whether every mode that applies passes, or is accepted: what the exit code 0 of the program says.
+  /// Whether every mode that applies passes, or is accepted: exit code 0 of the program.
   bool passes = false;
 
   /// Null if there is none of the name.

@@ -51,7 +51,7 @@ struct SweepOptions {
   std::vector<std::vector<std::string>> zip = {};
   bool rows = true;  // false: only the summary, in constant memory
 
-  /// Asked now and then, by the caller's thread; false ends the sweep with an Error.
+  /// Called now and then, in the caller's thread; false ends the sweep with an Error.
   std::function<bool(std::uint64_t done, std::uint64_t all)> goes_on = {};
 };
 

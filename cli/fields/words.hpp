@@ -1,4 +1,4 @@
-// A field of a calculator in words: its type or unit, its range, what it is where nobody gives it.
+// A field of a calculator in words: its type or unit, its range, its default.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"

@@ -23,7 +23,7 @@ int diff(const DiffOptions& options);
 /// Exit code 0: formatted, or already was; 1, with `check`: a file would change; 2: one of them is not TOML.
 struct FmtOptions {
   std::vector<std::string> files;  // and folders; "-": standard input to standard output
-  bool check = false;              // names those that would change, and writes nothing
+  bool check = false;              // lists the files that would change, and writes nothing
 };
 int fmt(const FmtOptions& options);
 

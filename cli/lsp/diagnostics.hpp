@@ -8,7 +8,7 @@
 
 namespace loadpath::cli::lsp {
 
-/// By the numbers of the protocol.
+/// Numbers defined by the protocol.
 enum class Weight : int { error = 1, warning = 2, information = 3 };
 
 struct Diagnostic {

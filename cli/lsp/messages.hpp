@@ -16,7 +16,7 @@
 
 namespace loadpath::cli::lsp {
 
-/// By the numbers of JSON-RPC and of the protocol.
+/// Numbers defined by JSON-RPC and the protocol.
 enum class Fail : int {
   parse_error = -32700,
   invalid_request = -32600,

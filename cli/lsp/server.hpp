@@ -18,7 +18,7 @@ class Server {
   void receive(const std::string& body);
   /// Sends the diagnostics of files that have changed since.
   void publish();
-  /// Whether an editor has begun, and has not said that it is done.
+  /// Whether an editor has initialised the session, and not yet shut it down.
   [[nodiscard]] bool is_in_session() const { return is_initialized_ && !is_shut_down_; }
   /// The exit code, once exit was requested; nothing before.
   [[nodiscard]] std::optional<int> exit_code() const { return exit_code_; }

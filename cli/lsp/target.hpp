@@ -15,7 +15,7 @@ struct StepKey {
   std::string meaning;
 };
 
-/// The blank records are kept: what fields there are, and which need a value, is asked of them.
+/// The blank records are kept: they show the fields that exist, and those that need a value.
 struct Target {
   const Calculator* calculator = nullptr;
   const Template* from = nullptr;

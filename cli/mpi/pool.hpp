@@ -28,7 +28,7 @@ class Pool {
  private:
   void run(const project::SweepWork& work);
   void solve(const project::SweepWork& work);
-  /// None once there is nothing more to come.
+  /// None once there are no more.
   std::optional<project::BlockRange> next();
 
   std::mutex mutex_;

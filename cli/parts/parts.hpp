@@ -1,6 +1,5 @@
-// How the parts of a sweep are solved: by the threads of one process (threads.cpp), or by the ranks of MPI in the
-// program loadpath-mpi (cli/mpi). The commands are the same in both; which of the two it is, is decided by what is
-// linked.
+// Solving of the parts of a sweep: by the threads of one process (threads.cpp), or by the ranks of MPI in the program
+// loadpath-mpi (cli/mpi). The commands are the same in both; linking decides between the two.
 #pragma once
 
 #include "lib/project/sweep/sweep.hpp"
@@ -28,13 +27,13 @@ std::string solve_parts(const project::SweepWork& work, const SharedSweep& share
 /// not.
 int run_program(const std::function<int()>& run);
 
-/// Whether who sends SIGTERM gives time to end; mpirun kills at once behind it.
+/// Whether the sender of SIGTERM gives time to end; mpirun kills immediately after it.
 bool is_waited_for();
 
 /// The sweep that this rank helps with; null for the one that reads, writes and prints.
 const std::string* helped_text();
 
-/// On a rank that helps: solves parts until there are no more. `wrong` says why it cannot.
+/// On a helping rank: solves parts until there are no more. `wrong`: the reason why it cannot.
 int help_parts(const project::SweepWork& work, const std::string& identity, const std::string& wrong);
 
 }  // namespace loadpath::cli

@@ -31,7 +31,7 @@ struct CommandLine {
   CommandLine& operator=(const CommandLine&) = delete;
   ~CommandLine() = default;
 
-  /// Gives a command the words that are set up only once it is named; nothing for the others.
+  /// Sets up the words of a command that are made only once it is named; does nothing for the others.
   void set_up(const CLI::App& command);
 
   CLI::App app;

@@ -1,4 +1,4 @@
-// Fields that the command line sets: `--set shaft.d="45 mm"`, in place of what the file says.
+// Fields set on the command line: `--set shaft.d="45 mm"`, which replace those of the file.
 #pragma once
 
 #include "lib/project/project.hpp"

@@ -1,4 +1,4 @@
-// How far a long command is, on standard error, where someone looks.
+// The progress of a long command, on standard error, if that is a terminal.
 #pragma once
 
 #include <chrono>

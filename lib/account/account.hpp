@@ -19,7 +19,7 @@ struct Origin {
   std::vector<std::string> sources;  // keys of tables/sources.toml
   bool recalled = false;             // the row's source was not seen: flagged in the report
   bool searched = false;             // found by a search
-  bool assumed = false;              // the default: nobody gave it
+  bool assumed = false;              // default value, not given by the user
 };
 
 /// A named quantity of a step.
@@ -37,7 +37,7 @@ struct Entry {
   bool handed_over = false;  // results only: of a record for other steps, shown where they take it
 };
 
-/// Whether nothing is known of it, at no position.
+/// Whether it is unknown at all positions.
 bool is_open(const Entry& entry);
 
 /// A line of the calculation; the scope names the element of a list that it belongs to ("segments[2]").
@@ -50,15 +50,15 @@ struct Derived {
 struct Account {
   std::vector<Entry> inputs;
   std::vector<Entry> results;
-  std::vector<Verdict> verdicts;    // states of checks and limits
-  Modes modes;                      // the verdict on the part that follows from them
-  std::vector<Message> warnings;    // customs that the input breaks
-  Message governing;                // which position the derivation is for; empty if there is one value
-  std::vector<Derived> derivation;  // where formulas are wanted
-  std::set<std::string> scopes;     // subjects of its lines: "", "methods[2]"; known without it
-  std::vector<Block> input_blocks;  // where the step shows its inputs itself, not in a list; where pictures are wanted
-  std::vector<Block> blocks;        // output specific to this kind of step: tables, notes; pictures on request
-  std::vector<draw::Figure> figures;  // where pictures are wanted
+  std::vector<Verdict> verdicts;      // states of checks and limits
+  Modes modes;                        // the verdict on the part that follows from them
+  std::vector<Message> warnings;      // customs that the input breaks
+  Message governing;                  // which position the derivation is for; empty if there is one value
+  std::vector<Derived> derivation;    // if formulas are requested
+  std::set<std::string> scopes;       // subjects of its lines: "", "methods[2]"; known without it
+  std::vector<Block> input_blocks;    // if the step shows its inputs itself, not in a list; if pictures are requested
+  std::vector<Block> blocks;          // output specific to this kind of step: tables, notes; pictures on request
+  std::vector<draw::Figure> figures;  // if pictures are requested
   std::vector<std::string> sources;   // keys of tables/sources.toml, besides those that the calculator always cites
 };
 

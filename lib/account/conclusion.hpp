@@ -20,8 +20,8 @@ const char* key(Group group);
 enum class Headline {
   pass,         // every mode that applies passes, or the user answers for it
   fail,         // at least one fails
-  no_solution,  // nothing fails, and a search has no result
-  incomplete,   // nothing fails, and something has not been assessed
+  no_solution,  // nothing fails, but a search has no result
+  incomplete,   // nothing fails, but a mode has not been assessed
 };
 /// "NO SOLUTION".
 const char* word(Headline headline);

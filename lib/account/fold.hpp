@@ -19,8 +19,7 @@
 namespace loadpath::account {
 
 /// The state of a point, a part or a failure mode as a number of a column: that of State, or one of these.
-constexpr double refused_state =
-    7.0;  // the point breaks a rule between inputs, or a value is none that its field takes
+constexpr double refused_state = 7.0;  // the point violates an input rule, or a value is outside the range of its field
 constexpr double absent_state = -1.0;  // the mode does not concern the part
 
 constexpr double number(State state) { return static_cast<double>(static_cast<int>(state)); }
@@ -29,7 +28,7 @@ constexpr State state_of(double number) { return static_cast<State>(static_cast<
 /// The combined result of the rows of a mode, or of the modes of a part.
 struct Folded {
   double worst = absent_state;
-  double counted = 0.0;  // above zero: of rows where one is a check, of modes where one was assessed
+  double counted = 0.0;  // above zero: a check among the rows, an assessed mode among the modes
   double utilisation = std::numeric_limits<double>::quiet_NaN();
 
   /// Adds a check or a limit: among equally bad ones the most utilised governs. An absent state is not a row.

@@ -31,7 +31,7 @@ struct Mode {
   std::string judge;          // the calculator that it is left to
   std::string use, add;       // calculators that assess it: as a replacement of this one, or in addition
   std::string wants;          // inputs that would let it be assessed: "sigma_adm_1"
-  Message note;               // where it governs, why it is accepted; may be empty
+  Message note;               // for the governing mode, the reason for acceptance; may be empty
 };
 using Modes = std::vector<Mode>;
 
@@ -53,8 +53,8 @@ Message scope(const Modes& modes);
 Message brief_scope(const Modes& modes);
 /// The reason shown after the title: "u_F1 at 30 deg"; "give sigma_adm_1"; "no calculator assesses it".
 Message reason(const Mode& mode);
-/// Whether the mode is one of many that may concern the part, while nothing says so and no input or record of the step
-/// would let it be assessed: worth no line of its own.
+/// Whether the mode is one of many that may concern the part, without any sign that it does and without an input or
+/// record of the step that would permit an assessment: not worth a line of its own.
 bool is_remote(const Mode& mode);
 
 }  // namespace loadpath::account

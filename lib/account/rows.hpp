@@ -20,7 +20,7 @@ constexpr bool is_passed(double utilisation) {
   return utilisation >= -rounding_of_utilisation && utilisation <= 1.0 + rounding_of_utilisation;
 }
 
-/// No utilisation is negative: such a check is beyond its method.
+/// Utilisations are not negative: such a check is beyond its method.
 constexpr State state_of_check(double utilisation) {
   if (utilisation < -rounding_of_utilisation) return State::not_covered;
   return pass_if(is_passed(utilisation));

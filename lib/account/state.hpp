@@ -10,8 +10,8 @@ namespace loadpath::account {
 enum class State {
   pass,
   accepted,       // by the user, with a reason
-  open,           // it may concern the part, and nothing says so
-  not_judged,     // it concerns the part, and nothing was held against it
+  open,           // may concern the part, but nothing states whether it does
+  not_judged,     // concerns the part, and has not been assessed
   not_covered,    // outside of what the method covers
   not_available,  // a value is missing
   fail
@@ -48,7 +48,7 @@ Message word(State state);
 Message shown(State state);
 /// The word as one name: "not-covered".
 std::string slug(State state);
-/// A sign that says the same without colour.
+/// A mark of the same meaning without colour.
 const char* mark(State state);
 
 }  // namespace loadpath::account

@@ -20,7 +20,7 @@ struct Verdict {
   Cell value = {};                         // compared quantity
   Message bound;                           // "passes at 1 or less", "0 to 0.9"
   State state = State::not_available;
-  Message note = {};  // where it governs, why it is not covered; may be empty
+  Message note = {};  // for the governing row, the reason why it is not covered; may be empty
 };
 struct Verdicts {
   std::vector<Verdict> rows;

@@ -1,6 +1,6 @@
-// A straight beam on any number of supports, in one plane: what it carries, how it bends, how it hums. By the elements
-// of Timoshenko, which are exact at their ends whatever their section and their load are: of a span its flexibility
-// counts, not its stiffness. varying.hpp finds it where the section varies.
+// A straight beam on any number of supports, in one plane: internal forces, deflection, natural frequency. By
+// Timoshenko elements, which are exact at their ends for any section and load, because they use the flexibility of a
+// span, not its stiffness. varying.hpp integrates it for varying sections.
 //
 // SI throughout. v is positive like the forces F, slopes and couples M like the slope of v; V is the sum of all forces
 // to the left, and M bends a beam hollow on the side that v points to: M' = V.
@@ -18,7 +18,7 @@
 
 namespace loadpath::beam {
 
-/// Nothing is allocated: a beam has at most so many nodes.
+/// Nothing is allocated: these are the capacities of a beam.
 inline constexpr std::size_t most_nodes = 320, most_supports = 16;
 template <class Element>
 using Row = boost::container::static_vector<Element, most_nodes>;
@@ -85,11 +85,11 @@ class Beam {
 
   [[nodiscard]] std::size_t nodes() const { return spans_.size() + 1; }
 
-  /// Under forces and couples at nodes, and what the load along each span does to its ends; `along` empty: there is
-  /// none.
+  /// Deflection under forces and couples at nodes, and end forces of the load along each span; `along` empty: there
+  /// is none.
   [[nodiscard]] Bent bend(std::span<const Load> loads, std::span<const OfEnds> along = {}) const;
 
-  /// Forces and couples at each node in turn, in place of them its displacement and slope.
+  /// Replaces forces and couples at each node by its displacement and slope.
   void displace(std::span<double> unknowns) const;
 
   /// For each node, its displacement under a unit force there.

@@ -1,7 +1,6 @@
-// A round shaft that swings about its axis, with discs on it: its natural frequencies in torsion. The pieces have their
-// inertia along them, so that nothing is lost by cutting them up. After Holzer the shaft is walked from one end to the
-// other; how many frequencies lie below one that is tried is counted after Wittrick and Williams, so that none is
-// missed.
+// A round shaft with discs in torsional vibration: its natural frequencies. Segments have distributed inertia, so
+// that dividing them loses nothing. After Holzer, the shaft is traversed from one end to the other; the number of
+// frequencies below a trial value is counted after Wittrick and Williams, so that none is missed.
 //
 // SI throughout. Both ends are free; a fixed end is a disc of a relatively large inertia.
 #pragma once

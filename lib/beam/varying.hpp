@@ -1,5 +1,5 @@
-// A span whose section varies along it, and what a load along it does to its ends: integrals of its flexibility, by
-// Gauss's rule of eight points in each of its parts. The parts are the caller's: so short that 1/EI is nearly straight
+// A span whose section varies along it, with end forces of a load along it: integrals of its flexibility, by Gauss's
+// rule of eight points in each of its parts. The caller defines the parts: so short that 1/EI is nearly straight
 // along each of them.
 #pragma once
 

@@ -25,7 +25,7 @@ struct RuleInfo {
   bool only_warns = false;
 };
 
-/// A result that depends on the model: "drive.M", or "joints.NAME.F" with a name of the input in its place.
+/// A result that depends on the model: "drive.M", or "joints.NAME.F", where NAME is a name from the input.
 struct ResultPattern {
   const char* path;
   const char* unit;
@@ -57,7 +57,7 @@ struct ResultColumn {
   double* si;
 };
 
-/// `count` evaluations; `input` is the base record, of which only what varies is changed. Allocates nothing.
+/// `count` evaluations; `input` is the base record, of which only the varying inputs are changed. Allocates nothing.
 using SweepLoop = void (*)(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
                            std::size_t count);
 
@@ -76,7 +76,7 @@ struct Calculator {
   std::vector<std::string> (*used_sources)() = [] { return std::vector<std::string>(); };
   const RecordType* input = nullptr;
   const RecordType* result = nullptr;
-  /// In place of `result`, where names in the input make the paths.
+  /// Replaces `result` if names in the input form the paths.
   std::vector<ResultPattern> (*patterns)() = [] { return std::vector<ResultPattern>(); };
   std::span<const Template* const> templates;
   std::span<const RuleInfo> rules;

@@ -41,7 +41,7 @@ struct Provider {
   enum class Kind { none, table, companion };
   Kind kind = Kind::none;
   const char* table = "";   // table: "material", also the key of the step that names the row
-  const char* column = "";  // table: "R_e"; companion: the input whose source brings the value along ("T")
+  const char* column = "";  // table: "R_e"; companion: the input whose source also gives this value ("T")
   const char* size = "";    // table: the result or input that the value depends on ("d")
   const char* unless = "";  // table: the value is not needed where this input is given
   bool may_lack = false;    // table: rows without the column leave the input as it is
@@ -178,8 +178,8 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.is_own = true;
     return f;
   }
-  /// Not larger than the largest of these dimensions of the step that values are taken from, "d, d_max"; a larger value
-  /// needs a justification.
+  /// At most the largest of these dimensions of the step that values are taken from, "d, d_max"; a larger value needs
+  /// a justification.
   [[nodiscard]] constexpr Field at_most_that_of_source(const char* keys) const {
     Field f = *this;
     f.most_of_source = keys;
@@ -202,8 +202,8 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.kept = true;
     return f;
   }
-  /// One component of what acts on a part; `keys` are the others: who takes it and not them has not looked at all.
-  /// "T_1|T_2": one of them, the torque of the shaft that takes it.
+  /// One component of the load on a part; `keys` are the others, which a step that takes only this one leaves
+  /// unassessed. "T_1|T_2": one of them, the torque of the shaft that takes it.
   [[nodiscard]] constexpr Field with(const char* keys) const {
     Field f = *this;
     f.companions = keys;
@@ -215,7 +215,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.signed_load = true;
     return f;
   }
-  /// A load that holds these factors already: who takes it may not apply them again.
+  /// A load that already includes these factors: a step that takes it must not apply them again.
   [[nodiscard]] constexpr Field holding(const char* keys) const {
     Field f = *this;
     f.factors = keys;

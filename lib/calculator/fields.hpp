@@ -21,7 +21,7 @@ struct Described {
   const char* key = "";
   const char* doc = "";
   std::optional<Role> role = {};    // default: that of the list, input or result
-  bool optional = false;            // an input that may be missing (a rule or a default says what then)
+  bool optional = false;            // an input that may be missing (see its rule or default)
   bool is_load = false;             // a load on this part, or on another part by it; not a capacity
   bool is_beside = false;           // a result that is shown, and never part of a verdict
   const char* same_as_source = "";  // an input: see same_as_that_of_source
@@ -51,7 +51,8 @@ struct Described {
     s.is_chosen = true;
     return s;
   }
-  /// A dimension of the component that a load comes from: "=gears.gear_1.T" also brings gear_1.d_f, as the record does.
+  /// A dimension of the component that a load comes from: "=gears.gear_1.T" also gives gear_1.d_f, as the record
+  /// does.
   [[nodiscard]] constexpr Self of_body() const {
     Self s = self();
     s.is_of_body = true;

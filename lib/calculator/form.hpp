@@ -1,5 +1,5 @@
-// Forms of an input that sweeps are compiled for. With what is given known to the compiler, the tests for presence and
-// all that serves other inputs or results vanish from `evaluate`, and what is left goes through wide registers.
+// Forms of an input that sweeps are compiled for. With the given inputs known to the compiler, the tests for presence
+// and all code for other inputs or results vanish from `evaluate`, and the rest is vectorised.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct Form {
 
 namespace detail {
 
-/// Whether an entry of the list is such.
+/// Whether an entry of the list satisfies the condition.
 template <class IsSuch>
 constexpr bool any_of(std::string_view list, IsSuch is_such) {
   while (!list.empty()) {

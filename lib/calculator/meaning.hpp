@@ -8,7 +8,7 @@ namespace loadpath {
 struct Meaning {
   const char* fields;       // keys of the input or the result: "sigma_D, S_req"
   const char* what;         // "a fatigue limit of a part in shear": equal texts are one meaning
-  const char* choice = "";  // the input whose word decides; empty: it is always that
+  const char* choice = "";  // the choice that decides; empty: the meaning is fixed
   const char* words = "";   // the words at which it is that: "bending, tension"
 };
 
@@ -33,7 +33,7 @@ struct NotchClaim {
 /// lib/project compares it with the series that the load comes from, in full or reduced.
 struct SenseClaim {
   const char* loads;         // "T", "seats.T", "T_1, P"
-  const char* field;         // the choice that says it, or a number: the least value over the largest
+  const char* field;         // the choice that decides, or a number: minimum over maximum value
   const char* words = "";    // words of the choice for one-way loads; empty: the field is a number
   const char* instead = "";  // the word for a load that changes it
 };

@@ -30,7 +30,7 @@ struct ModeInfo {
   const char* advice = "";  // other remedy if no input is missing
   const char* use = "";     // the calculator that assesses it when it takes the place of this one: "shaft.design"
   const char* add = "";     // calculators of which an additional step assesses it: "shaft.key, shaft.spline"
-  bool by_service = false;  // unseen, it applies where what loads the part says that it turns or that the load varies
+  bool by_service = false;  // unseen, it applies if the source of the load rotates or the load varies
   bool by_rest = false;     // unseen, it applies where a load has companions that the step does not take
 };
 
@@ -40,7 +40,8 @@ constexpr bool is_assessable(const ModeInfo& mode) {
          *mode.use != '\0' || *mode.add != '\0';
 }
 
-/// A mode of a calculator with this input. `applies` is asked with values of tables in, at every position of a series.
+/// A mode of a calculator with this input. `applies` is called with values of tables in, at every position of a
+/// series.
 template <class Input>
 struct Mode : ModeInfo {
   Applies (*applies)(const Input&);
@@ -72,7 +73,7 @@ struct Mode : ModeInfo {
     mode.advice = text;
     return mode;
   }
-  /// Assessed by another calculator in place of this one.
+  /// Assessed by another calculator instead of this one.
   [[nodiscard]] constexpr Mode assessed_in(const char* calculator) const {
     Mode mode = *this;
     mode.use = calculator;

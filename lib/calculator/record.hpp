@@ -136,7 +136,7 @@ std::vector<std::string> listed_keys(std::string_view list);
 
 const FieldInfo* find_field(std::span<const FieldInfo> fields, std::string_view key);
 
-/// The field at a path, of whatever type, and the aggregate that holds it.
+/// The field at a path, of any type, and the aggregate that contains it.
 Leaf find_member(std::span<const FieldInfo> fields, void* data, std::string_view path);
 
 /// The leaf at a path: "d", "segments[2].tau" (from 1) or "segments.journal.tau" (by the element's name).

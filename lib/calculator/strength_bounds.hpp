@@ -20,7 +20,7 @@ inline constexpr auto specimen_in_tension = "a fatigue limit of smooth specimens
 inline constexpr auto specimen_in_torsion = "a fatigue limit of smooth specimens in torsion";
 inline constexpr auto mean_strength = "a mean fatigue strength (50 % survival)";
 
-/// No more than `part` of the strength in `column`; where a material lacks that, no more than all of its R_m.
+/// At most `part` of the strength in `column`; if a material lacks that, at most its R_m.
 struct StrengthBound {
   const char* meaning;
   const char* column;

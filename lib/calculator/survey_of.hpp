@@ -21,7 +21,7 @@ void ask_modes(const typename C::Input& in, std::span<Applies* const> applies, s
   ((applies[mode][i] = C::modes[mode].applies(in)), ...);
 }
 
-/// As Calculator::survey says it: the rules and modes are known when this is compiled.
+/// As defined by Calculator::survey: the rules and modes are known at compile time.
 template <class C>
 void survey(void* input, std::span<const InputColumn> in, std::span<const char> rules, std::span<Applies* const> modes,
             std::size_t count, char* other) {

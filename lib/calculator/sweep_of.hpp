@@ -26,7 +26,7 @@
 
 namespace loadpath::detail {
 
-/// A record per point: whatever is given, lists too.
+/// A record per point: for any inputs, lists too.
 template <class C>
 void sweep_records(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out, std::size_t count) {
   NoTrace trace;
@@ -156,7 +156,7 @@ void sweep_form(void* input, std::span<const InputColumn> in, std::span<const Re
   }
 }
 
-/// The first form that serves, else what serves every input.
+/// The first form that serves, else the generic loop.
 template <class C>
 SweepLoop loop_of(const void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out) {
   SweepLoop loop = general_loop<C>();

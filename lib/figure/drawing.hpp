@@ -9,8 +9,8 @@
 namespace loadpath::draw {
 
 struct Drawing {
-  /// How a line is drawn: what is there, thin edges and breaks, what is hidden, axes and pitch lines, and lines of
-  /// accent: a belt, a line of action, a path of contact.
+  /// The style of a line: outlines, thin edges and breaks, hidden edges, axes and pitch lines, and accented lines: a
+  /// belt, a line of action, a path of contact.
   enum class Line { outline, thin, hidden, centre, belt, action, contact };
   /// The value of a dimension, a force or a pressure: "R = 600 mm". Without a symbol only the number.
   struct Value {
@@ -71,8 +71,8 @@ struct Drawing {
     double offset = 0.0;   // offset of the arrow from its reference line, to its left
     bool towards = false;  // the arrow ends at the point
   };
-  /// The sign of what holds a place: `into` points into the ground. A roller lets it move across `into`, a sleeve along
-  /// it; a plate lets it move across but not turn.
+  /// The symbol of a support: `into` points into the ground. A roller permits displacement across `into`, a sleeve
+  /// along it; a plate permits displacement across but no rotation.
   struct Support {
     enum class Kind { hinge, clamp, roller, sleeve, plate };
     Point at, into;
@@ -94,7 +94,7 @@ struct Drawing {
     };
     std::vector<At> arrows;
     Value value;
-    Point label;  // about where it is said
+    Point label;  // approximate position of the label
   };
   struct Name {  // a point that is named, with a dot
     Point at;
@@ -110,7 +110,7 @@ struct Drawing {
     std::string title;   // empty if it is the only one
     double share = 1.0;  // share of the page's width; views that fit are side by side
     double most_height = 330.0;
-    bool is_scaled = true;  // else its places are proportions, without a scale bar
+    bool is_scaled = true;  // otherwise its positions are proportions, without a scale bar
     double room = 26.0;     // margin around the parts, for names and arrows
     std::vector<Area> areas = {};
     std::vector<Path> paths = {};

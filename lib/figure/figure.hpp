@@ -138,7 +138,7 @@ struct Scheme {
     bool pulls = true;   // there is a spring
     bool damps = false;  // there is a damper
   };
-  struct Coil {  // a spring, or damper, that turns two links against each other
+  struct Coil {  // a torsional spring, or damper, between two links
     std::string name;
     Point at;
     bool pulls = true;
@@ -201,7 +201,7 @@ struct Plans {
 
 /// A scheme that moves: one of its positions as it is printed, and what changes from frame to frame.
 struct Motion {
-  /// The links that carry a part of the scheme and turn it; -1: nothing.
+  /// The links that carry and rotate a part of the scheme; -1: none.
   struct Carried {
     int place = -1;
     int turn = -1;

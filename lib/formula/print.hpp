@@ -12,7 +12,7 @@
 
 namespace loadpath::formula {
 
-/// How strongly a piece of print holds together.
+/// The binding strength of a printed piece.
 enum class Level { choice, either, both, comparison, sum, product, power, atom };
 
 class Notation {

@@ -49,7 +49,7 @@ const Node& chosen(const Node& tree, const Known& known);
 /// than numbers and pi.
 bool is_angle(const Node& tree, const std::function<bool(std::string_view name)>& known);
 
-/// How a symbol's value is written when it is substituted: number and printed unit ("2700", "N·m"); nothing: keep the
+/// The printed value of a symbol when it is substituted: number and printed unit ("2700", "N·m"); nothing: keep the
 /// name.
 struct Written {
   std::string number;

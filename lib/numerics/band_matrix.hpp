@@ -76,7 +76,7 @@ class BandMatrix {
     }
   }
 
-  /// The solution in place of the right-hand side, after `factor`.
+  /// Replaces the right-hand side by the solution, after `factor`.
   void solve(std::span<double> x) const {
     double x1 = 0.0, x2 = 0.0, x3 = 0.0;  // the unknowns before, from the nearest on
     for (std::size_t i = 0; i < size(); ++i) {

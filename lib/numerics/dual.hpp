@@ -80,7 +80,7 @@ struct DualNumber {
   friend DualNumber round(const DualNumber& a) { return std::round(a.value); }
 };
 
-/// As many as fill the registers of most machines well.
+/// The size fills the registers of most CPUs well.
 using Dual = DualNumber<8>;
 
 inline double value_of(double number) { return number; }

@@ -1,4 +1,4 @@
-// The smallest ball that holds a set of points: the circle of a path in a plane, the ball of one in space.
+// The smallest ball around a set of points: the circle of a path in a plane, the ball of one in space.
 #pragma once
 
 #include <algorithm>

@@ -1,4 +1,4 @@
-// LU factors of a square matrix whose pattern never changes and whose values change often.
+// LU factors of a square matrix with a constant pattern and changing values.
 //
 // The order of elimination is found once and kept as long as its pivots stay good; a pivot that has become poor brings
 // a new order. All memory is taken in the constructor.
@@ -14,7 +14,7 @@ namespace loadpath {
 
 class SparseLu {
  public:
-  /// `pattern`: the places that may hold a value, each once.
+  /// `pattern`: the places of possible nonzero values, each once.
   SparseLu(std::size_t size, std::span<const MatrixEntry> pattern);
 
   /// Factors the matrix with these values, in the order of the pattern. False when it is singular to rounding.

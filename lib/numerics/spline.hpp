@@ -8,7 +8,7 @@
 
 namespace loadpath {
 
-/// The cubic spline: gentle, but it may swing beyond its points.
+/// The cubic spline: smooth, but it may overshoot beyond its points.
 class RestToRestSpline {
  public:
   /// Two points or more, x strictly ascending.

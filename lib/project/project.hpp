@@ -1,4 +1,4 @@
-// A project file: its steps, the order in which they follow from one another, and what is expected of them.
+// A project file: its steps, the order in which they follow from one another, and its expectations.
 #pragma once
 
 #include "lib/project/own_tables.hpp"

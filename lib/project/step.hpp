@@ -28,7 +28,7 @@ struct Wanted {
   bool pictures = true;                 // tables and figures
   bool formulas = true;                 // the derivation, written out
   bool unused = true;                   // which inputs have no effect
-  bool words = true;                    // where values come from, which lines a calculation has
+  bool words = true;                    // origins of values, lines of a calculation
   SeriesChoice series = {};             // selection of the series that could be written
   std::set<std::string> taken = {};     // those that other steps refer to, "lever.drive.M": solve() fills it
   std::set<std::string> compared = {};  // those that expectations and typed values are compared with: the same
@@ -79,7 +79,7 @@ struct Reversal {
   Message text;        // "'press.drive.M', from -375 N·m to 375 N·m"
   double ratio = 0.0;  // the smaller extreme over the larger one, negative
 };
-/// A load that is not all of the series that it comes from.
+/// A load that is only part of the series that it comes from.
 struct ReducedLoad {
   std::string path;      // path of the input: "F"
   Message message = {};  // the value used, and the text to write in its place
@@ -138,8 +138,8 @@ class Step {
   [[nodiscard]] virtual std::vector<Member> members(const std::string& path) const;
   /// Full paths of what else loads the part that takes the value at `path`.
   [[nodiscard]] virtual std::vector<std::string> companions_of(const std::string& path) const;
-  /// Fills the account; series that are not wanted may have no values. A computed value that its field refuses becomes
-  /// an issue at its expression.
+  /// Fills the account; series that are not requested may have no values. A computed value that its field refuses
+  /// becomes an issue at its expression.
   virtual void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) = 0;
   /// Solves for results only, with these inputs left open: results that depend on them are not available, or turn out
   /// to differ when the step is solved completely.

@@ -14,7 +14,7 @@ class Decimals {
   /// The finest power of ten that is not below `rounding`.
   static Decimals beyond(double rounding);
 
-  /// The multiple nearest to a number; the number itself where a double has no more digits than that, or it is none.
+  /// The multiple nearest to a number; the number itself if a double has no more digits than that, or it is NaN.
   [[nodiscard]] double nearest(double value) const;
   /// The text of that: "-27.35", "30", "1.2e-07"; of a finite number.
   void append_nearest(double value, std::string& text) const;

@@ -19,7 +19,7 @@ enum class Meant : std::uint8_t {
   strength,         // accepted for any allowable stress
   frequency,        // cycles or turns per time
   angular_speed,
-  rate,  // 1/s of a speed over a radius, a power over a moment, a root: radians per time
+  rate,  // 1/s as a speed over a radius, a power over a moment, a root: radians per time
   work,
   torque,
   temperature,

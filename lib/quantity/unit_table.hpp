@@ -46,7 +46,7 @@ struct UnitRow {
 };
 
 struct FoundUnit {
-  const UnitRow* row = nullptr;  // null: no such unit
+  const UnitRow* row = nullptr;  // null: unknown unit
   int ten = 0;                   // power of ten of the prefix
   Script script = Script::latin;
 };

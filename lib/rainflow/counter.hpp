@@ -32,7 +32,7 @@ class Counter {
   Counter(Counter&&) = delete;
   ~Counter();
 
-  /// A Fault whose `at` is the sample, counted from 0, where one is not finite or beyond 8e307: what was counted is
+  /// A Fault whose `at` is the sample, counted from 0, if one is not finite or beyond 8e307: the counts are then
   /// void.
   std::optional<Fault> feed(std::span<const double> samples);
   /// The end of the series: its last value, and the residue by its rule.

@@ -24,7 +24,7 @@ class DamageSum : public Consumer {
 
   /// A Fault if it is beyond what numbers hold.
   [[nodiscard]] Outcome<double> total() const;
-  /// How many cycles, halves as 0.5.
+  /// The number of cycles, halves as 0.5.
   [[nodiscard]] double cycles() const { return cycles_; }
   /// The stress of the largest cycle, in the measure of the curve; 0 if there was none.
   [[nodiscard]] double largest_stress() const;

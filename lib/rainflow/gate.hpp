@@ -1,4 +1,4 @@
-// Leaves out turns that are too small to be counted, before counting.
+// Omits ranges that are too small to be counted, before counting.
 #pragma once
 
 #include <cstddef>

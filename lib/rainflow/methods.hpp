@@ -36,9 +36,9 @@ class FourPoint {
   Waiting<placed> wait_;
 };
 
-/// HCM, the hysteresis counting of Clormann and Seeger (1985): a loop closes where the material comes back to its
-/// start, and the first load starts from zero on a branch of its own, which closes nothing. The variables of the
-/// publication are IZ, points on the stack, and IR, those of them on that branch.
+/// HCM, the hysteresis counting of Clormann and Seeger (1985): a loop closes where the material returns to its start,
+/// and the first load starts from zero on a branch of its own, which closes nothing. The variables of the publication
+/// are IZ, points on the stack, and IR, those of them on that branch.
 template <bool placed>
 class Hcm {
  public:

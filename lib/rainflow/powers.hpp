@@ -1,5 +1,5 @@
-// Powers of many numbers at once, inlined into what wants them, so that they take the instructions of their caller:
-// with AVX2 and without, the results are the same to the bit.
+// Powers of many numbers at once, inlined into the caller, so that they use its instructions: with AVX2 and without,
+// the results are the same to the bit.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace loadpath::rainflow {
 
-/// As many numbers as are worked on at once.
+/// The number of values processed at once.
 inline constexpr std::size_t lot = 256;
 using Lot = std::array<double, lot>;
 
@@ -24,7 +24,8 @@ inline constexpr std::uint64_t mantissa = 0xfffffffffffffU, bits_of_one = 0x3ff0
 
 /// The logarithm of a normal positive number: the artanh series of its mantissa between 1/sqrt(2) and sqrt(2).
 LOADPATH_INLINE double log2_of(double x) {
-  constexpr std::uint64_t to_root = 0x95f619980c433U;  // from sqrt(2) to 2: moved by it, exponents step at sqrt(2)
+  constexpr std::uint64_t to_root = 0x95f619980c433U;  // from sqrt(2) to 2: with this offset, exponents step at
+                                                       // sqrt(2)
   const std::uint64_t moved = std::bit_cast<std::uint64_t>(x) + to_root;
   // Exponents as the low bits of a double of 2^52, for AVX2 converts no 64-bit integers.
   const double exponent = std::bit_cast<double>(moved >> 52U | 0x4330000000000000U) - (0x1p52 + 1023.0);

@@ -1,4 +1,4 @@
-// By which rules cycles are counted.
+// The rules for counting cycles.
 #pragma once
 
 #include "lib/rainflow/comparisons.hpp"
@@ -15,8 +15,9 @@ enum class Method { four_point, hcm, astm };
 enum class Residue {
   ignore,
   half_cycles,  // each range is half a cycle
-  repeated,     // the history repeats: what closes when the residue comes once more is counted, after ISO 12110-2
-  astm,         // as ASTM E1049 counts it, in its order; half cycles too
+  repeated,     // the history repeats: cycles that close in the second pass of the residue are counted, after ISO
+                // 12110-2
+  astm,         // as in ASTM E1049, in its order; half cycles too
 };
 
 struct Rules {

@@ -52,7 +52,7 @@ class RainflowMatrix : public Consumer {
   double outside_ = 0.0;
 };
 
-/// How many cycles have a range of each class.
+/// The number of cycles in each class of range.
 class RangePairs : public Consumer {
  public:
   explicit RangePairs(Classes classes) : classes_(classes), counts_(classes.count(), 0.0) {}
@@ -62,7 +62,7 @@ class RangePairs : public Consumer {
   [[nodiscard]] const Classes& classes() const { return classes_; }
   [[nodiscard]] std::span<const double> counts() const { return counts_; }
   [[nodiscard]] double outside() const { return outside_; }
-  /// How many have a range of this class or of one above: the collective as it is drawn.
+  /// The number of cycles in this class of range or above: the spectrum as it is drawn.
   [[nodiscard]] std::vector<double> exceedances() const;
   /// The classes as levels of stress, each at its upper bound, so that damage is not underestimated.
   [[nodiscard]] std::vector<Level> levels(Measure measure) const;

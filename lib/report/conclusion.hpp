@@ -10,7 +10,7 @@ namespace loadpath::report {
 /// The reason for the headline: the failing modes, or a search without result, and the number of modes by state.
 Message conclusion_of(const Modes& modes);
 
-/// How many came out how: "Of 6 failure modes: 1 not assessed, 4 pass, 1 not considered."
+/// The number of modes by state: "Of 6 failure modes: 1 not assessed, 4 pass, 1 not considered."
 Message tally(const Modes& modes);
 
 /// The mode with the highest utilisation, or none, and what it is announced with.

@@ -5,8 +5,8 @@ namespace loadpath::report {
 
 enum class Detail {
   brief,   // the answer: what was chosen, what governs, what is not assessed
-  normal,  // with what each part was given, what decides over it, worked out, and its results
-  full     // with all lists, every formula, and the input as it was
+  normal,  // with the inputs of each part, its governing checks, worked out, and its results
+  full     // with all lists, every formula, and the unchanged input
 };
 
 }  // namespace loadpath::report

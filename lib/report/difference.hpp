@@ -15,7 +15,7 @@ struct Difference {
   Kind kind = Kind::given;
   std::string name;  // "tau_adm", "segments[1].M", of a mode its id
   std::string before, after;
-  std::optional<double> relative;  // change over what was; nothing of words, and of what was zero
+  std::optional<double> relative;  // change relative to the previous value; nothing for words, and for zero
   bool brief = true;               // worth a line where there is little room
 };
 

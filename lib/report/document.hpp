@@ -1,4 +1,4 @@
-// A report as data: what is said, in which order. Writers (html, markdown, latex) decide how it looks.
+// A report as data: its contents in order. Writers (html, markdown, latex) decide on the layout.
 #pragma once
 
 #include "lib/account/block.hpp"
@@ -13,7 +13,7 @@
 
 namespace loadpath::report {
 
-// A document is made of what the steps have to say.
+// A document consists of the blocks of the steps.
 using account::Block;
 using account::Cell;
 using account::Derivation;

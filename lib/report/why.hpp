@@ -18,12 +18,12 @@ struct Reasons {
 /// The derivation of the value at a path: "u_tau", "segments.journal.tau". Empty if no formula gives it.
 Reasons reasons_of(const account::Account& account, const std::string& path);
 
-/// The lines of a calculation as a report writes it out: all but those of elements of lists that checks assess. Of
+/// The lines of a calculation as a report writes it out: all but those of elements of lists that checks assess. From
 /// these, lines remain that checks or results of the part follow from, because results of other methods are in the
 /// tables; if a calculator writes out only a few elements, only the governing ones, because `why` shows the rest.
 std::vector<account::Derived> deciding_lines(const account::Account& account);
 
-/// Inputs that were searched for, with what the search says of them: rows, sizes, loads.
+/// Searched inputs, with the search's remarks: rows, sizes, loads.
 std::vector<const account::Entry*> chosen(const account::Account& account);
 
 /// The failure mode that decides over a part: the worst, among like ones the most utilised; one that is open only

@@ -1,4 +1,4 @@
-// How loops over columns are compiled.
+// Compilation of loops over columns.
 #pragma once
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \

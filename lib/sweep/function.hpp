@@ -17,7 +17,7 @@ class Function {
 
   [[nodiscard]] virtual std::size_t inputs() const = 0;
   [[nodiscard]] virtual std::size_t outputs() const = 0;
-  /// `in` has a column of n values for each input, `out` takes one for each output. SI; what is not available is NaN.
+  /// `in` has a column of n values for each input, `out` takes one for each output. SI; missing values are NaN.
   virtual void evaluate(std::span<const double* const> in, std::span<double* const> out, std::size_t n) = 0;
 };
 

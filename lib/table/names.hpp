@@ -1,4 +1,4 @@
-// Names of rows as people type them: whatever the case and the spaces, and which name is near to one that is not there.
+// Names of rows as users type them: case and spaces are ignored; the nearest name to an unknown one.
 #pragma once
 
 #include <string>

@@ -24,7 +24,7 @@ class Reader {
 
   void read(std::string_view text, const std::string& file);
 
-  /// Every key that was cited must have its citation, in whatever file, or be known elsewhere.
+  /// Every cited key must have its citation, in any of the files, or be known elsewhere.
   void check_citations(const std::function<bool(const std::string& key)>& known_elsewhere = {});
 
  private:

@@ -25,7 +25,7 @@ struct Comparison {
 };
 using Condition = std::vector<Comparison>;
 
-/// The condition, or what is wrong with it and where: unknown columns with near ones, other dimensions.
+/// The condition, or its fault with the place: unknown columns with near ones, other dimensions.
 Outcome<Condition> read_condition(std::string_view text, const std::vector<const Table*>& tables);
 
 struct Order {

@@ -1,5 +1,5 @@
-// Whether sizes, area and second moments are of one section: what is typed, and rows of a project, in other units than
-// meant or of two sections, do not fit together.
+// Whether sizes, area and second moments belong to one section: typed values, and rows of a project, in wrong units
+// or of two sections, are inconsistent.
 #pragma once
 
 #include "lib/text/issue.hpp"

@@ -84,7 +84,7 @@ struct Entry {
   const Row* row = nullptr;
 };
 
-/// A row by its name, else by an alias, whatever the case and the spaces.
+/// A row by its name, else by an alias, ignoring case and spaces.
 Outcome<Entry> find_row(const Library& library, std::string_view group, std::string_view name);
 /// The fault of a row in none of the libraries: a close but different row, or a similar name.
 Fault no_row(std::string_view group, std::string_view name, const std::vector<const Library*>& libraries);

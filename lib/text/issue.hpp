@@ -60,7 +60,7 @@ struct Fault {
   Message hint;
 };
 
-/// A value, or the reason why there is none.
+/// A value, or the reason why it is missing.
 template <class T>
 class Outcome {
  public:
@@ -112,7 +112,7 @@ std::string render(std::vector<Issue> issues, const std::function<std::string(co
 /// The candidate nearest to `word` (Damerau-Levenshtein, ignoring case first), or an empty string where none is near.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "did you mean '{1}'?" with the nearest candidate behind `prefix`; `otherwise` where none is near.
+/// "did you mean '{1}'?" with the nearest candidate after `prefix`; `otherwise` if none is near.
 Message did_you_mean(std::string_view word, const std::vector<std::string>& candidates, Message otherwise = {},
                      const std::string& prefix = {});
 /// "there is: a, b, c"

@@ -14,7 +14,7 @@ std::size_t first_invalid_byte(std::string_view text);
 /// none. Terminals obey them.
 std::size_t first_control(std::string_view text, std::string_view allowed);
 
-/// How many bytes the character at `at` takes: 1 to 4, never past the end of `text`.
+/// The number of bytes of the character at `at`: 1 to 4, never past the end of `text`.
 std::size_t character_length(std::string_view text, std::size_t at);
 
 /// The code points of `text`; a malformed byte maps to itself.

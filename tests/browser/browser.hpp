@@ -21,9 +21,9 @@ class Browser {
   Browser(const Browser&) = delete;
   Browser& operator=(const Browser&) = delete;
 
-  /// The width and height of what is looked at, in CSS pixels; `dark`: as with a dark desktop.
+  /// The width and height of the viewport, in CSS pixels; `dark`: as with a dark desktop.
   void look(int width, int height, bool dark = false);
-  /// How paper shows it: the styles for print, at the width of the printed area.
+  /// Shows the page as printed: the styles for print, at the width of the printed area.
   void look_as_print(int width);
   /// Opens an address and waits until it is there, its fonts with it.
   void open(const std::string& address);

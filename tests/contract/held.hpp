@@ -1,5 +1,5 @@
-// A solved step once more as a project of its own: every input typed as it was found, sizes that were searched for and
-// strengths out of tables with them, and its loads times a factor.
+// A solved step once more as a project of its own: every input typed with its value, including searched sizes and
+// strengths from tables, and its loads times a factor.
 #pragma once
 
 #include "lib/project/project.hpp"

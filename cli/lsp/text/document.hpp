@@ -37,7 +37,7 @@ class Document {
 
  private:
   void find_lines();
-  /// Without its end.
+  /// The line without its end.
   [[nodiscard]] std::string_view line(std::size_t number) const;
 
   std::string text_;

@@ -1,4 +1,4 @@
-// A figure's content drawn: what the writers (svg_writer.hpp, lib/draw/tikz) put into a file.
+// A figure's content drawn, for the writers (svg_writer.hpp, lib/draw/tikz).
 #pragma once
 
 #include "lib/draw/canvas/canvas.hpp"

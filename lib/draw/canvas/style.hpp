@@ -14,7 +14,7 @@ struct StyleColour {
 /// The appearance of a class of elements; of two rules the later one takes precedence.
 struct StyleRule {
   std::string_view selector;  // ".grid"; "text"
-  const StyleColour* stroke;  // null: it says nothing of it
+  const StyleColour* stroke;  // null: not set
   const StyleColour* fill;
   std::string_view rest;  // declarations of CSS: "stroke-width:1.9;stroke-linejoin:round"
 };

@@ -19,7 +19,7 @@ ChartPicture chart_picture(const Chart& chart);
 
 // The frame common to the two kinds.
 PlotFrame frame_of(const Chart& chart);
-/// How many dots pass, fail by which mode...
+/// The number of dots that pass, that fail by each mode...
 std::string counts_of(const Chart& chart);
 /// One row below the figure: a sign and what it means.
 class Legend {

@@ -1,5 +1,5 @@
-// A mechanism that moves, as a page shows it: two pictures of the printed position whose parts are marked, and the
-// numbers that a script needs to bring them to any other frame.
+// A moving mechanism in a page: two pictures of the printed position with marked parts, and the numbers that a script
+// needs to move them to any other frame.
 #pragma once
 
 #include "lib/figure/figure.hpp"

@@ -31,7 +31,7 @@ class PlotFrame {
  public:
   /// On a page of its own; or as a strip.
   explicit PlotFrame(const Plot& plot, const std::optional<Strip>& strip = {});
-  /// On a page of its own, around these SI values and nothing else.
+  /// On a page of its own, around exactly these SI values.
   PlotFrame(const Scale& x, const Scale& y, const Extent& across, const Extent& up);
 
   /// The place of SI values; nothing if one is not available.

@@ -58,7 +58,7 @@ class SchemePicture {
   [[nodiscard]] Motion::Carried carrier(Carriers of, std::size_t index) const {
     return motion_ == nullptr ? Motion::Carried{} : (motion_->*of)[index];
   }
-  /// A part that links carry: it goes with its anchor and turns about it.
+  /// A part carried by links: it moves with its anchor and rotates about it.
   template <class Draw>
   void carried(Motion::Carried by, Point anchor, const Draw& draw) {
     const bool moves = motion_ != nullptr && (by.place >= 0 || by.turn >= 0);

@@ -21,7 +21,7 @@ std::string aside_of(const std::string& name);
 std::uint64_t checked(std::uint64_t before, std::string_view bytes);
 std::uint64_t checked(std::uint64_t before, std::span<const double> values);
 
-/// Whether a folder holds nothing, or no more than what was killed before its first state has made.
+/// Whether a folder is empty, or has only remains of a process killed before its first state.
 bool is_unbegun(const std::filesystem::path& folder);
 
 Fault refused(const std::filesystem::path& folder, Message message, Message hint = {});

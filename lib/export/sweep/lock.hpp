@@ -20,7 +20,7 @@ class FolderLock {
   /// Locks for writing: a Fault if another process is at work, with its number and its host, or nothing can be
   /// written.
   static Outcome<FolderLock> to_write(const std::filesystem::path& folder);
-  /// To read what must not change meanwhile.
+  /// Locks for reading: the content must not change meanwhile.
   static Outcome<FolderLock> to_read(const std::filesystem::path& folder);
 
  private:

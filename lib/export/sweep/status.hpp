@@ -1,4 +1,4 @@
-// How far the sweep in a folder is, read from its manifest: what a sweep that was killed could not say itself.
+// The progress of the sweep in a folder, read from its manifest, because a killed sweep cannot report it.
 #pragma once
 
 #include "lib/text/issue.hpp"

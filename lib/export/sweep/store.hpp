@@ -1,5 +1,5 @@
-// A sweep in a folder: its columns, how far it is, and what it has found so far, so that what was stopped or killed
-// goes on, and shards become one.
+// A sweep in a folder: its columns, its progress, and its results so far, so that an interrupted sweep can be
+// resumed, and shards merged.
 //
 // manifest.json   description of the contents, for people and other programs
 // columns/        one file for each input and result, doubles in SI as numpy reads them

@@ -25,7 +25,7 @@ class Differential {
 
   /// After the instant has gone to a position: its multipliers, and what it induces. False if it jams.
   [[nodiscard]] bool start(bool statics);
-  /// All derivatives with respect to what is seeded now.
+  /// All derivatives with respect to the numbers seeded now.
   void find();
   /// Writes those of one lane.
   void store(std::size_t lane, Position& out) const;

@@ -9,7 +9,7 @@
 namespace loadpath::mechanism {
 
 /// In the units of the model: m, rad, kg, kg m^2, 1, N, N m, and those of springs. Points and mass centres are in the
-/// frames of their links. Moving the coordinate of a driver on is the opposite of raising its offset, at the same
+/// frames of their links. Increasing the coordinate of a driver is equivalent to decreasing its offset, at the same
 /// speed.
 struct Parameter {
   enum class Dimension {

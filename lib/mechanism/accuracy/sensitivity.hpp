@@ -1,5 +1,5 @@
-// How positions, motions, reactions and efforts change with each dimension and mass of a mechanism: exact derivatives,
-// from the solver's own equations differentiated forward at a solved position.
+// Derivatives of positions, motions, reactions and efforts with respect to each dimension and mass of a mechanism:
+// exact, from the solver's own equations differentiated forward at a solved position.
 //
 // With the closing equations Phi(q, p) = 0 and their Jacobian J: J dq = -dPhi; then J dv = -dJ v, J da = dc - dJ a for
 // the centripetal terms c, and J^T dlambda = df - dJ^T lambda for the multipliers, with one inverse of J for all.

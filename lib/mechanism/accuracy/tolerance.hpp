@@ -83,16 +83,16 @@ struct OutputError {
 
 class ToleranceAnalysis {
  public:
-  /// Criterion: the two corners that the derivatives call worst are solved again, always. If they miss the linear
-  /// result by more than this part of it, or do not close, the linearisation is poor, as it is near dead points: then
-  /// all corners are solved, up to 2^10 of them; of more tolerances than ten, the others stay at the worst side that
-  /// their own two ends have. The deviation then comes from half the span of the two ends of each tolerance.
+  /// Criterion: the two worst corners according to the derivatives are always solved again. If they deviate from the
+  /// linear result by more than this share of it, or do not close, the linearisation is poor, as near change points:
+  /// then all corners are solved, up to 2^10 of them; beyond ten tolerances, the others stay at the worse of their
+  /// own two ends. The deviation then comes from half the span of the two ends of each tolerance.
   static constexpr double most_curvature = 0.05;
   static constexpr std::size_t most_varied = 10;
 
   explicit ToleranceAnalysis(const Model& model);
-  /// At a position of the model solved at these drives, with the loads of the position. A parameter that the model does
-  /// not depend on counts nothing.
+  /// At a position of the model solved at these drives, with the loads of the position. A parameter without effect on
+  /// the model counts nothing.
   [[nodiscard]] OutputError find(const Position& at, std::span<const Drive> drives, const Output& output,
                                  std::span<const Tolerance> tolerances, std::span<const Clearance> clearances = {},
                                  bool statics = false);

@@ -50,8 +50,8 @@ class CycleColumns {
   /// Whether the last cycle was solved in lanes.
   [[nodiscard]] bool in_lanes() const { return in_lanes_; }
 
-  // Columns over the positions, of what is kept: of link j on link i of a joint, N, N m at its pin; N m or N on link i
-  // of a driver; m, rad and their rates.
+  // Columns over the positions, as selected: of link j on link i of a joint, N, N m at its pin; N m or N on link i of
+  // a driver; m, rad and their rates.
   struct Vectors {
     std::span<const double> x, y;
   };

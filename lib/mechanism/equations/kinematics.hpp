@@ -59,7 +59,7 @@ class BasicConstraints {
   /// The part of J times the acceleration that depends only on the velocities.
   void centripetal(std::span<const Scalar> velocity, std::span<Scalar> right) const;
   [[nodiscard]] Scalar coordinate(std::size_t driver) const;
-  /// How far the joint is from being closed.
+  /// The residual of the joint's constraints.
   [[nodiscard]] Scalar opening(std::size_t joint) const;
 
   /// The joints.

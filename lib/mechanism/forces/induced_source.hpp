@@ -52,7 +52,7 @@ struct FrictionTaken {
   double share = 1.0;  // factor on the model's coefficients and losses
 };
 
-/// How many forces the reaction of this joint brings with it.
+/// The number of forces that the reaction of this joint induces.
 std::size_t modes_of(const Joint& joint);
 /// Whether there is friction among them.
 bool rubs(const Joint& joint);
@@ -78,8 +78,8 @@ void set_modes(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>
 template <class Scalar>
 void induce(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source, const BasicReaction<Scalar>& by,
             double share, std::span<std::type_identity_t<Scalar>> amount);
-/// Takes what this amount of a mode does to the links i and j from what the constraints must supply; `length`: the unit
-/// of length of the coordinates q and of what is required, m.
+/// Subtracts the effect of this amount of a mode on the links i and j from the forces that the constraints must
+/// supply; `length`: the unit of length of the coordinates q and of the forces, m.
 template <class Scalar>
 void take_from_required(const BasicInducedMode<Scalar>& mode, std::type_identity_t<Scalar> amount, double length,
                         const BasicPair<Scalar>& pair, std::span<const std::type_identity_t<Scalar>> q,

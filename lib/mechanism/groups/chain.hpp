@@ -1,10 +1,10 @@
-// A mechanism of drives, rigid links and dyads in closed form, with all its numbers ready: what can be computed for
-// many positions at once (chain_motion.hpp, chain_forces.hpp). Each link is seen from a frame of its own choice: it
-// starts at the pin by which the link hangs, or at the inner joint of a slider, and looks along its bar, its guide or
-// its slot, so that a closed dyad gives the turns of its links as they are.
+// A mechanism of drives, rigid links and dyads in closed form, with all its numbers ready: the part that can be
+// computed for many positions at once (chain_motion.hpp, chain_forces.hpp). Each link has a frame of its own choice:
+// its origin is at the pin that carries the link, or at the inner joint of a slider, and its axis is along its bar,
+// its guide or its slot, so that a closed dyad gives the rotations of its links directly.
 //
-// Not among them, and followed by GroupPositions and GroupMotion: groups that are closed by iteration, slides across
-// slides, a guide between a turning and a sliding link, springs, and joints whose reactions bring forces with them.
+// Excluded, and followed by GroupPositions and GroupMotion: groups that are closed by iteration, slides across
+// slides, a guide between a rotating and a sliding link, springs, and joints whose reactions induce forces.
 #pragma once
 
 #include "lib/mechanism/groups/plan.hpp"
@@ -26,13 +26,13 @@ struct ChainLink {
   double inertia = 0.0;
 };
 
-/// By which a link hangs on what is there before it.
+/// The joint that connects a link to the previous ones.
 struct Hinge {
   std::size_t tree = none;  // tree joint of the plan; none: not a link, but a line of `on`
   std::size_t link = none;
   std::size_t on = 0;
   std::size_t joint = none;  // joint of the model
-  bool grounded = false;     // it hangs on the ground
+  bool grounded = false;     // connected to the ground
   bool link_is_i = true;     // whether it is link i of the joint
   Vec seat;                  // frame of `on`: the pin; of a slider where its inner joint is when it has not slid
   Vec along{1.0, 0.0};       // frame of `on`, of a slider
@@ -47,10 +47,10 @@ struct ChainStep {
   enum class Kind {
     turned,        // by a drive, as the first hinge has it
     slid,          // by a drive
-    fixed,         // to what it hangs on
+    fixed,         // to the carrying link
     two_arms,      // two pinned bars; the first is link i of the inner joint
     arm_and_line,  // a pinned bar, and a slider or a slot
-    slot,          // a pinned link, the second hinge, whose slot takes a pin of another
+    slot,          // a pinned link, the second hinge, whose slot takes another link's pin
     guide          // two pinned links that slide in each other
   };
   Kind kind = Kind::turned;
@@ -85,7 +85,7 @@ struct Chain {
   void take_dimensions(const Model& model, const Plan& plan);
 };
 
-/// Whether it has neither springs nor joints whose reactions bring forces with them.
+/// Whether it has neither springs nor joints whose reactions induce forces.
 bool is_chain(const Model& model);
 /// Nothing if the mechanism is not such a one.
 std::optional<Chain> chain_of(const Model& model, const Plan& plan);

@@ -1,6 +1,6 @@
-// Forces of a chain of dyads that has moved (chain_motion.hpp), back through its steps: a dyad's inner joint takes what
-// would turn its links about their pins or slide them, by the determinant of its motion; the rest goes on through the
-// joints by which they hang.
+// Forces of a chain of dyads with known motion (chain_motion.hpp), back through its steps: a dyad's inner joint takes
+// the forces that would rotate its links about their pins or slide them, by the determinant of its motion; the rest
+// passes through the joints that carry them.
 #pragma once
 
 #include "lib/mechanism/groups/chain_state.hpp"

@@ -12,7 +12,7 @@
 
 namespace loadpath::mechanism {
 
-/// As the step's joint counts.
+/// In the counting direction of the step's joint.
 inline double value_of(const ChainStep& step, const Drive& drive) {
   return step.sense * (drive.coordinate - step.offset);
 }

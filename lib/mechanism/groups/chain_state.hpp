@@ -74,7 +74,7 @@ struct ChainState {
   Lanes<Count> clear{};       // 1, or 0
 };
 
-/// With what hangs on the ground known when it is compiled: most of its arithmetic is with zeros.
+/// With the connections to the ground known at compile time: most of its arithmetic is with zeros.
 template <class Do>
 void on_ground(const Hinge& hinge, Do what) {
   hinge.grounded ? what(std::true_type{}) : what(std::false_type{});

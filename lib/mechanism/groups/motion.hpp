@@ -1,4 +1,4 @@
-// Velocities, accelerations and forces group by group where a mechanism is. The closing equations of a group serve all
+// Velocities, accelerations and forces group by group at a position. The closing equations of a group serve all
 // three: motions go forward from the first group attached, forces back from the last, by the transposed equations.
 #pragma once
 
@@ -12,7 +12,8 @@
 
 namespace loadpath::mechanism {
 
-/// How a link moves, its frame's origin and itself, and what its joints have to supply for that, about its origin.
+/// The motion of a link, its frame's origin and rotation, and the forces that its joints have to supply for it, about
+/// its origin.
 struct Moving {
   Vec velocity, acceleration;
   double omega = 0.0, epsilon = 0.0;
@@ -30,8 +31,8 @@ class GroupMotion {
   void find_velocities(std::span<const Drive> drives);
   /// After the velocities.
   void find_accelerations(std::span<const Drive> drives);
-  /// After both; `statics`: as if the accelerations were zero. Reactions and efforts in equilibrium with what is
-  /// induced are written to `out`.
+  /// After both; `statics`: as if the accelerations were zero. Reactions and efforts in equilibrium with the induced
+  /// forces are written to `out`.
   void find_forces(bool statics, const Induced& induced, Position& out);
 
   [[nodiscard]] const Moving& link(std::size_t k) const { return moving_[k]; }

@@ -1,6 +1,6 @@
-// How the groups of a mechanism are computed. The links of a group hang on what is there before by tree joints with one
-// coordinate each; the joints and drives that are left cut the loops open, and closing them gives as many equations as
-// there are unknown coordinates: two for every dyad.
+// The computation plan for the groups of a mechanism. Tree joints with one coordinate each connect the links of a
+// group to earlier ones; the remaining joints and drives cut the loops open, and closing them gives as many equations
+// as there are unknown coordinates: two for every dyad.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -19,8 +19,8 @@ inline constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 inline constexpr double near_change = 0.1;
 inline constexpr double longest_way = 1.0;
 
-/// The model's links keep their numbers, the ground comes next, then massless ones: a link that neither a turning nor a
-/// sliding joint leads to hangs on two crossed slides.
+/// The model's links keep their numbers, the ground comes next, then massless ones: a link that neither a revolute
+/// nor a sliding joint connects is carried by two crossed slides.
 struct TreeJoint {
   enum class Kind { turn, slide, fixed };
   Kind kind = Kind::turn;
@@ -53,7 +53,7 @@ struct Cut {
   std::vector<Mover> movers = {};
 };
 
-/// How the loops of a group are closed: in closed form where a dyad, or one link with a slot, gives one.
+/// The closing of a group's loops: in closed form if a dyad, or one link with a slot, gives one.
 enum class Closing {
   nothing,
   two_paths,
@@ -65,7 +65,7 @@ enum class Closing {
 };
 
 struct GroupPlan {
-  std::size_t first_tree = 0, last_tree = 0;  // in the order in which they hang on each other
+  std::size_t first_tree = 0, last_tree = 0;  // in the order of attachment
   std::size_t first_cut = 0, last_cut = 0;
   std::vector<std::size_t> unknowns;  // tree joints
   Closing closing = Closing::nothing;

@@ -33,7 +33,7 @@ struct BasicLink {
 };
 using Link = BasicLink<double>;
 
-/// `none`: what is left of a joint whose constraints are all released (release.hpp).
+/// `none`: the rest of a joint whose constraints are all released (release.hpp).
 enum class JointKind { revolute, prismatic, slot, rigid, gear, rack, belt, rolling, rolling_on_line, cam, none };
 
 /// The number of degrees of freedom, of three between two links, that a joint removes.
@@ -70,7 +70,7 @@ struct BasicFriction {
   Scalar rolling_arm = 0.0;  // m: rolling
   Scalar viscous = 0.0;      // N m s, or N s/m in a slide
   Scalar loss = 0.0;         // teeth, belts: part of the power that passes from link i to link j, 1 - efficiency
-  Scalar loss_back = 0.0;    // the same from link j to link i; beyond 1 where nothing passes
+  Scalar loss_back = 0.0;    // the same from link j to link i; beyond 1 if nothing is transmitted
   /// Whether there is some that goes with the joint's force, and has its sense even at rest.
   [[nodiscard]] bool dry() const { return coefficient > 0.0 || rolling_arm > 0.0 || loss > 0.0 || loss_back > 0.0; }
   [[nodiscard]] bool any() const { return dry() || viscous > 0.0; }
@@ -108,7 +108,7 @@ struct BasicJoint {
   BasicFriction<Scalar> friction = {};
   Scalar phase = 0.0;  // m
   CamContact contact = CamContact::round;
-  std::shared_ptr<const Profile> profile = nullptr;  // cam: in m, whatever the unit of length of the model
+  std::shared_ptr<const Profile> profile = nullptr;  // cam: in m, independent of the unit of length of the model
   Scalar metre = 1.0;                                // in that unit
 };
 using Joint = BasicJoint<double>;
@@ -141,7 +141,7 @@ struct BasicLoad {
 };
 using Load = BasicLoad<double>;
 
-/// The force in global axes, of a load whose force in its own axes is this, on a link that is turned so.
+/// The force in global axes of a load given in its own axes, on a link with this rotation.
 template <class Scalar>
 BasicVec<Scalar> global_force(const BasicLoad<Scalar>& load, BasicVec<Scalar> own, const BasicTurn<Scalar>& turned) {
   return load.turns_with_link ? turned(own) : own;

@@ -37,7 +37,7 @@ bool has_phase(const BasicPairShape<Scalar>& shape);
 /// Sets the phase of every joint that has one to what it is at the stated poses.
 template <class Scalar>
 void take_phases(BasicModel<Scalar>& model);
-/// How far each of the equations is from holding; `target`: the coordinate that a drive should have.
+/// The residual of each equation; `target`: the required coordinate of a drive.
 template <class Scalar>
 void open(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at, const BasicPlaced<Scalar>& i,
           const BasicPlaced<Scalar>& j, std::type_identity_t<Scalar> target,

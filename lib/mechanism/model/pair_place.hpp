@@ -19,7 +19,7 @@ struct BasicPlaced {
 };
 using Placed = BasicPlaced<double>;
 
-/// How a link's frame moves.
+/// The motion of a link's frame.
 template <class Scalar>
 struct BasicSpeeds {
   BasicVec<Scalar> origin;
@@ -82,7 +82,7 @@ struct BasicTouch {
 /// A pair at a position, global axes.
 template <class Scalar>
 struct BasicPairPlace {
-  BasicVec<Scalar> at;     // where the forces of its rows act on i: its pin, the point where wheels touch
+  BasicVec<Scalar> at;     // point of action of its rows' forces on i: its pin, the contact of wheels
   BasicVec<Scalar> at_j;   // and on j: the same once the pair is closed
   BasicVec<Scalar> seat;   // point_j
   BasicVec<Scalar> apart;  // from the seat to the pin of link i

@@ -25,7 +25,7 @@ struct BasicCurvePoint {
 };
 using CurvePoint = BasicCurvePoint<double>;
 
-/// In which sense the cam turns against the frame of its follower as the law goes on.
+/// The direction of rotation of the cam against the frame of its follower along the law.
 enum class CamSense { counter_clockwise, clockwise };
 
 /// The path of a roller's centre on a straight guide: at the cam's angle 0 the guide points along the x axis, at the
@@ -57,8 +57,9 @@ struct FlatFollower {
   double base = 0.0;  // m, radius of the base circle
 };
 
-/// The flank that carries a flat face which swings about a pivot, that at the cam's angle 0 lies on the x axis; `side`
-/// as of an arm: where the face runs from the pivot. Its normal must turn on as the cam does: CurvePoint::turning > 0.
+/// The flank that carries a flat face which swings about a pivot on the x axis at the cam's angle 0; `side` as of an
+/// arm: the side of the pivot on which the face extends. Its normal must rotate in the direction of the cam:
+/// CurvePoint::turning > 0.
 struct SwingingFace {
   Lift lift;  // rad, away from the cam
   CamSense sense = CamSense::counter_clockwise;
@@ -119,7 +120,7 @@ BasicVec<Scalar> outward(BasicVec<Scalar> tangent) {
 
 /// The tightest bends of a profile, and where, by the curve's parameter.
 struct Bends {
-  /// The least radius of curvature where it bulges, m; what is not positive is undercut. Infinite where nothing bulges.
+  /// The minimum radius of curvature of convex parts, m; undercut unless positive. Infinite without convex parts.
   double bulge = std::numeric_limits<double>::infinity(), bulge_at = 0.0;
   /// The same where it is hollow: no roller of a larger radius reaches in. Infinite where it is convex all round.
   double hollow = std::numeric_limits<double>::infinity(), hollow_at = 0.0;

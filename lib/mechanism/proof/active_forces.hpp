@@ -21,8 +21,8 @@ struct ActiveForce {
   double couple = 0.0;  // N m
 };
 
-/// Weights, loads, springs and, unless `statics`, forces of inertia (D'Alembert) act at the mass centre; what is zero
-/// is left out.
+/// Weights, loads, springs and, unless `statics`, inertia forces (D'Alembert) act at the mass centre; zero loads are
+/// left out.
 void find_active_forces(const Model& model, const Position& at, bool statics, std::vector<ActiveForce>& active);
 
 /// Adds them up, coordinate by coordinate: forces, N, and moments about the origins of the links' frames over this

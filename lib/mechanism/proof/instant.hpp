@@ -58,7 +58,7 @@ class Instant {
   /// The condition number of the position's constraint equations with this unit of length, 1-norm, as GroupInverse
   /// finds it.
   [[nodiscard]] double condition() const { return condition_; }
-  /// To rounding: at most three digits of what the inverse gives are left.
+  /// To rounding: at most three digits of the inverse remain.
   [[nodiscard]] bool is_singular() const { return !(condition_ <= 1e13); }
 
  private:

@@ -37,7 +37,7 @@ class FreeMechanism {
   [[nodiscard]] NullSpace motions() const;
   /// Forces that are in equilibrium by themselves: an entry for each row of the constraints.
   [[nodiscard]] NullSpace self_stresses() const;
-  /// How firmly this many constraints hold: a pivot of the constraints' matrix over the largest one, 0 to 1.
+  /// The independence of this many constraints: a pivot of the constraints' matrix over the largest one, 0 to 1.
   [[nodiscard]] double grip(std::size_t rank) const;
 
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }

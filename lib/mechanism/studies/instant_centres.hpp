@@ -1,4 +1,4 @@
-// Instantaneous centres: the point about which a link turns at the moment, against the ground or another link.
+// Instantaneous centres: the instantaneous centre of rotation of a link against the ground or another link.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"

@@ -12,7 +12,7 @@
 
 namespace loadpath::mechanism {
 
-/// How the mass of a link lies along its axis.
+/// The distribution of a link's mass along its axis.
 enum class MassLine {
   uniform,  // evenly from start to end
   lumped    // all of it, with its moment of inertia, at the mass centre
@@ -47,7 +47,7 @@ class MemberLoads {
 
   /// Takes the loads on the link at a solved position. `statics`: without inertia.
   void take(const Position& at, bool statics);
-  /// Just before and just after each place where something acts, in rising order; nothing may be left after the last.
+  /// Just before and just after each point of action, in rising order; nothing may be left after the last.
   [[nodiscard]] std::span<const SectionForces> stations() const { return stations_; }
   /// Anywhere between, 0 <= x <= length.
   [[nodiscard]] SectionForces at(double x) const;

@@ -1,5 +1,5 @@
-// Derivatives of the position functions of a mechanism: how every link moves per radian or metre of a drive, whatever
-// its speed. Also called velocity and acceleration analogues.
+// Derivatives of the position functions of a mechanism: the motion of every link per radian or metre of a drive, at
+// any speed. Also called velocity and acceleration analogues.
 #pragma once
 
 #include "lib/mechanism/groups/motion.hpp"
@@ -37,8 +37,8 @@ class PositionFunctions {
   std::vector<Drive> drives_;
 };
 
-/// The same of the only drive of a solved position, from its velocities and accelerations: the drive turns at a speed
-/// that does not change.
+/// The same of the only drive of a solved position, from its velocities and accelerations: the drive has constant
+/// speed.
 void divide_by_speed(Position& at, double speed);
 
 /// The coordinate of a drive at these poses, rad or m.

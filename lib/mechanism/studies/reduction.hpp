@@ -1,5 +1,5 @@
-// The mechanism reduced to its drive: one inertia that has its kinetic energy, one moment that does the work of its
-// loads (m and F in place of J and M where the drive is linear). And a link's mass reduced to points.
+// The mechanism reduced to its drive: one inertia with its kinetic energy, one moment with the power of its loads (m
+// and F in place of J and M for a linear drive). And a link's mass reduced to points.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"

@@ -36,7 +36,7 @@ struct CounterweightSite {
   double mass = 0.0;                     // kg
   std::optional<double> direction = {};  // direction of its arm, rad, link frame; nothing: the best one
 };
-/// Its mass times its arm from the pivot, link frame, kg m. In a stated direction it may come out opposite to it.
+/// Its mass times its arm from the pivot, link frame, kg m. In a given direction it may come out opposite to it.
 struct Counterweight {
   CounterweightSite site;
   Vec mass_moment;

@@ -1,4 +1,4 @@
-// How a project file is laid out: the order of its tables and of the keys of its steps, spaces, quotes, units.
+// The layout of a project file: the order of its tables and of the keys of its steps, spaces, quotes, units.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"

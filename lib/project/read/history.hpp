@@ -11,14 +11,15 @@
 
 namespace loadpath::project {
 
-/// Whether a value of a project names such a file.
+/// Whether a value of a project refers to such a file.
 bool names_history_file(const toml::Tree& tree);
 /// Whether it is a history, of a file or typed.
 bool is_history(const toml::Tree& tree);
 
 struct History {
   std::shared_ptr<const Axis> axis;  // samples, counted from 0
-  Value series;  // the first and the last sample and where it turns between, over that axis; in step all of them
+  Value series;  // the first and the last sample and the reversals between, over that axis; all samples if
+                 // synchronous
 };
 
 /// The samples to keep.

@@ -39,7 +39,7 @@ class Reader {
   void read_search(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_special(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_history_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
-  /// Keys of a table that are none of these.
+  /// Refuses keys of a table other than these.
   void refuse_others(const toml::Tree& tree, const std::vector<std::string>& keys, const std::string& path);
   void read_grid_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_uncertain_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);

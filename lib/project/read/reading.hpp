@@ -26,7 +26,7 @@ struct Operand {
   Expression expression;
   std::string text;                                         // as written, without the '='
   Place place;                                              // place of the text after the '='
-  bool of_record = false;                                   // nobody typed it
+  bool of_record = false;                                   // not typed
   bool may_lack = false;                                    // records: inputs missing there stay open
   double early = std::numeric_limits<double>::quiet_NaN();  // SI, where it is known before any step is solved
 };
@@ -37,7 +37,7 @@ struct Taken {
   const FieldInfo* field = nullptr;  // null: a row
   std::string source;                // "pick.best"
   Place place;                       // place of the text after the '='
-  bool of_record = false;            // nobody typed it
+  bool of_record = false;            // not typed
   bool may_lack = false;             // records: inputs missing there stay open
   const Axis* axis = nullptr;        // axis of a list that contains series
 };
@@ -60,7 +60,7 @@ struct Varied {
   sweep::Axis axis = {};                // SI, of choices their numbers
   std::vector<std::string> words = {};  // words of a row or a choice
   std::optional<sweep::Distribution> distribution = {};
-  std::string stock = {};  // whose sizes are the values: filled in where the tables are known
+  std::string stock = {};  // whose sizes are the values: filled in once the tables are known
   double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
   std::size_t at = 0;  // index of the current word
 };
@@ -101,7 +101,7 @@ struct Reading {
   std::vector<Search> searches;
   std::vector<Varied> varied;
   std::map<std::string, Typed> typed;  // by the path of the leaf; lists and groups by their own path too
-  std::set<std::string> faulty;        // top-level fields that an error is about: what else depends on them is not said
+  std::set<std::string> faulty;        // top-level fields with an error: consequences for others are not reported
   std::vector<std::shared_ptr<const Axis>> axes;  // axes of series read from files
   Place place;                                    // place of the table
 };

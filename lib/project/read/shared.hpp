@@ -30,7 +30,7 @@ class Values {
     std::optional<sweep::Distribution> distribution;
   };
 
-  /// Takes the table [values]; names that are none and references in a circle become issues.
+  /// Takes the table [values]; unknown names and circular references become issues.
   void read(const toml::Tree::Entry& table, std::vector<Issue>& issues);
   [[nodiscard]] bool empty() const { return all_.empty(); }
 
@@ -50,11 +50,11 @@ class Values {
   /// Evaluates numbers written as expressions to literals, for tables and expectations, which are read at once.
   /// References to steps remain.
   void write_out_all_numbers(toml::Tree& tree) const;
-  /// Every value that the texts of a tree name is used: those of steps, of what is expected.
+  /// Marks every value named in the texts of a tree as used: in steps and expectations.
   void note_uses(const toml::Tree& tree);
 
   [[nodiscard]] std::vector<Several> several() const;
-  /// Gives such a value one of them.
+  /// Sets such a value to one of its values.
   void set(const std::string& name, double si);
   /// A warning for every value that nothing refers to.
   void warn_of_unused(std::vector<Issue>& issues) const;

@@ -5,9 +5,9 @@
 
 namespace loadpath::project {
 
-/// Called before a step is solved, when those that it refers to are. Loads that hold a factor which the step would
-/// apply again, and loads of which some hold one and some do not, become issues. The step then knows what its loads
-/// hold.
+/// Called before a step is solved, after the steps that it refers to. Loads that include a factor which the step
+/// would apply again, and loads of which only some include one, become issues. The step then knows the factors of its
+/// loads.
 void check_factors(Step& step, const Project& project, std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

@@ -1,4 +1,4 @@
-// Loads that change their sense over a cycle, and inputs that say otherwise.
+// Loads that reverse over a cycle, and inputs that claim otherwise.
 #pragma once
 
 #include "lib/project/project.hpp"

@@ -10,7 +10,7 @@
 
 namespace loadpath::project {
 
-/// A step that values are taken from, and the element of its list that they come from.
+/// A step that values are taken from, and the element of its list.
 struct Source {
   std::string step;
   std::string

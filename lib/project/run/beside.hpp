@@ -33,7 +33,7 @@ double relative_rounding(std::string_view typed);
 
 /// Whether the typed value equals the other one, to the digits typed.
 bool is_equal(Beside beside, double typed, double other, double rounding);
-/// Whether it is on the side that wants a reason: more than the part has, or less than it has to bear.
+/// Whether it is on the side that needs a reason: a higher capacity, or a lower load.
 bool is_bolder(Beside beside, double typed, double other);
 
 }  // namespace loadpath::project

@@ -1,4 +1,4 @@
-// From the text of a project to its steps, each with everything that can be known before it is solved.
+// From the text of a project to its steps, each checked as far as possible before it is solved.
 #pragma once
 
 #include "lib/project/project.hpp"

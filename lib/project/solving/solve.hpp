@@ -11,7 +11,7 @@ namespace loadpath::project {
 void solve(Project& project, std::vector<Issue>& issues, Wanted wanted = {});
 /// The wanted values, including those that steps and expectations take from one another.
 Wanted with_references(const Project& project, Wanted wanted);
-/// The same as `solve`, as often as inputs are changed: of wants with references.
+/// The same as `solve`, for repeated changes of inputs: `wanted` includes references.
 void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted);
 
 }  // namespace loadpath::project

@@ -8,7 +8,7 @@
 
 namespace loadpath::project {
 
-/// The mean of what is uncertain, the middle one of values, the first word.
+/// The mean of an uncertain input, the middle one of values, the first word.
 double middle_of(const SweptInput& input);
 /// The 5 % and 95 % quantiles of an uncertain input, else its bounds.
 double low_of(const SweptInput& input);

@@ -17,7 +17,7 @@ struct BestAsked {
   Placed objective;  // "rod.mass", or "m = rod.mass"
   bool maximise = false;
   std::vector<Placed> such_that;        // "every mode passes", "rod passes", "rod.mass <= 5 kg"; none: the first
-  std::optional<double> quantile = {};  // objective and demands hold with this probability over what is uncertain
+  std::optional<double> quantile = {};  // probability of objective and constraints over the uncertain inputs
   std::vector<std::pair<std::string, std::string>> results = {};  // by their names: "mass", "rod.A*rod.l*rho"
 };
 

@@ -1,4 +1,4 @@
-// A sweep of a project: its points, in which order its inputs go through them, and what is read off each.
+// A sweep of a project: its points, the order of its inputs, and the values read at each.
 #pragma once
 
 #include "lib/project/read/sweep_settings.hpp"

@@ -1,5 +1,5 @@
-// Numbers between bounds: what holds a function everywhere between two places, whatever it does there. Each bound is
-// moved outwards by a rounding, so that it holds in floating point too.
+// Numbers between bounds: they enclose a function everywhere between two places. Each bound is moved outwards by a
+// rounding, so that it holds in floating point too.
 #pragma once
 
 #include <initializer_list>

@@ -15,7 +15,7 @@ struct Reference {
   std::string path;
   std::size_t at = 0;
 };
-/// What a path is, when the file is read; a Fault (its `at` is ignored) where it is nothing.
+/// The signature of a path, when the file is read; a Fault (its `at` is ignored) for an unknown path.
 using Declared = std::function<Outcome<Signature>(const std::string& path)>;
 /// The value of a path, when the project is solved; the paths are those that passed `check`.
 using Known = std::function<const Value&(const std::string& path)>;

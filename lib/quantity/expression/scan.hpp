@@ -1,5 +1,5 @@
-// Where the tokens of an expression end. Every function takes the text and the byte at which a token may start and
-// gives the byte after it; the same byte where no such token starts there.
+// The ends of the tokens of an expression. Every function takes the text and the byte at which a token may start and
+// returns the byte after it; the same byte if no such token starts there.
 #pragma once
 
 #include <cstddef>

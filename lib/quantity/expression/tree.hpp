@@ -37,7 +37,7 @@ struct Function {
   double (*map)(double) = nullptr;
   double (*join)(double, double) = nullptr;
   int degree = 1;
-  bool is_magnitude = false;         // never negative, whatever it is taken of
+  bool is_magnitude = false;         // never negative, for any argument
   Jet (*jet)(const Jet&) = nullptr;  // smooth functions of one argument; null for functions with kinks
   Jet (*jet_of_two)(const Jet&, const Jet&) = nullptr;
   IntervalJet (*bounds)(const IntervalJet&) = nullptr;  // where `jet` is set
@@ -71,7 +71,7 @@ struct Parsed {
   Tree tree;
   std::vector<Reference> references;
 };
-/// `variable`: a bare name that is a reference and no unit; empty: there is none.
+/// `variable`: a bare name that is a reference and not a unit; empty: there is none.
 Outcome<Parsed> parse(std::string_view text, std::string_view variable = {});
 
 Outcome<Signature> check(const Tree& tree, const Declared& declared);

@@ -25,7 +25,7 @@ class Lines {
     return found != nullptr ? taken(static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.data()), 1)
                             : more();
   }
-  /// The latest line comes once more.
+  /// Returns the latest line once more.
   void again() { at_ = start_, --number_; }
 
   /// The number of the latest line, from 1.
@@ -33,7 +33,7 @@ class Lines {
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
 
  private:
-  static constexpr std::size_t longest = std::size_t{1} << 20U;  // bytes of a line, and of what is read at once
+  static constexpr std::size_t longest = std::size_t{1} << 20U;  // bytes of a line, and of one read
 
   std::string_view taken(std::size_t end, std::size_t length_of_end) {
     start_ = at_, at_ = end + length_of_end, ++number_;

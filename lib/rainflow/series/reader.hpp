@@ -18,8 +18,8 @@ class Reader {
   Reader() = default;
   Reader(Reader&&) = delete;
   virtual ~Reader() = default;
-  /// Finite numbers; none at the end. A Fault whose `at` is the line of a text, counted from 1, or the byte of a binary
-  /// file, counted from 0: the message says so too, and reading is over.
+  /// Finite numbers; none at the end. A Fault whose `at` is the line of a text, counted from 1, or the byte of a
+  /// binary file, counted from 0: the message includes it too, and reading ends.
   virtual Outcome<std::span<const double>> next() = 0;
 };
 

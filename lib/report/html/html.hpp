@@ -15,7 +15,8 @@ std::string math(std::string_view fragment);
 std::string symbol(std::string_view path);
 std::string cell(const Cell& cell);
 
-/// One of many columns is set closer, its units in the head; what is still too wide becomes several below each other.
+/// A table of many columns has closer spacing, its units in the head; if still too wide, it is divided into several,
+/// one below the other.
 std::string table(const Table& table, const std::string& caption);
 
 /// The shapes that verdicts refer to; once in a page.

@@ -1,4 +1,4 @@
-// How wide the columns of a table are set.
+// The widths of a table's columns.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace loadpath::report::tex {
 
-/// Letters that a column needs: to break nothing but between words, and to break nothing at all.
+/// Letters that a column needs: to break only between words, and to break nothing at all.
 struct Need {
   double least = 0.0, all = 0.0;
 };

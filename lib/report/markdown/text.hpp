@@ -7,7 +7,7 @@
 
 namespace loadpath::report::md {
 
-/// Words on one line in which nothing is read as markup.
+/// Words on one line, escaped from markup.
 std::string text(std::string_view words);
 std::string code(std::string_view words);
 std::string inline_math(std::string_view tex);

@@ -16,7 +16,7 @@ struct SolvedPoints {
   [[nodiscard]] std::size_t size() const { return numbers.size(); }
 };
 
-/// The points of two inputs that are crossed, and nothing else is.
+/// The points of two crossed inputs, without other inputs.
 struct Plane {
   std::size_t across = 0, up = 0;  // inputs
   std::size_t columns = 0;
@@ -24,7 +24,7 @@ struct Plane {
 };
 
 struct DrawnPoints {
-  SolvedPoints cloud;  // for two objectives: evenly out of all, the Pareto set, the worst
+  SolvedPoints cloud;  // for two objectives: an even selection, the Pareto set, the worst
   std::optional<Plane> plane;
 };
 

@@ -15,7 +15,7 @@ struct SourceText {
   std::string file;
   std::string text;
 };
-/// Issues with their lines of these texts, as they are shown where nobody looks at a terminal.
+/// Issues with their lines of these texts, as shown without a terminal.
 std::string issues_text(const std::vector<Issue>& issues, const std::vector<SourceText>& sources);
 /// The same on standard error.
 void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources);

@@ -1,4 +1,4 @@
-// How an uncertain input scatters: the law with its parameters, and the value to a probability.
+// The distribution of an uncertain input: the law with its parameters, and the value at a probability.
 //
 // Normal, uniform and triangular laws, the lognormal one by mean and standard deviation of the quantity itself, and
 // Weibull's of three parameters. Probabilities lie inside (0, 1), where every value is finite.

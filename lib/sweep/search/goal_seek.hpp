@@ -1,4 +1,4 @@
-// The value of one input at which an output has a wanted value.
+// The value of one input at which an output reaches a target.
 #pragma once
 
 #include "lib/sweep/function.hpp"
@@ -19,7 +19,7 @@ struct Goal {
 /// A point where the output equals the target, or jumps across it.
 struct Meeting {
   enum class Kind {
-    crossing,  // to rounding: `within` is what is left of the bracket
+    crossing,  // to rounding: `within` is the final width of the bracket
     touching,  // without crossing; to a millionth of the neighbouring deviation of the output from the target
     stretch,   // from `at` to `to` at every point that was looked at
     leap       // past it: the output has the target on neither side
@@ -37,7 +37,7 @@ struct Sought {
   std::uint64_t evaluations = 0;
 };
 
-/// The other inputs stay as `base` says. Brackets by points over the range and at the edges of what is not available;
+/// The other inputs keep the values of `base`. Brackets by points over the range and at the edges of missing values;
 /// roots by TOMS 748 of Boost.Math.
 [[nodiscard]] Sought seek(Function& function, const std::vector<double>& base, const Goal& goal);
 

@@ -33,7 +33,7 @@ struct Optimum {
   std::size_t worst = 0;  // the constraint that is broken most; their number where none is
   Reach reach = Reach::local;
   bool budget_spent = false;
-  std::uint64_t candidates = 0;       // where every point was gone through, how many there are; else 0
+  std::uint64_t candidates = 0;       // number of points if all were evaluated; else 0
   std::uint64_t evaluations = 0;      // those of the proof too, which meets some points again
   std::vector<Neighbour> neighbours;  // a side without a neighbour is the end of the range
 };

@@ -69,7 +69,7 @@ struct Standing {
 /// number of constraints.
 [[nodiscard]] std::size_t worst_broken(const Problem& problem, std::span<const double> outputs);
 
-/// How many points the discrete variables have together, at most `most` + 1.
+/// The number of combinations of the discrete variables, at most `most` + 1.
 [[nodiscard]] std::uint64_t combinations(const std::vector<Variable>& variables, std::uint64_t most);
 
 }  // namespace loadpath::sweep

@@ -1,4 +1,4 @@
-// First derivatives at a point by differences, with what is known of their error.
+// First derivatives at a point by differences, with estimates of their error.
 //
 // Differences over steps that are halved are extrapolated (Richardson), from both sides and from each; the entry of the
 // scheme with the least estimated error is taken (Ridders 1982). A kink nearer than a 512th of the step counts as one

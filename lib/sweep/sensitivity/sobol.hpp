@@ -61,7 +61,7 @@ class SobolSums {
   std::vector<OfInput> pairs_;  // for each output those of all inputs
 };
 
-/// Means of the outputs over the first block, of what is finite.
+/// Means of the outputs over the first block, finite values only.
 [[nodiscard]] std::vector<double> sobol_centres(Function& function, const Sampler& sampler);
 
 /// From `rows` rows, (inputs + 2) evaluations each.

@@ -16,7 +16,7 @@ struct Bar {
 
 struct Tornado {
   double base = 0.0;      // the output there
-  std::vector<Bar> bars;  // those not available first, then by their swing; equal ones in the order of the inputs
+  std::vector<Bar> bars;  // those not available first, then by their span; equal ones in the order of the inputs
 };
 
 /// One for each output. Lows, highs and base have a value for each input.

@@ -1,4 +1,4 @@
-// How far a sample can be trusted: exact bounds of a share and of a quantile, whatever the distribution.
+// The confidence of a sample: exact bounds of a share and of a quantile, for any distribution.
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,4 @@
-// How columns go together: covariances and correlations of each two.
+// The correlation of columns: covariances and correlations of each pair.
 #pragma once
 
 #include "lib/sweep/statistics/bytes.hpp"

@@ -22,7 +22,7 @@ class Moments {
 
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] double mean() const;
-  [[nodiscard]] double variance() const;  // of the population sampled by the values
+  [[nodiscard]] double variance() const;  // estimate for the population sampled by the values
   [[nodiscard]] double sd() const;
   [[nodiscard]] double skewness() const;
   [[nodiscard]] double kurtosis() const;  // beyond that of the normal distribution
@@ -36,7 +36,7 @@ class Moments {
  private:
   std::uint64_t count_ = 0;
   double mean_ = 0.0;
-  double square_ = 0.0, cube_ = 0.0, fourth_ = 0.0;  // sums of powers of what is away from the mean
+  double square_ = 0.0, cube_ = 0.0, fourth_ = 0.0;  // sums of powers of deviations from the mean
 };
 
 }  // namespace loadpath::sweep

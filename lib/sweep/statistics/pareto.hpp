@@ -25,7 +25,7 @@ class Pareto {
  public:
   struct Point {
     std::uint64_t index = 0;
-    std::uint64_t equals = 0;  // how many points are taken for equal to it, itself among them
+    std::uint64_t equals = 0;  // number of points treated as equal to it, including itself
     std::vector<double> objectives, values;
   };
 

@@ -1,4 +1,4 @@
-// How often something is met: the share of points that fail, with how sure it is.
+// The frequency of an event: the share of points that fail, with its confidence.
 #pragma once
 
 #include "lib/sweep/statistics/bytes.hpp"

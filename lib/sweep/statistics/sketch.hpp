@@ -1,4 +1,4 @@
-// Quantiles of any number of values in bounded memory, the same whatever the order: values are counted by their sign,
+// Quantiles of any number of values in bounded memory, independent of the order: values are counted by their sign,
 // exponent and the first 12 bits of their mantissa.
 //
 // A class is 2^-12 of its values wide, and knows the least and the largest of them: between the two, values are taken
@@ -59,7 +59,7 @@ class Ranks {
   [[nodiscard]] double quantile(double p) const;
   /// The bounds of the quantile with this confidence; NaN on a side where the sample is too small.
   [[nodiscard]] Interval quantile_bounds(double p, double confidence) const;
-  /// How many values are below x.
+  /// The number of values below x.
   [[nodiscard]] std::uint64_t below(double x) const;
   /// Bins of equal breadth; of equal ratio where all values are above zero, else none.
   [[nodiscard]] Histogram histogram(std::size_t bins) const;

@@ -18,8 +18,8 @@ struct Extreme {
 
 class Summary {
  public:
-  /// The values of a block, the first of which is of point `first`. False, and nothing is done, where the block is
-  /// there already; so with merge().
+  /// The values of a block, the first of which belongs to point `first`. False, and nothing is done, if the block is
+  /// there already; likewise merge().
   bool add(std::uint64_t block, std::uint64_t first, std::span<const double> values);
   bool merge(const Summary& other);
 

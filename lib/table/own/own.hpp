@@ -54,7 +54,7 @@ class OwnReader {
     const Place& place;
     const std::string& key;
   };
-  /// An issue for what no part can have, and for what is better than the built-in rows without a reason.
+  /// Reports values that are impossible for any part, and values better than the built-in rows without a reason.
   void check_bounds(const Row& row, const Table& table, const Place& place, const std::string& key);
   void check_strengths(const RowRead& read, std::vector<std::string>& used);
   void check_strength(const RowRead& read, const char* key, std::vector<std::string>& used);

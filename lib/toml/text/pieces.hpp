@@ -43,7 +43,7 @@ Pieces pieces_of(std::string_view text);
 /// The first part of a key or of a table's name: "links" of "links.rod.mass".
 std::string first_part(std::string_view key);
 
-/// Behind the text in quotes that starts at `at`, of a text that is TOML.
+/// The position after the text in quotes that starts at `at`, in valid TOML.
 std::size_t behind_text(std::string_view text, std::size_t at);
 
 }  // namespace loadpath::toml

@@ -1,4 +1,4 @@
-// How values are written: spaces, indents and quotes.
+// The form of values: spaces, indents and quotes.
 #pragma once
 
 #include <functional>

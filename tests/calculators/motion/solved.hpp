@@ -55,7 +55,7 @@ inline bool near(double value, double expected, double relative = 1e-9) {
   return std::abs(value - expected) <= relative * std::abs(expected);
 }
 
-/// Lines that a calculator refuses, and what it says.
+/// Lines that a calculator refuses, and its message.
 struct Refused {
   const char* lines;
   const char* says;

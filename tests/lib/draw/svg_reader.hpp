@@ -1,4 +1,4 @@
-// Reads back what the figures' tests ask of an SVG text.
+// Reads from an SVG text what the figures' tests need.
 #pragma once
 
 #include "lib/draw/canvas/view.hpp"

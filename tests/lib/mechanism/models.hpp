@@ -143,7 +143,7 @@ inline Model class_three() {
   return model;
 }
 
-/// Crank 0.03 m, slotted lever 20 kg about B at the origin; `with_slider`: a massless slider in place of the slot.
+/// Crank 0.03 m, slotted lever 20 kg about B at the origin; `with_slider`: a massless slider instead of the slot.
 inline Model slotted_lever(bool with_slider = false, double gamma = -0.349065850398865915) {
   Model model;
   const Pose crank_pose{0.09, 0.0, -1.0471975511965976};

@@ -1,4 +1,4 @@
-// A project as its text, solved where that is allowed: what it says, and what it comes to.
+// A project as its text, solved if permitted: its issues and results.
 #pragma once
 
 #include "calculators/catalogue.hpp"

@@ -17,7 +17,7 @@
 namespace loadpath::rainflow::testing {
 
 using Series = std::vector<double>;
-/// How often each cycle is counted, by range and mean.
+/// The count of each cycle, by range and mean.
 using Counts = std::map<std::pair<double, double>, double>;
 
 inline Series naive_turning_points(Series series) {

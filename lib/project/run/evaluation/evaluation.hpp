@@ -46,7 +46,7 @@ class Evaluation {
   double largest_result(const FieldInfo& field);
 
   [[nodiscard]] bool is_asked(const FieldInfo& check) const { return step_.is_asked(check, record()); }
-  /// Whether a result is a check or a limit that the part is held against.
+  /// Whether a result is a check or a limit of the part.
   [[nodiscard]] bool is_judged(const FieldInfo& field) const;
   /// Why there are no results; empty if no input lacks.
   [[nodiscard]] Message missing() const { return is_settled() ? inputs_.missing() : unsettled_; }
@@ -62,7 +62,7 @@ class Evaluation {
   const Calculator& calculator_;
   Inputs inputs_;
   Record result_;
-  double settled_ = 0.0;  // the size that values of rows were asked at last
+  double settled_ = 0.0;  // size at which values of rows were last looked up
   Message unsettled_;
 };
 

@@ -35,14 +35,14 @@ class Inputs {
   void take_row(const std::string& group, const std::string& row, std::vector<Issue>& issues);
   /// Leaves a row open, and the inputs that it gives.
   void clear_row(const std::string& group);
-  /// Sets the values of rows at a size; where a table has none, `table_gap` says why.
+  /// Sets the values of rows at a size; if a table has none, `table_gap` gives the reason.
   void set_values_of_rows(double size);
   /// Puts the computed inputs at position i into the record; false if one of them is not available there.
   bool set_position(std::size_t i);
   /// Sets an input at every position.
   void set_value(const std::string& path, const Leaf& leaf, const Value& value);
   void set_origin(const std::string& path, Origin origin) { origins_[path] = std::move(origin); }
-  /// An input is not available, which leaves the step without results. `subject`: what the report says it of.
+  /// Marks an input as not available, which leaves the step without results. `subject`: of the message in the report.
   void set_unavailable(Message why, account::Subject subject = account::Subject::input) {
     unavailable_ = std::move(why);
     subject_ = subject;
@@ -55,9 +55,9 @@ class Inputs {
   [[nodiscard]] const ComputedInput* find_computed(std::string_view path) const;
   [[nodiscard]] Value value_of(const std::string& path, const Leaf& leaf) const;
   [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
-  /// By their groups, those that were found among them.
+  /// The rows by their groups, including those that were found.
   [[nodiscard]] const Rows& rows() const { return rows_; }
-  /// The input or result that the rows are asked at: the first of the sizes that is given, "d_h, d", else the last.
+  /// The input or result that gives the size of rows: the first given one of the sizes, "d_h, d", else the last.
   [[nodiscard]] std::string_view size_field() const;
   [[nodiscard]] Origin origin_of(const std::string& path, const Leaf& leaf) const;
   /// The origin of a row that was taken from another step or found; null for one that the step names itself.
@@ -83,7 +83,7 @@ class Inputs {
   std::vector<Provided> provided_;
   std::vector<ComputedInput> computed_;
   std::map<std::string, Origin> origins_;  // origins of rows, and of leaves that were provided, kept or searched for
-  Message unavailable_;                    // a word, a list, or what a search has not found; empty: there is none
+  Message unavailable_;                    // a word, a list, or a search without result; empty: there is none
   account::Subject subject_ = account::Subject::input;
   Message table_gap_;
 };

@@ -1,4 +1,4 @@
-// The step of a calculator before it is solved: where its inputs come from, what it searches for, its rules.
+// The step of a calculator before it is solved: the origins of its inputs, its searches, its rules.
 #pragma once
 
 #include "lib/project/run/evaluation/providers.hpp"
@@ -20,14 +20,13 @@ class PreparedStep : public Step {
   [[nodiscard]] const Axis* axis() const { return axis_; }
   [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
   [[nodiscard]] const std::vector<Search>& searches() const { return searches_; }
-  /// Whether they are sizes that the calculator wants to be found together.
+  /// Whether they are sizes that the calculator finds jointly.
   [[nodiscard]] bool sizes_together() const;
   /// The origins of the elements of lists that a row has filled, by leaf.
   [[nodiscard]] const std::map<std::string, Origin>& origins() const { return origins_; }
-  /// The issue that an input makes by breaking a rule: where the rule says, else at the first of its fields that was
-  /// typed.
+  /// The issue of a violated rule: at the rule's own path, else at the first of its fields that was typed.
   [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record, const std::vector<Provided>& provided) const;
-  /// Whether a table is to fill the input, be there such a row or not.
+  /// Whether a table is to fill the input, even if the row does not exist.
   [[nodiscard]] bool names_row_for(const std::string& field) const;
   /// Whether a check or a limit is active: through an input that has a value, or that a row is to give.
   [[nodiscard]] bool is_asked(const FieldInfo& check, const Record& record) const;

@@ -32,7 +32,7 @@ bool gives(const table::Entry& row, const FieldInfo& field);
 /// The inputs provided by load components of other inputs.
 std::vector<Provided> provided_by_companions(const StepInput& input, const Companions& companions);
 
-/// Fills the lists of a record that take a row's values at all its sizes, and says by leaf where these come from.
+/// Fills the lists of a record that take a row's values at all its sizes, and returns their origins by leaf.
 std::map<std::string, Origin> fill_lists(const StepInput& input, const Rows& rows, const Record& record);
 
 /// Rounds after which a size that follows from values of rows at that size is given up.

@@ -1,4 +1,4 @@
-// Several sizes of one part that are searched for together, as the calculator lets them go together.
+// Several sizes of one part that are searched for together, in the calculator's arrangements.
 #pragma once
 
 #include "lib/project/run/evaluation/inputs.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath::project {
 
-/// For each of the sizes which of its stock it is.
+/// The index in its stock for each of the sizes.
 using SizeIndices = std::vector<std::size_t>;
 
 /// Each size has a lower bound, which is set; the calculator raises it as its neighbours require (a shoulder, one

@@ -33,7 +33,7 @@ class Passing {
   bool passes_again();
   /// Whether element k of a list passes its checks, and keeps its criteria and the limits of its methods.
   [[nodiscard]] bool element_passes(const FieldInfo& list, std::size_t k) const;
-  /// Whether the rules about what is searched for hold at the sizes that were settled.
+  /// Whether the rules about the searched inputs hold at the settled sizes.
   bool keeps_rules() { return evaluation_.is_settled() && !first_broken_rule(); }
   /// The first of them that is broken at a position.
   std::optional<std::size_t> first_broken_rule();

@@ -17,7 +17,7 @@ struct Shortfall {
     return own < others || (own == others && check < other.check);
   }
 };
-/// At the sizes that were settled.
+/// At the settled sizes.
 Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing);
 
 /// Checks and limits that a candidate fails, in lists too, and with which value.

@@ -31,7 +31,7 @@ class SizeSearch {
   /// Excludes sizes smaller than those that the other steps of the same body require.
   void keep_to_body();
   void try_candidate(std::size_t i);
-  /// Whether the rules about what is searched for hold with a candidate, at the sizes that follow from it.
+  /// Whether the rules about the searched inputs hold with a candidate, at the sizes that follow from it.
   bool keeps_rules_with(std::size_t i);
   std::size_t first_that_passes(std::size_t from);
   bool excuse_unmoved(std::size_t from);

@@ -36,7 +36,7 @@ struct Size {
   double same = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// How far the search of a point has come.
+/// The progress of a point's search.
 struct Candidate {
   std::size_t now = 0;
 };
@@ -46,7 +46,7 @@ struct Sought {
   Leaf leaf = {};  // in the record
   std::vector<double> stock = {};
   std::size_t offset = 0;
-  const FieldInfo* least = nullptr;  // the least size, of the result; null: there is none
+  const FieldInfo* least = nullptr;  // result with the minimum size; null: there is none
   std::size_t least_offset = 0;
   std::vector<std::size_t> kept = {};  // results that a sizing would fix
   std::vector<std::vector<double>> of_kept = {};
@@ -81,7 +81,7 @@ struct ColumnPlan {
   std::vector<char> rules;  // for each rule, whether varying inputs can violate it
   std::vector<char> no_rules;
   std::vector<Judging> judging;
-  bool is_loaded = false;  // whatever varies
+  bool is_loaded = false;  // for all varying inputs
   bool is_load_told = false;
 
   explicit ColumnPlan(CalculatorStep& s)

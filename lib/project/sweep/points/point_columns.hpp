@@ -29,7 +29,7 @@ struct PointColumns {
   std::map<std::string, Signature, std::less<>> signatures;  // signatures of the referenced values
   std::vector<char> is_other;
   bool axes_differ = false;   // between points: no common series can represent them
-  bool speeds_matter = true;  // somebody reads how fast an axis runs
+  bool speeds_matter = true;  // speeds of axes are read
 
   /// The values of a path, NaN if it has none.
   const double* of(const std::string& path);

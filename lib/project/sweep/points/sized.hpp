@@ -16,7 +16,7 @@ class Sized {
  public:
   /// For a row that has values by size.
   Sized(const Provided& provided, std::size_t offset);
-  /// Whether a row's values depend on the size that it is asked at.
+  /// Whether a row's values depend on the lookup size.
   static bool is_one(const Provided& provided);
 
   [[nodiscard]] std::size_t offset() const { return offset_; }

@@ -30,7 +30,7 @@ inline double measured(const Drawing::Length& l) {
   return length(l.to - l.from);
 }
 
-/// Every dimension is as long, as wide, as strong in the drawing as it says.
+/// Every dimension has the length, width or magnitude in the drawing that it states.
 inline void check_dimensions(const Figure& figure) {
   for (const auto& view : drawing_of(figure).views) {
     for (const auto& l : view.lengths) {

@@ -5,18 +5,18 @@
 //     struct Input { ... };  struct Result { ... };
 //     static constexpr Fields inputs{Field{...}...}, results{Field{...}...};
 //     static constexpr std::array rules{Rule<Input>{...}...};
-//     static constexpr std::array modes{Mode<Input>{...}...};  // in which its part can fail
+//     static constexpr std::array modes{Mode<Input>{...}...};  // failure modes of its part
 //     template <class Tracer> static Result evaluate(const Input&, Tracer&);   // defined in the source
-//     static constexpr std::array forms{Form{"T, tau_adm"}};   // that sweeps are compiled for (form.hpp)
+//     static constexpr std::array forms{Form{"T, tau_adm"}};   // compiled for sweeps (form.hpp)
 //     static constexpr bool is_large = true;                   // sweeps do not inline evaluate: compile time
-//     static constexpr bool takes_series = false;              // where it decides on one thing for all its loads
-//     static constexpr bool turns = true;                      // of a part that turns
+//     static constexpr bool takes_series = false;              // if it makes one decision for all its loads
+//     static constexpr bool turns = true;                      // for a rotating part
 //     static constexpr auto sized = "pieces";                  // a list whose sizes are found together; with
 //                                                              // arrange, raise, cost, place, unsound (sizing.hpp)
-//     static constexpr std::array notch_claims{NotchClaim{...}...};  // stresses at a notch, limits that hold one
-//     static constexpr std::array senses{SenseClaim{...}...};  // inputs that say whether a load changes its sense
-//     static constexpr std::array meanings{Meaning{...}...};   // what its values are, where others are like them
-//     static constexpr std::array bounds{Bound<Input>{...}...};  // what it knows beside typed inputs
+//     static constexpr std::array notch_claims{NotchClaim{...}...};  // stresses at a notch, limits for one
+//     static constexpr std::array senses{SenseClaim{...}...};  // inputs that state whether a load reverses
+//     static constexpr std::array meanings{Meaning{...}...};   // meanings of values of like dimension
+//     static constexpr std::array bounds{Bound<Input>{...}...};  // bounds of typed inputs
 //     static std::vector<draw::Figure> figures(const Input&, const Result&);
 //   };
 #pragma once

@@ -51,8 +51,7 @@ struct Described {
     s.is_chosen = true;
     return s;
   }
-  /// A dimension of the component that a load comes from: "=gears.gear_1.T" also gives gear_1.d_f, as the record
-  /// does.
+  /// A dimension of the component of a load: "=gears.gear_1.T" also gives gear_1.d_f, as the record does.
   [[nodiscard]] constexpr Self of_body() const {
     Self s = self();
     s.is_of_body = true;

@@ -40,8 +40,7 @@ constexpr bool is_assessable(const ModeInfo& mode) {
          *mode.use != '\0' || *mode.add != '\0';
 }
 
-/// A mode of a calculator with this input. `applies` is called with values of tables in, at every position of a
-/// series.
+/// A mode of a calculator with this input. `applies` is called with table values set, at every position of a series.
 template <class Input>
 struct Mode : ModeInfo {
   Applies (*applies)(const Input&);

@@ -22,7 +22,7 @@ class BandMatrix {
   /// The values of earlier rows that a row of L D L^T needs.
   struct Before {
     double d1 = 1.0, d2 = 1.0, d3 = 1.0;     // the pivots, from the nearest on
-    double l12 = 0.0, l13 = 0.0, l23 = 0.0;  // of L: of the row before, to the 2nd and 3rd; of the 2nd
+    double l12 = 0.0, l13 = 0.0, l23 = 0.0;  // L: row before to the 2nd, 3rd; 2nd to the 3rd
 
     /// The next row of L, with its pivot at the end, of a row of the matrix whose diagonal is given.
     Row next(const Row& row, double diagonal) {

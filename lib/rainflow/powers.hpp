@@ -24,8 +24,7 @@ inline constexpr std::uint64_t mantissa = 0xfffffffffffffU, bits_of_one = 0x3ff0
 
 /// The logarithm of a normal positive number: the artanh series of its mantissa between 1/sqrt(2) and sqrt(2).
 LOADPATH_INLINE double log2_of(double x) {
-  constexpr std::uint64_t to_root = 0x95f619980c433U;  // from sqrt(2) to 2: with this offset, exponents step at
-                                                       // sqrt(2)
+  constexpr std::uint64_t to_root = 0x95f619980c433U;  // from sqrt(2) to 2: shifts the exponent steps to sqrt(2)
   const std::uint64_t moved = std::bit_cast<std::uint64_t>(x) + to_root;
   // Exponents as the low bits of a double of 2^52, for AVX2 converts no 64-bit integers.
   const double exponent = std::bit_cast<double>(moved >> 52U | 0x4330000000000000U) - (0x1p52 + 1023.0);

@@ -15,8 +15,7 @@ enum class Method { four_point, hcm, astm };
 enum class Residue {
   ignore,
   half_cycles,  // each range is half a cycle
-  repeated,     // the history repeats: cycles that close in the second pass of the residue are counted, after ISO
-                // 12110-2
+  repeated,     // repeating history: cycles of the residue's second pass count, ISO 12110-2
   astm,         // as in ASTM E1049, in its order; half cycles too
 };
 

@@ -48,7 +48,7 @@ class Reader {
   struct Frame {
     std::vector<ReadColumn> units;
     Row defaults;
-    Credit credit;  // of values that a row gives itself: the default sources, not those of the default values
+    Credit credit;  // for values in the row itself: the default sources, not those of default values
   };
 
   /// A column of rows written as lines.

@@ -66,7 +66,7 @@ class Openings {
 };
 
 /// The first character outside of quotes and comments for which `found` holds; npos if there is none, or a text
-/// before it is not closed, which the parser reports. Of comments only the end is passed on.
+/// before it is not closed, which the parser reports. Comments are skipped up to their end.
 template <class Found>
 std::size_t find_bare(std::string_view text, Found found) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";

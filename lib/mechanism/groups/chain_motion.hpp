@@ -208,8 +208,7 @@ class ChainMover {
     });
   }
 
-  /// From the pivot of the second link to the point that its line passes at `aside`: the pin in its slot, or the
-  /// other pivot.
+  /// From the pivot of the second link to the point at `aside` from its line: the pin in its slot, or the other pivot.
   template <bool FirstGrounded, bool SecondGrounded>
   void close_on_line(const ChainStep& step, std::size_t s) {
     const Hinge &first = step.first, &second = step.second;

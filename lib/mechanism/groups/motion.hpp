@@ -12,8 +12,7 @@
 
 namespace loadpath::mechanism {
 
-/// The motion of a link, its frame's origin and rotation, and the forces that its joints have to supply for it, about
-/// its origin.
+/// The motion of a link, its frame and itself, and the wrench that its joints must supply, about its origin.
 struct Moving {
   Vec velocity, acceleration;
   double omega = 0.0, epsilon = 0.0;

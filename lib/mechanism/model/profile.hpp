@@ -57,9 +57,8 @@ struct FlatFollower {
   double base = 0.0;  // m, radius of the base circle
 };
 
-/// The flank that carries a flat face which swings about a pivot on the x axis at the cam's angle 0; `side` as of an
-/// arm: the side of the pivot on which the face extends. Its normal must rotate in the direction of the cam:
-/// CurvePoint::turning > 0.
+/// The flank for a flat face that swings about a pivot, on the x axis at the cam's angle 0; `side` as of an arm: where
+/// the face extends from the pivot. Its normal must rotate with the cam: CurvePoint::turning > 0.
 struct SwingingFace {
   Lift lift;  // rad, away from the cam
   CamSense sense = CamSense::counter_clockwise;

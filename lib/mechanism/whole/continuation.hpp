@@ -11,8 +11,7 @@
 
 namespace loadpath::mechanism {
 
-/// The current coordinates, with the constraints evaluated and factored there. Lengths in units of the mechanism's
-/// size.
+/// The current coordinates, with the constraints factored there. Lengths in units of the mechanism's size.
 class Continuation {
  public:
   explicit Continuation(const Model& model);

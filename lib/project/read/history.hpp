@@ -18,8 +18,7 @@ bool is_history(const toml::Tree& tree);
 
 struct History {
   std::shared_ptr<const Axis> axis;  // samples, counted from 0
-  Value series;  // the first and the last sample and the reversals between, over that axis; all samples if
-                 // synchronous
+  Value series;  // first and last sample and the reversals between, over that axis; all if synchronous
 };
 
 /// The samples to keep.

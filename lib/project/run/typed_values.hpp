@@ -15,8 +15,7 @@ namespace loadpath::project {
 /// Typed values more favourable than their neighbours, and the modes that they decide.
 struct WeighedValues {
   std::map<std::string, Bolder> decided;   // by the check or limit that such a value decides
-  std::vector<Bolder> handed_on;           // without a reason, and not used by any check of the step: passed on to
-                                           // others
+  std::vector<Bolder> handed_on;           // without a reason, used only by other steps
   std::map<std::string, Message> reasons;  // by the input: how it is bolder, and why
   std::vector<std::string> compared;       // typed inputs that have a neighbour
   bool compared_by_size = false;           // whether the neighbour of one of them depends on a size

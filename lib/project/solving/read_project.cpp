@@ -79,7 +79,7 @@ void refuse_ranges(const Project& project, std::vector<Issue>& issues) {
     for (const Varied& varied : step->input().reading.varied) {
       const std::string key = step->name() + "." + varied.path;
       const bool told = !issues.empty() && issues.back().place.line == varied.place.line &&
-                        issues.back().place.column == varied.place.column;  // of a record that is taken in turn
+                        issues.back().place.column == varied.place.column;  // from a record that is taken in turn
       if (told) continue;
       issues.push_back(
           varied.distribution

@@ -15,8 +15,7 @@ std::string math(std::string_view fragment);
 std::string symbol(std::string_view path);
 std::string cell(const Cell& cell);
 
-/// A table of many columns has closer spacing, its units in the head; if still too wide, it is divided into several,
-/// one below the other.
+/// A table of many columns has closer spacing and units in the head; if still too wide, it is divided.
 std::string table(const Table& table, const std::string& caption);
 
 /// The shapes that verdicts refer to; once in a page.

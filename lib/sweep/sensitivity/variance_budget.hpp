@@ -14,8 +14,7 @@ struct BudgetLine {
 struct Budget {
   double variance = 0.0;          // variance of the output: first order, exact for linear functions
   bool certain = true;            // every slope is smooth
-  std::vector<BudgetLine> lines;  // the one whose halving gives the smallest variance first; equal ones in the order
-                                  // of the inputs
+  std::vector<BudgetLine> lines;  // smallest variance after halving first; equal ones in the order of the inputs
 };
 
 /// The budget of one output. `sd` has the standard deviation of each input, `correlation` is empty, or the matrix row

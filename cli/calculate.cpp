@@ -117,7 +117,7 @@ void put_reasons(Tree& step, const std::string& key, const std::vector<std::stri
   }
 }
 
-/// Flags in place of what a step says. The number of positions goes to the crank where there is one.
+/// Flags that replace the inputs of a step. The number of positions goes to the crank if there is one.
 void put_flags(Tree& step, const CalculateOptions& options, std::vector<Issue>& issues) {
   for (const auto& [key, text] : options.values) {
     if (key != "positions")

@@ -126,7 +126,7 @@ void add_names(std::span<const FieldInfo> fields, void* owner, const std::string
   for (const FieldInfo& f : fields) {
     if (f.type != Type::list || f.size(owner) == 0) continue;
     const FieldInfo* name = find_field(f.fields, "name");
-    if (name == nullptr) continue;  // elements by number, of which a template says no more
+    if (name == nullptr) continue;  // elements by number: a template gives no further details
     std::vector<std::string> names;
     for (std::size_t i = 0; i < f.size(owner); ++i) names.emplace_back(name->text(f.element(owner, i)));
     rows.push_back({"  " + prefix + f.key, joined(names)});

@@ -116,13 +116,13 @@ const char* word_of(int code) {
   }
 }
 
-/// The exit code of several projects: wrong input before a failure, and this before what is incomplete.
+/// The exit code of several projects: wrong input before a failure, and this before an incomplete result.
 int worst_of(const std::vector<int>& codes) {
   const auto rank = [](int code) { return code == passed ? 0 : code == incomplete ? 1 : code + 1; };
   return *std::ranges::max_element(codes, {}, rank);
 }
 
-/// How every project came out, in a line each.
+/// The outcome of every project, in a line each.
 void tell_all(const std::vector<ProjectFile>& projects, const std::vector<int>& codes) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < projects.size(); ++i) {

@@ -33,7 +33,7 @@ project::Wanted wanted_by(const OutputOptions& output, report::Detail detail) {
           .series = project::SeriesChoice(shown ? std::vector<std::string>{} : output.series)};
 }
 
-/// Patterns that choose nothing; which series there are is known when the project is solved.
+/// Reports patterns without a match; the series are known once the project is solved.
 void check_series(const project::Project& project, const OutputOptions& output, std::vector<Issue>& issues) {
   for (const FieldFault& fault : project::unknown_series(project::SeriesChoice(output.series), project))
     issues.push_back({{"--series", 0, 0, 1}, "", fault.message, fault.hint, Severity::error});

@@ -43,7 +43,7 @@ bool write_whole(int file, std::string_view text) {
   return ::fsync(file) == 0 || errno == EINVAL || errno == EROFS;  // a pipe has no disk behind it
 }
 
-/// Removes what a program that was killed has left of this output: parts that bear the number of no process.
+/// Removes remains of this output from a killed program: parts with the number of no running process.
 void remove_leftovers(const fs::path& target) {
   const std::string start = "." + target.filename().string() + ".";
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -117,7 +117,7 @@ void Scratch::take_signals() {
     sigwait(&set, &signal);
   }
   if (signal == SIGUSR1) return;
-  mutex_.lock();  // for good: nothing comes into being any more
+  mutex_.lock();  // for good: no more files are created
   remove_all();
   for (std::string_view word = word_; !word.empty();) {
     const ssize_t written = ::write(STDERR_FILENO, word.data(), word.size());

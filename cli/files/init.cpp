@@ -65,7 +65,7 @@ bool ask_for_file(const Starter& starter, std::string& file) {
   return false;
 }
 
-/// The main numbers, each asked again until the project solves with it.
+/// Prompts for the main numbers, each again until the project solves with it.
 bool ask_for_values(const Starter& starter, const std::string& file, std::vector<std::string>& settings) {
   for (const MainValue& value : starter.values) {
     for (;;) {

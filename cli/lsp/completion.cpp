@@ -121,7 +121,7 @@ Items keys_for(const OpenFile& file, const Path& table) {
   return items;
 }
 
-/// Without those that the table has; the one under the cursor stays.
+/// Omits the keys that the table has; the one under the cursor stays.
 void leave_out_given(const OpenFile& file, const Path& table, std::string_view typed, Items& items) {
   const std::vector<std::string> given = keys_in(file.outline, table);
   std::erase_if(items, [&](const Completion& item) {

@@ -75,7 +75,7 @@ std::vector<Offer> offers_of(const OpenFile& file, const std::string& name, cons
   return offers;
 }
 
-/// The next part of every path that begins with what is typed: "links." of "links.rod.N".
+/// The next part of every path that begins with the typed text: "links." of "links.rod.N".
 void add_next_parts(const std::vector<Offer>& offers, std::string_view typed, bool wants_record,
                     std::vector<Completion>& items) {
   std::map<std::string, std::size_t> known;

@@ -165,7 +165,7 @@ void Server::publish() {
       refresh(file);
       send({{"method", "textDocument/publishDiagnostics"},
             {"params", Object{{"uri", uri}, {"diagnostics", to_json(diagnostics_of(file))}}}});
-    } catch (const std::exception& error) {  // a fault of the program is none of the editor's session
+    } catch (const std::exception& error) {  // a fault of the program must not end the editor's session
       file.is_dirty = file.is_solved = false;
       send({{"method", "window/logMessage"}, {"params", Object{{"type", 1}, {"message", error.what()}}}});
     }

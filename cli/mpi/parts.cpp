@@ -16,7 +16,7 @@ Order order;                   // order for a helping rank
 bool in_sweep = false;         // the others are at work
 bool greeted = false;          // the first rank knows whether this one helps
 
-/// Says hello; one that cannot help then waits for the end.
+/// Sends a greeting; a rank that cannot help then waits for the end.
 void greet(std::uint64_t parts, const std::string& wrong) {
   greeted = true;
   ranks->send(0, Kind::hello, bytes_of(Hello{wrong.empty() ? parts : 0, ranks->name(), wrong}));
@@ -31,7 +31,7 @@ bool take_letter(const Letter& letter, Pool& pool) {
   return true;
 }
 
-/// Gives the first rank what is solved. A fault goes there too, once, and ends this.
+/// Sends solved parts to the first rank. A fault is sent too, once, and ends this rank's work.
 bool send_solved(Pool& pool, bool& sent) {
   try {
     while (const auto solved = pool.take()) {

@@ -23,7 +23,7 @@ std::vector<std::string> words_of(int argc, char** argv) {
 }
 
 int dispatch(int argc, char** argv) {
-  if (argc > 1 && std::string_view(argv[1]) == "--version") {  // asked by scripts, again and again: nothing is set up
+  if (argc > 1 && std::string_view(argv[1]) == "--version") {  // called often by scripts: nothing is set up
     std::cout << program() << "\n";
     return passed;
   }

@@ -146,7 +146,7 @@ void put_setting(Tree& project, const Setting& setting, std::vector<Issue>& issu
   }
 }
 
-/// From the places behind "value = " to those of the setting.
+/// Shifts places after "value = " to those of the setting.
 void move_to(const Place& start, int by, Tree& tree) {
   const auto move = [&](Place& place) {
     place = {start.file, start.line, std::max(1, place.column + by), place.length};

@@ -1,4 +1,4 @@
-// The manual page, out of the same words that the help is made of.
+// The manual page, from the same words as the help.
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/program/command_line.hpp"
@@ -11,7 +11,7 @@ namespace loadpath::cli {
 
 namespace {
 
-/// Text as roff takes it: hyphens stay hyphens, nothing is a request.
+/// Escapes text for roff: hyphens stay hyphens, nothing is a request.
 std::string roff(std::string_view text) {
   std::string out;
   bool begins = true;

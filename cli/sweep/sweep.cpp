@@ -173,7 +173,7 @@ bool Sweeping::prepare() {
   return !has_errors(issues) && read_shard();
 }
 
-/// Everything that the numbers follow from, so that two of them that differ say in which line.
+/// Everything that the numbers follow from, line by line, so that a difference can be located.
 std::string Sweeping::identity() const {
   const project::SweepSettings& s = project_.sweep;
   std::string all = program() + "\n";
@@ -221,7 +221,7 @@ std::string Sweeping::what_is_left(const SweepStore& store) const {
 bool Sweeping::solve(SweepStore* store, project::Found& found) {
   const std::chrono::duration<double> between(options_.save_every);
   Scratch scratch(store != nullptr && is_waited_for() ? &interrupted_by_user
-                                                      : nullptr);  // a folder keeps what is solved
+                                                      : nullptr);  // a folder keeps solved points
   PointFiles files(options_, plan_, scratch);
   if (!files.open(stored())) return false;
   const unsigned jobs = options_.jobs != 0 ? options_.jobs : std::max(1U, std::thread::hardware_concurrency());

@@ -97,7 +97,7 @@ json::object step_schema(const Calculator& calculator, Definitions& definitions)
   return step;
 }
 
-/// A step is held against the calculator that it names.
+/// A step is validated against the calculator that it names.
 json::object any_step(Calculators calculators, Definitions& definitions) {
   json::array ids, conditions;
   for (const Calculator* calculator : calculators) {

@@ -40,7 +40,7 @@ json::object count(const FieldInfo& field) {
       expression());
 }
 
-/// A table of named elements: what is behind a name has none.
+/// A table of named elements: the content of an element has no name.
 json::object without_name(json::object element) {
   element["properties"].as_object().erase("name");
   return element;

@@ -172,7 +172,7 @@ class Parser {
     }
     return take("(") ? std::nullopt : Tree(Node{Kind::symbol, std::move(name), {}});
   }
-  /// "<3>", or nothing: then the text is read on as a plain name.
+  /// "<3>", or nothing: then the text is read as a plain name.
   std::string template_argument(std::string_view function) {
     const std::string_view before = rest_;
     if (take("<")) {

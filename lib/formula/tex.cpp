@@ -20,7 +20,7 @@ std::string ascii_minus(std::string_view number) {
   return number.starts_with(minus) ? "-" + std::string(number.substr(minus.size())) : std::string(number);
 }
 
-/// A name that is none: what TeX or a page would read as markup is left out.
+/// An invalid name: characters that TeX or a page would read as markup are removed.
 std::string without_markup(std::string text) {
   std::erase_if(text, [](char c) { return std::string_view("\\{}$&#^_%~<>\"`*|").find(c) != std::string_view::npos; });
   return text;

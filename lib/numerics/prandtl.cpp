@@ -130,7 +130,7 @@ void meet(Equations& equations, const Elements& elements, std::size_t i) {
   }
 }
 
-/// Nothing flows out of a hole: psi has a conjugate there, the warping.
+/// No flux leaves a hole: psi has a conjugate there, the warping.
 void close_holes(Equations& equations, const Elements& elements) {
   for (std::size_t j = 0; j < elements.size(); ++j) {
     if (elements[j].contour > 0) equations.left[elements.size() + elements[j].contour - 1][j] = elements[j].length;

@@ -100,7 +100,7 @@ std::vector<Names> records_behind(const Step& part, const std::string& key) {
   return all;
 }
 
-/// Whether the step has taken a record of the part, and kept it: what was typed in its place may be another part.
+/// Whether the step has taken a record of the part, and kept it: a typed replacement may be another part.
 bool takes(const Step& judge, const Step& part, const Names& record) {
   const auto members = part.members(record.front());
   const auto& records = judge.input().reading.records;

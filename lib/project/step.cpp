@@ -130,7 +130,7 @@ Issue issue_at(const StepInput& input, const std::string& path, Message message,
 
 namespace {
 
-/// A load whose sign decides takes no magnitude, and no force with a sign of another meaning.
+/// A load with a significant sign takes neither a magnitude, nor a force whose sign has another meaning.
 FieldFault lost_sign(const Operand& operand, const Declared& declared) {
   if (!operand.leaf.field->signed_load) return {};
   const std::string_view part = operand.expression.unsigned_part(declared);

@@ -12,7 +12,7 @@ Comparison compare(const Expectation& e, const Expression::Known& known) {
   Comparison c;
   c.expectation = &e;
   c.ours = e.value.evaluate(known).si[0];
-  if (std::isinf(e.is.si)) {  // the value itself: in an expression what is infinite has no value
+  if (std::isinf(e.is.si)) {  // the value itself: in an expression an infinite number has no value
     c.ours = known(e.text).si[0];
     c.holds = c.ours == e.is.si;
     c.deviation = c.holds ? 0.0 : std::nan("");

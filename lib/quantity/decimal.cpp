@@ -37,7 +37,7 @@ constexpr std::array<char, 200> pairs = [] {
 /// Digits that are written from the last to the first.
 class Digits {
  public:
-  /// The last `count` digits of a number, with zeros in front where it has fewer; what is left of it.
+  /// Writes the last `count` digits of a number, with leading zeros if it has fewer; returns the rest.
   std::uint64_t put(std::uint64_t number, int count) {
     for (; count > 1; count -= 2, number /= 100) put_pair(number % 100);
     if (count == 0) return number;
@@ -50,7 +50,7 @@ class Digits {
     *--first_ = static_cast<char>('0' + number);
   }
   void put(char sign) { *--first_ = sign; }
-  /// Zeros behind a point say nothing, nor does the point without them.
+  /// Removes trailing zeros after the point, and the point without digits.
   void cut_zeros() {
     while (end_[-1] == '0') --end_;
     if (end_[-1] == '.') --end_;
@@ -68,7 +68,7 @@ class Digits {
   char* end_ = first_;
 };
 
-/// With a point in front of the last digits, which leave zeros out.
+/// With a point before the last digits, without trailing zeros.
 void append_with_point(std::uint64_t number, int behind, bool negative, std::string& text) {
   Digits digits;
   const std::uint64_t whole_part = digits.put(number, behind);

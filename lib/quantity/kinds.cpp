@@ -95,7 +95,7 @@ std::string_view name_of(Meant kind) {
 bool takes_kind(Meant field, Meant given) {
   if (field == Meant::nothing || given == Meant::nothing || given == Meant::rate || field == given) return true;
   const bool in_one_direction = field == Meant::normal_stress || field == Meant::equivalent_stress;
-  if (given == Meant::strength) return in_one_direction || field == Meant::shear_stress;  // a stress that is borne
+  if (given == Meant::strength) return in_one_direction || field == Meant::shear_stress;  // a capacity
   return given == Meant::uniaxial_stress && in_one_direction;
 }
 

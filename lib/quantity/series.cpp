@@ -133,9 +133,8 @@ std::optional<Point> summit_near(const Window& window, const std::array<double, 
   return Point{*top, quartic(*top).value};
 }
 
-/// The summit of `way` times the series near position i; the position itself where none can be trusted. A magnitude has
-/// a kink where it passes through zero, its square has none: the valleys of what is nowhere negative are also sought
-/// there.
+/// The summit of `way` times the series near position i; the position itself if none is reliable. A magnitude has a
+/// kink where it passes through zero, its square has none: for non-negative series the valleys are also sought there.
 Extreme refined(const Value& series, std::size_t i, double way) {
   const Axis& axis = *series.signature.axis;
   const Extreme sample{series.si[i], on_axis(axis, axis.at[i]), i};
@@ -171,7 +170,7 @@ bool is_summit(const Value& series, std::size_t i, double way) {
   return left && right;
 }
 
-/// By what two heights may differ and yet be reached alike: rounding, or what it leaves of a solved position.
+/// The tolerance for equally high summits: rounding, or its remainder in a solved position.
 double tie(const Value& series, double height) { return std::max(series.rounding, 1e-12 * std::abs(height)); }
 
 /// The first of equally high summits.

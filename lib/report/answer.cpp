@@ -63,7 +63,7 @@ std::vector<const Entry*> sizes_of(const Step& step) {
   return sizes;
 }
 
-/// Whether a row has the shape of the part, and not what it is made of: it fills a length, an area.
+/// Whether a row gives the shape of the part, not its material: it fills a length, an area.
 bool is_shape(const Step& step, std::string_view group) {
   const auto& fields = step.input().calculator->input->fields;
   return std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& field) {
@@ -121,7 +121,7 @@ std::string short_sizes_text(const Step& step) {
   return say("{1} and {2} more", listed(words), left).text();
 }
 
-/// Why it is these: what the search says, "given" where nothing was searched for.
+/// The reasons for these: the remark of the search, "given" if nothing was searched for.
 std::string reasons_text(const Step& step) {
   std::string all;
   for (const Entry* entry : chosen(step.account())) {

@@ -165,8 +165,8 @@ std::set<std::string> deciding_inputs(const Account& account) {
   return paths;
 }
 
-/// Factors that raise a load or lower a strength, each where it is applied: once. One that nobody gave and no verdict
-/// follows from is that of another method.
+/// Factors that raise a load or lower a strength, each where it is applied: once. A factor that is neither given nor
+/// used by a verdict belongs to another method.
 void add_factors(const Project& project, std::vector<Block>& blocks) {
   Table table{say("Factors, each applied once where it stands"),
               {say("step"), say("factor"), say("meaning"), say("value")},

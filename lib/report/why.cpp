@@ -73,7 +73,7 @@ class Elements {
   std::map<std::string, int> more_;  // elements of a list than are written out
 };
 
-/// Follows names from a line back to the lines and inputs that they come from.
+/// Traces names from a line back to the lines and inputs that they come from.
 class Tracing {
  public:
   explicit Tracing(const Account& account) : account_(account) {}

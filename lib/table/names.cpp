@@ -36,7 +36,7 @@ bool is_of_series(const Numbered& wanted, const Numbered& other) {
          (other.rest == wanted.rest || wanted.rest.empty());
 }
 
-/// How far a name lies from the one that is wanted: the same digits in another order are a slip of the fingers.
+/// The distance of a name from the requested one: the same digits in another order are a typing error.
 std::tuple<bool, double, bool> far(const Numbered& wanted, const Numbered& other) {
   return {other.digits != wanted.digits, std::fabs(wanted.number - other.number), other.rest != wanted.rest};
 }

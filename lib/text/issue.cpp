@@ -34,7 +34,7 @@ std::string position(const Place& place) {
   return text.empty() ? text : text + ": ";
 }
 
-/// A line that a terminal shows as it is: one cell per tab, nothing that moves the cursor.
+/// A line that a terminal shows unchanged: one cell per tab, nothing that moves the cursor.
 std::u32string printable(std::string_view line) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   std::u32string points = code_points(line);

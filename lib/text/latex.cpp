@@ -47,7 +47,7 @@ std::string latex_text(std::string_view text) {
     if (is_unwanted(c)) continue;
     const std::u32string_view other = command(c);
     if (out.empty() &&
-        (c == U'[' || c == U'*')) {  // at the start of a row it would belong to the end of the one before
+        (c == U'[' || c == U'*')) {  // at the start of a row it would belong to the end of the previous one
       out += {U'{', c, U'}'};
     } else if (is_blank(c)) {
       out += U' ';

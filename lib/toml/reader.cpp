@@ -3,9 +3,9 @@
 #include "lib/toml/gate.hpp"
 #include "lib/toml/tree.hpp"
 
-// toml++ 3.3 asserts what a text may not keep to, as that a name follows the bracket of a table, and checks it in the
-// next line. So its assertions say nothing: neither do they stop a debug build, nor does clang build a release upon
-// them.
+// toml++ 3.3 asserts conditions that a text may violate, e.g. that a name follows the bracket of a table, and checks
+// them in the next line. So its assertions are disabled: they neither stop a debug build, nor does clang optimise a
+// release by them.
 #undef NDEBUG
 #define TOML_ASSERT(claim) static_cast<void>(0)
 #include <toml++/toml.h>
@@ -94,7 +94,7 @@ class Conversion {
   const std::string& file_;
 };
 
-/// `T = 900 N*m` without quotes is the commonest slip, and the parser's own words do not help there.
+/// `T = 900 N*m` without quotes is the commonest mistake, and the parser's own message does not help there.
 Message hint_for(std::string_view line) {
   const auto is_foreign = [](std::string_view text) {
     return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });

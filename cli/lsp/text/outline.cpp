@@ -71,7 +71,7 @@ class Scanner {
     spot = expect_ == Expect::key ? Spot{Spot::In::key, frame().path, at_} : Spot{Spot::In::value, value_path(), at_};
   }
 
-  /// A list that nobody has closed ends where the next header or key begins.
+  /// An unclosed list ends where the next header or key begins.
   void recover() {
     if (frames_.size() > 1 && starts_anew()) {
       frames_.resize(1);
@@ -195,7 +195,7 @@ class Scanner {
   }
 
   void open(char bracket) {
-    constexpr std::size_t deepest = 256;  // brackets that nobody has closed
+    constexpr std::size_t deepest = 256;  // unclosed brackets
     ++at_;
     if (frames_.size() > deepest) return;
     frames_.push_back({bracket, value_path()});

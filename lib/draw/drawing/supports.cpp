@@ -1,4 +1,4 @@
-// The signs of what holds a part.
+// The symbols of supports.
 #include "lib/draw/drawing/view.hpp"
 #include "lib/draw/scheme/parts.hpp"
 
@@ -22,7 +22,7 @@ void roller(Canvas& canvas, Point at, Point into) {
   ground(canvas, foot + gap * into, into);
 }
 
-/// Two walls along the part, which neither lets turn nor move across.
+/// Two walls along the part, which permit neither rotation nor transverse displacement.
 void sleeve(Canvas& canvas, Point at, Point into) {
   constexpr double clear = 5.0, long_half = 12.0;
   const Point out = across(into), along = long_half * into;

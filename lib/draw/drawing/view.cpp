@@ -41,7 +41,7 @@ std::vector<Point> closed(std::vector<Point> outline) {
   return outline;
 }
 
-/// How wide a label's berth is.
+/// The half width of a label's clearance.
 double half_width(Line line) { return line == Line::belt || line == Line::contact ? 3.0 : 1.5; }
 
 /// A circle as closely as it is seen.

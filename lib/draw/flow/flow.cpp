@@ -150,7 +150,7 @@ class FlowPicture {
   Canvas canvas_;
 };
 
-/// For screen readers.
+/// A description for screen readers.
 std::string description(const Flow& flow) {
   std::string all;
   for (const auto& arrow : flow.arrows) {

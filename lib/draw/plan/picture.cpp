@@ -198,7 +198,7 @@ class PlanPicture {
     }
   }
 
-  /// The pole is a ring: only what is at rest lies there.
+  /// The pole is a ring: points at rest are there.
   void draw_points() {
     for (const auto& point : plan_.points) {
       const bool pole = point.at.x == 0.0 && point.at.y == 0.0;

@@ -94,7 +94,7 @@ void SchemePicture::draw_scales() {
   double x = 10.0;
   if (!scheme_.bodies.empty() || !scheme_.joints.empty() || !scheme_.wheels.empty())
     x = draw_scale(x, fit_.scale, length_text);
-  const bool has_forces = !scheme_.arrows.empty() && fit_.newton > 0.0;  // forces of nothing have no scale
+  const bool has_forces = !scheme_.arrows.empty() && fit_.newton > 0.0;  // zero forces have no scale
   if (has_forces) draw_scale(x, fit_.newton, force_text);
 }
 

@@ -62,7 +62,7 @@ bool put(hid_t of, const char* name, std::uint64_t number) {
   return put(of, name, H5T_STD_U64LE, space, &number);
 }
 
-/// Texts of one length, filled up with nothing.
+/// Texts of one length, padded with zeros.
 bool put(hid_t of, const char* name, const std::vector<std::string>& texts) {
   std::size_t longest = 1;
   for (const std::string& text : texts) longest = std::max(longest, text.size());

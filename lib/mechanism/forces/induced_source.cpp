@@ -56,9 +56,9 @@ Passing<Scalar> passing(const BasicPairShape<Scalar>& shape, const BasicPairPlac
   return {along, cross(at.at - at.seat - at.apart, along), cross(at.at - at.seat, along)};
 }
 
-/// The modes of what is lost: the first where wheel i drives, which then gives off all that passes, and link j receives
-/// less; the second where link j drives. Two wheels: a force across the line of centres, in the centre of the driving
-/// one. A rack: a force along it in the wheel's centre, or a couple on the wheel.
+/// The modes of losses: the first if wheel i drives, which then transmits all the power, and link j receives less;
+/// the second if link j drives. Two wheels: a force across the line of centres, in the centre of the driving one. A
+/// rack: a force along it in the wheel's centre, or a couple on the wheel.
 template <class Scalar>
 void set_loss_modes(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at,
                     std::span<BasicInducedMode<std::type_identity_t<Scalar>>, 2> modes) {
@@ -79,7 +79,7 @@ void set_loss_modes(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Sc
   in(modes[1], at.seat, across);
 }
 
-/// Their amounts: so large that the power of a mode is that part of the power that passes. At rest nothing is lost.
+/// Their amounts: the power of a mode is that share of the transmitted power. No loss at rest.
 template <class Scalar>
 void induce_loss(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source,
                  const BasicReaction<Scalar>& by, double share, std::span<std::type_identity_t<Scalar>, 2> amount) {

@@ -60,7 +60,7 @@ class Search {
   }
 
  private:
-  /// Every assembly of this group on what is placed, the stated one first, and with each those of the groups after it.
+  /// Every assembly of this group on the placed links, the stated one first, each with those of the groups after it.
   void close_group(std::size_t g) {
     if (g == plan_.groups.size()) return keep();
     if (found_.list.size() >= most_assemblies) {

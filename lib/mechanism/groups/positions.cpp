@@ -243,7 +243,7 @@ Turn GroupPositions::turn_into_line(const GroupPlan& group) const {
   return links_[cut.j].turned * cut.shape.turned * links_[cut.i].turned.back();
 }
 
-// With link i at its angle to link j both turn together, until the line of j leads through the pin of i.
+// With link i at its angle to link j both rotate together, until the line of j passes through the pin of i.
 bool GroupPositions::close_slide_of_two_turns(const GroupPlan& group, double branch) {
   const PairPlace& cut = cuts_[group.first_cut].pair;
   const Turn aligned = turn_into_line(group);
@@ -276,7 +276,7 @@ bool GroupPositions::slide_to_line(const GroupPlan& group, std::size_t mover, do
   return true;
 }
 
-// From the predicted coordinates; a step that is not much smaller than the one before leads to another assembly.
+// From the predicted coordinates; a step not much smaller than the one before leads to another assembly.
 bool GroupPositions::close_by_newton(std::size_t g, const Prediction& prediction) {
   constexpr double longest_move = 0.5, largest_correction = 0.2, exact = 1e-13, quadratic = 1e-7;
   constexpr double setting_out = 0.3;  // by the drives' change: a follower leaves a dwell faster than predicted

@@ -57,7 +57,7 @@ struct ReleasedSystem::Work {
   bool opens = false;  // the released mechanism closed, the given one did not
 };
 
-/// At the position held. False, and all stays as it is, where nothing can be released there.
+/// At the current position. False, and unchanged, if nothing can be released there.
 bool ReleasedSystem::Work::release_here() {
   auto next = release(given, held);
   if (!next) return false;

@@ -1,4 +1,4 @@
-// How the groups are closed when all their assemblies are sought: on a given side, or from anywhere.
+// Closing the groups in the search for all assemblies: on a given side, or from anywhere.
 #include "lib/mechanism/groups/positions.hpp"
 #include "lib/mechanism/model/whole_turn.hpp"
 
@@ -37,7 +37,7 @@ void GroupPositions::unwind(const GroupPlan& group) {
   place_tree(group);
 }
 
-// Newton's iteration with steps held short: it may wander, for any assembly that it meets is one.
+// Newton's iteration with limited steps: it may wander, since any assembly that it finds is acceptable.
 bool GroupPositions::close_from(std::size_t g, std::span<const double> start) {
   constexpr double longest_step = 0.5, exact = 1e-12;
   constexpr int most_steps = 60;

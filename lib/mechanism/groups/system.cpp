@@ -53,7 +53,7 @@ struct GroupSystem::Work {
   Model model;
   double length;
   Plan plan;
-  std::optional<Chain> chain;  // where the mechanism is one: it does what positions and motion do, but for long moves
+  std::optional<Chain> chain;  // if the mechanism is one: replaces positions and motion, except for long moves
   std::optional<ChainState<1>> now;
   GroupPositions positions;
   GroupMotion motion;
@@ -124,7 +124,7 @@ Status GroupSystem::solve(std::span<const Drive> drives, Position& out, bool sta
   return w.find_forces(statics, out) ? Status::closed : Status::jams;
 }
 
-/// The position that is held, for the groups.
+/// Takes the current position to the groups.
 Status GroupSystem::Work::adopt() {
   positions.adopt(held);
   closed = positions.factor();

@@ -29,7 +29,7 @@ BasicCurvePoint<Scalar> curve_point(BasicVec<Scalar> at, BasicVec<Scalar> first,
   return {at, (1.0 / pace) * first, pace, cross(first, second) / (pace * pace)};
 }
 
-/// A point with these derivatives in a frame that turns with the parameter.
+/// A point with these derivatives in a frame that rotates with the parameter.
 template <class Scalar>
 BasicCurvePoint<Scalar> carried_round(Scalar parameter, BasicVec<Scalar> own, BasicVec<Scalar> first,
                                       BasicVec<Scalar> second) {
@@ -62,7 +62,7 @@ BasicCurvePoint<Scalar> point_of(const FlatFollower& f, Scalar parameter) {
   return {height * out + s.first * tangent, tangent, height + s.second, 1.0};
 }
 
-/// By the distance of the face from the axis, as it depends on the direction of its normal, and its derivatives.
+/// From the distance of the face from the axis, as a function of the direction of its normal, and its derivatives.
 template <class Scalar>
 BasicCurvePoint<Scalar> point_of(const SwingingFace& f, Scalar parameter) {
   const BasicLift<Scalar> s = lift_at(f.lift, f.sense, parameter);

@@ -23,7 +23,7 @@ Finding not_closing(const Model& model, const Structure& structure) {
           say("the stated poses are too far from an assembly, or the lengths do not permit one")};
 }
 
-/// Whether a joint holds a ratio of speeds.
+/// Whether a joint imposes a ratio of speeds.
 bool has_ratio(JointKind kind) {
   switch (kind) {
     case JointKind::gear:

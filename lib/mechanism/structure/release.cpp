@@ -14,7 +14,7 @@ Model at_poses(const Model& model, std::span<const Pose> poses) {
   return there;
 }
 
-/// In its unit of length, so that the entries of its constraints can be compared.
+/// In its unit of length, so that the entries of its constraints are comparable.
 FreeMechanism free_of(Model model, bool driven) {
   if (!driven) model.drivers.clear();
   return FreeMechanism(in_unit_of_length(model, characteristic_length(model)));

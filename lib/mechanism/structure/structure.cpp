@@ -145,7 +145,7 @@ Structure analyse(const Model& model) {
   if (!driven.close()) {
     const FreeMechanism as_far_as_possible = driven;
     driven.go_to(free.q());
-    // With dependent constraints it is the drivers that contradict each other, not the lengths.
+    // With dependent constraints, the drivers contradict each other, not the lengths.
     structure.closes = !driven.self_stresses().empty();
     if (!structure.closes) find_widest(as_far_as_possible.constraints(), length, structure);
   }

@@ -159,7 +159,7 @@ void MemberLoads::add_drives(const Position& at) {
 void MemberLoads::sum_up() {
   std::ranges::stable_sort(actions_, {}, &Action::x);
   stations_.assign(1, {});
-  const double together = 1e-9 * length_;  // as the pins of a compound hinge: nothing lies between them
+  const double together = 1e-9 * length_;  // as the pins of a compound hinge: without material between them
   for (std::size_t k = 0; k < actions_.size(); ++k) {
     const bool elsewhere = k == 0 || actions_[k].x - stations_.back().x > together;
     if (actions_[k].x - stations_.back().x > together) stations_.push_back(further(stations_.back(), actions_[k].x));

@@ -121,7 +121,7 @@ class Finder {
     return {};
   }
 
-  /// From the last position on to where the first one comes again.
+  /// From the last position to the repetition of the first one.
   void complete_turn(const Stroke& stroke, std::vector<double>& places) {
     const std::size_t last = course_.at.size() - 1;
     if (!course_.known[last] || !course_.known[0]) return;

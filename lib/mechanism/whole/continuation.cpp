@@ -143,7 +143,7 @@ Status Continuation::move(std::span<const double> goal) {
   return Status::closed;
 }
 
-// Velocity and acceleration at the position held, for a move that would take the time 1 to the goal.
+// Velocity and acceleration at the current position, for a move that would take the time 1 to the goal.
 void Continuation::predict(std::span<const double> goal) {
   std::ranges::fill(first_, 0.0);
   const std::size_t row = constraints_.first_driver_row();

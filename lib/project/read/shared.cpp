@@ -65,7 +65,7 @@ std::optional<Fault> fault_of(const Tree& tree) {
   return literal ? std::nullopt : std::optional<Fault>{literal.fault()};
 }
 
-/// A speed whose unit a field would know to be of revolutions, and an expression does not.
+/// A speed whose unit a field would take as revolutions, while an expression does not.
 std::optional<std::string> open_count(const Tree& tree) {
   if (tree.type == Tree::Type::text) {
     const auto literal = parse_literal(tree.text);

@@ -157,7 +157,7 @@ std::optional<sweep::Law> law_of_mean(const Many& many, const std::string& law) 
   return sweep::Lognormal{*mean, *sd};
 }
 
-/// { value, tolerance }: what is within is alike, or three standard deviations of a normal law reach to its ends.
+/// { value, tolerance }: a uniform distribution within, or a normal law with its ends at three standard deviations.
 std::optional<sweep::Law> law_of_tolerance(const Many& many, const std::string& law) {
   if (!many.has_only({"value", "tolerance", "distribution"}) ||
       !many.is_one_of(law, {"uniform", "triangular", "normal"}))

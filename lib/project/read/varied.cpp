@@ -1,4 +1,4 @@
-// Inputs that take many values; what each of them may be is the field's to say.
+// Inputs that take many values; the field decides on the permitted values.
 #include "lib/calculator/choice_words.hpp"
 #include "lib/project/read/reader.hpp"
 #include "lib/project/read/spread.hpp"

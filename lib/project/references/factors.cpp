@@ -219,7 +219,7 @@ class Check {
     take(std::move(load));
   }
 
-  /// All elements of a list come from one step, and hold the same.
+  /// All elements of a list come from one step, with the same factors.
   void take_list(const Taken& taken, std::span<const FieldInfo> fields, const std::string& within) {
     for (const FieldInfo& field : fields) {
       const std::string inner = within + field.key;

@@ -55,7 +55,7 @@ bool may_be_one_gear(const Step& step, const Step& other) {
   return number_of(step, "z_1") == number_of(other, "z_2") && number_of(step, "m_n") == number_of(other, "m_n");
 }
 
-/// The pair whose second shaft drives the first gear of this one: its speed, torque or load comes from there.
+/// The pair whose second shaft drives the first gear of this one: the source of its speed, torque or load.
 const Step* driver_of(const Step& step, const Project& project) {
   for (const Operand& operand : step.input().reading.operands) {
     if (operand.path != "n_1" && operand.path != "T_1") continue;

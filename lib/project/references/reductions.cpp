@@ -47,7 +47,7 @@ bool holds_entry(const std::vector<Entry>& entries, const std::string& path) {
   return std::any_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.path == path; });
 }
 
-/// Whether a value of a step comes from a load that is less than its series.
+/// Whether a value of a step comes from a load smaller than its series.
 bool is_reduced(const Step& step, const std::string& rest) {
   const auto& loads = step.loads().reduced;
   if (loads.empty()) return false;
@@ -139,7 +139,7 @@ class ReductionCheck {
     return false;
   }
 
-  /// Whether a field whose sign decides takes the negative of a load: tension for compression.
+  /// Whether a field with a significant sign takes the negative of a load: tension for compression.
   [[nodiscard]] bool is_turned_over(const Operand& operand) const {
     static const Value none{{}, {std::nan("")}};
     if (!operand.leaf.field->signed_load || operand.expression.references().size() != 1) return false;
@@ -165,8 +165,7 @@ class ReductionCheck {
     return own == "max" || own == "min";
   }
 
-  /// One end of a cycle with r = -1 is safe whatever the sign of the series is; another ratio is not that of the
-  /// series.
+  /// One end of a cycle with r = -1 is safe for any sign of the series; another ratio is not that of the series.
   [[nodiscard]] bool is_alternating(const Operand& operand) const {
     return has_reversed_ratio(step_, prefix_of(operand.path));
   }

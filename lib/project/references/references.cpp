@@ -210,8 +210,7 @@ class Settling {
     return found;
   }
 
-  /// The record that a value belongs to: that which holds it, or the one handed over with it and its index, "gear_1"
-  /// for T_1.
+  /// The record of a value: the one that contains it, or the one handed over with it and its index, "gear_1" for T_1.
   static std::string record_of(const Step& source, const std::string& path) {
     const auto is_record = [&](const std::string& c) { return form_of(source, c) == Form::record; };
     if (path.find('.') != std::string::npos) {

@@ -27,7 +27,7 @@ std::string named_element(const std::string& scope, const Record& input, const R
   return scope;
 }
 
-/// Whether the branch that ran says no more than the line without it: S_0 of S_0, where it is given, or 30.0 * m_per_s.
+/// Whether the executed branch adds nothing to the line: S_0 of S_0, if it is given, or 30.0 * m_per_s.
 bool says_nothing(const formula::Node& tree, const Line& line, const Names& names) {
   using formula::Kind;
   const auto known = [&](std::string_view name) { return names.si_of(line.scope, name); };
@@ -78,8 +78,8 @@ std::optional<Names::Known> Names::find_result(const std::string& scope, std::st
 
 std::optional<Names::Known> Names::find_any(const std::string& scope, std::string_view name) const {
   if (const auto line = find_line(scope, name)) return line;
-  // A list of the input with the scope's name need not have the same elements as that of the result. At the top an
-  // input that was left open ("d") is what the calculator has put in its place.
+  // A list of the input with the scope's name need not have the same elements as that of the result. At the top level
+  // the calculator has replaced an input that was left open ("d").
   const auto found = found_in(result_, joined(scope, name));
   if (!scope.empty()) return found;
   const auto typed = found_in(input_, name);

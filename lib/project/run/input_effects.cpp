@@ -13,7 +13,7 @@ using Type = FieldInfo::Type;
 
 constexpr std::size_t most_choices = 32;
 
-/// Whether a number differs; what is not available is like itself.
+/// Whether a number differs; NaN equals NaN.
 bool differs(double a, double b) { return a != b && !(std::isnan(a) && std::isnan(b)); }
 
 /// Other values of a quantity, near and far; zero last, for it can turn a part into another one.
@@ -167,7 +167,7 @@ void warn_of_unused(Evaluation& evaluation, const Results& results, const Govern
     const std::string& path = entry.first;
     const Leaf leaf = evaluation.inputs().leaf(path);
     if (!leaf || leaf.field->get == nullptr || !std::isfinite(leaf.get())) continue;
-    if (path == evaluation.inputs().size_field()) continue;  // tables are asked with the size
+    if (path == evaluation.inputs().size_field()) continue;  // tables are looked up with the size
     if (is_of_record(step.reading, path)) continue;
     const auto counts = [&](std::size_t position) { return has_effect(evaluation, leaf, position); };
     if (std::any_of(places.begin(), places.end(), counts) || !is_spare(evaluation, path, leaf)) continue;

@@ -59,7 +59,7 @@ bool is_comparable(const FieldInfo& field) {
   return field.get != nullptr && !field.takes_whole() && (field.is_number() || field.type == FieldInfo::Type::choice);
 }
 
-/// The size that a row is asked at, as it came out: an input, or a result.
+/// The resulting size for looking up a row: an input, or a result.
 double size_of_row(const Inputs& inputs, const Results& results, const FieldInfo& field) {
   double size = table::no_size;
   for (const std::string& key : listed_keys(field.provider.size)) {
@@ -155,7 +155,7 @@ double strength_of_part(const Evaluation& evaluation, const char* key) {
   return row ? largest_in_row(*row, key) : unknown;
 }
 
-/// A strength of the material whose row the expression of an input refers to, "=tables.materials.S355.R_e/1.5".
+/// The strength of the material whose row the expression of an input refers to, "=tables.materials.S355.R_e/1.5".
 double strength_referred_to(const Evaluation& evaluation, const std::string& path, const char* column) {
   constexpr std::string_view materials = "tables.materials.";
   const StepInput& step = evaluation.step().input();
@@ -225,7 +225,7 @@ std::string largest_in(const Source& source, const char* keys, const FieldInfo& 
   return largest;
 }
 
-/// Whether a value is that of another element of the source, where no reference names one: the second stage of a train
+/// Whether a value is that of another element of the source, if no reference names one: the second stage of a train
 /// whose power is the same at every shaft.
 bool is_of_another_place(const Source& source, const char* keys, const FieldInfo& field, const Known& known,
                          double value) {
@@ -243,8 +243,8 @@ Beside beside_of_source(const FieldInfo& field) {
   return *field.most_of_source != '\0' ? Beside::capacity : Beside::demand;
 }
 
-/// Quantities of the step that values are taken from: a key sits on the shaft whose torque it takes, a gear pair is a
-/// stage of its train.
+/// Adds quantities of the step that values are taken from: a key is on the shaft whose torque it takes, a gear pair
+/// is a stage of its train.
 void add_sources_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
   std::optional<std::vector<Source>> sources;
@@ -276,7 +276,7 @@ void add_usual_beside(const Evaluation& evaluation, std::vector<Neighbour>& all)
     Value usual = typed;
     for (double& x : usual.si) x = std::isnan(x) ? x : std::clamp(x, field.plausible.low, field.plausible.high);
     all.push_back({path, leaf, std::move(usual), say("the usual range"), Beside::usual});
-    all.back().by_size = true;  // whether it decides hangs on all other values
+    all.back().by_size = true;  // whether it decides depends on all other values
   });
 }
 

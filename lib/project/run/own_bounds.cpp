@@ -10,7 +10,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// Whether a load of the step comes from something that has the key too: "press.links.rod.N" from what has a length.
+/// Whether a load of the step comes from a part with the key too: "press.links.rod.N" from one with a length.
 bool source_has(const Reading& reading, const std::string& key, const Known& known) {
   const auto has = [&](const Expression::Reference& reference) {
     const std::string beside = reference.path.substr(0, reference.path.rfind('.') + 1) + key;

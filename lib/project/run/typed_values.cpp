@@ -23,7 +23,7 @@ double typed_value(const Evaluation& evaluation, const Neighbour& beside) {
   return largest_magnitude(evaluation.inputs().value_of(beside.path, beside.leaf));
 }
 
-/// By the digits of the text; of a value that is not typed nothing but rounding.
+/// By the digits of the text; for a value that is not typed only the rounding error.
 double rounding_of(const Evaluation& evaluation, const Neighbour& beside) {
   const auto& typed = evaluation.step().input().reading.typed;
   const auto text = typed.find(beside.path);
@@ -37,7 +37,7 @@ double unusual_value(const Evaluation& evaluation, const Neighbour& beside) {
   return *std::find_if(typed.si.begin(), typed.si.end(), [&](double x) { return !std::isnan(x) && !usual.holds(x); });
 }
 
-/// How a value is bolder than it should be: "R_e = 960 MPa, above 225 MPa of the material 'S235JR'".
+/// The excess of a value over its bound: "R_e = 960 MPa, above 225 MPa of the material 'S235JR'".
 Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
   const FieldInfo& field = *beside.leaf.field;
   const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
@@ -67,7 +67,7 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
   return bolder;
 }
 
-/// Whether a result is the same in other results; what is not available is like itself.
+/// Whether a result is the same in other results; NaN equals NaN.
 bool is_same_in(const Results& others, const ResultSeries& series) {
   const auto is_it = [&](const ResultSeries& other) { return other.path == series.path; };
   const auto other = std::find_if(others.series.begin(), others.series.end(), is_it);

@@ -69,7 +69,7 @@ account::Verdict limit_verdict(const Evaluation& evaluation, const ResultSeries&
                                      : account::state_of_limit(field.bounds, field.is_criterion, worst)};
 }
 
-/// A check where nothing could be computed.
+/// The verdict of a check if nothing could be computed.
 account::Verdict open_verdict(const Evaluation& evaluation, const FieldInfo& check) {
   Gap gap = gap_of(evaluation);
   return {.step = evaluation.step().name(),

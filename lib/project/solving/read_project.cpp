@@ -18,7 +18,7 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr std::size_t most_tables = 100'000;  // no rule: what has more is a slip
+constexpr std::size_t most_tables = 100'000;  // not a rule: more are a mistake
 
 std::set<std::string> references_of(const Step& step) {
   std::set<std::string> references;

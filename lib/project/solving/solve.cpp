@@ -108,7 +108,7 @@ bool is_alike(const std::vector<double>& a, const std::vector<double>& b) {
                     [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-/// A step was solved without some inputs first: what others have taken of it must not hang on them.
+/// A step was solved without some inputs first: values that others have taken from it must not depend on them.
 void refuse_other_values(const Handed& before, const Project& project, const Step& step, std::vector<Issue>& issues) {
   for (const auto& [path, taken] : before) {
     const Value* const value = project.value(path);

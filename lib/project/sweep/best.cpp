@@ -123,7 +123,7 @@ std::vector<sweep::Constraint> constraints_of(const BestAsked& asked, const std:
   for (std::size_t i = 0; i < demands.size(); ++i) {
     const bool is_followed = i + 1 < demands.size() && demands[i + 1].kind == Kind::is_one;  // by its flag: see above
     const bool is_shown = demands[i].kind == Kind::at_most_one && is_followed && demands[i].text == demands[i + 1].text;
-    all.push_back({i + 1, asked.quantile ? Kind::at_most_one : demands[i].kind,  // the share over what is allowed
+    all.push_back({i + 1, asked.quantile ? Kind::at_most_one : demands[i].kind,  // the share over the permitted one
                    is_shown ? i + 1 : sweep::Constraint::itself});
   }
   return all;

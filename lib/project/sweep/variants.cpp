@@ -109,7 +109,7 @@ void Variants::solve_alone(std::span<const double* const> in, std::span<double* 
 
 namespace {
 
-/// Whether a part leaves a mode to a calculator of which there is a step: its verdict hangs on more than the part.
+/// Whether a part leaves a mode to a calculator of an existing step: its verdict depends on more than the part.
 bool leaves_modes(const Project& project) {
   const auto runs = [&](std::string_view calculator) {
     return std::any_of(project.steps.begin(), project.steps.end(),
@@ -139,7 +139,7 @@ bool Variants::solve_first(std::span<const double* const> in, std::size_t n) {
   return solved;
 }
 
-/// Laid out at the first point that is solved; without one the next block is asked.
+/// Set up at the first point that is solved; without one the next block is tried.
 void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   const bool solved_twice = project_.passes.size() != project_.order.size() || !project_.beforehand.empty();
   const bool hangs_on_others = leaves_modes(project_) || solved_twice || has_bodies(project_);
@@ -182,7 +182,7 @@ bool Variants::find_kernels() {
 }
 
 void Variants::solve_columns(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {
-  if (n > points_.count) points_.values.clear();  // else what is the same everywhere is there
+  if (n > points_.count) points_.values.clear();  // otherwise constant values are already there
   points_.count = n;
   points_.is_other.assign(n, 0);
   for (std::size_t k = 0; k < axes_.size(); ++k) {
@@ -246,7 +246,7 @@ void Variants::read_verdict(const SweptResult& column, std::span<double> out) co
   }
 }
 
-/// False, with a refusal, where the point is none that can be solved.
+/// False, with a refusal, if the point cannot be solved.
 bool Variants::solve_point(std::span<const double* const> in, std::size_t row) {
   std::vector<Issue> issues;
   for (std::size_t k = 0; k < axes_.size(); ++k) set_input(project_, axes_[k], in[k][row], issues);

@@ -23,7 +23,7 @@ bool is_positive(const Node& call) {
 }
 
 /// Through products and quotients with positive numbers; a sign, a signed factor, a sum or the choice of max and min
-/// says what is meant, but a range or a mean square is never an extreme.
+/// expresses intent, but a range or a mean square is never an extreme.
 std::string_view unsigned_of(const Node& node, const Expression::Declared& declared) {
   if (node.operation == Operation::call && is_positive(node)) return node.function->name;
   if (node.operation == Operation::reference) {

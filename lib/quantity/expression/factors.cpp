@@ -22,7 +22,7 @@ struct Raised {
   std::set<std::string> names;  // the inputs that it is: "chain.K_A"
 };
 using Powers = std::map<Identity, Raised>;
-/// Nothing: of a literal, which goes with any.
+/// Nothing: for a literal, which goes with any.
 using Held = std::optional<Powers>;
 
 void multiply(Powers& powers, const Powers& by, double exponent) {

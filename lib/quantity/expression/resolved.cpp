@@ -15,7 +15,7 @@ constexpr double nothing = 1e-250;
 
 struct Piece {
   double from, to, at_from, at_to;
-  double beyond;  // by which the law may leave the values at both ends
+  double beyond;  // deviation of the law beyond the values at both ends
   bool operator<(const Piece& other) const { return beyond < other.beyond; }
 };
 

@@ -211,7 +211,7 @@ class Reader {
   Cursor in_;
   std::size_t start_;
   std::string digits_;  // as from_chars reads them
-  bool plain_ = true;   // a run of digits and nothing else so far
+  bool plain_ = true;   // so far only a run of digits
   bool negative_ = false;
   bool ready_ = false;  // value_ is known from a fraction
   double value_ = 0.0;

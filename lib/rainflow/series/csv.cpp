@@ -28,7 +28,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Takes the first field off a line; a separator within "" is none.
+/// Takes the first field off a line; a separator within "" does not count.
 std::string_view take_field(std::string_view& line, char separator) {
   if (separator == blanks) {
     while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);

@@ -19,7 +19,7 @@ std::string subject(const Verdict& row, const std::set<std::string>& anchors) {
   return out;
 }
 
-/// A state in the place of a value says no more than the verdict.
+/// A state in place of a value repeats the verdict.
 std::string value(const Verdict& row) {
   if (std::holds_alternative<State>(row.value)) return "–";
   return cell(row.value) + (row.utilisation ? bar(*row.utilisation) : "");

@@ -37,7 +37,7 @@ std::string table_of(const Modes& modes, const Linked& linked) {
                 rows);
 }
 
-/// A state in the place of a value says no more than the verdict.
+/// A state in place of a value repeats the verdict.
 std::string value(const Verdict& row) { return std::holds_alternative<State>(row.value) ? "–" : cell(row.value); }
 
 std::string subject(const Verdict& row, const Linked& linked) {

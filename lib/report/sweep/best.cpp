@@ -13,7 +13,7 @@ using project::SweptInput;
 
 Quantity in_unit_of(double si, const std::string& unit) { return {si, unit.empty() ? std::string("-") : unit, 5}; }
 
-/// How far the result can be trusted.
+/// The reliability of the result.
 Message reach_of(const sweep::Optimum& optimum) {
   using Reach = sweep::Optimum::Reach;
   const std::string n = std::to_string(optimum.candidates > 0 ? optimum.candidates : optimum.evaluations);

@@ -86,7 +86,7 @@ std::vector<std::uint64_t> rising_places(const SweptInput& input, std::size_t wa
                                                                                  : std::vector<std::uint64_t>{};
 }
 
-/// How many columns and rows there is room for.
+/// The number of columns and rows that fit.
 std::pair<std::size_t, std::size_t> size_of_plane(std::uint64_t across, std::uint64_t up) {
   const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(most)));
   const auto fitting = [&](std::uint64_t values, std::uint64_t other) {

@@ -167,7 +167,7 @@ Table pareto_table(const SweepPlan& plan, const Found& found) {
   return table;
 }
 
-/// How much of the scatter of a result each uncertain input brings, where they are not correlated and act evenly.
+/// The share of each uncertain input in the scatter of a result, if they are uncorrelated and act linearly.
 std::optional<Table> correlation_table(const SweepPlan& plan, const Found& found) {
   const sweep::Covariances all = found.covariances();
   if (!is_sample(plan) || plan.columns.empty() || all.size() == 0) return std::nullopt;

@@ -27,7 +27,7 @@ std::size_t width_of(const std::string& text) {  // code points; an escape seque
 
 std::size_t indent_of(const std::string& text) { return std::min(text.find_first_not_of(' '), text.size()); }
 
-/// "90 mm", "-4.5 kN·m": a number and its unit, nothing else.
+/// Whether a text is a number and its unit: "90 mm", "-4.5 kN·m".
 bool is_quantity(const std::string& text) {
   const std::size_t from = indent_of(text), digit = from + (text.compare(from, 1, "-") == 0 ? 1 : 0);
   const std::size_t space = text.find(' ', from);

@@ -33,7 +33,7 @@ std::string plain_formula(const account::Step& line) {
 
 std::string name_of(const Mode& mode, bool of_project) { return of_project ? mode.step + "." + mode.id : mode.id; }
 
-/// Modes that no input of their step would let be assessed, by what would.
+/// Modes that no input of their step would permit to assess, by the remedy.
 void add_remote(const std::string& reason, const std::string& name,
                 std::vector<std::pair<std::string, std::string>>& remote) {
   const auto same = std::ranges::find(remote, reason, &std::pair<std::string, std::string>::first);

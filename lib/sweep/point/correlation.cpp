@@ -131,7 +131,7 @@ Outcome<Correlation> Correlation::of(std::vector<double> matrix, const std::vect
   return made;
 }
 
-// From the last row up: what a row needs of the rows before it is still there.
+// From the last row up: the rows before it are still unchanged.
 void Correlation::apply(std::span<double* const> columns, std::size_t n) const {
   for (std::size_t i = size_; i-- > 1;) {
     const double own = root_[i * size_ + i];

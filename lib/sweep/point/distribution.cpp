@@ -53,7 +53,7 @@ Sides sides(double z) {
   return z < 0.0 ? Sides{smaller, 1.0 - smaller} : Sides{1.0 - smaller, smaller};
 }
 
-// ---- what is refused -----------------------------------------------------------------------------------------------
+// ---- refusals -------------------------------------------------------------------------------------------------------
 
 Message refusal_of(const Normal& law) { return law.sd > 0.0 ? Message{} : say("the standard deviation must be > 0"); }
 Message refusal_of(const Uniform& law) { return law.min < law.max ? Message{} : say("min must be below max"); }

@@ -25,7 +25,7 @@ class Descent {
   }
 
   void follow(nlopt::algorithm algorithm, double first_step, double margin);
-  /// By gradients to the constraints; what ends a little outside is done again further inside.
+  /// By gradients to the constraints; a result slightly outside is repeated further inside.
   void follow_gradients();
   void poll() { best = polled(trials, best, free, 0.05); }
   [[nodiscard]] const Trial& result() const { return best; }
@@ -48,7 +48,7 @@ class Descent {
   double scale, inside = 0.0;
   std::vector<std::size_t> free;
   std::vector<const Constraint*> limited;
-  std::vector<double> seen, values, sloped, slopes;  // the last point and what is there: objective, then constraints
+  std::vector<double> seen, values, sloped, slopes;  // the last point and its values: objective, then constraints
   nlopt::opt* running = nullptr;
   std::exception_ptr failure;
 };
@@ -63,7 +63,7 @@ Places Descent::places(const double* x) const {
 double tamed(double by) { return by <= 1.0 ? by : 1.0 + std::log(by); }
 
 void Descent::take(std::span<const double> outputs, double* into) const {
-  constexpr double unknown = 50.0;  // beyond what is seen: log(1e20) = 46
+  constexpr double unknown = 50.0;  // beyond all known values: log(1e20) = 46
   const double f = outputs[trials.problem().objective];
   const double signed_f = trials.problem().maximise ? -f : f;
   into[0] = std::isfinite(f) ? signed_f / scale : 1e3;

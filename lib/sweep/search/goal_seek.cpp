@@ -80,7 +80,7 @@ Look Seeker::edge(Look there, double not_there) {
   return there;
 }
 
-/// The points of the range with the edges of what is not available between them.
+/// The points of the range with the edges of missing values between them.
 std::vector<Look> Seeker::over_the_range() {
   std::vector<double> places;
   const std::size_t points = std::max<std::size_t>(goal.points, 2);

@@ -35,7 +35,7 @@ double usual_objective(const std::vector<Trial>& scan) {
   return *middle;
 }
 
-/// How far apart two points are in their continuous variables, as a share of the ranges; 1 where their stocks differ.
+/// The distance of two points in their continuous variables, as a share of the ranges; 1 if their stocks differ.
 double distance(const std::vector<Variable>& variables, const Places& a, const Places& b) {
   double most = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {

@@ -43,7 +43,7 @@ double Samples::steepest() const {
   return most;
 }
 
-/// The limit of differences whose error goes in powers of step^order; those that are not finite are passed over.
+/// The limit of differences whose error is a series in powers of step^order; those that are not finite are skipped.
 Estimate extrapolated(const std::array<double, levels>& differences, double ratio, double noise) {
   Estimate best;
   std::array<double, levels> row{};

@@ -52,7 +52,7 @@ bool is_speed(const Dimension& dimension) {
   return p.is_whole && p.length == 0 && p.mass == 0 && p.time == -1;
 }
 
-/// With which power of that length a value grows: areas, forces and masses per length with the second; speeds fall.
+/// The power of that length with which a value grows: 2 for areas, forces and masses per length; speeds fall.
 std::optional<int> growth_of(const Dimension& dimension) {
   if (is_speed(dimension)) return -1;
   const Powers p = powers_of(dimension);

@@ -53,7 +53,7 @@ class Cutter {
     at_ = std::min(end + 1, text_.size());
     return text;
   }
-  /// Behind a value or a header: what is left of the line.
+  /// The rest of the line after a value or a header.
   std::string rest_of_line() {
     skip_spaces();
     return comment();

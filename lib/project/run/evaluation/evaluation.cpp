@@ -24,7 +24,7 @@ Issue Evaluation::broken_rule(std::size_t rule) const { return step_.broken_rule
 
 bool Evaluation::check_rules(std::vector<Issue>& issues) {
   inputs_.set_values_of_rows(first_size());
-  std::set<std::size_t> warned;  // a warning is said once, not at every position
+  std::set<std::size_t> warned;  // a warning is reported once, not at every position
   for (std::size_t i = 0; i < positions(); ++i) {
     if (!set_position(i)) continue;
     for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule) {
@@ -46,7 +46,7 @@ double Evaluation::size_now() {
   return given ? given.get() : not_available;
 }
 
-/// A size that follows from the values, or is searched for, starts at nothing.
+/// A size that follows from the values, or is searched for, starts at zero.
 double Evaluation::first_size() {
   const std::string_view path = inputs_.size_field();
   if (path.empty()) return not_available;
@@ -65,7 +65,7 @@ void Evaluation::settle_sizes_from(double size) {
     inputs_.set_values_of_rows(size);
     settled_ = size;
     const double next = size_now();
-    if (std::isnan(next) || next == size) return;  // without a size something is not available; the checks say so
+    if (std::isnan(next) || next == size) return;  // without a size something is not available; the checks report it
     two_before = before;
     before = size;
     size = next;
@@ -73,7 +73,7 @@ void Evaluation::settle_sizes_from(double size) {
   unsettled_ = unsettled_size(two_before, before, size);
 }
 
-/// Only a result changes from one round to the next.
+/// Only a result changes between rounds.
 Message Evaluation::unsettled_size(double two_before, double before, double now) const {
   const FieldInfo& field = *find_field(calculator_.result->fields, inputs_.size_field());
   const auto shown = [&](double si) { return format_quantity(si, field.unit, 4); };

@@ -103,7 +103,7 @@ void Inputs::clear_row(const std::string& group) {
     const Leaf given = leaf(provided.path);
     const bool is_quantity = given.field->type == FieldInfo::Type::quantity;
     const double si = is_quantity ? std::nan("") : find_leaf(untouched, provided.path).get();
-    if (is_quantity || !std::isnan(si)) given.set(si);  // a choice has no value that is none
+    if (is_quantity || !std::isnan(si)) given.set(si);  // NaN is not a value of a choice
   }
   std::erase_if(provided_, [&](const Provided& provided) { return is_of_row(provided, group); });
   rows_[group].text.clear();

@@ -13,7 +13,7 @@ namespace {
 /// The noun of a field, from its meaning: "yield strength, with S in place of tau_adm".
 std::string noun_of(std::string_view doc) { return std::string(doc.substr(0, doc.find_first_of(",;:"))); }
 
-/// The size that a row is asked at: the first that is given of those that the provider names.
+/// The size for looking up a row: the first given one of those that the provider names.
 double size_of(const Provider& provider, const Record& record) {
   for (const std::string& key : listed_keys(provider.size)) {
     const Leaf size = find_leaf(record, key);
@@ -43,7 +43,7 @@ std::vector<std::string> rest_of_loads(const Reading& reading, const std::vector
     }
   };
   for (const Operand& operand : reading.operands) {
-    if (!operand.leaf.field->is_load) continue;  // a length brings nothing along
+    if (!operand.leaf.field->is_load) continue;  // a length has no load components
     for (const auto& reference : operand.expression.references()) add(reference.path);
   }
   for (const Taken& list : reading.taken) {
@@ -104,7 +104,7 @@ void PreparedStep::check_stock(const Search& search, std::vector<Issue>& issues)
                     did_you_mean(search.stock, input().tables->names_of(search.path)));
     for (const FieldInfo& field : input().calculator->input->fields) {
       if (field.provider.table != search.path || input().reading.typed.count(field.key) == 0) continue;
-      // A number that no row has belongs to one row all the same: a rating, a warping constant.
+      // A number that no row has still belongs to one row: a rating, a warping constant.
       if (field.is_number() ||
           std::any_of(rows.begin(), rows.end(), [&](const table::Entry& row) { return gives(row, field); }))
         return refuse(say("'{1}' is given, and the {2} that is searched for gives it too", field.key, search.path),
@@ -326,7 +326,7 @@ std::vector<std::string> PreparedStep::companions_of(const std::string& path) co
   return all;
 }
 
-/// Those of them that are not nothing: a spur gear has no axial force.
+/// Records the non-zero ones: a spur gear has no axial force.
 void PreparedStep::leave_what_acts(const Known& known) {
   std::string names;
   for (const std::string& path : rest_) {

@@ -105,7 +105,7 @@ std::map<std::string, Origin> fill_lists(const StepInput& input, const Rows& row
     if (!field.has_fields() || named == rows.end() || named->second.text.empty()) continue;
     if (typed.contains(field.key) || typed.contains(from.unless)) continue;
     const auto entry = input.tables->find_row(from.table, named->second.text);
-    if (!entry) continue;  // another input has said so
+    if (!entry) continue;  // another input has reported it
     for (const auto& [size, value] : table::values_by_size(*entry, from.column)) {
       if (field.size(data) == field.capacity) break;
       const std::string path = std::string(field.key) + "[" + std::to_string(field.size(data) + 1) + "].";

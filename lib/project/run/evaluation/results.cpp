@@ -21,7 +21,7 @@ void walk(std::span<const FieldInfo> fields, void* data, const Visit& visit) {
   }
 }
 
-/// How many elements each list has, in the order of a walk.
+/// The number of elements of each list, in the order of traversal.
 std::vector<std::size_t> list_sizes(std::span<const FieldInfo> fields, void* data) {
   std::vector<std::size_t> sizes;
   for (const FieldInfo& field : fields) {

@@ -75,8 +75,8 @@ bool Inputs::take_from_others(std::vector<Issue>& issues) {
   return issues.size() == before;
 }
 
-/// A record without any value comes from a step without results; the step then has no results, rather than broken
-/// rules.
+/// A record without any value comes from a step without results; the step then has no results either, instead of
+/// violated rules.
 bool Inputs::find_records(const std::set<std::string>& left_open, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   const auto& reading = step_.input().reading;

@@ -22,7 +22,7 @@ double rounded_down(double value, double unit) {
   return std::floor(number / one * (1.0 + 1e-12)) * one * unit;
 }
 
-/// Beyond it no machine has such a value; in SI.
+/// The limit of plausible values; in SI.
 double largest_of(const FieldInfo& field) {
   const double usual = std::isinf(field.plausible.high) ? 1e6 * field.factor : 10.0 * field.plausible.high;
   return std::min(usual, field.bounds.high);
@@ -80,7 +80,7 @@ bool LargestSearch::excuse_unmoved(double most) {
   return excused > 0;
 }
 
-/// Rounded to four digits: the largest such number that passes.
+/// Rounds down to four digits: the largest such number that passes.
 void LargestSearch::keep(double largest) {
   const double unit = leaf_.field->factor;
   const double next = rounded_down(largest * (1.0 + 2e-6), unit);  // the halving stops a little below the limit
@@ -92,7 +92,7 @@ void LargestSearch::keep(double largest) {
                                   {say("largest that passes every check; 1 % more: {1}", beyond), {}, false, true});
 }
 
-/// Without a value there is no result, and no verdict.
+/// Without a value there is neither a result nor a verdict.
 void LargestSearch::tell_none(double value, std::vector<Issue>& issues) {
   leaf_.set(value);
   if (const auto rule = passing_.first_broken_rule()) return issues.push_back(evaluation_.broken_rule(*rule));

@@ -22,7 +22,7 @@ std::string beyond_one(double utilisation) {
   return format_number(utilisation, precision);
 }
 
-/// How far beyond its bounds a value is, as a factor; 1 within them.
+/// The ratio of a value to the bound that it exceeds; 1 within them.
 double excess_over(const Range& bounds, double si) {
   if (std::isnan(si)) return std::numeric_limits<double>::infinity();
   if (bounds.holds(si)) return 1.0;
@@ -152,7 +152,7 @@ FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& lar
   return unmoved;
 }
 
-/// A check without a value counts where no limit says why.
+/// A check without a value counts unless a limit explains it.
 Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing) {
   Shortfall shortfall;
   bool missing = false;

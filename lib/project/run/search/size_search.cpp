@@ -80,8 +80,8 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   const auto& results = evaluation_.calculator().result->fields;
   const FieldInfo* const result = wanted_.leaf ? find_field(results, wanted_.path) : nullptr;
   const double least = result == nullptr ? std::nan("") : evaluation_.largest_result(*result);
-  // Not even a least size: the checks say why. One that does not settle, or that is beyond the sizes of a row, excludes
-  // no candidate, for these have a size.
+  // Without a minimum size, the checks give the reason. A size that does not settle, or is beyond the sizes of a row,
+  // excludes no candidate, because candidates have a size.
   const bool is_beyond_table = !evaluation_.inputs().table_gap().empty();
   if (result != nullptr && std::isnan(least) && evaluation_.is_settled() && !is_beyond_table) return;
   if (result == nullptr && !passing_.is_any_asked())
@@ -238,7 +238,7 @@ void SizeSearch::warn_of_passed_over(std::size_t found, std::vector<Issue>& issu
   issues.push_back(std::move(first));
 }
 
-/// Without words: a body asks which sizes were found.
+/// Records the size without text: a body only needs the sizes found.
 void SizeSearch::note_found() {
   if (wanted_.leaf)
     evaluation_.inputs().set_origin(wanted_.path, {.text = say("found"), .sources = {}, .searched = true});

@@ -189,7 +189,7 @@ bool ColumnLayout::add_read(const std::set<std::string>& wanted) {
   for (const FieldInfo& field : calculator.result->fields) {
     const std::string path = step.name() + "." + field.key;
     const bool judges = (field.role == Role::check || field.role == Role::limit) && field.is_leaf();
-    const bool is_asked = step.is_asked(field, record);  // else it has no value, whatever the calculator says
+    const bool is_asked = step.is_asked(field, record);  // otherwise it has no value, even if the calculator sets one
     const bool is_row = judges && is_asked;
     const bool is_wanted = left.erase(path) != 0 && is_asked;
     if (!is_row && !is_wanted) continue;

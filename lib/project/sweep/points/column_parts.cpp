@@ -140,7 +140,7 @@ void ColumnParts::gather(PointColumns& points) {
   }
 }
 
-/// A size that follows from the values, or is searched for, starts at nothing.
+/// A size that follows from the values, or is searched for, starts at zero.
 void ColumnParts::start_sizes(PointColumns& points) {
   if (!size) return;
   sizes.assign(points.count, 0.0);
@@ -214,7 +214,7 @@ void ColumnParts::run(PointColumns& points) {
   }
 }
 
-/// A check or a limit at every point: over positions the largest, or what is farthest beyond its bounds.
+/// A check or a limit at every point: over positions the largest, or the value farthest beyond its bounds.
 std::span<const double> ColumnParts::worst_of(Read& number, std::size_t n) {
   if (axis == nullptr) return number.si;
   const bool is_known = sought && number.field->role == Role::check && !number.field->is_beside;  // result of a search

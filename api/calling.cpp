@@ -33,7 +33,7 @@ std::vector<std::string> numbers_of(const loadpath::Calculator& calculator) {
 
 bool is_of_whole(const std::string& name) { return name == "state" || name == "utilisation" || name == "passes"; }
 
-/// What is read off every point, as a project's sweep would be asked for it.
+/// The outputs read at every point, with the interface that a project's sweep uses.
 class Asked {
  public:
   Asked(const loadpath::Calculator& calculator, const Call& call, const std::vector<std::string>& results);
@@ -94,11 +94,11 @@ class Caller {
   std::vector<double*> out_;
   std::vector<std::vector<double>> given_;
   std::vector<double> unasked_;
-  std::vector<std::size_t> lacking_;  // of each row the first column that has no value; none: past the last
+  std::vector<std::size_t> lacking_;  // per row, the first column without a value; none: past the last
   std::vector<std::pair<std::size_t, loadpath::Issue>> refused_;
 };
 
-/// A column of SI values is read where it stands.
+/// SI columns are read in place, without a copy.
 const double* Caller::feed(std::size_t which, std::size_t first, std::size_t n) {
   const GivenColumn& column = *columns_[which];
   std::vector<double>& si = given_[which];

@@ -49,7 +49,7 @@ Tree array_tree(const std::string& name, std::vector<Tree> items) {
   return tree;
 }
 
-/// The fields of a calculator by their names; what is none is a table that rows are taken from.
+/// The fields of a calculator by their names; any other name is a table that rows are taken from.
 class Calling {
  public:
   Calling(const loadpath::Calculator& calculator, Call& call) : calculator_(calculator), call_(call) {}
@@ -69,7 +69,7 @@ class Calling {
   Call& call_;
 };
 
-/// Null: what the reader knows beside fields, a row of a table, `accept`, `because`.
+/// Null for keys that are not fields: a row of a table, `accept`, `because`.
 const FieldInfo* Calling::field_of(const Given& given) const {
   if (const FieldInfo* const field = find_field(calculator_.input->fields, given.name)) return field;
   std::vector<std::string> known = table_groups(calculator_);
@@ -168,7 +168,7 @@ Tree Calling::tree_of(const Given& given, const FieldInfo* field) {
   if (const auto* toml = std::get_if<Inline>(&given.value)) return tree_of_inline(given, toml->toml);
   if (const auto* words = std::get_if<std::vector<std::string>>(&given.value))
     return tree_of_words(given, field, *words);
-  static const FieldInfo number;  // of what is no field the reader says what it takes
+  static const FieldInfo number;  // for keys that are not fields the reader reports what it accepts
   const auto* const one = std::get_if<double>(&given.value);
   if (one == nullptr)
     return tree_of_numbers(given, field == nullptr ? number : *field, std::get<std::span<const double>>(given.value));

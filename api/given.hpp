@@ -1,4 +1,4 @@
-// What a call gives a calculator, as a project of one step; columns as inputs that take many values.
+// The inputs of a call as a project of one step; columns as inputs with many values.
 #pragma once
 
 #include "api/translate.hpp"
@@ -20,13 +20,13 @@ namespace loadpath::api {
 struct GivenColumn {
   std::string name;
   std::span<const double> numbers;   // or the numbers of words
-  std::vector<double> own;           // where the numbers stand that the caller does not have
+  std::vector<double> own;           // converted numbers that the caller does not own
   std::optional<ParsedUnit> unit;    // nothing: SI
   const FieldInfo* field = nullptr;  // null: rows of a table
   double stand_in = 0.0;             // SI: a value that the field takes, for rows that have none
   bool is_words = false;
 
-  /// The value of a row in SI, and whether it is one: finite, whole where it counts.
+  /// The value of a row in SI, and whether it is valid: finite, and an integer where the field is a count.
   [[nodiscard]] bool take(std::size_t row, double& si) const;
 };
 
@@ -38,7 +38,7 @@ struct Call {
   Sources sources;
 };
 
-/// An Error where a name, a unit, a type or a length is wrong; what values are wrong says who reads the project.
+/// An Error if a name, a unit, a type or a length is wrong; what values are wrong says who reads the project.
 Call read_call(const loadpath::Calculator& calculator, std::span<const Given> inputs);
 
 /// The unit in which a number of the field is SI: "kg*m^2/s^2".

@@ -16,7 +16,7 @@ const char* version() { return LOADPATH_VERSION; }
 
 namespace {
 
-/// The project as it is read where nothing is wrong with it.
+/// The project as read; an Error if it has errors.
 project::Project read_again(const std::string& text, const std::string& name, Ranges ranges,
                             std::vector<loadpath::Issue>& issues) {
   project::Project project = project::read_project(text, name, catalogue(), issues, ranges);
@@ -41,7 +41,7 @@ void take_points(const SweepOptions& options, project::SweepSettings& settings, 
     settings.results.push_back(placed("results", i, options.results[i]));
 }
 
-/// A sweep whose points are kept.
+/// A sweep that keeps its points.
 class Keeping {
  public:
   Keeping(const project::SweepPlan& plan, bool rows) : rows_(rows) {
@@ -75,7 +75,7 @@ class Keeping {
 
  private:
   bool rows_;
-  std::vector<std::size_t> results_;  // of a block, that have a column
+  std::vector<std::size_t> results_;  // results of a block that have a column
   Sweep sweep_;
 };
 

@@ -1,4 +1,4 @@
-// From what the library has inside to what it hands out.
+// Conversion of the library's internal types to those of the API.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -16,17 +16,17 @@ namespace loadpath::api {
 /// Texts that issues point into, by the names of their files.
 using Sources = std::map<std::string, std::string>;
 
-/// The project's own text, and the files that it was read from beside it.
+/// The project's own text, and the other files that it was read from.
 Sources sources_of(const project::Project& project, Sources own);
 
 std::vector<Issue> issues_of(const std::vector<loadpath::Issue>& issues);
-/// Throws an Error where one of them is an error.
+/// Throws an Error if one of them is an error.
 void refuse_errors(const std::vector<loadpath::Issue>& issues, const Sources& sources);
 [[noreturn]] void refuse(const Message& message, const Message& hint = {});
-/// That there is nothing of this name: "there is no result '{1}'".
+/// Throws the Error for an unknown name: "there is no result '{1}'".
 [[noreturn]] void refuse_name(std::string_view id, std::string_view name, const std::vector<std::string>& known);
 
-/// Solves a project that was read without an error. `step`: whose name is left out of the names of quantities.
+/// Solves a project that was read without an error. `step`: the step whose name is omitted in names of quantities.
 Solution solution_of(project::Project& project, std::vector<loadpath::Issue> issues, const Sources& sources,
                      const std::string& step = {});
 
@@ -37,7 +37,7 @@ std::string si_name(const Dimension& dimension);
 
 Column column_of(const project::SweptInput& input);
 Column column_of(const project::SweptResult& result);
-/// In the order of their first points.
+/// Sorted by their first points.
 std::vector<Refused> in_order(std::vector<Refused> all);
 
 unsigned threads_for(unsigned jobs);

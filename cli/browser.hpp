@@ -11,7 +11,7 @@ namespace loadpath::cli {
 /// The path of a Chromium or Chrome, or an empty text.
 std::string find_browser();
 
-/// Prints a page to a PDF file; false where the browser fails. `scratch` keeps what it needs on the way.
+/// Prints a page to a PDF file; false if the browser fails. `scratch` keeps its temporary files.
 bool print_to_pdf(const std::string& html, const std::filesystem::path& path, Scratch& scratch);
 
 }  // namespace loadpath::cli

@@ -28,7 +28,7 @@ bool takes_text(const FieldInfo* field) {
          field->type == FieldInfo::Type::name || field->type == FieldInfo::Type::formula || holds_single_texts(*field);
 }
 
-/// Back to the places of the flag's own text, which stood behind `length` characters of a line.
+/// Converts a place in a line to one in the flag's own text, which followed `length` characters.
 void move_back(Place& place, int length) {
   if (place.line == 1) place.column = std::max(1, place.column - length);
 }
@@ -41,7 +41,7 @@ void move_back(Tree& tree, int length) {
   }
 }
 
-/// The value of a flag as a project file would have it: a text as it stands, anything else as TOML's inline text.
+/// The value of a flag as in a project file: a text as it is, anything else as TOML's inline text.
 Tree value_of(const std::string& key, const std::string& text, const FieldInfo* field, std::vector<Issue>& issues) {
   const std::string flag = "--" + key;
   Tree value;
@@ -86,7 +86,7 @@ Tree::Entry flag_entry(const std::string& key, const std::string& text, const Fi
   return {key, {"--" + key, 1, 1, 1}, value_of(key, text, field, issues)};
 }
 
-/// The crank angles of `--at`, in place of a whole turn.
+/// The crank angles of `--at`, in place of a full revolution.
 void put_angles(Tree& step, const std::string& at, std::vector<Issue>& issues) {
   Tree* const crank = crank_of(step);
   if (crank == nullptr) {
@@ -101,7 +101,7 @@ void put_angles(Tree& step, const std::string& at, std::vector<Issue>& issues) {
   put(*crank, flag_entry("at", at, nullptr, issues));
 }
 
-/// Reasons from the shell, beside those of the file: modes of failure that are accepted, inputs that are justified.
+/// Reasons from the shell, in addition to those of the file: accepted failure modes, justified inputs.
 void put_reasons(Tree& step, const std::string& key, const std::vector<std::string>& reasons) {
   if (reasons.empty()) return;
   const Place place{"--" + key, 1, 1, 1};
@@ -117,7 +117,7 @@ void put_reasons(Tree& step, const std::string& key, const std::vector<std::stri
   }
 }
 
-/// Flags in place of what a step says. The number of positions goes to the crank where there is one.
+/// Flags that replace the inputs of a step. The number of positions goes to the crank if there is one.
 void put_flags(Tree& step, const CalculateOptions& options, std::vector<Issue>& issues) {
   for (const auto& [key, text] : options.values) {
     if (key != "positions")

@@ -16,9 +16,9 @@ namespace loadpath::cli {
 
 struct RunOptions {
   std::vector<std::string> files;      // and folders of them
-  std::optional<std::uint64_t> point;  // of a sweep
+  std::optional<std::uint64_t> point;  // index of a point of a sweep
   PointOptions points;
-  /// Fields in place of what the file says: "shaft.d=45 mm".
+  /// Fields that replace those of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;
   OutputOptions output;
 };
@@ -28,10 +28,10 @@ struct SweepOptions {
   std::string file;
   std::vector<std::string> results;
   PointOptions points;
-  /// Fields in place of what the file says: "shaft.d=45 mm".
+  /// Fields that replace those of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;
   unsigned jobs = 0;                 // threads; 0: as many as the machine has
-  std::size_t worst = 5;             // points that are told
+  std::size_t worst = 5;             // number of points listed
   std::string pareto;                // "m:min,u:min"
   std::string csv;                   // file
   std::string hdf5;                  // file
@@ -40,12 +40,12 @@ struct SweepOptions {
   std::string shard;                 // "2/10"
   std::vector<std::string> merge;    // folders of shards
   bool resume = false;
-  std::string status;       // folder whose sweep is asked about
+  std::string status;       // folder of the sweep whose status is shown
   double save_every = 2.0;  // seconds between states on the disk
   bool no_columns = false;
-  std::string minimise, maximise;      // a result; the best machine in place of all
+  std::string minimise, maximise;      // a result to be optimised; only the best design instead of all points
   std::vector<std::string> such_that;  // "every mode passes", "rod.mass <= 5 kg"
-  double quantile = 0.0;               // of what is uncertain, that both hold with; 0: at the mean
+  double quantile = 0.0;               // quantile of uncertain results that must satisfy both; 0: at the mean
   std::string seek;                    // "shaft.u_tau = 0.9"
   bool influence = false;              // tornado, slopes, budget of the scatter
   std::uint64_t sobol = 0;             // rows; 0: no Sobol indices
@@ -55,26 +55,26 @@ struct SweepOptions {
 };
 int sweep(const SweepOptions& options);
 
-/// Why a project, a step, a result or a mode of failure came out as it did.
+/// Why a project, a step, a result or a failure mode came out as it did.
 struct WhyOptions {
   std::string file;
   std::string of;  // "rod", "rod.u", "rod.buckling"; empty: every step in a line
-  /// Fields in place of what the file says: "shaft.d=45 mm".
+  /// Fields that replace those of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;
 };
 int why(const WhyOptions& options);
 
-/// One calculator from the shell: its flags are the keys of a project file. With a file the steps of this calculator in
-/// it, and what they refer to; the flags then stand in place of what these steps say.
+/// One calculator from the shell: its flags are the keys of a project file. With a file the steps of this calculator
+/// in it, and those that they refer to; the flags then replace values of these steps.
 struct CalculateOptions {
   const Calculator* calculator = nullptr;
   std::string file;
-  std::string at;                                           // crank angles, in place of those of the file
+  std::string at;                                           // crank angles that replace those of the file
   std::vector<std::pair<std::string, std::string>> values;  // key, text as typed
   /// Fields of any step of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;
   std::vector<std::string> because;   // inputs with reasons: "R_e=certificate 4711"
-  std::vector<std::string> accepted;  // modes of failure with reasons: "pitting=rated by the maker"
+  std::vector<std::string> accepted;  // failure modes with reasons: "pitting=rated by the maker"
   OutputOptions output;
 };
 int calculate(const CalculateOptions& options);
@@ -127,7 +127,7 @@ struct WatchOptions {
 };
 int watch(const WatchOptions& options);
 
-/// A completion script for a shell; or the candidates that it asks for.
+/// A completion script for a shell; or the candidates that the script requests.
 struct CompletionOptions {
   std::string shell;               // bash, zsh, fish; candidates
   std::vector<std::string> words;  // up to the one that is begun
@@ -139,7 +139,7 @@ int man();
 
 int schema();
 
-/// A language server on standard input and output, for editors, until it is told to exit.
+/// A language server on standard input and output, for editors, until it receives the exit request.
 int language_server();
 
 }  // namespace loadpath::cli

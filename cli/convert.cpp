@@ -88,7 +88,7 @@ int convert(const ConvertOptions& options) {
                                                            : readable_unit(literal.si, literal.dimension);
   const auto target = parse_unit(unit);
   if (!target) return refuse(unit, 0, "unit", target.fault());
-  // A literal says what it is, so that Hz is not taken for rad/s; an expression is compared without its angle.
+  // A literal states its kind, so that Hz is not taken for rad/s; an expression is compared without its angle.
   const bool fits = expression ? fits_but_for_angle(target->dimension, literal.dimension, literal.kind, literal.turns)
                                : target->dimension == literal.dimension;
   if (!fits) {

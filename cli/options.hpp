@@ -8,7 +8,7 @@
 
 namespace loadpath::cli {
 
-/// What every solving command can write.
+/// The output options of every solving command.
 struct OutputOptions {
   std::vector<std::string> reports;  // .html, .md, .tex, .pdf
   bool json = false;
@@ -18,10 +18,10 @@ struct OutputOptions {
   std::vector<std::string> series;  // patterns of those that JSON and CSV hold; none: all
   std::string detail;               // brief, normal, full; empty: as the command has it
   bool quiet = false;
-  bool strict = false;  // what is open counts as not judged
+  bool strict = false;  // modes not considered count as not assessed
 };
 
-/// The points of a sweep, where the project does not say them.
+/// The points of a sweep, for projects that do not define them.
 struct PointOptions {
   std::optional<std::uint64_t> samples, seed;
   bool latin = false;

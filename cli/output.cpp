@@ -31,7 +31,7 @@ std::string ending(const std::string& path) { return path == html_out ? ".html" 
 /// Whether a path names one file of this kind, and no folder.
 bool is_file(const std::string& path, const char* kind) { return path == "-" || ending(path) == kind; }
 
-/// The options that ask for standard output.
+/// The options that write to standard output.
 std::vector<std::string> on_standard_output(const OutputOptions& options) {
   std::vector<std::string> all;
   for (const std::string& report : options.reports) {
@@ -44,7 +44,7 @@ std::vector<std::string> on_standard_output(const OutputOptions& options) {
   return all;
 }
 
-/// What cannot stand on standard output together, or at all; which is told.
+/// False, with a message, if outputs cannot share standard output, or cannot be written there at all.
 bool can_stream(const OutputOptions& options) {
   auto all = on_standard_output(options);
   for (const std::string& report : options.reports) {
@@ -72,7 +72,7 @@ std::vector<File> report_files(const report::Document& document, const std::stri
   return files;
 }
 
-/// FILE.csv for the one step that has series, or a file for each in a folder. False where one file cannot hold them.
+/// FILE.csv for the one step that has series, or a file for each in a folder. False if one file cannot hold them.
 bool add_series(const project::Project& project, const OutputOptions& options, std::vector<File>& files) {
   const std::string& path = options.csv;
   auto tables = exports::csv_of(project, project::SeriesChoice(options.series));
@@ -104,8 +104,8 @@ std::vector<Drawing> drawings_of(const project::Project& project) {
   return drawings;
 }
 
-/// What one file shows: the drawing of the mechanism, or, where there is none, the first figure of the step that has
-/// any.
+/// The content of a single file: the drawing of the mechanism, or, if there is none, the first figure of the step
+/// that has any.
 std::vector<Drawing> leading_figures(const project::Project& project) {
   std::vector<Drawing> figures = drawings_of(project);
   if (!figures.empty()) return figures;
@@ -115,7 +115,7 @@ std::vector<Drawing> leading_figures(const project::Project& project) {
   return figures;
 }
 
-/// Whether one file is named for the drawings of several steps, which is told.
+/// Whether one file is named for the drawings of several steps, with a message.
 bool is_one_for_several(const std::string& path, const char* kind, const std::vector<Drawing>& drawings) {
   if (!is_file(path, kind) || drawings.size() < 2) return false;
   std::cerr << "loadpath: '" << path << "' is one file, and " << drawings.size()
@@ -123,7 +123,7 @@ bool is_one_for_several(const std::string& path, const char* kind, const std::ve
   return true;
 }
 
-/// FILE.svg with the leading figure, or every figure in a folder. False where one file cannot hold them.
+/// FILE.svg with the leading figure, or every figure in a folder. False if one file cannot hold them.
 bool add_figures(const project::Project& project, const std::string& path, std::vector<File>& files) {
   if (path.empty()) return true;
   const std::vector<Drawing> figures = leading_figures(project);
@@ -141,7 +141,7 @@ bool add_figures(const project::Project& project, const std::string& path, std::
   return true;
 }
 
-/// FILE.dxf with what is drawn to scale, or, of several, a folder with a file for each. False where one file cannot
+/// FILE.dxf with what is drawn to scale, or, of several, a folder with a file for each. False if one file cannot
 /// hold them.
 bool add_drawings(const project::Project& project, const std::string& path, std::vector<File>& files) {
   if (path.empty()) return true;
@@ -212,7 +212,7 @@ bool can_write(const OutputOptions& options) {
 
 namespace {
 
-/// Files, and what the browser prints, all or none of them; which reports there are is told.
+/// Writes files, and the browser's prints, all or none of them; lists the written reports.
 bool put(const std::vector<File>& files, const std::vector<std::string>& prints, const report::Document& document,
          const project::Project& project) {
   if (files.empty() && prints.empty()) return true;

@@ -1,4 +1,4 @@
-// What solving commands write: report files, JSON, CSV. Everything is made before anything is written.
+// The outputs of solving commands: report files, JSON, CSV. Everything is made before anything is written.
 #pragma once
 
 #include "cli/options.hpp"
@@ -12,26 +12,26 @@
 
 namespace loadpath::cli {
 
-/// Whether the files that are asked for can be made at all; says why not on standard error.
+/// Whether the requested files can be made at all; prints the reason if not on standard error.
 bool can_write(const OutputOptions& options);
 
-/// Whether a file can be put there: a folder cannot be written, nor what lies in a file; which is told.
+/// Whether a file can be put there, with a message: not onto a folder, nor below a file.
 bool can_place(const std::string& path);
 
 /// Whether an output is meant for standard output, where the results are not shown then.
 bool takes_standard_output(const OutputOptions& options);
 
-/// Writes a document as the reports of these names; false where a file cannot be written.
+/// Writes a document as the reports of these names; false if a file cannot be written.
 bool write_reports(const report::Document& document, const std::vector<std::string>& paths,
                    const project::Project& project, bool quiet);
 
-/// Whether an output would take the place of what the program reads, or of another output; which is told.
+/// Whether an output would overwrite an input of the program, or another output; with a message.
 bool overwrites(const std::vector<std::filesystem::path>& outputs, const project::Project& project);
 
-/// Writes them, `input` into a full report; false where a file cannot be written.
+/// Writes them, `input` into a full report; false if a file cannot be written.
 bool write(const project::Project& project, const OutputOptions& options, const std::string& input);
 
-/// How much is told: what the shell says, or else what is usual.
+/// The level of detail: from the shell, or else the usual one.
 report::Detail detail_of(const OutputOptions& options, report::Detail usual);
 
 }  // namespace loadpath::cli

@@ -20,7 +20,7 @@ std::vector<project::Placed> split(const std::string& list, const char* option) 
   return all;
 }
 
-/// Two whole numbers and what stands between them; 0 where it is something else.
+/// Two integers and their separator; 0 for any other text.
 char parted(const std::string& text, std::uint64_t& a, std::uint64_t& b) {
   const char* const end = text.data() + text.size();
   const auto first = std::from_chars(text.data(), end, a);
@@ -29,7 +29,7 @@ char parted(const std::string& text, std::uint64_t& a, std::uint64_t& b) {
   return second.ec == std::errc() && second.ptr == end ? *first.ptr : '\0';
 }
 
-/// The share K of N, counted from 1. Where N becomes twice as many, each becomes two: what is done already still fits.
+/// The share K of N, counted from 1. If N is doubled, each share is split in two: finished work still fits.
 project::BlockRange share_of(std::uint64_t blocks, std::uint64_t k, std::uint64_t n) {
   const auto start = [&](std::uint64_t i) { return blocks / n * i + blocks % n * i / n; };
   return {start(k - 1), start(k)};

@@ -1,4 +1,4 @@
-// The points of a project's sweep, as the file and the shell say them.
+// The points of a project's sweep, from the file and the shell.
 #pragma once
 
 #include "cli/options.hpp"
@@ -6,13 +6,13 @@
 
 namespace loadpath::cli {
 
-/// What the shell says in place of the file.
+/// Takes the options of the shell in place of the file's.
 void take_points(const PointOptions& options, project::SweepSettings& settings);
 
-/// The machine of one point, with its number in the heading; issues where there is no such point.
+/// The machine of one point, with its number in the heading; issues if there is no such point.
 void take_point(project::Project& project, std::uint64_t point, std::vector<Issue>& issues);
 
-/// The blocks of a share, "2/10" or its points, "512-1023". A Fault where there is none such.
+/// The blocks of a share, "2/10" or its points, "512-1023". A Fault if there is none such.
 Outcome<project::BlockRange> read_share(const std::string& text, const project::SweepPlan& plan);
 
 }  // namespace loadpath::cli

@@ -38,7 +38,7 @@ int run_one(const std::string& file, const RunOptions& options, const OutputOpti
       {{name, text}, source_of(options.settings)}, output, report::Detail::normal);
 }
 
-/// What one of several projects writes: the name of the project stands for each *.
+/// The outputs of one of several projects: its name replaces each *.
 OutputOptions output_for(const ProjectFile& project, OutputOptions output) {
   for (std::string& report : output.reports) report = path_for(report, project);
   for (std::string* const path : {&output.csv, &output.svg, &output.dxf}) *path = path_for(*path, project);
@@ -60,7 +60,7 @@ std::string shared_output(const std::vector<std::string>& paths) {
   return shared == paths.end() ? "" : *shared;
 }
 
-/// What is asked of several projects and can be had of one alone; empty where nothing is.
+/// Refuses options that need a single project; 0 if there are none.
 int refuse_for_several(const RunOptions& options, const std::vector<ProjectFile>& projects) {
   if (options.point) return refuse("'--point' is about the sweep of one project", "name one file");
   const std::vector<std::string> paths = paths_of(options.output);
@@ -77,7 +77,7 @@ int refuse_for_several(const RunOptions& options, const std::vector<ProjectFile>
   return passed;
 }
 
-/// What is printed by commands that print an object each, or nothing, as one list.
+/// Combines the output of commands that each print one object, or none, as one list.
 class Objects {
  public:
   template <class Solve>
@@ -116,13 +116,13 @@ const char* word_of(int code) {
   }
 }
 
-/// The exit code of several projects: wrong input before a failure, and this before what is incomplete.
+/// The exit code of several projects: wrong input before a failure, and this before an incomplete result.
 int worst_of(const std::vector<int>& codes) {
   const auto rank = [](int code) { return code == passed ? 0 : code == incomplete ? 1 : code + 1; };
   return *std::ranges::max_element(codes, {}, rank);
 }
 
-/// How every project came out, in a line each.
+/// The outcome of every project, in a line each.
 void tell_all(const std::vector<ProjectFile>& projects, const std::vector<int>& codes) {
   std::vector<std::vector<std::string>> rows;
   for (std::size_t i = 0; i < projects.size(); ++i) {
@@ -131,7 +131,8 @@ void tell_all(const std::vector<ProjectFile>& projects, const std::vector<int>& 
   std::cout << projects.size() << " projects\n" << terminal::columns(rows);
 }
 
-/// One block each, and at the end a line each; with --json a list of objects. What is wrong with one holds no other up.
+/// One block each, and at the end a line each; with --json a list of objects. An error in one does not stop the
+/// others.
 int run_several(const RunOptions& options) {
   std::string wrong;
   const auto projects = projects_of(options.files, wrong);

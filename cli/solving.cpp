@@ -16,14 +16,14 @@ namespace loadpath::cli {
 
 namespace {
 
-/// Issues where they belong: as JSON on standard output for a program that asked for it, else on standard error.
+/// Reports issues: as JSON on standard output for a program that requested it, else on standard error.
 void tell(const std::vector<Issue>& issues, const std::vector<terminal::SourceText>& sources,
           const OutputOptions& output) {
   if (output.json && has_errors(issues)) std::cout << exports::json_of(issues);
   if (!output.quiet || has_errors(issues)) terminal::show_issues(issues, sources);
 }
 
-/// What is only looked at is made where somebody looks: the terminal shows the extremes of every series.
+/// Content for viewing is made only if it is viewed: the terminal shows the extremes of every series.
 project::Wanted wanted_by(const OutputOptions& output, report::Detail detail) {
   const bool in_full = detail == report::Detail::full;
   const bool shown = !output.json && !output.quiet && !takes_standard_output(output);
@@ -33,13 +33,13 @@ project::Wanted wanted_by(const OutputOptions& output, report::Detail detail) {
           .series = project::SeriesChoice(shown ? std::vector<std::string>{} : output.series)};
 }
 
-/// Patterns that choose nothing; which series there are is known when the project is solved.
+/// Reports patterns without a match; the series are known once the project is solved.
 void check_series(const project::Project& project, const OutputOptions& output, std::vector<Issue>& issues) {
   for (const FieldFault& fault : project::unknown_series(project::SeriesChoice(output.series), project))
     issues.push_back({{"--series", 0, 0, 1}, "", fault.message, fault.hint, Severity::error});
 }
 
-/// What the user gave, as it was: files, and the words of the shell.
+/// The user's input, unchanged: files, and the words of the shell.
 std::string input_of(const std::vector<terminal::SourceText>& sources) {
   std::string all;
   for (const terminal::SourceText& source : sources) {

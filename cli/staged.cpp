@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr const char* part = ".part";  // how the name of a file ends that is not yet whole
+constexpr const char* part = ".part";  // file name extension of incomplete files
 
 sigset_t watched() {
   sigset_t set;
@@ -43,7 +43,7 @@ bool write_whole(int file, std::string_view text) {
   return ::fsync(file) == 0 || errno == EINVAL || errno == EROFS;  // a pipe has no disk behind it
 }
 
-/// Removes what a program that was killed has left of this output: parts that bear the number of no process.
+/// Removes remains of this output from a killed program: parts with the number of no running process.
 void remove_leftovers(const fs::path& target) {
   const std::string start = "." + target.filename().string() + ".";
   const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
@@ -56,10 +56,10 @@ void remove_leftovers(const fs::path& target) {
   }
 }
 
-/// What a path names after symbolic links are followed; the file need not exist.
+/// The target of a path after symbolic links are followed; the file need not exist.
 struct Target {
   fs::path path;
-  int descriptor = -1;  // of an open file of this process, as named by /dev/stdout
+  int descriptor = -1;  // descriptor of an open file of this process, as named by /dev/stdout
 };
 
 Target target_of(fs::path path) {
@@ -104,7 +104,7 @@ Scratch::Scratch(std::atomic<bool>* asked) : asked_(asked) {
 Scratch::~Scratch() {
   pthread_kill(watcher_.native_handle(), SIGUSR1);  // nothing more to watch
   watcher_.join();
-  remove_all();  // alone again
+  remove_all();  // single-threaded again
   pthread_sigmask(SIG_SETMASK, &before_, nullptr);
 }
 
@@ -117,7 +117,7 @@ void Scratch::take_signals() {
     sigwait(&set, &signal);
   }
   if (signal == SIGUSR1) return;
-  mutex_.lock();  // for good: nothing comes into being any more
+  mutex_.lock();  // for good: no more files are created
   remove_all();
   for (std::string_view word = word_; !word.empty();) {
     const ssize_t written = ::write(STDERR_FILENO, word.data(), word.size());
@@ -265,7 +265,7 @@ int Staged::send(const File& file) {
   return ::close(target) == 0 || why != 0 ? why : errno;
 }
 
-/// In its place, with the rights of the file that stood there; a protected one stays.
+/// Renames it into place, with the rights of the previous file; a protected one remains.
 int Staged::put(const File& file) {
   std::error_code error;
   if (fs::exists(file.path, error)) {

@@ -1,6 +1,6 @@
-// Files that come into being whole or not at all: written aside, flushed to the disk, and renamed once all of them are
-// there. What ends early, by an error or a signal, leaves the old files as they were and nothing beside them; of what
-// is killed the next run removes the rest.
+// Files that are created completely or not at all: written to temporary files, flushed to the disk, and renamed once
+// all of them are there. An early end, by an error or a signal, leaves the old files as they were and no others;
+// after a kill the next run removes the rest.
 #pragma once
 
 #include <atomic>
@@ -15,9 +15,10 @@
 
 namespace loadpath::cli {
 
-/// What must not outlive the program, however it ends: files, folders, a child. While one lives, SIGINT, SIGTERM and
-/// SIGHUP are taken by a thread that removes all of it and ends the program with the exit code for interrupted. With
-/// `asked` the first of them only sets it, and the program comes to an end of its own; the second ends it at once.
+/// Temporary objects that must not outlive the program, however it ends: files, folders, a child. While one exists,
+/// SIGINT, SIGTERM and SIGHUP are handled by a thread that removes them and ends the program with the exit code for
+/// interrupted. With `asked` the first signal only sets it, and the program ends by itself; the second ends it at
+/// once.
 class Scratch {
  public:
   explicit Scratch(std::atomic<bool>* asked = nullptr);
@@ -28,15 +29,15 @@ class Scratch {
   void add(const std::filesystem::path& path);
   /// A new file; its descriptor, or -1 with errno.
   int create(const std::filesystem::path& path);
-  /// What is no longer scratch: it has become an output.
+  /// Releases a path that has become an output.
   void release(const std::filesystem::path& path);
-  /// A new folder; empty where there can be none.
+  /// A new folder; empty if there can be none.
   std::filesystem::path create_folder();
   /// A folder with those that it lies in; what stays empty of them is removed.
   void create_parents(const std::filesystem::path& folder);
-  /// What is said on standard error where a signal ends the program at once.
+  /// The message on standard error if a signal ends the program at once.
   void leave_word(std::string word);
-  /// Starts another program, which says nothing; 0 where that fails. Killed where this one is ended.
+  /// Starts another program, which says nothing; 0 if that fails. Killed where this one is ended.
   pid_t start(const std::vector<std::string>& words);
   /// Its exit code, once it has ended; -1 where a signal has ended it.
   int wait();
@@ -60,14 +61,15 @@ class Staged {
  public:
   explicit Staged(Scratch& scratch) : scratch_(scratch) {}
 
-  /// Writes the text beside the path. False, with a word on standard error, where that is not possible.
+  /// Writes the text to a temporary file next to the path. False, with a message on standard error, if that is not
+  /// possible.
   bool add(const std::filesystem::path& path, const std::string& text);
   /// A temporary path in the same folder, which `finish` renames. For a device, a pipe or an open file it is the path
   /// itself.
   std::filesystem::path aside(const std::filesystem::path& path);
   /// The same, opened for writing; null with errno if that fails.
   std::FILE* open(const std::filesystem::path& path);
-  /// Puts every file in its place. False, with a word, where one cannot be put there.
+  /// Moves every file into place. False, with a message, if one cannot be put there.
   bool finish();
 
  private:
@@ -77,7 +79,7 @@ class Staged {
   };
   static int send(const File& file);
   int put(const File& file);
-  /// Where a file is written first, in the folder that it will stand in.
+  /// The temporary path of a file, in the folder of its target.
   std::filesystem::path place_beside(const std::filesystem::path& target);
 
   Scratch& scratch_;

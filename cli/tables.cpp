@@ -23,7 +23,7 @@ using Rows = std::vector<std::vector<std::string>>;
 /// A row of values is never broken: it is searched for and compared.
 constexpr std::size_t any_width = std::numeric_limits<std::size_t>::max();
 
-/// "also: 1.0038, St 37-2"; empty where there are none.
+/// "also: 1.0038, St 37-2"; empty if there are none.
 std::string listed(const char* what, const std::vector<std::string>& names) {
   std::string all;
   for (const std::string& name : names) all += (all.empty() ? std::string(what) + ": " : ", ") + name;
@@ -142,7 +142,7 @@ int show_row(const std::string& group, const TablesOptions& options) {
 
 using Tables = std::vector<const Table*>;
 
-/// The columns that were asked for, then those that come first in the tables, as many as a line holds.
+/// The requested columns, then the first ones of the tables, as many as fit in a line.
 std::vector<const table::Column*> columns_to_show(const Tables& chosen, const table::Condition& condition,
                                                   const table::Order& order) {
   constexpr std::size_t most = 10;
@@ -219,7 +219,7 @@ int search_tables(const TablesOptions& options) {
                        part ? "search the part: loadpath tables " + options.table + "/" + options.key : "leave it out");
 }
 
-/// The series that is named by itself, or in its table; null where none is.
+/// The series that is named by itself, or in its table; null if none is.
 const table::Series* series_of(const TablesOptions& options) {
   if (const auto* series = table::series_named(options.table)) return series;
   const auto* series = table::series_named(options.key);
@@ -241,7 +241,8 @@ std::vector<table::Entry> rows_of(const Tables& tables) {
 
 }  // namespace
 
-/// Tables are named whole ("materials/steel_aisi"), by their folder ("materials"), or a series by its own name ("R40").
+/// Tables are given by full name ("materials/steel_aisi"), by their folder ("materials"), or a series by its own name
+/// ("R40").
 int tables(const TablesOptions& options) {
   if (!options.where.empty() || !options.sort.empty()) return search_tables(options);
   const Library& library = table::built_in();

@@ -66,8 +66,8 @@ void write(const project::Project& project, const std::vector<project::Compariso
   }
 }
 
-/// One case: its lines, or its objects where JSON is written, and how many hold. False where it cannot be run, or
-/// expects nothing though it was asked for.
+/// One case: its lines, or its objects if JSON is written, and the number that hold. False if it cannot be run, or
+/// expects nothing though it was requested.
 bool verify_one(const std::string& file, std::string_view text, bool asked_for, Count& count,
                 exports::JsonWriter* out) {
   std::vector<Issue> issues;
@@ -100,7 +100,7 @@ int verify(const VerifyOptions& options) {
   }
   if (options.files.empty()) {
     for (const embedded::File& file : embedded::reference()) {
-      // The rest may need files beside it, which are not built in.
+      // The others may need further files, which are not built in.
       if (file.text.find("[[expect]]") == std::string_view::npos) continue;
       ran = verify_one(std::string(file.name), file.text, false, count, out) && ran;
     }

@@ -12,7 +12,7 @@ namespace loadpath::cli {
 
 namespace {
 
-/// That a file has no such step, and which it has.
+/// Reports an unknown step, with the steps of the file.
 int refuse_step(const project::Project& project, const std::string& name) {
   const Fault fault = project.unknown_step(name);
   std::cerr << "loadpath: " << fault.message.text() << "\n  = help: " << fault.hint.text() << "\n";

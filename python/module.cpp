@@ -1,7 +1,7 @@
 // The module _loadpath: the C++ interface as Python sees it; python/loadpath/__init__.py makes it pleasant.
 //
-// Arrays go in and out as they stand: an input is read where numpy has it, a result is handed over with its memory.
-// While something is computed the interpreter is free for other threads.
+// Arrays are passed without copying: an input is read in numpy's memory, a result is handed over with its memory.
+// During a computation the interpreter is free for other threads.
 #include <loadpath/loadpath.hpp>
 #include <memory>
 #include <pybind11/functional.h>

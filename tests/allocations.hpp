@@ -1,11 +1,11 @@
-// Counts what the tests' process takes from the heap: hot paths must take nothing.
+// Counts heap allocations of the tests' process: hot paths must not allocate.
 #pragma once
 
 #include <cstddef>
 
 namespace loadpath::tests {
 
-/// How often `operator new` was called so far.
+/// The number of calls of `operator new` so far.
 std::size_t allocations();
 
 }  // namespace loadpath::tests

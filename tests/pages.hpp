@@ -1,4 +1,4 @@
-// Pages of the documentation as a reader follows them: files to write, commands to type, what is then printed.
+// Pages of the documentation as a reader follows them: files to write, commands to type, expected output.
 #pragma once
 
 #include "tests/cli/process.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath::test {
 
-/// "```toml" and what stands in it, or what stands between two such blocks, without a language.
+/// "```toml" and its content, or the text between two such blocks, without a language.
 struct Block {
   std::string language;  ///< empty of plain text
   std::string text;
@@ -17,7 +17,7 @@ struct Block {
 
 struct Command {
   std::string line;
-  int code = 0;  ///< of "# exit 1" behind it
+  int code = 0;  ///< exit code of "# exit 1" after it
 };
 
 /// A link as it is written: [words](target).
@@ -28,7 +28,7 @@ struct Link {
 
 std::vector<Block> blocks_of(const std::string& page);
 
-/// The lines of code that start with the program's name; a backslash at the end goes on in the next.
+/// The lines of code that start with the program's name; a backslash at the end continues on the next line.
 std::vector<Command> commands_of(const std::string& code);
 
 /// Those outside of code.
@@ -45,11 +45,11 @@ std::string text_of(const std::filesystem::path& path);
 /// Runs a command; `watch` until its page is there, and ends it by Ctrl-C. CHECKs its exit code, gives what it printed.
 std::string typed(const Desk& desk, const Command& command);
 
-/// What is wrong with the lines that are shown, "..." standing for some that are left out; empty where nothing is.
+/// The error in the lines shown, in which "..." replaces omitted ones; empty if there is none.
 std::string difference(const std::string& shown, const std::string& printed);
 
-/// Goes through a page: writes the files whose first line is "# NAME.toml", or "# NAME.toml, continued"; types the
-/// commands; holds what a block of text shows against what the commands before it printed.
+/// Goes through a page: writes the files whose first line is "# NAME.toml", or "# NAME.toml, continued"; runs the
+/// commands; compares each block of text with the output of the commands before it.
 void follow(const Desk& desk, const std::string& page);
 
 }  // namespace loadpath::test

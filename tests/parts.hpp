@@ -16,7 +16,7 @@
 
 namespace loadpath::test {
 
-/// A mark of a suite; for doctest it means nothing.
+/// A mark of a suite; doctest ignores it.
 struct Mark {
   void fill(doctest::detail::TestSuite&) const {}
 };
@@ -27,7 +27,7 @@ bool takes(std::string_view part);
 /// Whether LOADPATH_PART names one.
 bool is_part();
 
-/// "gear" of "gear.pair teeth".
+/// The element "gear" of "gear.pair teeth".
 std::string_view element_of(std::string_view id);
 /// Whether a calculator or a row of a table, "gear.pair", belongs to an element that this run covers.
 inline bool takes_id(std::string_view id) { return takes(element_of(id)); }

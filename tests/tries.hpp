@@ -1,4 +1,4 @@
-// How often a test tries what depends on chance, or what takes long and is much the same every time.
+// The number of repetitions of tests that depend on chance, or take long and hardly differ from time to time.
 #pragma once
 
 #include <cstdlib>

@@ -6,7 +6,7 @@
 
 namespace loadpath::test {
 
-/// Waits until a condition holds; false where it does not within minutes.
+/// Waits until a condition holds; false if it does not within minutes.
 template <class Condition>
 bool becomes(const Condition& condition) {
   constexpr std::chrono::minutes patience{5};

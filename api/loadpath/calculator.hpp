@@ -18,7 +18,7 @@ namespace loadpath::api {
 struct Field {
   std::string name, meaning;
   Role role = Role::input;
-  std::string kind;     // "stress"; "word", "list", ... of what is no number
+  std::string kind;     // "stress"; "word", "list", ... for non-numbers
   std::string si_unit;  // "Pa"
   std::string unit;     // that people read it in: "MPa"
   bool optional = false;
@@ -30,16 +30,16 @@ struct Inline {
   std::string toml;
 };
 
-/// What one input is given. Columns are read where they stand; all have one length.
+/// The value of one input. Columns are read in place; all have the same length.
 struct Given {
   std::string name;
   std::variant<std::string, double, Inline, std::span<const double>, std::vector<std::string>> value;
-  std::string unit = {};  // of numbers: "kN*m"; empty: SI
+  std::string unit = {};  // unit of the numbers: "kN*m"; empty: SI
 };
 
 class Calculator {
  public:
-  /// An Error with the nearest name where there is none: "shaft.torsion".
+  /// An Error with the nearest name if there is none: "shaft.torsion".
   static Calculator find(std::string_view id);
   static std::vector<Calculator> all();
 

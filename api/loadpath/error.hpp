@@ -1,4 +1,4 @@
-// What is wrong with a project or with a call, and where it stands.
+// An error in a project or a call, with its location.
 #pragma once
 
 #include <stdexcept>
@@ -8,17 +8,18 @@
 
 namespace loadpath::api {
 
-/// A place is counted from 1 in characters; line 0: the file as a whole. Of a call the file is the argument's name.
+/// A location, counted from 1 in characters; line 0: the file in general. In a call, `file` is the name of the
+/// argument.
 struct Issue {
   std::string file;
   int line = 0, column = 0, length = 1;
-  std::string key;      // of the field: "crankshaft.tau_adm"
+  std::string key;      // path of the field: "crankshaft.tau_adm"
   std::string message;  // the rule that is broken
-  std::string help;     // what would be right; may be empty
+  std::string help;     // proposed correction; may be empty
   bool is_error = true;
 };
 
-/// `what` says all issues as the command line does, with the lines that they stand in.
+/// `what` lists all issues as the command line does, with the lines concerned.
 class Error : public std::runtime_error {
  public:
   explicit Error(const std::string& text, std::vector<Issue> issues = {})

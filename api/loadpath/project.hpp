@@ -9,7 +9,7 @@
 
 namespace loadpath::api {
 
-/// Holds the text; every call reads it anew, so that several threads may use one object.
+/// Keeps the text; every call reads it again, so that several threads may use one object.
 class Project {
  public:
   /// An Error with every fault of the text.

@@ -1,4 +1,4 @@
-// A machine that was solved: its numbers by name, and what is said of its parts. Numbers are SI.
+// The solution of a project: its numbers by name, and the states of its parts. Numbers are SI.
 #pragma once
 
 #include <limits>
@@ -9,17 +9,17 @@
 
 namespace loadpath::api {
 
-/// How a part, a mode of failure or a check came out. Columns of sweeps hold the number.
+/// The state of a part, a failure mode or a check. Columns of sweeps contain the number.
 enum class State {
   absent = -1,  // the mode does not concern the part
   pass = 0,
   accepted,       // by the user, with a reason
-  open,           // it may concern the part, and nothing says so
-  not_judged,     // it concerns the part, and nothing was held against it
+  open,           // may concern the part, but nothing states whether it does
+  not_judged,     // concerns the part, and has not been assessed
   not_covered,    // outside of what the method covers
   not_available,  // a value is missing
   fail,
-  refused  // the point of a sweep breaks a rule: it is no machine
+  refused  // the point of the sweep violates an input rule: it is invalid
 };
 /// "not covered"
 std::string word_of(State state);
@@ -35,12 +35,12 @@ struct Quantity {
   std::string si_unit;                                      // "Pa"; "1" of a number
   std::string unit;                                         // that people read it in: "MPa"
   double value = std::numeric_limits<double>::quiet_NaN();  // not available; of a series NaN
-  std::vector<double> series;                               // over the cycle; empty where there is one value
+  std::vector<double> series;                               // over the cycle; empty if there is one value
   std::string axis;                                         // that the series goes over: "lever: crank angle"
-  std::vector<double> positions;                            // of the axis
-  std::string word;                                         // a choice or a name in place of a number
+  std::vector<double> positions;                            // positions along the axis
+  std::string word;                                         // choices and names: instead of a number
   std::string text;                                         // "12.5 mm"
-  std::string reason;                                       // why there is no value
+  std::string reason;                                       // reason for a missing value
 };
 
 struct Mode {
@@ -62,19 +62,19 @@ struct Check {
 
 struct Solution {
   std::vector<Quantity> quantities;  // inputs, then results, step by step
-  std::vector<Mode> modes;           // of failure, the worst first
+  std::vector<Mode> modes;           // failure modes, the worst first
   std::vector<Check> checks;
   std::vector<Issue> warnings;
   State state = State::open;
   std::string headline;  // "PASS", "FAIL", "NO SOLUTION" or "INCOMPLETE"
   std::string verdict;   // "fail: rod.buckling; not assessed: rod.bending"
 
-  /// Whether every mode that applies passes, or is accepted: what the exit code 0 of the program says.
+  /// Whether every mode that applies passes, or is accepted: exit code 0 of the program.
   bool passes = false;
 
-  /// Null where there is none of the name.
+  /// Null if there is none of the name.
   [[nodiscard]] const Quantity* find(std::string_view name) const;
-  /// An Error with the nearest name where there is none.
+  /// An Error with the nearest name if there is none.
   const Quantity& operator[](std::string_view name) const;
 };
 

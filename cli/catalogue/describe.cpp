@@ -52,7 +52,7 @@ void show_type(const char* title, const RecordType& type) {
   std::cout << title << "\n" << terminal::columns(rows) << "\n";
 }
 
-/// Which inputs a row of a table fills: "E, R_e at the size of t".
+/// The inputs that a row of a table fills: "E, R_e at the size of t".
 std::string filled_by(const Calculator& calculator, std::string_view group) {
   std::string all;
   for (const FieldInfo& field : calculator.input->fields) {
@@ -64,7 +64,7 @@ std::string filled_by(const Calculator& calculator, std::string_view group) {
   return all;
 }
 
-/// The keys that a step has beside the fields of its calculator.
+/// The keys of a step other than the fields of its calculator.
 void show_keys(const Calculator& calculator) {
   Rows rows{{"  calculator", "word", "required", std::string(calculator.id)}};
   if (!calculator.templates.empty())
@@ -126,7 +126,7 @@ void add_names(std::span<const FieldInfo> fields, void* owner, const std::string
   for (const FieldInfo& f : fields) {
     if (f.type != Type::list || f.size(owner) == 0) continue;
     const FieldInfo* name = find_field(f.fields, "name");
-    if (name == nullptr) continue;  // elements by number, of which a template says no more
+    if (name == nullptr) continue;  // elements by number: a template gives no further details
     std::vector<std::string> names;
     for (std::size_t i = 0; i < f.size(owner); ++i) names.emplace_back(name->text(f.element(owner, i)));
     rows.push_back({"  " + prefix + f.key, joined(names)});
@@ -156,7 +156,7 @@ void show_templates(const Calculator& calculator) {
             << terminal::columns(rows) << "  `loadpath describe " << calculator.id << ".NAME` tells more\n\n";
 }
 
-/// "mechanism.planar.slider_crank": shows the template; false where there is none of that name.
+/// "mechanism.planar.slider_crank": shows the template; false if there is none of that name.
 bool describe_template(const std::string& id) {
   for (const Calculator* c : calculators()) {
     const std::string prefix = std::string(c->id) + ".";
@@ -173,7 +173,7 @@ int refuse(const std::string& id, const Message& hint) {
   return wrong_input;
 }
 
-/// What was meant by an id that is none: the calculators of an element, the one of this name, or the nearest id.
+/// The remedy for an unknown id: the calculators of an element, the one of this name, or the nearest id.
 Message remedy(const std::string& id) {
   std::vector<std::string> ids, own;
   for (const Calculator* known : calculators()) {
@@ -218,7 +218,7 @@ constexpr std::array parts{Part{"inputs", show_inputs},       Part{"keys", show_
                            Part{"results", show_results},     Part{"modes", show_modes},
                            Part{"sources", show_sources},     Part{"example", show_example}};
 
-/// One input with all that it holds: "loads"; a part of what is told: "modes".
+/// One input with all its fields: "loads"; a section of the description: "modes".
 int show_part(const Calculator& c, const std::string& name) {
   const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return name == p.name; });
   const FieldInfo* const field = find_field(c.input->fields, name);

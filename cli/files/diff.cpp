@@ -22,7 +22,7 @@ using Row = std::vector<std::string>;
 
 std::string name_of(const std::string& file) { return file == "-" ? "standard input" : file; }
 
-/// A solved project; nothing, with its issues told, where there is none.
+/// A solved project; nothing, with its issues printed, if there is none.
 std::optional<project::Project> solved(const std::string& file) {
   std::string text;
   if (!toml::read_file(file, text)) {
@@ -95,7 +95,7 @@ void write(const std::vector<Difference>& differences, exports::JsonWriter& out)
 }
 
 std::string json_of(const report::ProjectDifference& found, const DiffOptions& options) {
-  constexpr int schema_version = 1;  // of this object
+  constexpr int schema_version = 1;  // version of this object
   exports::JsonWriter out;
   out.open_object();
   out.member("schema", schema_version);

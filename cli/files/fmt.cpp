@@ -18,7 +18,7 @@ struct Text {
   [[nodiscard]] bool changes() const { return before != after; }
 };
 
-/// False, with a word, where there is no layout.
+/// False, with a word, if there is no layout.
 bool lay_out(Text& text) {
   if (!toml::read_file(text.file, text.before)) {
     std::cerr << "loadpath: cannot read '" << text.file << "'\n";

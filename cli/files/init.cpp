@@ -32,7 +32,7 @@ bool is_there(const std::string& file) {
   return file != "-" && fs::exists(fs::symlink_status(file, error));
 }
 
-/// One line of an answer; the proposal where it is empty, nothing where there is no more to read.
+/// One line of an answer; the proposal where it is empty, nothing if there is no more to read.
 std::optional<std::string> ask(const std::string& question, const std::string& proposal) {
   std::cerr << question << (proposal.empty() ? "" : " [" + proposal + "]") << ": " << std::flush;
   std::string answer;
@@ -42,7 +42,7 @@ std::optional<std::string> ask(const std::string& question, const std::string& p
   return answer.empty() ? proposal : answer;
 }
 
-/// The template that is asked for, by its name or its number.
+/// The template selected by the user, by its name or its number.
 const Starter* ask_for_starter() {
   std::cerr << "What is it?\n";
   for (std::size_t i = 0; i < starters().size(); ++i)
@@ -65,7 +65,7 @@ bool ask_for_file(const Starter& starter, std::string& file) {
   return false;
 }
 
-/// The main numbers, each asked again until the project solves with it.
+/// Prompts for the main numbers, each again until the project solves with it.
 bool ask_for_values(const Starter& starter, const std::string& file, std::vector<std::string>& settings) {
   for (const MainValue& value : starter.values) {
     for (;;) {

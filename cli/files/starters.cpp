@@ -28,7 +28,7 @@ std::vector<std::string> lines_of(std::string_view text) {
   return lines;
 }
 
-/// Where a scalar stands in its line: of a text with its quotes.
+/// The range of a scalar in its line: for a text with its quotes.
 std::pair<std::size_t, std::size_t> span_of(const Tree& value) {
   const bool quoted = value.type == Tree::Type::text;
   const auto column = static_cast<std::size_t>(value.place.column);
@@ -64,7 +64,7 @@ bool is_scalar(const Tree& value) { return value.type == Tree::Type::text || val
 
 using Change = std::tuple<int, std::pair<std::size_t, std::size_t>, std::string>;  // line, what of it, by what
 
-/// What the settings change in the text; of a field that is not there, or is no single value, an issue.
+/// The changes to the text by the settings; an issue for an unknown field, or one without a single value.
 std::vector<Change> changes_of(const Starter& starter, const std::vector<std::string>& settings,
                                std::vector<Issue>& issues) {
   Tree tree = toml::read_toml(starter.text, starter.name, issues);

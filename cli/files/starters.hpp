@@ -1,4 +1,5 @@
-// Project files to start from: commented, with their main numbers in [values], each with a comment that asks for it.
+// Templates of project files: commented, with their main numbers in [values], each with a comment that prompts for
+// it.
 #pragma once
 
 #include "lib/text/issue.hpp"
@@ -24,11 +25,11 @@ struct Starter {
 
 /// Those that are built in, by their names.
 const std::vector<Starter>& starters();
-/// Null where there is none of this name.
+/// Null if there is none of this name.
 const Starter* find_starter(const std::string& name);
 
-/// Its text with these fields in place of its own, "T=80 N*m" for "values.T=80 N*m". What it does not have, or what
-/// does not solve, is an issue.
+/// Its text with these fields in place of its own, "T=80 N*m" for "values.T=80 N*m". Unknown fields, and a project
+/// that does not solve, are issues.
 std::string filled(const Starter& starter, const std::string& file, std::vector<std::string> settings,
                    std::vector<Issue>& issues);
 

@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Whether a file is a project, or no TOML, which is told when it is read; tables and templates are neither.
+/// Whether a file is a project, or invalid TOML, which is reported when it is read; tables and templates are neither.
 bool may_have_steps(const fs::path& file) {
   std::string text;
   if (!toml::read_file(file.string(), text)) return true;
@@ -21,7 +21,7 @@ bool may_have_steps(const fs::path& file) {
                                            [](const auto& entry) { return entry.value.find("calculator") != nullptr; });
 }
 
-/// What outputs of a file are called, which lies below `folder`; empty of one that was named.
+/// The base name for outputs of a file below `folder`; empty for a file given by name.
 std::string name_of(const fs::path& file, const fs::path& folder) {
   if (file == "-") return "standard-input";
   const fs::path below = folder.empty() ? file.filename() : file.lexically_relative(folder);
@@ -36,7 +36,7 @@ std::vector<ProjectFile> projects_in(const fs::path& folder) {
   std::vector<ProjectFile> found;
   std::error_code error;
   for (fs::recursive_directory_iterator entry(folder, error), end; entry != end && !error; entry.increment(error)) {
-    if (entry->path().filename().string().starts_with('.')) {  // of a version control or an editor
+    if (entry->path().filename().string().starts_with('.')) {  // files of version control or an editor
       if (entry->is_directory(error)) entry.disable_recursion_pending();
     } else if (entry->path().extension() == ".toml" && fs::is_regular_file(entry->path(), error) &&
                may_have_steps(entry->path())) {

@@ -11,8 +11,8 @@ struct ProjectFile {
   std::string name;  // for outputs: "press" of examples/press/project.toml, "shaft" of shaft.toml
 };
 
-/// Named files as they are, and of a folder, through all below it, every .toml that has a step, by their paths. A
-/// folder without any is told in `wrong`.
+/// Named files as they are, and for a folder, searched recursively, every .toml that has a step, sorted by path. A
+/// folder without any is reported in `wrong`.
 std::vector<ProjectFile> projects_of(const std::vector<std::string>& named, std::string& wrong);
 
 /// Whether this is more than one file, or a folder.

@@ -23,7 +23,7 @@ void add_words(const std::vector<std::string>& words, Kind kind, Items& items) {
   for (const std::string& word : words) items.push_back({.label = word, .kind = kind});
 }
 
-/// A word as it stands in the file: in quotes where it is not in them.
+/// Puts words in quotes unless the cursor is inside quotes.
 void put_in_quotes(Items& items) {
   for (Completion& item : items) {
     item.text = "\"" + (item.text.empty() ? item.label : item.text) + "\"";
@@ -88,7 +88,7 @@ Completion plain_key(const std::string& key) {
   return {.label = key, .kind = Kind::field, .text = key + " = ", .snippet = key + " = \"$1\""};
 }
 
-/// The keys of what is no step.
+/// Adds the keys of tables other than steps.
 bool add_known_keys(const Path& table, Items& items) {
   std::vector<std::string> keys;
   if (table == Path{"project"}) keys = project::heading_keys();
@@ -121,7 +121,7 @@ Items keys_for(const OpenFile& file, const Path& table) {
   return items;
 }
 
-/// Without those that the table has; the one under the cursor stays.
+/// Omits the keys that the table has; the one under the cursor stays.
 void leave_out_given(const OpenFile& file, const Path& table, std::string_view typed, Items& items) {
   const std::vector<std::string> given = keys_in(file.outline, table);
   std::erase_if(items, [&](const Completion& item) {
@@ -158,7 +158,7 @@ Items words_for(const OpenFile& file, const Path& path, const Target& target) {
   return items;
 }
 
-/// Where the unit begins behind a number; npos where there is no number.
+/// The position of the unit after a number; npos if there is no number.
 std::size_t unit_start(std::string_view text) {
   const std::size_t last = text.find_last_of("0123456789");
   if (text.empty() || last == std::string_view::npos) return std::string_view::npos;
@@ -186,7 +186,7 @@ Completions in_text(const OpenFile& file, const Spot& spot, std::size_t offset) 
   return {file.document.range_of(spot.begin, offset), words_for(file, spot.path, target)};
 }
 
-/// Behind `=`, where no quote stands yet.
+/// After `=`, before any quote.
 Completions in_value(const OpenFile& file, const Spot& spot, std::size_t offset) {
   const Target target = target_of(file.outline, file.document.text(), spot.path);
   Completions all{file.document.range_of(spot.begin, offset), words_for(file, spot.path, target)};

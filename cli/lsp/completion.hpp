@@ -1,4 +1,4 @@
-// What can be typed where the cursor stands, also in a file that does not parse.
+// Completions at the cursor, also in a file that does not parse.
 #pragma once
 
 #include "cli/lsp/completions.hpp"

@@ -1,4 +1,4 @@
-// What can be typed at a place, as an editor is told it.
+// Completions at a place, in the form of the protocol.
 #pragma once
 
 #include "cli/lsp/open_file.hpp"
@@ -8,7 +8,7 @@
 
 namespace loadpath::cli::lsp {
 
-/// By the numbers of the protocol.
+/// Numbers defined by the protocol.
 enum class Kind : int { function = 3, field = 5, module = 9, unit = 11, value = 12, enumeration = 20, structure = 22 };
 
 struct Completion {
@@ -16,7 +16,7 @@ struct Completion {
   Kind kind = Kind::value;
   std::string detail = {};
   std::string meaning = {};
-  std::string text = {};     // that is put in; empty: the label
+  std::string text = {};     // inserted text; empty: the label
   std::string snippet = {};  // the same with places to fill in: "d = \"$1 mm\""; empty: the text
   int rank = 1;              // lower ones come first
 };

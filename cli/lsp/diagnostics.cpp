@@ -12,7 +12,7 @@ namespace {
 
 using account::State;
 
-/// "9:1: ..." of another file that the project is read from.
+/// "9:1: ..." for another file that the project is read from.
 std::string text_of(const Issue& issue, bool elsewhere) {
   std::string text = issue.message.text();
   if (elsewhere)
@@ -30,7 +30,7 @@ void add_issues(const OpenFile& file, std::vector<Diagnostic>& all) {
   }
 }
 
-/// What an editor shows of a mode of failure; nothing of one that passes, is accepted or is open.
+/// Whether an editor shows a failure mode: not if it passes, is accepted or is open.
 bool is_told(State state) { return account::rank(state) > account::rank(State::open); }
 
 std::string text_of(const account::Mode& mode) {
@@ -40,7 +40,7 @@ std::string text_of(const account::Mode& mode) {
   return reason.empty() ? text : text + " (" + reason + ")";
 }
 
-/// Whether an issue says the same; a step's warning may stand without the path in front of it.
+/// Whether an issue has the same text; a step's warning may lack the path in front of it.
 bool is_issue(const std::string& warning, const std::vector<Issue>& issues) {
   return std::any_of(issues.begin(), issues.end(),
                      [&](const Issue& issue) { return warning.ends_with(issue.message.text()); });

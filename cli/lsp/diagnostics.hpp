@@ -1,4 +1,4 @@
-// What is wrong with a project, at its places: what `loadpath run` would say, and how the parts came out.
+// Errors of a project, at their places: the messages of `loadpath run`, and the states of the parts.
 #pragma once
 
 #include "cli/lsp/open_file.hpp"
@@ -8,7 +8,7 @@
 
 namespace loadpath::cli::lsp {
 
-/// By the numbers of the protocol.
+/// Numbers defined by the protocol.
 enum class Weight : int { error = 1, warning = 2, information = 3 };
 
 struct Diagnostic {
@@ -17,7 +17,7 @@ struct Diagnostic {
   std::string message;
 };
 
-/// Of a file that was refreshed, in the order of their places.
+/// The diagnostics of a refreshed file, in the order of their places.
 std::vector<Diagnostic> diagnostics_of(const OpenFile& file);
 
 }  // namespace loadpath::cli::lsp

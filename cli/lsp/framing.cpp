@@ -12,7 +12,7 @@ namespace loadpath::cli::lsp {
 
 namespace {
 
-constexpr std::size_t longest = std::size_t{64} << 20U;  // of a message
+constexpr std::size_t longest = std::size_t{64} << 20U;  // length of a message
 
 std::string lower(std::string_view text) {
   std::string all(text);
@@ -21,7 +21,7 @@ std::string lower(std::string_view text) {
   return all;
 }
 
-/// "Content-Length: 120": 120; nothing of another line, or where it is no number.
+/// "Content-Length: 120": 120; nothing for another line, or without a number.
 std::optional<std::size_t> length_in(std::string_view line) {
   const std::size_t colon = line.find(':');
   if (colon == std::string_view::npos || lower(line.substr(0, colon)) != "content-length") return std::nullopt;

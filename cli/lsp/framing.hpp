@@ -1,4 +1,4 @@
-// Messages as they go between an editor and the server: JSON behind a head that tells its length.
+// Messages between an editor and the server: JSON after a header with its length.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace loadpath::cli::lsp {
 
-/// What the editor writes to standard input.
+/// The editor's messages on standard input.
 class Input {
  public:
-  /// The body of the next message: empty where its head tells no length that is taken; nothing at the end.
+  /// The body of the next message: empty if the length in its header is missing or too large; nothing at the end.
   std::optional<std::string> next();
   /// Whether something can be read without waiting for it.
   [[nodiscard]] bool has_more() const;
@@ -24,7 +24,7 @@ class Input {
   std::size_t at_ = 0;
 };
 
-/// Writes a message to standard output; false where nobody reads it.
+/// Writes a message to standard output; false if nobody reads it.
 bool send(std::string_view body);
 
 }  // namespace loadpath::cli::lsp

@@ -30,7 +30,7 @@ class Hints {
     add(comparison.expectation->place, format_quantity(comparison.ours, comparison.expectation->unit), "");
   }
 
-  /// "=values.P" alone: what stands there.
+  /// Adds the value of a bare reference, "=values.P".
   void add_shared() {
     constexpr std::string_view prefix = "=values.";
     const std::string_view text = file_.document.text();

@@ -43,7 +43,7 @@ std::string field_text(const Target& target) {
   return text;
 }
 
-/// A key of a step that is no field.
+/// The text for a key of a step other than a field.
 std::string key_text(const Target& target, const std::string& key) {
   for (const StepKey& known : keys_beside(*target.calculator)) {
     if (known.key == key) return "**" + key + "**: " + known.meaning;
@@ -133,7 +133,7 @@ std::string choice_text(const FieldInfo& field, std::string_view word) {
   return {};
 }
 
-/// What stands in a value by itself; empty where that is its key's meaning.
+/// The text for a value itself; empty if the meaning of its key suffices.
 std::string value_text(const OpenFile& file, const Item& item, const Target& target) {
   const std::string_view text = item.in(file.document.text());
   const FieldInfo* const field = target.field;

@@ -1,4 +1,4 @@
-// What is said of that which the pointer stands over.
+// The text shown for the element under the pointer.
 #pragma once
 
 #include "cli/lsp/open_file.hpp"

@@ -16,7 +16,7 @@
 
 namespace loadpath::cli::lsp {
 
-/// By the numbers of JSON-RPC and of the protocol.
+/// Numbers defined by JSON-RPC and the protocol.
 enum class Fail : int {
   parse_error = -32700,
   invalid_request = -32600,
@@ -32,7 +32,7 @@ struct Refusal : std::runtime_error {
   Fail code;
 };
 
-/// A member of parameters; a Refusal where there is none of the type.
+/// A member of parameters; a Refusal if there is none of the type.
 const boost::json::object& object_in(const boost::json::object& all, std::string_view key);
 const boost::json::array& array_in(const boost::json::object& all, std::string_view key);
 std::string text_in(const boost::json::object& all, std::string_view key);

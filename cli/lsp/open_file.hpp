@@ -1,4 +1,4 @@
-// A project that is open in an editor: its text, what stands where, and what the program makes of it.
+// A project open in an editor: its text, its outline, and the program's results.
 #pragma once
 
 #include "cli/lsp/text/document.hpp"
@@ -13,12 +13,12 @@ namespace loadpath::cli::lsp {
 
 struct OpenFile {
   std::string uri;
-  std::string name;  // of the file, for tables and histories that it names
+  std::string name;  // name of the file, for tables and histories that it names
   Document document;
   Outline outline;
   std::vector<Issue> issues;
-  std::shared_ptr<project::Project> project;  // of this text
-  std::shared_ptr<project::Project> solved;   // of this text, or of the last one that could be
+  std::shared_ptr<project::Project> project;  // project of this text
+  std::shared_ptr<project::Project> solved;   // solution of this text, or of the last one that could be solved
   bool is_solved = false;                     // whether of this one
   bool is_dirty = true;
 
@@ -28,10 +28,10 @@ struct OpenFile {
 /// "file:///a%20b.toml": "/a b.toml"; another address as it is.
 std::string name_of_uri(const std::string& uri);
 
-/// Reads and solves the text anew. Of a sweep the first point is taken.
+/// Reads and solves the text again. For a sweep the first point is used.
 void refresh(OpenFile& file);
 
-/// The value of a path in a project that is solved; NaN where there is none.
+/// The value of a path in a project that is solved; NaN if there is none.
 const Value& value_in(const project::Project& project, const std::string& path);
 
 }  // namespace loadpath::cli::lsp

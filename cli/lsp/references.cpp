@@ -35,7 +35,7 @@ bool alike(const Dimension& a, const FieldInfo* field) {
   return field != nullptr && field->type == Type::quantity && a.without_angle() == field->dimension.without_angle();
 }
 
-/// What a solved step has.
+/// Adds the values of a solved step.
 void add_solved(const project::Step& step, const FieldInfo* field, std::vector<Offer>& offers) {
   for (const auto* entries : {&step.account().results, &step.account().inputs}) {
     for (const account::Entry& entry : *entries) {
@@ -45,7 +45,8 @@ void add_solved(const project::Step& step, const FieldInfo* field, std::vector<O
   }
 }
 
-/// What every step of the calculator has: fields, and those of tables; of lists those of the first element.
+/// Adds the paths common to steps of the calculator: fields, and those of tables; for lists those of the first
+/// element.
 void add_declared(std::span<const FieldInfo> fields, const std::string& prefix, const FieldInfo* wanted,
                   std::vector<Offer>& offers) {
   for (const FieldInfo& field : fields) {
@@ -74,7 +75,7 @@ std::vector<Offer> offers_of(const OpenFile& file, const std::string& name, cons
   return offers;
 }
 
-/// The next part of every path that begins with what is typed: "links." of "links.rod.N".
+/// The next part of every path that begins with the typed text: "links." of "links.rod.N".
 void add_next_parts(const std::vector<Offer>& offers, std::string_view typed, bool wants_record,
                     std::vector<Completion>& items) {
   std::map<std::string, std::size_t> known;

@@ -1,4 +1,4 @@
-// What an expression may refer to where the cursor stands in it: steps and their results, values, functions.
+// The possible references of an expression at the cursor: steps and their results, values, functions.
 #pragma once
 
 #include "cli/lsp/completions.hpp"
@@ -6,7 +6,7 @@
 
 namespace loadpath::cli::lsp {
 
-/// `field`: that the expression is for, whose dimension comes first; null where it is none.
+/// `field`: that the expression is for, whose dimension comes first; null if it is none.
 Completions references_at(const OpenFile& file, const Spot& spot, std::size_t offset, const FieldInfo* field);
 
 }  // namespace loadpath::cli::lsp

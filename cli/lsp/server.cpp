@@ -23,7 +23,7 @@ void send_error(const json::value& id, Fail fail, const std::string& text) {
 
 bool is_id(const json::value& id) { return id.is_string() || id.is_int64() || id.is_uint64() || id.is_null(); }
 
-/// What the editor says that it can: capabilities.textDocument.completion.completionItem.snippetSupport.
+/// The capability of the editor: capabilities.textDocument.completion.completionItem.snippetSupport.
 bool takes_snippets(const json::object& params) {
   const json::object* at = &params;
   for (const char* key : {"capabilities", "textDocument", "completion", "completionItem"}) {
@@ -165,7 +165,7 @@ void Server::publish() {
       refresh(file);
       send({{"method", "textDocument/publishDiagnostics"},
             {"params", Object{{"uri", uri}, {"diagnostics", to_json(diagnostics_of(file))}}}});
-    } catch (const std::exception& error) {  // a fault of the program is none of the editor's session
+    } catch (const std::exception& error) {  // a fault of the program must not end the editor's session
       file.is_dirty = file.is_solved = false;
       send({{"method", "window/logMessage"}, {"params", Object{{"type", 1}, {"message", error.what()}}}});
     }

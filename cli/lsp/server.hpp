@@ -16,11 +16,11 @@ class Server {
  public:
   /// Answers one message; what it makes known comes after it.
   void receive(const std::string& body);
-  /// Tells what is wrong with the files that have changed since.
+  /// Sends the diagnostics of files that have changed since.
   void publish();
-  /// Whether an editor has begun, and has not said that it is done.
+  /// Whether an editor has initialised the session, and not yet shut it down.
   [[nodiscard]] bool is_in_session() const { return is_initialized_ && !is_shut_down_; }
-  /// What the program ends with, once it is told to; nothing before.
+  /// The exit code, once exit was requested; nothing before.
   [[nodiscard]] std::optional<int> exit_code() const { return exit_code_; }
 
  private:

@@ -18,7 +18,7 @@ std::string joined(const Path& path, std::size_t from) {
   return all;
 }
 
-/// The reference of an expression that the offset is in; empty where there is none.
+/// The reference of an expression that the offset is in; empty if there is none.
 Expression::Reference reference_at(std::string_view expression, std::size_t offset) {
   const auto parsed = Expression::parse(expression);
   if (!parsed) return {};
@@ -62,7 +62,7 @@ std::optional<Range> row_range(const OpenFile& file, const std::string& group, s
   return std::nullopt;
 }
 
-/// The longest part of a path that the file itself says: a key, else the header of the step.
+/// The longest part of a path that is in the file itself: a key, else the header of the step.
 std::optional<Range> path_range(const OpenFile& file, Path path) {
   if (path[0] == "tables" && path.size() > 2) return row_range(file, path[1].substr(0, path[1].size() - 1), path[2]);
   for (; path.size() > 1; path.pop_back()) {

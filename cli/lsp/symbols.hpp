@@ -1,4 +1,4 @@
-// The steps of a project with the tables in them, and where a name that is referred to stands.
+// The steps of a project with the tables in them, and the definition of a referenced name.
 #pragma once
 
 #include "cli/lsp/open_file.hpp"
@@ -18,7 +18,7 @@ struct Symbol {
 
 std::vector<Symbol> symbols_of(const OpenFile& file);
 
-/// Where the step, the value, the row of the project's own stands that is referred to at the offset.
+/// The definition of the step, the value, or the project's own row that is referred to at the offset.
 std::optional<Range> definition_at(const OpenFile& file, std::size_t offset);
 
 }  // namespace loadpath::cli::lsp

@@ -72,7 +72,7 @@ std::vector<std::string> units_for(const Expected& expected) {
   if (expected.dimension.is_number()) return {"%"};
   if (!expected.unit.empty()) add(std::string(expected.unit));
   for (const char* unit : composed) add(unit);
-  std::set<std::pair<const UnitRow*, int>> taken;  // um is no other than µm
+  std::set<std::pair<const UnitRow*, int>> taken;  // um equals µm
   for (const bool with_prefix : {false, true}) {
     for (const UnitName& name : all_unit_names(true)) {
       const bool alike = name.row->dimension.without_angle() == expected.dimension.without_angle();

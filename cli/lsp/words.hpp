@@ -1,4 +1,4 @@
-// Values, units and what a name stands for, as an editor shows them.
+// Values, units and the meanings of names, as an editor shows them.
 #pragma once
 
 #include "cli/lsp/open_file.hpp"
@@ -21,10 +21,10 @@ std::string in_units(double si, const Expected& expected);
 /// The value of an expression, without its `=`, in a project that is solved; a word, where it names one; else empty.
 std::string value_of(project::Project& project, std::string_view expression, std::string_view unit = {});
 
-/// What a path of another step is: its meaning and value. Empty where it is nothing.
+/// The text for a path of another step: its meaning and value. Empty if it is unknown.
 std::string meaning_of(project::Project& project, const std::string& path);
 
-/// What rows and stocks are looked up in: the project's own tables with the built-in ones.
+/// The tables for rows and stocks: the project's own with the built-in ones.
 const table::Tables& tables_of(const OpenFile& file);
 
 /// The rows of the file's own, of a group: [tables.materials.NAME].

@@ -1,8 +1,8 @@
-// The first rank of a sweep: hands out blocks as the others ask for them, and hands on what they find in the order of
-// the points, so that what is written is the same for any number of ranks. It solves none itself and sleeps in between.
+// The first rank of a sweep: hands out blocks as the others request them, and passes on their results in the order of
+// the points, so that the output is the same for any number of ranks. It solves none itself and sleeps in between.
 //
-// Parts are as large as some tenths of a second: the size does not show in what is found. Helpers are given no more
-// while parts are done that cannot be handed on yet, so that memory is bounded.
+// Parts take some tenths of a second: their size does not affect the results. Helpers are given no more while
+// finished parts wait for earlier ones, so that memory is bounded.
 #pragma once
 
 #include "cli/mpi/letters.hpp"
@@ -23,7 +23,7 @@ class Foreman {
 
  private:
   struct Helper {
-    bool heard = false;  // has said hello
+    bool heard = false;  // has sent its greeting
     std::uint64_t room = 0;
     std::string name;
     std::vector<project::BlockRange> parts;  // that it is at

@@ -51,7 +51,7 @@ class Unpacker {
     for (auto& one : all) one = column();
     return all;
   }
-  /// Of things of so many bytes at least.
+  /// The number of items of at least so many bytes.
   std::size_t count(std::size_t each) {
     const std::uint64_t found = number();
     if (found > bytes_.size() / each) broken();

@@ -1,4 +1,4 @@
-// What the letters between ranks hold, as bytes. All ranks are of one program on one kind of processor.
+// The content of letters between ranks, as bytes. All ranks run one program on one kind of processor.
 #pragma once
 
 #include "cli/parts/parts.hpp"
@@ -11,12 +11,12 @@ namespace loadpath::cli {
 /// The sweep that ranks are to help with.
 struct Order {
   SharedSweep shared;
-  bool rows = false;  // whether points are wanted one by one
+  bool rows = false;  // whether individual points are requested
 };
 std::string bytes_of(const Order& order);
 Order order_from(std::string_view bytes);
 
-/// How many parts a rank takes at once; none, and why.
+/// The number of parts that a rank takes at once; or none, with the reason.
 struct Hello {
   std::uint64_t parts = 0;
   std::string name, wrong;  // "rank 3 on node7"
@@ -33,7 +33,7 @@ struct Solved {
   double seconds = 0.0;
 };
 std::string bytes_of(const Solved& solved);
-/// `none`: nothing found yet, of the same plan. Throws where the bytes are no such part.
+/// `none`: an empty result of the same plan. Throws if the bytes are not such a part.
 Solved solved_from(std::string_view bytes, const project::Found& none);
 
 }  // namespace loadpath::cli

@@ -12,18 +12,18 @@ namespace loadpath::cli {
 namespace {
 
 const Ranks* ranks = nullptr;  // while the program runs
-Order order;                   // of a rank that helps
+Order order;                   // order for a helping rank
 bool in_sweep = false;         // the others are at work
 bool greeted = false;          // the first rank knows whether this one helps
 
-/// Says hello; one that cannot help then waits for the end.
+/// Sends a greeting; a rank that cannot help then waits for the end.
 void greet(std::uint64_t parts, const std::string& wrong) {
   greeted = true;
   ranks->send(0, Kind::hello, bytes_of(Hello{wrong.empty() ? parts : 0, ranks->name(), wrong}));
   if (!wrong.empty()) static_cast<void>(ranks->wait());
 }
 
-/// What came of a letter from the first rank: false where the sweep is over.
+/// Processes a letter from the first rank: false if the sweep is finished.
 bool take_letter(const Letter& letter, Pool& pool) {
   const project::BlockRange blocks = blocks_from(letter.bytes);
   if (blocks.count() == 0) return false;
@@ -31,7 +31,7 @@ bool take_letter(const Letter& letter, Pool& pool) {
   return true;
 }
 
-/// Gives the first rank what is solved. A fault goes there too, once, and ends this.
+/// Sends solved parts to the first rank. A fault is sent too, once, and ends this rank's work.
 bool send_solved(Pool& pool, bool& sent) {
   try {
     while (const auto solved = pool.take()) {

@@ -1,4 +1,5 @@
-// The threads of a rank that solve parts; the main thread, which alone speaks with other ranks, gives and takes them.
+// The threads of a rank that solve parts; the main thread, the only one to communicate with other ranks, gives and
+// takes them.
 #pragma once
 
 #include "cli/mpi/letters.hpp"
@@ -27,7 +28,7 @@ class Pool {
  private:
   void run(const project::SweepWork& work);
   void solve(const project::SweepWork& work);
-  /// None once there is nothing more to come.
+  /// None once there are no more.
   std::optional<project::BlockRange> next();
 
   std::mutex mutex_;

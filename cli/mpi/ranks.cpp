@@ -1,4 +1,4 @@
-#define OMPI_SKIP_MPICXX 1  // the header of C alone
+#define OMPI_SKIP_MPICXX 1  // the header without C++ bindings
 #include "cli/mpi/ranks.hpp"
 
 #include <climits>
@@ -14,7 +14,7 @@
 namespace loadpath::cli {
 
 Ranks::Ranks() {
-  // Threads of MPI's own take no signals: these are for what the program has to tidy up and to say.
+  // MPI's own threads block signals, which are for the program's clean-up and message.
   sigset_t all, before;
   sigfillset(&all);
   pthread_sigmask(SIG_BLOCK, &all, &before);

@@ -1,5 +1,5 @@
-// The processes of one run, numbered from 0, and letters between them. Calls come from the main thread alone. Who waits
-// sleeps: MPI's own waiting would take the core from a rank that solves.
+// The processes of one run, numbered from 0, and letters between them. Only the main thread may call. Waiting ranks
+// sleep: MPI's own waiting would occupy the core of a rank that solves.
 #pragma once
 
 #include <cstdint>
@@ -9,9 +9,9 @@
 namespace loadpath::cli {
 
 enum class Kind : std::uint8_t {
-  sweep,   // from the first rank: the project and what is wanted of it; empty: there are no more
-  hello,   // to the first rank: how many parts are taken at once, or why none
-  part,    // from the first rank: blocks; none: the sweep is over
+  sweep,   // from the first rank: the project and the request; empty: there are no more
+  hello,   // to the first rank: number of parts taken at once, or the reason for none
+  part,    // from the first rank: blocks; none: the sweep is finished
   solved,  // to the first rank
   failed,  // to the first rank: what was thrown
 };
@@ -40,7 +40,7 @@ class Ranks {
   /// A letter that has come.
   [[nodiscard]] std::optional<Letter> look() const;
   [[nodiscard]] Letter wait() const;
-  /// For a moment.
+  /// Sleeps for a moment.
   static void sleep();
   /// Ends all ranks, wherever they are.
   [[noreturn]] static void abort(int code);

@@ -1,6 +1,5 @@
-// How the parts of a sweep are solved: by the threads of one process (threads.cpp), or by the ranks of MPI in the
-// program loadpath-mpi (cli/mpi). The commands are the same in both; which of the two it is, is decided by what is
-// linked.
+// Solving of the parts of a sweep: by the threads of one process (threads.cpp), or by the ranks of MPI in the program
+// loadpath-mpi (cli/mpi). The commands are the same in both; linking decides between the two.
 #pragma once
 
 #include "lib/project/sweep/sweep.hpp"
@@ -10,9 +9,9 @@
 
 namespace loadpath::cli {
 
-/// What all ranks must agree on.
+/// The data common to all ranks.
 struct SharedSweep {
-  std::string text;      // of the project file, which one rank has read
+  std::string text;      // text of the project file, which one rank has read
   std::string identity;  // everything that the numbers follow from
 };
 
@@ -24,17 +23,17 @@ struct Listener {
 /// Solves the blocks. Empty, or why that is not possible.
 std::string solve_parts(const project::SweepWork& work, const SharedSweep& shared, const Listener& listener);
 
-/// What main() does: `run` gives the exit code. A rank that helps runs it for every sweep that it helps with, others
+/// The body of main(): `run` gives the exit code. A helping rank runs it for every sweep that it helps with, others
 /// not.
 int run_program(const std::function<int()>& run);
 
-/// Whether who sends SIGTERM gives time to end; mpirun kills at once behind it.
+/// Whether the sender of SIGTERM gives time to end; mpirun kills immediately after it.
 bool is_waited_for();
 
-/// Whose sweep this rank helps with; null for the one that reads, writes and prints.
+/// The sweep that this rank helps with; null for the one that reads, writes and prints.
 const std::string* helped_text();
 
-/// On a rank that helps: solves parts until there are no more. `wrong` says why it cannot.
+/// On a helping rank: solves parts until there are no more. `wrong`: the reason why it cannot.
 int help_parts(const project::SweepWork& work, const std::string& identity, const std::string& wrong);
 
 }  // namespace loadpath::cli

@@ -149,7 +149,7 @@ CommandLine::CommandLine()
     action = language_server;
   });
   setup_elements(app, options.calculate, action, late);
-  app.footer(footer);  // both only here: commands inherit what is set before they are made
+  app.footer(footer);  // both only here: commands inherit settings made before them
   app.allow_extras();
 }
 

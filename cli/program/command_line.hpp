@@ -1,4 +1,4 @@
-// Every command of the program with its words, and what they ask for once they are read.
+// Every command of the program with its words, and the requested action once they are read.
 #pragma once
 
 #include "cli/files/commands.hpp"
@@ -24,19 +24,19 @@ struct Options {
   FmtOptions fmt;
 };
 
-/// The commands refer to what lies beside them: stays where it is made.
+/// The commands refer to the members: it stays where it is made.
 struct CommandLine {
   CommandLine();
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
   ~CommandLine() = default;
 
-  /// Gives a command the words that are set up only once it is named; nothing for the others.
+  /// Sets up the words of a command that are made only once it is named; does nothing for the others.
   void set_up(const CLI::App& command);
 
   CLI::App app;
   Options options;
-  Action action;  // of the command that was read; none before
+  Action action;  // action of the command that was read; none before
   Late late;
 };
 

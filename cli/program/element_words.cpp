@@ -13,7 +13,7 @@ std::string name_in_element(const Calculator& calculator) {
 
 namespace {
 
-/// What the help shows behind a flag.
+/// The type that the help shows after a flag.
 std::string type_word(const FieldInfo& field) {
   switch (field.type) {
     case FieldInfo::Type::quantity:
@@ -103,7 +103,7 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
 void setup_calculator(CLI::App& element, const Calculator& calculator, CalculateOptions& options, Action& action,
                       Late& late) {
   CLI::App* sub = element.add_subcommand(name_in_element(calculator), calculator.title);
-  sub->allow_extras(false);  // an element's are told by us, a calculator's by CLI11
+  sub->allow_extras(false);  // elements report them here, calculators through CLI11
   sub->footer("`loadpath describe " + std::string(calculator.id) +
               "` tells more, with an example. A quantity is written with its unit: \"30 MPa\".");
   late[sub] = [sub, &calculator, &options] { add_flags(*sub, calculator, options); };

@@ -12,7 +12,7 @@ namespace loadpath::cli {
 
 namespace {
 
-/// What was typed; the id of a calculator, shaft.torsion, as the two words that it is here.
+/// The words typed; the id of a calculator, shaft.torsion, as two words.
 std::vector<std::string> words_of(int argc, char** argv) {
   std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
   const Calculator* const named = words.empty() ? nullptr : find_calculator(calculators(), words[0]);
@@ -23,7 +23,7 @@ std::vector<std::string> words_of(int argc, char** argv) {
 }
 
 int dispatch(int argc, char** argv) {
-  if (argc > 1 && std::string_view(argv[1]) == "--version") {  // asked by scripts, again and again: nothing is set up
+  if (argc > 1 && std::string_view(argv[1]) == "--version") {  // called often by scripts: nothing is set up
     std::cout << program() << "\n";
     return passed;
   }

@@ -36,7 +36,7 @@ int unknown_option(const CLI::App& command, const std::string& word) {
                 meant(name.substr(2), options, say("`{1} --help` shows what there is", path_of(command)), "--").text());
 }
 
-/// An option of the command that takes one value and was given several; null where there is none.
+/// An option of the command that takes one value and was given several; null if there is none.
 const CLI::Option* repeated_option(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() > 1 && option->get_multi_option_policy() == CLI::MultiOptionPolicy::Throw) return option;

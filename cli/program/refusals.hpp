@@ -1,4 +1,4 @@
-// What is said to words that the program does not know.
+// The messages for unknown words.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -8,7 +8,7 @@ namespace loadpath::cli {
 /// The command that was named last: torsion of `loadpath shaft torsion`.
 const CLI::App& deepest(const CLI::App& app);
 
-/// What was typed where a command, or the calculator of an element, is expected.
+/// The text typed in place of a command, or of the calculator of an element.
 int unknown_command(const CLI::App& app, const CLI::App& command);
 
 /// Wrong words on the command line: an unknown option with the nearest one, or CLI11's sentence.

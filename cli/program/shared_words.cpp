@@ -8,7 +8,7 @@ namespace loadpath::cli {
 
 namespace {
 
-/// A whole number that a project file could hold as well.
+/// An integer in the range of a project file.
 CLI::Validator whole_from(std::int64_t least) {
   return {[least](const std::string& text) {
             std::int64_t number = 0;

@@ -4,7 +4,7 @@ namespace loadpath::cli {
 
 namespace {
 
-/// What is asked for in place of all points.
+/// Adds the options for a goal in place of all points.
 void add_aims(CLI::App& app, SweepOptions& options) {
   app.add_option("--minimise", options.minimise,
                  "choose the machine with the least of a result: from lists, stocks, words, { min, max }")
@@ -27,7 +27,7 @@ void add_aims(CLI::App& app, SweepOptions& options) {
       ->check(CLI::Range(100, 100'000'000));
 }
 
-/// What is kept on the disk.
+/// Adds the options for results kept on the disk.
 void add_folder(CLI::App& app, SweepOptions& options) {
   app.add_option("--out", options.out, "store columns (numpy) and restart state in a folder")->type_name("DIR");
   app.add_flag("--no-columns", options.no_columns, "keep no columns in that folder");

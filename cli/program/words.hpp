@@ -11,18 +11,18 @@
 
 namespace loadpath::cli {
 
-/// What the program does once all words are read.
+/// The action of the program once all words are read.
 using Action = std::function<int()>;
 
-/// What every solving command can write.
+/// Adds the output options of every solving command.
 void add_output(CLI::App& app, OutputOptions& output);
 /// Fields that the command line sets.
 void add_settings(CLI::App& app, std::vector<std::string>& settings);
-/// Which points a sweep has.
+/// Adds the options for the points of a sweep.
 void add_points(CLI::App& app, PointOptions& options);
 void setup_sweep(CLI::App& app, SweepOptions& options, Action& action);
 
-/// What sets up the words of a command, once it is named.
+/// The functions that set up the words of a command, once it is named.
 using Late = std::map<const CLI::App*, std::function<void()>>;
 /// Commands about project files as texts.
 void setup_init(CLI::App& app, InitOptions& options, Action& action);
@@ -33,7 +33,7 @@ void setup_fmt(CLI::App& app, FmtOptions& options, Action& action);
 /// longer than what most commands do.
 void setup_elements(CLI::App& app, CalculateOptions& options, Action& action, Late& late);
 
-/// "torsion" of shaft.torsion
+/// The name "torsion" in shaft.torsion.
 std::string name_in_element(const Calculator& calculator);
 
 }  // namespace loadpath::cli

@@ -20,7 +20,7 @@ void add(std::vector<Issue>& issues, const Place& place, Message message, Messag
   issues.push_back({place, "", std::move(message), std::move(hint), Severity::error});
 }
 
-/// "links.crank", "pieces[2]", `materials."IPE 330"` in parts; nothing where one is empty.
+/// "links.crank", "pieces[2]", `materials."IPE 330"` in parts; nothing if one is empty.
 std::vector<Part> parts_of(std::string_view path, int line) {
   std::vector<Part> parts;
   for (std::size_t at = 0; at <= path.size();) {
@@ -37,7 +37,7 @@ std::vector<Part> parts_of(std::string_view path, int line) {
   return parts;
 }
 
-/// The number of a counted element, from 1; 0 where the part is a name.
+/// The number of a counted element, from 1; 0 if the part is a name.
 std::size_t number_of(const Part& part) {
   if (part.key.size() < 3 || part.key.front() != '[' || part.key.back() != ']') return 0;
   std::size_t number = 0;
@@ -120,7 +120,7 @@ bool is_word(const Tree& project, const Setting& setting) {
   return field != nullptr && field->is_word();
 }
 
-/// Tables that a setting may be about: the steps, and what is beside them.
+/// Whether the table of a setting exists: one of the steps, or of the other tables.
 bool has_table(const Tree& project, const Part& part, std::vector<Issue>& issues) {
   if (part.key == "project" || project.find(part.key) != nullptr) return true;
   std::vector<std::string> names;
@@ -146,7 +146,7 @@ void put_setting(Tree& project, const Setting& setting, std::vector<Issue>& issu
   }
 }
 
-/// From the places behind "value = " to those of the setting.
+/// Shifts places after "value = " to those of the setting.
 void move_to(const Place& start, int by, Tree& tree) {
   const auto move = [&](Place& place) {
     place = {start.file, start.line, std::max(1, place.column + by), place.length};

@@ -36,7 +36,7 @@ void add_elements(Candidates& all) {
   }
 }
 
-/// The rows that fill what a group stands for: materials, sections.
+/// Adds the rows of a group: materials, sections.
 void add_rows(const std::string& group, Candidates& all) {
   for (const table::Table& table : table::built_in().tables) {
     if (table.group != group) continue;
@@ -57,7 +57,7 @@ void add_tables(const Words& given, Candidates& all) {
   }
 }
 
-/// Steps of a project, and behind a step's name with a point its results and modes of failure.
+/// Steps of a project, and behind a step's name with a point its results and failure modes.
 void add_steps(const std::string& file, const std::string& begun, Candidates& all) {
   std::string text;
   if (!toml::read_file(file, text)) return;
@@ -74,7 +74,7 @@ void add_steps(const std::string& file, const std::string& begun, Candidates& al
   }
 }
 
-/// Words in place of which a calculator's flag stands: "yes | no"; rows of a table.
+/// Adds values for the placeholder of a calculator's flag: "yes | no"; rows of a table.
 bool add_values(const std::string& id, const std::string& flag, Candidates& all) {
   const Calculator* const calculator = find_calculator(calculators(), id);
   if (calculator == nullptr) return false;
@@ -144,7 +144,7 @@ class Line {
   }
   [[nodiscard]] CLI::App* command() const { return path_.empty() ? &line_.app : path_.back(); }
 
-  /// The option whose value comes next; null where none does.
+  /// The option whose value comes next; null if none does.
   [[nodiscard]] const CLI::Option* waiting() const {
     const CLI::Option* const option = last_.empty() ? nullptr : command()->get_option_no_throw(last_);
     return option != nullptr && option->get_expected_max() > 0 ? option : nullptr;
@@ -192,7 +192,7 @@ class Line {
   CommandLine& line_;
   std::string begun_;
   std::vector<CLI::App*> path_;  // the commands that are named
-  Words given_;                  // what is no command and no option
+  Words given_;                  // words that are neither commands nor options
   std::string last_;             // an option that may wait for a value
 };
 

@@ -1,4 +1,4 @@
-// What can follow on a command line: out of the commands, the catalogue, the tables and the project that is named.
+// The possible continuations of a command line: from the commands, the catalogue, the tables and the named project.
 #pragma once
 
 #include "cli/program/command_line.hpp"
@@ -18,7 +18,7 @@ struct Candidates {
   bool files = false;  // a file may follow as well
 };
 
-/// What fits in place of the last word, which may be empty, behind those before it.
+/// The candidates for the last word, which may be empty, after those before it.
 Candidates candidates(CommandLine& line, std::vector<std::string> words);
 
 }  // namespace loadpath::cli

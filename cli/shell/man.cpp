@@ -1,4 +1,4 @@
-// The manual page, out of the same words that the help is made of.
+// The manual page, from the same words as the help.
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/program/command_line.hpp"
@@ -11,7 +11,7 @@ namespace loadpath::cli {
 
 namespace {
 
-/// Text as roff takes it: hyphens stay hyphens, nothing is a request.
+/// Escapes text for roff: hyphens stay hyphens, nothing is a request.
 std::string roff(std::string_view text) {
   std::string out;
   bool begins = true;
@@ -71,7 +71,7 @@ void show_calculators() {
     std::cout << ".TP\n\\fB" << roff(c->id) << "\\fR\n" << roff(c->title) << "\n";
 }
 
-/// The lines behind a title of the footer, as they stand.
+/// The lines after a title of the footer, unchanged.
 void show_examples(const std::string& footer) {
   std::istringstream lines(footer);
   std::string line;

@@ -1,4 +1,5 @@
-// Every point of a sweep in files of its own: as a line, or column by column. They are put in place whole.
+// Every point of a sweep in separate files: as a line, or column by column. They are renamed into place once
+// complete.
 #pragma once
 
 #include "cli/commands.hpp"

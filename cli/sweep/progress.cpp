@@ -11,7 +11,7 @@ namespace loadpath::cli {
 
 namespace {
 
-/// "42 s", "3 min", "2.5 h": what is left.
+/// The remaining time: "42 s", "3 min", "2.5 h".
 std::string in_words(double seconds) {
   if (seconds < 120.0) return format_number(seconds, 2) + " s";
   if (seconds < 7200.0) return format_number(seconds / 60.0, 2) + " min";

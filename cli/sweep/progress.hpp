@@ -1,4 +1,4 @@
-// How far a long command is, on standard error, where someone looks.
+// The progress of a long command, on standard error, if that is a terminal.
 #pragma once
 
 #include <chrono>
@@ -9,12 +9,13 @@ namespace loadpath::cli {
 
 class Progress {
  public:
-  /// Of so many points. `wanted` false, or no terminal: nothing is shown.
+  /// For so many points. `wanted` false, or no terminal: nothing is shown.
   Progress(std::uint64_t total, bool wanted);
 
   /// At most a few times a second.
   void show(std::uint64_t done);
-  /// What everything else is done but for. Without a terminal too: a job that hangs is looked for in what it has told.
+  /// Shows what the end of the sweep waits for. Without a terminal too: a job that hangs is diagnosed from its
+  /// output.
   void wait_for(const std::string& late);
   /// Takes the line away.
   void end();

@@ -1,4 +1,4 @@
-// `loadpath sweep --status DIR`: how far the sweep in a folder is, whoever works or has worked on it.
+// `loadpath sweep --status DIR`: the progress of the sweep in a folder, whichever process works or has worked on it.
 #pragma once
 
 #include "cli/commands.hpp"

@@ -42,14 +42,14 @@ int refuse(const std::string& message, const std::string& hint = {}) {
   return wrong_input;
 }
 
-/// A sweep is asked for, and the project is of one machine.
+/// Reports a sweep of a project in which nothing varies.
 void tell_nothing_varies(const std::string& file) {
   std::cerr << "loadpath: nothing varies in '" << file << "': this sweep has one point, the machine of `loadpath run`\n"
             << "  = help: give an input many values: d = { from = \"20 mm\", to = \"40 mm\", count = 11 }, or "
                "d = [\"20 mm\", \"25 mm\"]\n";
 }
 
-/// What the command line says against itself.
+/// The contradiction between options of the command line.
 std::string contradiction(const SweepOptions& options) {
   if (!options.status.empty() && !(options.file + options.out).empty())
     return "'--status' is about a folder as it is: it takes neither a project file nor --out";
@@ -173,7 +173,7 @@ bool Sweeping::prepare() {
   return !has_errors(issues) && read_shard();
 }
 
-/// Everything that the numbers follow from, so that two of them that differ say in which line.
+/// Everything that the numbers follow from, line by line, so that a difference can be located.
 std::string Sweeping::identity() const {
   const project::SweepSettings& s = project_.sweep;
   std::string all = program() + "\n";
@@ -217,11 +217,11 @@ std::string Sweeping::what_is_left(const SweepStore& store) const {
          " --resume goes on, with the same options\n";
 }
 
-/// False where an output cannot be written, which is told, or the user has stopped it.
+/// False if an output cannot be written, which is reported, or the user has stopped it.
 bool Sweeping::solve(SweepStore* store, project::Found& found) {
   const std::chrono::duration<double> between(options_.save_every);
   Scratch scratch(store != nullptr && is_waited_for() ? &interrupted_by_user
-                                                      : nullptr);  // a folder keeps what is solved
+                                                      : nullptr);  // a folder keeps solved points
   PointFiles files(options_, plan_, scratch);
   if (!files.open(stored())) return false;
   const unsigned jobs = options_.jobs != 0 ? options_.jobs : std::max(1U, std::thread::hardware_concurrency());
@@ -297,7 +297,7 @@ int Sweeping::refuse_all(const std::vector<Issue>& issues) const {
   return wrong_input;
 }
 
-/// What is no sweep over all points.
+/// Prints blocks of results other than of a sweep over all points.
 int Sweeping::tell_blocks(const char* title, std::vector<report::Block> blocks) const {
   if (!options_.quiet) terminal::show_tables(blocks);
   if (options_.reports.empty()) return passed;
@@ -381,7 +381,7 @@ int Sweeping::run() {
     if (!options_.quiet) std::cerr << "loadpath: left out, the points are in others: '" << folder.string() << "'\n";
   if (store->left().count() != 0) {
     if (!solve(&*store, found)) return wrong_input;
-  } else if (const Message wrong = store->save(); !wrong.empty()) {  // what was killed behind its last state
+  } else if (const Message wrong = store->save(); !wrong.empty()) {  // written after the last state by a killed process
     return refuse(wrong.text());
   }
   if (store->left().count() == 0) return tell(store->found());

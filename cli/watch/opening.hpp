@@ -4,7 +4,7 @@
 
 namespace loadpath::cli {
 
-/// Has the desktop open a page, by the first of its programs for that; false where there is none.
+/// Has the desktop open a page, by the first of its programs for that; false if there is none.
 bool open_page(const std::string& address);
 
 }  // namespace loadpath::cli

@@ -1,4 +1,4 @@
-// What the browser is shown while somebody edits a project.
+// The page in the browser while somebody edits a project.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@ namespace loadpath::cli {
 struct Revision {
   std::uint64_t number = 0;
   std::string page;     // the report of the last one that could be solved; empty before
-  std::string problem;  // issues with their places; empty where it was solved
+  std::string problem;  // issues with their places; empty if it was solved
 };
 
 /// The page of a revision, with the script that keeps it up to date.
 std::string live_page(const Revision& revision);
 
-/// What the script is told of a revision: "7 solved", "8 problem".
+/// The event for the script about a revision: "7 solved", "8 problem".
 std::string news_of(const Revision& revision);
 
 }  // namespace loadpath::cli

@@ -28,7 +28,7 @@ using Response = http::response<http::string_body>;
 
 constexpr std::chrono::seconds patience{30};  // with one that asks or takes slowly
 
-/// 128 bits that nobody guesses.
+/// 128 random bits, which cannot be guessed.
 std::string drawn_word() {
   constexpr std::string_view digits = "0123456789abcdef";
   std::random_device device;
@@ -53,7 +53,7 @@ struct Server::State {
   std::set<std::shared_ptr<Listener>> listeners;  // pages that are open
 };
 
-/// A page that is told of every revision, by server-sent events.
+/// A page that receives every revision by server-sent events.
 class Listener : public std::enable_shared_from_this<Listener> {
  public:
   Listener(beast::tcp_stream stream, std::weak_ptr<Server::State> state)
@@ -66,7 +66,7 @@ class Listener : public std::enable_shared_from_this<Listener> {
     watch_end();
     tell();
   }
-  /// Says what is the newest; of several during one write only the last.
+  /// Sends the newest revision; of several during one write only the last.
   void tell() {
     if (writing_) {
       is_late_ = true;
@@ -85,7 +85,7 @@ class Listener : public std::enable_shared_from_this<Listener> {
   }
 
  private:
-  /// A page says nothing more; what is read is its end.
+  /// A page sends nothing more; reading detects its end.
   void watch_end() {
     stream_.async_read_some(asio::buffer(said_), [self = shared_from_this()](Error error, std::size_t) {
       error ? self->leave() : self->watch_end();
@@ -129,7 +129,7 @@ class Session : public std::enable_shared_from_this<Session> {
     if (target == root + "events") return listen();
     send(http::status::not_found, "text/plain", "there is no such page; `loadpath watch` says the address\n");
   }
-  /// Another site's page may lead its own name here; it cannot say ours.
+  /// Another site's page may direct its own name here; it cannot use ours.
   [[nodiscard]] bool is_for_us() const {
     const auto host = request_[http::field::host];
     const std::string port = ":" + std::to_string(state_->acceptor.local_endpoint().port());
@@ -199,7 +199,7 @@ std::string Server::address() const {
 
 void Server::publish(Revision revision) {
   state_->revision = std::move(revision);
-  const auto listeners = state_->listeners;  // one may leave while it is told
+  const auto listeners = state_->listeners;  // one may leave during the loop
   for (const auto& listener : listeners) listener->tell();
 }
 

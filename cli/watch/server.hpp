@@ -1,5 +1,5 @@
-// One page for the browser of whoever runs the program: on the loopback address alone, behind a word that is drawn anew
-// each time.
+// One page for the browser of the user who runs the program: on the loopback address only, behind a random word for
+// each run.
 #pragma once
 
 #include "cli/watch/page.hpp"
@@ -24,7 +24,7 @@ class Server {
   /// Shows a revision to every page that is open, and to those that are opened later.
   void publish(Revision revision);
 
-  struct State;  // what its connections share
+  struct State;  // common to its connections
 
  private:
   std::shared_ptr<State> state_;

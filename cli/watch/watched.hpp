@@ -1,4 +1,4 @@
-// Files that somebody edits while the program looks.
+// Files that a user edits while the program watches them.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ struct ReadFile {
 /// Reads a file; of one that cannot be read that it is not there.
 ReadFile read_watched(const std::string& path);
 
-/// Whether files hold what was read of them. They are looked at by number, size and date, and read again where one of
-/// these is new: an editor may write in place or put another file there, and a save without a change is none.
+/// Whether files still have the content that was read. They are compared by number, size and date, and read again if
+/// one of these is new: an editor may write in place or replace the file, and a save without a change does not count.
 class WatchedFiles {
  public:
-  /// From now on these.
+  /// Watches these files from now on.
   void watch(std::vector<ReadFile> files);
   /// Whether one holds something else than what was read.
   bool have_changed();

@@ -1,5 +1,5 @@
-// What a step has to say beside its numbers, as data: paragraphs, tables, formulas with their numbers, figures. Writers
-// (lib/report) decide how it looks.
+// The output of a step other than its numbers, as data: paragraphs, tables, worked formulas, figures. Writers
+// (lib/report) decide on the layout.
 #pragma once
 
 #include "lib/account/verdict.hpp"

@@ -1,4 +1,4 @@
-// What stands in one place of a table or beside a verdict.
+// The content of one cell of a table or of a verdict.
 #pragma once
 
 #include "lib/account/state.hpp"

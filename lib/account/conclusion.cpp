@@ -26,7 +26,7 @@ Message of_failures(const Modes& sorted, std::size_t count) {
 
 Message of_gaps(const Modes& sorted, const Conclusion& all) {
   const std::size_t needs = all.count(Group::needs_input), outside = all.count(Group::outside_scope);
-  if (needs + outside == 0) {  // what an input check alone holds back
+  if (needs + outside == 0) {  // only an input check prevents the verdict
     const auto check = std::ranges::find_if(sorted, [](const Mode& m) { return m.subject != Subject::mode; });
     return check == sorted.end() ? Message{} : say("{1}: {2}", check->step, reason(*check));
   }
@@ -59,7 +59,7 @@ std::string not_considered(const Modes& sorted) {
   return told == names.size() ? all : all + " and " + std::to_string(names.size() - told) + " more";
 }
 
-/// What a pass covers, and what it does not.
+/// The coverage of a pass, and its exclusions.
 Message of_pass(const Modes& sorted, const Conclusion& all) {
   if (all.modes() == all.count(Group::not_considered)) return say("no failure mode is assessed here");
   const Message passed =

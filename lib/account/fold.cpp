@@ -29,7 +29,7 @@ struct States {
   double low, high, below, above;
 };
 
-/// How a row came out at a value within closed bounds, or beyond; absent where there is no number.
+/// The state of a row at a value within closed bounds, or beyond; absent if the value is NaN.
 constexpr double state_at(const States& states, double x) {
   const double state = x < states.low ? states.below : x > states.high ? states.above : pass;
   return x == x ? state : absent_state;

@@ -18,21 +18,20 @@
 
 namespace loadpath::account {
 
-/// How a point, a part or a failure mode came out, as a number of a column: that of State, or one of these.
-constexpr double refused_state =
-    7.0;  // the point breaks a rule between inputs, or a value is none that its field takes
+/// The state of a point, a part or a failure mode as a number of a column: that of State, or one of these.
+constexpr double refused_state = 7.0;  // the point violates an input rule, or a value is outside the range of its field
 constexpr double absent_state = -1.0;  // the mode does not concern the part
 
 constexpr double number(State state) { return static_cast<double>(static_cast<int>(state)); }
 constexpr State state_of(double number) { return static_cast<State>(static_cast<int>(number)); }
 
-/// What the rows of a mode come to, or the modes of a part.
+/// The combined result of the rows of a mode, or of the modes of a part.
 struct Folded {
   double worst = absent_state;
-  double counted = 0.0;  // above zero: of rows where one is a check, of modes where one was assessed
+  double counted = 0.0;  // above zero: a check among the rows, an assessed mode among the modes
   double utilisation = std::numeric_limits<double>::quiet_NaN();
 
-  /// A check or a limit: of the worst ones the most utilised governs. A state that is absent is no row.
+  /// Adds a check or a limit: among equally bad ones the most utilised governs. An absent state is not a row.
   [[nodiscard]] constexpr Folded with_row(double state, double used, bool is_check) const {
     const bool worse = state > worst;
     const bool more = (used > utilisation) | ((utilisation != utilisation) & (used == used));
@@ -46,22 +45,22 @@ struct Folded {
     const bool more = (used > utilisation) | (utilisation != utilisation);
     return {here > worst ? here : worst, ((here >= 0.0) & (here != open)) ? 1.0 : counted, more ? used : utilisation};
   }
-  /// Of all modes of a step or of the project: pass where one was assessed, and none stands against it.
+  /// Combined state of all modes of a step or project: pass if at least one was assessed and none is worse.
   [[nodiscard]] constexpr double whole() const {
     constexpr double pass = number(State::pass), open = number(State::open);
     return worst > open ? worst : counted > 0.0 ? pass : open;
   }
 };
 
-/// How a mode comes out where its rows do not decide it.
+/// The state of a mode that its rows do not decide.
 struct Unjudged {
   std::array<double, 3> state{};        // by Applies
-  double passed = number(State::pass);  // what rows that pass come to
-  bool needs_checks = false;            // limits alone do not judge it
-  bool never = false;                   // rows that pass do not judge it: a check is missing
+  double passed = number(State::pass);  // state if all rows pass
+  bool needs_checks = false;            // limits do not suffice to assess it
+  bool never = false;                   // rows that pass do not assess it: a check is missing
 };
 
-/// How one mode came out: absent_state where it does not concern the part.
+/// The state of one mode: absent_state if it does not concern the part.
 struct Judged {
   double state = absent_state;
   double utilisation = std::numeric_limits<double>::quiet_NaN();
@@ -86,11 +85,11 @@ struct ModeColumns {
   std::vector<double> state, utilisation;
 };
 
-/// What the rows of a mode come to at every point.
+/// Combined results of the rows of a mode at every point.
 class RowColumns {
  public:
   void clear(std::size_t n);
-  /// What is no number is no row.
+  /// NaN is not a row.
   void take_check(std::span<const double> utilisation);
   void take_limit(const Range& bounds, bool is_criterion, std::span<const double> si);
   void judge(std::span<const Applies> applies, const Unjudged& unjudged, ModeColumns& mode) const;
@@ -102,16 +101,16 @@ class RowColumns {
 /// A mode that has no rows.
 void leave_mode(std::span<const Applies> applies, const Unjudged& unjudged, ModeColumns& mode);
 
-/// What several modes come to at every point.
+/// Combined results of several modes at every point.
 class VerdictColumns {
  public:
-  /// `is_strict`: what is open counts as not judged.
+  /// `is_strict`: what is open counts as not assessed.
   void fold(std::span<const ModeColumns* const> modes, std::size_t n, bool is_strict);
 
   [[nodiscard]] std::span<const double> utilisation() const { return utilisation_; }
   /// 1 where they pass, or are open, else 0.
   void write_passes(std::span<double> out) const;
-  /// `is_whole`: of all modes of a step or of the project, which pass where something was judged.
+  /// `is_whole`: of all modes of a step or of the project, which pass where something was assessed.
   void write_state(bool is_whole, std::span<double> out) const;
 
  private:

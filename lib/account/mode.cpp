@@ -14,7 +14,7 @@ namespace {
 
 bool is_outside(const Mode& mode) { return mode.state == State::not_judged && !mode.is_assessable; }
 
-/// Whether two are told together.
+/// Whether two are reported together.
 bool is_alike(const Mode& a, const Mode& b) { return a.state == b.state && is_outside(a) == is_outside(b); }
 
 /// The place in a list: what needs a hand first.

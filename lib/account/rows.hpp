@@ -1,4 +1,4 @@
-// How a check or a limit came out at a value.
+// The state of a check or a limit at a value.
 #pragma once
 
 #include "lib/account/state.hpp"
@@ -13,14 +13,14 @@
 
 namespace loadpath::account {
 
-/// Of a utilisation: a size that is just the least one passes, and what is just zero may have a sign.
+/// Tolerance of a utilisation: a minimum size that just suffices must pass, and a rounded zero may have either sign.
 constexpr double rounding_of_utilisation = 1e-9;
 
 constexpr bool is_passed(double utilisation) {
   return utilisation >= -rounding_of_utilisation && utilisation <= 1.0 + rounding_of_utilisation;
 }
 
-/// No utilisation is negative: such a check is beyond its method.
+/// Utilisations are not negative: such a check is beyond its method.
 constexpr State state_of_check(double utilisation) {
   if (utilisation < -rounding_of_utilisation) return State::not_covered;
   return pass_if(is_passed(utilisation));
@@ -31,7 +31,7 @@ constexpr State state_of_limit(const Range& bounds, bool is_criterion, double si
   return is_criterion ? State::fail : State::not_covered;
 }
 
-/// How the field of a check or a limit came out; nothing where the calculator leaves it unset because it does not
+/// The state of the field of a check or a limit; empty if the calculator leaves the field unset because it does not
 /// apply.
 inline std::optional<State> state_of_row(const FieldInfo& row, double si) {
   if (std::isnan(si)) return row.where_set ? std::nullopt : std::optional(State::not_available);
@@ -48,8 +48,8 @@ inline bool is_kept(const FieldInfo& row, double si) {
 /// Whether a load is there and not zero.
 inline bool acts(double si) { return !std::isnan(si) && si != 0.0; }
 
-/// Of the values of a limit the one that is farthest beyond the nearer bound, or nearest to it; what cannot be negative
-/// is never near zero, and what is no number is beyond all.
+/// The value of a limit farthest beyond the nearer bound, or nearest to it; bounds of non-negative quantities are
+/// never near zero, and NaN is farther than any number.
 inline double farthest_from(const Range& bounds, std::span<const double> si) {
   const auto distance = [&](double x) {
     constexpr double infinity = std::numeric_limits<double>::infinity();

@@ -1,4 +1,4 @@
-// How a check or a mode of failure can come out, and the words for it.
+// The possible states of a check or a failure mode, and the words for them.
 #pragma once
 
 #include "lib/text/issue.hpp"
@@ -10,14 +10,14 @@ namespace loadpath::account {
 enum class State {
   pass,
   accepted,       // by the user, with a reason
-  open,           // it may concern the part, and nothing says so
-  not_judged,     // it concerns the part, and nothing was held against it
+  open,           // may concern the part, but nothing states whether it does
+  not_judged,     // concerns the part, and has not been assessed
   not_covered,    // outside of what the method covers
   not_available,  // a value is missing
   fail
 };
 
-/// From good to bad: the worst of several decides. An order of its own, whatever that of the words.
+/// Rank from good to bad: the worst of several decides. Independent of the order of the words.
 constexpr int rank(State state) {
   switch (state) {
     case State::pass:
@@ -44,11 +44,11 @@ constexpr State pass_if(bool holds) { return holds ? State::pass : State::fail; 
 
 /// The word of JSON, CSV and the programming interfaces: "pass", "not covered".
 Message word(State state);
-/// What the terminal and reports say: "pass", "method not valid".
+/// The word for the terminal and reports: "pass", "method not valid".
 Message shown(State state);
 /// The word as one name: "not-covered".
 std::string slug(State state);
-/// A sign that says the same without colour.
+/// A mark of the same meaning without colour.
 const char* mark(State state);
 
 }  // namespace loadpath::account

@@ -22,7 +22,7 @@ Stiffness stiffness_of(const Span& span) {
            {b, a * right - turned, -b, turned + b * right}}};
 }
 
-/// What is nothing beside the largest of its kind is rounding.
+/// Values below this share of the maximum of their kind are rounding errors.
 constexpr double rounding = 1e-12;
 template <class Elements, class Of>
 void clean(Elements& all, const Of& of) {

@@ -1,6 +1,6 @@
-// A straight beam on any number of supports, in one plane: what it carries, how it bends, how it hums. By the elements
-// of Timoshenko, which are exact at their ends whatever their section and their load are: of a span its flexibility
-// counts, not its stiffness. varying.hpp finds it where the section varies.
+// A straight beam on any number of supports, in one plane: internal forces, deflection, natural frequency. By
+// Timoshenko elements, which are exact at their ends for any section and load, because they use the flexibility of a
+// span, not its stiffness. varying.hpp integrates it for varying sections.
 //
 // SI throughout. v is positive like the forces F, slopes and couples M like the slope of v; V is the sum of all forces
 // to the left, and M bends a beam hollow on the side that v points to: M' = V.
@@ -18,7 +18,7 @@
 
 namespace loadpath::beam {
 
-/// Nothing is allocated: a beam has at most so many nodes.
+/// Nothing is allocated: these are the capacities of a beam.
 inline constexpr std::size_t most_nodes = 320, most_supports = 16;
 template <class Element>
 using Row = boost::container::static_vector<Element, most_nodes>;
@@ -27,8 +27,8 @@ using OfSupports = boost::container::static_vector<Element, most_supports>;
 
 inline constexpr double rigid = std::numeric_limits<double>::infinity();
 
-/// A stretch between two neighbouring nodes by how it gives way. A force across it at its centre turns its ends by
-/// nothing against each other, and a couple shifts them by nothing.
+/// A span between two neighbouring nodes by its flexibility, split so that a transverse force at its centre causes no
+/// relative rotation of its ends, and a couple no relative displacement.
 struct Span {
   double l = 0.0;
   double bending = 0.0;   // the integral of 1/EI, rad/(N m): turns by a couple
@@ -43,12 +43,12 @@ inline Span uniform(double l, double EI, double GA = rigid) {
 
 /// Forces and couples at the two ends of a span: those of the left first.
 using OfEnds = std::array<double, 4>;
-/// What an even load q, N/m, does to the ends of a uniform span.
+/// End forces and couples of a uniform span under a uniform load q, N/m.
 inline OfEnds even(const Span& span, double q) {
   return {q * span.l / 2.0, q * span.l * span.l / 12.0, q * span.l / 2.0, -q * span.l * span.l / 12.0};
 }
 
-/// What holds a node: stiffness against v, N/m, or rigid.
+/// A support of a node: stiffness against v, N/m, or rigid.
 struct Support {
   std::size_t node = 0;
   double k = rigid;
@@ -61,7 +61,7 @@ struct Load {
 
 struct Node {
   double v = 0.0;
-  double slope = 0.0;  // of the cross section
+  double slope = 0.0;  // rotation of the cross section
 };
 
 struct End {
@@ -80,19 +80,19 @@ struct Bent {
 
 class Beam {
  public:
-  /// Each support at a node of its own. Nothing where they do not hold it: fewer than two of them.
+  /// Each support at a node of its own. Nothing if they do not hold it: fewer than two of them.
   static std::optional<Beam> of(const Row<Span>& spans, const OfSupports<Support>& supports);
 
   [[nodiscard]] std::size_t nodes() const { return spans_.size() + 1; }
 
-  /// Under forces and couples at nodes, and what the load along each span does to its ends; `along` empty: there is
-  /// none.
+  /// Deflection under forces and couples at nodes, and end forces of the load along each span; `along` empty: there
+  /// is none.
   [[nodiscard]] Bent bend(std::span<const Load> loads, std::span<const OfEnds> along = {}) const;
 
-  /// Forces and couples at each node in turn, in place of them its displacement and slope.
+  /// Replaces forces and couples at each node by its displacement and slope.
   void displace(std::span<double> unknowns) const;
 
-  /// Of each node what a unit force there displaces it.
+  /// For each node, its displacement under a unit force there.
   [[nodiscard]] Row<double> flexibilities() const;
 
   /// Whether masses at the nodes have no frequency below that of this square, rad^2/s^2.
@@ -117,12 +117,12 @@ class Beam {
   bool holds_ = false;
 };
 
-/// The lowest angular frequency of bending, rad/s, of masses at the nodes on a beam without mass; zero where there are
-/// none, or nothing moves. What does not settle is NaN.
+/// The lowest angular frequency of bending, rad/s, of masses at the nodes on a massless beam; zero if there are no
+/// masses, or none moves. NaN without convergence.
 struct Frequencies {
   double lowest = 0.0;     // by Lanczos, and none is below
-  double rayleigh = 0.0;   // of the shape under the weights: never below
-  double dunkerley = 0.0;  // of the flexibilities: never above
+  double rayleigh = 0.0;   // from the deflection under the weights: never below
+  double dunkerley = 0.0;  // from the flexibilities: never above
 };
 Frequencies frequencies(const Beam& beam, std::span<const double> masses);
 

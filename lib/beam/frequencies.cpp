@@ -13,7 +13,7 @@ namespace {
 
 using Unknowns = boost::container::static_vector<double, 2 * most_nodes>;
 
-/// What the nodes do where each is pushed.
+/// The displacements of the nodes under forces.
 Row<double> pushed(const Beam& beam, std::span<const double> forces) {
   Unknowns u(2 * forces.size());
   for (std::size_t n = 0; n < forces.size(); ++n) u[2 * n] = forces[n];
@@ -23,7 +23,7 @@ Row<double> pushed(const Beam& beam, std::span<const double> forces) {
   return v;
 }
 
-/// In four sums, none of which waits for another.
+/// In four sums, which are independent of one another.
 double product(const Row<double>& a, const Row<double>& b) {
   std::array<double, 4> sums{};
   std::size_t n = 0;
@@ -64,7 +64,7 @@ struct Tridiagonal {
 /// The flexibility between the masses, each force and displacement times the root of its mass.
 struct Humming {
   const Beam& beam;
-  Row<double> roots;  // of the masses
+  Row<double> roots;  // square roots of the masses
 
   [[nodiscard]] Row<double> operator()(Row<double> x) const {
     for (std::size_t n = 0; n < x.size(); ++n) x[n] *= roots[n];
@@ -72,8 +72,8 @@ struct Humming {
     for (std::size_t n = 0; n < v.size(); ++n) v[n] *= roots[n];
     return v;
   }
-  /// As the weights bend it, and a little without any symmetry: that of the shaft would hide a lower mode that does not
-  /// have it.
+  /// The deflection under the weights, slightly disturbed: its symmetry would hide a lower mode without that
+  /// symmetry.
   [[nodiscard]] Row<double> first(const Row<double>& bent) const {
     Row<double> x;
     for (std::size_t n = 0; n < roots.size(); ++n)
@@ -82,7 +82,7 @@ struct Humming {
   }
 };
 
-/// Its square is found when another step changes nothing, and none is below.
+/// Converged when another step changes nothing, and no eigenvalue is below.
 double lowest_of(const Beam& beam, std::span<const double> masses, const Row<double>& bent) {
   constexpr double settled = 1e-12, beside = 1e-5;
   Humming humming{beam, {}};

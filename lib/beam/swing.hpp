@@ -1,9 +1,8 @@
-// A round shaft that swings about its axis, with discs on it: its natural frequencies in torsion. The pieces have their
-// inertia along them, so that nothing is lost by cutting them up. After Holzer the shaft is walked from one end to the
-// other; how many frequencies lie below one that is tried is counted after Wittrick and Williams, so that none is
-// missed.
+// A round shaft with discs in torsional vibration: its natural frequencies. Segments have distributed inertia, so
+// that dividing them loses nothing. After Holzer, the shaft is traversed from one end to the other; the number of
+// frequencies below a trial value is counted after Wittrick and Williams, so that none is missed.
 //
-// SI throughout. Both ends are free; what holds an end is a disc of an inertia that is large beside the others.
+// SI throughout. Both ends are free; a fixed end is a disc of a relatively large inertia.
 #pragma once
 
 #include "lib/beam/beam.hpp"
@@ -34,9 +33,9 @@ class Swing {
 
   Swing(const Rods& rods, const Discs& discs) : rods_(rods), discs_(discs) {}
 
-  /// Of the natural frequencies how many lie below omega, rad/s; turning as a whole is the first of them, at 0.
+  /// The number of natural frequencies below omega, rad/s; rigid-body rotation is the first of them, at 0.
   [[nodiscard]] std::size_t below(double omega) const { return walk(omega).below; }
-  /// The natural frequency number i, rad/s, of which number 0 is turning as a whole; NaN where there is none.
+  /// The natural frequency number i, rad/s, where number 0 is rigid-body rotation; NaN if there is none.
   [[nodiscard]] double natural(std::size_t i) const;
 
  private:

@@ -7,7 +7,7 @@ namespace loadpath::beam {
 
 namespace {
 
-/// One that is found, where the count changes beside it; else it did not settle.
+/// A root found with a change of the count next to it; otherwise there is no convergence.
 template <class Count>
 double settled(std::size_t i, const Count& count, double near) {
   constexpr double beside = 1e-6, finest = 1e-11;

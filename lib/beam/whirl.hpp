@@ -1,9 +1,9 @@
-// A beam that turns about its axis with discs on it, and whirls: its elastic line goes around with the turning or
-// against it. Beam, discs and supports are alike in all planes, so that v and slope of one plane tell the other, and
-// with K, M, G of stiffness, inertia and I_p a whirl at w of a beam that turns at W is K + w W G - w^2 M = 0, w below
-// zero against the turning. As K holds the beam, the count of negative pivots of this is that of frequencies below w.
+// A beam rotating about its axis with discs on it, in whirling: its elastic line rotates forwards or backwards. Beam,
+// discs and supports are alike in all planes, so that v and slope of one plane determine those of the other. With K,
+// M, G of stiffness, inertia and I_p, whirling at w of a beam with spin W satisfies K + w W G - w^2 M = 0, w < 0 for
+// backward whirl. Since K is positive definite, the number of negative pivots of this is that of frequencies below w.
 //
-// SI throughout; frequencies are magnitudes. Masses and moments of inertia stand at the nodes.
+// SI throughout; frequencies are magnitudes. Masses and moments of inertia act at the nodes.
 #pragma once
 
 #include "lib/beam/beam.hpp"
@@ -13,7 +13,7 @@
 
 namespace loadpath::beam {
 
-/// Of a body at a node, about its own middle: mass, moments of inertia about a diameter and about the axis.
+/// A body at a node, about its own centre: mass, moments of inertia about a diameter and about the axis.
 struct Inertia {
   double m = 0.0, I_d = 0.0, I_p = 0.0;
 };
@@ -25,14 +25,14 @@ class Whirl {
   Whirl(const Beam& beam, const Row<Inertia>& inertias);
 
   /// Number i, from 0 on, of the frequencies of a beam that turns at `spin`, rad/s; `near`: about where it is. NaN
-  /// where there is none, or it does not settle.
+  /// if there is none, or it does not settle.
   [[nodiscard]] double natural(std::size_t i, Sense sense, double spin, double near = 256.0) const;
   /// The same of the speeds at which it whirls as fast as it turns. A disc of I_p > I_d has none of its own forward.
   [[nodiscard]] double critical(std::size_t i, Sense sense, double near = 256.0) const;
 
-  /// Of the frequencies of a beam that turns at `spin` how many lie below w.
+  /// The number of frequencies below w of a beam that rotates at `spin`.
   [[nodiscard]] std::size_t below(double w, Sense sense, double spin) const;
-  /// Of the critical speeds.
+  /// The number of critical speeds below w.
   [[nodiscard]] std::size_t below(double w, Sense sense) const;
 
  private:

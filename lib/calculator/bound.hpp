@@ -10,8 +10,8 @@ namespace loadpath {
 
 /// The part of a Bound that does not depend on the type of the input.
 struct BoundInfo {
-  const char* field = "";       // of the input: "alpha_b"
-  const char* text = "";        // what bounds it, in messages: "the shoulder D, d, r"
+  const char* field = "";       // path of the input: "alpha_b"
+  const char* text = "";        // description of the bound, in messages: "the shoulder D, d, r"
   bool is_least = false;        // smaller values are more favourable; otherwise larger ones
   bool spares_results = false;  // does not apply to results of other steps
   const char* source_has = "";  // applies only if the record that a load comes from has this key: "length"

@@ -25,22 +25,22 @@ struct RuleInfo {
   bool only_warns = false;
 };
 
-/// A result that depends on the model: "drive.M", or "joints.NAME.F" with a name of the input in its place.
+/// A result that depends on the model: "drive.M", or "joints.NAME.F", where NAME is a name from the input.
 struct ResultPattern {
   const char* path;
   const char* unit;
   const char* doc;
   const char* where;  // when it exists; empty: always
   bool is_load = false;
-  const char* companions = "";  // what acts together with it on the same part: "V, M_b"
+  const char* companions = "";  // loads acting together with it on the same part: "V, M_b"
 };
 
-/// An input that is known in shape: a few parameters of its own in place of many elements. In a project file the key
-/// `template` names it, and its parameters stand beside the calculator's own fields.
+/// A predefined form of an input: a few parameters in place of many elements. In a project file the key `template`
+/// names it, and its parameters are next to the calculator's own fields.
 struct Template {
   const char* id = "";       // "slider_crank"
   const char* title = "";    // "Slider-crank, central or offset"
-  const char* doc = "";      // what is joined to what, and where the origin is
+  const char* doc = "";      // topology, and position of the origin
   const char* example = "";  // a project file that runs
   const RecordType* parameters = nullptr;
   /// Puts every element that the template makes into a blank input: names, no values.
@@ -57,12 +57,12 @@ struct ResultColumn {
   double* si;
 };
 
-/// `count` evaluations; `input` is the base record, of which only what varies is changed. Allocates nothing.
+/// `count` evaluations; `input` is the base record, of which only the varying inputs are changed. Allocates nothing.
 using SweepLoop = void (*)(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
                            std::size_t count);
 
-/// Which of `count` points break a rule among those that are asked for, by their numbers, and which modes concern the
-/// part there, mode by mode. `other`: points that are passed over; those that break a rule join them.
+/// Indices of the points among `count` that violate one of the given rules, and the modes that concern the part
+/// there, mode by mode. `other`: points to be skipped; those that violate a rule are added.
 using Survey = void (*)(void* input, std::span<const InputColumn> in, std::span<const char> rules,
                         std::span<Applies* const> modes, std::size_t count, char* other);
 
@@ -77,26 +77,26 @@ struct Calculator {
   std::vector<std::string> (*used_sources)() = [] { return std::vector<std::string>(); };
   const RecordType* input = nullptr;
   const RecordType* result = nullptr;
-  /// In place of `result`, where names in the input make the paths.
+  /// Replaces `result` if names in the input form the paths.
   std::vector<ResultPattern> (*patterns)() = [] { return std::vector<ResultPattern>(); };
   std::span<const Template* const> templates;
   std::span<const RuleInfo> rules;
   bool (*holds)(std::size_t rule, const void* input) = nullptr;
-  /// What is wrong with an input that breaks the rule: the rule's particulars, else its text.
+  /// The violation of a rule by an input: the particulars of the rule, else its text.
   FieldFault (*fault_of)(std::size_t rule, const void* input) = nullptr;
   std::span<const ModeInfo> modes;
   Applies (*applies)(std::size_t mode, const void* input) = nullptr;
   void (*evaluate)(const void* input, void* result) = nullptr;
   void (*explain)(const void* input, void* result, Trace& trace) = nullptr;
   std::vector<draw::Figure> (*figures)(const void* input, const void* result) = nullptr;
-  /// The fastest loop for what the base gives, what varies and what is asked for. It serves every block of columns of
-  /// these offsets: a sweep of many blocks asks once.
+  /// The fastest loop for the given base, varying inputs and requested results. It serves every block of columns with
+  /// these offsets: a sweep of many blocks requests it once.
   SweepLoop (*loop)(const void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out) = nullptr;
   /// `holds` and `applies` for a block of points.
   Survey survey = nullptr;
   /// The forms that have a loop of their own.
   std::span<const Form> forms;
-  /// That loop, asked for and run.
+  /// Requests that loop and runs it.
   SweepLoop sweep = nullptr;
   Sizing sizing;
   std::span<const Meaning> meanings;

@@ -11,10 +11,10 @@
 //     thing for all its loads static constexpr bool turns = true;                      // of a part that turns static
 //     constexpr auto sized = "pieces";                  // a list whose sizes are found together; with
 //                                                              // arrange, raise, cost, place, unsound (sizing.hpp)
-//     static constexpr std::array notch_claims{NotchClaim{...}...};  // stresses at a notch, limits that hold one
-//     static constexpr std::array senses{SenseClaim{...}...};  // inputs that say whether a load changes its sense
-//     static constexpr std::array meanings{Meaning{...}...};   // what its values are, where others are like them
-//     static constexpr std::array bounds{Bound<Input>{...}...};  // what it knows beside typed inputs
+//     static constexpr std::array notch_claims{NotchClaim{...}...};  // stresses at a notch, limits for one
+//     static constexpr std::array senses{SenseClaim{...}...};  // inputs that state whether a load reverses
+//     static constexpr std::array meanings{Meaning{...}...};   // meanings of values of like dimension
+//     static constexpr std::array bounds{Bound<Input>{...}...};  // bounds of typed inputs
 //     static std::vector<draw::Figure> figures(const Input&, const Result&);
 //   };
 #pragma once

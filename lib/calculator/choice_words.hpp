@@ -1,4 +1,4 @@
-// The words of a choice as a user meets them. An empty one stands for what is not said: it is not shown, nor typed.
+// The words of a choice as shown to the user. An empty word means "not given": it is neither shown nor accepted.
 #pragma once
 
 #include "lib/calculator/record.hpp"

@@ -1,5 +1,5 @@
-// Forms of an input that sweeps are compiled for. With what is given known to the compiler, the tests for presence and
-// all that serves other inputs or results vanish from `evaluate`, and what is left goes through wide registers.
+// Forms of an input that sweeps are compiled for. With the given inputs known to the compiler, the tests for presence
+// and all code for other inputs or results vanish from `evaluate`, and the rest is vectorised.
 #pragma once
 
 #include <cstddef>
@@ -7,8 +7,8 @@
 
 namespace loadpath {
 
-/// Keys, separated by ", ". A choice stands with its word, "method = euler", or alone, with whatever word it has. All
-/// that is not named is as in a blank input. Of several forms that serve a sweep the first is taken.
+/// Keys, separated by ", ". A choice is given with its word, "method = euler", or without, for any word. All other
+/// inputs are as in a blank input. If several forms serve a sweep, the first is used.
 struct Form {
   const char* given;       // inputs: quantities, counts, choices of the input itself, of no list
   const char* asked = "";  // results: "u_tau, cycle.sigma_max"; empty: every quantity outside of lists
@@ -16,7 +16,7 @@ struct Form {
 
 namespace detail {
 
-/// Whether an entry of the list is such.
+/// Whether an entry of the list satisfies the condition.
 template <class IsSuch>
 constexpr bool any_of(std::string_view list, IsSuch is_such) {
   while (!list.empty()) {
@@ -34,7 +34,7 @@ constexpr bool names(std::string_view list, std::string_view key) {
   return any_of(list, [&](std::string_view entry) { return entry.substr(0, entry.find(equals)) == key; });
 }
 
-/// The word that the list gives a choice; empty where it gives none.
+/// The word that the list gives a choice; empty if it gives none.
 constexpr std::string_view word_in(std::string_view list, std::string_view key) {
   std::string_view word;
   any_of(list, [&](std::string_view entry) {

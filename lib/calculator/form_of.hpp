@@ -1,5 +1,5 @@
-// What a form (lib/calculator/form.hpp) makes of a calculator class: the quantities that are given and asked for, as
-// types, and the choices that are settled. Included by the source of a calculator.
+// The types derived from a form (lib/calculator/form.hpp) and a calculator class: the given and requested quantities
+// as types, and the settled choices. Included by the source of a calculator.
 #pragma once
 
 #include "lib/calculator/form.hpp"
@@ -10,7 +10,7 @@
 
 namespace loadpath::detail {
 
-/// Where quantities lie inside their aggregate.
+/// The offsets of quantities inside their aggregate.
 template <class Owner, class... Leaf>
 std::array<std::size_t, sizeof...(Leaf)> offsets_in(Leaves<Leaf...>) {
   union Room {
@@ -108,7 +108,7 @@ class FormOf {
     return (Leaves<>{} + ... + asked_one<Leaf>());
   }
 
-  /// Of a choice the word of the form; of what else no column holds, that of the base.
+  /// Sets a choice to the word of the form, and anything else without a column to the value of the base.
   template <std::size_t I>
   static void settle_one(Input& point, const Input& base) {
     if constexpr (!word<I>.empty()) {
@@ -133,7 +133,7 @@ class FormOf {
   static constexpr auto asked = all_asked(leaves_of<C::results>());
   static_assert(*form.asked == '\0' || asked.count == count_of(form.asked), "a form names no such result");
 
-  /// What is given and no quantity.
+  /// Sets the given inputs that are not quantities.
   static void settle(Input& point, const Input& base) {
     [&]<std::size_t... I>(std::index_sequence<I...>) { (settle_one<I>(point, base), ...); }
     (Places{});

@@ -15,9 +15,9 @@ class LawText {
 
   [[nodiscard]] std::string_view view() const { return text_.view(); }
   [[nodiscard]] bool empty() const { return text_.empty(); }
-  /// Null where the text is empty, or no law.
+  /// Null if the text is empty, or no law.
   [[nodiscard]] const Law* law() const { return read_ != nullptr && *read_ ? &**read_ : nullptr; }
-  /// What keeps the text from being a law; null where nothing does.
+  /// The fault that prevents the text from being a law; null if there is none.
   [[nodiscard]] const Fault* fault() const { return read_ != nullptr && !*read_ ? &read_->fault() : nullptr; }
 
  protected:

@@ -1,4 +1,5 @@
-// Lists inside inputs and results: bounded, inline, without allocation. What is never swept may be a std::vector.
+// Lists inside inputs and results: bounded, inline, without allocation. Members that are never swept may be a
+// std::vector.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -11,7 +12,7 @@
 
 namespace loadpath {
 
-/// At most N elements, held in place. Adding more is refused by the readers with a message, never by the calculator.
+/// At most N elements, stored in place. The readers refuse more with a message; the calculator never does.
 template <class Element, std::size_t N>
 using List = boost::container::static_vector<Element, N>;
 
@@ -22,7 +23,7 @@ inline constexpr std::size_t capacity_of = no_bound;
 template <class Element, std::size_t N>
 inline constexpr std::size_t capacity_of<List<Element, N>> = N;
 
-/// A short text, held in place.
+/// A short text, stored in place.
 template <std::size_t most>
 class ShortText {
  public:
@@ -30,7 +31,7 @@ class ShortText {
   static_assert(capacity <= 255, "its size is one byte");
 
   constexpr ShortText() = default;
-  /// At most `capacity` bytes; what is longer is cut (readers refuse it before).
+  /// At most `capacity` bytes; longer texts are cut (readers refuse them before).
   constexpr ShortText(std::string_view text)  // NOLINT(google-explicit-constructor)
       : size_(static_cast<unsigned char>(std::min(text.size(), capacity))) {
     std::copy_n(text.begin(), size_, bytes_.begin());
@@ -46,7 +47,7 @@ class ShortText {
   unsigned char size_ = 0;
 };
 
-/// Of an element, a link, a joint.
+/// The name of an element, a link, a joint.
 using Name = ShortText<31>;
 /// A quantity as a function of one variable: "30 deg + 9 deg*sin(t/(1 s))".
 using Formula = ShortText<160>;

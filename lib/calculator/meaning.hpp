@@ -1,14 +1,14 @@
-// What a value is beyond its dimension, where two of one dimension must not be taken for one another: a fatigue limit
-// in bending is none in shear. Declared beside the fields that give it and those that take it; lib/project compares
-// them.
+// The meaning of a value beyond its dimension, where quantities of one dimension must not be confused: a fatigue
+// limit in bending does not apply in shear. Declared next to the fields that give it and those that take it;
+// lib/project compares them.
 #pragma once
 
 namespace loadpath {
 
 struct Meaning {
-  const char* fields;       // of the input or the result: "sigma_D, S_req"
+  const char* fields;       // keys of the input or the result: "sigma_D, S_req"
   const char* what;         // "a fatigue limit of a part in shear": equal texts are one meaning
-  const char* choice = "";  // the input whose word decides; empty: it is always that
+  const char* choice = "";  // the choice that decides; empty: the meaning is fixed
   const char* words = "";   // the words at which it is that: "bending, tension"
 };
 
@@ -25,16 +25,16 @@ inline constexpr auto paired_middle = "mean with its amplitude";
 /// which the stress acts.
 struct NotchClaim {
   const char* fields;      // "cycle.sigma_max, sigma_n", or the limit "sigma_D"
-  const char* factor;      // of a stress the shape factor K_t at least; of a limit the notch factor K_f
-  const char* shape = "";  // of a limit: the shape factor that K_f follows from, where it is given
+  const char* factor;      // stress concentration factor K_t of a stress, at least; fatigue notch factor K_f of a limit
+  const char* shape = "";  // for a limit: the stress concentration factor that K_f follows from, where given
 };
 
-/// What an input says of the sense of a load: that a torque never changes it, how small it becomes. lib/project
-/// compares it with the series that the load comes from, whole or reduced.
+/// A claim of an input about the direction of a load: that a torque never reverses, however small it becomes.
+/// lib/project compares it with the series that the load comes from, in full or reduced.
 struct SenseClaim {
   const char* loads;         // "T", "seats.T", "T_1, P"
-  const char* field;         // the choice that says it, or a number: the least value over the largest
-  const char* words = "";    // of the choice: at which the load keeps one sense; empty: the field is a number
+  const char* field;         // the choice that decides, or a number: minimum over maximum value
+  const char* words = "";    // words of the choice for one-way loads; empty: the field is a number
   const char* instead = "";  // the word for a load that changes it
 };
 

@@ -74,7 +74,7 @@ Leaf find_leaf(std::span<const FieldInfo> fields, void* data, std::string_view p
 
 namespace {
 
-/// Takes "[2]" or ".journal" off the path behind a list; false where no element can be meant.
+/// Takes "[2]" or ".journal" off the path behind a list; false if no element can be meant.
 bool skip_element(const FieldInfo& list, std::string_view& path) {
   const bool numbered = path.starts_with('[');
   if (!numbered && find_field(list.fields, "name") == nullptr) return false;
@@ -95,7 +95,7 @@ const FieldInfo* find_field_at(std::span<const FieldInfo> fields, std::string_vi
   if (field == nullptr || path.empty()) return field;
   if (field->type == FieldInfo::Type::list && !skip_element(*field, path)) return nullptr;
   if (!field->has_fields()) return nullptr;
-  if (path.empty()) return field;  // the whole element
+  if (path.empty()) return field;  // the entire element
   return path.starts_with('.') ? find_field_at(field->fields, path.substr(1)) : nullptr;
 }
 

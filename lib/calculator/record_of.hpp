@@ -1,5 +1,5 @@
 // Makes the erased fields (lib/calculator/record.hpp) from a calculator's constexpr list. Included by the source of a
-// calculator. They are constants: nothing is built when the program starts.
+// calculator. They are constants: nothing is built at program start.
 #pragma once
 
 #include "lib/calculator/leaves.hpp"
@@ -196,7 +196,7 @@ constexpr std::span<const FieldInfo> infos_of() {
 
 }  // namespace detail
 
-/// The erased type of an aggregate whose fields are declared in `fields`, which are of that role unless they say
+/// The erased type of an aggregate whose fields are declared in `fields`, which have that role unless declared
 /// otherwise.
 template <class Aggregate, const auto& fields, Role role = Role::input>
 inline constexpr RecordType record_type{

@@ -1,4 +1,4 @@
-// A choice that a row of a table answers where the user does not: `section = "IPE 200"` says kind = "rolled_I".
+// A choice that a row of a table makes if the user does not: `section = "IPE 200"` implies kind = "rolled_I".
 #pragma once
 
 #include "lib/calculator/record.hpp"

@@ -13,27 +13,27 @@ namespace loadpath {
 struct Sought {
   const void* owner = nullptr;
   const char* stock = "";              // that it is taken from, where the user names none; empty: that of the field
-  std::size_t note = 0;                // of the calculator's own, from `arrange` on
+  std::size_t note = 0;                // index among the calculator's own notes, from `arrange` on
   std::size_t like = 0;                // the first of those of one size with it, from `arrange` on
   std::span<const double> sizes = {};  // ascending, SI
   std::size_t at = 0;
   [[nodiscard]] double size() const { return sizes[at]; }
 };
 
-/// What a calculator says of the sizes in one of its lists; the functions see an input in which all else has its value.
+/// A calculator's functions for sizing one of its lists; they get an input in which every other value is set.
 struct Sizing {
   const char* list = "";  // "pieces"; empty: it has no such list
-  /// Before the search: stocks, notes, and which are of one size, in one of the ways in which sizes can go together;
-  /// false where there are no more. All ways have the same stocks, and the same sizes alike.
+  /// Before the search: sets stocks, notes, and groups of equal size, in one of the possible arrangements; false if
+  /// there are no more. All arrangements have the same stocks, and equal sizes have equal stocks.
   bool (*arrange)(const void* input, std::span<Sought> sought, std::size_t way) = nullptr;
-  /// Raises each no further than the others and what is given ask; false where no size is large enough.
+  /// Raises each no further than the others and what is given ask; false if no size is large enough.
   bool (*raise)(const void* input, std::span<Sought> sought) = nullptr;
-  /// What the search makes least, with the sizes that the input has now: a volume.
+  /// The objective that the search minimises, at the current sizes of the input: a volume.
   double (*cost)(const void* input) = nullptr;
-  /// The element of the list that an element of a result's list is about, "sections", and with that its checks; nullptr
-  /// where there is none. These checks change with the sizes of that element and of its neighbours alone.
+  /// The element of the list that an element of a result's list refers to, "sections", and with it its checks;
+  /// nullptr if there is none. These checks depend only on the sizes of that element and of its neighbours.
   const void* (*place)(const void* input, std::string_view list, const void* element) = nullptr;
-  /// What is not sound about the size of one of them, beside the others; empty where nothing is.
+  /// The fault of one size given the others; empty if there is none.
   Message (*fault)(const void* input, std::span<const Sought> sought, std::size_t which) = nullptr;
 };
 

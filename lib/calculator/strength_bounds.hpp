@@ -1,5 +1,5 @@
-// What a material bounds: stresses that nobody may allow beyond its strength, and fatigue limits that no material has
-// beside its tensile strength. A calculator says with a Meaning which of its inputs are such; lib/project compares.
+// Bounds by the material: allowable stresses must not exceed its strength, and fatigue limits are bounded by its
+// tensile strength. A calculator marks such inputs with a Meaning; lib/project compares.
 #pragma once
 
 #include <array>
@@ -20,12 +20,12 @@ inline constexpr auto specimen_in_tension = "a fatigue limit of smooth specimens
 inline constexpr auto specimen_in_torsion = "a fatigue limit of smooth specimens in torsion";
 inline constexpr auto mean_strength = "a mean fatigue strength (50 % survival)";
 
-/// No more than `part` of the strength in `column`; where a material lacks that, no more than all of its R_m.
+/// At most `part` of the strength in `column`; if a material lacks that, at most its R_m.
 struct StrengthBound {
   const char* meaning;
   const char* column;
   double part;
-  const char* text;  // of the bound, in messages
+  const char* text;  // name of the bound, in messages
 };
 
 /// Yield in shear by the distortion energy hypothesis; 0.7 R_m is above the limit of any steel in bending (recalled:
@@ -44,7 +44,7 @@ inline constexpr std::array strength_bounds{
     StrengthBound{mean_strength, "R_m", most_fatigue_limit, "0.7 R_m"},
     StrengthBound{specimen_in_torsion, "R_m", most_fatigue_limit* shear_over_normal, "0.7 R_m/sqrt(3)"}};
 
-/// The bound of a meaning; null where it has none.
+/// The bound of a meaning; null if it has none.
 constexpr const StrengthBound* strength_bound_of(std::string_view meaning) {
   for (const StrengthBound& bound : strength_bounds) {
     if (meaning == bound.meaning) return &bound;

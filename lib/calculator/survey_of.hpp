@@ -1,5 +1,5 @@
-// What a block of points does to the rules and modes of a calculator class. Included by the source of a calculator,
-// through calculator_of.hpp.
+// The rules and modes of a calculator class at a block of points. Included by the source of a calculator, through
+// calculator_of.hpp.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath::detail {
 
-/// Whether one of the rules that are asked for is broken.
+/// Whether one of the requested rules is violated.
 template <class C, std::size_t... rule>
 bool breaks_any(const typename C::Input& in, std::span<const char> asked, std::index_sequence<rule...>) {
   return ((asked[rule] != 0 && !C::rules[rule].holds(in)) || ...);
@@ -21,7 +21,7 @@ void ask_modes(const typename C::Input& in, std::span<Applies* const> applies, s
   ((applies[mode][i] = C::modes[mode].applies(in)), ...);
 }
 
-/// As Calculator::survey says it: the rules and modes are known when this is compiled.
+/// As defined by Calculator::survey: the rules and modes are known at compile time.
 template <class C>
 void survey(void* input, std::span<const InputColumn> in, std::span<const char> rules, std::span<Applies* const> modes,
             std::size_t count, char* other) {

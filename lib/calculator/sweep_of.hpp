@@ -1,8 +1,8 @@
 // The sweeps of a calculator class. Included by the source of a calculator, through calculator_of.hpp.
 //
-// One serves every input: a record per point. The others are compiled for the forms that the calculator names (Form):
-// blocks of columns go through `evaluate` as the compiler's lanes, and what is given is known when it is compiled. They
-// differ in nothing else: each point is what `evaluate` makes of it alone, to the bit.
+// The generic loop serves every input: a record per point. The others are compiled for the forms that the calculator
+// names (Form): blocks of columns pass through `evaluate` in vector lanes, and the given inputs are known at compile
+// time. There is no other difference: each point equals that of a single `evaluate`, to the bit.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"
@@ -15,7 +15,7 @@
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
     !defined(__SANITIZE_ADDRESS__)
-/// The loop of a sweep: inlined whole, and compiled for wide registers too; the machine chooses when it starts.
+/// The loop of a sweep: fully inlined, and compiled for wide registers too; the CPU decides at startup.
 #define LOADPATH_SWEEP __attribute__((flatten, target_clones("default", "arch=x86-64-v3")))
 /// The points of a loop do not depend on each other.
 #define LOADPATH_POINTWISE _Pragma("GCC ivdep")
@@ -26,7 +26,7 @@
 
 namespace loadpath::detail {
 
-/// A record per point: whatever is given, lists too.
+/// A record per point: for any inputs, lists too.
 template <class C>
 void sweep_records(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out, std::size_t count) {
   NoTrace trace;
@@ -69,7 +69,7 @@ bool all_among(std::span<const Column> columns, const std::array<std::size_t, n>
   });
 }
 
-/// Whether the form serves: the base gives what the form says, and no other quantity varies or is asked for.
+/// Whether the form serves: the base gives the inputs of the form, and no other quantity varies or is requested.
 template <class C, std::size_t which>
 bool serves(const typename C::Input& base, std::span<const InputColumn> in, std::span<const ResultColumn> out) {
   using F = FormOf<C, which>;
@@ -117,8 +117,8 @@ std::array<Column, most> from(std::size_t start, std::span<const Column> columns
   return later;
 }
 
-/// A form's sweep, block by block. What is given and does not vary is a column of equal values; a block in which
-/// something is missing is no such form.
+/// A form's sweep, block by block. Given inputs that do not vary are columns of equal values; a block with missing
+/// values does not match any form.
 template <class C, std::size_t which>
 void sweep_form(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out, std::size_t count) {
   using F = FormOf<C, which>;
@@ -156,7 +156,7 @@ void sweep_form(void* input, std::span<const InputColumn> in, std::span<const Re
   }
 }
 
-/// The first form that serves, else what serves every input.
+/// The first form that serves, else the generic loop.
 template <class C>
 SweepLoop loop_of(const void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out) {
   SweepLoop loop = general_loop<C>();

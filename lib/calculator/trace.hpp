@@ -10,9 +10,9 @@
 
 namespace loadpath {
 
-/// Declares `symbol` as the value of `formula` and tells the tracer. The text of `formula` must be in the language of
-/// lib/formula, which reads an input as `in.d`, a result as `r.F_c`, and prints d and F_c; `why` is a clause of a
-/// standard, a book with its equation, or the physical reason.
+/// Declares `symbol` as the value of `formula` and passes it to the tracer. The text of `formula` must be in the
+/// language of lib/formula, which reads an input as `in.d`, a result as `r.F_c`, and prints d and F_c; `why` is a
+/// clause of a standard, a book with its equation, or the physical reason.
 #define STEP(symbol, formula, why)      \
   const auto symbol = reduced(formula); \
   trace.step(#symbol, #formula, why, symbol)
@@ -22,8 +22,8 @@ namespace loadpath {
   STEP(symbol, formula, why);                 \
   (result).symbol = symbol
 
-/// The value of `formula`, told to the tracer under a symbol that is no local here: that of what a function returns, or
-/// one that only the caller of a shared formula knows.
+/// The value of `formula`, traced under a symbol that is not a local variable: the return value of a function, or a
+/// symbol that only the caller of a shared formula knows.
 #define NAMED_STEP(symbol, formula, why) trace.named(symbol, #formula, why, reduced(formula))
 
 /// For sweeps and searches.
@@ -83,7 +83,7 @@ class Trace {
     step(symbol, formula, why, q);
     return q;
   }
-  /// A value that a helper has found and that later steps use, told and handed on.
+  /// A value from a helper that later steps use, traced and returned.
   template <class Quantity>
   Quantity value(const char* symbol, const Quantity& q, const char* why) {
     step(symbol, "", why, q);

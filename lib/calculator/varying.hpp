@@ -1,5 +1,5 @@
-// A quantity that a calculator sees over a whole cycle at once. Of an ordinary input that is a series it sees one
-// position after the other, and can say nothing of what comes and goes.
+// A quantity that a calculator gets over an entire cycle at once. An ordinary input with a series gives one position
+// after the other, so that the variation cannot be assessed.
 #pragma once
 
 #include "lib/quantity/series.hpp"
@@ -14,7 +14,7 @@ namespace loadpath {
 template <class Quantity>
 struct Varying {
   Quantity one = unset<Quantity>;       // where it does not vary
-  std::shared_ptr<const Value> series;  // where it does; its axis outlives the record that holds it
+  std::shared_ptr<const Value> series;  // if it varies; its axis outlives the record that contains it
 
   Varying() = default;
   Varying(Quantity value) : one(value) {}  // NOLINT(google-explicit-constructor)

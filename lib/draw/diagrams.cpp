@@ -8,13 +8,13 @@
 namespace loadpath::draw {
 namespace {
 
-constexpr double depth = 60.0, gap = 35.0;  // of a diagram, and above it, where its title stands
+constexpr double depth = 60.0, gap = 35.0;  // height of a diagram, and the gap above it for its title
 
 double at(const Shaft::Place& place, Range along, double length) {
   return along.low + (along.high - along.low) * std::clamp(place.x / length, 0.0, 1.0);
 }
 
-/// What the lines are called, above them, and how much room that takes.
+/// Writes the names of the sections above the lines, and returns the space needed.
 double name_places(const Shaft& shaft, Range along, double length, double top, Canvas& canvas) {
   Rows rows;
   for (const Shaft::Place& place : shaft.places) {

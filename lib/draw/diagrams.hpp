@@ -1,5 +1,5 @@
-// The diagrams of a shaft below its picture, one under the other, and through all of them the sections that are told
-// apart.
+// The diagrams of a shaft below its picture, one under the other, with lines through all of them at the named
+// sections.
 #pragma once
 
 #include "lib/draw/canvas/picture.hpp"

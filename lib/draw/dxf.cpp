@@ -37,7 +37,7 @@ class SchemeDrawing {
   [[nodiscard]] std::vector<Point> block_at(Point centre) const;
 
   Scheme scheme_;        // in mm
-  double radius_ = 0.0;  // of a pin
+  double radius_ = 0.0;  // radius of a pin
   DxfWriter dxf_;
 };
 

@@ -1,4 +1,4 @@
-// A drawing for CAD: its views one beside the other, each 1:1, with dimensions as lines and texts.
+// A drawing for CAD: its views side by side, each 1:1, with dimensions as lines and texts.
 #include "lib/draw/drawing/clip.hpp"
 #include "lib/draw/drawing/fit.hpp"
 #include "lib/draw/dxf.hpp"

@@ -11,9 +11,9 @@ namespace loadpath::draw {
 
 namespace {
 
-constexpr int colours = 7;  // of the palette's first seven, which differ on dark and light
+constexpr int colours = 7;  // the palette's first seven, which are visible on dark and light
 
-/// What rounding leaves of a zero is one.
+/// Rounding errors of a zero are written as zero.
 std::string number(double mm) { return std::abs(mm) < 1e-9 ? "0" : format_number(mm, 10); }
 
 /// The letters that R12 has, with its signs for degrees and diameters.

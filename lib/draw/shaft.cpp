@@ -12,11 +12,11 @@ namespace loadpath::draw {
 namespace {
 
 constexpr double shaft_left = 30.0, shaft_right = 450.0, least_length = 180.0;
-constexpr double diagrams_left = 62.0, diagrams_right = 466.0;  // beside the numbers of their scales
-constexpr double least_depth = 78.0, most_depth = 170.0;        // of the thickest part
-constexpr double torque_reach = 16.0;                           // of a torque's line beyond the thickest part
+constexpr double diagrams_left = 62.0, diagrams_right = 466.0;  // room for the numbers of their scales
+constexpr double least_depth = 78.0, most_depth = 170.0;        // thickness of the thickest part
+constexpr double torque_reach = 16.0;                           // overhang of torque lines
 constexpr double torque_radius = 6.5;
-constexpr double support_depth = 22.0;  // of the sign of a bearing with its ground
+constexpr double support_depth = 22.0;  // depth of a bearing symbol with its ground
 
 std::string millimetres(double metres) { return format_number(1e3 * metres, 5); }
 std::string diameter_text(double metres) { return "⌀" + millimetres(metres); }
@@ -31,7 +31,7 @@ std::string diameters(const Shaft::Part& part) {
 struct Cylinder {
   const Shaft::Part* part;
   double left, right, radius, bore;  // view units
-  double right_radius = 0.0;         // of a taper another one
+  double right_radius = 0.0;         // right radius; differs for a taper
   [[nodiscard]] bool tapers() const { return part->right_diameter() != part->diameter; }
   [[nodiscard]] double radius_at(double x) const {
     return tapers() ? radius + (right_radius - radius) * std::clamp((x - left) / (right - left), 0.0, 1.0) : radius;
@@ -72,7 +72,7 @@ class ShaftPicture {
   void draw_place(const Shaft::Place& place);
   [[nodiscard]] double at(double x) const { return 0.5 * (left_ + right_) + scale_ * (x - 0.5 * length_); }
   [[nodiscard]] double radius_at(double x) const;
-  /// How far the signs reach below the thickest part.
+  /// The extent of the symbols below the thickest part.
   [[nodiscard]] double reach_below() const;
   [[nodiscard]] std::string description() const;
 
@@ -231,7 +231,7 @@ void ShaftPicture::draw_torque(const TorqueSign& sign) {
   canvas_.text("halo f1", {middle, y}, sign.text, Anchor::middle);
 }
 
-/// A triangle on hatched ground; above a line on which it slides, where it lets the shaft move along.
+/// A triangle on hatched ground; above a line on which it slides, if axial displacement is free.
 void ShaftPicture::draw_bearing(const BearingSign& sign) {
   constexpr double depth = 15.0, half = 8.5, slide = 3.0;
   const Point foot{sign.x, axis_ + radius_at(sign.x)};

@@ -24,13 +24,13 @@ void append_rounded(double value, std::string& text) {
   text.append(buffer.data(), end.ptr);
 }
 
-/// Numbers in the unit of their column, as far as rounding lets them be told.
+/// Numbers in the unit of their column, with as many digits as rounding leaves significant.
 class Column {
  public:
   Column(const std::vector<double>& si, double rounding, const std::string& unit) : values_(in_unit(si, unit)) {
     if (rounding > 0.0) decimals_ = Decimals::beyond(in_unit(rounding, unit) - in_unit(0.0, unit));
   }
-  /// Nothing where there is no value: a reader of CSV must not meet "nan".
+  /// Nothing if there is no value: a reader of CSV must not meet "nan".
   void add_cell(std::size_t position, std::string& text) const {
     const double value = values_[position];
     if (!std::isfinite(value)) return;

@@ -1,4 +1,4 @@
-// The series of a solved project as comma-separated columns, one file per axis; the unit stands in the column's name.
+// The series of a solved project as comma-separated columns, one file per axis; the unit is in the column's name.
 #pragma once
 
 #include "lib/project/project.hpp"

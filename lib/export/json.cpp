@@ -19,7 +19,7 @@ using project::SeriesChoice;
 
 constexpr int schema_version = 2;
 
-/// A state by its word in English, whatever the language of the report.
+/// The English word of a state, in any language of the report.
 std::string word_of(account::State state) { return std::string(account::word(state).id); }
 
 /// A value, with its reason where it does not exist.

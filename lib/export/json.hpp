@@ -1,5 +1,4 @@
-// A solved project as one JSON object: numbers in SI with their unit beside them, null with a reason where there is
-// none.
+// A solved project as one JSON object: numbers in SI, each with its unit, null with a reason if there is none.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"

@@ -1,4 +1,5 @@
-// What the program knows, for programs: calculators with their fields, tables with their rows. Numbers in SI.
+// The contents of the program in machine-readable form: calculators with their fields, tables with their rows.
+// Numbers in SI.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"

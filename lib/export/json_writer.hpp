@@ -10,7 +10,7 @@ namespace loadpath::exports {
 
 class JsonWriter {
  public:
-  /// Whether the items of a list stand in lines of their own; numbers stand side by side.
+  /// Whether each item of a list has its own line; numbers share lines.
   enum class Items { in_lines, side_by_side };
 
   void open_object() { open('{', Items::in_lines); }
@@ -18,7 +18,7 @@ class JsonWriter {
   void open_array(Items items = Items::in_lines) { open('[', items); }
   void close_array() { close(']'); }
 
-  /// Of the member whose value comes next.
+  /// Writes the key of the member whose value follows.
   JsonWriter& key(std::string_view name);
 
   void write(std::string_view text);
@@ -26,7 +26,7 @@ class JsonWriter {
   void write(bool value) { item() += value ? "true" : "false"; }
   void write(std::int64_t value) { item() += std::to_string(value); }
   void write(int value) { write(static_cast<std::int64_t>(value)); }
-  /// null where it is no finite number.
+  /// Writes null if it is not finite.
   void write(double value);
   void write_null() { item() += "null"; }
   /// Side by side. `rounding`: of which size a difference of them is nothing (Value::rounding); 0: not known.

@@ -16,7 +16,7 @@ namespace json = boost::json;
 
 json::object text() { return {{"type", "string"}}; }
 
-/// What holds where a step names this template, or none: which keys there are, and what its parameters take.
+/// The schema of a step that names this template, or none: its keys, and the values of its parameters.
 json::object keys_with(const Template* t, const std::vector<std::string>& own, Definitions& definitions) {
   json::object named{{"required", json::array{"template"}}};
   json::object then;
@@ -35,7 +35,7 @@ json::object keys_with(const Template* t, const std::vector<std::string>& own, D
   return {{"if", std::move(condition)}, {"then", std::move(then)}};
 }
 
-/// The key that names a template, and the parameters of each beside the fields of the step.
+/// Adds the key that names a template, and the parameters of each, to the fields of the step.
 void add_templates(const Calculator& calculator, json::object& step, Definitions& definitions) {
   json::object& properties = step["properties"].as_object();
   std::vector<std::string> own;
@@ -97,7 +97,7 @@ json::object step_schema(const Calculator& calculator, Definitions& definitions)
   return step;
 }
 
-/// A step is held against the calculator that it names.
+/// A step is validated against the calculator that it names.
 json::object any_step(Calculators calculators, Definitions& definitions) {
   json::array ids, conditions;
   for (const Calculator* calculator : calculators) {

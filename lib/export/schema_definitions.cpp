@@ -15,7 +15,7 @@ namespace json = boost::json;
 constexpr std::string_view sign_and_digit = "[-+\u2212]?[.,]?[0-9]";
 constexpr std::string_view no_letter = "[^A-Za-z\u0410-\u044F\u00B0%\u00B5\u03BC]";
 constexpr std::string_view letter = "[A-Za-z\u0410-\u044F]";
-/// A product, a quotient or a power of units, or one over a unit: which dimension it has, a pattern does not tell.
+/// A product, a quotient or a power of units, or one over a unit: a pattern cannot express its dimension.
 constexpr std::string_view composed = "[*\u00B7\u22C5/^\u00B2\u00B3\u2074\u207B0-9]";
 
 std::string escaped(std::string_view text) {
@@ -48,7 +48,7 @@ std::string pattern_of(const Dimension& dimension) {
   return pattern + "|" + number + ".*(" + a_letter + ".*" + std::string(composed) + "|/\\s*" + a_letter + "))";
 }
 
-/// A name that can stand behind "#/$defs/".
+/// A name valid after "#/$defs/".
 std::string slug(std::string text) {
   std::replace_if(
       text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) == 0; }, '_');

@@ -40,7 +40,7 @@ json::object count(const FieldInfo& field) {
       expression());
 }
 
-/// A table of named elements: what is behind a name has none.
+/// A table of named elements: the content of an element has no name.
 json::object without_name(json::object element) {
   element["properties"].as_object().erase("name");
   return element;
@@ -94,7 +94,7 @@ json::object schema_of(const FieldInfo& field, void* blank, Definitions& definit
   return {};
 }
 
-/// What "?" finds of a field; empty where it finds nothing.
+/// The object found by "?" for a field; empty if it finds nothing.
 std::string searched_text(const FieldInfo& field) {
   if (*field.searched_in != '\0') return std::string("; \"?\" searches in ") + field.searched_in;
   return field.can_be_largest() ? "; \"?\" finds the largest that passes" : "";
@@ -115,7 +115,7 @@ bool is_needed(const FieldInfo& field, void* blank) {
                      [&](const FieldInfo& inner) { return is_needed(inner, field.element(blank, 0)); });
 }
 
-/// What must be given; the record of another step may give it.
+/// The required keys; the record of another step may give them instead.
 json::object wanting(json::array required, std::span<const FieldInfo> fields) {
   const auto record =
       std::find_if(fields.begin(), fields.end(), [](const FieldInfo& f) { return f.type == Type::record; });

@@ -1,4 +1,4 @@
-// What a field of a project file may be, as JSON Schema: types, words, units, which keys are needed.
+// The permitted values of a field of a project file, as JSON Schema: types, words, units, required keys.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"
@@ -31,10 +31,11 @@ class Definitions {
 /// A table with nothing but a text: { stock = "R20" }, { file = "law.csv" }.
 boost::json::object of_one_text(const char* key);
 
-/// The keys of an aggregate. `blank`: one without values, which tells what must be given; null: nothing must.
+/// The keys of an aggregate. `blank`: an instance without values, which shows the required keys; null: none is
+/// required.
 boost::json::object object_of(std::span<const FieldInfo> fields, void* blank, Definitions& definitions);
 
-/// `[tables]` of a project: rows of the groups that the calculators name.
+/// Schema of `[tables]` of a project: rows of the groups that the calculators name.
 boost::json::object tables_schema(Calculators calculators, Definitions& definitions);
 
 }  // namespace loadpath::exports

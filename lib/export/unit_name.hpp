@@ -1,4 +1,4 @@
-// SI units as other programs are told them.
+// SI units in the notation of other programs.
 #pragma once
 
 #include "lib/quantity/dimension.hpp"

@@ -9,14 +9,14 @@
 namespace loadpath::draw {
 
 struct Chart {
-  enum class Verdict : char { passes, fails, open, none };  // open: not judged; none: no machine
+  enum class Verdict : char { passes, fails, open, none };  // open: not assessed; none: no machine
   struct Dot {
     double x = 0.0;  // SI
     double y = 0.0;
     Verdict verdict = Verdict::none;
-    std::size_t mode = 0;  // of those that fail, of `modes`
+    std::size_t mode = 0;  // index of the failing mode in `modes`
   };
-  /// What is told of each dot: a quantity, or one of several words.
+  /// The data shown for each dot: a quantity, or one of several words.
   struct Told {
     std::string name;
     std::string unit;
@@ -27,22 +27,22 @@ struct Chart {
   Scale y;
   std::vector<Dot> dots;
   std::vector<std::string> modes;
-  // Of a cloud: the dots that no other beats, from the least x on, and those that are used the most.
+  // For a cloud: the Pareto-optimal dots, by rising x, and those with the highest utilisation.
   std::vector<std::size_t> front;
   std::vector<std::size_t> worst;
   bool more_x = false, more_y = false;  // is better
-  bool steps = false;                   // whether the front is one of these two scales alone
-  // Of a grid: rows of so many dots, x and y rising; none: a cloud.
+  bool steps = false;                   // whether the front belongs to only one of these two scales
+  // For a grid: number of dots in a row, x and y rising; none: a cloud.
   std::size_t columns = 0;
-  std::string level;           // what the lines are of
+  std::string level;           // quantity of the contour lines
   std::string level_unit;      // and its unit
-  std::vector<double> levels;  // of each dot, SI; NaN where there is none
+  std::vector<double> levels;  // value of each dot, SI; NaN if there is none
   bool is_limited = false;     // at the level 1, if that is what decides
 
   std::vector<std::uint64_t> points;  // the number of each dot
   std::vector<Told> told;
   std::string command;    // that solves a point as a machine of its own, but for its number
-  std::size_t shown = 0;  // the dot that is told first
+  std::size_t shown = 0;  // dot that is shown first
 };
 
 }  // namespace loadpath::draw

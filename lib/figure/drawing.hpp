@@ -1,5 +1,5 @@
 // Parts to scale with their dimensions, as on a workshop drawing: sections with cut walls, drives, teeth in mesh. All
-// places in metres. Where dimension lines and names stand, the drawing finds (lib/draw/drawing).
+// positions in metres. lib/draw/drawing finds the positions of dimension lines and names.
 #pragma once
 
 #include "lib/figure/figure.hpp"
@@ -9,10 +9,10 @@
 namespace loadpath::draw {
 
 struct Drawing {
-  /// How a line is drawn: what is there, thin edges and breaks, what is hidden, axes and pitch lines, and lines of
-  /// accent: a belt, a line of action, a path of contact.
+  /// The style of a line: outlines, thin edges and breaks, hidden edges, axes and pitch lines, and accented lines: a
+  /// belt, a line of action, a path of contact.
   enum class Line { outline, thin, hidden, centre, belt, action, contact };
-  /// What a dimension, a force, a pressure says: "R = 600 mm". Without a symbol the number alone.
+  /// The value of a dimension, a force or a pressure: "R = 600 mm". Without a symbol only the number.
   struct Value {
     std::string symbol;
     double si = 0.0;
@@ -38,7 +38,7 @@ struct Drawing {
     std::string name = {};         // for screen readers
     std::vector<Point> hole = {};  // a closed outline within the other
   };
-  /// A length between two points with its line beside the drawing, on a side of it, or in place, where it is measured
+  /// A length between two points, with its line outside the drawing on one side, or in place, where it is measured
   /// along the two points themselves.
   enum class Side { below, above, left, right, in_place };
   struct Length {
@@ -50,7 +50,7 @@ struct Drawing {
   struct Radius {
     Point centre;
     double radius = 0.0;
-    double angle = 0.0;  // of the line
+    double angle = 0.0;  // direction of the line
     Value value;
     bool diameter = false;
   };
@@ -68,17 +68,17 @@ struct Drawing {
     Point force;  // N
     Value value;
     bool load = true;      // load or reaction
-    double offset = 0.0;   // of the arrow from the line that it belongs to, one, to its left
+    double offset = 0.0;   // offset of the arrow from its reference line, to its left
     bool towards = false;  // the arrow ends at the point
   };
-  /// The sign of what holds a place: `into` points into the ground. A roller lets it move across `into`, a sleeve along
-  /// it; a plate lets it move across but not turn.
+  /// The symbol of a support: `into` points into the ground. A roller permits displacement across `into`, a sleeve
+  /// along it; a plate permits displacement across but no rotation.
   struct Support {
     enum class Kind { hinge, clamp, roller, sleeve, plate };
     Point at, into;
     Kind kind = Kind::hinge;
   };
-  /// Which way something turns: an arc about its axis.
+  /// A direction of rotation: an arc about its axis.
   struct Turn {
     Point centre;
     double radius = 0.0;
@@ -90,11 +90,11 @@ struct Drawing {
   struct Pressure {
     struct At {
       Point foot;       // on the surface
-      Point direction;  // of the arrow
+      Point direction;  // direction of the arrow
     };
     std::vector<At> arrows;
     Value value;
-    Point label;  // about where it is said
+    Point label;  // approximate position of the label
   };
   struct Name {  // a point that is named, with a dot
     Point at;
@@ -107,11 +107,11 @@ struct Drawing {
     Point from, to;
   };
   struct View {
-    std::string title;   // empty where it is the only one
-    double share = 1.0;  // of the page's width; those that fit stand side by side
+    std::string title;   // empty if it is the only one
+    double share = 1.0;  // share of the page's width; views that fit are side by side
     double most_height = 330.0;
-    bool is_scaled = true;  // else its places are proportions, without a scale bar
-    double room = 26.0;     // of the page around the parts, for names and arrows
+    bool is_scaled = true;  // otherwise its positions are proportions, without a scale bar
+    double room = 26.0;     // margin around the parts, for names and arrows
     std::vector<Area> areas = {};
     std::vector<Path> paths = {};
     std::vector<Circle> circles = {};
@@ -124,7 +124,7 @@ struct Drawing {
     std::vector<Turn> turns = {};
     std::vector<Pressure> pressures = {};
     std::vector<Name> names = {};
-    /// What is shown of a view that is larger: paths are clipped to it.
+    /// The visible part of a larger view: paths are clipped to it.
     struct Window {
       Point low, high;
     };

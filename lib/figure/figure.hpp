@@ -1,6 +1,6 @@
-// Figures as data: what is to be seen, in SI numbers and words. No SVG, no colour, no number text: lib/draw/svg.cpp
-// chooses ticks, colours and sizes. What many sources draw has its special members in the source, for each of them
-// would compile its own copies.
+// Figures as data: content in SI numbers and words. No SVG, no colour, no number text: lib/draw/svg.cpp chooses
+// ticks, colours and sizes. Types used in many sources define their special members in the source, since each would
+// compile its own copies.
 #pragma once
 
 #include <cstddef>
@@ -79,7 +79,7 @@ struct Scheme {
     Point at;
     Pin pin = Pin::revolute;
     bool fixed = false;  // one of its links is the ground: hatched support
-    double angle = 0.0;  // of a slider's guide; of a weld half-way between its two links
+    double angle = 0.0;  // direction of a slider's guide; for a weld half-way between its two links
   };
   struct Guide {  // the line that a slider or a pin in a slot runs on
     Point from;
@@ -102,14 +102,14 @@ struct Scheme {
     std::vector<Point> points;
     std::vector<Point> positions = {};  // some of them, evenly spread over the cycle
   };
-  struct Named {  // a point of a link that is no joint: where a force acts
+  struct Named {  // a point of a link other than a joint: where a force acts
     std::string name;
     Point at;
   };
   struct Wheel {  // the pitch circle of a gear, a pulley, a roller
     Point at;
-    double radius = 0.0;  // of a ring with inner teeth negative
-    double angle = 0.0;   // of a mark on it, so that its turning is seen
+    double radius = 0.0;  // negative for a ring gear
+    double angle = 0.0;   // angle of a mark on it that makes its rotation visible
     bool fixed = false;
   };
   struct Belt {  // or chain: around two wheels
@@ -128,7 +128,7 @@ struct Scheme {
     Point from;
     Point to;
     bool toothed = true;
-    bool left = true;  // the wheel lies on the left of the way from `from` to `to`
+    bool left = true;  // the wheel is on the left-hand side going from `from` to `to`
     bool fixed = false;
   };
   struct Spring {  // between two points, with its damper
@@ -138,7 +138,7 @@ struct Scheme {
     bool pulls = true;   // there is a spring
     bool damps = false;  // there is a damper
   };
-  struct Coil {  // a spring, or damper, that turns two links against each other
+  struct Coil {  // a torsional spring, or damper, between two links
     std::string name;
     Point at;
     bool pulls = true;
@@ -162,7 +162,7 @@ struct Scheme {
 /// Vectors out of a pole or head to tail: a plan of forces, velocities or accelerations; what they measure is drawn to
 /// one scale.
 struct Plan {
-  enum class Tone { first, second, third, part };  // what is told apart; a part is drawn thin
+  enum class Tone { first, second, third, part };  // colour group; a part is drawn thin
   struct Vector {
     Point from;
     Point to;
@@ -177,17 +177,17 @@ struct Plan {
     std::string name;
     Point at;
   };
-  struct Mark {  // of a trace
+  struct Mark {  // a mark on a trace
     Point at;
     std::string label;  // a crank angle
     bool governing = false;
   };
-  struct Trace {  // of the end of a vector that has its start in the pole: a hodograph
+  struct Trace {  // the path of the end of a vector that starts at the pole: a hodograph
     std::vector<Point> points;
     std::vector<Mark> marks;
   };
-  std::string title;  // of the panel; empty where it is the only one
-  std::string unit;   // of the vectors: "N"
+  std::string title;  // title of the panel; empty if it is the only one
+  std::string unit;   // unit of the vectors: "N"
   std::vector<Vector> vectors;
   std::vector<Image> images = {};
   std::vector<Named> points = {};
@@ -201,7 +201,7 @@ struct Plans {
 
 /// A scheme that moves: one of its positions as it is printed, and what changes from frame to frame.
 struct Motion {
-  /// The links that carry a part of the scheme and turn it; -1: nothing.
+  /// The links that carry and rotate a part of the scheme; -1: none.
   struct Carried {
     int place = -1;
     int turn = -1;
@@ -248,11 +248,11 @@ struct Motion {
   Scheme still;
   std::size_t shown = 0;                                                 // the frame of `still`
   std::vector<Link> links;                                               // link k carries body k
-  std::vector<Carried> joints, guides, points, wheels, racks, outlines;  // of the parts of `still`, in their order
+  std::vector<Carried> joints, guides, points, wheels, racks, outlines;  // the parts of `still`, in their order
   std::vector<Between> springs;                                          // likewise
   std::vector<Carried> coils;
   std::vector<Force> forces;    // first those of the arrows of `still`, in their order, then others of the plans
-  std::vector<Couple> couples;  // of the moments of `still`, in their order
+  std::vector<Couple> couples;  // values of the moments of `still`, in their order
   std::vector<LinkPlan> plans;
   std::size_t shown_plan = 0;
   Number axis;
@@ -279,7 +279,7 @@ struct Shaft {
     bool fixed = false;  // it holds the shaft along its axis too
     std::string label;
   };
-  struct Place {  // a section that is told apart: the one that governs
+  struct Place {  // a named section: the governing one
     double x = 0.0;
     std::string label;
   };

@@ -6,7 +6,7 @@ namespace loadpath::formula {
 
 namespace {
 
-/// Numbers and pi alone: 2 pi.
+/// Whether it consists of numbers and pi: 2 pi.
 bool is_constant(const Node& tree) {
   if (tree.kind == Kind::symbol) return tree.text == "pi";
   return tree.kind != Kind::call && tree.kind != Kind::choose &&

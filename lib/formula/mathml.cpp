@@ -18,7 +18,7 @@ std::string one(std::string_view markup) {
 std::string upright(std::string_view letters) { return element("mi mathvariant=\"normal\"", letters); }
 std::string blank(std::string_view width) { return "<mspace width=\"" + std::string(width) + "\"/>"; }
 
-/// Delimiters grow with what is taller than a line only: the font's next size stands far from its content.
+/// Delimiters grow only with content taller than a line: the font's next size is far from its content.
 bool is_tall(std::string_view markup) {
   for (const std::string_view tall : {"<mfrac", "<mroot", "<msqrt", "<mtable"}) {
     if (markup.find(tall) != std::string_view::npos) return true;

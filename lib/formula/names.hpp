@@ -1,4 +1,4 @@
-// What the names of the language stand for: constants, units of the C++ formulas, and symbols with their subscripts.
+// The meanings of the names of the language: constants, units of the C++ formulas, and symbols with their subscripts.
 #pragma once
 
 #include <optional>

@@ -100,7 +100,7 @@ class Parser {
     }
     return left;
   }
-  /// Kind::wide beside in.kind is in.kind::wide.
+  /// Completes Kind::wide compared with in.kind to in.kind::wide.
   static void belong(const Node& choice, Node& word) {
     const std::size_t type = word.text.rfind("::");
     if (type != std::string::npos) word.text.replace(0, type, choice.text);
@@ -172,7 +172,7 @@ class Parser {
     }
     return take("(") ? std::nullopt : Tree(Node{Kind::symbol, std::move(name), {}});
   }
-  /// "<3>", or nothing: then the text is read on as a plain name.
+  /// "<3>", or nothing: then the text is read as a plain name.
   std::string template_argument(std::string_view function) {
     const std::string_view before = rest_;
     if (take("<")) {

@@ -7,7 +7,7 @@
 namespace loadpath::formula {
 namespace {
 
-/// What stands side by side decides about the sign between: 2 d, 2 · 3, (2 mm) · (3 mm).
+/// The neighbours decide on the sign between them: 2 d, 2 · 3, (2 mm) · (3 mm).
 enum class Form { number, quantity, symbol, fraction, other };
 
 struct Piece {
@@ -98,7 +98,7 @@ class Printer {
   [[nodiscard]] Piece at_least(Level level, const Piece& piece) const {
     return piece.level < level ? fence(piece) : piece;
   }
-  /// An operand that something stands before.
+  /// An operand preceded by something.
   [[nodiscard]] Piece inside(Level level, const Piece& piece) const {
     return piece.minus ? fence(piece) : at_least(level, piece);
   }

@@ -12,13 +12,13 @@
 
 namespace loadpath::formula {
 
-/// How strongly a piece of print holds together.
+/// The binding strength of a printed piece.
 enum class Level { choice, either, both, comparison, sum, product, power, atom };
 
 class Notation {
  public:
   virtual ~Notation() = default;
-  /// Fractions are drawn one above the other, exponents are raised; else all stands on one line.
+  /// Fractions are stacked, exponents are raised; else everything is on one line.
   [[nodiscard]] virtual bool stacked() const { return true; }
 
   [[nodiscard]] virtual std::string words(std::string_view text) const = 0;
@@ -27,7 +27,7 @@ class Notation {
   [[nodiscard]] virtual std::string unit(std::string_view pretty) const = 0;
   [[nodiscard]] virtual std::string quantity(std::string_view number, std::string_view unit) const = 0;
   [[nodiscard]] virtual std::string minus() const = 0;
-  [[nodiscard]] virtual std::string infix(std::string_view op) const = 0;  // of C++
+  [[nodiscard]] virtual std::string infix(std::string_view op) const = 0;  // notation of a C++ operator
   [[nodiscard]] virtual std::string thin_space() const = 0;
   [[nodiscard]] virtual std::string fraction(std::string_view over, std::string_view under) const = 0;
   [[nodiscard]] virtual std::string power(std::string_view base, std::string_view exponent,

@@ -64,7 +64,7 @@ Glyphs letters(std::string_view text) {
   return {std::string(text), nullptr, text.size() == 1};
 }
 
-/// Where the digits at the end of a word begin.
+/// The start of the digits at the end of a word.
 std::size_t stem(std::string_view word) {
   const std::size_t last = word.find_last_not_of("0123456789");
   return last == std::string_view::npos ? 0 : last + 1;

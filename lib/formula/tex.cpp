@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-// No backslash stands before a punctuation mark (\, \{ \|) where TeX has a word for it: Markdown would swallow it.
+// No backslash before a punctuation mark (\, \{ \|) for which TeX has a word: Markdown would swallow it.
 
 namespace loadpath::formula {
 namespace {
@@ -20,7 +20,7 @@ std::string ascii_minus(std::string_view number) {
   return number.starts_with(minus) ? "-" + std::string(number.substr(minus.size())) : std::string(number);
 }
 
-/// A name that is none: what TeX or a page would read as markup is left out.
+/// An invalid name: characters that TeX or a page would read as markup are removed.
 std::string without_markup(std::string text) {
   std::erase_if(text, [](char c) { return std::string_view("\\{}$&#^_%~<>\"`*|").find(c) != std::string_view::npos; });
   return text;

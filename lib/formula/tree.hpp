@@ -1,9 +1,9 @@
 // The small language in which STEP texts are written: C++ expressions over symbols, read back for the report.
 //
-//   + - * / ?: comparisons && || unary - parentheses, calls (sqrt cbrt pow<n> root<n> pow(x, y) abs sin cos
-//   tan asin acos atan exp log min max is_set), numbers, unit names (`d / mm`, `10.0 * mm`), and names that are
-//   symbols: d, alone or as a member of what it is read from: in.d of the input, r.F_c of the result, pulley.d of an
-//   element of a list. A choice is compared with one of its words: in.kind == Kind::wide.
+// + - * ?: comparisons && || unary - parentheses, calls (sqrt cbrt pow<n> root<n> pow(x, y) abs sin cos tan asin acos
+// atan exp log min max is_set), numbers, unit names (`d mm`, `10.0 * mm`), and names that are symbols: d, without or
+// with the object that it is read from: in.d of the input, r.F_c of the result, pulley.d of an element of a list. A
+// choice is compared with one of its words: in.kind == Kind::wide.
 #pragma once
 
 #include <functional>
@@ -22,11 +22,11 @@ struct Node {
   std::vector<Node> kids;
 };
 
-/// The tree of a formula, or nothing where the text is not in the language. A name keeps what it is read from ("in.d");
+/// The tree of a formula, or nothing if the text is not in the language. A name keeps what it is read from ("in.d");
 /// a word of a choice takes it from its choice: in.kind == Kind::wide compares "in.kind" with "in.kind::wide".
 std::optional<Node> parse(std::string_view cpp);
 
-/// The names of a tree, each once, as they stand there.
+/// The names of a tree, each once, as written.
 std::vector<std::string> names(const Node& tree);
 
 /// The d of "in.d", the wide of "in.kind::wide".
@@ -35,21 +35,21 @@ std::string_view symbol_of(std::string_view name);
 /// The formula as it is shown: of every name its symbol.
 std::string shown(std::string_view cpp);
 
-/// The SI value of a symbol or unit name; nothing where it is unknown.
+/// The SI value of a symbol or unit name; nothing if it is unknown.
 using Known = std::function<std::optional<double>(std::string_view name)>;
 
-/// The value of the tree over SI values; NaN where a name is unknown. `pi` and the units of lib/formula/units.cpp need
+/// The value of the tree over SI values; NaN if a name is unknown. `pi` and the units of lib/formula/units.cpp need
 /// no `known`.
 double value(const Node& tree, const Known& known);
 
-/// What a tree comes to where its outermost choices are settled by what is known.
+/// The subtree that remains once its outermost choices are settled by known values.
 const Node& chosen(const Node& tree, const Known& known);
 
-/// Whether the value is an angle for sure: an inverse function, or an angle that is `known`, beside numbers and pi
-/// only.
+/// Whether the value is certainly an angle: an inverse function, or an angle that is `known`, with no other operands
+/// than numbers and pi.
 bool is_angle(const Node& tree, const std::function<bool(std::string_view name)>& known);
 
-/// How a symbol's value is written when it is substituted: number and printed unit ("2700", "N·m"); nothing: keep the
+/// The printed value of a symbol when it is substituted: number and printed unit ("2700", "N·m"); nothing: keep the
 /// name.
 struct Written {
   std::string number;

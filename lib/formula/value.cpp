@@ -9,7 +9,7 @@
 namespace loadpath::formula {
 namespace {
 
-using Number = std::optional<double>;  // nothing: a name is unknown. NaN is a value, and compares as C++ does.
+using Number = std::optional<double>;  // nothing: unknown name. NaN is a value, and compares as in C++.
 
 double read(std::string_view text) {
   double number = 0.0;

@@ -1,5 +1,4 @@
-// A symmetric positive definite matrix with few entries beside its diagonal, factored in place: beams, chains of
-// springs.
+// A symmetric positive definite matrix with a narrow band, factored in place: beams, chains of springs.
 #pragma once
 
 #include <boost/container/static_vector.hpp>
@@ -12,18 +11,18 @@
 
 namespace loadpath::numerics {
 
-/// Of at most `most` unknowns. Entries lie at most three beside the diagonal, as of elements with two unknowns at each
-/// end; of them the lower half is kept, row by row. What a row needs of those before it is held in variables: read
-/// again just after it was written it would hold the work up.
+/// For at most `most` unknowns. The half bandwidth is three, as for elements with two unknowns at each end; the lower
+/// half is stored, row by row. Values of earlier rows that a row needs are kept in variables: reading them back right
+/// after the store would stall.
 template <std::size_t most>
 class BandMatrix {
   static constexpr std::size_t reach = 3;
   using Row = std::array<double, reach + 1>;
 
-  /// What a row of L D L^T needs of those before it.
+  /// The values of earlier rows that a row of L D L^T needs.
   struct Before {
     double d1 = 1.0, d2 = 1.0, d3 = 1.0;     // the pivots, from the nearest on
-    double l12 = 0.0, l13 = 0.0, l23 = 0.0;  // of L in the row before: to the second and third, in that before it
+    double l12 = 0.0, l13 = 0.0, l23 = 0.0;  // L: row before to the 2nd, 3rd; 2nd to the 3rd
 
     /// The next row of L, with its pivot at the end, of a row of the matrix whose diagonal is given.
     Row next(const Row& row, double diagonal) {
@@ -51,7 +50,7 @@ class BandMatrix {
     for (std::size_t below = i + 1; below < size() && below <= i + reach; ++below) at(below, i) = 0.0;
   }
 
-  /// L D L^T in place of the matrix. False where a pivot is no larger than `least` of its diagonal: it is not positive
+  /// Replaces the matrix by L D L^T. False if a pivot is at most `least` of its diagonal: the matrix is not positive
   /// definite, to rounding.
   [[nodiscard]] bool factor(double least = 1e-12) {
     Before before;
@@ -63,8 +62,8 @@ class BandMatrix {
     return true;
   }
 
-  /// Of the matrix less a diagonal each pivot of L D L^T in turn, whatever its sign: as many are negative as
-  /// eigenvalues. One that is zero, as happens by chance alone, is taken for next to nothing.
+  /// Each pivot in turn of L D L^T of the matrix minus a diagonal, whatever its sign: the number of negative pivots
+  /// is that of eigenvalues below. A zero pivot, which occurs only by coincidence, is replaced by a tiny number.
   template <class Less, class Take>
   void for_each_pivot(const Less& less, const Take& take) const {
     Before before;
@@ -77,7 +76,7 @@ class BandMatrix {
     }
   }
 
-  /// The solution in place of the right-hand side, after `factor`.
+  /// Replaces the right-hand side by the solution, after `factor`.
   void solve(std::span<double> x) const {
     double x1 = 0.0, x2 = 0.0, x3 = 0.0;  // the unknowns before, from the nearest on
     for (std::size_t i = 0; i < size(); ++i) {
@@ -95,8 +94,8 @@ class BandMatrix {
     }
   }
 
-  /// The diagonal of the inverse, after `factor`: what each unknown does where it acts alone. From the last row up, of
-  /// the inverse no more than lies within the band.
+  /// The diagonal of the inverse, after `factor`: the response of each unknown to its own unit load. Computed from
+  /// the last row up, within the band only.
   void inverse_diagonal(std::span<double> diagonal) const {
     boost::container::static_vector<Row, most> inverse(size());  // row i: from i to the right
     for (std::size_t i = size(); i-- > 0;) {

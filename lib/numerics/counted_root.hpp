@@ -9,15 +9,15 @@
 
 namespace loadpath::numerics {
 
-/// Of a value how many roots lie below it, and there a function without poles that is 0 at each.
+/// Number of roots below a value, and there a pole-free function that vanishes at each root.
 struct Counted {
   std::size_t below = 0;
   double rest = 0.0;
 };
 
-/// Root number i, from 0 on, of those above zero, to `finest` of it; NaN where there is none. Between two values of
-/// which the count tells that they hold it, the upper one `first` or its doubles and halves; where it is alone, by the
-/// false position after Illinois, else by halves.
+/// Positive root number i, from 0, to a relative precision `finest`; NaN if there is none. Bracketed by the count,
+/// from `first` by doubling and halving; refined by the Illinois variant of false position if the bracket has a
+/// single root, else by bisection.
 template <class Count>
 double counted_root(std::size_t i, const Count& count, double first, double finest = 1e-13) {
   constexpr double highest = 1e12, least_of_all = 1e-200, none = std::numeric_limits<double>::quiet_NaN();

@@ -14,8 +14,8 @@ class DenseInverse {
  public:
   explicit DenseInverse(std::size_t size) : size_(size), exchanged_(size) {}
 
-  /// Replaces a square matrix of this size, row after row, or column after column, by its inverse: Gauss-Jordan
-  /// elimination with partial pivoting. Of a singular matrix it holds no finite numbers. Takes no memory.
+  /// Replaces a square matrix of this size, by rows or by columns, by its inverse: Gauss-Jordan elimination with
+  /// partial pivoting. The result of a singular matrix is not finite. Does not allocate.
   void invert(std::span<double> matrix);
 
  private:
@@ -23,12 +23,12 @@ class DenseInverse {
   std::vector<std::size_t> exchanged_;  // with which row each was
 };
 
-/// The largest sum of magnitudes of a row, for matrices row after row; NaN where one is.
+/// The largest sum of magnitudes of a row, for matrices row after row; NaN if one is.
 double largest_row_sum(std::span<const double> matrix, std::size_t size);
 
-/// The 1-norm of A^-1, or a little less: Hager's estimate, which climbs from corner to corner of the unit ball (Higham,
-/// Accuracy and Stability of Numerical Algorithms, 15.2; recalled). `solve` and `solve_transposed` replace a right side
-/// by the solution with A and with its transpose; `probe` is scratch of the matrix's size. What is no number stays so.
+/// The 1-norm of A^-1, or slightly less: Hager's estimate, which climbs from corner to corner of the unit ball
+/// (Higham, Accuracy and Stability of Numerical Algorithms, 15.2; recalled). `solve` and `solve_transposed` replace a
+/// right side by the solution with A and with its transpose; `probe` is scratch of the matrix's size. NaN propagates.
 template <class Solve, class SolveTransposed>
 double estimated_inverse_norm(std::span<double> probe, Solve solve, SolveTransposed solve_transposed) {
   constexpr int most_climbs = 5;

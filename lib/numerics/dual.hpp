@@ -18,7 +18,7 @@ struct DualNumber {
   constexpr DualNumber() = default;
   constexpr DualNumber(double v) : value{v} {}  // a constant; implicit, as a number is one
 
-  /// Of a function with this value and slope at a.
+  /// The chain rule for a function with this value and slope at a.
   static constexpr DualNumber chain(double value, double slope, const DualNumber& a) {
     DualNumber r(value);
     for (std::size_t k = 0; k < lanes; ++k) r.d[k] = slope * a.d[k];
@@ -58,7 +58,7 @@ struct DualNumber {
     const double root = std::sqrt(a.value);
     return chain(root, 0.5 / root, a);
   }
-  /// Of nothing: its derivative is taken for zero, as the length of a force that vanishes with its cause.
+  /// At zero the derivative is set to zero, as for the length of a force that vanishes with its cause.
   friend DualNumber hypot(const DualNumber& a, const DualNumber& b) {
     const double h = std::hypot(a.value, b.value), inverse = h > 0.0 ? 1.0 / h : 0.0;
     return chain(h, a.value * inverse, a, b.value * inverse, b);
@@ -80,7 +80,7 @@ struct DualNumber {
   friend DualNumber round(const DualNumber& a) { return std::round(a.value); }
 };
 
-/// As many as fill the registers of most machines well.
+/// The size fills the registers of most CPUs well.
 using Dual = DualNumber<8>;
 
 inline double value_of(double number) { return number; }

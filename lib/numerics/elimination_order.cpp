@@ -7,7 +7,7 @@
 namespace loadpath {
 namespace {
 
-constexpr double smallest_ratio = 0.25;  // of a pivot to the largest value in its row
+constexpr double smallest_ratio = 0.25;  // ratio of a pivot to the largest value in its row
 constexpr double rounding = 1e-13;
 
 }  // namespace

@@ -14,7 +14,7 @@ struct Known {
 };
 
 /// The zero of a function between low and high, where its signs differ, to rounding: regula falsi by the Illinois rule.
-/// NaN where it does not settle.
+/// NaN if it does not settle.
 template <class Function>
 Known sign_change(const Function& f, Known low, Known high) {
   double last = std::abs(high.x - low.x);
@@ -38,8 +38,8 @@ Known sign_change(const Function& f, Known low, Known high) {
 
 }  // namespace detail
 
-/// The x in [0, most] with g(x) = x, to rounding, of a g >= 0 that is above x up to there and below it beyond; 0 where
-/// g(0) is 0, NaN where there is none. A constant takes two calls, a straight line three.
+/// The x in [0, most] with g(x) = x, to rounding, of a g >= 0 that is above x up to there and below it beyond; 0 if
+/// g(0) is 0, NaN if there is none. A constant takes two calls, a straight line three.
 template <class Function>
 double fixed_point(const Function& g, double most) {
   using detail::Known;
@@ -59,7 +59,7 @@ double fixed_point(const Function& g, double most) {
   return high.f <= 0.0 ? detail::sign_change(excess, low, high).x : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// The same of a straight line g, by two calls and without a branch; NaN where it does not meet x in [0, most].
+/// The same of a straight line g, by two calls and without a branch; NaN if it does not meet x in [0, most].
 template <class Function>
 double straight_fixed_point(const Function& g, double most) {
   const double none = g(0.0), rise = g(none) - none;

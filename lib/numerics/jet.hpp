@@ -8,7 +8,7 @@ namespace loadpath {
 struct Jet {
   double value = 0.0, first = 0.0, second = 0.0;
 
-  /// Of a function that has this value and these derivatives at a.
+  /// The chain rule for a function with this value and these derivatives at a.
   static constexpr Jet chain(double value, double first, double second, const Jet& a) {
     return {value, first * a.first, second * a.first * a.first + first * a.second};
   }
@@ -29,7 +29,7 @@ constexpr Jet reciprocal(const Jet& a) {
 }
 constexpr Jet operator/(const Jet& a, const Jet& b) { return a * reciprocal(b); }
 
-/// To a constant power. A whole power of zero is smooth: its derivatives end instead of growing.
+/// A constant power. An integer power of zero is smooth: its derivatives vanish instead of growing.
 inline Jet pow(const Jet& a, double exponent) {
   const double first = exponent == 0.0 ? 0.0 : exponent * std::pow(a.value, exponent - 1.0);
   const bool ends = exponent == 0.0 || exponent == 1.0;

@@ -7,7 +7,7 @@
 
 namespace loadpath {
 
-/// The larger magnitude; what is not a number stays so.
+/// The larger magnitude; NaN propagates.
 inline double larger_magnitude(double most, double x) {
   return std::isnan(most) || std::abs(x) <= most ? most : std::abs(x);
 }

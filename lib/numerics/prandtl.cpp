@@ -59,8 +59,8 @@ void add_side(Elements& elements, PlanePoint a, PlanePoint b, std::size_t contou
   for (std::size_t k = 0; k < per_side; ++k) elements.push_back(element(at(k), at(k + 1), contour));
 }
 
-/// Where the sections lies and how large it is: in a square of 1 about the origin no logarithmic capacity is 1, for
-/// which the equations would have no solution.
+/// Position and size of the section, scaled into a unit square about the origin: its logarithmic capacity is never 1,
+/// where the equations are singular.
 struct Frame {
   PlanePoint middle{};
   double size = 0.0;
@@ -130,7 +130,7 @@ void meet(Equations& equations, const Elements& elements, std::size_t i) {
   }
 }
 
-/// Nothing flows out of a hole: psi has a conjugate there, the warping.
+/// No flux leaves a hole: psi has a conjugate there, the warping.
 void close_holes(Equations& equations, const Elements& elements) {
   for (std::size_t j = 0; j < elements.size(); ++j) {
     if (elements[j].contour > 0) equations.left[elements.size() + elements[j].contour - 1][j] = elements[j].length;
@@ -157,7 +157,7 @@ void solve(Equations& e) {
   }
 }
 
-/// Of the material between the elements, about the origin.
+/// The polar moment of the material between the elements, about the origin.
 double polar_moment(const Elements& elements) {
   double sum = 0.0;
   for (const Element& e : elements) {

@@ -14,7 +14,7 @@ namespace loadpath::numerics {
 struct PlanePoint {
   double x, y;
 };
-/// Corners in order, either way round.
+/// Corners in order, clockwise or anticlockwise.
 using Contour = std::span<const PlanePoint>;
 
 inline constexpr std::size_t most_elements = 160, most_contours = 9;
@@ -25,8 +25,8 @@ struct TorsionFunction {
   PlanePoint at;  // where it is; of elements alike the first
 };
 
-/// Of a section with an outer contour, the first, and holes inside of it. Elements per side times sides must not
-/// exceed `most_elements`. Takes no memory.
+/// The torsion function of a section with an outer contour, the first, and holes inside it. Elements per side times
+/// sides must not exceed `most_elements`. Does not allocate.
 TorsionFunction torsion_function(std::span<const Contour> contours, std::size_t per_side);
 
 }  // namespace loadpath::numerics

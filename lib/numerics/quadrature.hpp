@@ -39,7 +39,7 @@ double halved(const Function& f, double from, double to, double whole, double al
 
 }  // namespace detail
 
-/// Of a function that is finite between the bounds and does not change its sign.
+/// The integral of a function that is finite between the bounds and does not change its sign.
 template <class Function>
 double integral(const Function& f, double from, double to) {
   constexpr double rounding = 1e-15;

@@ -46,11 +46,11 @@ class SmallLu {
   std::vector<std::size_t> order_;
   std::vector<double> work_;     // the rows' scales while factoring; the right side while solving
   std::vector<double> columns_;  // their scales
-  double inverse_ = 0.0;         // of the determinant, sizes 1 and 2
+  double inverse_ = 0.0;         // inverse of the determinant, sizes 1 and 2
   double sign_ = 1.0;
-  // Of a pivot, against the largest of its column: what a coordinate still does of itself where the others make up for
-  // it as far as they can. Where two roots meet, iteration finds them to half of the digits only, and what is that
-  // close to them cannot be told from them.
+  // Threshold of a pivot relative to the largest of its column: the remaining effect of a coordinate once the others
+  // have compensated for it. Near a double root, iteration converges to only half of the digits, and within that
+  // distance the two roots cannot be separated.
   static constexpr double rounding = 1e-7;
 };
 

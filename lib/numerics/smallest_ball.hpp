@@ -1,4 +1,4 @@
-// The smallest ball that holds a set of points: the circle of a path in a plane, the ball of one in space.
+// The smallest ball around a set of points: the circle of a path in a plane, the ball of one in space.
 #pragma once
 
 #include <algorithm>
@@ -33,7 +33,7 @@ struct Few {
   std::size_t count = 0;
 };
 
-/// Solves the symmetric system of `n` rows; false where it is singular.
+/// Solves the symmetric system of `n` rows; false if it is singular.
 template <std::size_t dim>
 bool solve(std::array<std::array<double, dim + 1>, dim>& rows, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
@@ -51,7 +51,7 @@ bool solve(std::array<std::array<double, dim + 1>, dim>& rows, std::size_t n) {
   return true;
 }
 
-/// The smallest ball with all these points on its surface; radius below 0 where they are no corners of one. Lengths
+/// The smallest ball with all these points on its surface; radius below 0 if they are no corners of one. Lengths
 /// are made free of their size first.
 template <std::size_t dim>
 Ball<dim> through(const Few<dim>& corners) {
@@ -109,9 +109,9 @@ Ball<dim> ball_of(Few<dim>& points) {
 
 }  // namespace detail
 
-/// Of `point(0)` to `point(count - 1)`, count > 0. From ball to ball, each of at most dim + 1 corners and the point
-/// that lies farthest outside of the one before, so that the radius grows until none lies outside. It allocates
-/// nothing. The radius is the distance of the farthest point from the centre: never too small.
+/// The smallest ball around `point(0)` to `point(count - 1)`, count > 0. From ball to ball, each through at most dim
+/// + 1 corners and the point farthest outside the previous one, so that the radius grows until no point is outside.
+/// Does not allocate. The radius is the distance of the farthest point from the centre: never too small.
 template <std::size_t dim, class PointAt>
 Ball<dim> smallest_ball(std::size_t count, const PointAt& point) {
   constexpr int most_steps = 100;

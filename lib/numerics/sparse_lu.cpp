@@ -10,7 +10,7 @@
 namespace loadpath {
 namespace {
 
-constexpr double poor_growth = 64.0;  // of a row over its pivot
+constexpr double poor_growth = 64.0;  // ratio of a row to its pivot
 constexpr double negligible_pivot = 1e-13;
 
 }  // namespace

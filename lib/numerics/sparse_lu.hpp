@@ -1,4 +1,4 @@
-// LU factors of a square matrix whose pattern never changes and whose values change often.
+// LU factors of a square matrix with a constant pattern and changing values.
 //
 // The order of elimination is found once and kept as long as its pivots stay good; a pivot that has become poor brings
 // a new order. All memory is taken in the constructor.
@@ -14,13 +14,13 @@ namespace loadpath {
 
 class SparseLu {
  public:
-  /// `pattern`: the places that may hold a value, each once.
+  /// `pattern`: the places of possible nonzero values, each once.
   SparseLu(std::size_t size, std::span<const MatrixEntry> pattern);
 
   /// Factors the matrix with these values, in the order of the pattern. False when it is singular to rounding.
   [[nodiscard]] bool factor(std::span<const double> values);
 
-  /// The next matrix is ordered anew, as if it were the first.
+  /// Forces a new ordering at the next matrix, as if it were the first.
   void forget_order() { ordered_ = false; }
 
   /// Replaces the right side by the solution of A x = b, or of A^T x = b.
@@ -31,7 +31,7 @@ class SparseLu {
   [[nodiscard]] double reciprocal_condition(std::span<const double> values);
 
  private:
-  struct Rows {  // of a triangle, compressed
+  struct Rows {  // rows of a triangle, compressed
     std::vector<std::size_t> start, index;
     std::vector<double> value;
   };

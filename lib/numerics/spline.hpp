@@ -8,7 +8,7 @@
 
 namespace loadpath {
 
-/// The cubic spline: gentle, but it may swing beyond its points.
+/// The cubic spline: smooth, but it may overshoot beyond its points.
 class RestToRestSpline {
  public:
   /// Two points or more, x strictly ascending.
@@ -17,11 +17,11 @@ class RestToRestSpline {
   /// Before the first point and after the last it rests.
   [[nodiscard]] Jet at(double x) const;
 
-  /// Where it lies beyond the two points that it is between, and by how much.
+  /// The location of an overshoot beyond the two adjacent points, and its amount.
   struct Overshoot {
     double x = 0.0, y = 0.0, by = 0.0;
   };
-  /// The largest; 0 where there is none.
+  /// The largest; 0 if there is none.
   [[nodiscard]] Overshoot largest_overshoot() const;
 
  private:

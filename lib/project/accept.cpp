@@ -27,7 +27,7 @@ void read_reason(const Tree::Entry& entry, StepInput& input, std::vector<Issue>&
   }
 }
 
-/// What a mode is in place of accepted.
+/// The state that an unacceptable mode keeps.
 Message instead_of_accepted(const std::string& id, const account::Modes& modes) {
   using account::State;
   const auto mode = std::find_if(modes.begin(), modes.end(), [&](const account::Mode& m) { return m.id == id; });

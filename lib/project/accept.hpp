@@ -1,4 +1,4 @@
-// What the user answers for: modes of failure of a step that are accepted with a reason, in place of a judgement.
+// Acceptance by the user: failure modes of a step that are accepted with a reason, in place of an assessment.
 #pragma once
 
 #include "lib/account/mode.hpp"
@@ -13,7 +13,7 @@ namespace loadpath::project {
 /// issue.
 void read_accepted(const toml::Tree& table, StepInput& input, std::vector<Issue>& issues);
 
-/// The mode as it stands with what the step accepts: never in place of a failure, nor beyond what a method covers.
+/// Applies the acceptances of the step to the mode: never to a failure, nor outside the validity of a method.
 void accept(const StepInput& input, account::Mode& mode);
 /// Whether a mode of this state is accepted.
 bool is_accepted(const StepInput& input, const std::string& mode, account::State state);

@@ -1,5 +1,5 @@
-// Why a typed value is better than a row of a table or a record beside it says: because.R_e = "certificate 4711". It
-// answers for the value, where `accept` answers for a mode of failure; no verdict is better for it.
+// The reason why a typed value is better than the row of a table or a record for the same field: because.R_e =
+// "certificate 4711". It justifies the value, while `accept` accepts a failure mode; no verdict improves by it.
 #pragma once
 
 #include "lib/project/step.hpp"
@@ -15,7 +15,7 @@ bool is_reason(const toml::Tree& tree);
 /// An input that the calculator does not have, or no reason, is an issue.
 void read_because(const toml::Tree& table, StepInput& input, std::vector<Issue>& issues);
 
-/// The reason for the value at a path, or for the list or group that it is in; null where there is none.
+/// The reason for the value at a path, or for the list or group that it is in; null if there is none.
 const Typed* reason_for(const StepInput& input, const std::string& path);
 
 }  // namespace loadpath::project

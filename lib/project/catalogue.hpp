@@ -1,4 +1,4 @@
-// What the program has; filled by calculators/catalogue.cpp, handed to whoever reads a project.
+// The contents of the program; filled by calculators/catalogue.cpp, passed to all readers of a project.
 #pragma once
 
 #include "lib/project/step.hpp"
@@ -16,7 +16,7 @@ struct CatalogueEntry {
 };
 using Catalogue = std::span<const CatalogueEntry>;
 
-/// The entry of a calculator, by its id; null where there is none.
+/// The entry of a calculator, by its id; null if there is none.
 const CatalogueEntry* find_entry(Catalogue catalogue, std::string_view id);
 
 }  // namespace loadpath::project

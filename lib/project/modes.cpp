@@ -35,13 +35,13 @@ std::optional<double> utilisation_of(const std::vector<const Row*>& rows) {
   return most;
 }
 
-/// What is said of a mode that nothing was held against.
+/// The state of a mode without any check.
 State unjudged(const ModeInfo& mode, Applies applies) {
   const bool waits = mode.kind == ModeKind::service || applies == Applies::unseen;
   return waits ? State::open : State::not_judged;
 }
 
-/// "=epi.sun_mesh and =epi.ring_mesh", "each of =shaft.bearings": what a step takes that judges the mode.
+/// "=epi.sun_mesh and =epi.ring_mesh", "each of =shaft.bearings": what a step takes that assesses the mode.
 std::string records_of(const ModeInfo& left, std::span<const FieldInfo> fields, const std::string& part) {
   std::string all;
   for (const std::string& key : listed_keys(left.taken)) {
@@ -67,8 +67,8 @@ bool is_same(const std::vector<double>& a, const std::vector<double>& b) {
   });
 }
 
-/// Whether an input of the judge has what the part says of itself; what that leaves open is the judge's own. `beside`:
-/// the fields that the record fills, "notches[2].", and what is before their keys.
+/// Whether an input of the assess has what the part says of itself; what that leaves open is the assess's own.
+/// `beside`: the fields that the record fills, "notches[2].", and what is before their keys.
 bool agrees(const Step& judge, const std::string& beside, const Step& part, const Member& member) {
   const auto& inputs = judge.account().inputs;
   const std::string path = beside + member.key;
@@ -84,7 +84,7 @@ bool agrees(const Step& judge, const std::string& beside, const Step& part, cons
   return !has_field || open || (input != inputs.end() && is_same(input->value.si, given->si));
 }
 
-/// The ways to name a record of a part: an element of a list by its place, and by its name.
+/// The names of a record of a part: an element of a list by its index, and by its name.
 using Names = std::vector<std::string>;
 
 /// The records behind a key: the one of that name, or every element of the list of that name.
@@ -100,7 +100,7 @@ std::vector<Names> records_behind(const Step& part, const std::string& key) {
   return all;
 }
 
-/// Whether the step has taken a record of the part, and kept it: what was typed in its place may be another part.
+/// Whether the step has taken a record of the part, and kept it: a typed replacement may be another part.
 bool takes(const Step& judge, const Step& part, const Names& record) {
   const auto members = part.members(record.front());
   const auto& records = judge.input().reading.records;
@@ -113,7 +113,7 @@ bool takes(const Step& judge, const Step& part, const Names& record) {
   });
 }
 
-/// The modes of a calculator's steps that judge what is left to it. A record that no such step takes, or of which none
+/// The modes of a calculator's steps that assess what is left to it. A record that no such step takes, or of which none
 /// of these modes concerns the step, leaves all of it open: nothing comes back.
 std::vector<const account::Mode*> judges_of(const ModeInfo& left, const Step& part, const Project& project) {
   std::vector<const account::Mode*> judges;
@@ -138,10 +138,10 @@ std::vector<const account::Mode*> judges_of(const ModeInfo& left, const Step& pa
   return judges;
 }
 
-/// As the worst of its judges came out.
+/// As the worst of its assesses came out.
 void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges) {
   const account::Mode& worst = governing(judges);
-  // A judge that sees nothing of the service does not take back what the part has seen.
+  // A assess that sees nothing of the service does not take back what the part has seen.
   const bool weaker = mode.state != State::open && worst.state == State::open;
   if (!weaker) mode.state = worst.state;
   mode.utilisation = utilisation_of(judges);
@@ -150,7 +150,7 @@ void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges
   mode.note = say("by {1}.{2}: {3}", worst.step, worst.id, reason(worst));
 }
 
-/// Of "S, A_v" what the step does not give yet.
+/// The inputs among "S, A_v" that the step does not give yet.
 std::string still_wanted(const Step& step, const char* wants) {
   const Reading& reading = step.input().reading;
   std::string left;
@@ -181,7 +181,7 @@ bool is_doubtful(const Step& step, const ModeInfo& info) {
 }  // namespace
 
 void settle_left(Project& project) {
-  for (auto part = project.order.rbegin(); part != project.order.rend(); ++part) {  // judges first
+  for (auto part = project.order.rbegin(); part != project.order.rend(); ++part) {  // assesses first
     Step& step = *project.steps[*part];
     for (account::Mode& mode : step.modes()) {
       const ModeInfo* const info = info_of(step, mode.id);
@@ -234,7 +234,7 @@ account::Unjudged unjudged_of(const Step& step, const ModeInfo& info, const Chec
     const State state = doubtful && applies != Applies::no ? State::not_judged : unjudged(info, when);
     by.state[static_cast<std::size_t>(applies)] = account::number(state);
   }
-  // What holds under a load that lacks its factor may break under the whole one.
+  // A check passed under a load without its factor may fail under the full load.
   const bool lacks = info.kind == ModeKind::strength && !step.loads().lacking_factor.empty();
   if (lacks) by.passed = account::number(State::not_judged);
   return by;
@@ -249,7 +249,7 @@ account::Folded folded(const std::vector<const account::Verdict*>& rows) {
   return all;
 }
 
-/// What is missing for the mode, or why it may concern the part: of one that its rows do not decide.
+/// The missing inputs for the mode, or the reason why it may apply, if its rows do not decide it.
 void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<const account::Verdict*>& rows,
                       const CheckNeeds& needs, account::Mode& mode) {
   mode.wants = needs.wants.empty() ? still_wanted(step, info.wants) : needs.wants;
@@ -279,7 +279,7 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
                     : say("not included, although it acts with the load: {1}; assess it by hand: accept.{2} = \"...\"",
                           step.loads().left, info.id);
   }
-  // A row that judges nothing says itself why.
+  // A row that assesses nothing says itself why.
   if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();
   if (mode.state == State::not_judged && is_doubtful(step, info)) {
     mode.wants.clear();

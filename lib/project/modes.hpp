@@ -1,4 +1,4 @@
-// From checks and limits to modes of failure: what was held against a mode decides it, and what was not is said.
+// From checks and limits to failure modes: what was held against a mode decides it, and what was not is said.
 #pragma once
 
 #include "lib/account/fold.hpp"
@@ -13,38 +13,39 @@
 
 namespace loadpath::project {
 
-/// The rows of the account that judge a mode. A key of its checks names a row, "u_tau", that of every element,
+/// The rows of the account that assess a mode. A key of its checks names a row, "u_tau", that of every element,
 /// "segments.u_tau", or all that begin so, "contact_*".
 std::vector<const account::Verdict*> rows_of(const ModeInfo& mode, const std::vector<account::Verdict>& all);
 /// Whether the key names the row.
 bool names_row(std::string_view key, std::string_view symbol);
 
-/// What the checks of a mode need.
+/// The requirements of the checks of a mode.
 struct CheckNeeds {
-  bool needs_checks = false;  // rows that are limits alone do not judge it
+  bool needs_checks = false;  // rows that are only limits do not assess it
   std::string wants;          // inputs without which a check is missing
 };
 /// `is_asked`: whether a check has what it needs.
 CheckNeeds needs_of(const ModeInfo& mode, const RecordType& result,
                     const std::function<bool(const FieldInfo&)>& is_asked);
 
-/// How the mode comes out where its rows do not decide it. What the user accepts is not asked.
+/// The state of the mode if its rows do not decide it, regardless of acceptances.
 account::Unjudged unjudged_of(const Step& step, const ModeInfo& mode, const CheckNeeds& needs);
 
-/// A typed value that decides a mode, and that a row or a record beside it does not bear out: `wants` names what would
-/// justify it, and holds the mode back; without it the user has, and `why` says how. Without `why` there is none.
+/// A typed value that decides a mode and is more favourable than the row or record for its field: `wants` names the
+/// missing justification, and holds the mode back; if empty, the user has justified it, with the reason in `why`. An
+/// empty `why` means there is no such value.
 struct Bolder {
   std::string wants;
   Message why;
 };
 
-/// What the step says of a mode; nothing where the mode does not concern the part.
+/// The assessment of a mode by the step; empty if the mode does not concern the part.
 std::optional<account::Mode> judged(const Step& step, const ModeInfo& mode, Applies applies,
                                     const std::vector<const account::Verdict*>& rows, const CheckNeeds& needs = {},
                                     const Bolder& bolder = {});
 
-/// When all steps are solved: modes that parts leave to another calculator come out as in the steps of it that have
-/// taken their records whole.
+/// After all steps are solved: modes assessed by another calculator get the state from its steps that have taken the
+/// complete records.
 void settle_left(Project& project);
 
 }  // namespace loadpath::project

@@ -42,7 +42,7 @@ Message why_not(const fs::path& path) {
   return {};
 }
 
-/// The text of a file that the project names; nothing, and an issue, where it cannot be read.
+/// The text of a file that the project names; nothing, and an issue, if it cannot be read.
 bool read_named(const Tree& named, const std::string& project, NamedFile& file, std::vector<Issue>& issues) {
   if (named.type != Tree::Type::text || named.text.empty()) {
     add(issues, named.place, say("'{1}' must be an array of texts", "tables"), say("write tables = [\"own.toml\"]"));

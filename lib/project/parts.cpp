@@ -41,7 +41,7 @@ const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogu
   return found;
 }
 
-/// The template that a step names, if any; false where there is no such.
+/// The template that a step names, if any; false if there is no such.
 bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
   const auto* named = table.find("template");
   if (named == nullptr) return true;

@@ -11,7 +11,7 @@
 namespace loadpath::project {
 
 void read_heading(const toml::Tree::Entry& entry, Project& project, std::vector<Issue>& issues);
-/// The step of a table, not yet prepared; nothing where name or calculator are wrong.
+/// The step of a table, not yet prepared; nothing if name or calculator are wrong.
 std::unique_ptr<Step> read_step(const toml::Tree::Entry& entry, const Project& project, Catalogue catalogue,
                                 std::vector<Issue>& issues);
 

@@ -41,7 +41,7 @@ const Step* Project::find(std::string_view name) const {
 
 Fault Project::unknown_step(const std::string& path) const {
   const auto [name, rest] = split_step(path);
-  if (unread.contains(name)) return {};  // its error is told
+  if (unread.contains(name)) return {};  // its error has been reported
   const std::string near = nearest(name, names_of(*this));
   return {
       0, path.size(), say("there is no step '{1}'", name),

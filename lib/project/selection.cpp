@@ -13,7 +13,7 @@ namespace {
 
 using toml::Tree;
 
-/// The steps that the expressions of a tree name. What is no expression is told when the step is read.
+/// The steps that the expressions of a tree name. Invalid expressions are reported when the step is read.
 void collect_steps(const Tree& tree, std::vector<std::string>& steps) {
   if (tree.type == Tree::Type::text && tree.text.starts_with('=')) {
     const auto parsed = Expression::parse(std::string_view(tree.text).substr(1));
@@ -35,7 +35,7 @@ void collect_body(const Tree& project, const Tree::Entry& step, std::vector<std:
   }
 }
 
-/// What every part of a project needs.
+/// Whether every part of a project needs the key.
 bool is_of_all(std::string_view key) { return key == "project" || key == "values" || key == "tables"; }
 
 std::set<std::string> needed_steps(const Tree& project, std::string_view calculator) {

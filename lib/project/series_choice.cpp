@@ -4,7 +4,7 @@
 
 namespace loadpath::project {
 
-// Where it fails it goes on from the last *, which then stands for one character more.
+// On a mismatch it resumes from the last *, which then matches one character more.
 bool fits_pattern(std::string_view name, std::string_view pattern) {
   std::size_t t = 0, p = 0, star = std::string_view::npos, taken = 0;
   while (t < name.size()) {

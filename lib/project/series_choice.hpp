@@ -1,5 +1,5 @@
-// Which series of a solved project are written: names as the user typed them, in which * stands for any characters and
-// ? for one.
+// The series of a solved project to be written: names as the user typed them, in which * matches any characters and ?
+// one character.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace loadpath::project {
 
 /// Whether a name is of this pattern.
 bool fits_pattern(std::string_view name, std::string_view pattern);
-/// Whether the path is, alone or behind the name of its step.
+/// Whether the path matches, by itself or after the name of its step.
 bool fits_pattern(std::string_view step, std::string_view path, std::string_view pattern);
 
 class SeriesChoice {

@@ -21,7 +21,7 @@ const FieldInfo* Step::field(const std::string& path) const {
 
 namespace {
 
-/// "pulleys[3].R": element 3 of a list whose elements have names, "pulleys.pump.R"; nothing where it is no such path.
+/// "pulleys[3].R": element 3 of a list whose elements have names, "pulleys.pump.R"; nothing for any other path.
 const Entry* numbered_entry(const std::vector<Entry>& entries, std::string_view path) {
   const std::size_t open = path.find('['), close = path.find("].", open);
   if (close == std::string_view::npos) return nullptr;
@@ -130,7 +130,7 @@ Issue issue_at(const StepInput& input, const std::string& path, Message message,
 
 namespace {
 
-/// A load whose sign decides takes no magnitude, and no force with a sign of another meaning.
+/// A load with a significant sign takes neither a magnitude, nor a force whose sign has another meaning.
 FieldFault lost_sign(const Operand& operand, const Declared& declared) {
   if (!operand.leaf.field->signed_load) return {};
   const std::string_view part = operand.expression.unsigned_part(declared);
@@ -143,8 +143,8 @@ FieldFault lost_sign(const Operand& operand, const Declared& declared) {
           say("take the series itself, its least value, min(...), or say the sign: -peak(...)")};
 }
 
-/// An angle is no bare number, as in a value that is typed. What comes from other steps may have lost its angle in a
-/// ratio of lengths.
+/// An angle requires its unit, as in a typed value. A value from other steps may have lost its angle in a ratio of
+/// lengths.
 FieldFault lost_angle(const Operand& operand, const Dimension& given) {
   const Dimension& wanted = operand.leaf.field->dimension;
   if (given == wanted || wanted != Dimension::of(0, 0, 0, 0, 1) || !operand.expression.references().empty()) return {};
@@ -189,8 +189,8 @@ const Axis* check_operand(const Operand& operand, const std::string& step, const
 
 const Axis* check_operands(const Reading& reading, const std::string& step, bool lifted, const Declared& declared,
                            std::vector<Issue>& issues) {
-  const Axis* shared = nullptr;  // of what is lifted
-  const Axis* whole = nullptr;   // of what is taken whole
+  const Axis* shared = nullptr;  // common axis of the lifted operands
+  const Axis* whole = nullptr;   // axis of the entire series taken
   const auto take = [&](const Axis* axis, const std::string& path, const Place& start, const std::string& text,
                         bool takes_whole = false, bool of_record = false) {
     if (axis == nullptr) return;
@@ -221,7 +221,7 @@ const Axis* check_operands(const Reading& reading, const std::string& step, bool
 
 namespace {
 
-/// Makes counts whole; an issue where one is none.
+/// Rounds counts to integers; an issue if one is not an integer.
 std::optional<Issue> broken_count(const Operand& operand, const std::string& step, Value& value) {
   constexpr double rounding = 1e-9;
   for (double& n : value.si) {
@@ -235,7 +235,7 @@ std::optional<Issue> broken_count(const Operand& operand, const std::string& ste
   return std::nullopt;
 }
 
-/// Of values that somebody typed as an expression: what a literal is warned of, or refused for.
+/// Warnings and errors of a literal, for values that somebody typed as an expression.
 std::optional<Issue> doubt_of(const Operand& operand, const std::string& step, const std::vector<double>& si) {
   const FieldInfo& field = *operand.leaf.field;
   const auto issue = [&](Message message, Message hint, Severity severity) {

@@ -1,5 +1,5 @@
-// One entry of a project. It has two phases: when the file is read it tells dimension and axis of every path that
-// others may refer to; when the project is solved it turns values into an account of what it found.
+// One entry of a project. It has two phases: when the file is read it returns dimension and axis of every path that
+// others may refer to; when the project is solved it turns values into an account of its results.
 #pragma once
 
 #include "lib/account/account.hpp"
@@ -23,13 +23,13 @@ using account::Account;
 using account::Entry;
 using account::Origin;
 
-/// What is wanted of the accounts; what nobody looks at is costly, and is not made.
+/// The requested parts of the accounts; parts that nobody looks at are costly, and are not made.
 struct Wanted {
   bool pictures = true;                 // tables and figures
   bool formulas = true;                 // the derivation, written out
   bool unused = true;                   // which inputs have no effect
-  bool words = true;                    // where values come from, which lines a calculation has
-  SeriesChoice series = {};             // of those that could be written
+  bool words = true;                    // origins of values, lines of a calculation
+  SeriesChoice series = {};             // selection of the series that could be written
   std::set<std::string> taken = {};     // those that other steps refer to, "lever.drive.M": solve() fills it
   std::set<std::string> compared = {};  // those that expectations and typed values are compared with: the same
 
@@ -40,7 +40,7 @@ struct Wanted {
   }
 };
 
-/// What is common to every step of a file.
+/// The input common to every step of a file.
 struct StepInput {
   std::string name;
   std::string title;
@@ -48,26 +48,26 @@ struct StepInput {
   const Calculator* calculator = nullptr;
   const Template* from = nullptr;  // null: the input is written out
   Reading reading;
-  std::shared_ptr<const table::Tables> tables;  // what its rows and stocks are looked up in; never null
+  std::shared_ptr<const table::Tables> tables;  // tables for its rows and stocks; never null
   /// Rows that the step names for its providers: "material" -> "C45E".
   std::map<std::string, Typed> rows;
-  /// Modes of failure that the user answers for, and why: "pitting" -> "rated by the maker, drawing 12".
+  /// Failure modes that the user answers for, and why: "pitting" -> "rated by the maker, drawing 12".
   std::map<std::string, Typed> accepted;
-  /// Why a typed value is better than a row or a record beside it says: "R_e" -> "certificate 4711".
+  /// Reasons why a typed value is better than that of a row or a record: "R_e" -> "certificate 4711".
   std::map<std::string, Typed> because;
   /// The physical part that the step describes, where several do: they share its size.
   Typed body;
   /// Display units of results that the user prefers: "d" -> "in".
   std::map<std::string, std::string> display;
-  Place place;  // of the step's name
+  Place place;  // place of the step's name
 };
 
 /// The signatures of other steps' paths, when the file is read.
 using Declared = Expression::Declared;
-/// What other steps have, when the project is solved.
+/// Values of other steps, when the project is solved.
 struct Known {
   Expression::Known value;
-  /// A choice, a name, a row; empty where there is none.
+  /// A choice, a name, a row; empty if there is none.
   std::function<std::string(const std::string& path)> word;
   /// Everything in a record or a list, "pulleys": paths behind it, "[2].R", ".pump.R".
   std::function<std::vector<std::pair<std::string, const Entry*>>(const std::string& path)> within;
@@ -79,34 +79,34 @@ struct Reversal {
   Message text;        // "'press.drive.M', from -375 N·m to 375 N·m"
   double ratio = 0.0;  // the smaller extreme over the larger one, negative
 };
-/// A load that is not all of the series that it comes from.
+/// A load that is only part of the series that it comes from.
 struct ReducedLoad {
-  std::string path;      // of the input: "F"
-  Message message = {};  // what was used, and what to write in its place
+  std::string path;      // path of the input: "F"
+  Message message = {};  // the value used, and the text to write in its place
 };
 /// A size that the other steps of the same body have, of an input that this one searches for.
 struct BodySize {
   double si = 0.0;
   bool is_given = false;  // typed there; else the least that it may be
-  std::string by;         // the step that asks for it
+  std::string by;         // the step that requires it
 };
-/// What is known of the loads of a step.
+/// Facts about the loads of a step.
 struct LoadFacts {
-  bool vary = false;  // what loads the part comes from something that turns, or varies: known when the project is read
-  /// What comes along with them, and the step does not take: "lever.links.rod.M_b"; known when it is solved.
+  bool vary = false;  // loads come from a rotating part, or vary: known when the project is read
+  /// Load components that the step does not include: "lever.links.rod.M_b"; known when it is solved.
   std::string left = {};
-  /// What the loads hold that the step has taken: its own results hold it too; known when it is solved.
+  /// Factors included in the loads that the step has taken, and therefore in its results; known when it is solved.
   Factors factors = {};
-  /// Of a factor that its loads lack, and that nothing gives here: "T comes without gears.K_A = 1.75: give K_A"; empty
-  /// where there is none. Loads that are taken from it lack it too. Known when it is solved.
+  /// A factor that its loads lack, and that nothing gives here: "T comes without gears.K_A = 1.75: give K_A"; empty
+  /// if there is none. Loads taken from this step lack it too. Known when it is solved.
   Message lacking_factor = {};
   std::set<std::string> justified = {};  // factors that are lower here for a reason of the user's
   /// Loads that are less than the series that they come from, and that nobody answers for: no mode of strength is
-  /// judged by them, here and where the results go; known when it is solved.
+  /// assessed by them, here and where the results go; known when it is solved.
   std::vector<ReducedLoad> reduced = {};
-  std::optional<Reversal> reversal = {};  // of a load that changes its sense; known when the step is solved
+  std::optional<Reversal> reversal = {};  // reversal of a load; known when the step is solved
 };
-/// What else loads the part that takes a path's value: full paths (Step::companions_of).
+/// Other loads on the part that takes a path's value: full paths (Step::companions_of).
 using Companions = std::function<std::vector<std::string>(const std::string& path)>;
 
 /// A value in a record of a step.
@@ -130,46 +130,46 @@ class Step {
   /// Checks what can be known before anything runs: expressions' dimensions, names, rules. Called in order of
   /// evaluation.
   virtual void prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) = 0;
-  /// Dimension and axis of a path; a Fault with a hint where there is none, without a message where the step's own
-  /// errors, which are told, leave it unknown. After `prepare`.
+  /// Dimension and axis of a path; a Fault with a hint if there is none, without a message if an error of the step,
+  /// already reported, leaves it unknown. After `prepare`.
   [[nodiscard]] virtual Outcome<Signature> signature(const std::string& path) const = 0;
-  /// The field at a path, a result or an input; null where there is none, or its shape depends on the model.
+  /// The field at a path, a result or an input; null if there is none, or its shape depends on the model.
   [[nodiscard]] virtual const FieldInfo* field(const std::string& path) const;
-  /// What a record of the step has: "gear_2", "links.rod"; empty where there is none of that name.
+  /// The members of a record of the step: "gear_2", "links.rod"; empty if there is none of that name.
   [[nodiscard]] virtual std::vector<Member> members(const std::string& path) const;
   /// Full paths of what else loads the part that takes the value at `path`.
   [[nodiscard]] virtual std::vector<std::string> companions_of(const std::string& path) const;
-  /// Fills the account; series that are not wanted may have no values. A computed value that its field refuses becomes
-  /// an issue at its expression.
+  /// Fills the account; series that are not requested may have no values. A computed value that its field refuses
+  /// becomes an issue at its expression.
   virtual void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) = 0;
-  /// Results alone, with these inputs left open: those that hang on them are not available, or are found to differ when
-  /// the step is solved whole.
+  /// Solves for results only, with these inputs left open: results that depend on them are not available, or turn out
+  /// to differ when the step is solved completely.
   virtual void solve_without(const std::set<std::string>& inputs, const Known& known);
-  /// The value at a path, after `solve`; nothing where there is none (an element that the list does not have).
+  /// The value at a path, after `solve`; nothing if there is none (an element that the list does not have).
   [[nodiscard]] virtual const Value* value(const std::string& path) const;
-  /// The value of an input before `solve`; nothing where that is not certain. `of` gives inputs of other steps.
+  /// The value of an input before `solve`; nothing if that is not certain. `of` gives inputs of other steps.
   /// `settled`: not one of several values either.
   using Beforehand = std::function<std::optional<Value>(const std::string& path)>;
   [[nodiscard]] virtual std::optional<Value> value_beforehand(const std::string& path, bool settled,
                                                               const Beforehand& of) const;
-  /// The choice, name or row at a path, after `solve`; empty where there is none.
+  /// The choice, name or row at a path, after `solve`; empty if there is none.
   [[nodiscard]] std::string word(const std::string& path) const;
-  /// Results, else inputs, in a record or a list, with what stands behind its path.
+  /// Results, else inputs, in a record or a list, each with the rest of its path.
   [[nodiscard]] std::vector<std::pair<std::string, const Entry*>> within(const std::string& path) const;
 
   [[nodiscard]] const Account& account() const { return account_; }
-  /// What is said of its modes of failure, where other steps have a word in it.
+  /// The failure modes, to be adjusted by other steps.
   [[nodiscard]] account::Modes& modes() { return account_.modes; }
   [[nodiscard]] const LoadFacts& loads() const { return loads_; }
   [[nodiscard]] LoadFacts& loads() { return loads_; }
-  /// What the report says of the step's inputs.
+  /// Adds a remark on the step's inputs to the report.
   void remark(Message remark) { remarks_.push_back(std::move(remark)); }
   [[nodiscard]] const std::vector<Message>& remarks() const { return remarks_; }
-  /// By the input: what the body asks for (lib/project/solving/bodies.hpp).
+  /// The sizes that the body requires, by input (lib/project/solving/bodies.hpp).
   [[nodiscard]] const std::map<std::string, BodySize>& body_sizes() const { return body_sizes_; }
   void set_body_size(const std::string& path, BodySize size) { body_sizes_[path] = std::move(size); }
   void forget_body_sizes() { body_sizes_.clear(); }
-  /// Of what it was solved to before, nothing is left.
+  /// Discards the previous solution.
   void forget() {
     account_ = {};
     rows_found_.clear();
@@ -191,7 +191,7 @@ class Step {
   std::map<std::string, BodySize> body_sizes_;
 };
 
-/// What a lone reference names.
+/// The type of object that a bare reference names.
 enum class Form { nothing, number, word, row, record, list };
 Form form_of(const Step& step, const std::string& path);
 
@@ -200,14 +200,14 @@ Form form_of(const Step& step, const std::string& path);
 const Axis* check_operands(const Reading& reading, const std::string& step, bool lifted, const Declared& declared,
                            std::vector<Issue>& issues);
 
-/// The value of an operand; nothing and an issue where its field refuses it.
+/// The value of an operand; nothing and an issue if its field refuses it.
 std::optional<Value> evaluate_operand(const Operand& operand, const std::string& step, const Known& known,
                                       std::vector<Issue>& issues);
 
-/// The inputs of a record as entries, those left open and unnamed left out. `origin` tells where a leaf comes from.
+/// The inputs of a record as entries, except open and unnamed ones. `origin` gives the origin of a leaf.
 std::vector<Entry> input_entries(const Record& record,
                                  const std::function<Origin(const std::string& path, const Leaf& leaf)>& origin);
-/// "given" where it was typed, "default" where it has a value all the same.
+/// "given" if it was typed, "default" if it has a value anyway.
 Origin plain_origin(const Reading& reading, const std::string& path, const Leaf& leaf);
 
 /// An issue at the field that was typed at `path`, or at what it is part of.

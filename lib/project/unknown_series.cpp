@@ -17,7 +17,7 @@ std::vector<std::string_view> parts_of(std::string_view name) {
   return parts;
 }
 
-/// A name as a pattern of its kind: `links.rod.N` for `link.*.N` is `links.*.N`. Empty where they have unlike parts.
+/// A name as a pattern of its kind: `links.rod.N` for `link.*.N` is `links.*.N`. Empty if they have unlike parts.
 std::string likened(std::string_view name, std::string_view pattern) {
   const auto own = parts_of(name), wanted = parts_of(pattern);
   if (own.size() != wanted.size()) return {};

@@ -12,13 +12,14 @@ Comparison compare(const Expectation& e, const Expression::Known& known) {
   Comparison c;
   c.expectation = &e;
   c.ours = e.value.evaluate(known).si[0];
-  if (std::isinf(e.is.si)) {  // the value itself: in an expression what is infinite has no value
+  if (std::isinf(e.is.si)) {  // the value itself: in an expression an infinite number has no value
     c.ours = known(e.text).si[0];
     c.holds = c.ours == e.is.si;
     c.deviation = c.holds ? 0.0 : std::nan("");
     return c;
   }
-  const double scale = e.is.si == 0.0 ? parse_unit(e.unit)->factor : std::abs(e.is.si);  // of 0: in its own unit
+  const double scale =
+      e.is.si == 0.0 ? parse_unit(e.unit)->factor : std::abs(e.is.si);  // zero: relative to its own unit
   c.deviation = (c.ours - e.is.si) / scale;
   c.allowed = e.within      ? *e.within
               : e.within_si ? *e.within_si / scale

@@ -18,7 +18,7 @@ namespace {
 // Integers up to here, of fifteen digits, are doubles, and no two of them are the same double at any power of ten.
 constexpr double most = 1e15;
 
-/// The nearest whole number of 10^power; NaN where it has more digits than a double can tell.
+/// The nearest integer multiple of 10^power; NaN if it has more digits than a double.
 double whole(double value, int power) {
   const double multiple = times_power_of_ten(value, -power);
   if (!(std::abs(multiple) < most)) return std::numeric_limits<double>::quiet_NaN();
@@ -37,7 +37,7 @@ constexpr std::array<char, 200> pairs = [] {
 /// Digits that are written from the last to the first.
 class Digits {
  public:
-  /// The last `count` digits of a number, with zeros in front where it has fewer; what is left of it.
+  /// Writes the last `count` digits of a number, with leading zeros if it has fewer; returns the rest.
   std::uint64_t put(std::uint64_t number, int count) {
     for (; count > 1; count -= 2, number /= 100) put_pair(number % 100);
     if (count == 0) return number;
@@ -50,7 +50,7 @@ class Digits {
     *--first_ = static_cast<char>('0' + number);
   }
   void put(char sign) { *--first_ = sign; }
-  /// Zeros behind a point say nothing, nor does the point without them.
+  /// Removes trailing zeros after the point, and the point without digits.
   void cut_zeros() {
     while (end_[-1] == '0') --end_;
     if (end_[-1] == '.') --end_;
@@ -68,7 +68,7 @@ class Digits {
   char* end_ = first_;
 };
 
-/// With a point in front of the last digits, which leave zeros out.
+/// With a point before the last digits, without trailing zeros.
 void append_with_point(std::uint64_t number, int behind, bool negative, std::string& text) {
   Digits digits;
   const std::uint64_t whole_part = digits.put(number, behind);
@@ -104,7 +104,7 @@ void append_with_exponent(std::uint64_t number, int power, bool negative, std::s
   text += digits.text();
 }
 
-/// `number`, whole and below `most`, times 10^power. With an exponent from 10^15 on, and below 10^-4.
+/// `number`, an integer below `most`, times 10^power. With an exponent from 10^15 on, and below 10^-4.
 void append_multiple(double number, int power, std::string& text) {
   const auto size = static_cast<std::uint64_t>(std::abs(number));
   const double value = std::abs(number) * 1e4;
@@ -119,7 +119,7 @@ void append_multiple(double number, int power, std::string& text) {
   }
 }
 
-/// A power of ten that is beyond all doubles stands for those beyond it, and for that of zero.
+/// Clamps to a power of ten beyond all doubles, also for zero.
 int bounded(double power) { return static_cast<int>(std::clamp(power, -400.0, 400.0)); }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// Numbers that are told to a power of ten, since what lies beyond is rounding: fewer digits, none of them noise, and
-// text at the price of an integer's.
+// Numbers rounded to a power of ten, since further digits are rounding errors: fewer digits, all significant, and
+// formatting as fast as for integers.
 #pragma once
 
 #include <string>
@@ -9,13 +9,12 @@ namespace loadpath {
 /// Multiples of a power of ten.
 class Decimals {
  public:
-  /// The coarsest that tell everything larger than `rounding`: nothing moves by more than half of that. Of 0, all there
-  /// are.
+  /// The coarsest power of ten that changes no number by more than half of `rounding`. For 0, all digits are kept.
   static Decimals within(double rounding);
-  /// The finest that tell nothing smaller than `rounding`.
+  /// The finest power of ten that is not below `rounding`.
   static Decimals beyond(double rounding);
 
-  /// The multiple nearest to a number; the number itself where a double has no more digits than that, or it is none.
+  /// The multiple nearest to a number; the number itself if a double has no more digits than that, or it is NaN.
   [[nodiscard]] double nearest(double value) const;
   /// The text of that: "-27.35", "30", "1.2e-07"; of a finite number.
   void append_nearest(double value, std::string& text) const;

@@ -39,7 +39,7 @@ struct Dimension {
     for (auto& e : d.twelfths) e = static_cast<std::int16_t>(e * numerator / denominator);
     return d;
   }
-  /// From whole exponents.
+  /// Builds a dimension from integer exponents.
   static constexpr Dimension of(int l, int m, int t, int theta = 0, int a = 0) {
     Dimension d;
     d.twelfths = {static_cast<std::int16_t>(l * one), static_cast<std::int16_t>(m * one),
@@ -49,7 +49,7 @@ struct Dimension {
   }
 };
 
-/// What a dimension cannot tell apart: an absolute temperature from a difference, a moment from an energy.
+/// Distinctions that a dimension does not make: absolute temperature or difference, moment or energy.
 enum class Kind : std::uint8_t { plain, temperature, difference, moment, energy };
 
 /// The dimension in words a machine designer uses ("stress", "moment"), or as a product of SI units.

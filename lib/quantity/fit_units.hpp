@@ -1,4 +1,4 @@
-// What fits are given in: micrometres, differences of temperature, expansion; and temperatures.
+// Units of fits: micrometres, temperature differences, expansion; and temperatures.
 #pragma once
 
 #include "lib/quantity/units.hpp"

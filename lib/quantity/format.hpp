@@ -27,7 +27,7 @@ std::string readable_unit(double si, const Dimension& dimension, Kind kind = Kin
 
 /// The factor and offset of a unit text that is known to be right (a field's own): asserts that it parses.
 double in_unit(double si, std::string_view unit);
-/// Of many numbers: the unit is read once.
+/// Converts many numbers: the unit is read once.
 std::vector<double> in_unit(std::vector<double> si, std::string_view unit);
 
 }  // namespace loadpath

@@ -11,7 +11,7 @@ constexpr Dimension a_frequency = Dimension::of(0, 0, -1), an_angular_speed = Di
 constexpr Dimension a_temperature = Dimension::of(0, 0, 0, 1), a_time = Dimension::of(0, 0, 1);
 constexpr Dimension an_angle = Dimension::of(0, 0, 0, 0, 1);
 
-/// What the meaning or the symbol of a stress says; the first that fits decides.
+/// A word in the meaning or the symbol of a stress, with its kind; the first match decides.
 struct StressWord {
   std::string_view meaning, symbol;  // a part of the one, the start of the other; empty: any
   Meant kind;
@@ -95,7 +95,7 @@ std::string_view name_of(Meant kind) {
 bool takes_kind(Meant field, Meant given) {
   if (field == Meant::nothing || given == Meant::nothing || given == Meant::rate || field == given) return true;
   const bool in_one_direction = field == Meant::normal_stress || field == Meant::equivalent_stress;
-  if (given == Meant::strength) return in_one_direction || field == Meant::shear_stress;  // a stress that is borne
+  if (given == Meant::strength) return in_one_direction || field == Meant::shear_stress;  // a capacity
   return given == Meant::uniaxial_stress && in_one_direction;
 }
 

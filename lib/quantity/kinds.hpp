@@ -1,6 +1,6 @@
-// What a value is beyond its dimension: a shear stress is no normal stress, and a frequency no angular speed. One table
-// tells the kinds of literals by their units, of fields by their symbols and meanings, and which field takes which
-// kind. How kinds pass through an expression is in lib/quantity/expression/kinds.cpp.
+// The meaning of a value beyond its dimension: a shear stress differs from a normal stress, a frequency from an
+// angular speed. One table gives the kinds of literals by unit, of fields by symbol and meaning, and the kinds that
+// each field takes. Propagation through expressions is in lib/quantity/expression/kinds.cpp.
 #pragma once
 
 #include "lib/quantity/dimension.hpp"
@@ -15,15 +15,15 @@ enum class Meant : std::uint8_t {
   normal_stress,
   shear_stress,
   equivalent_stress,
-  uniaxial_stress,  // of mises(sigma, tau): what normal and equivalent stresses take
-  strength,         // what any allowable stress takes
+  uniaxial_stress,  // mises(sigma, tau): accepted for normal and equivalent stresses
+  strength,         // accepted for any allowable stress
   frequency,        // cycles or turns per time
   angular_speed,
-  rate,  // 1/s of a speed over a radius, a power over a moment, a root: radians per time
+  rate,  // 1/s as a speed over a radius, a power over a moment, a root: radians per time
   work,
   torque,
   temperature,
-  difference  // of temperatures
+  difference  // temperature difference
 };
 
 /// A field or a result, by what it declares of itself.
@@ -36,7 +36,7 @@ struct Declaration {
 };
 Meant kind_of_field(const Declaration& field);
 
-/// Of a literal: of hertz a frequency, of joules a work.
+/// The kind of a literal: a frequency in hertz, a work in joules.
 Meant kind_of_unit(const Dimension& dimension, bool hertz, bool work);
 
 /// "a shear stress"
@@ -45,8 +45,8 @@ std::string_view name_of(Meant kind);
 /// Whether a field takes a value; of two that are known of one dimension.
 bool takes_kind(Meant field, Meant given);
 
-/// Whether a value of one dimension may stand where the other is expected, their angles left out: a speed over a radius
-/// is an angular speed, a frequency is not. `turns`: pi in the value makes radians of turns.
+/// Whether a value of one dimension is accepted for the other, apart from angles: a speed over a radius is an angular
+/// speed, a frequency is not. `turns`: pi in the value converts revolutions to radians.
 bool fits_but_for_angle(const Dimension& wanted, const Dimension& given, Meant kind, bool turns);
 
 }  // namespace loadpath

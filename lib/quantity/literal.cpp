@@ -31,7 +31,7 @@ std::string_view without_spaces_behind(std::string_view text) {
   return text;
 }
 
-/// What no text may be, whatever it says.
+/// The fault of a text that is invalid in any field.
 std::optional<Fault> unreadable(std::string_view text) {
   if (text.size() > longest)
     return Fault{

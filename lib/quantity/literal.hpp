@@ -10,7 +10,7 @@
 
 namespace loadpath {
 
-/// What a field expects of a literal.
+/// Requirements of a field on a literal.
 struct Expected {
   Dimension dimension;
   Kind kind = Kind::plain;
@@ -33,7 +33,7 @@ Outcome<Literal> parse_literal(std::string_view text);
 /// 1/s".
 bool counts_anything(const Dimension& dimension, std::string_view text);
 
-/// What the unit of a literal says of its kind: of "25 Hz" a frequency; nothing where it cannot be read.
+/// The kind of a literal implied by its unit: a frequency for "25 Hz"; nothing if it cannot be read.
 Meant kind_of_literal(std::string_view text);
 
 struct UnitValue {

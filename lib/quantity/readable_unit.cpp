@@ -6,7 +6,7 @@
 namespace loadpath {
 namespace {
 
-/// From which magnitude (SI) a unit is the habit of textbooks; the first row of a dimension serves where there is none.
+/// From which magnitude (SI) a unit is the habit of textbooks; the first row of a dimension serves if there is none.
 struct Habit {
   Dimension dimension;
   std::string_view unit;
@@ -34,7 +34,7 @@ constexpr Habit habits[] = {
     {Dimension::of(0, 1, 0), "kg"},
     {Dimension::of(2, 1, 0), "kg*m^2"},
     {Dimension::of(0, 0, 1), "s"},
-    {Dimension::of(0, 0, -1), "1/s"},  // of angular speeds and frequencies alike
+    {Dimension::of(0, 0, -1), "1/s"},  // both angular speeds and frequencies
     {Dimension::of(0, 0, 0, 0, 1), "deg"},
     {Dimension::of(0, 0, -1, 0, 1), "rad/s"},
     {Dimension::of(-1, 0, 0, 0, 1), "deg/m"},

@@ -90,8 +90,8 @@ std::optional<double> summit(const Quartic& quartic, double low, double high) {
   return {};
 }
 
-/// The place of a summit in the turn that the axis lists. A millionth of a step is less than what refining can tell: no
-/// further from the beginning of the axis, or from zero, it is that.
+/// The place of a summit in the turn that the axis lists. A millionth of a step is below the accuracy of refining:
+/// within that distance of the beginning of the axis, or of zero, the place is rounded to it.
 double on_axis(const Axis& axis, double at) {
   if (axis.at.size() < 2) return at;
   const double first = axis.at.front(), least = 1e-6 * std::abs(axis.at[1] - first);
@@ -123,7 +123,7 @@ Window window_around(const Value& series, std::size_t i) {
   return window;
 }
 
-/// Where `height` has its summit near the window's own position, and how far above it, where one can be trusted.
+/// The summit of `height` near the window's own position, and its height above it, if reliable.
 std::optional<Point> summit_near(const Window& window, const std::array<double, 5>& height) {
   const Quartic quartic{window.t, height};
   if (!quartic.smooth_summit()) return {};
@@ -133,9 +133,8 @@ std::optional<Point> summit_near(const Window& window, const std::array<double, 
   return Point{*top, quartic(*top).value};
 }
 
-/// The summit of `way` times the series near position i; the position itself where none can be trusted. A magnitude has
-/// a kink where it passes through zero, its square has none: the valleys of what is nowhere negative are also sought
-/// there.
+/// The summit of `way` times the series near position i; the position itself if none is reliable. A magnitude has a
+/// kink where it passes through zero, its square has none: for non-negative series the valleys are also sought there.
 Extreme refined(const Value& series, std::size_t i, double way) {
   const Axis& axis = *series.signature.axis;
   const Extreme sample{series.si[i], on_axis(axis, axis.at[i]), i};
@@ -171,10 +170,10 @@ bool is_summit(const Value& series, std::size_t i, double way) {
   return left && right;
 }
 
-/// By what two heights may differ and yet be reached alike: rounding, or what it leaves of a solved position.
+/// The tolerance for equally high summits: rounding, or its remainder in a solved position.
 double tie(const Value& series, double height) { return std::max(series.rounding, 1e-12 * std::abs(height)); }
 
-/// Of summits that are equally high the first.
+/// The first of equally high summits.
 Extreme extreme(const Value& series, double way) {
   if (!available(series)) return {not_available, not_available, 0};
   if (!series.is_series()) return {series.si.front(), 0.0, 0};

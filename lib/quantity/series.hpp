@@ -17,7 +17,7 @@ struct Axis {
   std::vector<double> at;     // SI, ascending or descending; a cycle holds no doubled end point
   std::vector<double> share;  // part of the cycle's time that belongs to each position; sums to 1; empty: not a cycle
   double period = 0.0;        // SI, signed; 0: not a cycle
-  double speed = 0.0;         // of what turns through an angle, rad/s; 0: not known, or not constant
+  double speed = 0.0;         // angular velocity of the rotating part, rad/s; 0: unknown, or not constant
   [[nodiscard]] std::string name() const { return step + ": " + quantity; }
   [[nodiscard]] bool cyclic() const { return period != 0.0; }
 };
@@ -25,19 +25,19 @@ struct Axis {
 struct Signature {
   Dimension dimension;
   const Axis* axis = nullptr;  // null: one value
-  bool other_sign = false;     // a load whose sign, if it has one, is not that of tension and compression
+  bool other_sign = false;     // a load whose sign, if any, differs from that of tension and compression
 };
 
 struct Value {
   Signature signature;
   std::vector<double> si;  // one, or one per position of the axis
-  double rounding = 0.0;   // SI: of which size a difference of values is nothing, from the terms they are computed of
+  double rounding = 0.0;   // SI: absolute rounding error of the values, from the terms they are computed from
   [[nodiscard]] bool is_series() const { return signature.axis != nullptr; }
 };
 
-/// An extreme of a series, refined between positions by the quartic through five of them; where the parabolas through
-/// three neighbours each differ by more than a quarter in curvature (a jump, a kink, fewer than about 13 positions to a
-/// wave) the position itself is taken. An open axis is never left. Of extremes that differ by no more than the
+/// An extreme of a series, refined between positions by the quartic through five of them; if the parabolas through
+/// three neighbours each differ by more than a quarter in curvature (a jump, a kink, fewer than about 13 positions to
+/// a wave) the position itself is taken. An open axis is never left. Among extremes that differ by no more than the
 /// series' rounding, or 1e-12 of their size, the first; a place is zero within 1e-6 of a step.
 struct Extreme {
   double value = 0.0;       // SI; NaN for an empty series or one that holds NaN
@@ -48,13 +48,13 @@ Extreme maximum(const Value& series);
 Extreme minimum(const Value& series);
 /// The value of largest magnitude, with its sign (`peak` of the expressions is its magnitude).
 Extreme largest(const Value& series);
-/// Whether the positions of a cycle stand so near one another that they tell its extremes: 36 of them at least, and
-/// what lies higher between them is no more than 1 % of the range. Of what is no cycle always.
+/// Whether the positions of a cycle are dense enough to resolve its extremes: at least 36, and values between them
+/// exceed them by no more than 1 % of the range. Always true without a cycle.
 bool tells_its_extremes(const Value& series);
-/// Whether its values differ by nothing but rounding. Not of a series that holds NaN.
+/// Whether its values differ only by rounding. False for a series with NaN.
 bool is_constant(const Value& series);
 
-/// Mean and root mean square over time on the closed cycle (trapezoid, end point counted once); NaN where the series
+/// Mean and root mean square over time on the closed cycle (trapezoid, end point counted once); NaN if the series
 /// is not a cycle.
 double mean(const Value& series);
 double root_mean_square(const Value& series);

@@ -186,7 +186,7 @@ class UnitReader {
     return since(from);
   }
 
-  /// Whether a name goes on: neither an operator nor a space nor a superscript stands here (these start with C2, C3,
+  /// Whether a name continues: neither an operator nor a space nor a superscript follows (these start with C2, C3,
   /// E2).
   bool letter_beyond_ascii() {
     const char lead = in_.peek();

@@ -16,8 +16,8 @@ struct ParsedUnit {
   int ten = 0;
   double offset = 0.0;
   Dimension dimension;
-  int names = 0;       // how many units of the table it is made of
-  unsigned marks = 0;  // of all of them
+  int names = 0;       // number of units of the table in it
+  unsigned marks = 0;  // union of the marks
 
   [[nodiscard]] bool has(Mark mark) const { return (marks & static_cast<unsigned>(mark)) != 0; }
   [[nodiscard]] double to_si(double value) const;

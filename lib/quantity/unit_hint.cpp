@@ -28,7 +28,7 @@ bool has_cyrillic(std::string_view name) {
   return std::any_of(name.begin(), name.end(), [](char c) { return c == '\xD0' || c == '\xD1'; });
 }
 
-/// A name in which letters of the other script stand for their doubles, as the unit it looks like; else empty.
+/// A name with look-alike letters of the other script, as the unit that it resembles; else empty.
 std::string in_one_script(std::string_view name) {
   constexpr std::u32string_view latin = U"ABCEHKMOPTXaceopxyk", cyrillic = U"АВСЕНКМОРТХасеорхук";
   static_assert(latin.size() == cyrillic.size());

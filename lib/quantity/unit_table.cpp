@@ -36,8 +36,8 @@ constexpr Dimension volume = length.power(3), speed = length / time_, force = ma
 constexpr Dimension stress = force / length.power(2), work = force * length, power = work / time_;
 constexpr Dimension angular_speed = angle / time_, frequency = number / time_;
 
-// Exact by definition: the international inch and pound, standard gravity. They are kept as
-// whole numbers beside a power of ten, so that 1.5 in is 0.0381 m to the last bit.
+// Exact by definition: the international inch and pound, standard gravity. They are stored as integers with a power
+// of ten, so that 1.5 in is 0.0381 m to the last bit.
 constexpr double inch = 254, foot = 12 * inch, pound = 45359237, gravity = 980665;
 constexpr double pound_force = pound * gravity, psi = pound_force / (inch * inch);
 constexpr double horsepower = 550 * foot * pound_force, metric_horsepower = 75 * gravity;

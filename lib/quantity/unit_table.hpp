@@ -20,14 +20,14 @@ struct Prefix {
   int ten;
 };
 
-/// What a unit tells beyond its dimension.
+/// Properties of a unit beyond its dimension.
 enum class Mark : std::uint8_t {
   none = 0,
   minute = 1,        // 1/min counts revolutions where an angular speed is expected
   hertz = 2,         // cycles, never revolutions
   work = 4,          // never a moment
   scale = 8,         // a point on a scale (°C), not a step
-  run_together = 16  // Nm: a power of it can be read in two ways
+  run_together = 16  // Nm: a power of it is ambiguous
 };
 
 struct Prefixes {
@@ -46,8 +46,8 @@ struct UnitRow {
 };
 
 struct FoundUnit {
-  const UnitRow* row = nullptr;  // null: no such unit
-  int ten = 0;                   // of the prefix
+  const UnitRow* row = nullptr;  // null: unknown unit
+  int ten = 0;                   // power of ten of the prefix
   Script script = Script::latin;
 };
 

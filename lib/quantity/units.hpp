@@ -1,7 +1,7 @@
-// Quantities at compile time: the sole file that says boost::units. In an optimised build a quantity is a double.
+// Quantities at compile time: the only file with boost::units. In an optimised build a quantity is a double.
 //
-// Moments are N*m for bending and torsion alike; an angle is a double in rad; an angular speed is 1/s. What the types
-// cannot tell apart (deg from %, rpm from Hz, N*m from J) is part of the Unit that a field carries.
+// Moments are N*m for bending and torsion alike; an angle is a double in rad; an angular speed is 1/s. Distinctions
+// that the types do not make (deg from %, rpm from Hz, N*m from J) are part of the Unit of a field.
 #pragma once
 
 #include "lib/numerics/cube_root.hpp"
@@ -76,7 +76,7 @@ using std::sin;
 using std::sqrt;
 using std::tan;
 
-// By value, so that they are one instruction; std::max takes references and becomes a branch.
+// Arguments by value compile to one instruction; std::max takes references and becomes a branch.
 template <class Unit, class Number>
 [[nodiscard]] auto max(const boost::units::quantity<Unit, Number>& a, const boost::units::quantity<Unit, Number>& b) {
   return boost::units::quantity<Unit, Number>::from_value(std::max(a.value(), b.value()));
@@ -92,14 +92,14 @@ template <class Unit, class Number>
   return Result::from_value(cube_root(q.value()));
 }
 
-// Of the ratio of two like quantities, whose unit Boost carries on, numbers; an angle is a double in rad.
+// Functions of a ratio of like quantities, whose unit Boost keeps, as numbers; an angle is a double in rad.
 using Ratio = decltype(Length() / Length());
 [[nodiscard]] inline double log(const Ratio& x) { return std::log(x.value()); }
 [[nodiscard]] inline double asin(const Ratio& x) { return std::asin(x.value()); }
 [[nodiscard]] inline double acos(const Ratio& x) { return std::acos(x.value()); }
 [[nodiscard]] inline double atan(const Ratio& x) { return std::atan(x.value()); }
 
-/// What a formula comes to: a quantity, or a plain number where its dimensions cancel.
+/// The result of a formula: a quantity, or a plain number if its dimensions cancel.
 template <class Quantity>
 [[nodiscard]] constexpr Quantity reduced(const Quantity& q) {
   return q;

@@ -1,5 +1,5 @@
-// Whole numbers that stand in formulas: teeth, links, belts. A double in arithmetic, so that z_2 / z_1 divides as it is
-// written; an integer only where one is asked for by name.
+// Integers in formulas: teeth, links, belts. A double in arithmetic, so that z_2 z_1 divides as written; an integer
+// only on explicit request.
 #pragma once
 
 #include "lib/quantity/units.hpp"

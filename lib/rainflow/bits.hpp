@@ -7,8 +7,8 @@
 
 namespace loadpath::rainflow {
 
-/// Calls put(i, place) for i = 0, 1, ... with the place of each bit of `word`, the lowest first, and how many there
-/// are. Up to three calls more come behind them, with places of the word: what they put is to be put over.
+/// Calls put(i, place) for i = 0, 1, ... with the place of each bit of `word`, the lowest first, and returns their
+/// number. Up to three additional calls follow, with places of the word, whose results are to be overwritten.
 template <class Put>
 inline __attribute__((always_inline)) std::size_t put_places(std::uint64_t word, const Put& put) {
   constexpr std::uint64_t last = std::uint64_t{1} << 63U;  // so that there is a lowest bit

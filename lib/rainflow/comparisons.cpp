@@ -36,7 +36,7 @@ std::uint64_t smaller_ranges(const double* x, std::uint64_t rising) {
 
 #if defined(__x86_64__)
 
-/// Of a word in which something is level or no number.
+/// For a word with equal neighbours or NaN.
 LOADPATH_AVX2 void look_closely(const double* x, Moves& moves) {
   __m256d missing = _mm256_setzero_pd();
   for (std::size_t k = 0; k < bits; k += 4) {

@@ -7,23 +7,23 @@
 
 namespace loadpath::rainflow {
 
-/// What may be used; avx2 only where best_instructions() is that.
+/// Instructions to use; avx2 only if best_instructions() is that.
 enum class Instructions { portable, avx2 };
 
 /// The best of what this machine has.
 Instructions best_instructions();
 
-/// What counting can take: ranges of it are finite.
+/// The maximum value for counting: its ranges are finite.
 inline constexpr double largest_value = 8e307;
 
-/// How 64 samples go on to the next one each.
+/// The changes from 64 samples to the next one each.
 struct Moves {
   std::uint64_t rising = 0, level = 0;
-  bool sound = false;  // all are finite and of no more than `largest_value`; if not, the bits mean nothing
+  bool sound = false;  // all are finite and at most `largest_value`; otherwise the bits are meaningless
 };
 
-/// Bit k of word w: how x[64 w + k] goes on to x[64 w + k + 1]. x holds 64 * words + 1 values, of which the first is
-/// sound.
+/// Bit k of word w: the change from x[64 w + k] to x[64 w + k + 1]. x contains 64 * words + 1 values, of which the
+/// first is sound.
 void compare_neighbours(const double* x, std::size_t words, Moves* moves, Instructions instructions);
 
 /// Bit k of word w, i = 64 w + k: range i + 1, from x[i + 1] to x[i + 2], is smaller than range i before it. x rises

@@ -42,7 +42,7 @@ std::optional<Fault> Counter::feed(std::span<const double> samples) {
   return std::nullopt;
 }
 
-/// Takes turning points that stand behind those that wait; counts what is a whole block with them.
+/// Takes turning points that follow those that wait; counts the complete blocks.
 void Counter::fill(std::size_t count) {
   filled_ += rules_.gate > 0.0 ? gate_.pass(values_.data() + filled_, places(), count) : count;
   if (filled_ < block) return;
@@ -68,7 +68,7 @@ void Counter::finish() {
   if (rules_.gate > 0.0) filled_ += gate_.finish(values_.data() + filled_, places());
   count_block(filled_);
   filled_ = 0;
-  // What four points leave of a period, there and back, closes once more as its largest cycle.
+  // The residue of a period by the four-point method, out and back, closes as its largest cycle.
   stack_->count_residue(course_ == Course::once ? rules_.residue : Residue::repeated);
 }
 

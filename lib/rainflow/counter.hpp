@@ -23,16 +23,16 @@ class Stack;
 
 class Counter {
  public:
-  /// What it is given: a history, or one period that begins and ends at its largest magnitude.
+  /// The kind of input: a history, or one period that begins and ends at its largest magnitude.
   enum class Course { once, period };
 
-  /// Rules without a contradiction; the consumer outlives the counter. Of a period the residue has no rule: by the
-  /// method of four points the three points that are left are one cycle, by the others it has closed.
+  /// Rules without a contradiction; the consumer outlives the counter. The residue of a period needs no rule: by the
+  /// four-point method the three remaining points are one cycle, by the others it has closed.
   Counter(const Rules& rules, Consumer& consumer, Course course = Course::once);
   Counter(Counter&&) = delete;
   ~Counter();
 
-  /// A Fault whose `at` is the sample, counted from 0, where one is not finite or beyond 8e307: what was counted is
+  /// A Fault whose `at` is the sample, counted from 0, if one is not finite or beyond 8e307: the counts are then
   /// void.
   std::optional<Fault> feed(std::span<const double> samples);
   /// The end of the series: its last value, and the residue by its rule.
@@ -59,9 +59,9 @@ class Counter {
   std::size_t filled_ = 0;
 };
 
-/// Counts one period of a history that repeats, from its largest magnitude round to it: full cycles alone, by the
-/// method and the gate of the rules. Places are those of the period as given; a cycle over its end begins behind where
-/// it ends.
+/// Counts one period of a repeating history, from its largest magnitude round to it: only full cycles, by the method
+/// and the omission level of the rules. Places are those of the period as given; a cycle over its end begins at a
+/// later place than it ends.
 std::optional<Fault> count_periodic(std::span<const double> period, const Rules& rules, Consumer& consumer);
 
 }  // namespace loadpath::rainflow

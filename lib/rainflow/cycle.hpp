@@ -1,4 +1,4 @@
-// What counting finds in a history: cycles, and who takes them.
+// The result of counting a history: cycles, and their consumer.
 #pragma once
 
 #include <cmath>
@@ -29,7 +29,7 @@ struct Where {
 struct Batch {
   std::span<const Loop> loops;
   double count = 1.0;
-  std::span<const Where> where;  // empty where the counter was not asked for it
+  std::span<const Where> where;  // empty unless the counter was set to record places
 };
 
 /// Takes what a counter finds, batch by batch; which batches there are does not depend on the chunks of the series.
@@ -64,7 +64,7 @@ class Consumers : public Consumer {
 struct Cycle {
   double range = 0.0, mean = 0.0;
   double count = 1.0;  // or 0.5
-  Where where;         // both 0 where the counter was not asked for it
+  Where where;         // both 0 unless the counter was set to record places
 };
 
 /// Keeps every cycle, for histories that are short enough.

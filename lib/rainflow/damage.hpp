@@ -1,5 +1,4 @@
-// What cycles do by an S-N curve: their sum, the stress of constant range that does the same, and which of them do
-// most.
+// Damage of cycles by an S-N curve: their sum, the constant range of the same damage, and the most damaging cycles.
 #pragma once
 
 #include "lib/rainflow/comparisons.hpp"
@@ -23,15 +22,15 @@ class DamageSum : public Consumer {
 
   void take(const Batch& batch) override;
 
-  /// A Fault where it is beyond what numbers hold.
+  /// A Fault if it is beyond what numbers hold.
   [[nodiscard]] Outcome<double> total() const;
-  /// How many cycles, halves as 0.5.
+  /// The number of cycles, halves as 0.5.
   [[nodiscard]] double cycles() const { return cycles_; }
-  /// Of the largest cycle, in the measure of the curve; 0 where there was none.
+  /// The stress of the largest cycle, in the measure of the curve; 0 if there was none.
   [[nodiscard]] double largest_stress() const;
   [[nodiscard]] const SnCurve& curve() const { return curve_; }
 
-  /// Of every eighth cycle: the order of adding up is that of wide registers on every machine.
+  /// Partial sums of every eighth cycle: the order of addition is that of wide registers on every CPU.
   static constexpr std::size_t lanes = 8;
   struct Sums {
     std::array<double, lanes> damage{}, largest{};

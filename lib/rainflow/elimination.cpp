@@ -22,7 +22,7 @@ std::size_t Elimination::pass(double* points, std::size_t count) {
   const std::size_t words = words_of(count), known = count - 2;  // bit i is of ranges i and i + 1
   std::fill(points + count, points + bits * words + 2, 0.0);
   compare_ranges(points, words, smaller_.data(), points[0] < points[1], instructions_);
-  // Behind the end all are called smaller, so that nothing is taken out before it is known what follows.
+  // Beyond the end all are marked as smaller, so that nothing is eliminated before its successors are known.
   smaller_[words] = all;
   smaller_[known / bits] |= all << (known % bits);
   if (known / bits + 1 < words) smaller_[known / bits + 1] = all;
@@ -44,7 +44,8 @@ std::size_t Elimination::pass(double* points, std::size_t count) {
 }
 
 std::size_t Elimination::reduce(double* points, std::size_t count) {
-  // Of independent peaks a pass leaves a third; what ten passes leave, or one that takes out little, is for a stack.
+  // For independent peaks a pass leaves a third; the remainder after ten passes, or after one that removes little, is
+  // for a stack.
   constexpr int most_passes = 10;
   constexpr std::size_t fewest_points = 128, smallest_share = 8;
   closed_count_ = 0;

@@ -1,6 +1,5 @@
-// What closes at once wherever it stands: a range that is smaller than the one before it, and no larger than the one
-// behind it. Taking these out block by block, without a branch that can be guessed wrongly, leaves the stack of a
-// counter the few that are left.
+// Cycles that close locally: a range smaller than the one before it, and not larger than the one after it.
+// Eliminating these block by block, without unpredictable branches, leaves only a few for the stack of a counter.
 #pragma once
 
 #include "lib/rainflow/comparisons.hpp"
@@ -17,8 +16,8 @@ class Elimination {
   /// For blocks of up to `largest` turning points.
   Elimination(std::size_t largest, Instructions instructions);
 
-  /// How many of `points`, which rise and fall in turn, are left; they stay in their order. `points` has room for
-  /// 128 more, and what is in it there is overwritten. `closed` gets the loops that are taken out.
+  /// Returns how many of `points`, alternately rising and falling, are left; they stay in their order. `points` has
+  /// room for 128 more, which are overwritten. `closed` gets the eliminated loops.
   std::size_t reduce(double* points, std::size_t count);
   [[nodiscard]] std::span<const Loop> closed() const { return {closed_.data(), closed_count_}; }
 

@@ -1,4 +1,4 @@
-// Leaves out turns that are too small to be counted, before counting.
+// Omits ranges that are too small to be counted, before counting.
 #pragma once
 
 #include <cstddef>
@@ -6,8 +6,9 @@
 
 namespace loadpath::rainflow {
 
-/// A hysteresis gate: a turning point is one once the series has come back from it by `width` or more. Cycles of at
-/// least that range are those of the whole series; its ends go where the series moves by less before them.
+/// A hysteresis gate: an extreme becomes a turning point once the series has reversed from it by `width` or more.
+/// Cycles of at least that range are those of the full series; its ends move to the last points before which the
+/// series moves by less.
 class Gate {
  public:
   /// In the unit of the series, 0 or more.
@@ -26,7 +27,7 @@ class Gate {
     }
     return left;
   }
-  /// The last turning point; none where the whole series moves by less than the width.
+  /// The last turning point; none if the full series moves by less than the width.
   std::size_t finish(double* value, std::uint64_t* at) const {
     if (course_ == Course::none) return 0;
     const Point& last = course_ == Course::rising ? high_ : low_;

@@ -12,7 +12,7 @@
 
 namespace loadpath::rainflow {
 
-/// Turning points, and their places in the series where they are asked for.
+/// Turning points, and their places in the series if requested.
 struct Points {
   std::span<const double> values;
   std::span<const std::uint64_t> at;  // empty, or one for each value

@@ -1,4 +1,4 @@
-// Three ways of saying when a loop closes. They compare values of the series, not ranges, so that nothing is rounded.
+// Three closing conditions of a loop. They compare values of the series, not ranges, so that nothing is rounded.
 #pragma once
 
 #include "lib/rainflow/loops.hpp"
@@ -10,8 +10,8 @@
 
 namespace loadpath::rainflow {
 
-/// The four-point method: the inner range of four points closes where it is no larger than both beside it. The residue
-/// grows and then shrinks. FVA-Richtlinie Zaehlverfahren (2010), as recalled.
+/// The four-point method: the inner range of four points closes if it is not larger than either neighbour. The
+/// residue grows and then shrinks. FVA-Richtlinie Zaehlverfahren (2010), as recalled.
 template <bool placed>
 class FourPoint {
  public:
@@ -36,9 +36,9 @@ class FourPoint {
   Waiting<placed> wait_;
 };
 
-/// HCM, the hysteresis counting of Clormann and Seeger (1985): a loop closes where the material comes back to its
-/// start, and the first load starts from zero on a branch of its own, which closes nothing. The variables of the
-/// publication are IZ, points on the stack, and IR, those of them on that branch.
+/// HCM, the hysteresis counting of Clormann and Seeger (1985): a loop closes where the material returns to its start,
+/// and the first load starts from zero on a branch of its own, which closes nothing. The variables of the publication
+/// are IZ, points on the stack, and IR, those of them on that branch.
 template <bool placed>
 class Hcm {
  public:
@@ -61,7 +61,7 @@ class Hcm {
     }
     if (wait_.size() < first_branch_) return;
     const double turn = wait_.top(1);
-    if (turn == 0.0 || (next > turn) == (turn > 0.0)) return wait_.drop(1);  // still on the way from zero
+    if (turn == 0.0 || (next > turn) == (turn > 0.0)) return wait_.drop(1);  // still moving away from zero
     if (std::abs(next) > std::abs(turn)) ++first_branch_;
   }
 
@@ -69,12 +69,12 @@ class Hcm {
   std::size_t first_branch_ = 1;
 };
 
-/// What a range that holds the start of the history counts by ASTM E1049.
+/// The count of a range that includes the start of the history by ASTM E1049.
 enum class AtStart { nothing, half, whole };
 
-/// ASTM E1049-85(2017), 5.4.4: the last range but one is a cycle where the last is no smaller; half a cycle, and its
-/// first point alone goes, where it holds the start of the history. In a history that repeats, begun at its largest
-/// magnitude, it is a cycle as well: 5.4.5.
+/// ASTM E1049-85(2017), 5.4.4: the last range but one is a cycle if the last is not smaller; half a cycle, and only
+/// its first point is removed, if it includes the start of the history. In a repeating history, begun at its largest
+/// magnitude, it is a full cycle: 5.4.5.
 template <bool placed>
 class Astm {
  public:

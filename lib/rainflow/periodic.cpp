@@ -8,7 +8,7 @@ namespace loadpath::rainflow {
 
 namespace {
 
-/// Tells places of a turned period as those of the period itself.
+/// Converts places of a rotated period to those of the original.
 class TurnedBack : public Consumer {
  public:
   TurnedBack(Consumer& consumer, std::size_t first, std::size_t period)

@@ -1,5 +1,5 @@
-// Powers of many numbers at once, inlined into what wants them, so that they take the instructions of their caller:
-// with AVX2 and without, the results are the same to the bit.
+// Powers of many numbers at once, inlined into the caller, so that they use its instructions: with AVX2 and without,
+// the results are the same to the bit.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace loadpath::rainflow {
 
-/// As many numbers as are worked on at once.
+/// The number of values processed at once.
 inline constexpr std::size_t lot = 256;
 using Lot = std::array<double, lot>;
 
@@ -22,9 +22,9 @@ namespace power {
 
 inline constexpr std::uint64_t mantissa = 0xfffffffffffffU, bits_of_one = 0x3ff0000000000000U;
 
-/// Of a normal positive number: the artanh series of its mantissa between 1/sqrt(2) and sqrt(2).
+/// The logarithm of a normal positive number: the artanh series of its mantissa between 1/sqrt(2) and sqrt(2).
 LOADPATH_INLINE double log2_of(double x) {
-  constexpr std::uint64_t to_root = 0x95f619980c433U;  // from sqrt(2) to 2: moved by it, exponents step at sqrt(2)
+  constexpr std::uint64_t to_root = 0x95f619980c433U;  // from sqrt(2) to 2: shifts the exponent steps to sqrt(2)
   const std::uint64_t moved = std::bit_cast<std::uint64_t>(x) + to_root;
   // Exponents as the low bits of a double of 2^52, for AVX2 converts no 64-bit integers.
   const double exponent = std::bit_cast<double>(moved >> 52U | 0x4330000000000000U) - (0x1p52 + 1023.0);
@@ -37,7 +37,7 @@ LOADPATH_INLINE double log2_of(double x) {
 
 /// 0 below 2^-1021, infinite from 2^1023 on.
 LOADPATH_INLINE double exp2_of(double y) {
-  constexpr double shift = 0x1.8p52;  // rounds to a whole number, which then is the lowest bits
+  constexpr double shift = 0x1.8p52;  // rounds to an integer, which then is in the lowest bits
   const double limited = y < -1021.0 ? -1021.0 : (y > 1023.0 ? 1023.0 : y);
   const double moved = limited + shift;
   const double z = (limited - (moved - shift)) * std::numbers::ln2;
@@ -71,8 +71,8 @@ LOADPATH_INLINE void by_logarithms(const Lot& x, double exponent, Lot& result) {
 
 }  // namespace power
 
-/// x^exponent for x >= 0 and an exponent >= 1: 0 or infinite where it leaves the range of numbers. By products where
-/// the exponent is a whole number up to 64, else by logarithms, to 1e-12 of the value for exponents up to 64.
+/// x^exponent for x >= 0 and an exponent >= 1: 0 or infinite beyond the range of numbers. By products if the exponent
+/// is an integer up to 64, else by logarithms, to 1e-12 of the value for exponents up to 64.
 LOADPATH_INLINE void powers(const Lot& x, double exponent, Lot& result) {
   constexpr double most_products = 64.0;
   if (exponent <= most_products && exponent == std::floor(exponent))

@@ -32,7 +32,7 @@ std::optional<Fault> fault_of(std::span<const SnCurve::Branch> branches, std::si
   return std::nullopt;
 }
 
-/// The one branch of a curve, with its end at `from`; none where the curve is another.
+/// The one branch of a curve, with its end at `from`; none if the curve is another.
 const SnCurve::Segment* one_branch(const SnCurve& curve) {
   const auto segments = curve.segments();
   return segments.size() == 1 && segments[0].from > 0.0 ? segments.data() : nullptr;
@@ -84,7 +84,7 @@ std::optional<double> SnCurve::cycles(double stress) const {
 }
 
 std::optional<double> SnCurve::stress(double cycles) const {
-  constexpr double rounding = 1.0 + 1e-9;  // of a life that is a sum over cycles: where a curve ends it is still on it
+  constexpr double rounding = 1.0 + 1e-9;  // summed lives: the end of a curve still belongs to it
   if (!is_positive(cycles)) return std::nullopt;
   for (const Segment& segment : segments_) {
     if (segment.from > 0.0 && cycles > rounding * segment.point.cycles) continue;
@@ -135,7 +135,7 @@ Outcome<double> consistent_damage(const SnCurve& curve, std::vector<Level> colle
     const double x = collective[i].stress / branch->point.stress;
     const double reached = x >= 1.0 ? 0.0 : 1.0 - std::pow(x, q);
     if (reached > damage) {
-      if (per_collective == 0.0) return 0.0;  // nothing is above the limit that would lower it
+      if (per_collective == 0.0) return 0.0;  // nothing above the limit would lower it
       borne += (reached - damage) / per_collective;
       damage = reached;
     }

@@ -1,5 +1,5 @@
-// S-N curves of straight branches in a plot of both logarithms (Basquin), and what Miner's rule makes of them below
-// their knee. Lives are in cycles, never in reversals; stresses in whatever unit the history has.
+// S-N curves of straight branches in a log-log plot (Basquin), and their extension below the knee by Miner's rule.
+// Lives are in cycles, never in reversals; stresses in the unit of the history.
 #pragma once
 
 #include "lib/text/issue.hpp"
@@ -12,7 +12,7 @@
 
 namespace loadpath::rainflow {
 
-/// What of a cycle the stress of a curve is.
+/// The stress measure of the curve for a cycle.
 enum class Measure { amplitude, range };
 
 class SnCurve {
@@ -20,11 +20,11 @@ class SnCurve {
   struct Point {
     double stress = 0.0, cycles = 0.0;  // both > 0
   };
-  /// N goes with S^-slope, to a life where the next branch begins, or behind which nothing fails.
+  /// N is proportional to S^-slope, up to a life where the next branch begins, or beyond which nothing fails.
   struct Branch {
     double slope = 0.0;                    // 1 to 64
     double until = endless;                // cycles, rising from branch to branch
-    static constexpr double endless = -1;  // the last one alone: it goes on to the smallest stress
+    static constexpr double endless = -1;  // last branch only: it continues to the smallest stress
   };
   /// A branch in stresses: down to `from`, which is still on it, through `point`.
   struct Segment {
@@ -36,18 +36,18 @@ class SnCurve {
   /// One without branches: nothing fails.
   SnCurve() = default;
   /// A curve whose first branch goes through `point`: EN 1993-1-9 is {category, 2e6}, {{3, 5e6}, {5, 1e8}}. A Fault
-  /// says which of the numbers is none of a curve.
+  /// names an invalid number.
   static Outcome<SnCurve> make(Measure measure, Point point, std::span<const Branch> branches);
 
   [[nodiscard]] Measure measure() const { return measure_; }
   /// From the highest stresses down.
   [[nodiscard]] std::span<const Segment> segments() const { return segments_; }
 
-  /// The share of the life that one cycle of this stress (>= 0) takes, 1 / N; 0 where it never fails; finite.
+  /// The share of the life that one cycle of this stress (>= 0) takes, 1 / N; 0 if it never fails; finite.
   [[nodiscard]] double damage(double stress) const;
-  /// Cycles to failure; none where it never fails, or beyond what numbers hold.
+  /// Cycles to failure; none if it never fails, or beyond what numbers hold.
   [[nodiscard]] std::optional<double> cycles(double stress) const;
-  /// The stress that fails after so many cycles; none where none does.
+  /// The stress that fails after so many cycles; none if none does.
   [[nodiscard]] std::optional<double> stress(double cycles) const;
 
  private:
@@ -55,7 +55,7 @@ class SnCurve {
   std::vector<Segment> segments_;
 };
 
-/// How cycles below the fatigue limit, the end of the one branch of a curve, take part in the damage sum.
+/// The contribution of cycles below the fatigue limit, the end of the single branch of a curve, to the damage sum.
 enum class Miner {
   original,    // not at all
   elementary,  // by the same slope k, without a limit
@@ -63,20 +63,21 @@ enum class Miner {
   liu_zenner,  // all by the slope (k + 3.6) / 2 from the largest cycle on, down to half of the limit; recalled
 };
 
-/// The curve that a damage sum by this rule is made with. `largest` is the stress of the largest cycle, for Liu-Zenner
-/// alone; where it is below the limit, nothing is damaged by that rule. A Fault where the curve has not one branch with
-/// an end: what has more says itself what follows.
+/// The curve for a damage sum by this rule. `largest` is the stress of the largest cycle, only for Liu-Zenner; if it
+/// is below the limit, there is no damage by that rule. A Fault unless the curve has one branch with an end: a curve
+/// with more branches defines its own continuation.
 Outcome<SnCurve> by_miner(const SnCurve& curve, Miner rule, double largest);
 
-/// How often a stress comes.
+/// A stress with its number of cycles.
 struct Level {
   double stress = 0.0;
   double count = 0.0;
 };
 
-/// The damage of a collective by Miner's consistent rule: the fatigue limit falls with the damage D as (1 - D)^(1/q), q
-/// = k - 1 (Haibach, recalled), so that small cycles come to count. It is 1 over how often the collective can be borne;
-/// of the same levels always between `original` and `elementary`. A Fault as of by_miner.
+/// The damage of a spectrum by Miner's consistent rule: the fatigue limit falls with the damage D as (1 - D)^(1/q), q
+/// = k - 1 (Haibach, recalled), so that small cycles begin to count. It is the reciprocal of the allowable
+/// repetitions of the spectrum; for the same levels always between `original` and `elementary`. A Fault as in
+/// by_miner.
 Outcome<double> consistent_damage(const SnCurve& curve, std::vector<Level> collective);
 
 }  // namespace loadpath::rainflow

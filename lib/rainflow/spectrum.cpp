@@ -20,7 +20,7 @@ Outcome<Classes> Classes::make(double low, double width, std::size_t count) {
 std::optional<std::size_t> Classes::of(double x) const {
   if (count_ == 0 || !(x >= low_ && x <= bound(count_))) return std::nullopt;
   auto i = std::min(static_cast<std::size_t>((x - low_) / width_), count_ - 1);
-  // The quotient is rounded; the bounds are what is promised.
+  // The quotient is rounded; the bounds are exact.
   if (x < bound(i)) --i;
   if (i + 1 < count_ && x >= bound(i + 1)) ++i;
   return i;

@@ -19,7 +19,7 @@ class Classes {
   static constexpr std::size_t most = 1024;
 
   Classes() = default;
-  /// `count` classes from `low` on, in the unit of the series. A Fault where the width is not above 0, or there are
+  /// `count` classes from `low` on, in the unit of the series. A Fault if the width is not above 0, or there are
   /// more than 1024.
   static Outcome<Classes> make(double low, double width, std::size_t count);
 
@@ -34,7 +34,7 @@ class Classes {
   std::size_t count_ = 0;
 };
 
-/// How many cycles go from one class to another; the two directions of a cycle are told apart.
+/// The number of cycles between each pair of classes; the two directions of a cycle are distinguished.
 class RainflowMatrix : public Consumer {
  public:
   explicit RainflowMatrix(Classes classes);
@@ -52,7 +52,7 @@ class RainflowMatrix : public Consumer {
   double outside_ = 0.0;
 };
 
-/// How many cycles have a range of each class.
+/// The number of cycles in each class of range.
 class RangePairs : public Consumer {
  public:
   explicit RangePairs(Classes classes) : classes_(classes), counts_(classes.count(), 0.0) {}
@@ -62,7 +62,7 @@ class RangePairs : public Consumer {
   [[nodiscard]] const Classes& classes() const { return classes_; }
   [[nodiscard]] std::span<const double> counts() const { return counts_; }
   [[nodiscard]] double outside() const { return outside_; }
-  /// How many have a range of this class or of one above: the collective as it is drawn.
+  /// The number of cycles in this class of range or above: the spectrum as it is drawn.
   [[nodiscard]] std::vector<double> exceedances() const;
   /// The classes as levels of stress, each at its upper bound, so that damage is not underestimated.
   [[nodiscard]] std::vector<Level> levels(Measure measure) const;
@@ -73,8 +73,8 @@ class RangePairs : public Consumer {
   double outside_ = 0.0;
 };
 
-/// How often a history goes through levels: up where it was below one and comes to it or above, down back. Of its
-/// turning points, behind the gate.
+/// The number of crossings of each level: upwards from below to the level or above, downwards back. For the turning
+/// points, after the omission of small ranges.
 class LevelCrossings : public Consumer {
  public:
   /// Levels in any order; those that are no finite number are left out.

@@ -16,7 +16,7 @@ void count_halves(const Points& points, Loops& loops) {
   }
 }
 
-/// A residue that comes once more behind itself: turning points alone, for its end and its start may be none there.
+/// A residue repeated after itself: turning points only, because its end and its start may not be such at the joint.
 class Joined {
  public:
   explicit Joined(const Points& residue) : residue_(residue) {

@@ -43,12 +43,12 @@ std::size_t TurningPoints::step(std::span<const double> samples, Out& out) {
 /// 64 moves from x[0], the latest sample, to x[64].
 void TurningPoints::turn(const double* x, const Moves& moves, Out& out) {
   const auto rising_before = static_cast<std::uint64_t>(course_ == Course::rising);
-  // What is level goes on as it came: from the bit behind a rising one a carry runs through all that are level.
+  // Level moves continue the previous direction: from the bit after a rising one a carry runs through all level ones.
   const std::uint64_t risen = (moves.rising << 1U | rising_before) & moves.level;
   const std::uint64_t rising = moves.rising | (moves.level & ~(moves.level + risen));
   const std::uint64_t turns = rising ^ (rising << 1U | rising_before);
   const std::uint64_t first = samples_ - 1;
-  // Where the plateau began that ends before move k: behind the last move before it that is not level.
+  // The start of the plateau that ends before move k: after the last move before it that is not level.
   const auto begin = [&](std::size_t k) {
     const std::uint64_t before = ~moves.level & ((std::uint64_t{1} << k) - 1);
     return before == 0 ? since_ : first + static_cast<std::uint64_t>(std::bit_width(before));

@@ -13,19 +13,19 @@
 
 namespace loadpath::rainflow {
 
-/// Why this sample, counted from 0, cannot be counted; `at` is its place. None where it can.
+/// Why this sample, counted from 0, cannot be counted; `at` is its place. None if it can.
 std::optional<Fault> refusal(double sample, std::uint64_t at);
 
 class TurningPoints {
  public:
   explicit TurningPoints(Instructions instructions = best_instructions()) : instructions_(instructions) {}
 
-  /// The turning points that these samples decide, which are the same however the series is cut. `values` has room for
-  /// samples.size() + 4 of them, and `at`, where it is given, for their places in the series, counted from 0. How many
-  /// there are; a Fault whose `at` is the sample, where one is not finite or beyond 8e307: after it the series is over.
+  /// The turning points decided by these samples, independent of the division of the series. `values` has room for
+  /// samples.size() + 4 of them, and `at`, if given, for their places in the series, counted from 0. Returns their
+  /// number; a Fault whose `at` is the sample, if one is not finite or beyond 8e307: the series then ends.
   Outcome<std::size_t> feed(std::span<const double> samples, double* values, std::uint64_t* at = nullptr);
 
-  /// The last value of the series; none of an empty series, and none where all of it was one plateau.
+  /// The last value of the series; none of an empty series, and none if all of it was one plateau.
   std::size_t finish(double* value, std::uint64_t* at = nullptr) const;
 
   /// Samples so far.

@@ -42,7 +42,8 @@ bool is_known(const Entry& entry) {
   return !entry.word.empty() || (!entry.value.si.empty() && !std::isnan(entry.value.si.front()));
 }
 
-/// A size with its symbol; a long path may stand on a line of its own, or a column for it leaves none for the reasons.
+/// A size with its symbol; a long path gets a line of its own, because a column for it would leave no space for the
+/// reasons.
 std::string size_text(const Entry& entry) {
   constexpr std::size_t short_path = 8;
   const std::string text = short_text(entry);
@@ -62,7 +63,7 @@ std::vector<const Entry*> sizes_of(const Step& step) {
   return sizes;
 }
 
-/// Whether a row has the shape of the part, and not what it is made of: it fills a length, an area.
+/// Whether a row gives the shape of the part, not its material: it fills a length, an area.
 bool is_shape(const Step& step, std::string_view group) {
   const auto& fields = step.input().calculator->input->fields;
   return std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& field) {
@@ -82,7 +83,7 @@ std::vector<std::pair<std::string, std::string>> rows_of(const Step& step) {
   return rows;
 }
 
-/// What the step has decided on: a section, a drive.
+/// The results of the step's choices: a section, a drive.
 std::vector<const Entry*> decided_on(const Step& step) {
   std::vector<const Entry*> decided;
   if (step.input().calculator->result == nullptr) return decided;  // a mechanism decides on none
@@ -120,7 +121,7 @@ std::string short_sizes_text(const Step& step) {
   return say("{1} and {2} more", listed(words), left).text();
 }
 
-/// Why it is these: what the search says, "given" where nothing was searched for.
+/// The reasons for these: the remark of the search, "given" if nothing was searched for.
 std::string reasons_text(const Step& step) {
   std::string all;
   for (const Entry* entry : chosen(step.account())) {
@@ -131,7 +132,7 @@ std::string reasons_text(const Step& step) {
   return all.empty() && !sizes_text(step).empty() ? say("given").text() : all;
 }
 
-/// The modes of one step, judged as strictly as the project is.
+/// The modes of one step, assessed as strictly as the project is.
 Modes modes_of(const Step& step, const Modes& all) {
   Modes own;
   std::copy_if(all.begin(), all.end(), std::back_inserter(own), [&](const Mode& m) { return m.step == step.name(); });
@@ -156,7 +157,7 @@ Tone tone_of(State state) {
   return Tone::quiet;
 }
 
-/// What one step takes of others, by the step that it comes from, each once.
+/// The values that one step takes from others, by the step of origin, each once.
 class Taking {
  public:
   explicit Taking(const Step& step) : step_(step) {
@@ -192,7 +193,7 @@ class Taking {
     return value.empty() ? path : set(path + " = " + value);
   }
 
-  /// A record by its leading number: what else it holds comes along.
+  /// Names a record by its leading number; its other values are implied.
   [[nodiscard]] std::string named_record(const project::Taken& record) const {
     for (const project::Operand& operand : step_.input().reading.operands) {
       if (!operand.of_record) continue;
@@ -226,7 +227,7 @@ draw::Flow::Part part_of(const Step& step, const Modes& all) {
 
 namespace {
 
-/// Adds a step to the part that describes the same body; false where there is none.
+/// Adds a step to the part that describes the same body; false if there is none.
 bool join_body(const ChosenPart& part, std::vector<ChosenPart>& parts) {
   const auto same = std::find_if(parts.begin(), parts.end(), [&](const ChosenPart& other) {
     return !part.body.empty() && other.body == part.body;

@@ -37,7 +37,7 @@ Cell cell_of(const Entry& entry) {
   return say("{1} to {2}", format_quantity(low, entry.unit, 5), format_quantity(high, entry.unit, 5));
 }
 
-/// Where a value comes from, with the keys of its sources; a recalled value says so.
+/// The origin of a value, with the keys of its sources; a recalled value is marked.
 Cell origin_cell(const account::Origin& origin) {
   std::string text = origin.text.text();
   for (const std::string& key : origin.sources) text += " [" + key + "]";
@@ -54,7 +54,7 @@ Table result_table(const Account& account) {
   return table;
 }
 
-/// "segments[2].tau" or "torques.M1.x" in its parts; nothing where the path is none of an element.
+/// "segments[2].tau" or "torques.M1.x" in its parts; nothing if the path is none of an element.
 struct ElementPath {
   std::string list, element, field;
 };
@@ -92,7 +92,7 @@ void append(std::vector<Block>& blocks, const Items& items) {
   for (const auto& item : items) blocks.emplace_back(item);
 }
 
-/// What is covered is told by the verdicts.
+/// The verdicts already show the limits.
 std::vector<Entry> without_limits(std::vector<Entry> entries) {
   std::erase_if(entries, [](const Entry& e) { return e.role == Role::limit; });
   return entries;
@@ -106,7 +106,7 @@ void add_remarks(const std::vector<Message>& remarks, std::vector<Block>& blocks
   blocks.emplace_back(Paragraph{all, Paragraph::Tone::note});
 }
 
-/// What part it is, what warns of it, what it says of itself.
+/// Title of the part, warnings, notes.
 void add_head(const Step& step, std::vector<Block>& blocks) {
   const auto& input = step.input();
   blocks.emplace_back(Heading{2, input.title.empty() ? step.name() : input.title, step.name()});
@@ -156,7 +156,7 @@ void add_step(const Step& step, Detail detail, std::vector<Block>& blocks) {
     blocks.emplace_back(Verdicts{account.blocks.empty() ? folded(account.verdicts) : account.verdicts});
 }
 
-/// The inputs that the verdicts of a step follow from; none where no formula is written out.
+/// The inputs that the verdicts of a step follow from; none if no formula is written out.
 std::set<std::string> deciding_inputs(const Account& account) {
   std::set<std::string> paths;
   for (const account::Verdict& row : account.verdicts) {
@@ -165,8 +165,8 @@ std::set<std::string> deciding_inputs(const Account& account) {
   return paths;
 }
 
-/// Factors that raise a load or lower a strength, each where it is applied: once. One that nobody gave and no verdict
-/// follows from is that of another method.
+/// Factors that raise a load or lower a strength, each where it is applied: once. A factor that is neither given nor
+/// used by a verdict belongs to another method.
 void add_factors(const Project& project, std::vector<Block>& blocks) {
   Table table{say("Load factors (each applied once)"), {say("step"), say("factor"), say("meaning"), say("value")}, {}};
   for (const auto& step : project.steps) {
@@ -207,7 +207,7 @@ std::string heading_of(const Project& project, std::string_view key) {
   return {};
 }
 
-/// Who prepared it stands in the project, with the date; who checks signs with another.
+/// The preparer comes from the project, with the date; the checker signs separately.
 void add_signatures(const Project& project, std::vector<Block>& blocks) {
   blocks.emplace_back(Heading{2, "Signatures", "signatures"});
   Table table{{}, {say("part"), say("name"), say("date"), say("signature")}, {}};

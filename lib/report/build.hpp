@@ -22,8 +22,8 @@ std::vector<Table> list_tables(const std::vector<account::Entry>& entries);
 /// worked out and the others follow in a table.
 std::vector<Block> derivation_blocks(const std::vector<account::Derived>& lines);
 
-/// Of a check that many elements of a list pass the row with the largest value, of a limit that they keep the range of
-/// the values: the tables have them all. What does not pass keeps its row.
+/// Folds rows of the same field over the elements of a list: for a check the row with the largest value, for a limit
+/// the range of the values; the tables have them all. Rows that do not pass remain.
 std::vector<Verdict> folded(const std::vector<Verdict>& rows);
 
 /// The keys of sources that a text names in brackets: "[B19] (4)" -> "B19".

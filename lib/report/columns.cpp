@@ -9,7 +9,7 @@
 namespace loadpath::report {
 namespace {
 
-constexpr int few_digits = 4;  // of the numbers of many columns; the calculation and JSON have more
+constexpr int few_digits = 4;  // digits of numbers in many columns; the calculation and JSON have more
 
 std::string shared_unit(const Table& table, std::size_t column) {
   std::string unit;

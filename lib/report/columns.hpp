@@ -1,5 +1,5 @@
-// What the writers share about tables: how wide a column is, what its numbers have in common, and which columns of many
-// stand beside each other.
+// Layout of tables common to the writers: column widths, common units and digits, and the division of many columns
+// into parts.
 #pragma once
 
 #include "lib/report/document.hpp"
@@ -14,7 +14,7 @@ namespace loadpath::report {
 inline constexpr std::size_t many_columns = 7;  // set closer, with units in the head
 inline constexpr double between_columns = 1.6;  // letters
 
-/// How many letters stand in a text: of UTF-8 its continuations do not count.
+/// The number of letters in a text: UTF-8 continuation bytes do not count.
 double letters_of(std::string_view text);
 
 /// A column as it is set: in the head its unit, where all of its numbers have the same.
@@ -26,15 +26,15 @@ struct Column {
 };
 Column column_of(const Table& table, std::size_t index, bool numeric);
 
-/// A number of few digits, without the unit that stands in the head.
+/// A number of few digits, without the unit, which is in the head.
 std::string number_of(Quantity q, const Column& column);
 
-/// Columns beside each other.
+/// A group of adjacent columns.
 struct Part {
   std::vector<Column> columns;
   double letters = 0.0;
 };
-/// What has no room beside each other becomes parts of the table; each begins with the name of the row.
+/// Divides a table too wide for the line into parts; each begins with the name of the row.
 std::vector<Part> parts_of(const std::vector<Column>& columns, double letters_of_line);
 
 }  // namespace loadpath::report

@@ -1,4 +1,4 @@
-// The outcome of all modes of failure in words, and the numbers of headings, tables and figures.
+// The outcome of all failure modes in words, and the numbers of headings, tables and figures.
 #pragma once
 
 #include "lib/report/document.hpp"
@@ -7,10 +7,10 @@
 
 namespace loadpath::report {
 
-/// What stands behind the headline: what fails, or which search has no result, and how many modes came out how.
+/// The reason for the headline: the failing modes, or a search without result, and the number of modes by state.
 Message conclusion_of(const Modes& modes);
 
-/// How many came out how: "Of 6 failure modes: 1 not assessed, 4 pass, 1 not considered."
+/// The number of modes by state: "Of 6 failure modes: 1 not assessed, 4 pass, 1 not considered."
 Message tally(const Modes& modes);
 
 /// The mode with the highest utilisation, or none, and what it is announced with.
@@ -19,8 +19,8 @@ Message utilisation(const Mode& mode);
 
 /// Whether the mode passes by a proof or a condition, without a utilisation: worth no row of its own.
 bool is_proved(const Mode& mode);
-/// The modes that have a row of their own, in order: those that do not pass, and those that do. What passes by proof,
-/// and what was not considered and no calculator assesses, is told in a line each, empty where there is none.
+/// The modes with a row of their own, in order: first those that do not pass. Modes that pass by proof, and modes not
+/// considered that no calculator assesses, are summarised in a line each, empty if there is none.
 Modes doubtful(const Modes& modes);
 Modes passing(const Modes& modes);
 Message proved(const Modes& modes);

@@ -34,7 +34,7 @@ Derivation worked(const Lines& lines) {
   return derivation;
 }
 
-/// Of an element within its list: its name, or its number in brackets.
+/// The name of an element within its list, or its number in brackets.
 std::string name_of(const Derived& line) {
   const std::string list = list_of(line.scope);
   return line.element.substr(list.size() + (line.element[list.size()] == '.' ? 1 : 0));

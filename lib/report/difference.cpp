@@ -26,7 +26,7 @@ bool same(double a, double b) {
   return a == b || std::abs(a - b) <= alike * std::max(std::abs(a), std::abs(b));
 }
 
-/// What is left of a sum that vanishes differs from run to run of nothing: it is no difference.
+/// Values of a sum that vanishes are rounding errors and differ from run to run: they are not a difference.
 bool same(const Value& a, const Value& b) {
   if (a.si.size() != b.si.size()) return false;
   double size = 0.0;
@@ -38,7 +38,7 @@ bool same(const Value& a, const Value& b) {
   return true;
 }
 
-/// The value, of a series the largest in magnitude; NaN where there is none.
+/// The value, of a series the largest in magnitude; NaN if there is none.
 double peak_of(const Value& value) {
   double peak = std::numeric_limits<double>::quiet_NaN();
   for (const double x : value.si) {
@@ -52,7 +52,7 @@ std::optional<double> relative(double before, double after) {
   return (after - before) / before;
 }
 
-/// Two numbers in one unit, with as many digits as it takes to tell them apart.
+/// Two numbers in one unit, with enough digits to distinguish them.
 std::pair<std::string, std::string> texts_of(double before, double after, const std::string& unit) {
   std::pair<std::string, std::string> texts;
   for (const int digits : {6, 10, 15}) {
@@ -74,7 +74,7 @@ std::string text_of(const Entry& entry) {
   return entry.value.is_series() ? "peak " + text : text;
 }
 
-/// Nothing where both say the same.
+/// Nothing if both say the same.
 std::optional<Difference> difference_of(const Entry& before, const Entry& after, bool is_input) {
   const bool words = !before.word.empty() || !after.word.empty();
   if (words ? before.word == after.word : same(before.value, after.value)) return std::nullopt;
@@ -92,7 +92,7 @@ std::optional<Difference> difference_of(const Entry& before, const Entry& after,
   return found;
 }
 
-/// Entries by their paths, those that are gone behind the others. Most stand where they stood.
+/// Entries by their paths, removed ones at the end. Most keep their positions.
 void compare(const std::vector<Entry>& before, const std::vector<Entry>& after, bool is_input,
              std::vector<Difference>& found) {
   std::map<std::string_view, const Entry*> old;
@@ -114,7 +114,7 @@ void compare(const std::vector<Entry>& before, const std::vector<Entry>& after, 
 
 using Typed = std::map<std::string, project::Typed>;
 
-/// What was typed beside fields: rows of tables, reasons of accepted modes. Those that a search found are not typed.
+/// Typed texts other than fields: rows of tables, reasons of accepted modes. Those that a search found are not typed.
 void compare_typed(const Typed& before, const Typed& after, const std::string& prefix, std::vector<Difference>& found) {
   const auto text_in = [](const Typed& all, const std::string& key) {
     const auto at = all.find(key);
@@ -132,7 +132,7 @@ void compare_typed(const Typed& before, const Typed& after, const std::string& p
 
 std::string word_of(account::State state) { return account::shown(state).text(); }
 
-/// "yield by u_tau", empty where no mode decides.
+/// "yield by u_tau", empty if no mode decides.
 std::string deciding_words(const account::Modes& modes) {
   const auto mode = deciding(modes);
   if (!mode) return {};

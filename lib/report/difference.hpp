@@ -1,4 +1,4 @@
-// What differs between two solved projects: what was given, what was chosen, how it came out.
+// The differences between two solved projects: inputs, choices, verdicts.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -9,13 +9,13 @@
 
 namespace loadpath::report {
 
-/// One of them, before and after. Of numbers the texts are in one unit; empty where there was none.
+/// One difference, before and after. Numbers are in one unit; empty if there was none.
 struct Difference {
   enum class Kind { heading, given, taken, chosen, state, decides, utilisation, result };
   Kind kind = Kind::given;
   std::string name;  // "tau_adm", "segments[1].M", of a mode its id
   std::string before, after;
-  std::optional<double> relative;  // change over what was; nothing of words, and of what was zero
+  std::optional<double> relative;  // change relative to the previous value; nothing for words, and for zero
   bool brief = true;               // worth a line where there is little room
 };
 
@@ -28,7 +28,7 @@ struct StepDifference {
   std::string name;
   std::string title;  // "Shaft in torsion"
   std::string calculator;
-  std::string state;  // of an added or a removed one
+  std::string state;  // state of an added or a removed one
   std::vector<Difference> differences;
 };
 

@@ -1,4 +1,4 @@
-// A report as data: what is said, in which order. Writers (html, markdown, latex) decide how it looks.
+// A report as data: its contents in order. Writers (html, markdown, latex) decide on the layout.
 #pragma once
 
 #include "lib/account/block.hpp"
@@ -13,7 +13,7 @@
 
 namespace loadpath::report {
 
-// A document is made of what the steps have to say.
+// A document consists of the blocks of the steps.
 using account::Block;
 using account::Cell;
 using account::Derivation;
@@ -40,10 +40,11 @@ struct Document {
   std::string input;  // last page: the project as it was typed; may be empty
 };
 
-/// One self-contained page: no network; embedded math font; light, dark and print. It reads without
-/// its scripts, which move mechanisms, tell points of charts and let keys scroll what is wide.
+/// One self-contained page: no network; embedded math font; light, dark and print. It is complete without its
+/// scripts, which animate mechanisms, show points of charts and let keys scroll wide content.
 std::string html(const Document& document);
-/// Markdown with $$ formulas; figures are named `figures[i].first` and hold SVG text, to be written beside it.
+/// Markdown with $$ formulas; figures are named `figures[i].first` and hold SVG text, to be written to files next to
+/// it.
 struct Markdown {
   std::string text;
   std::vector<std::pair<std::string, std::string>> figures;

@@ -1,4 +1,4 @@
-// Which input a report was made of: the same text gives the same words, another text others.
+// The identification of a report's input: the same text gives the same words, another text others.
 #pragma once
 
 #include "lib/project/project.hpp"

@@ -12,12 +12,12 @@ namespace {
 /// The rows of one field over the elements of a list that pass.
 struct Passing {
   std::size_t count = 0;
-  std::size_t most = 0;  // of utilisations the row with the largest
+  std::size_t most = 0;  // for utilisations, the row with the largest
   double low = 0.0, high = 0.0;
   bool is_told = false;
 };
 
-/// "sections[2].u_v" and "sections.pulley.u_v" -> "sections.u_v"; empty where it is no field of an element.
+/// "sections[2].u_v" and "sections.pulley.u_v" -> "sections.u_v"; empty if it is not a field of an element.
 std::string field_of(const std::string& path) {
   const std::size_t first = path.find_first_of("[."), last = path.rfind('.');
   return first == std::string::npos || last <= first ? "" : path.substr(0, first) + path.substr(last);

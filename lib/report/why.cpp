@@ -30,19 +30,19 @@ std::vector<std::string> scopes_from(std::string scope) {
   return scopes;
 }
 
-/// ".key_end" of "safeties.key_end", "[2]" of "segments[2]".
+/// The name after the element: ".key_end" in "safeties.key_end", "[2]" in "segments[2]".
 std::string name_within(const std::string& element) {
   const std::size_t at = element.find_first_of("[.");
   return at == std::string::npos ? element : element.substr(at);
 }
 
-/// "safeties.key_end" of "safeties.key_end.u_D", empty where a path is of no element.
+/// "safeties.key_end" for "safeties.key_end.u_D", empty for a path outside elements.
 std::string element_of(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   return dot == std::string::npos ? std::string() : path.substr(0, dot);
 }
 
-/// What a part's results and calculation say of the elements of lists.
+/// The entries and derivations of a part that belong to elements of lists.
 class Elements {
  public:
   explicit Elements(const Account& account) {
@@ -73,7 +73,7 @@ class Elements {
   std::map<std::string, int> more_;  // elements of a list than are written out
 };
 
-/// Follows names from a line back to the lines and inputs that they come from.
+/// Traces names from a line back to the lines and inputs that they come from.
 class Tracing {
  public:
   explicit Tracing(const Account& account) : account_(account) {}
@@ -110,7 +110,7 @@ class Tracing {
     if (line.step.formula.empty()) follow_taken(i);
   }
 
-  /// An element takes from others of its own name, or from the whole: not from a neighbour with the same number.
+  /// An element takes from others of its own name, or from the part: not from a neighbour with the same number.
   static bool may_take(const Derived& line, const Derived& from) {
     return line.scope.empty() || from.scope.empty() || line.scope == from.scope ||
            name_within(line.element) == name_within(from.element);

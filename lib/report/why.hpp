@@ -1,5 +1,5 @@
-// Why a value of a solved step is what it is: the lines of its calculation that it follows from, the inputs that these
-// start from, and what was chosen on the way.
+// The derivation of a value of a solved step: the lines of its calculation that it follows from, their inputs, and
+// the choices involved.
 #pragma once
 
 #include "lib/account/account.hpp"
@@ -15,23 +15,23 @@ struct Reasons {
   std::vector<const account::Entry*> inputs;  // in the order of the account
 };
 
-/// What the value at a path follows from: "u_tau", "segments.journal.tau". Empty where no formula gives it.
+/// The derivation of the value at a path: "u_tau", "segments.journal.tau". Empty if no formula gives it.
 Reasons reasons_of(const account::Account& account, const std::string& path);
 
-/// The lines of a calculation as a report writes it out: all but those of elements of lists that checks judge. Of these
-/// the lines stay that checks, or results of the whole part, follow from, for what other methods find stands in the
-/// tables; where a calculator writes out a few elements only, what decides most, for the rest is as far as `why`.
+/// The lines of a calculation as a report writes it out: all but those of elements of lists that checks assess. From
+/// these, lines remain that checks or results of the part follow from, because results of other methods are in the
+/// tables; if a calculator writes out only a few elements, only the governing ones, because `why` shows the rest.
 std::vector<account::Derived> deciding_lines(const account::Account& account);
 
-/// Inputs that were searched for, with what the search says of them: rows, sizes, loads.
+/// Searched inputs, with the search's remarks: rows, sizes, loads.
 std::vector<const account::Entry*> chosen(const account::Account& account);
 
-/// The mode of failure that decides over a part: the worst, among like ones the most utilised; one that is open only
-/// where there is no other. Nothing where there is none.
+/// The failure mode that decides over a part: the worst, among like ones the most utilised; one that is open only
+/// if there is no other. Nothing if there is none.
 std::optional<account::Mode> deciding(const account::Modes& modes);
 
-/// The mode whose formulas tell most of a part: that which fails, else the most utilised; nothing where none has a
-/// value.
+/// The mode whose formulas explain the verdict of a part: a failing one, else the most utilised; nothing if none has
+/// a value.
 std::optional<account::Mode> telling(const account::Modes& modes);
 
 }  // namespace loadpath::report

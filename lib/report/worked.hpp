@@ -1,4 +1,4 @@
-// What the writers share about steps and values: names, numbers and trees ready to be printed.
+// Common functions of the writers for steps and values: names, numbers and trees ready to be printed.
 #pragma once
 
 #include "lib/formula/formula.hpp"
@@ -31,10 +31,10 @@ NamedSymbol named_symbol(std::string_view path);
 /// Whether a name is a word and no symbol of the field: "roller", "force_balance"; not "tau_adm", "KA".
 bool is_word(std::string_view name);
 
-/// A heading of a table that is nothing but a symbol: "tau_t", "d".
+/// A heading of a table that consists of a symbol: "tau_t", "d".
 bool is_symbol(const Message& head);
 
-/// Those of steps and chapters, which contents list; none where a document is too short for contents.
+/// Those of steps and chapters, which contents list; none if a document is too short for contents.
 std::vector<const Heading*> listed_headings(const Document& document);
 
 /// Columns that hold quantities, where they hold anything, are set flush right.

@@ -1,5 +1,5 @@
-// Work on many parts by several threads, handed on in the order of the parts: so that what is written and added up is
-// the same for any number of threads.
+// Work on many parts by several threads, passed on in the order of the parts, so that output and sums are the same
+// for any number of threads.
 #pragma once
 
 #include <condition_variable>
@@ -13,9 +13,9 @@
 
 namespace loadpath::sweep {
 
-/// The parts first ... last - 1. `make_worker` is called once by each of `jobs` threads and gives a function from part
-/// to Done; `take` is called by the caller's thread, part after part, and ends the work early with false. An exception
-/// of a worker ends it too, and comes out here.
+/// The parts first ... last - 1. `make_worker` is called once by each of `jobs` threads and gives a function from
+/// part to Done; `take` is called by the caller's thread, part after part, and ends the work early with false. An
+/// exception of a worker ends it too, and is rethrown here.
 template <class Done>
 class Ordered {
  public:
@@ -49,7 +49,7 @@ class Ordered {
       changed_.notify_all();
     }
   }
-  /// The next part; past the last where there is none. Waits while too much is done that nobody has taken.
+  /// The next part; past the last if there is none. Waits while too much is done that nobody has taken.
   std::uint64_t claim() {
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return stopped_ || next_ >= last_ || next_ < taken_ + window_; });

@@ -11,7 +11,7 @@ namespace loadpath::table {
 
 namespace {
 
-/// What is wrong with a built-in file is a fault of the program.
+/// An error in a built-in file is a fault of the program.
 void insist(const std::vector<Issue>& issues) {
   if (!issues.empty()) throw std::logic_error(render(issues, [](const std::string&) { return std::string(); }));
 }
@@ -55,7 +55,7 @@ void visit_until(std::string_view text, Visit visit) {
   }
 }
 
-/// The tables that are wanted; only the files that have `text` are read.
+/// The requested tables; only the files that contain `text` are read.
 template <class Wanted>
 std::vector<const Table*> tables_where(const std::string& text, Wanted wanted) {
   std::vector<const Table*> found;
@@ -68,7 +68,7 @@ std::vector<const Table*> tables_where(const std::string& text, Wanted wanted) {
   return found;
 }
 
-/// How a file says that a table has this name, or lies in this folder.
+/// The line of a file with the name of its table, or its folder.
 std::string table_line(std::string_view name) { return "table = \"" + std::string(name); }
 
 bool is_named(const Table& table, std::string_view name) {
@@ -89,7 +89,7 @@ Outcome<Entry> find_row(std::string_view group, std::string_view name) {
     return entry.row != nullptr;
   });
   if (entry.row != nullptr) return entry;
-  return find_row(built_in(), group, name);  // by other capitals, or says what is near
+  return find_row(built_in(), group, name);  // by other capitals, or reports near names
 }
 
 const Series* series_named(std::string_view name) {
@@ -103,7 +103,7 @@ const Series* series_named(std::string_view name) {
 
 Outcome<const Series*> find_series(std::string_view name) {
   if (const Series* series = series_named(name)) return series;
-  return find_series(built_in(), name);  // says what is near
+  return find_series(built_in(), name);  // reports near names
 }
 
 std::vector<const Table*> tables_of(std::string_view group) {

@@ -10,7 +10,7 @@
 
 namespace loadpath::table {
 
-/// The tables that are built into the program, read when first asked for.
+/// The tables built into the program, read at first use.
 const Library& built_in();
 
 /// A row of them, of which it reads only what it needs. So do those below.
@@ -20,14 +20,14 @@ Outcome<Entry> find_row(std::string_view group, std::string_view name);
 std::vector<const Table*> tables_of(std::string_view group);
 /// Likewise the table of a name ("sections/ipe"), or all of a folder ("sections").
 std::vector<const Table*> tables_in(std::string_view name);
-/// The first of them, null where there is none; the others are not read.
+/// The first of them, null if there is none; the others are not read.
 const Table* first_table_in(std::string_view name);
 
 Outcome<const Series*> find_series(std::string_view name);
-/// Null where there is none; then nothing else is read to say so.
+/// Null if there is none; then nothing else is read to say so.
 const Series* series_named(std::string_view name);
 
-/// The bibliographic entry of a key; empty where there is none.
+/// The bibliographic entry of a key; empty if there is none.
 std::string citation(std::string_view key);
 
 }  // namespace loadpath::table

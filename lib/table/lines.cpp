@@ -9,7 +9,7 @@ namespace {
 
 bool is_digit(char c) { return '0' <= c && c <= '9'; }
 
-/// Characters that stand for themselves in a text of TOML, whatever the encoding.
+/// Characters that need no escape in a text of TOML, whatever the encoding.
 bool is_plain(char c) { return ' ' <= c && c <= '~' && c != '"' && c != '\\'; }
 
 /// Reads from the front of a text.

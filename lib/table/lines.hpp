@@ -5,8 +5,8 @@
 //     ["HEA 100", ["HE 100 A"], 96, 100, 5.5],
 //   ]
 //
-// Only this form is read here. Whatever else TOML allows (comments, escapes, several lines for a row), or is wrong, is
-// left to the parser, which tells where.
+// Only this form is read here. Other TOML (comments, escapes, several lines for a row) and errors are left to the
+// parser, which reports the place.
 #pragma once
 
 #include <optional>
@@ -29,16 +29,16 @@ struct Lines {
   std::vector<std::string_view> lines;
 };
 
-/// Nothing where the text has no rows of this form.
+/// Nothing if the text has no rows of this form.
 std::optional<Lines> cut_lines(std::string_view text);
 
-/// The cells of an array on one line; false where it is not of this form. `cells` is used again and again.
+/// The cells of an array on one line; false if it is not of this form. `cells` is used again and again.
 bool read_line(std::string_view line, std::vector<Cell>& cells);
 
 /// The texts of such a cell: ["HE 100 A", "HEA100"].
 bool read_texts(const Cell& cell, std::vector<std::string>& texts);
 
-/// The value of a line KEY = "text", or of one with the key in quotes, as the file has it; nothing where there is no
+/// The value of a line KEY = "text", or of one with the key in quotes, as the file has it; nothing if there is no
 /// such line, or its text has escapes.
 std::optional<std::string_view> plain_text(std::string_view file, std::string_view key);
 

@@ -13,7 +13,7 @@ bool is_among(const std::vector<std::string>& names, const std::u32string& wante
   return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return folded(name) == wanted; });
 }
 
-/// The latest table wins: a user's stand behind the built-in ones.
+/// The latest table wins: a user's tables follow the built-in ones.
 template <class Holds>
 Entry last_row(const Library& library, std::string_view group, Holds holds) {
   for (auto table = library.tables.rbegin(); table != library.tables.rend(); ++table) {

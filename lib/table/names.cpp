@@ -36,13 +36,13 @@ bool is_of_series(const Numbered& wanted, const Numbered& other) {
          (other.rest == wanted.rest || wanted.rest.empty());
 }
 
-/// How far a name lies from the one that is wanted: the same digits in another order are a slip of the fingers.
+/// The distance of a name from the requested one: the same digits in another order are a typing error.
 std::tuple<bool, double, bool> far(const Numbered& wanted, const Numbered& other) {
   return {other.digits != wanted.digits, std::fabs(wanted.number - other.number), other.rest != wanted.rest};
 }
 
-/// Of the names with the same letters in front and the same behind the one with the nearest number; a material by its
-/// number alone ("1.0038") has no letters, and is spelt.
+/// Among the names with the same letters in front and behind, the one with the nearest number; a material by its
+/// number only ("1.0038") has no letters, and is treated as a misspelling.
 std::string near_number(std::string_view name, const std::vector<std::string>& names) {
   const Numbered wanted = numbered(name);
   if (std::isnan(wanted.number) || wanted.letters.empty()) return {};

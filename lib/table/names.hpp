@@ -1,4 +1,4 @@
-// Names of rows as people type them: whatever the case and the spaces, and which name is near to one that is not there.
+// Names of rows as users type them: case and spaces are ignored; the nearest name to an unknown one.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ namespace loadpath::table {
 std::u32string folded(std::string_view name);
 
 /// The name that is meant by one that is not there: of the same letters in front the one with the nearest number ("HEA
-/// 155": HEA 160, "S35": S235JR), else the one that is spelt most alike; empty where none is near.
+/// 155": HEA 160, "S35": S235JR), else the one that is spelt most alike; empty if none is near.
 std::string near_name(std::string_view name, const std::vector<std::string>& names);
 
 }  // namespace loadpath::table

@@ -16,7 +16,7 @@ void replace_or_add(std::vector<Named>& all, Named one) {
   }
 }
 
-/// What a key means is the same in all tables of a group.
+/// A key has the same meaning in all tables of a group.
 const Column* column_of_group(const Library& library, const Table& table, std::string_view key) {
   if (const Column* own = table.column(key)) return own;
   for (const Table& other : library.tables) {

@@ -7,7 +7,7 @@ namespace loadpath::table {
 
 namespace {
 
-/// Where a text of a row goes; null for a key that is none of its words.
+/// The member for a text of a row; null for any other key.
 std::string* place_for(Row& row, std::string_view key) {
   const std::pair<std::string_view, std::string*> words[] = {
       {"name", &row.name}, {"standard", &row.standard}, {"kind", &row.kind}, {"note", &row.note}};

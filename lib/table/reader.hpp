@@ -1,11 +1,11 @@
-// Reads files of tables into a library. What is wrong becomes issues; the rest is read all the same.
+// Reads files of tables into a library. Errors become issues; the rest is read all the same.
 //
 // A file names its `table` and the `group` of its rows ("material"), the `units` of its columns, `[defaults]` for what
 // its rows share, and each `[[row]]`: name, aliases, near, standard, kind, note, its values, and `by_size` for those
 // that hold up to a `size_max`. `sources` are those of all values of a row or a step, `cite.KEY` those of the values it
 // lists, and `recalled` (a list, or true) marks the values that no source was seen for. A file of sizes has
 // `[[series]]` instead; `[sources]` are the citations. Rows that all give the same keys may be written as lines:
-// `columns` are the keys, and each of `rows` is an array of their values, "" where there is none.
+// `columns` are the keys, and each of `rows` is an array of their values, "" if there is none.
 #pragma once
 
 #include "lib/quantity/unit.hpp"
@@ -24,7 +24,7 @@ class Reader {
 
   void read(std::string_view text, const std::string& file);
 
-  /// Every key that was cited must have its citation, in whatever file, or be known elsewhere.
+  /// Every cited key must have its citation, in any of the files, or be known elsewhere.
   void check_citations(const std::function<bool(const std::string& key)>& known_elsewhere = {});
 
  private:
@@ -36,7 +36,7 @@ class Reader {
     ParsedUnit unit;
   };
 
-  /// Where the values of a row, a step or a series come from.
+  /// The sources of the values of a row, a step or a series.
   struct Credit {
     Texts sources;
     std::map<std::string, Texts> cited;  // key of a value -> sources
@@ -44,14 +44,14 @@ class Reader {
     bool all_recalled = false;
   };
 
-  /// What all rows of a file share.
+  /// Data common to all rows of a file.
   struct Frame {
     std::vector<ReadColumn> units;
     Row defaults;
-    Credit credit;  // of values that a row gives itself: the default sources, not what the default values cite
+    Credit credit;  // for values in the row itself: the default sources, not those of default values
   };
 
-  /// Of rows that are written as lines.
+  /// A column of rows written as lines.
   struct LineColumn {
     std::string key;
     const ReadColumn* unit;  // null: not a column of values
@@ -62,14 +62,14 @@ class Reader {
     Place place;
   };
 
-  /// False where there are lines and one of them is of another form.
+  /// False if there are lines and one of them is of another form.
   bool read_tree(const Tree& tree, const Lines* lines);
   void read_citations(const Tree& table, bool of_method);
   bool read_rows(const Tree& file, const Lines* lines);
   void read_series_list(const Tree& file);
 
-  /// Rows of lines, read without a tree; false where the tree is needed: to tell what is wrong, or for what only it
-  /// has.
+  /// Reads rows of lines without a tree; false if the tree is needed: to report an error, or for features that only
+  /// it has.
   static bool rows_of_lines(const Lines& lines, const Texts& columns, const Frame& frame, std::vector<Row>& rows);
   static bool row_of_cells(const std::vector<Cell>& cells, const std::vector<LineColumn>& columns, const Frame& frame,
                            Row& row);

@@ -8,7 +8,8 @@
 //   };
 //   for (const auto& profile : table::rows_of<Profile>()) use(profile.A, profile.name());
 //
-// The key of a field is that of the column. What a row does not give, or gives by size, stays as the aggregate has it.
+// The key of a field is that of the column. Values that a row does not give, or gives by size, keep the aggregate's
+// default.
 #pragma once
 
 #include "lib/calculator/record_of.hpp"
@@ -33,8 +34,8 @@ struct Typed : Values {
 /// All rows of tables of one group, in their order; of rows of one name the last table's, as in `find_row`.
 std::vector<Entry> entries_of(const std::vector<const Table*>& tables);
 
-/// Which of its words, from 0, the row answers a choice with (lib/calculator/row_kind.hpp); nothing where its kind is
-/// none of them.
+/// The index, from 0, of the word of a choice that the row selects (lib/calculator/row_kind.hpp); nothing if its kind
+/// is none of them.
 std::optional<double> kind_of(const Row& row, const FieldInfo& choice);
 
 /// Sets those fields of an aggregate that the row has a value for. A column of another dimension than its field is a
@@ -53,7 +54,7 @@ std::vector<Typed<Values>> typed_rows(const std::vector<const Table*>& tables) {
   return rows;
 }
 
-/// The rows of the group of an aggregate in the tables: read when first asked for, and kept.
+/// The rows of the group of an aggregate in the tables: read at first use, and kept.
 template <class Values>
 const std::vector<Typed<Values>>& rows_of() {
   static const auto rows = typed_rows<Values>(tables_of(Values::group));

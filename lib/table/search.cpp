@@ -87,7 +87,7 @@ Outcome<Comparison> read_comparison(std::string_view text, std::string_view part
 
 bool Comparison::holds(double value) const {
   if (std::isnan(value)) return false;
-  constexpr double rounding = 1e-12;  // of the conversion of units
+  constexpr double rounding = 1e-12;  // rounding of unit conversions
   const bool same = std::fabs(value - si) <= rounding * std::fabs(si);
   if (sign == ">=") return value > si || same;
   if (sign == "<=") return value < si || same;

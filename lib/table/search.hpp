@@ -25,7 +25,7 @@ struct Comparison {
 };
 using Condition = std::vector<Comparison>;
 
-/// The condition, or what is wrong with it and where: unknown columns with near ones, other dimensions.
+/// The condition, or its fault with the place: unknown columns with near ones, other dimensions.
 Outcome<Condition> read_condition(std::string_view text, const std::vector<const Table*>& tables);
 
 struct Order {
@@ -37,7 +37,7 @@ Outcome<Order> read_order(std::string_view text, const std::vector<const Table*>
 /// The rows that hold every comparison, in order; equal ones as in the tables.
 std::vector<Entry> search(const std::vector<const Table*>& tables, const Condition& condition, const Order& order);
 
-/// A value in SI as the search sees it; NaN where the row has none.
+/// A value in SI as the search sees it; NaN if the row has none.
 double searched_value(const Row& row, std::string_view key);
 
 }  // namespace loadpath::table

@@ -10,7 +10,7 @@ namespace loadpath::table {
 namespace {
 
 constexpr double pi = 3.14159265358979323846;
-constexpr double rounding = 1.01;      // of values from tables
+constexpr double rounding = 1.01;      // rounding of values from tables
 constexpr double most_fillets = 1.25;  // area over that of the walls: fillets, tapers, rounded corners
 constexpr double most_moment = 1.15;   // second moment over that of the walls: rolled sections have up to 1.061
 
@@ -22,7 +22,7 @@ struct Most {
   const char* why;
 };
 
-/// The area of the walls by the middle lines or rectangles of a kind; NaN where they are not known.
+/// The area of the walls by the middle lines or rectangles of a kind; NaN if they are not known.
 double area_of_walls(const SectionShape& s) {
   const double web = std::isnan(s.t_w) ? s.t_f : s.t_w, flange = std::isnan(s.t_f) ? web : s.t_f;
   if (!std::isnan(s.d)) return s.kind == "solid" ? pi / 4.0 * s.d * s.d : pi * web * (s.d - web);
@@ -47,7 +47,7 @@ struct Moments {
 
 double cube(double x) { return x * x * x; }
 
-/// Of the walls of a kind with two axes of symmetry; of a channel about y alone.
+/// Moments of the walls of a shape with two axes of symmetry; for a channel only about y.
 Moments moments_of_walls(const SectionShape& s) {
   const double web = std::isnan(s.t_w) ? s.t_f : s.t_w, flange = std::isnan(s.t_f) ? web : s.t_f;
   const double clear = s.h - 2.0 * flange;
@@ -79,8 +79,8 @@ std::optional<Misfit> misfit_of_walls(const SectionShape& s) {
 
 }  // namespace
 
-/// Of all convex sections a triangle has the largest I_1 I_2/A^4, 1/108; a circle the least of all sections, 1/158
-/// (isotropic constants of plane bodies, recalled).
+/// Among convex sections a triangle has the maximum I_1 I_2/A^4, 1/108; a circle has the minimum among all sections,
+/// 1/158 (isotropic constants of plane bodies, recalled).
 bool is_full(double A, double I_y, double I_z) { return I_y * I_z * 108.0 <= rounding * std::pow(A, 4); }
 
 std::optional<Misfit> misfit_of(const SectionShape& s) {

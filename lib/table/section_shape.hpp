@@ -1,5 +1,5 @@
-// Whether sizes, area and second moments are of one section: what is typed, and rows of a project, in other units than
-// meant or of two sections, do not fit together.
+// Whether sizes, area and second moments belong to one section: typed values, and rows of a project, in wrong units
+// or of two sections, are inconsistent.
 #pragma once
 
 #include "lib/text/issue.hpp"
@@ -10,7 +10,7 @@
 
 namespace loadpath::table {
 
-/// SI; what is not known is NaN. The kind is a word of column.buckling, "rolled_I", "solid"; empty where it is not
+/// SI; what is not known is NaN. The kind is a word of column.buckling, "rolled_I", "solid"; empty if it is not
 /// said.
 struct SectionShape {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -20,7 +20,7 @@ struct SectionShape {
 };
 
 struct Misfit {
-  std::string key;  // of the value that does not fit
+  std::string key;  // key of the inconsistent value
   Message message;
 };
 

@@ -35,8 +35,8 @@ struct Row {
   std::string note;
   std::vector<Value> values;                        // at any size
   std::vector<Step> by_size;                        // ascending
-  bool own = false;                                 // of the project: its sources are texts, not keys of citations
-  std::map<std::string, std::string> because = {};  // of the project: why a value is better than a built-in one
+  bool own = false;                                 // project table: its sources are texts, not citation keys
+  std::map<std::string, std::string> because = {};  // project table: why a value is better than a built-in one
 };
 
 struct Column {
@@ -47,7 +47,7 @@ struct Column {
 
 struct Table {
   std::string name;   // "materials/cast_iron"
-  std::string group;  // what a project file calls its rows: "material"
+  std::string group;  // key of its rows in a project file: "material"
   std::string title;
   std::vector<Column> columns;
   Column size;
@@ -64,8 +64,8 @@ struct Series {
   std::string unit;
   std::vector<double> members;  // in the unit, each the double nearest to its decimal: 31.5
   std::vector<std::string> sources;
-  std::vector<double> recalled;  // of the numbers that the file lists
-  bool own = false;              // of the project, as a row's
+  std::vector<double> recalled;  // the listed numbers
+  bool own = false;              // property of the project, as a row's
 };
 
 struct Citation {
@@ -84,16 +84,16 @@ struct Entry {
   const Row* row = nullptr;
 };
 
-/// A row by its name, else by an alias, whatever the case and the spaces.
+/// A row by its name, else by an alias, ignoring case and spaces.
 Outcome<Entry> find_row(const Library& library, std::string_view group, std::string_view name);
-/// What to say of a row that none of the libraries has: which comes close and is not the same, or which name is near.
+/// The fault of a row in none of the libraries: a close but different row, or a similar name.
 Fault no_row(std::string_view group, std::string_view name, const std::vector<const Library*>& libraries);
 struct Property {
   double si = 0.0;
   std::string unit;
   std::vector<std::string> sources;
   bool recalled = false;
-  bool own = false;  // of a row of the project
+  bool own = false;  // property of a row of the project
 };
 
 inline constexpr double no_size = std::numeric_limits<double>::quiet_NaN();
@@ -101,15 +101,15 @@ inline constexpr double no_size = std::numeric_limits<double>::quiet_NaN();
 /// A property at a size (SI). A size beyond the last one of the row has none: its strength is not covered.
 Outcome<Property> property(const Entry& entry, std::string_view key, double size = no_size);
 
-/// A property at all sizes that the row tells apart, each up to and including its own, ascending; none where it holds
-/// at any.
+/// A property at all sizes that the row distinguishes, each up to and including its own, ascending; empty if
+/// independent of the size.
 struct SizedProperty {
   double size_max = 0.0;
   Property value;
 };
 std::vector<SizedProperty> values_by_size(const Entry& entry, std::string_view key);
 
-/// The largest size that a property is given for: infinite where it holds at any, zero where the row has no such value.
+/// The largest size that a property is given for: infinite if it holds at any, zero if the row has no such value.
 double covered_size(const Entry& entry, std::string_view key);
 
 Outcome<const Series*> find_series(const Library& library, std::string_view name);
@@ -119,7 +119,7 @@ std::vector<double> members_in_si(const Series& series);
 struct Recalled {
   std::string table;
   std::string row;
-  std::string key;  // of a member of a series: empty
+  std::string key;  // empty for a member of a series
   double size_max = std::numeric_limits<double>::infinity();
   double si = 0.0;
   std::string unit;

@@ -39,7 +39,7 @@ std::vector<std::string> plurals(const std::vector<std::string>& groups) {
   return words;
 }
 
-/// Why a row's value is not to be had without a step; what else is wrong with it has been said.
+/// The reason why a row's value is not available without a step; other errors have been reported.
 Fault of_size(const Entry& entry, std::string_view key, Fault fault) {
   const bool sized = covered_size(entry, key) > 0.0;
   if (sized)

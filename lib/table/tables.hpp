@@ -1,4 +1,4 @@
-// What a project looks up: rows and series of its own first, then those that are built in.
+// The tables that a project uses: its own rows and series first, then the built-in ones.
 #pragma once
 
 #include "lib/table/table.hpp"
@@ -11,8 +11,7 @@ namespace loadpath::table {
 
 class Tables {
  public:
-  Tables() = default;  // the built-in ones alone
-  /// `groups`: those whose rows can be named.
+  Tables() = default;  // only the built-in ones `groups`: those whose rows can be named.
   Tables(Library own, std::vector<std::string> groups) : own_(std::move(own)), groups_(std::move(groups)) {}
 
   [[nodiscard]] Outcome<Entry> find_row(std::string_view group, std::string_view name) const;
@@ -32,7 +31,7 @@ class Tables {
     Property value;
     Dimension dimension;
   };
-  /// The value that an expression names, "tables.sections.\"IPE 330\".I_y"; a Fault where there is none, or where it
+  /// The value that an expression names, "tables.sections.\"IPE 330\".I_y"; a Fault if there is none, or where it
   /// depends on the size.
   [[nodiscard]] Outcome<Referred> value_at(std::string_view path) const;
 
@@ -44,17 +43,16 @@ class Tables {
 };
 
 /// The property by which the rows of a group are small or large, so that one can be searched for: the area of a
-/// section, the pitch of a chain. Empty where they have no such order.
+/// section, the pitch of a chain. Empty if they have no such order.
 std::string_view order_of(std::string_view group);
 
-/// The group of a word of `[tables]`, which is its plural too: "materials", "material". Empty where it is none of them.
+/// The group of a word of `[tables]`, which is its plural too: "materials", "material". Empty if it is none of them.
 std::string group_of(std::string_view word, const std::vector<std::string>& groups);
 
-/// The tables of a group as one: which columns its rows have, and in which column its sizes stand.
+/// The tables of a group as one: the columns of its rows, and the column with their sizes.
 Table columns_of(std::string_view group);
 
-/// Where a value comes from, in words for the report: "P265GH", and of which table where it is one of the project's
-/// own.
+/// The origin of a value, in words for the report: "P265GH", with the table if it is one of the project's own.
 Message named_source(const std::string& row, const Property& property);
 Message named_source(Message chosen, const Series& series);
 

@@ -10,7 +10,7 @@
 namespace loadpath {
 namespace {
 
-constexpr std::size_t widest_line = 100;  // of a source line that is shown, in code points
+constexpr std::size_t widest_line = 100;  // length of a displayed source line, in code points
 
 struct Lines {
   std::string text;
@@ -34,7 +34,7 @@ std::string position(const Place& place) {
   return text.empty() ? text : text + ": ";
 }
 
-/// A line that a terminal shows as it is: one cell per tab, nothing that moves the cursor.
+/// A line that a terminal shows unchanged: one cell per tab, nothing that moves the cursor.
 std::u32string printable(std::string_view line) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
   std::u32string points = code_points(line);
@@ -54,7 +54,7 @@ struct Excerpt {
 
 Excerpt excerpt(std::u32string line, std::size_t caret, std::size_t length) {
   caret = std::min(caret, line.size());
-  std::size_t from = 0, cut = 0;  // cut: of the line's end, where dots stand
+  std::size_t from = 0, cut = 0;  // range cut off at the line's end, replaced by dots
   if (line.size() > widest_line) {
     const std::size_t before = widest_line / 3;
     from = std::min(caret > before ? caret - before : 0, line.size() - widest_line);

@@ -1,4 +1,4 @@
-// What is wrong with an input: where it stands, which rule it breaks, and what would be right.
+// An error in an input: its place, the violated rule, and the remedy.
 //
 // A Message is an id (the English literal, with arguments {1}, {2}...) and its arguments, never a finished sentence,
 // so that other languages can be added without touching the places that speak.
@@ -44,7 +44,7 @@ Message say(std::string_view id, Args&&... args) {
   return {id, {Argument(std::forward<Args>(args))...}};
 }
 
-/// A range of characters in a file, both counted from 1 in code points; line 0: the file as a whole.
+/// A range of characters in a file, both counted from 1 in code points; line 0: the file in general.
 struct Place {
   std::string file;
   int line = 0;
@@ -52,7 +52,7 @@ struct Place {
   int length = 1;
 };
 
-/// What a parser of one string found: a byte range of that string, the rule, and the remedy.
+/// A fault found by a parser of one string: a byte range of that string, the rule, and the remedy.
 struct Fault {
   std::size_t at = 0;
   std::size_t length = 1;
@@ -60,7 +60,7 @@ struct Fault {
   Message hint;
 };
 
-/// A value, or the reason why there is none.
+/// A value, or the reason why it is missing.
 template <class T>
 class Outcome {
  public:
@@ -80,7 +80,7 @@ class Outcome {
   bool ok_ = false;
 };
 
-/// What is wrong with values that were read: the path of the field that says it ("joints.A.links"), rule and remedy.
+/// A fault in values that were read: the path of the field ("joints.A.links"), rule and remedy.
 struct FieldFault {
   std::string path;
   Message message;
@@ -91,7 +91,7 @@ enum class Severity { error, warning };
 
 struct Issue {
   Place place;
-  std::string key;  // the path of the field, "crankshaft.tau_adm"; empty where there is none
+  std::string key;  // the path of the field, "crankshaft.tau_adm"; empty if there is none
   Message message;
   Message hint;
   Severity severity = Severity::error;
@@ -114,7 +114,7 @@ std::string nearest(std::string_view word, const std::vector<std::string>& candi
 /// All that are as near as the nearest one, this one first.
 std::vector<std::string> all_nearest(std::string_view word, const std::vector<std::string>& candidates);
 
-/// "did you mean '{1}'?" with the nearest candidate behind `prefix`; `otherwise` where none is near.
+/// "did you mean '{1}'?" with the nearest candidate after `prefix`; `otherwise` if none is near.
 Message did_you_mean(std::string_view word, const std::vector<std::string>& candidates, Message otherwise = {},
                      const std::string& prefix = {});
 /// "there is: a, b, c"

@@ -1,3 +1,3 @@
-// The code of Boost.JSON, compiled here once as its headers offer: Debian's archive of it cannot stand in a module of
-// Python, and a shared library is one to search in a command that lives for milliseconds.
+// The code of Boost.JSON, compiled here once as its headers offer: Debian's static library cannot be linked into a
+// Python module, and a shared library costs start-up time in a command that runs for milliseconds.
 #include <boost/json/src.hpp>

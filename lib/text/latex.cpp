@@ -8,7 +8,7 @@
 namespace loadpath {
 namespace {
 
-/// A character that means something to LaTeX, and what stands for it.
+/// A character with a meaning in LaTeX, and its replacement.
 struct Command {
   char32_t letter;
   std::u32string_view tex;
@@ -47,7 +47,7 @@ std::string latex_text(std::string_view text) {
     if (is_unwanted(c)) continue;
     const std::u32string_view other = command(c);
     if (out.empty() &&
-        (c == U'[' || c == U'*')) {  // at the start of a row it would belong to the end of the one before
+        (c == U'[' || c == U'*')) {  // at the start of a row it would belong to the end of the previous one
       out += {U'{', c, U'}'};
     } else if (is_blank(c)) {
       out += U' ';

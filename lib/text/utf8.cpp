@@ -6,7 +6,7 @@
 namespace loadpath {
 namespace {
 
-/// Length of the well-formed sequence at `at`, 0 where there is none (overlong forms, surrogates, beyond U+10FFFF).
+/// Length of the well-formed sequence at `at`, 0 if there is none (overlong forms, surrogates, beyond U+10FFFF).
 std::size_t well_formed_length(std::string_view text, std::size_t at) {
   const auto byte = [&](std::size_t i) { return at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0U; };
   const auto tail = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };

@@ -7,17 +7,17 @@
 
 namespace loadpath {
 
-/// The first byte that is not part of well-formed UTF-8; npos where all is well.
+/// The first byte that is not part of well-formed UTF-8; npos if all is well.
 std::size_t first_invalid_byte(std::string_view text);
 
-/// The first control character, U+0000 to U+001F or U+007F to U+009F, that is not among `allowed`; npos where there is
+/// The first control character, U+0000 to U+001F or U+007F to U+009F, that is not among `allowed`; npos if there is
 /// none. Terminals obey them.
 std::size_t first_control(std::string_view text, std::string_view allowed);
 
-/// How many bytes the character at `at` takes: 1 to 4, never past the end of `text`.
+/// The number of bytes of the character at `at`: 1 to 4, never past the end of `text`.
 std::size_t character_length(std::string_view text, std::size_t at);
 
-/// The code points of `text`; a byte that is not well-formed stands for itself.
+/// The code points of `text`; a malformed byte maps to itself.
 std::u32string code_points(std::string_view text);
 
 /// The text of code points.

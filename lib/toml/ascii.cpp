@@ -10,7 +10,7 @@ namespace loadpath::toml {
 namespace {
 
 constexpr int hexadecimal = 16;
-constexpr std::size_t digits = 6;  // of U+10FFFF
+constexpr std::size_t digits = 6;  // digits of U+10FFFF
 
 bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
@@ -29,7 +29,7 @@ Ascii::Ascii(std::string_view original) : mark_(mark_for(original)) {
   std::size_t i = original.starts_with(byte_order_mark) ? byte_order_mark.size() : 0;
   text_ = original.substr(0, i);
   int line = 1;
-  std::size_t start = i;  // of the line in text_
+  std::size_t start = i;  // start of the line in text_
   while (i < original.size()) {
     if (is_foreign(original[i])) {
       const std::size_t length = character_length(original, i);
@@ -68,7 +68,7 @@ int Ascii::column(int line, int column) const {
   const auto end = std::lower_bound(first, places_.end(), std::pair(line, column));
   const int width = static_cast<int>(mark_.size() + digits);
   if (first == end) return column;
-  const int within = std::min(column - std::prev(end)->second, width);  // of the last one before
+  const int within = std::min(column - std::prev(end)->second, width);  // width of the previous one
   const int before = static_cast<int>(end - first);
   return column - (before - 1) * (width - 1) - within + (within < width ? 0 : 1);
 }

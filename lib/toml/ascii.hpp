@@ -1,5 +1,5 @@
-// A text in letters of ASCII alone, and the way back: Debian's toml++ 3.3 is undefined where a letter outside ASCII
-// stands in no quotes, or behind a backslash, and only a parser knows where that is. So it never sees one.
+// A text in ASCII letters only, and the conversion back: Debian's toml++ 3.3 is undefined for a letter outside ASCII
+// without quotes, or after a backslash, and only a parser knows where that is. So it never sees one.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,13 @@ namespace loadpath::toml {
 
 class Ascii {
  public:
-  /// Of well-formed UTF-8. A byte order mark at the beginning stays.
+  /// For well-formed UTF-8. A byte order mark at the beginning stays.
   explicit Ascii(std::string_view original);
 
   [[nodiscard]] const std::string& text() const { return text_; }
-  /// What a part of text() was in the original.
+  /// The original text of a part of text().
   [[nodiscard]] std::string original(std::string_view part) const;
-  /// The column, in code points from 1, where the original has what stands in a line and column of text().
+  /// The column of the original, in code points from 1, for a line and column of text().
   [[nodiscard]] int column(int line, int column) const;
 
  private:

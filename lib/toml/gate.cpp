@@ -19,7 +19,7 @@ std::string code_of(std::string_view text, std::size_t at) {
   return std::string("U+00") + digits[(point >> 4U) & 0x0FU] + digits[point & 0x0FU];
 }
 
-/// Behind the text in quotes that starts at `at`; npos where it is not closed.
+/// Behind the text in quotes that starts at `at`; npos if it is not closed.
 std::size_t behind_quotes(std::string_view text, std::size_t at) {
   const char quote = text[at];
   const bool long_text = text.substr(at, 3) == std::string(3, quote);
@@ -41,7 +41,7 @@ std::size_t behind_quotes(std::string_view text, std::size_t at) {
 /// Whether a quote opens a text, or is glued to a bare word: the parser reads that word on, quote and all.
 class Openings {
  public:
-  /// Told of every bare character.
+  /// Called for every bare character.
   void pass(char c) {
     if (c == '{' || c == '[') return open(c);
     if ((c == '}' || c == ']') && !brackets_.empty()) brackets_.pop_back();
@@ -65,8 +65,8 @@ class Openings {
   bool opens_ = true;
 };
 
-/// The first character outside of quotes and comments for which `found` holds; npos where there is none, or a text
-/// before it is not closed, which the parser tells. Of a comment its end alone is seen.
+/// The first character outside of quotes and comments for which `found` holds; npos if there is none, or a text
+/// before it is not closed, which the parser reports. Comments are skipped up to their end.
 template <class Found>
 std::size_t find_bare(std::string_view text, Found found) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
@@ -87,8 +87,8 @@ std::size_t find_bare(std::string_view text, Found found) {
   return std::string_view::npos;
 }
 
-/// Where keys have more parts, or brackets lie deeper within one another, than any project has: the parser goes down by
-/// a call for each.
+/// The first place with more parts of a key, or deeper nested brackets, than any project has: the parser recurses for
+/// each.
 std::size_t first_too_deep(std::string_view text) {
   constexpr int most = 64;
   int parts = 0, depth = 0;

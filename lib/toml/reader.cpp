@@ -3,9 +3,9 @@
 #include "lib/toml/gate.hpp"
 #include "lib/toml/tree.hpp"
 
-// toml++ 3.3 asserts what a text may not keep to, as that a name follows the bracket of a table, and checks it in the
-// next line. So its assertions say nothing: neither do they stop a debug build, nor does clang build a release upon
-// them.
+// toml++ 3.3 asserts conditions that a text may violate, e.g. that a name follows the bracket of a table, and checks
+// them in the next line. So its assertions are disabled: they neither stop a debug build, nor does clang optimise a
+// release by them.
 #undef NDEBUG
 #define TOML_ASSERT(claim) static_cast<void>(0)
 #include <toml++/toml.h>
@@ -22,7 +22,7 @@ namespace loadpath::toml {
 
 namespace {
 
-/// What the parser has found, with the letters and places of the file.
+/// Results of the parser, with the letters and places of the file.
 class Conversion {
  public:
   Conversion(const Ascii& ascii, const std::string& file) : ascii_(ascii), file_(file) {}
@@ -94,7 +94,7 @@ class Conversion {
   const std::string& file_;
 };
 
-/// `T = 900 N*m` without quotes is the commonest slip, and the parser's own words do not help there.
+/// `T = 900 N*m` without quotes is the commonest mistake, and the parser's own message does not help there.
 Message hint_for(std::string_view line) {
   const auto is_foreign = [](std::string_view text) {
     return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
@@ -120,7 +120,7 @@ Message hint_for(std::string_view line) {
              : Message{};
 }
 
-/// The quote of a text that is still open where the line ends; nothing where none is, or the text may have several
+/// The quote of a text that is still open where the line ends; nothing if none is, or the text may have several
 /// lines.
 std::optional<char> open_quote(std::string_view line) {
   if (line.find("\"\"\"") != std::string_view::npos || line.find("'''") != std::string_view::npos) return {};
@@ -139,7 +139,7 @@ std::optional<char> open_quote(std::string_view line) {
   return open;
 }
 
-/// Whether a backslash stands at a column, or before it, and a letter outside ASCII behind the backslash.
+/// Whether a backslash is at a column, or before it, and a letter outside ASCII after the backslash.
 bool is_escaped_foreign(std::string_view line, int column) {
   const std::u32string letters = code_points(line);
   constexpr char32_t first_foreign = 0x80;
@@ -240,7 +240,7 @@ const Tree::Entry* Tree::find(std::string_view key) const {
   return found == entries.end() ? nullptr : &*found;
 }
 
-/// Of what never ends no more than what is refused.
+/// Reads an endless stream only up to the size that is refused.
 static void read_whole(std::istream& stream, std::string& text) {
   std::array<char, 1U << 14U> part{};
   while (stream && text.size() <= largest_file) {

@@ -1,4 +1,4 @@
-// What a project file says, before anyone knows what it means: tables, arrays and values with their places.
+// The content of a project file before interpretation: tables, arrays and values with their places.
 #pragma once
 
 #include "lib/text/issue.hpp"
@@ -14,10 +14,10 @@ struct Tree {
   struct Entry;
 
   Type type = Type::table;
-  Place place;       // of the value; of text: of its first character inside the quotes
+  Place place;       // place of the value; for text: of its first character inside the quotes
   std::string text;  // the text; number and boolean as written
   double number = 0.0;
-  std::string shared;          // "values.n", where what is written there stands here
+  std::string shared;          // "values.n", if its text was inserted here
   std::vector<Tree> items;     // array
   std::vector<Entry> entries;  // table, in the order of the file
 
@@ -26,17 +26,17 @@ struct Tree {
 
 struct Tree::Entry {
   std::string key;
-  Place place;  // of the key
+  Place place;  // place of the key
   Tree value;
 };
 
-/// What a value is, in words: "a table", "a text".
+/// The type of a value, in words: "a table", "a text".
 std::string_view word_for(Tree::Type type);
 
-/// The tree of a TOML text. What the format does not allow becomes issues, and the tree is empty then.
+/// The tree of a TOML text. Violations of the format become issues, and the tree is empty then.
 Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue>& issues);
 
-/// The whole of a file, or nothing; "-" is standard input.
+/// The entire content of a file, or nothing; "-" is standard input.
 bool read_file(const std::string& path, std::string& text);
 
 }  // namespace loadpath::toml

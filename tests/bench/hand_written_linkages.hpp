@@ -1,6 +1,6 @@
-// Closed forms of three linkages, as one would write them for these alone: the floor for the general solver. Positions,
-// velocities, accelerations, all joint forces and the driving moment at constant crank speed; the numbers are known to
-// the compiler, and what is not asked for is not kept.
+// Closed forms of three linkages, written for these only: the floor for the general solver. Positions, velocities,
+// accelerations, all joint forces and the driving moment at constant crank speed; the numbers are known to the
+// compiler, and results not requested are not kept.
 #pragma once
 
 #include "lib/mechanism/model/vec.hpp"
@@ -30,7 +30,7 @@ struct Crank {
       : pin{crank.length * std::cos(phi), crank.length * std::sin(phi)},
         velocity{-omega * pin.y, omega * pin.x},
         acceleration{-omega * omega * pin.x, -omega * omega * pin.y} {}
-  /// Of the drive, with this force on what hangs on the crank's pin.
+  /// Torque of the drive, with this force on the crank's pin.
   double forces(Vec at_pin, Vec& at_ground) const {
     const Vec own = crank.force({}, acceleration);
     at_ground = own + at_pin;
@@ -60,7 +60,7 @@ struct SlidingDyad {
 /// Coupler and rocker.
 struct PinnedDyad {
   Vec u, w;          // from the crank's pin and from the foot to their joint
-  Vec v_tip, a_tip;  // of the joint
+  Vec v_tip, a_tip;  // motion of the joint
   double epsilon_u, epsilon_w, inverse;
   Vec at_crank, at_joint, at_foot;  // on coupler, rocker, rocker
 

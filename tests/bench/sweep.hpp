@@ -1,4 +1,4 @@
-// The time of the fastest run of a sweep, beside that of a loop by hand.
+// The time of the fastest run of a sweep, compared with that of a handwritten loop.
 #pragma once
 
 #include "tests/bench/columns.hpp"
@@ -21,7 +21,7 @@ double ns_per_point(Run& run) {
   return std::chrono::duration<double, std::nano>(clock::now() - start).count() / static_cast<double>(points);
 }
 
-/// Times `swept` beside `by_hand`. The fastest of many runs in turn: the machine may be busy with something else.
+/// Times `swept` and `by_hand` alternately. The fastest of many runs: the computer may be busy with other work.
 template <class Swept, class ByHand>
 void compare(benchmark::State& state, Swept swept, ByHand by_hand) {
   for (auto _ : state) {
@@ -39,7 +39,7 @@ void compare(benchmark::State& state, Swept swept, ByHand by_hand) {
   state.counters["M_per_s"] = 1e3 / general;
 }
 
-/// Beside a loop in wide registers too, which computes the same.
+/// Compares with a loop in wide registers too, which computes the same.
 template <class InLanes>
 void compare_in_lanes(benchmark::State& state, InLanes in_lanes) {
   double floor = ns_per_point(in_lanes);

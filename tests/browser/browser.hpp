@@ -21,15 +21,15 @@ class Browser {
   Browser(const Browser&) = delete;
   Browser& operator=(const Browser&) = delete;
 
-  /// The width and height of what is looked at, in CSS pixels; `dark`: as with a dark desktop.
+  /// The width and height of the viewport, in CSS pixels; `dark`: as with a dark desktop.
   void look(int width, int height, bool dark = false);
-  /// How paper shows it: the styles for print, at the width of the printed area.
+  /// Shows the page as printed: the styles for print, at the width of the printed area.
   void look_as_print(int width);
   /// Opens an address and waits until it is there, its fonts with it.
   void open(const std::string& address);
   /// The value of an expression in the page; a promise is waited for.
   boost::json::value value(const std::string& expression);
-  /// Waits until an expression is true; false where it is not within minutes.
+  /// Waits until an expression is true; false if it is not within minutes.
   bool becomes_true(const std::string& expression);
 
  private:

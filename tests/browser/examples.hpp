@@ -12,7 +12,7 @@ namespace loadpath::test {
 /// The folders of examples that `run` solves, in order.
 std::vector<std::string> examples();
 
-/// Writes the report of an example as the file; false where it has none, being a sweep.
+/// Writes the report of an example as the file; false if it has none, being a sweep.
 bool write_report(const Desk& desk, const std::string& example, const std::string& file);
 
 std::string address_of(const Desk& desk, const std::string& file);

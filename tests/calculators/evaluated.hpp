@@ -1,4 +1,4 @@
-// What tests of calculators share: the results of an input, and how far values lie apart.
+// Helpers for tests of calculators: the results of an input, and the distance of values.
 #pragma once
 
 #include "lib/calculator/trace.hpp"

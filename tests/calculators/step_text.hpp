@@ -51,7 +51,7 @@ class ExampleStep {
     }
   }
 
-  /// What is wrong with the lines; empty where nothing is.
+  /// The error in the lines; empty if there is none.
   [[nodiscard]] const std::string& fault() const { return fault_; }
   /// The SI value of a result, or of a line of the derivation: "axes[1].sigma_max".
   [[nodiscard]] double operator()(const std::string& path) const {

@@ -1,4 +1,4 @@
-// An editor that talks with `loadpath lsp`: what it says is written down, said in one go, and the answers are read.
+// An editor connected to `loadpath lsp`: its messages are collected, sent at once, and the answers are read.
 #pragma once
 
 #include "tests/cli/process.hpp"
@@ -23,10 +23,10 @@ class Editor {
   void open(const std::string& text, const std::string& uri = address);
   /// A request about the place of a `|` in the text that is opened for it.
   int ask_at_bar(const std::string& method, std::string text);
-  /// Says good bye, runs the server with all that was said, and keeps what it says.
+  /// Ends the session, runs the server with all messages, and keeps its answers.
   void run(bool says_good_bye = true);
 
-  /// The result of a request; the error where there is none.
+  /// The result of a request; the error if there is none.
   [[nodiscard]] const boost::json::value& answer(int id) const;
   /// The diagnostics of an address that came last.
   [[nodiscard]] boost::json::array diagnostics(const std::string& uri = address) const;
@@ -45,7 +45,7 @@ class Editor {
   std::vector<boost::json::value> heard_;
 };
 
-/// Where a byte of a text stands, as the protocol counts; the text is ASCII.
+/// The position of a byte of a text, as the protocol counts; the text is ASCII.
 boost::json::object position_of(const std::string& text, std::size_t at);
 
 }  // namespace loadpath::test

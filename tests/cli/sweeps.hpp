@@ -1,4 +1,4 @@
-// What the tests of sweeps share: a shaft at 14,000 points, 55 blocks, and folders byte by byte.
+// Helpers for the tests of sweeps: a shaft at 14,000 points, 55 blocks, and folders byte by byte.
 #pragma once
 
 #include "tests/cli/process.hpp"
@@ -29,7 +29,7 @@ inline bool same_folders(const Desk& desk, const std::string& a, const std::stri
   return desk.shell("diff -r " + a + " " + b).code == 0;
 }
 
-/// How long something takes here: what is to be killed before its end must not hang on how fast a machine is.
+/// The duration of an action here: the time of a kill before its end must not depend on the computer's speed.
 template <class Action>
 std::chrono::microseconds duration_of(const Action& action) {
   const auto begun = std::chrono::steady_clock::now();

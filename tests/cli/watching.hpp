@@ -18,7 +18,7 @@ class Watching {
 
   /// "http://127.0.0.1:41235/6b1f.../"
   [[nodiscard]] const std::string& address() const { return address_; }
-  /// Waits until a word stands in what it says; false where it does not within minutes.
+  /// Waits until a word appears in its output; false if it does not within minutes.
   [[nodiscard]] bool says(const std::string& word) const;
   /// Ctrl-C; the exit code.
   int end();

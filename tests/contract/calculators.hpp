@@ -1,4 +1,4 @@
-// What the contract's tests share: the calculators, and their examples solved.
+// Helpers for the tests of the contract: the calculators, and their examples solved.
 #pragma once
 
 #include "calculators/catalogue.hpp"
@@ -40,7 +40,7 @@ inline SolvedExample solved_example(const Calculator& c) {
   REQUIRE(issues.empty());
   SolvedExample s{p.steps[0]->input().reading.record.clone(), Record(*c.result)};
   project::solve(p, issues);
-  for (const account::Entry& e : p.steps[0]->account().inputs) {  // what rows of tables filled
+  for (const account::Entry& e : p.steps[0]->account().inputs) {  // inputs filled by rows of tables
     const Leaf leaf = find_leaf(s.input, e.path);
     if (leaf && leaf.field->get != nullptr && std::isnan(leaf.get()) && e.value.si.size() == 1) leaf.set(e.value.si[0]);
   }

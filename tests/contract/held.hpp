@@ -1,5 +1,5 @@
-// A solved step once more as a project of its own: every input typed as it was found, sizes that were searched for and
-// strengths out of tables with them, and its loads times a factor.
+// A solved step once more as a project of its own: every input typed with its value, including searched sizes and
+// strengths from tables, and its loads times a factor.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -20,7 +20,7 @@ std::string held(const project::Step& step, double load_factor);
 struct Known {
   std::string name;
   std::string text;
-  std::string file;  // beside which its histories stand
+  std::string file;  // file next to its histories
 };
 std::vector<Known> known_projects();
 /// Every step of them whose element this run covers, solved.

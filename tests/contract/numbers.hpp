@@ -10,11 +10,11 @@
 
 namespace loadpath::test {
 
-/// A number of a project: what leads to it, and the key that it stands under.
+/// A number of a project: the path to it, and its key.
 struct Number {
   std::vector<std::size_t> way;  // entries and items, from the top on
   std::string name;              // "shaft.pieces[2].l"
-  bool at_once = false;          // of a range, a distribution, a history, a formula: it waits for no other step
+  bool at_once = false;          // in a range, a distribution, a history, a formula: independent of other steps
 };
 
 toml::Tree& tree_at(toml::Tree& top, const std::vector<std::size_t>& way);
@@ -26,7 +26,7 @@ std::string expression_of(const toml::Tree& number);
 
 /// A project with one more step; what refers to it waits until it is solved.
 toml::Tree with_other_step(const toml::Tree& tree);
-/// "=30 mm" as a value that is known later: "=(30 mm)*(contract_one.h/contract_one.h)".
+/// "=30 mm" as a value known only later: "=(30 mm)*(contract_one.h/contract_one.h)".
 std::string waiting(const std::string& expression);
 
 }  // namespace loadpath::test

@@ -1,4 +1,4 @@
-// The formulas as they stand in the sources of the calculators.
+// The formulas as written in the sources of the calculators.
 #pragma once
 
 #include <string>
@@ -6,7 +6,7 @@
 
 namespace loadpath::test {
 
-/// What a STEP, STEP_TO or NAMED_STEP says.
+/// The content of a STEP, STEP_TO or NAMED_STEP.
 struct SourceFormula {
   std::string place;   // "calculators/gear/pair_mesh.cpp:13"
   std::string folder;  // "gear"

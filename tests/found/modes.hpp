@@ -1,4 +1,4 @@
-// What the modes of failure of a project come to.
+// The combined state of a project's failure modes.
 #pragma once
 
 #include "lib/project/solving/read_project.hpp"
@@ -35,7 +35,7 @@ inline project::Project solved_as_found(const std::string& text) {
   return project;
 }
 
-/// The first error of a project and its hint; empty where it has none.
+/// The first error of a project and its hint; empty if it has none.
 inline std::string first_error_of(const std::string& text) {
   std::vector<Issue> issues;
   project::Project project = project::read_project(text, "found.toml", catalogue(), issues);

@@ -8,7 +8,7 @@ namespace loadpath::cli::lsp {
 
 namespace {
 
-/// How many units of UTF-16 a character takes that has so many bytes of UTF-8.
+/// The number of UTF-16 units of a character with so many bytes of UTF-8.
 std::size_t units_of(std::size_t bytes) { return bytes == 4 ? 2 : 1; }
 
 }  // namespace

@@ -37,11 +37,11 @@ class Document {
 
  private:
   void find_lines();
-  /// Without its end.
+  /// The line without its end.
   [[nodiscard]] std::string_view line(std::size_t number) const;
 
   std::string text_;
-  std::vector<std::size_t> starts_;  // of lines
+  std::vector<std::size_t> starts_;  // offsets of lines
 };
 
 }  // namespace loadpath::cli::lsp

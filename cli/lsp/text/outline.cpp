@@ -31,7 +31,7 @@ class Scanner {
  private:
   enum class Expect { key, equals, value, comma };
   struct Frame {
-    char open = '\0';  // of an inline table or a list; of neither the table of a header
+    char open = '\0';  // bracket of an inline table or a list; neither for the table of a header
     Path path;
     std::size_t count = 0;
   };
@@ -71,7 +71,7 @@ class Scanner {
     spot = expect_ == Expect::key ? Spot{Spot::In::key, frame().path, at_} : Spot{Spot::In::value, value_path(), at_};
   }
 
-  /// A list that nobody has closed ends where the next header or key begins.
+  /// An unclosed list ends where the next header or key begins.
   void recover() {
     if (frames_.size() > 1 && starts_anew()) {
       frames_.resize(1);
@@ -195,7 +195,7 @@ class Scanner {
   }
 
   void open(char bracket) {
-    constexpr std::size_t deepest = 256;  // brackets that nobody has closed
+    constexpr std::size_t deepest = 256;  // unclosed brackets
     ++at_;
     if (frames_.size() > deepest) return;
     frames_.push_back({bracket, value_path()});
@@ -203,7 +203,7 @@ class Scanner {
     spot = bracket == '{' ? Spot{Spot::In::key, frame().path, at_} : Spot{Spot::In::value, value_path(), at_};
   }
 
-  /// What stands behind a value.
+  /// Skips the comma after a value.
   void comma() {
     const char c = text_[at_++];
     spot = {};

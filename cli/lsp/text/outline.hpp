@@ -1,5 +1,5 @@
-// What stands where in a project file, also in one that is being typed: headers, keys, values by their places. The
-// reader of TOML (lib/toml) tells nothing of a text with a fault; this one goes on behind it.
+// The outline of a project file, also while it is being typed: headers, keys, values with their places. The reader of
+// TOML (lib/toml) returns nothing for a text with a fault; this one continues after it.
 #pragma once
 
 #include <cstddef>
@@ -19,11 +19,11 @@ struct Header {
   bool closed = false;
 };
 
-/// A value that is no table and no list, with its key.
+/// A value other than a table or a list, with its key.
 struct Item {
   Path path;
   std::size_t key_begin = 0, key_end = 0;  // the same: an element of a list
-  std::size_t begin = 0, end = 0;          // of a text: inside the quotes
+  std::size_t begin = 0, end = 0;          // texts: inside the quotes
   bool is_text = false;
 
   [[nodiscard]] std::string_view in(std::string_view text) const { return text.substr(begin, end - begin); }
@@ -33,7 +33,7 @@ struct Outline {
   std::vector<Header> headers;
   std::vector<Item> items;
 
-  /// The value whose key, text or quotes are at the offset; null where none is.
+  /// The value whose key, text or quotes are at the offset; null if none is.
   [[nodiscard]] const Item* at(std::size_t offset) const;
   [[nodiscard]] const Item* find(const Path& path) const;
   [[nodiscard]] const Header* header_at(std::size_t offset) const;
@@ -43,12 +43,12 @@ struct Outline {
 
 Outline outline_of(std::string_view text);
 
-/// Where a cursor stands that ends a text.
+/// The position of a cursor at the end of a text.
 struct Spot {
   enum class In { key, header, text, value, comment, nothing };
   In in = In::nothing;
-  Path path;              // of a key that which it is in; of a value its own; of a header none
-  std::size_t begin = 0;  // of what is being typed: the last part of a key, the text behind its quote, a bare value
+  Path path;              // for a key its table's path; for a value its own; none for a header
+  std::size_t begin = 0;  // the word being typed: last part of a key, text after its quote, bare value
 };
 Spot spot_at(std::string_view text, std::size_t offset);
 

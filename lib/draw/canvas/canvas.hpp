@@ -1,5 +1,5 @@
-// What a picture is made of, in the order in which it lies on one another: lines, areas, dots, words. It is recorded
-// here; svg_writer.hpp and lib/draw/tikz write it down.
+// The elements of a picture, in drawing order: lines, areas, dots, words. Recorded here; svg_writer.hpp and
+// lib/draw/tikz write them.
 #pragma once
 
 #include "lib/draw/canvas/typeset.hpp"
@@ -78,10 +78,10 @@ class Canvas {
   /// Centred in a box of one line.
   void centred_text(std::string_view style, const Box& box, Text text);
 
-  /// What was drawn on another, at its places.
+  /// Appends the elements of another canvas, at its positions.
   void append(const Canvas& other);
 
-  /// What stands between belongs together, for scripts of a page.
+  /// Begins a group of elements, for scripts of a page.
   void begin_group(Attributes attributes);
   void end_group();
 

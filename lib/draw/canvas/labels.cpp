@@ -20,7 +20,7 @@ bool is_beside(const Box& box, Point from, Point to) {
          (from.y < box.top && to.y < box.top) || (from.y > box.bottom && to.y > box.bottom);
 }
 
-/// Clips the segment to the box (Liang and Barsky) and tells whether something is left.
+/// Clips the segment to the box (Liang and Barsky) and returns whether something is left.
 bool enters(const Box& box, Point from, Point to) {
   if (is_beside(box, from, to)) return false;
   const Point d = to - from;

@@ -1,4 +1,4 @@
-// Finds places for labels: beside what they name, off lines and other labels.
+// Finds positions for labels: next to their objects, off lines and other labels.
 #pragma once
 
 #include "lib/draw/canvas/view.hpp"
@@ -21,7 +21,7 @@ class Labels {
   explicit Labels(Box area) : area_(area) {}
 
   void keep_off(const Box& box) { boxes_.push_back(box); }
-  /// `weight`: below 1 for what a label may cross where there is no room.
+  /// `weight`: below 1 for what a label may cross if there is no room.
   void keep_off(std::vector<Point> polyline, double half_width = 1.0, double weight = 1.0) {
     lines_.emplace_back(std::move(polyline), half_width, weight);
   }
@@ -43,7 +43,7 @@ class Labels {
     Box extent_;
     double half_width_, weight_;
   };
-  /// What the candidate costs with all that it hits; counting ends where that is `enough`.
+  /// The cost of the candidate with all its collisions; summation stops at `enough`.
   [[nodiscard]] double cost(const Candidate& candidate, double enough) const;
 
   Box area_;

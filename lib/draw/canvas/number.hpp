@@ -1,4 +1,4 @@
-// Numbers of a picture: at most two decimals, finite whatever the figure holds.
+// Numbers of a picture: at most two decimals, finite for any figure.
 #pragma once
 
 #include <string>

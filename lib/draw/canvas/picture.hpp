@@ -1,4 +1,4 @@
-// A figure's content drawn: what the writers (svg_writer.hpp, lib/draw/tikz) put into a file.
+// A figure's content drawn, for the writers (svg_writer.hpp, lib/draw/tikz).
 #pragma once
 
 #include "lib/draw/canvas/canvas.hpp"
@@ -25,7 +25,7 @@ Picture picture(const Motion& motion);
 Picture picture(const Charted& chart);
 /// The drawing that it holds.
 Picture picture(const Drawn& drawing);
-/// Of its content.
+/// The bounds of its content.
 Picture picture(const Figure& figure);
 
 }  // namespace loadpath::draw

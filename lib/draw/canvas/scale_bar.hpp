@@ -1,4 +1,4 @@
-// Bars of a round length with what they stand for.
+// Scale bars of a round length with the value they represent.
 #pragma once
 
 #include "lib/draw/canvas/canvas.hpp"

@@ -64,7 +64,7 @@ constexpr StyleRule sheet[] = {
     {".u", nullptr, nullptr, "font-size:.74em"},
 };
 
-// `var` stands in a second declaration, so that viewers without CSS variables keep the first.
+// `var` is in a second declaration, so that viewers without CSS variables keep the first.
 void append_colour(std::string& out, std::string_view property, const StyleColour* given) {
   if (given == nullptr) return;
   for (const bool variable : {false, true}) {

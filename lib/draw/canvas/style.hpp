@@ -1,4 +1,4 @@
-// The styles of all figures: colours by CSS variables that a page may redefine, with fallbacks for a figure alone.
+// The styles of all figures: colours by CSS variables that a page may redefine, with fallbacks for a separate figure.
 #pragma once
 
 #include <span>
@@ -11,10 +11,10 @@ struct StyleColour {
   std::string_view variable, fallback;  // "--ink", "#1b2530"
 };
 
-/// What a class of elements looks like; of two rules the later one has its way.
+/// The appearance of a class of elements; of two rules the later one takes precedence.
 struct StyleRule {
   std::string_view selector;  // ".grid"; "text"
-  const StyleColour* stroke;  // null: it says nothing of it
+  const StyleColour* stroke;  // null: not set
   const StyleColour* fill;
   std::string_view rest;  // declarations of CSS: "stroke-width:1.9;stroke-linejoin:round"
 };

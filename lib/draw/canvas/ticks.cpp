@@ -10,7 +10,7 @@ namespace loadpath::draw {
 namespace {
 
 double power_of_ten(int exponent) { return std::pow(10.0, exponent); }
-/// Of nothing it is that of 1.
+/// The magnitude of zero is that of 1.
 int magnitude(double value) { return value > 0.0 ? static_cast<int>(std::floor(std::log10(value) + 1e-9)) : 0; }
 
 double decimal_step(double least) {
@@ -50,7 +50,7 @@ bool is_written_out(const Range& range) { return range.low >= 1e-3 && range.high
 
 std::string power_text(int exponent) { return "10" + superscript(exponent); }
 
-/// What ticks stand at within a decade: the fewer decades, the more.
+/// The positions of ticks within a decade: the fewer decades, the more ticks.
 std::vector<double> parts_of_decade(const Range& data) {
   const double decades = std::log10(data.high / data.low);
   if (!is_written_out(data) || decades > 4.0) return {1.0};

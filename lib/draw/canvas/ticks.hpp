@@ -1,4 +1,4 @@
-// An axis: the range that is shown, where its ticks stand and what they say.
+// An axis: the range shown, the positions of its ticks and their labels.
 #pragma once
 
 #include <string>
@@ -30,7 +30,7 @@ enum class Ends { data, ticks };  // the range ends where the data end (or at a 
 /// At most about `most` ticks. A range without extent is opened around its value and zero.
 Axis axis(Range data, int most, Steps steps, Ends ends);
 
-/// Of positive values, with ticks at powers of ten, and between them where these are few.
+/// An axis of positive values, with ticks at powers of ten, and between them where these are few.
 Axis logarithmic_axis(Range data, Ends ends);
 
 /// The largest of 1, 2, 5 times a power of ten that is not above `value`.

@@ -77,7 +77,7 @@ void append_words(Text& text, std::string_view words) {
   }
 }
 
-/// The next piece of a text: a marked name, a blank, or what stands between blanks.
+/// The next piece of a text: a marked name, a blank, or the text between blanks.
 std::string_view next_piece(std::string_view rest) {
   if (rest.front() == mark_open) return rest.substr(0, std::min(rest.find(mark_close), rest.size() - 1) + 1);
   if (rest.front() == ' ') return rest.substr(0, 1);

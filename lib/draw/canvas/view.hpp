@@ -23,7 +23,7 @@ inline Point across(Point a) { return {-a.y, a.x}; }
 inline Point along(double angle) { return {std::cos(angle), std::sin(angle)}; }
 inline Point unit(Point a) { return length(a) > 0.0 ? 1.0 / length(a) * a : Point{1.0, 0.0}; }
 
-/// What can be drawn: a number of a magnitude that arithmetic on ranges survives.
+/// Whether a number can be drawn: its magnitude must not overflow in arithmetic on ranges.
 inline bool drawable(double v) { return std::fabs(v) < 1e100; }
 inline bool drawable(Point p) { return drawable(p.x) && drawable(p.y); }
 

@@ -8,7 +8,7 @@
 namespace loadpath::draw {
 namespace {
 
-/// A JSON text that may stand within a page: '<' cannot end its script.
+/// A JSON text that may be embedded in a page: '<' cannot end its script.
 std::string json_text(std::string_view text) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string out = "\"";
@@ -35,7 +35,7 @@ std::string list(std::size_t count, const Write& write) {
   return text + "]";
 }
 
-/// Tenths of a view unit, in whole numbers.
+/// Tenths of a view unit, as integers.
 std::string tenths(double at) { return std::to_string(std::lround(10.0 * at)); }
 
 /// Numbers as one text, words as a list and numbers of them.

@@ -1,4 +1,4 @@
-// A chart as a page shows it whose points can be told: the picture, and what a script needs to find and to tell them.
+// A chart in a page with data for its points: the picture, and the data that a script needs to find and to show them.
 #pragma once
 
 #include "lib/figure/chart.hpp"
@@ -15,7 +15,7 @@ struct ToldChart {
 /// `figure` holds a chart.
 ToldChart told_chart(const Figure& figure);
 
-/// What is told of a dot: "12.5", a word; a dash where there is nothing.
+/// The text for a dot: "12.5", a word; a dash if there is nothing.
 std::string told_text(const Chart::Told& told, std::size_t dot);
 
 }  // namespace loadpath::draw

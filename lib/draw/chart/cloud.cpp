@@ -1,5 +1,4 @@
-// Dots over two results. Shapes tell them apart where there is no colour: dots pass, crosses fail, rings have no
-// verdict.
+// Dots over two results. Shapes distinguish them without colour: dots pass, crosses fail, rings have no verdict.
 #include "lib/draw/chart/picture.hpp"
 #include "lib/text/issue.hpp"
 
@@ -9,7 +8,7 @@ namespace {
 using Verdict = Chart::Verdict;
 using Places = std::vector<std::optional<Point>>;
 
-constexpr double arm = 2.6;     // of a cross
+constexpr double arm = 2.6;     // half size of a cross
 constexpr double around = 6.0;  // a dot that is used the most
 
 using Strokes = std::vector<std::pair<Point, Point>>;
@@ -40,7 +39,8 @@ std::vector<Point> of_dots(const std::vector<std::size_t>& which, const Places& 
   return found;
 }
 
-/// What is worse in both than one of two neighbours of the front is no way out: stairs, not a line between them.
+/// Points between two neighbours of the front that are worse in both results are not feasible: stairs, not a line
+/// between them.
 std::vector<Point> stairs(const Chart& chart, const std::vector<Point>& front) {
   std::vector<Point> line;
   for (const Point p : front) {
@@ -68,7 +68,7 @@ void draw_legend(const Chart& chart, Canvas& canvas, Legend& legend, const std::
   if (!chart.worst.empty()) draw_worst(canvas, legend.next(say("largest utilisation").text()));
 }
 
-/// "less is better" of both scales.
+/// The captions "less is better" of both scales.
 std::string aims(const Chart& chart) {
   const auto aim = [](const Scale& scale, bool more) {
     return (more ? say("more {1} is better", plain(scale.symbol)) : say("less {1} is better", plain(scale.symbol)))

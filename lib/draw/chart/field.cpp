@@ -1,5 +1,5 @@
-// Lines of level over two inputs, what fails hatched: rising or falling strokes tell one mode from the next where there
-// is no colour. What has no verdict is speckled.
+// Contour lines over two inputs, the failing region hatched: rising or falling strokes distinguish neighbouring modes
+// without colour. Regions without a verdict are speckled.
 #include "lib/draw/canvas/labels.hpp"
 #include "lib/draw/chart/hatching.hpp"
 #include "lib/draw/chart/picture.hpp"
@@ -115,7 +115,7 @@ void FieldPicture::draw_lines(std::string_view style, const Lines& lines) {
   for (const auto& line : lines) canvas_.polyline(style, line);
 }
 
-/// In the middle of what it names, if there is a place that lies in it whole.
+/// Places a label in the middle of its region, if a position is entirely inside.
 void FieldPicture::label_region(const std::string& words, const std::function<bool(Point)>& holds) {
   constexpr double step = 9.0, high = 18.0;
   const Text text = typeset(words);

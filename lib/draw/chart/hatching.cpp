@@ -5,7 +5,7 @@ namespace {
 
 constexpr double tread = 1.0;  // view units from look to look
 
-/// Where it changes between two places, of which the first is as `was`.
+/// The boundary between two places, of which the first is as `was`.
 Point change(Point from, Point to, bool was, const std::function<bool(Point)>& holds) {
   for (int halving = 0; halving < 5; ++halving) {
     const Point middle = 0.5 * (from + to);

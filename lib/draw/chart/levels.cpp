@@ -61,7 +61,7 @@ void Marching::cross_cell(std::size_t column, std::size_t row) {
   }
   if (around.size() == 2) join(around[0], around[1]);
   if (around.size() < 4) return;
-  const bool cut_first = is_above[0] != (0.25 * sum > level_);  // a saddle: the first corner stands alone
+  const bool cut_first = is_above[0] != (0.25 * sum > level_);  // a saddle: the first corner is separate
   join(around[0], around[cut_first ? 3 : 1]);
   join(around[cut_first ? 1 : 3], around[2]);
 }

@@ -7,7 +7,7 @@
 
 namespace loadpath::draw {
 
-/// Places of columns and rows on the page, each rising or falling; values stand row by row.
+/// Positions of columns and rows on the page, each rising or falling; values are stored row by row.
 struct Lattice {
   std::vector<double> x, y;
   [[nodiscard]] std::size_t node(std::size_t column, std::size_t row) const { return row * x.size() + column; }
@@ -20,7 +20,7 @@ struct InCell {
 };
 InCell cell_at(const Lattice& lattice, Point place);
 
-/// Between the four corners of the cell; NaN where one has none.
+/// Between the four corners of the cell; NaN if one has none.
 double between(const Lattice& lattice, const std::vector<double>& values, const InCell& in);
 
 /// Open and closed lines; none goes through a cell with a corner that has no value.

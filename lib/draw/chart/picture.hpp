@@ -12,20 +12,20 @@ namespace loadpath::draw {
 
 struct ChartPicture {
   Picture picture;
-  std::vector<std::optional<Point>> places;  // of the dots; none of what has none
+  std::vector<std::optional<Point>> places;  // positions of the dots; none for dots without any
 };
 
 ChartPicture chart_picture(const Chart& chart);
 
-// What the two kinds share.
+// The frame common to the two kinds.
 PlotFrame frame_of(const Chart& chart);
-/// How many dots pass, fail by which mode...
+/// The number of dots that pass, that fail by each mode...
 std::string counts_of(const Chart& chart);
 /// One row below the figure: a sign and what it means.
 class Legend {
  public:
   Legend(Canvas& canvas, double top) : canvas_(canvas), y_(top) {}
-  /// The middle of the sign; the words are written beside it.
+  /// The centre of the next symbol; the words are written to its right.
   Point next(std::string_view words);
   [[nodiscard]] double bottom() const { return y_ + 10.0; }
 

@@ -10,7 +10,7 @@ using Verdict = Chart::Verdict;
 
 bool is_known(Verdict verdict) { return verdict == Verdict::passes || verdict == Verdict::fails; }
 
-/// How far a dot is beyond its limit: by its utilisation where that agrees with the verdict.
+/// The distance of a dot beyond its limit: by its utilisation if that agrees with the verdict.
 double excess_of(const Chart::Dot& dot, double utilisation) {
   constexpr double least = 1e-6, guess = 0.5;
   if (dot.verdict == Verdict::none) return nan;

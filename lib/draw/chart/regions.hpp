@@ -1,5 +1,5 @@
-// What holds where on a chart of a grid: between its dots it passes or fails as the dots about it do, and the limit
-// lies where the utilisation is 1 if that decides.
+// Regions on a chart of a grid: between its dots a point passes or fails as the surrounding dots do, and the limit is
+// at utilisation 1 if that decides.
 #pragma once
 
 #include "lib/draw/chart/levels.hpp"
@@ -13,18 +13,18 @@ class Regions {
 
   /// The dot nearest to a place, if the place is on its side of the limit; else one about it that is.
   [[nodiscard]] const Chart::Dot& at(Point place) const;
-  /// Where what fails begins.
+  /// The boundary of the failing region.
   [[nodiscard]] std::vector<std::vector<Point>> limit() const;
-  /// Where, of what does not fail, that begins which is not judged, or no machine.
+  /// Within the region that does not fail, the boundary of points not assessed or invalid.
   [[nodiscard]] std::vector<std::vector<Point>> unknown() const;
-  /// Where one mode takes over from another.
+  /// The boundaries between governing modes.
   [[nodiscard]] std::vector<std::vector<Point>> between_modes() const;
   [[nodiscard]] std::vector<std::vector<Point>> level(double value) const;
 
  private:
   const Chart& chart_;
   Lattice lattice_;
-  std::vector<double> excess_;  // above zero where a dot fails; NaN where there is no machine
+  std::vector<double> excess_;  // above zero if a dot fails; NaN if there is no machine
 };
 
 }  // namespace loadpath::draw

@@ -23,7 +23,7 @@ std::pair<double, double> within(const Box& box, Point from, Point to) {
   return {enter, leave};
 }
 
-/// What lies where `depth` is not negative, of a closed outline (Sutherland and Hodgman).
+/// The part of a closed outline where `depth` is not negative (Sutherland and Hodgman).
 template <class Depth>
 std::vector<Point> cut(const std::vector<Point>& outline, const Depth& depth) {
   std::vector<Point> kept;
@@ -67,7 +67,7 @@ std::vector<std::pair<Point, Point>> hatching(const std::vector<Point>& outline,
   double low = 1e300, high = -1e300;
   for (const Point p : outline) low = std::min(low, dot(p, normal)), high = std::max(high, dot(p, normal));
   std::vector<std::pair<Point, Point>> strokes;
-  // The lines stand at multiples of their distance on the page, so that neighbouring parts are hatched alike.
+  // The lines are at multiples of their distance on the page, so that neighbouring parts are hatched alike.
   for (double at = spacing * std::ceil(low / spacing); at < high; at += spacing) {
     std::vector<double> hits;
     for (std::size_t i = 0; i < outline.size(); ++i) {

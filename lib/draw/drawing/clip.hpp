@@ -1,4 +1,4 @@
-// What lies within a window, and the hatching of cut faces.
+// Clipping to a window, and the hatching of cut faces.
 #pragma once
 
 #include "lib/draw/canvas/view.hpp"

@@ -9,10 +9,10 @@ namespace loadpath::draw {
 namespace {
 
 constexpr double head = 7.0;
-constexpr double overshoot = 3.5;  // of an extension line beyond its dimension line
+constexpr double overshoot = 3.5;  // overhang of an extension line beyond its dimension line
 constexpr double clear = 3.0;      // between the part and its extension line
 
-constexpr double shift = 7.0;  // of an arrow beside the line that it belongs to
+constexpr double shift = 7.0;  // offset of an arrow from its reference line
 
 Point turned_to(double angle) { return {std::cos(angle), -std::sin(angle)}; }
 

@@ -35,7 +35,7 @@ void include(Box& box, const std::vector<Point>& points) {
   for (const Point p : points) include(box, p);
 }
 
-/// Of the parts, in metres, y upwards.
+/// The extent of the parts, in metres, y upwards.
 Box extent_of(const View& view) {
   Box box{infinite, infinite, -infinite, -infinite};
   if (view.window) return {view.window->low.x, view.window->low.y, view.window->high.x, view.window->high.y};
@@ -55,10 +55,10 @@ bool is_upright(Side side) { return side == Side::left || side == Side::right; }
 
 double text_width(const Drawing::Value& value) { return width(typeset(words_of(value)), 1.05 * text_size); }
 
-/// Which stretches of the rows on one side are taken.
+/// The occupied stretches of the rows on one side.
 class Taken {
  public:
-  /// The first row where the line has room, and the text beyond it where it stands there.
+  /// The first row with space for the line, and for its text if that is outside.
   std::size_t row_of(Range line, Range text, bool beyond) {
     std::size_t row = 0;
     while (!is_free(row, line) || (beyond && !is_free(row + 1, text))) ++row;
@@ -79,8 +79,8 @@ class Taken {
   std::vector<std::vector<Range>> rows_;
 };
 
-/// Dimension lines by their side, the shorter ones nearer to the parts, at this scale. A text that has no room between
-/// the extension lines stands beyond the line, and takes a row of its own.
+/// Dimension lines by their side, the shorter ones nearer to the parts, at this scale. A text that does not fit
+/// between the extension lines is placed outside, and takes a row of its own.
 std::vector<Row> rows_of(const View& view, double scale) {
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < view.lengths.size(); ++i) {

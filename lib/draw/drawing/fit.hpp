@@ -1,4 +1,4 @@
-// Where a view of a drawing stands on the page: its scale, and the room for dimension lines around it.
+// The position of a view on the page: its scale, and the space for dimension lines around it.
 #pragma once
 
 #include "lib/draw/canvas/view.hpp"
@@ -16,13 +16,13 @@ inline constexpr double short_dimension = 24.0, short_lead = 16.0;  // has its h
 /// The view without what has no place or no value.
 Drawing::View without_gaps(const Drawing::View& view);
 
-/// With how many digits a value stands in a drawing: four, five of lengths of a metre and more.
+/// The number of digits of a value in a drawing: four; five for lengths from one metre.
 int digits_of(const Drawing::Value& value);
 
 /// "R = 600 mm", the symbol marked.
 std::string words_of(const Drawing::Value& value);
 
-/// A dimension beside the drawing: which, and the how many-th line from it.
+/// A dimension outside the drawing, and the row of its line.
 struct Row {
   std::size_t length = 0;
   std::size_t row = 0;
@@ -34,8 +34,8 @@ struct ViewFit {
   double newton = 0.0;  // view units per newton
   Point origin;
   Box area;    // all of the view with title, dimensions and scale bar
-  Box extent;  // the parts alone
-  Box words;   // where words may stand: without title and scale bar
+  Box extent;  // extent of the parts only
+  Box words;   // area available for words: without title and scale bar
   std::vector<Row> rows;
 
   [[nodiscard]] Point at(Point p) const { return {origin.x + scale * p.x, origin.y - scale * p.y}; }

@@ -1,11 +1,11 @@
-// The signs of what holds a part.
+// The symbols of supports.
 #include "lib/draw/drawing/view.hpp"
 #include "lib/draw/scheme/parts.hpp"
 
 namespace loadpath::draw {
 namespace {
 
-constexpr double half_ground = 13.0;  // of the ground
+constexpr double half_ground = 13.0;  // half width of the ground
 constexpr double depth = 15.0, gap = 4.0;
 
 /// Hatched ground across `into`, its surface through the point.
@@ -15,14 +15,14 @@ void ground(Canvas& canvas, Point at, Point into) {
   hatch(canvas, at + side, at - side);
 }
 
-/// A triangle that stands on a line, and the ground below on which it slides.
+/// A triangle on a line, and the ground below on which it slides.
 void roller(Canvas& canvas, Point at, Point into) {
   const Point foot = at + depth * into, side = 8.5 * across(into);
   canvas.polygon("pin", {at, foot + side, foot - side});
   ground(canvas, foot + gap * into, into);
 }
 
-/// Two walls along the part, which neither lets turn nor move across.
+/// Two walls along the part, which permit neither rotation nor transverse displacement.
 void sleeve(Canvas& canvas, Point at, Point into) {
   constexpr double clear = 5.0, long_half = 12.0;
   const Point out = across(into), along = long_half * into;

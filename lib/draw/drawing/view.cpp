@@ -13,8 +13,8 @@ namespace {
 
 using Line = Drawing::Line;
 
-constexpr double least_hatched = 4.0;  // of thinner walls the section is filled, as ISO 128 lets it
-constexpr double thinnest_seen = 0.7;  // what is thinner is drawn as a line
+constexpr double least_hatched = 4.0;  // sections of thinner walls are filled, as ISO 128 permits
+constexpr double thinnest_seen = 0.7;  // thinner walls are drawn as lines
 
 std::string_view style_of(Line line) {
   switch (line) {
@@ -41,7 +41,7 @@ std::vector<Point> closed(std::vector<Point> outline) {
   return outline;
 }
 
-/// How wide a label's berth is.
+/// The half width of a label's clearance.
 double half_width(Line line) { return line == Line::belt || line == Line::contact ? 3.0 : 1.5; }
 
 /// A circle as closely as it is seen.

@@ -64,7 +64,7 @@ class ViewPicture {
   std::vector<Fixed> fixed_texts_;
 };
 
-/// What a view says, for who does not see it.
+/// A description of a view for screen readers.
 std::string description(const Drawing::View& view);
 
 }  // namespace loadpath::draw

@@ -21,7 +21,7 @@ void drop_last_letter(std::string& words) {
   if (!words.empty()) words.pop_back();
 }
 
-/// The text, or the beginning of its first part where it is wider than the room: what is behind stays whole.
+/// The text, or the beginning of its first part if it is wider than the space: `behind` is kept in full.
 std::string shortened(std::string words, double room, const std::string& behind = "") {
   if (fits(words + behind, room)) return words + behind;
   const std::string rest = "…" + behind;
@@ -29,7 +29,7 @@ std::string shortened(std::string words, double room, const std::string& behind 
   return words + rest;
 }
 
-/// What an arrow hands on, never without the end of its number: what else comes along goes first, then the beginning
+/// The label of an arrow, never without the end of its number: load components are dropped first, then the beginning
 /// of its path, then letters of its name.
 std::string shortened_label(std::string label, double room) {
   const std::string_view more = ", …";
@@ -49,7 +49,7 @@ struct Placed {
   std::vector<std::size_t> arriving;  // arrows, from the top
 };
 
-/// All arrows of one part leave it together, along a line of their own beside the others that are under way.
+/// All arrows of one part leave it together, along a line of their own parallel to the other bundles.
 struct Bundle {
   std::size_t from = 0, last = 0;
   std::size_t lane = 0;
@@ -150,7 +150,7 @@ class FlowPicture {
   Canvas canvas_;
 };
 
-/// For screen readers.
+/// A description for screen readers.
 std::string description(const Flow& flow) {
   std::string all;
   for (const auto& arrow : flow.arrows) {

@@ -1,4 +1,5 @@
-// What hands its values to what: parts below one another, in the order of their calculation, with what each takes.
+// The flow of values between parts: parts one below the other, in the order of their calculation, with the values
+// that each takes.
 #pragma once
 
 #include <cstddef>

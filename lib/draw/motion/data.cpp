@@ -8,7 +8,7 @@ namespace {
 
 constexpr double length_step = 0.05;    // view units
 constexpr double angle_step = 0.0005;   // rad: 0.2 view units at the edge of the picture
-constexpr double force_steps = 2000.0;  // of the largest component
+constexpr double force_steps = 2000.0;  // steps of the largest component
 
 template <class Items, class Write>
 std::string list(const Items& items, const Write& write) {

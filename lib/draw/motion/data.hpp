@@ -9,8 +9,8 @@
 
 namespace loadpath::draw {
 
-/// Columns over the frames are whole numbers, each less the one before; a column that never changes is one number.
-/// `plans`: where the force plan of each link lies.
+/// Columns over the frames are integers, each minus the one before; a constant column is one number. `plans`:
+/// positions of the force plans of the links.
 std::string motion_data(const Motion& motion, const Fit& scheme, const std::vector<PlanFit>& plans);
 
 }  // namespace loadpath::draw

@@ -31,7 +31,7 @@ Box extent(const Motion& motion, const Motion::LinkPlan& of, std::size_t frame) 
   return box;
 }
 
-/// One scale for all frames; at each the polygon stands in the middle.
+/// One scale for all frames; the polygon is centred in each frame.
 PlanFit plan_fit(const Motion& motion, const Motion::LinkPlan& plan) {
   double width = 1e-300, height = 1e-300;
   for (std::size_t k = 0; k < motion.axis.si.size(); ++k) {

@@ -1,5 +1,5 @@
-// A mechanism that moves, as a page shows it: two pictures of the printed position whose parts are marked, and the
-// numbers that a script needs to bring them to any other frame.
+// A moving mechanism in a page: two pictures of the printed position with marked parts, and the numbers that a script
+// needs to move them to any other frame.
 #pragma once
 
 #include "lib/figure/figure.hpp"
@@ -10,8 +10,8 @@ namespace loadpath::draw {
 
 struct MotionPictures {
   std::string scheme;  // <svg>: groups with data-carried, data-force, data-name, data-couple
-  std::string plan;    // <svg>: a group with data-plan for every link; empty where there is no plan
-  std::string data;    // JSON, of numbers alone: no word of a user can stand in it
+  std::string plan;    // <svg>: a group with data-plan for every link; empty if there is no plan
+  std::string data;    // JSON of numbers only: it cannot contain a user's text
 };
 
 /// `figure` holds a Motion.

@@ -1,4 +1,4 @@
-// The numbers that stand beside a motion, as text.
+// The numbers displayed next to a motion, as text.
 #pragma once
 
 #include "lib/figure/figure.hpp"
@@ -8,7 +8,7 @@
 
 namespace loadpath::draw {
 
-/// What a number of the motion says at a frame, in its unit: "-1234.5"; a dash where there is none.
+/// The text of a number of the motion at a frame, in its unit: "-1234.5"; a dash if there is none.
 std::string number_text(const Motion::Number& number, std::size_t frame);
 /// The same as it is printed, with a minus sign.
 std::string printed(std::string number);

@@ -36,13 +36,13 @@ double title_room(const Plan& plan, double panel) {
   return title_height + line_height * static_cast<double>(title_lines(plan.title, panel).size() - 1);
 }
 
-/// Where names may stand: not on the title, not on the scale bars.
+/// The area for names: without the title and the scale bars.
 Box free_of_words(const Plan& plan, const Box& area) {
   constexpr double bar_words = 22.0;
   return {area.left + 2.0, area.top + title_room(plan, area.width()) + 2.0, area.right - 2.0, area.bottom - bar_words};
 }
 
-/// The places right beside a dot: a name further off would be taken for another dot's.
+/// The positions adjacent to a dot: a name further off could be read as that of another dot.
 std::vector<Candidate> close_to(Point dot, double wide) {
   constexpr double far = 12.0;
   auto places = around(dot, 4.0, wide);
@@ -198,7 +198,7 @@ class PlanPicture {
     }
   }
 
-  /// The pole is a ring: only what is at rest lies there.
+  /// The pole is a ring: points at rest are there.
   void draw_points() {
     for (const auto& point : plan_.points) {
       const bool pole = point.at.x == 0.0 && point.at.y == 0.0;

@@ -8,11 +8,11 @@
 
 namespace loadpath::draw {
 
-/// Where a plan lies and to what scales.
+/// The position and the scales of a plan.
 struct PlanFit {
   double scale = 1.0;   // view units per unit of the vectors
   double newton = 0.0;  // view units per newton of the forces at points
-  Point origin;         // of the pole
+  Point origin;         // position of the pole
   Box area;             // title, plan and scale bars
 
   [[nodiscard]] Point at(Point p) const { return {origin.x + scale * p.x, origin.y - scale * p.y}; }
@@ -21,7 +21,7 @@ struct PlanFit {
 /// The largest plan in a panel at `corner`, with room for its names.
 PlanFit fit(const Plan& plan, Point corner, double width, double most_height);
 
-/// What a vector and its name are: the parts of a picture that a script finds again.
+/// Whether a vector and its name are parts of a picture that a script can find.
 enum class Findable { no, yes };
 
 void draw_plan(Canvas& canvas, const Plan& plan, const PlanFit& fit, Findable findable = Findable::no);

@@ -15,7 +15,7 @@ struct Level {
 
 struct DrawnCurve {
   std::vector<std::vector<Point>> pieces;
-  std::vector<Level> levels;  // of a filled curve only
+  std::vector<Level> levels;  // levels of a filled curve only
 };
 
 DrawnCurve drawn_curve(const Curve& curve, const PlotFrame& frame);

@@ -15,7 +15,7 @@ Range with_zero(Range range, bool filled) {
   return range;
 }
 
-/// Of a logarithmic scale; where nothing has a place on it, one decade.
+/// The range of a logarithmic scale; one decade if there are no positive values.
 Range positive(const Extent& seen) { return seen.empty() ? Range{1.0, 10.0} : seen.range(); }
 
 Text fitting_title(const Display& display, int power) {
@@ -72,7 +72,7 @@ PlotFrame::PlotFrame(const Scale& x, const Scale& y, const Extent& across, const
   take_page();
 }
 
-/// Beside the widest of the numbers on the left.
+/// Takes the space to the right of the widest number on the left.
 void PlotFrame::take_page() {
   double widest = 0.0;
   for (const double tick : up_.ticks) widest = std::max(widest, width(typeset(up_.text(tick)), text_size));

@@ -1,4 +1,4 @@
-// The frame of a plot: ranges, axes, and where a value stands on the page.
+// The frame of a plot: ranges, axes, and the position of a value on the page.
 #pragma once
 
 #include "lib/draw/canvas/canvas.hpp"
@@ -20,7 +20,7 @@ class Extent {
   Range range_{1e300, -1e300};
 };
 
-/// Where a plot stands that shares its scale across with what is above it; the last one has the scale written out.
+/// The position of a plot that shares its horizontal scale with those above; only the last one labels the scale.
 struct Strip {
   Box area;
   Range across;  // SI, from the left to the right of the area
@@ -31,12 +31,12 @@ class PlotFrame {
  public:
   /// On a page of its own; or as a strip.
   explicit PlotFrame(const Plot& plot, const std::optional<Strip>& strip = {});
-  /// On a page of its own, around these SI values and nothing else.
+  /// On a page of its own, around exactly these SI values.
   PlotFrame(const Scale& x, const Scale& y, const Extent& across, const Extent& up);
 
-  /// The place of SI values; nothing where one is not available.
+  /// The place of SI values; nothing if one is not available.
   [[nodiscard]] std::optional<Point> place(double x, double y) const;
-  /// The place of a value on the left side; nothing where it is not available.
+  /// The place of a value on the left side; nothing if it is not available.
   [[nodiscard]] std::optional<Point> left_end(double y) const;
   /// The height of zero, or of the end of the range that is nearest to it.
   [[nodiscard]] double zero_line() const;

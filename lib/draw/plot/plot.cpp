@@ -14,7 +14,7 @@ std::string fill_style(std::size_t i) { return "f" + std::to_string(i % 3); }
 
 constexpr double dot_radius = 2.5;
 constexpr std::size_t most_levels = 16;  // that have their value written on them
-/// Whether nothing of a curve hangs together: points of a test.
+/// Whether the points of a curve are not connected: points of a test.
 bool is_dots(const DrawnCurve& curve) {
   return !curve.pieces.empty() &&
          std::all_of(curve.pieces.begin(), curve.pieces.end(), [](const auto& piece) { return piece.size() == 1; });

@@ -134,7 +134,7 @@ std::vector<Sign> corners(const std::vector<Sign>& signs) {
   return kept;
 }
 
-/// The force that the largest arrow stands for has its share of the drawing.
+/// The largest arrow takes a fixed share of the drawing.
 constexpr double arrow_share = 0.25;
 
 Fit fit(std::vector<Sign> all, const std::vector<Scheme::Arrow>& arrows) {

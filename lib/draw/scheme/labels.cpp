@@ -48,7 +48,7 @@ void SchemePicture::label_moments() {
   for (std::size_t n = 0; n < scheme_.moments.size(); ++n) {
     const auto& moment = scheme_.moments[n];
     const std::string value = format_quantity(moment.value, "N*m", 4);
-    const Text text = typeset(motion_ != nullptr ? moment.label  // its value changes and stands below
+    const Text text = typeset(motion_ != nullptr ? moment.label  // its value changes and is below
                                                  : say("{1} = {2}", symbol(moment.label), value).text());
     const auto places = around(at(moment.at), couple_radius + 3.0, width(text, text_size));
     const int by = motion_ == nullptr ? -1 : motion_->couples[n].carried.place;
@@ -85,7 +85,7 @@ void SchemePicture::label_bodies() {
   }
 }
 
-/// A bar of a round length with what it stands for; returns where the next one may begin.
+/// A bar of a round length with the value it represents; returns the start of the next one.
 double SchemePicture::draw_scale(double x, double view_per_si, std::string (*written)(double)) {
   return scale_bar(canvas_, {x, fit_.height - 13.0}, view_per_si, written);
 }
@@ -94,7 +94,7 @@ void SchemePicture::draw_scales() {
   double x = 10.0;
   if (!scheme_.bodies.empty() || !scheme_.joints.empty() || !scheme_.wheels.empty())
     x = draw_scale(x, fit_.scale, length_text);
-  const bool has_forces = !scheme_.arrows.empty() && fit_.newton > 0.0;  // forces of nothing have no scale
+  const bool has_forces = !scheme_.arrows.empty() && fit_.newton > 0.0;  // zero forces have no scale
   if (has_forces) draw_scale(x, fit_.newton, force_text);
 }
 

@@ -13,9 +13,9 @@ double distance_to_segment(Point p, Point from, Point to) {
   return length(p - (from + t * d));
 }
 
-/// The corners that stand out by more than a little: of points on a line the two ends are left.
+/// The corners that protrude by more than a little: for points on a line the two ends remain.
 std::vector<Point> without_flat_corners(std::vector<Point> hull) {
-  constexpr double little = 1e-5;  // of the hull's size
+  constexpr double little = 1e-5;  // tolerance relative to the hull's size
   Box box{hull[0].x, hull[0].y, hull[0].x, hull[0].y};
   for (const Point p : hull) box.include({p.x, p.y, p.x, p.y});
   const double tolerance = little * std::hypot(box.width(), box.height());

@@ -19,7 +19,7 @@ std::vector<Point> convex_hull(std::vector<Point> points);
 /// A rectangle of the slider's size, its length along `direction`.
 std::vector<Point> block(Point centre, Point direction);
 
-/// Short strokes on the right of the way from `from` to `to`: the side of the ground.
+/// Short strokes on the right-hand side going from `from` to `to`: the side of the ground.
 void hatch(Canvas& canvas, Point from, Point to);
 
 /// A triangle with its tip in the pin, on hatched ground that lies in `direction`.
@@ -30,7 +30,7 @@ void weld(Canvas& canvas, Point corner, Point along, Point other);
 /// A link that is built into hatched ground; `direction` from the ground into the link.
 void clamp(Canvas& canvas, Point end, Point direction);
 
-/// A spring, a damper, or one beside the other, from point to point.
+/// A spring, a damper, or both in parallel, from point to point.
 void spring(Canvas& canvas, Point from, Point to, bool pulls, bool damps);
 /// A spring, or damper, that turns about a point.
 void coil(Canvas& canvas, Point at, bool pulls);

@@ -10,7 +10,7 @@ namespace loadpath::draw {
 
 class SchemePicture {
  public:
-  /// `motion`: null, or what moves the scheme; its parts then stand in groups that say by what they are carried.
+  /// `motion`: null, or the motion of the scheme; its parts are then in groups named after their carriers.
   SchemePicture(Scheme scheme, const Fit& fit, const Motion* motion = nullptr)
       : scheme_(std::move(scheme)),
         fit_(fit),
@@ -58,7 +58,7 @@ class SchemePicture {
   [[nodiscard]] Motion::Carried carrier(Carriers of, std::size_t index) const {
     return motion_ == nullptr ? Motion::Carried{} : (motion_->*of)[index];
   }
-  /// A part that links carry: it goes with its anchor and turns about it.
+  /// A part carried by links: it moves with its anchor and rotates about it.
   template <class Draw>
   void carried(Motion::Carried by, Point anchor, const Draw& draw) {
     const bool moves = motion_ != nullptr && (by.place >= 0 || by.turn >= 0);

@@ -139,7 +139,7 @@ void SchemePicture::draw_pins() {
   }
 }
 
-/// Where the arc of a couple leaves room: at the support of its joint.
+/// The direction free for the arc of a couple: at the support of its joint.
 Point SchemePicture::couple_opening(Point p) const {
   for (const auto& joint : scheme_.joints) {
     const bool supported = joint.fixed && joint.pin == Scheme::Pin::revolute;

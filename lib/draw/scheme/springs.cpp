@@ -35,7 +35,7 @@ std::vector<Point> SchemePicture::directions_at(const Scheme::Joint& joint) cons
 void SchemePicture::draw_weld(const Scheme::Joint& joint) {
   const std::vector<Point> directions = directions_at(joint);
   const Point between{std::cos(joint.angle), -std::sin(joint.angle)};
-  Point first = between, second = between;  // of the links that meet here, those with the weld between them
+  Point first = between, second = between;  // directions of the links joined here, those with the weld between them
   double most = -1.0;
   for (std::size_t a = 0; a < directions.size(); ++a) {
     for (std::size_t b = joint.fixed ? a : a + 1; b < (joint.fixed ? a + 1 : directions.size()); ++b) {

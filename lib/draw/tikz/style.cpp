@@ -40,7 +40,7 @@ std::string points(std::string_view view_units) { return points(number(view_unit
 std::string name_of(const StyleColour& colour) { return "lp" + std::string(colour.variable.substr(2)); }
 std::string name_of(const StyleRule& rule) { return std::string(rule.selector.substr(1)); }
 
-/// The value of a declaration, empty where the rule has none of this name.
+/// The value of a declaration, empty if the rule has none of this name.
 std::string_view declared(const StyleRule& rule, std::string_view name) {
   for (const std::string_view declaration : split(rule.rest, ';')) {
     const std::size_t colon = declaration.find(':');
@@ -96,12 +96,12 @@ std::string options_of_words(const StyleRule& rule) {
 }
 
 bool is_halo(const StyleRule& rule) { return !declared(rule, "paint-order").empty(); }
-/// For parts of words alone, or for the page itself, that is as it is.
+/// Whether a rule is for text only, or for the page itself, which remains unchanged.
 bool is_of_no_element(const StyleRule& rule) {
   return rule.selector == ".page" || rule.selector == ".s" || rule.selector == ".u";
 }
 
-/// What comes after the rule of all words may change it.
+/// Whether a rule is for all text; rules after it may override it.
 bool is_for_words(const StyleRule& rule) {
   const auto rules = style_rules();
   const auto base =

@@ -9,8 +9,8 @@
 namespace loadpath::draw {
 namespace {
 
-constexpr std::size_t line_length = 110;      // of the source
-constexpr std::size_t strokes_of_path = 200;  // TeX keeps a whole path in its memory
+constexpr std::size_t line_length = 110;      // length of a line of the source
+constexpr std::size_t strokes_of_path = 200;  // TeX keeps an entire path in its memory
 constexpr double farthest = 5000.0;           // it has no lengths beyond 5.7 m
 
 bool is_hidden(const Canvas::GroupBegin& group) {
@@ -20,7 +20,7 @@ bool is_hidden(const Canvas::GroupBegin& group) {
   return false;
 }
 
-/// Writes element after element; what stands in a hidden group, for scripts of a page, is left out.
+/// Writes element after element, except hidden groups, which are for scripts of a page.
 class Tikz {
  public:
   explicit Tikz(std::string& out) : out_(out) {}

@@ -10,7 +10,7 @@ namespace loadpath::exports {
 
 namespace {
 
-constexpr std::size_t rows_at_once = 8192;  // of a column: 64 KiB
+constexpr std::size_t rows_at_once = 8192;  // rows of a column: 64 KiB
 
 /// An object of the library, closed at the end.
 class Handle {
@@ -28,7 +28,7 @@ class Handle {
     return *this;
   }
 
-  /// False where the library could not.
+  /// False if the library could not.
   bool end() { return id_ < 0 || close_(std::exchange(id_, -1)) >= 0; }
   [[nodiscard]] bool is_open() const { return id_ >= 0; }
   [[nodiscard]] hid_t operator*() const { return id_; }
@@ -62,7 +62,7 @@ bool put(hid_t of, const char* name, std::uint64_t number) {
   return put(of, name, H5T_STD_U64LE, space, &number);
 }
 
-/// Texts of one length, filled up with nothing.
+/// Texts of one length, padded with zeros.
 bool put(hid_t of, const char* name, const std::vector<std::string>& texts) {
   std::size_t longest = 1;
   for (const std::string& text : texts) longest = std::max(longest, text.size());
@@ -148,7 +148,7 @@ bool Hdf5File::Parts::add_columns(const SweepPlan& plan) {
   return add("state", "1", "-", {}, rows) && add("utilisation", "1", "-", {}, rows);
 }
 
-/// What waits, behind what is written.
+/// Appends the buffered rows to the file.
 bool Hdf5File::Parts::write() {
   const hsize_t start = written, count = columns.front().waiting.size();
   if (count == 0) return true;
@@ -172,7 +172,7 @@ Hdf5File& Hdf5File::operator=(Hdf5File&&) noexcept = default;
 bool Hdf5File::is_there() { return true; }
 
 Outcome<Hdf5File> Hdf5File::create(const std::filesystem::path& path, const SweepPlan& plan, const StoredSweep& sweep) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // what is wrong is said here
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are reported here
   Hdf5File made;
   made.parts_ = std::make_unique<Parts>();
   Parts& parts = *made.parts_;

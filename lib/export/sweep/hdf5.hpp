@@ -1,7 +1,7 @@
-// The points of a sweep as one file of HDF5: a dataset of doubles in SI for each input and result, and what a manifest
-// says as attributes: of the file `program`, `project`, `input` (what the numbers follow from, as CRC-64), `seed`,
-// `points`; of a dataset `name`, `unit`, `shown_in`, `number` (its place in the order), `words` (of an input that takes
-// words, whose numbers it holds). The same points make the same bytes.
+// The points of a sweep as one HDF5 file: a dataset of doubles in SI for each input and result, with the content of a
+// manifest as attributes: of the file `program`, `project`, `input` (everything that the numbers follow from, as
+// CRC-64), `seed`, `points`; of a dataset `name`, `unit`, `shown_in`, `number` (its place in the order), `words` (of
+// a choice, whose indices it contains). The same points make the same bytes.
 #pragma once
 
 #include "lib/export/sweep/store.hpp"
@@ -16,11 +16,11 @@ class Hdf5File {
   /// Whether the program was built with HDF5 (LOADPATH_HDF5).
   static bool is_there();
 
-  /// A new file for all points of the plan. A Fault where it cannot be written.
+  /// A new file for all points of the plan. A Fault if it cannot be written.
   static Outcome<Hdf5File> create(const std::filesystem::path& path, const SweepPlan& plan, const StoredSweep& sweep);
   /// The next points. A Message where the file cannot be written.
   Message append(const project::SolvedBlock& block);
-  /// Everything that was appended stands in the file afterwards.
+  /// Ensures that everything appended is in the file.
   Message close();
 
   Hdf5File();

@@ -1,4 +1,4 @@
-// What a sweep has found, as JSON: numbers in SI.
+// The results of a sweep, as JSON: numbers in SI.
 #pragma once
 
 #include "lib/project/sweep/found.hpp"

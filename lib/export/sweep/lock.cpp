@@ -38,7 +38,7 @@ bool is_still_there(int file, const fs::path& path) {
 
 enum class Locked { yes, no, never };
 
-/// never: the file system has no locks.
+/// never: the file system does not support locks.
 Locked lock(int file, int how) {
   while (::flock(file, how | LOCK_NB) != 0) {
     if (errno == EWOULDBLOCK) return Locked::no;
@@ -66,7 +66,7 @@ FolderLock& FolderLock::operator=(FolderLock&& other) noexcept {
 
 FolderLock::~FolderLock() {
   if (file_ < 0) return;
-  if (!path_.empty()) ::unlink(path_.c_str());  // while it is locked: who waits for this file sees that it is gone
+  if (!path_.empty()) ::unlink(path_.c_str());  // while locked: a waiting process sees that it is gone
   ::close(file_);
 }
 

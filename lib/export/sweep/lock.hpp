@@ -1,5 +1,5 @@
-// A folder that one process works in. The lock ends with the process, however it ends: what is left of one that was
-// killed stands in nobody's way. On a shared disk it holds among machines where the file system knows locks.
+// A folder locked by one process. The lock ends with the process, however it ends: remains of a process that was
+// killed block nobody. On a shared disk it works between computers if the file system supports locks.
 #pragma once
 
 #include "lib/text/issue.hpp"
@@ -17,14 +17,14 @@ class FolderLock {
   FolderLock& operator=(FolderLock&& other) noexcept;
   ~FolderLock();
 
-  /// To write there: a Fault where another process is at work, with its number and its machine, or nothing can be
+  /// Locks for writing: a Fault if another process is at work, with its number and its host, or nothing can be
   /// written.
   static Outcome<FolderLock> to_write(const std::filesystem::path& folder);
-  /// To read what must not change meanwhile.
+  /// Locks for reading: the content must not change meanwhile.
   static Outcome<FolderLock> to_read(const std::filesystem::path& folder);
 
  private:
-  std::filesystem::path path_;  // of one that writes: it takes the file away
+  std::filesystem::path path_;  // file of a writer, which removes it
   int file_ = -1;
 };
 

@@ -1,4 +1,4 @@
-// A build without HDF5: the program says so before it solves anything.
+// A build without HDF5: the program reports it before it solves anything.
 #include "lib/export/sweep/hdf5.hpp"
 
 namespace loadpath::exports {

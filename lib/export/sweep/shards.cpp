@@ -22,9 +22,8 @@ Outcome<SweepStore> SweepStore::open_shard(const fs::path& folder, SweepStore sh
   return shard;
 }
 
-/// Of shards in their order those that make the blocks, each block in one of them; else the message says what is
-/// missing. Wherever one ends another may begin, so that shards of different sizes fit, and what was solved twice does
-/// no harm.
+/// Among shards in their order, those that cover the blocks, each block once; else the message names the missing
+/// blocks. A shard may begin wherever another ends, so that shards of different sizes fit, and overlap does no harm.
 std::vector<const SweepStore*> SweepStore::chain_of(const std::vector<SweepStore>& shards, BlockRange blocks,
                                                     std::uint64_t points, Fault& missing) {
   std::map<std::uint64_t, const SweepStore*> ending{{blocks.first, nullptr}};  // by the block behind
@@ -39,7 +38,7 @@ std::vector<const SweepStore*> SweepStore::chain_of(const std::vector<SweepStore
       chain.insert(chain.begin(), shard);
     return chain;
   }
-  std::uint64_t next = blocks.last;  // where what is missing ends
+  std::uint64_t next = blocks.last;  // end of the missing blocks
   for (const SweepStore& shard : shards) {
     const BlockRange own = shard.sweep_.blocks;
     if (own.first > last->first) next = std::min(next, own.first);
@@ -71,7 +70,7 @@ Outcome<SweepStore> SweepStore::merge(const std::vector<fs::path>& shards, const
   std::stable_sort(all.begin(), all.end(), [](const SweepStore& a, const SweepStore& b) {
     return a.sweep_.blocks.first < b.sweep_.blocks.first;
   });
-  Fault missing;  // nothing is made then
+  Fault missing;  // nothing is created then
   const std::vector<const SweepStore*> chain = chain_of(all, sweep.blocks, plan.space.count(), missing);
   if (!missing.message.empty()) return missing;
   auto merged = create(folder, plan, sweep, none);

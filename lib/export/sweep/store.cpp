@@ -79,7 +79,7 @@ SweepStore::SweepStore(fs::path folder, const SweepPlan& plan, StoredSweep sweep
   if (sweep_.columns) name_columns(plan);
 }
 
-/// Inputs, results, and how the whole came out.
+/// Inputs, results, and the overall verdict.
 void SweepStore::name_columns(const SweepPlan& plan) {
   const auto add = [this](const std::string& name, const std::string& unit, const std::string& si) {
     columns_.push_back({name, unit, si, "columns/" + file_name(columns_.size(), name), 0, {}});
@@ -116,7 +116,7 @@ Message SweepStore::open_columns(std::uint64_t rows) {
 /// The first state of a new sweep.
 Message SweepStore::begin() {
   std::error_code error;
-  fs::remove_all(folder_ / "columns", error);  // of what was killed before it had a state
+  fs::remove_all(folder_ / "columns", error);  // remains of a process killed before it had a state
   if (Message wrong = open_columns(0); !wrong.empty()) return wrong;
   return save();
 }
@@ -227,7 +227,7 @@ std::string SweepStore::read_state(Message& wrong) const {
   return bytes;
 }
 
-/// What is wrong with the bytes of a state: they are damaged, or tell of another sweep.
+/// The error in the bytes of a state: damaged, or of another sweep.
 Message SweepStore::load(std::string_view bytes) {
   constexpr std::size_t end = sizeof(std::uint64_t);
   Message damaged = say("its state is damaged");
@@ -283,7 +283,7 @@ std::string SweepStore::manifest() const {
   return json.take();
 }
 
-/// Written aside, and put in place whole.
+/// Written to a temporary file and renamed, so that it is always complete.
 Message SweepStore::put(const std::string& name, const std::string& bytes) const {
   const fs::path aside = folder_ / aside_of(name);
   const auto wrong = [&] { return say("cannot write '{1}': {2}", (folder_ / name).string(), std::strerror(errno)); };

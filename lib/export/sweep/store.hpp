@@ -1,11 +1,12 @@
-// A sweep in a folder: its columns, how far it is, and what it has found so far, so that what was stopped or killed
-// goes on, and shards become one.
+// A sweep in a folder: its columns, its progress, and its results so far, so that an interrupted sweep can be
+// resumed, and shards merged.
 //
-//   manifest.json   what stands here, for people and other programs
-//   columns/        one file for each input and result, doubles in SI as numpy reads them
-//   state           what a sweep goes on from; the same bytes for the same points, however they were shared out
+// manifest.json   description of the contents, for people and other programs
+// columns/        one file for each input and result, doubles in SI as numpy reads them
+// state           the data for resuming a sweep; independent of the division into shards
 //
-// The state is put in place whole, after the columns that it tells of are on the disk. One process writes at a time.
+// The state replaces the previous one atomically, after the columns that it describes are on the disk. One process
+// writes at a time.
 #pragma once
 
 #include "lib/export/sweep/lock.hpp"
@@ -27,29 +28,29 @@ using project::SweptPart;
 /// A sweep that is kept, and by what it is known again.
 struct StoredSweep {
   std::string program;   // "loadpath 0.1.0"
-  std::string file;      // of the project
+  std::string file;      // file of the project
   std::string identity;  // everything that its numbers follow from, as text
   std::uint64_t seed = 0;
-  BlockRange blocks;  // of this folder
+  BlockRange blocks;  // blocks of this folder
   bool columns = true;
 };
 
-/// What stands for everything that the numbers follow from.
+/// A hash of everything that the numbers follow from.
 std::string fingerprint(std::string_view identity);
 
 class SweepStore {
  public:
   SweepStore() = default;
-  /// A new folder, or one in which a sweep was killed before it had a state; a Fault where there is something else in
+  /// A new folder, or one in which a sweep was killed before it had a state; a Fault if there is something else in
   /// it, another process is at work on it, or it cannot be written.
   static Outcome<SweepStore> create(const std::filesystem::path& folder, const SweepPlan& plan, StoredSweep sweep,
                                     Found none);
-  /// A folder that is there, of the same sweep: a Fault where it is another's, or damaged: its columns are read again.
-  /// What was written after its last state is cut off.
+  /// Opens an existing folder of the same sweep: a Fault if it is another's, or damaged. Its columns are read back.
+  /// Data written after its last state are truncated.
   static Outcome<SweepStore> resume(const std::filesystem::path& folder, const SweepPlan& plan,
                                     const StoredSweep& sweep, Found none);
-  /// Folders of shards as one new folder: they must be of the same sweep, and of those that are done some must make the
-  /// whole, each point in one of them. The others are left out.
+  /// Merges folders of shards into a new folder: they must be of the same sweep, and some of the finished ones must
+  /// cover it, each point once. The others are left out.
   static Outcome<SweepStore> merge(const std::vector<std::filesystem::path>& shards,
                                    const std::filesystem::path& folder, const SweepPlan& plan, StoredSweep sweep,
                                    const Found& none);
@@ -61,7 +62,7 @@ class SweepStore {
 
   [[nodiscard]] const Found& found() const { return found_; }
   [[nodiscard]] BlockRange left() const { return {next_, sweep_.blocks.last}; }
-  /// Of shards that were to be put together, those whose points are in others, and those that have none.
+  /// The shards left out of a merge: those whose points are in others, and those without any.
   [[nodiscard]] const std::vector<std::filesystem::path>& left_out() const { return left_out_; }
 
  private:
@@ -91,12 +92,12 @@ class SweepStore {
 
   std::filesystem::path folder_;
   FolderLock lock_;
-  std::uint64_t points_ = 0;  // of the whole sweep
+  std::uint64_t points_ = 0;  // points of the entire sweep
   StoredSweep sweep_;
   Found found_;
   std::uint64_t next_ = 0;  // block
   std::vector<Column> columns_;
-  std::vector<std::size_t> results_;  // of a block, that have a column behind those of the inputs
+  std::vector<std::size_t> results_;  // results of a block that have a column, which follow those of the inputs
   std::vector<std::filesystem::path> left_out_;
 };
 

@@ -78,7 +78,7 @@ bool Differential::start(bool statics) {
   return induced_.solve(held_, find_reactions) && find_induction();
 }
 
-// Each from the power of all that acts where its constraint alone gives way.
+// Each from the power of all loads when only its constraint is released.
 void Differential::find_multipliers(const Induced& modes) {
   const double area = instant_.length() * instant_.length();
   for (std::size_t row = 0; row < multiplier_.size(); ++row) {
@@ -101,7 +101,7 @@ double Differential::mode_power(const InducedMode& mode, std::size_t row) const 
   return on(joint.i) - on(joint.j);
 }
 
-// What the amounts induce again, by the reactions that they cause: the equations for changes of the amounts.
+// Amounts induced in turn by the reactions that the amounts cause: the equations for changes of the amounts.
 bool Differential::find_induction() {
   const std::size_t count = modes_.size();
   place();
@@ -155,7 +155,7 @@ void Differential::place() {
   constraints_.place(q_, no_targets_);
   constraints_.count_turns();
   constraints_.place(q_, no_targets_);
-  // The second step is for belts, whose Jacobian holds for wheels at the distance that other joints keep.
+  // The second step is for belts, whose Jacobian assumes the centre distance that other joints keep.
   for (int step = 0; step < (has_belt_ ? 2 : 1); ++step) {
     subtract_solution(constraints_.residual(), q_);
     constraints_.place(q_, no_targets_);
@@ -201,7 +201,7 @@ void Differential::find_forces() {
   share_out(model_, constraints_, multipliers_, instant_.length(), reactions_, effort_);
 }
 
-// First what is induced anew if the amounts stay, then the amounts that agree with that.
+// First the change of the induced forces at constant amounts, then the amounts consistent with it.
 void Differential::find_induced_forces() {
   move_induced();
   for (std::size_t m = 0; m < amounts_.size(); ++m) amounts_[m] = induced_.found().amounts[m];

@@ -23,9 +23,9 @@ class Differential {
   /// The model in SI units, whose numbers are seeded.
   [[nodiscard]] BasicModel<Dual>& model() { return model_; }
 
-  /// After the instant has gone to a position: its multipliers, and what it induces. False where it jams.
+  /// After the instant has gone to a position: its multipliers, and what it induces. False if it jams.
   [[nodiscard]] bool start(bool statics);
-  /// All derivatives with respect to what is seeded now.
+  /// All derivatives with respect to the numbers seeded now.
   void find();
   /// Writes those of one lane.
   void store(std::size_t lane, Position& out) const;
@@ -55,9 +55,9 @@ class Differential {
   // In units of length, as the constraints; the ground comes last.
   std::vector<Dual> q_, velocity_, acceleration_;
   std::vector<Dual> right_, multipliers_, no_targets_;
-  std::vector<double> powers_;  // of external forces in the virtual motions, over the square of the length
+  std::vector<double> powers_;  // powers of external forces in the virtual motions, over the square of the length
 
-  // What reactions induce.
+  // The forces induced by reactions.
   InducedForces induced_;
   Position held_;
   std::vector<double> multiplier_;

@@ -9,11 +9,11 @@
 namespace loadpath::mechanism {
 
 /// In the units of the model: m, rad, kg, kg m^2, 1, N, N m, and those of springs. Points and mass centres are in the
-/// frames of their links. Moving the coordinate of a driver on is the opposite of raising its offset, at the same
+/// frames of their links. Increasing the coordinate of a driver is equivalent to decreasing its offset, at the same
 /// speed.
 struct Parameter {
   enum class Dimension {
-    point_i_x,  // of joints, to `friction_coefficient`
+    point_i_x,  // parameters of joints, to `friction_coefficient`
     point_i_y,
     point_j_x,
     point_j_y,
@@ -24,32 +24,32 @@ struct Parameter {
     pressure_angle,
     pin_radius,
     friction_coefficient,
-    mass,  // of links, to `centre_y`
+    mass,  // parameters of links, to `centre_y`
     inertia,
     centre_x,
     centre_y,
-    offset,      // of drivers
-    spring_i_x,  // of springs, from here on
+    offset,      // parameters of drivers
+    spring_i_x,  // parameters of springs, from here on
     spring_i_y,
     spring_j_x,
     spring_j_y,
     rate,
     free,
     damping,
-    load_x,  // of loads, in the axes that the load has, from here on
+    load_x,  // parameters of loads, in the axes of the load, from here on
     load_y,
     load_moment,
     load_at_x,  // where it acts, link frame
     load_at_y,
   };
   Dimension dimension = Dimension::mass;
-  std::size_t index = 0;  // of the joint, link, driver, spring or load
+  std::size_t index = 0;  // index of the joint, link, driver, spring or load
 
   friend bool operator==(const Parameter&, const Parameter&) = default;
 };
 
-/// All of these that position or forces of this mechanism can depend on; gravity, belt tension, the sizes of guides
-/// that only friction feels and those of a cam's profile are not among them.
+/// All of these that positions or forces of this mechanism can depend on; gravity, belt tension, the sizes of guides
+/// that affect only friction and those of a cam's profile are excluded.
 std::vector<Parameter> parameters_of(const Model& model);
 
 template <class Scalar>

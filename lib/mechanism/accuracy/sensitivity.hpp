@@ -1,5 +1,5 @@
-// How positions, motions, reactions and efforts change with each dimension and mass of a mechanism: exact derivatives,
-// from the solver's own equations differentiated forward at a solved position.
+// Derivatives of positions, motions, reactions and efforts with respect to each dimension and mass of a mechanism:
+// exact, from the solver's own equations differentiated forward at a solved position.
 //
 // With the closing equations Phi(q, p) = 0 and their Jacobian J: J dq = -dPhi; then J dv = -dJ v, J da = dc - dJ a for
 // the centripetal terms c, and J^T dlambda = df - dJ^T lambda for the multipliers, with one inverse of J for all.
@@ -28,10 +28,10 @@ class Sensitivity {
 
   [[nodiscard]] std::span<const Parameter> parameters() const;
 
-  /// At a position that a solver found, the drives and the loads of the position staying as they are. `singular`: near
-  /// a dead point, where there are no derivatives; `jams`: as the solver has it. Where the sense of friction or the
-  /// loaded flank changes, the derivative is the one of the side on which the position is. Takes no memory but the
-  /// scratch of an inverse.
+  /// At a solved position, with the drives and the loads of the position kept constant. `singular`: near a change
+  /// point, if there are no derivatives; `jams`: as reported by the solver. Where the direction of friction or the
+  /// loaded flank changes, the derivative is one-sided, on the side of the position. Does not allocate, apart from
+  /// the scratch of an inverse.
   Status find(const Position& at, bool statics = false);
 
   /// After `find` has closed: every number of the position, per unit of this parameter. The phase of wheels is

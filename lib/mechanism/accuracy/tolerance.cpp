@@ -116,10 +116,10 @@ void include(const std::optional<double>& value, OutputError& error) {
   error.worst_low = std::min(error.worst_low, *value - error.nominal);
 }
 
-/// What the two ends of one tolerance alone do.
+/// The effects of the two ends of one tolerance.
 struct Ends {
   double low_side = 0.0, high_side = 0.0;  // -1, 0 or 1: where the output is least and largest
-  double span = 0.0;                       // of the output
+  double span = 0.0;                       // range of the output
 };
 
 Ends ends_of(double nominal, const std::optional<double>& minus, const std::optional<double>& plus) {
@@ -228,7 +228,7 @@ void ToleranceAnalysis::add_clearances(const Output& output, const Position& at,
     const Vec by_direction = 0.5 * c.clearance * slope(output, at, c.joint);
     const Vec force = at.reactions[c.joint].force;
     if (c.direction == Clearance::Direction::along_reaction && length(force) > 0.0) {
-      error.shift -= dot(by_direction, force) / length(force);  // the pin of i gives way to the force on it
+      error.shift -= dot(by_direction, force) / length(force);  // the pin of i yields to the force on it
       continue;
     }
     const double share = length(by_direction);
@@ -239,7 +239,7 @@ void ToleranceAnalysis::add_clearances(const Output& output, const Position& at,
   }
 }
 
-/// Of the output, for a shift of the pin on link j against the one on link i, global axes.
+/// The derivative of the output with respect to a shift of the pin on link j against the one on link i, global axes.
 Vec ToleranceAnalysis::slope(const Output& output, const Position& at, std::size_t joint) const {
   const auto by = [&](Parameter::Dimension dimension) {
     return output.change(at, sensitivity_.by(sensitivity_.find_parameter({dimension, joint})));

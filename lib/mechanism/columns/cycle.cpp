@@ -179,7 +179,7 @@ void CycleColumns::read(std::size_t position, const Kept& what, Position& out) c
     out.loads[n] = courses_[n].empty() ? LoadNow{model_.loads[n].force, model_.loads[n].moment} : courses_[n][position];
 }
 
-/// False where some position is not clear.
+/// False if some position is not clear.
 bool CycleColumns::solve_in_lanes(std::span<const Drive> drives, bool statics) {
   const Chain* const chain = system_.chain();
   if (chain == nullptr || now_.empty()) return false;
@@ -201,7 +201,7 @@ bool CycleColumns::solve_in_lanes(std::span<const Drive> drives, bool statics) {
   return true;
 }
 
-/// Anew only where they are others than in the cycle before: most sweeps have the same ones throughout.
+/// Recompute only if the drives differ from the previous cycle; in most sweeps they do not.
 void CycleColumns::take_drives(std::span<const Drive> drives) {
   const Chain& chain = *system_.chain();
   bool others = std::memcmp(drives.data(), drives_.data(), drives_.size() * sizeof(Drive)) != 0;

@@ -1,10 +1,10 @@
-// A cycle of positions as columns of numbers, for one mechanism after another of the same structure: what a sweep of
-// lengths, masses and loads asks for. Made once; `take` and `solve` allocate nothing where the mechanism is a chain of
+// A cycle of positions as columns of numbers, for one mechanism after another of the same structure: sweeps of
+// lengths, masses and loads. Constructed once; `take` and `solve` allocate nothing if the mechanism is a chain of
 // drives and dyads without springs and friction (chain.hpp), and solve it eight positions at once.
 //
 // Every position has the bits that GroupSystem gives, one position after the other from the assembly of the stated
-// poses: where it would have to go in small steps somewhere, and where the mechanism is no such chain, that is what is
-// done for the whole cycle.
+// poses: if small steps are needed somewhere, or the mechanism is not such a chain, GroupSystem solves the entire
+// cycle.
 #pragma once
 
 #include "lib/mechanism/columns/chain_lanes.hpp"
@@ -18,11 +18,11 @@
 
 namespace loadpath::mechanism {
 
-/// Of every position: joint forces with the drives' efforts, and the motion of the links' frames.
+/// The results kept of every position: joint forces with the drives' efforts, and the motion of the links' frames.
 struct Kept {
   bool forces = true;
   bool poses = false;
-  bool angles = true;  // of the poses; without them their angles are no numbers
+  bool angles = true;  // angles of the poses; otherwise they are NaN
   bool velocities = false;
   bool accelerations = false;
   bool pins = false;  // where the joints' forces act
@@ -42,16 +42,16 @@ class CycleColumns {
   /// A load as it is at every position, in the axes that it has; it must outlive the next `solve`.
   void vary_load(std::size_t load, std::span<const LoadNow> course) { courses_[load] = course; }
 
-  /// From the assembly through the positions; `drives`: all of the first position, all of the second... What is not
-  /// closed, and the forces of what jams, are no numbers. The first status that ends the cycle, and those of the
-  /// positions: a single singular one is passed over.
+  /// From the assembly through the positions; `drives`: all of the first position, all of the second... Positions
+  /// that do not close, and the forces of jamming ones, are NaN. Returns the first status that ends the cycle, and
+  /// those of the positions: a single singular one is skipped.
   Status solve(std::span<const Drive> drives, bool statics = false);
   [[nodiscard]] std::span<const Status> status() const { return status_; }
   /// Whether the last cycle was solved in lanes.
   [[nodiscard]] bool in_lanes() const { return in_lanes_; }
 
-  // Columns over the positions, of what is kept: of link j on link i of a joint, N, N m at its pin; N m or N on link i
-  // of a driver; m, rad and their rates.
+  // Columns over the positions, as selected: of link j on link i of a joint, N, N m at its pin; N m or N on link i of
+  // a driver; m, rad and their rates.
   struct Vectors {
     std::span<const double> x, y;
   };
@@ -70,7 +70,7 @@ class CycleColumns {
   /// A position as GroupSystem gives it, of a cycle that was solved in lanes: `what` of all that is kept. `out` is made
   /// by `blank_position`.
   void read(std::size_t position, const Kept& what, Position& out) const;
-  /// The first position, whole.
+  /// The first position, in full.
   [[nodiscard]] const Position& first() const { return position_; }
 
  private:
@@ -104,7 +104,7 @@ class CycleColumns {
   template <class FrameOf>
   void write_frames(std::size_t column, std::size_t first, FrameOf frame_of);
 
-  std::size_t positions_, room_;  // room: in whole blocks of lanes
+  std::size_t positions_, room_;  // capacity: a multiple of the lane block
   Kept kept_;
   std::size_t joints_, drivers_, links_;
   std::size_t first_effort_, first_pose_, first_velocity_, first_acceleration_, first_pin_;
@@ -119,11 +119,11 @@ class CycleColumns {
   bool assembled_ = false;  // and not moved since
 
   std::vector<ChainState<lane_count>> now_;  // one, of a chain
-  std::vector<Pose> poses_;                  // of the last position that was written
+  std::vector<Pose> poses_;                  // poses of the last position written
   std::vector<Reaction> pins_;               // likewise
   std::vector<Drive> drives_;                // that the courses below are of
   std::vector<double> offsets_;              // and of their steps
-  std::vector<Course> course_;               // of the steps
+  std::vector<Course> course_;               // motion of the steps
   std::vector<double> least_sine_;
   bool moves_little_ = true;  // from each position to the next
 };

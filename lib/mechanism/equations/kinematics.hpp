@@ -33,7 +33,7 @@ struct BasicPair {
   std::size_t i = 0, j = 0;  // links; the ground comes last
   std::size_t row = 0;       // its first
   BasicPairPlace<Scalar> at = {};
-  std::array<std::array<std::size_t, 6>, 3> entries = {};  // of its rows in the Jacobian
+  std::array<std::array<std::size_t, 6>, 3> entries = {};  // indices of its rows in the Jacobian
 };
 using Pair = BasicPair<double>;
 
@@ -51,20 +51,20 @@ class BasicConstraints {
 
   /// Goes to these coordinates; `targets`: what the drivers' coordinates should be.
   void place(std::span<const Scalar> q, std::span<const Scalar> targets);
-  /// At coordinates that are an assembly: chooses the whole turns of wheels about each other, which coordinates do not
-  /// tell.
+  /// At coordinates that are an assembly: chooses the full revolutions of wheels about each other, which coordinates
+  /// do not determine.
   void count_turns();
   [[nodiscard]] std::span<const Scalar> residual() const { return residual_; }
   [[nodiscard]] std::span<const Scalar> jacobian() const { return std::span(jacobian_).subspan(1); }
-  /// J times the acceleration, as far as it comes from the velocities alone.
+  /// The part of J times the acceleration that depends only on the velocities.
   void centripetal(std::span<const Scalar> velocity, std::span<Scalar> right) const;
   [[nodiscard]] Scalar coordinate(std::size_t driver) const;
-  /// How far the joint is from being closed.
+  /// The residual of the joint's constraints.
   [[nodiscard]] Scalar opening(std::size_t joint) const;
 
   /// The joints.
   [[nodiscard]] std::span<const BasicPair<Scalar>> pairs() const { return std::span(pairs_).first(joints_); }
-  /// Of a link's frame; the ground's comes last.
+  /// Rotation of a link's frame; the ground's comes last.
   [[nodiscard]] const BasicTurn<Scalar>& turned(std::size_t link) const { return placed_[link].turned; }
   [[nodiscard]] const BasicPlaced<Scalar>& placed(int link) const { return placed_[index(link)]; }
   [[nodiscard]] std::size_t index(int link) const { return link == ground ? ground_ : static_cast<std::size_t>(link); }
@@ -79,7 +79,7 @@ class BasicConstraints {
   std::size_t rows_ = 0;
   std::vector<BasicPair<Scalar>> pairs_;  // joints, then drives
   std::vector<BasicPlaced<Scalar>> placed_;
-  std::vector<MatrixEntry> pattern_;  // the first takes what belongs to the ground, and is no entry
+  std::vector<MatrixEntry> pattern_;  // the first takes the ground's values, and is not an entry
   std::vector<Scalar> jacobian_, residual_;
 };
 using Constraints = BasicConstraints<double>;

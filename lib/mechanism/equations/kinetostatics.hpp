@@ -15,7 +15,7 @@ template <class Scalar>
 struct BasicWrench {
   BasicVec<Scalar> force;  // N
   Scalar moment = 0.0;     // N m
-  /// What acts about another origin, which lies `lever` away from this one.
+  /// Adds a wrench about another origin, at `lever` from this one.
   void add(const BasicWrench& other, BasicVec<Scalar> lever) {
     force = force + other.force;
     moment += other.moment + cross(lever, other.force);
@@ -27,7 +27,7 @@ struct BasicWrench {
 };
 using Wrench = BasicWrench<double>;
 
-/// Of a link: its frame's origin and its turning.
+/// The pose of a link: its frame's origin and its rotation.
 template <class Scalar>
 struct BasicAcceleration {
   BasicVec<Scalar> origin;  // m/s^2
@@ -35,7 +35,7 @@ struct BasicAcceleration {
 };
 using Acceleration = BasicAcceleration<double>;
 
-/// What it takes to move a link so, m a and J epsilon, less its weight.
+/// The wrench needed to move a link in this manner, m a and J epsilon, less its weight.
 template <class Scalar>
 BasicWrench<Scalar> inertia_less_weight(const BasicLink<Scalar>& link, const BasicTurn<Scalar>& turned,
                                         const BasicAcceleration<Scalar>& a, BasicVec<Scalar> gravity) {
@@ -59,7 +59,7 @@ void required_forces(const BasicModel<Scalar>& model, const BasicConstraints<Sca
                      std::span<const std::type_identity_t<Scalar>> acceleration, bool statics,
                      std::span<std::type_identity_t<Scalar>> required);
 
-/// What springs do of that. The model is in the unit of length of the constraints.
+/// The contribution of springs to it. The model is in the unit of length of the constraints.
 template <class Scalar>
 void supply_springs(const BasicModel<Scalar>& model, const BasicConstraints<Scalar>& constraints,
                     std::span<const std::type_identity_t<Scalar>> velocity,

@@ -119,7 +119,7 @@ bool InducedForces::is_settled() const {
   return true;
 }
 
-/// The slopes of what is left of the amounts when they induce themselves, by a little more of each.
+/// The derivatives of the residuals of the amounts under their own induction, by finite differences.
 void InducedForces::fill_newton(double share) {
   before_ = induced_;
   const double little = 1e-6 * std::max(scale_, largest(by_));

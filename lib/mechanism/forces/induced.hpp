@@ -13,7 +13,7 @@
 
 namespace loadpath::mechanism {
 
-/// Of the modes, at these amounts.
+/// The modes at these amounts.
 struct Induced {
   std::span<const InducedMode> modes = {};
   std::span<const double> amounts = {};
@@ -25,17 +25,18 @@ class InducedForces {
   explicit InducedForces(const Model& model);
 
   [[nodiscard]] bool none() const { return modes_.empty(); }
-  /// Of the last `solve`.
+  /// The result of the last `solve`.
   [[nodiscard]] Induced found() const { return {modes_, amounts_}; }
   [[nodiscard]] std::span<const InducedSource> sources() const { return sources_; }
-  /// Whether a joint with friction was at rest there, so that `FrictionTaken` told its sense, or nothing did.
+  /// Whether a joint with friction was at rest there, so that `FrictionTaken` determined its direction, or nothing
+  /// did.
   [[nodiscard]] bool some_rest() const { return some_rest_; }
 
-  /// Finds the amounts at a position whose poses and velocities are there, and adds them to its reactions.
-  /// `find_forces(induced)` fills its reactions and efforts in equilibrium with what is induced. False where the
-  /// mechanism jams: as friction grows from nothing, there comes a point from which on no force of the drives moves it.
-  /// `friction.resting`: for the joints that rest while others move. In a mechanism that rests as a whole and is not
-  /// about to move either, there is no friction, for its direction is not known.
+  /// Finds the amounts at a position whose poses and velocities are known, and adds them to its reactions.
+  /// `find_forces(induced)` fills its reactions and efforts in equilibrium with the induced forces. False if the
+  /// mechanism jams: as friction grows from nothing, beyond some point no force of the drives moves it.
+  /// `friction.resting`: for the joints that rest while others move. In a mechanism entirely at rest without
+  /// impending motion, there is no friction, because its direction is not known.
   template <class FindForces>
   [[nodiscard]] bool solve(Position& at, FindForces find_forces, FrictionTaken friction = {}) {
     start(at, friction.resting);
@@ -83,11 +84,11 @@ class InducedForces {
   std::vector<InducedSource> sources_;
   std::vector<InducedMode> modes_;
   std::vector<double> amounts_, induced_, before_;
-  std::vector<Reaction> free_, by_, moved_;  // of the sources: without any amount, at these, at those beside
-  std::vector<Reaction> influences_;         // of the modes in turn: what an amount of 1 adds to each source
+  std::vector<Reaction> free_, by_, moved_;  // by source: at zero, at these, at neighbouring amounts
+  std::vector<Reaction> influences_;         // per mode, the effect of a unit amount on each source
   double scale_ = 0.0;                       // N, of the reactions
   SmallLu newton_{0};
-  double size_ = 1.0;  // of the mechanism, m
+  double size_ = 1.0;  // size of the mechanism, m
   bool some_rest_ = false;
   int parts_ = 1;  // in which friction grows
 };

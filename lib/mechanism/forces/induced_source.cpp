@@ -44,7 +44,7 @@ Span<Scalar> other_span(const BasicPairShape<Scalar>& shape, const BasicPairPlac
   return {at.seat + at.apart - shape.radius_i * normal(along), along};
 }
 
-/// The force through teeth or a belt, and the arms at which it turns its wheels, those of a rack's wheel alone.
+/// The force through teeth or a belt, and its lever arms about the wheels; for a rack only about its wheel.
 template <class Scalar>
 struct Passing {
   BasicVec<Scalar> along;
@@ -56,9 +56,9 @@ Passing<Scalar> passing(const BasicPairShape<Scalar>& shape, const BasicPairPlac
   return {along, cross(at.at - at.seat - at.apart, along), cross(at.at - at.seat, along)};
 }
 
-/// The modes of what is lost: the first where wheel i drives, which then gives off all that passes, and link j receives
-/// less; the second where link j drives. Two wheels: a force across the line of centres, in the centre of the driving
-/// one. A rack: a force along it in the wheel's centre, or a couple on the wheel.
+/// The modes of losses: the first if wheel i drives, which then transmits all the power, and link j receives less;
+/// the second if link j drives. Two wheels: a force across the line of centres, in the centre of the driving one. A
+/// rack: a force along it in the wheel's centre, or a couple on the wheel.
 template <class Scalar>
 void set_loss_modes(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at,
                     std::span<BasicInducedMode<std::type_identity_t<Scalar>>, 2> modes) {
@@ -79,7 +79,7 @@ void set_loss_modes(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Sc
   in(modes[1], at.seat, across);
 }
 
-/// Their amounts: so large that the power of a mode is that part of the power that passes. At rest nothing is lost.
+/// Their amounts: the power of a mode is that share of the transmitted power. No loss at rest.
 template <class Scalar>
 void induce_loss(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source,
                  const BasicReaction<Scalar>& by, double share, std::span<std::type_identity_t<Scalar>, 2> amount) {
@@ -97,12 +97,12 @@ void induce_loss(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scala
   amount[i_drives ? 0 : 1] = lost * (i_drives ? through.arm_j : through.arm_i) / apart;
 }
 
-/// What presses teeth apart, or the other span of a belt pulls.
+/// The separating force of teeth, or the tension of the other span of a belt.
 template <class Scalar>
 Scalar steady_amount(const BasicJoint<Scalar>& joint, BasicVec<Scalar> along, BasicVec<Scalar> force) {
   if (joint.kind == JointKind::gear) return tan(joint.pressure_angle) * abs(dot(force, normal(along)));
   if (joint.kind == JointKind::rack) return tan(joint.pressure_angle) * abs(dot(force, along));
-  // The equation's span of a belt cannot push: then the other one pulls.
+  // The span of the equation cannot transmit compression: then the other one is in tension.
   return joint.tension + std::max<Scalar>(0.0, -dot(force, along));
 }
 
@@ -119,7 +119,7 @@ void induce_in_slide(const BasicJoint<Scalar>& joint, const BasicInducedSource<S
   amount[1] = -sliding * mu * 0.5 * joint.guide_width * pressing;
 }
 
-/// Where the pin touches it may slide, roll or both.
+/// The contact of the pin may slide, roll or both.
 template <class Scalar>
 void induce_in_slot(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source,
                     const BasicReaction<Scalar>& by, double share, std::span<std::type_identity_t<Scalar>> amount) {

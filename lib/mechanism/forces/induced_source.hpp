@@ -24,10 +24,10 @@ struct BasicInducedMode {
 };
 using InducedMode = BasicInducedMode<double>;
 
-/// The motion of a joint that tells the sense of its friction; 0 where it rests.
+/// The motion of a joint that determines the direction of its friction; 0 at rest.
 struct JointMotion {
-  double sliding = 0.0;  // m/s, of link i along the line of j
-  double turning = 0.0;  // rad/s, of link i against link j
+  double sliding = 0.0;  // sliding velocity, m/s, of link i along the line of j
+  double turning = 0.0;  // angular velocity, rad/s, of link i against link j
   double passing = 0.0;  // teeth, belts: m/s, of link i's wheel along the force on it, seen from the line of centres
 };
 
@@ -35,7 +35,7 @@ struct JointMotion {
 template <class Scalar>
 struct BasicInducedSource {
   std::size_t joint = 0;
-  std::size_t first = 0;  // of its modes
+  std::size_t first = 0;  // index of its first mode
   BasicPairShape<Scalar> shape = {};
   BasicPairPlace<Scalar> place = {};
   Scalar sliding = 0.0;  // as of JointMotion
@@ -44,15 +44,15 @@ struct BasicInducedSource {
 };
 using InducedSource = BasicInducedSource<double>;
 
-/// What friction takes for the sense of a joint that rests while the mechanism moves, as at a dead point: none, or that
-/// of its motion just before or just after.
+/// The direction of friction in a joint that rests while the mechanism moves, as at a dead point: none, or that of
+/// its motion just before or just after.
 enum class Resting { without_friction, as_before, as_after };
 struct FrictionTaken {
   Resting resting = Resting::without_friction;
-  double share = 1.0;  // of the model's coefficients and losses
+  double share = 1.0;  // factor on the model's coefficients and losses
 };
 
-/// How many forces the reaction of this joint brings with it.
+/// The number of forces that the reaction of this joint induces.
 std::size_t modes_of(const Joint& joint);
 /// Whether there is friction among them.
 bool rubs(const Joint& joint);
@@ -66,7 +66,7 @@ struct RestLimits {
   double speed = 0.0, omega = 0.0;           // m/s, rad/s
   double acceleration = 0.0, epsilon = 0.0;  // m/s^2, rad/s^2
 };
-/// The tendency of a joint where the source stands, from that of the position.
+/// The tendency of motion of a joint at the source, from that of the position.
 JointMotion tendency_of(const Joint& joint, const InducedSource& source, const Position& at, Resting resting,
                         const RestLimits& limits);
 /// Whether its dry friction has no sense.
@@ -78,8 +78,8 @@ void set_modes(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>
 template <class Scalar>
 void induce(const BasicJoint<Scalar>& joint, const BasicInducedSource<Scalar>& source, const BasicReaction<Scalar>& by,
             double share, std::span<std::type_identity_t<Scalar>> amount);
-/// Takes what this amount of a mode does to the links i and j from what the constraints must supply; `length`: the unit
-/// of length of the coordinates q and of what is required, m.
+/// Subtracts the effect of this amount of a mode on the links i and j from the forces that the constraints must
+/// supply; `length`: the unit of length of the coordinates q and of the forces, m.
 template <class Scalar>
 void take_from_required(const BasicInducedMode<Scalar>& mode, std::type_identity_t<Scalar> amount, double length,
                         const BasicPair<Scalar>& pair, std::span<const std::type_identity_t<Scalar>> q,

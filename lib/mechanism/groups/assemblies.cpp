@@ -13,7 +13,7 @@
 namespace loadpath::mechanism {
 namespace {
 
-// Of the mechanism's size, and of a unit vector: assemblies that differ by less are one.
+// Relative to the mechanism's size, and for a unit vector: assemblies that differ by less are one.
 constexpr double same = 1e-6;
 constexpr int starts = 200;
 
@@ -32,7 +32,7 @@ class Spread {
   std::uint64_t state_ = 0;
 };
 
-/// Or a cam: where they touch tells on which side they are.
+/// Also true for a cam: the point of contact determines the side.
 bool has_wheels(const Plan& plan, const GroupPlan& group) {
   return std::any_of(plan.cuts.begin() + static_cast<std::ptrdiff_t>(group.first_cut),
                      plan.cuts.begin() + static_cast<std::ptrdiff_t>(group.last_cut),
@@ -60,7 +60,7 @@ class Search {
   }
 
  private:
-  /// Every assembly of this group on what is placed, the stated one first, and with each those of the groups after it.
+  /// Every assembly of this group on the placed links, the stated one first, each with those of the groups after it.
   void close_group(std::size_t g) {
     if (g == plan_.groups.size()) return keep();
     if (found_.list.size() >= most_assemblies) {
@@ -144,7 +144,7 @@ class Search {
     };
     if (std::ranges::any_of(all, is_same)) return;
     const double angle = angle_of(positions_.link(first_link(plan_, group)).turned);
-    closed.angle = angle < -same ? angle + whole_turn : angle;  // zero but for rounding is not a whole turn
+    closed.angle = angle < -same ? angle + whole_turn : angle;  // a rounded zero is not a full revolution
     all.push_back(std::move(closed));
   }
 
@@ -179,7 +179,7 @@ class Search {
   double length_;
   GroupPositions positions_;
   std::vector<Pose> stated_;
-  std::vector<double> values_, branches_;  // of the tree joints and the groups, as stated
+  std::vector<double> values_, branches_;  // coordinates of the tree joints and sides of the groups, as stated
   std::vector<std::string> sides_;
   Assemblies found_;
 };

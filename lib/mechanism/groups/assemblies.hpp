@@ -1,4 +1,4 @@
-// All ways in which a mechanism can be assembled with its drives where they are.
+// All assemblies of a mechanism at given drives.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -14,7 +14,7 @@ namespace loadpath::mechanism {
 /// where the mechanism is now.
 struct Assembly {
   std::vector<std::string> sides;
-  std::vector<Pose> poses;  // of the links
+  std::vector<Pose> poses;  // poses of the links
   bool followed = false;    // the one of the stated poses
 
   /// "B_left, D_ahead"; "the only one" without sides.
@@ -31,7 +31,7 @@ struct Assemblies {
 
 inline constexpr std::size_t most_assemblies = 64;
 
-/// At the drives' coordinates of the assembly nearest to the stated poses; that one comes first. Empty where there is
+/// At the drives' coordinates of the assembly nearest to the stated poses; that one comes first. Empty if there is
 /// none. The model has passed `diagnose`.
 Assemblies assemblies(const Model& model);
 

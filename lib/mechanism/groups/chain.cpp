@@ -104,7 +104,7 @@ class Reader {
   std::size_t group_ = 0;
 };
 
-/// Sets the frames and the hinges anew, from the first step on.
+/// Sets all frames and hinges, from the first step on.
 class Dimensions {
  public:
   Dimensions(const Model& model, const Plan& plan, Chain& chain) : model_(model), plan_(plan), chain_(chain) {}
@@ -164,7 +164,7 @@ class Dimensions {
     return chain_.links[link].own(point - chain_.links[link].base);
   }
 
-  /// With its frame at `base` of the model's frame, turned so against it.
+  /// Sets the frame at `base` of the model's frame, with this rotation against it.
   void found(std::size_t k, Vec base, Turn turned) {
     ChainLink& link = chain_.links[k];
     const Link& given = model_.links[k];

@@ -1,6 +1,6 @@
-// Forces of a chain of dyads that has moved (chain_motion.hpp), back through its steps: a dyad's inner joint takes what
-// would turn its links about their pins or slide them, by the determinant of its motion; the rest goes on through the
-// joints by which they hang.
+// Forces of a chain of dyads with known motion (chain_motion.hpp), back through its steps: a dyad's inner joint takes
+// the forces that would rotate its links about their pins or slide them, by the determinant of its motion; the rest
+// passes through the joints that carry them.
 #pragma once
 
 #include "lib/mechanism/groups/chain_state.hpp"
@@ -97,7 +97,7 @@ class ChainForces {
     });
   }
 
-  /// What a link pinned at its origin needs comes through the pin.
+  /// The forces on a link pinned at its origin pass through the pin.
   template <bool Grounded>
   static void pass_pin(Vec force, Vec origin, double sense, std::size_t n, Motion& on, ReactionLanes<Count>& out) {
     out.force.set(n, sense * force);
@@ -108,7 +108,8 @@ class ChainForces {
   }
   static double sense_of(const Hinge& hinge) { return hinge.link_is_i ? 1.0 : -1.0; }
 
-  /// What a slider still needs, its guide gives: what it needs along the guide is with its drive, or nothing.
+  /// The guide supplies the remaining force on a slider: the component along the guide is supplied by its drive, or
+  /// is zero.
   void pass_guide(const Hinge& hinge, const VecLanes<Count>& along, bool whole) {
     Motion& link = now_.links[hinge.link];
     Motion& on = now_.links[hinge.on];

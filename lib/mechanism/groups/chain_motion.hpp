@@ -1,9 +1,9 @@
 // Positions, velocities and accelerations of a chain of dyads, forward through its steps, for one position or for
-// several side by side: one template, so that a position has the same bits in a sweep and alone.
+// several in parallel: one template, so that a position has the same bits in a sweep and separately.
 //
-// The two equations by which a dyad closes are solved by their determinant; velocities and accelerations are those of
-// links, not of joints. A dyad stays on the side that it has; near its change point it is not clear, and what stands in
-// that lane is not to be used.
+// The two closing equations of a dyad are solved by their determinant; velocities and accelerations are those of
+// links, not of joints. A dyad keeps its assembly mode; near its change point the mode is ambiguous, and the values
+// in that lane are not to be used.
 #pragma once
 
 #include "lib/mechanism/groups/chain_state.hpp"
@@ -25,7 +25,7 @@ class ChainMover {
 
  private:
   using Motion = ChainMotion<Count>;
-  /// Where something is and how it moves, in one lane.
+  /// Position and motion of a point, in one lane.
   struct Course {
     Vec at, velocity, acceleration;
   };
@@ -48,7 +48,7 @@ class ChainMover {
     }
   }
 
-  /// Of a point of a link.
+  /// The motion of a point of a link.
   template <bool Grounded>
   static Course follow(const Motion& on, Vec point, std::size_t n) {
     if constexpr (Grounded) {
@@ -180,7 +180,7 @@ class ChainMover {
       now_.clear[n] = half * to_arm > now_.least_sine[n] ? now_.clear[n] : 0.0;
       const Vec u = ahead * along + distance * aside, at = a.at + u;
       const double inverse = 1.0 / ahead;
-      // Of the line's point that the slider is at.
+      // motion of the line's point at the slider
       Vec velocity, acceleration;
       double carried = 0.0;
       if constexpr (!LineGrounded) {
@@ -208,7 +208,7 @@ class ChainMover {
     });
   }
 
-  /// From the pivot of the second link to what its line passes at `aside`: the pin in its slot, or the other pivot.
+  /// From the pivot of the second link to the point at `aside` from its line: the pin in its slot, or the other pivot.
   template <bool FirstGrounded, bool SecondGrounded>
   void close_on_line(const ChainStep& step, std::size_t s) {
     const Hinge &first = step.first, &second = step.second;

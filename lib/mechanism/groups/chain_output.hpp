@@ -1,4 +1,5 @@
-// What a chain of dyads takes from the drives of its model, and tells of its links and joints in the model's terms.
+// The input of a chain of dyads from the drives of its model, and its output on links and joints in the model's
+// terms.
 #pragma once
 
 #include "lib/mechanism/groups/chain_state.hpp"
@@ -11,7 +12,7 @@
 
 namespace loadpath::mechanism {
 
-/// As the step's joint counts.
+/// In the counting direction of the step's joint.
 inline double value_of(const ChainStep& step, const Drive& drive) {
   return step.sense * (drive.coordinate - step.offset);
 }
@@ -49,7 +50,7 @@ Pose acceleration_of(const Chain& chain, const ChainState<Count>& now, std::size
   return {a.x, a.y, m.epsilon[lane]};
 }
 
-/// Goes on from the poses before: of the angles that differ by whole turns it takes the one next to that.
+/// Continues from the previous poses: among angles that differ by full revolutions it takes the nearest.
 template <std::size_t Count>
 void follow_poses(const Chain& chain, const ChainState<Count>& now, std::size_t lane, std::span<Pose> poses) {
   const auto set_place = [&](std::size_t link) {
@@ -96,7 +97,7 @@ void follow_poses(const Chain& chain, const ChainState<Count>& now, std::size_t 
   }
 }
 
-/// Where the reactions act: of the step's hinges and of its inner joint.
+/// The points of action of the reactions: of the step's hinges and of its inner joint.
 template <std::size_t Count>
 void take_pins(const Chain& chain, const ChainState<Count>& now, std::size_t lane, std::span<Reaction> reactions) {
   const auto point = [&](std::size_t link, Vec own) {

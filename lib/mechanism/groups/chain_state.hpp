@@ -11,7 +11,7 @@
 
 namespace loadpath::mechanism {
 
-/// How a link's own frame stands and moves, and what its joints have to supply for that, about its origin.
+/// Position and motion of a link's own frame, and the forces that its joints have to supply for it, about its origin.
 template <std::size_t Count>
 struct ChainMotion {
   VecLanes<Count> origin;
@@ -22,15 +22,15 @@ struct ChainMotion {
   Lanes<Count> moment{};
 };
 
-/// What a step's forces take over from its motion.
+/// The quantities of a step's motion needed for its forces.
 template <std::size_t Count>
 struct StepMotion {
-  VecLanes<Count> along;    // of a slider
-  Lanes<Count> inverse{};   // of the determinant
+  VecLanes<Count> along;    // direction of a slider
+  Lanes<Count> inverse{};   // inverse of the determinant
   Lanes<Count> distance{};  // arm and line: of the arm's pin from the line
 };
 
-/// Of a drive, as the joint counts that it drives.
+/// The state of a drive, in the counting direction of its joint.
 template <std::size_t Count>
 struct DriveLanes {
   Lanes<Count> value{}, speed{}, acceleration{};
@@ -64,17 +64,17 @@ struct ChainState {
 
   std::vector<ChainMotion<Count>> links;
   std::vector<StepMotion<Count>> steps;
-  std::vector<DriveLanes<Count>> drives;  // of the steps that are driven
+  std::vector<DriveLanes<Count>> drives;  // drives of the driven steps
   std::vector<LoadLanes<Count>> loads;
   std::vector<ReactionLanes<Count>> reactions;  // on link i of the joint, about its pin
   std::vector<Lanes<Count>> effort;
-  std::vector<double> sides;  // of the steps, +1 or -1
-  ChainMotion<Count> spare;   // of a slot, what a slider would be
+  std::vector<double> sides;  // sides of the steps, +1 or -1
+  ChainMotion<Count> spare;   // the virtual slider of a slot
   Lanes<Count> least_sine{};  // up to which a dyad is not clear
   Lanes<Count> clear{};       // 1, or 0
 };
 
-/// With what hangs on the ground known when it is compiled: most of its arithmetic is with zeros.
+/// With the connections to the ground known at compile time: most of its arithmetic is with zeros.
 template <class Do>
 void on_ground(const Hinge& hinge, Do what) {
   hinge.grounded ? what(std::true_type{}) : what(std::false_type{});

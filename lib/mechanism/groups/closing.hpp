@@ -1,5 +1,5 @@
-// The angle by which a dyad closes. Its sine tells the side on which the dyad is assembled, vanishes at the change
-// point where its two assemblies meet, and is, without its sign, that of the transmission angle.
+// The closing angle of a dyad. Its sine determines the assembly mode of the dyad, vanishes at the change point where
+// its two assemblies meet, and is, apart from its sign, that of the transmission angle.
 #pragma once
 
 #include "lib/mechanism/groups/plan.hpp"
@@ -12,12 +12,12 @@
 
 namespace loadpath::mechanism {
 
-/// A dyad with two assemblies. What the sine is positive for, seen along its first line:
-/// - two_arms (RRR): the inner pin lies left of the way from the first outer pin to the second.
-/// - arm_and_line (RRP, or a bar with its pin in a slot): the inner pin lies ahead of the bar's other pin along the
+/// A dyad with two assemblies. The sine is positive if, seen along its first line:
+/// - two_arms (RRR): the inner pin is to the left of the line from the first outer pin to the second.
+/// - arm_and_line (RRP, or a bar with its pin in a slot): the inner pin is ahead of the bar's other pin along the
 /// guide.
-/// - pivots_along_line (RPR, or a slotted lever): the one pivot, or the pin in the slot, lies ahead of the other along
-///   the guide.
+/// - pivots_along_line (RPR, or a slotted lever): the one pivot, or the pin in the slot, is ahead of the other along
+/// the guide.
 struct DyadClosing {
   enum class Kind { two_arms, arm_and_line, pivots_along_line };
   Kind kind = Kind::two_arms;

@@ -1,5 +1,5 @@
-// Numbers and vectors of several positions side by side. What is computed with them is written for one lane, as a loop
-// over all of them that the compiler turns into wide instructions: every lane gives the bits that it gives alone.
+// Numbers and vectors of several positions in parallel. Computations are written for one lane, as a loop over all of
+// them that the compiler vectorises: every lane gives the same bits as a single computation.
 #pragma once
 
 #include "lib/mechanism/model/vec.hpp"
@@ -9,7 +9,7 @@
 
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
     !defined(__SANITIZE_ADDRESS__)
-/// A loop over lanes: inlined whole, and compiled for wide registers too; the machine chooses when it starts.
+/// A loop over lanes: fully inlined, and compiled for wide registers too; the CPU decides at startup.
 #define LOADPATH_LANES __attribute__((flatten, target_clones("default", "arch=x86-64-v3")))
 #else
 #define LOADPATH_LANES
@@ -40,7 +40,7 @@ struct TurnLanes {
   }
 };
 
-/// Of each lane by itself. Its stores reach no other lane; unrolled first it would not be widened.
+/// Applies a function to each lane. Its stores reach no other lane; unrolled first it would not be vectorised.
 template <std::size_t Count, class OfLane>
 inline void each_lane(OfLane of_lane) {
 #if defined(__GNUC__) && !defined(__clang__)

@@ -25,9 +25,9 @@ GroupMotion::GroupMotion(const Model& model, const Plan& plan, GroupPositions& a
       right_(most_unknowns(plan)),
       above_(plan.links) {}
 
-// What runs once for every link of a position is inline: the calls would cost as much as the work.
+// Functions called once for every link of a position are inline: the calls would cost as much as the work.
 
-// A link moves as the one that it hangs on does at the pin, and turns or slides against it.
+// A link moves with the pin of the carrying link, and rotates or slides against it.
 inline void GroupMotion::carry_velocity(std::size_t t) {
   const TreeJoint& tree = plan_.tree[t];
   const Hung& hung = at_.hung(t);
@@ -52,7 +52,7 @@ inline void GroupMotion::carry_acceleration(std::size_t t) {
   }
 }
 
-// How fast a cut opens along its equations.
+// The speed at which a cut opens along its equations.
 inline void GroupMotion::opening_speed(std::size_t k, std::span<double> out) const {
   const Cut& cut = plan_.cuts[k];
   const CutPlace& at = at_.cut(k);
@@ -78,8 +78,8 @@ inline void GroupMotion::opening_acceleration(std::size_t k, std::span<double> o
   }
 }
 
-/// The coordinates of a group of which `carry` takes the links along: as `given` by the drives, the unknown ones such
-/// that none of its cuts opens.
+/// The coordinates of a group whose links `carry` moves: as `given` by the drives, the unknown ones such that none of
+/// its cuts opens.
 template <class Carry, class Open, class Given>
 void GroupMotion::close(std::size_t g, std::span<double> rates, Carry carry, Open open, Given given) {
   const GroupPlan& group = plan_.groups[g];
@@ -175,7 +175,7 @@ inline void GroupMotion::find_cut_forces(std::size_t g, Position& out) {
   }
 }
 
-// What the links above each unknown coordinate need, along that coordinate.
+// Sums the forces required by the links above each unknown coordinate, along that coordinate.
 inline void GroupMotion::sum_up(const GroupPlan& group, std::span<double> along) {
   for (std::size_t t = group.first_tree; t < group.last_tree; ++t) {
     const std::size_t k = plan_.tree[t].link;
@@ -204,7 +204,7 @@ inline std::size_t GroupMotion::index(int link) const {
   return link == ground ? plan_.ground : static_cast<std::size_t>(link);
 }
 
-// What a link still needs comes through its tree joint, and is needed then by the link that it hangs on.
+// The remaining force on a link passes through its tree joint to the link that carries it.
 inline void GroupMotion::find_tree_force(std::size_t t, Position& out) {
   const TreeJoint& tree = plan_.tree[t];
   const Hung& hung = at_.hung(t);

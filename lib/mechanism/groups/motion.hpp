@@ -1,4 +1,4 @@
-// Velocities, accelerations and forces group by group where a mechanism is. The closing equations of a group serve all
+// Velocities, accelerations and forces group by group at a position. The closing equations of a group serve all
 // three: motions go forward from the first group attached, forces back from the last, by the transposed equations.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace loadpath::mechanism {
 
-/// How a link moves, its frame's origin and itself, and what its joints have to supply for that, about its origin.
+/// The motion of a link, its frame and itself, and the wrench that its joints must supply, about its origin.
 struct Moving {
   Vec velocity, acceleration;
   double omega = 0.0, epsilon = 0.0;
   Wrench needed;
 
-  /// What the acceleration of a point of the link, `arm` away from its origin, has beyond that of the origin.
+  /// The acceleration of a point of the link, at `arm` from its origin, relative to the origin.
   [[nodiscard]] Vec gained(Vec arm) const { return epsilon * normal(arm) - omega * omega * arm; }
 };
 
@@ -30,12 +30,12 @@ class GroupMotion {
   void find_velocities(std::span<const Drive> drives);
   /// After the velocities.
   void find_accelerations(std::span<const Drive> drives);
-  /// After both; `statics`: as if the accelerations were zero. Reactions and efforts in equilibrium with what is
-  /// induced are written to `out`.
+  /// After both; `statics`: as if the accelerations were zero. Reactions and efforts in equilibrium with the induced
+  /// forces are written to `out`.
   void find_forces(bool statics, const Induced& induced, Position& out);
 
   [[nodiscard]] const Moving& link(std::size_t k) const { return moving_[k]; }
-  /// Of the tree joints' coordinates, from the velocities and accelerations found last.
+  /// The rates of the tree joints' coordinates, from the velocities and accelerations found last.
   [[nodiscard]] Prediction rates() const { return {rate_, second_}; }
 
  private:
@@ -56,9 +56,9 @@ class GroupMotion {
   const Plan& plan_;
   GroupPositions& at_;
   std::vector<Moving> moving_;
-  std::vector<double> rate_, second_;  // of the tree joints
-  std::vector<double> right_;          // of the closing equations
-  std::vector<Wrench> above_;          // of the links
+  std::vector<double> rate_, second_;  // rates of the tree joints
+  std::vector<double> right_;          // right-hand side of the closing equations
+  std::vector<Wrench> above_;          // wrenches of the links
 };
 
 }  // namespace loadpath::mechanism

@@ -18,7 +18,7 @@ void take_dimensions_of(const Joint& joint, TreeJoint& tree) {
   tree.along = tree.link_is_i ? unit(joint.direction) : -unit(joint.direction - joint.angle);
 }
 
-/// Of a drive that closes a loop.
+/// The pair of a drive that closes a loop.
 PairShape shape_of_drive(const Model& model, const Driver& driver) {
   const bool linear = driver.kind == Driver::Kind::linear;
   return shape_of(driver, linear ? &model.joints[static_cast<std::size_t>(driver.joint)] : nullptr);

@@ -1,6 +1,6 @@
-// How the groups of a mechanism are computed. The links of a group hang on what is there before by tree joints with one
-// coordinate each; the joints and drives that are left cut the loops open, and closing them gives as many equations as
-// there are unknown coordinates: two for every dyad.
+// The computation plan for the groups of a mechanism. Tree joints with one coordinate each connect the links of a
+// group to earlier ones; the remaining joints and drives cut the loops open, and closing them gives as many equations
+// as there are unknown coordinates: two for every dyad.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -14,20 +14,20 @@ namespace loadpath::mechanism {
 
 inline constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
-/// The sine below which a group is near its other side even where the drives hardly move; beyond it by as much as they
-/// move, rad or parts of the mechanism's size. A way of `longest_way` is followed in small steps.
+/// The sine below which a group is near its change point; increased by the change of the drives, rad or parts of the
+/// mechanism's size. A change of `longest_way` is followed in small steps.
 inline constexpr double near_change = 0.1;
 inline constexpr double longest_way = 1.0;
 
-/// The model's links keep their numbers, the ground comes next, then massless ones: a link that neither a turning nor a
-/// sliding joint leads to hangs on two crossed slides.
+/// The model's links keep their numbers, the ground comes next, then massless ones: a link that neither a revolute
+/// nor a sliding joint connects is carried by two crossed slides.
 struct TreeJoint {
   enum class Kind { turn, slide, fixed };
   Kind kind = Kind::turn;
   std::size_t link = 0, on = 0;
   bool based = false;         // `on` was there before the group
-  std::size_t joint = none;   // of the model
-  bool link_is_i = true;      // of that joint
+  std::size_t joint = none;   // joint of the model
+  bool link_is_i = true;      // whether the link is i of that joint
   std::size_t driver = none;  // that gives the coordinate
   double sense = 1.0;         // coordinate = sense * (the drive's coordinate - offset)
   double offset = 0.0;
@@ -53,7 +53,7 @@ struct Cut {
   std::vector<Mover> movers = {};
 };
 
-/// How the loops of a group are closed: in closed form where a dyad, or one link with a slot, gives one.
+/// The closing of a group's loops: in closed form if a dyad, or one link with a slot, gives one.
 enum class Closing {
   nothing,
   two_paths,
@@ -65,7 +65,7 @@ enum class Closing {
 };
 
 struct GroupPlan {
-  std::size_t first_tree = 0, last_tree = 0;  // in the order in which they hang on each other
+  std::size_t first_tree = 0, last_tree = 0;  // in the order of attachment
   std::size_t first_cut = 0, last_cut = 0;
   std::vector<std::size_t> unknowns;  // tree joints
   Closing closing = Closing::nothing;
@@ -76,18 +76,18 @@ struct GroupPlan {
 struct Plan {
   std::size_t ground = 0;   // the number of the ground
   std::size_t links = 0;    // with the ground and the massless ones
-  std::size_t drivers = 0;  // of the model
+  std::size_t drivers = 0;  // number of drivers of the model
   std::vector<TreeJoint> tree;
   std::vector<Cut> cuts;
   std::vector<GroupPlan> groups;  // in order of attachment
 };
 
-/// Of the model's links in a group the one with the lowest number: a group is called by it.
+/// The lowest-numbered link of a group, which identifies the group in messages.
 std::size_t first_link(const Plan& plan, const GroupPlan& group);
 
 /// The model has passed `diagnose`.
 Plan plan_of(const Model& model);
-/// Of a model of the same structure, for which the plan was made.
+/// For a model of the same structure, for which the plan was made.
 void take_dimensions(const Model& model, Plan& plan);
 
 }  // namespace loadpath::mechanism

@@ -63,7 +63,7 @@ inline void GroupPositions::place_cut(std::size_t k) {
   at.arm_j = at.pair.at - links_[cut.j].origin;
 }
 
-// The turn decides; of the angles that differ by whole turns the one next to the angle before.
+// The rotation decides; among angles that differ by full revolutions the one nearest to the previous angle.
 inline void GroupPositions::set_turn(std::size_t t, Turn turned) {
   hung_[t].turned = turned;
   const double angle = angle_of(turned);
@@ -103,7 +103,7 @@ void GroupPositions::read_value(std::size_t t) {
   hung.value = dot(along, link.point(tree.pin) - on.point(tree.seat));
 }
 
-// Which side of its closed form the group is on.
+// Takes the current assembly mode of the group.
 void GroupPositions::take_side(std::size_t g) {
   const GroupPlan& group = plan_.groups[g];
   if (group.closing == Closing::nothing || group.closing == Closing::by_newton) return;
@@ -243,7 +243,7 @@ Turn GroupPositions::turn_into_line(const GroupPlan& group) const {
   return links_[cut.j].turned * cut.shape.turned * links_[cut.i].turned.back();
 }
 
-// With link i at its angle to link j both turn together, until the line of j leads through the pin of i.
+// With link i at its angle to link j both rotate together, until the line of j passes through the pin of i.
 bool GroupPositions::close_slide_of_two_turns(const GroupPlan& group, double branch) {
   const PairPlace& cut = cuts_[group.first_cut].pair;
   const Turn aligned = turn_into_line(group);
@@ -276,10 +276,10 @@ bool GroupPositions::slide_to_line(const GroupPlan& group, std::size_t mover, do
   return true;
 }
 
-// From the predicted coordinates; a step that is not much smaller than the one before leads to another assembly.
+// From the predicted coordinates; a step not much smaller than the one before leads to another assembly.
 bool GroupPositions::close_by_newton(std::size_t g, const Prediction& prediction) {
   constexpr double longest_move = 0.5, largest_correction = 0.2, exact = 1e-13, quadratic = 1e-7;
-  constexpr double setting_out = 0.3;  // of the drives' change: a follower leaves its dwell faster than predicted
+  constexpr double setting_out = 0.3;  // by the drives' change: a follower leaves a dwell faster than predicted
   constexpr int most_steps = 8;
   const GroupPlan& group = plan_.groups[g];
   double way = 0.0;
@@ -314,7 +314,7 @@ void GroupPositions::place_turned(const GroupPlan& group) {
   place_tree(group);
 }
 
-/// The largest change that it makes; no number where the closing equations are singular.
+/// The largest change that it makes; no number if the closing equations are singular.
 double GroupPositions::newton_step(std::size_t g) {
   const GroupPlan& group = plan_.groups[g];
   place_turned(group);

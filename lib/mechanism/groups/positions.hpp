@@ -42,15 +42,15 @@ class GroupPositions {
   void take_length(double length) { length_ = length; }
   /// Takes over an assembly: from now on the groups are closed on its side.
   void adopt(std::span<const Pose> poses);
-  /// To the drives' coordinates; `change`: the largest of theirs, rad or parts of the mechanism's size. False where a
-  /// group does not close or comes so near to its other side that the move has to be followed in small steps; what is
-  /// held then is no assembly.
+  /// Moves to the drives' coordinates; `change`: the largest of theirs, rad or parts of the mechanism's size. False
+  /// if a group does not close or comes so near to its change point that the move has to be followed in small steps;
+  /// the state is then not an assembly.
   [[nodiscard]] bool move(std::span<const Drive> drives, double change, const Prediction& prediction);
-  /// Sets up the closing equations where the mechanism is. False where they are singular.
+  /// Sets up the closing equations where the mechanism is. False if they are singular.
   [[nodiscard]] bool factor();
 
   /// The search of assemblies (search.cpp): the drives' coordinates; then the groups one after the other, each
-  /// on its side +1 or -1 where it has a closed form, else by iteration from these unknown coordinates. False where
+  /// on its side +1 or -1 where it has a closed form, else by iteration from these unknown coordinates. False if
   /// that leads to no assembly.
   void aim(std::span<const Drive> drives);
   [[nodiscard]] bool close_on_side(std::size_t g, double branch);
@@ -102,12 +102,12 @@ class GroupPositions {
   std::vector<Placed> links_;
   std::vector<Hung> hung_;
   std::vector<CutPlace> cuts_;
-  std::vector<double> branch_;  // of groups
-  std::vector<SmallLu> loops_;  // of groups
-  std::vector<double> target_;  // of drives
+  std::vector<double> branch_;  // sides of groups
+  std::vector<SmallLu> loops_;  // equations of groups
+  std::vector<double> target_;  // coordinates of drives
   std::vector<double> step_;
   double least_sine_ = 0.0;
-  double change_ = 0.0;  // of the drives, in a move
+  double change_ = 0.0;  // change of the drives, in a move
 };
 
 }  // namespace loadpath::mechanism

@@ -10,9 +10,9 @@
 namespace loadpath::mechanism {
 namespace {
 
-// Of the unit of length, or rad: more than rounding leaves of a closed joint.
+// Relative to the unit of length, or rad: more than the rounding error of a closed joint.
 constexpr double closed = 1e-9;
-// Of its grip where it was chosen: a release that holds less is chosen anew.
+// Share of the grip when the release was chosen, below which it is chosen again.
 constexpr double enough = 0.3;
 
 Model without_drivers(Model model) {
@@ -47,8 +47,8 @@ struct ReleasedSystem::Work {
   FreeMechanism all;  // its constraints, dependent as they are
   bool redundant;
   std::unique_ptr<GroupSystem> system;
-  Position position;       // on the way
-  std::vector<Pose> held;  // of the last position
+  Position position;       // intermediate position
+  std::vector<Pose> held;  // poses of the last position
   std::vector<Drive> held_drives;
   FrictionTaken taken;
   double first_grip = 0.0;
@@ -57,7 +57,7 @@ struct ReleasedSystem::Work {
   bool opens = false;  // the released mechanism closed, the given one did not
 };
 
-/// At the position held. False, and all stays as it is, where nothing can be released there.
+/// At the current position. False, and unchanged, if nothing can be released there.
 bool ReleasedSystem::Work::release_here() {
   auto next = release(given, held);
   if (!next) return false;
@@ -87,8 +87,7 @@ void ReleasedSystem::Work::hold(std::span<const Drive> goal, const Position& at)
   held_drives.assign(goal.begin(), goal.end());
 }
 
-/// To the goal with the release that there is, else with one that is chosen where the mechanism stands, else half the
-/// way first.
+/// To the goal with the current release, else with one chosen at the current position, else half the move first.
 Status ReleasedSystem::Work::follow(std::span<const Drive> goal, bool statics, int halvings, Position& out) {
   Status status = system->solve(goal, out, statics);
   if (fits(status, out, enough * first_grip)) {

@@ -1,6 +1,6 @@
-// Solves any mechanism that `diagnose` accepts, those too that are held more than once: what is too much is released
-// where the mechanism stands (release.hpp), and released anew where the chosen constraints lose their grip, so that a
-// third crank carries a parallelogram over its change points as it does in the machine.
+// Solves any mechanism that `diagnose` accepts, including overconstrained ones: redundant constraints are released at
+// the current position (release.hpp), and chosen again where the remaining ones become nearly dependent, so that a
+// third crank carries a parallelogram over its change points as in reality.
 #pragma once
 
 #include "lib/mechanism/groups/system.hpp"
@@ -17,8 +17,8 @@ class ReleasedSystem {
   ~ReleasedSystem();
   ReleasedSystem(ReleasedSystem&&) noexcept;
 
-  // As those of GroupSystem. A position of a mechanism that is held more than once holds one of its possible sets of
-  // reactions: `uniqueness` tells which of them are the only ones.
+  // As those of GroupSystem. A position of an overconstrained mechanism has one of its possible sets of reactions:
+  // `uniqueness` states which of them are unique.
   Status assemble();
   [[nodiscard]] double coordinate(std::size_t driver) const;
   Status solve(std::span<const Drive> drives, Position& out, bool statics = false);

@@ -1,4 +1,4 @@
-// How the groups are closed when all their assemblies are sought: on a given side, or from anywhere.
+// Closing the groups in the search for all assemblies: on a given side, or from anywhere.
 #include "lib/mechanism/groups/positions.hpp"
 #include "lib/mechanism/model/whole_turn.hpp"
 
@@ -28,7 +28,7 @@ bool GroupPositions::close_on_side(std::size_t g, double branch) {
   return true;
 }
 
-// The two links of a slide keep their angle, which counts whole turns too; a jump to the other side may lose them.
+// The two links of a slide keep their angle, including full revolutions; a jump to the other assembly may lose them.
 void GroupPositions::unwind(const GroupPlan& group) {
   const Cut& cut = plan_.cuts[group.first_cut];
   const bool turns_i = plan_.tree[group.mover_i].kind == TreeJoint::Kind::turn;
@@ -37,7 +37,7 @@ void GroupPositions::unwind(const GroupPlan& group) {
   place_tree(group);
 }
 
-// Newton's iteration with steps held short: it may wander, for any assembly that it meets is one.
+// Newton's iteration with limited steps: it may wander, since any assembly that it finds is acceptable.
 bool GroupPositions::close_from(std::size_t g, std::span<const double> start) {
   constexpr double longest_step = 0.5, exact = 1e-12;
   constexpr int most_steps = 60;

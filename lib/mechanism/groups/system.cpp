@@ -53,20 +53,20 @@ struct GroupSystem::Work {
   Model model;
   double length;
   Plan plan;
-  std::optional<Chain> chain;  // where the mechanism is one: it does what positions and motion do, but for long moves
+  std::optional<Chain> chain;  // if the mechanism is one: replaces positions and motion, except for long moves
   std::optional<ChainState<1>> now;
   GroupPositions positions;
   GroupMotion motion;
   InducedForces induced;
   WholeSystem whole;
   std::vector<Pose> held, reached;
-  std::vector<Drive> drives;  // of the position held
+  std::vector<Drive> drives;  // drives of the current position
   std::vector<Drive> way;     // to the goal, as if it took the time 1
   bool iterates = false;      // some group is closed by iteration
   bool closed = false;
   bool in_steps = false;
   FrictionTaken friction;
-  std::vector<std::optional<Vec>> first_points;  // of the links, to find the length
+  std::vector<std::optional<Vec>> first_points;  // points of the links, to find the length
 };
 
 GroupSystem::GroupSystem(const Model& model) : work_(std::make_unique<Work>(model)) {}
@@ -124,7 +124,7 @@ Status GroupSystem::solve(std::span<const Drive> drives, Position& out, bool sta
   return w.find_forces(statics, out) ? Status::closed : Status::jams;
 }
 
-/// The position that is held, for the groups.
+/// Takes the current position to the groups.
 Status GroupSystem::Work::adopt() {
   positions.adopt(held);
   closed = positions.factor();
@@ -171,7 +171,7 @@ void GroupSystem::Work::take_sides() {
   for (std::size_t s = 0; s < chain->steps.size(); ++s) now->sides[s] = positions.branch(chain->steps[s].group);
 }
 
-/// Only what moves: the forces come after. False where it has to be followed in small steps.
+/// Only what moves: the forces come after. False if it has to be followed in small steps.
 bool GroupSystem::Work::go_by_chain(std::span<const Drive> goal) {
   if (!chain || !closed) return false;
   const double change = find_way(goal);
@@ -222,7 +222,7 @@ double GroupSystem::Work::change(std::span<const Drive> from, std::span<const Dr
   for (std::size_t k = 0; k < to.size(); ++k) {
     const bool linear = model.drivers[k].kind == Driver::Kind::linear;
     const double share = linear ? std::abs(way_of(k)) / length : std::abs(way_of(k));
-    if (!(share <= most)) most = share;  // what is no number stays so
+    if (!(share <= most)) most = share;  // NaN propagates
   }
   return most;
 }

@@ -1,7 +1,8 @@
 // Positions, velocities, accelerations, reactions and driving efforts of a planar mechanism, group by group: forward
 // through the initial links and Assur groups in their order of attachment, back for the forces. The cost is linear in
-// the number of groups. What the groups cannot follow by themselves, a change point or a long move, is followed by the
-// equations of the whole system (lib/mechanism/whole), which also tell why a position is not reached.
+// the number of groups. Moves that the groups cannot follow by themselves, a change point or a long move, are
+// followed by the equations of the full system (lib/mechanism/whole), which also give the reason why a position is
+// not reached.
 //
 // The model has passed `diagnose`. All memory is taken in the constructor: `assemble` and `solve` allocate nothing.
 #pragma once
@@ -24,7 +25,7 @@ class GroupSystem {
   explicit GroupSystem(const Model& model);
   ~GroupSystem();
   GroupSystem(GroupSystem&&) noexcept;
-  /// Takes a model of the same structure, as if made from it. Allocates nothing where the mechanism is a chain of
+  /// Takes a model of the same structure, as if made from it. Allocates nothing if the mechanism is a chain of
   /// drives and dyads without springs and friction. It is to be assembled then.
   void take_dimensions(const Model& model);
 
@@ -37,9 +38,10 @@ class GroupSystem {
   /// Moves from the position held now to these coordinates without leaving the assembly, then fills `out` (made by
   /// `blank_position`). `statics`: no inertia. When it fails, `out` and the position held stay as they were.
   Status solve(std::span<const Drive> drives, Position& out, bool statics = false);
-  /// Whether the last `solve` had to follow the mechanism in small steps: near a change point, or over a long way.
+  /// Whether the last `solve` had to follow the mechanism in small steps: near a change point, or over a long move.
   [[nodiscard]] bool followed_in_steps() const;
-  /// Of joints that rest while others move, and how much of all dry friction and losses; from the next `solve` on.
+  /// Friction of joints that rest while others move, and the factor on all dry friction and losses; from the next
+  /// `solve` on.
   void take_friction(FrictionTaken taken);
   /// Whether at the last `solve` a joint with friction did not move, nor was about to.
   [[nodiscard]] bool some_joint_rests() const;
@@ -48,7 +50,7 @@ class GroupSystem {
   /// The mechanism as a chain of drives and dyads, if it is one; on which sides these are assembled now, step by step.
   [[nodiscard]] const Chain* chain() const;
   [[nodiscard]] std::span<const double> sides() const;
-  /// The largest change of a drive on the way, rad or parts of the mechanism's size; no number where that is none.
+  /// The largest change of a drive in a move, rad or parts of the mechanism's size; NaN if one of them is.
   [[nodiscard]] double change(std::span<const Drive> from, std::span<const Drive> to) const;
   /// After a failure, as WholeSystem::gap.
   [[nodiscard]] Gap gap() const;

@@ -68,7 +68,7 @@ double GroupInverse::condition() {
   constexpr std::size_t most_exact = 60;  // rows: the work for all columns grows with their square
   if (probe_.empty()) return 1.0;
   const double found = norm() * (probe_.size() > most_exact ? estimated_norm_of_inverse() : norm_of_inverse());
-  return found < 1.0 ? 1.0 : found;  // what is no number stays so
+  return found < 1.0 ? 1.0 : found;  // NaN propagates
 }
 
 // Column by column: each is the motion of a constraint.

@@ -1,6 +1,6 @@
-// The inverse of the constraints' Jacobian, group after group. The constraints of a group hold its own links and
-// earlier ones, so the Jacobian is block triangular, and the inverses of the groups alone are all that it takes: the
-// work grows with the number of groups, and not with its cube.
+// The inverse of the constraints' Jacobian, group after group. The constraints of a group act on its own links and
+// earlier ones, so the Jacobian is block triangular, and the inverses of the groups suffice: the work grows with the
+// number of groups, and not with its cube.
 #pragma once
 
 #include "lib/mechanism/inverse/group_rows.hpp"
@@ -14,7 +14,7 @@ namespace loadpath::mechanism {
 
 class GroupInverse {
  public:
-  /// Of any mechanism, so that its results can be listed before its structure is known to be sound.
+  /// Accepts any mechanism, so that its results can be listed before its structure is known to be sound.
   GroupInverse(const Constraints& constraints, std::span<const Group> groups);
   /// In the order of attachment.
   [[nodiscard]] std::span<const GroupRows> groups() const { return groups_; }
@@ -23,23 +23,23 @@ class GroupInverse {
   /// singular Jacobian holds no finite numbers. Takes no memory.
   void invert(const Constraints& constraints);
 
-  /// How all links move, coordinate by coordinate, when the constraints give way at these rates, which are used up:
-  /// J motion = rates. None gives way before this group: what comes earlier is at rest.
+  /// The motion of all links, coordinate by coordinate, when the constraints yield at these rates, which are
+  /// overwritten: J motion = rates. None yields before this group: earlier links are at rest.
   void find_motion(std::span<double> rates, std::span<double> motion, std::size_t first_group = 0) const;
-  /// What the constraints must supply against what acts along the coordinates, which is used up: J^T supply = acting.
-  /// The last group is first: each constraint by the power of what acts on the links of its group when it alone gives
-  /// way, where what later groups press with counts as acting.
+  /// The constraint forces against the loads along the coordinates, which are overwritten: J^T supply = acting. The
+  /// last group is first: each constraint by the power of the loads on the links of its group when only it is
+  /// released, where forces from later groups count as loads.
   void find_supply(std::span<double> acting, std::span<double> supply) const;
 
-  /// Condition number, 1-norm, at least 1. Of more than twenty links it is estimated, at times a little less. Not
-  /// finite where it is singular.
+  /// Condition number, 1-norm, at least 1. Above twenty links it is estimated, at times slightly too small. Not
+  /// finite if singular.
   [[nodiscard]] double condition();
 
  private:
   struct Block {
     explicit Block(std::size_t size) : inverse(size), motions(size * size) {}
     DenseInverse inverse;
-    std::vector<double> motions;  // of the group's links for each of its rows
+    std::vector<double> motions;  // motions of the group's links for each of its rows
   };
 
   [[nodiscard]] double norm();

@@ -3,7 +3,7 @@
 namespace loadpath::mechanism {
 namespace {
 
-/// Of each row of the whole and of each link: its group, and its number there.
+/// For each row of the full Jacobian and each link: its group, and its index there.
 struct Places {
   struct Place {
     std::size_t group = 0, number = 0;

@@ -1,4 +1,4 @@
-// The equations of one group: which rows of the Jacobian it has, and what stands in them.
+// The equations of one group: its rows of the Jacobian, and their entries.
 #pragma once
 
 #include "lib/mechanism/equations/kinematics.hpp"
@@ -14,14 +14,14 @@ struct GroupRows {
   struct Entry {
     std::size_t place;   // in the pattern of the Jacobian
     std::size_t row;     // in this group
-    std::size_t column;  // in this group where the link is its own, else in the whole Jacobian
+    std::size_t column;  // column in this group if the link is its own, else in the full Jacobian
   };
   std::vector<std::size_t> links, joints, drivers;
-  std::vector<std::size_t> rows;    // in the whole Jacobian: of the joints, then of the drivers
-  std::vector<Entry> own, earlier;  // of the group's links, and of those that it hangs on
+  std::vector<std::size_t> rows;    // rows of the full Jacobian: of the joints, then of the drivers
+  std::vector<Entry> own, earlier;  // entries of the group's links, and of those that carry it
 };
 
-/// Of all groups, in the order of attachment.
+/// The rows of all groups, in the order of attachment.
 std::vector<GroupRows> rows_of_groups(const Constraints& constraints, std::span<const Group> groups);
 
 }  // namespace loadpath::mechanism

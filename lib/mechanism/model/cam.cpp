@@ -23,7 +23,7 @@ BasicCurvePoint<Scalar> nearest(const Profile& profile, BasicVec<Scalar> pin, Sc
   return on;
 }
 
-/// The point of the curve that faces this way, likewise.
+/// The point of the curve with this normal direction, likewise.
 template <class Scalar>
 BasicCurvePoint<Scalar> facing(const Profile& profile, BasicVec<Scalar> out, Scalar& parameter) {
   parameter = profile.facing(value_of(out), loadpath::value_of(parameter));
@@ -35,7 +35,7 @@ BasicCurvePoint<Scalar> facing(const Profile& profile, BasicVec<Scalar> out, Sca
   return on;
 }
 
-/// At the distance of its radius from the profile, which lies inside of the curve.
+/// Offset by its radius from the profile, which lies inside the curve.
 template <class Scalar>
 void place_round(const BasicPairShape<Scalar>& shape, const BasicTurn<Scalar>& turned, BasicPairPlace<Scalar>& at) {
   const BasicVec<Scalar> pin = (1.0 / shape.metre) * turned.back()(at.apart);
@@ -72,7 +72,7 @@ void place_cam(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i
   place_round(shape, turned, at);
 }
 
-// The centre of a roller runs on its path, which turns with the cam; a face slides on the profile, which rolls on it.
+// The centre of a roller moves on its path, which rotates with the cam; a face slides on the profile, and rolls.
 template <class Scalar>
 Scalar acceleration_on_cam(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at,
                            const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j,

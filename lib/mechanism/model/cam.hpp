@@ -6,7 +6,8 @@
 
 namespace loadpath::mechanism {
 
-/// Of a cam, with seat and pin in place: the contact next to the one before, its row, where its force acts.
+/// The contact of a cam, with given profile and pin: nearest to the previous one, its row, the point of action of its
+/// force.
 template <class Scalar>
 void place_cam(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j,
                BasicPairPlace<Scalar>& at);

@@ -14,7 +14,7 @@ BasicPlaced<Scalar> placed_by(const BasicPose<Scalar>& pose) {
   return {turn(pose.phi), {pose.x, pose.y}, pose.phi};
 }
 
-/// Of a link, by the poses of all of them; likewise its speeds.
+/// The pose of a link, by the poses of all of them; likewise its velocities.
 template <class Scalar>
 BasicPlaced<Scalar> placed_by(std::span<const BasicPose<Scalar>> poses, int link) {
   return link == ground ? BasicPlaced<Scalar>{} : placed_by(poses[static_cast<std::size_t>(link)]);

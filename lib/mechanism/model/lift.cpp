@@ -43,7 +43,7 @@ BasicLift<Scalar> modified_trapezoid(Scalar x) {
           part * 8.0 * pi * cos(wave)};
 }
 
-/// A law whose second half is its first run backwards.
+/// A law whose second half is its first in reverse.
 template <class Scalar, class Half>
 BasicLift<Scalar> there_and_back(Scalar x, Half half) {
   if (value_of(x) <= 0.5) return half(x);

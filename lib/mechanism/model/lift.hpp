@@ -15,7 +15,7 @@ enum class LiftLaw { dwell, harmonic, cycloidal, polynomial_345, polynomial_4567
 
 struct LiftSegment {
   LiftLaw law = LiftLaw::dwell;
-  double angle = 0.0;  // of the cam, rad, > 0
+  double angle = 0.0;  // angle of the cam, rad, > 0
   double rise = 0.0;   // m, or rad of an arm; a fall is negative
 };
 
@@ -27,14 +27,15 @@ struct BasicLift {
 
 class Lift {
  public:
-  /// Segments whose angles make a whole turn and whose rises cancel; it begins at zero. Without segments it rests.
+  /// Segments whose angles add up to a full revolution and whose rises cancel; it begins at zero. Without segments it
+  /// rests.
   explicit Lift(std::span<const LiftSegment> segments);
 
   /// At this angle of the cam, rad, any number of turns.
   template <class Scalar>
   [[nodiscard]] BasicLift<Scalar> at(Scalar angle) const;
 
-  /// Where two segments meet and the acceleration jumps: angles of the cam, rad. A follower knocks there.
+  /// Boundaries of two segments with a jump of the acceleration: angles of the cam, rad. A follower knocks there.
   [[nodiscard]] std::vector<double> jumps() const;
 
  private:

@@ -14,7 +14,7 @@ namespace loadpath::mechanism {
 /// The fixed link. Its frame is the global frame.
 inline constexpr int ground = -1;
 
-/// Where a link's own frame lies in the global one; also its rates of change.
+/// The pose of a link's own frame in the global one; also its rates of change.
 template <class Scalar>
 struct BasicPose {
   Scalar x = 0.0;
@@ -33,10 +33,10 @@ struct BasicLink {
 };
 using Link = BasicLink<double>;
 
-/// `none`: what is left of a joint whose constraints are all released (release.hpp).
+/// `none`: the rest of a joint whose constraints are all released (release.hpp).
 enum class JointKind { revolute, prismatic, slot, rigid, gear, rack, belt, rolling, rolling_on_line, cam, none };
 
-/// Of the three freedoms between two links, how many a joint takes away.
+/// The number of degrees of freedom, of three between two links, that a joint removes.
 constexpr int constraint_count(JointKind kind) {
   switch (kind) {
     case JointKind::rigid:
@@ -58,11 +58,11 @@ constexpr int constraint_count(JointKind kind) {
   return 0;
 }
 
-/// What of link i touches a cam: a roller or a rounded edge about a point, or a flat face.
+/// The contact element of link i on a cam: a roller or a rounded edge about a point, or a flat face.
 enum class CamContact { round, flat };
 
-/// What resists the motion of a joint. Dry friction goes with the joint's force: in a pin by its radius, in a slide by
-/// the two edges on which the block rests (`Joint::guide_length`), in rolling by the lever arm of the resistance.
+/// Resistance to the motion of a joint. Dry friction depends on the joint's force: in a pin by its radius, in a slide
+/// by the two edges that carry the slider (`Joint::guide_length`), in rolling by the lever arm of the resistance.
 template <class Scalar>
 struct BasicFriction {
   Scalar coefficient = 0.0;
@@ -70,7 +70,7 @@ struct BasicFriction {
   Scalar rolling_arm = 0.0;  // m: rolling
   Scalar viscous = 0.0;      // N m s, or N s/m in a slide
   Scalar loss = 0.0;         // teeth, belts: part of the power that passes from link i to link j, 1 - efficiency
-  Scalar loss_back = 0.0;    // the same from link j to link i; beyond 1 where nothing passes
+  Scalar loss_back = 0.0;    // the same from link j to link i; beyond 1 if nothing is transmitted
   /// Whether there is some that goes with the joint's force, and has its sense even at rest.
   [[nodiscard]] bool dry() const { return coefficient > 0.0 || rolling_arm > 0.0 || loss > 0.0 || loss_back > 0.0; }
   [[nodiscard]] bool any() const { return dry() || viscous > 0.0; }
@@ -78,18 +78,17 @@ struct BasicFriction {
 using Friction = BasicFriction<double>;
 
 /// A joint between link i and link j.
-/// - Revolute: point_i and point_j coincide. Slot: the pin point_i of link i lies on the line of link j through point_j
-///   at `direction`; it may turn. Prismatic: the same, and phi_i - phi_j = `angle`. Rigid: revolute, and the angle.
-/// - Wheels with centres at point_i and point_j that roll on each other: a gear holds no more than that (its centres
-/// are
-///   held by other joints), rolling holds the contact too. An internal ring has a negative radius. A belt, or chain,
-///   couples them from apart; crossed, one radius is negative.
-/// - Rack and rolling on a line: wheel i on the line of j through point_j at `direction`, at a distance of radius_i to
-///   the side on which it is assembled.
-/// What the rolling keeps constant, `phase`, is as in the stated assembly (set_phase).
-/// - Cam: link i touches the profile of link j, whose axis is point_j and which is turned by `direction`. Round: it has
-///   a roller about point_i, or an edge, radius_i = 0; the spin of the roller is no coordinate. Flat: it has a face
-///   through point_i in the direction `angle` of the frame of i, with the cam to its right.
+/// - Revolute: point_i and point_j coincide. Slot: the pin point_i of link i is on the line of link j through point_j
+/// at `direction`; it may rotate. Prismatic: the same, and phi_i - phi_j = `angle`. Rigid: revolute, and the angle.
+/// - Wheels with centres at point_i and point_j that roll on each other: a gear imposes only that (other joints fix
+/// its centres), rolling fixes the contact too. An internal ring has a negative radius. A belt, or chain, couples
+/// wheels at a distance; crossed, one radius is negative.
+/// - Rack and rolling on a line: wheel i on the line of j through point_j at `direction`, at a distance of radius_i
+/// on the side on which it is assembled.
+/// The constant of rolling, `phase`, is as in the stated assembly (set_phase).
+/// - Cam: link i touches the profile of link j, whose axis is point_j and which is rotated by `direction`. Round: it
+/// has a roller about point_i, or an edge, radius_i = 0; the spin of the roller is not a coordinate. Flat: it has a
+/// face through point_i in the direction `angle` of the frame of i, with the cam to its right.
 template <class Scalar>
 struct BasicJoint {
   std::string name;
@@ -98,18 +97,18 @@ struct BasicJoint {
   int j = ground;
   BasicVec<Scalar> point_i;  // frame of i
   BasicVec<Scalar> point_j;  // frame of j
-  Scalar direction = 0.0;    // of the line or the profile, frame of j
+  Scalar direction = 0.0;    // direction of the line or the profile, frame of j
   Scalar angle = 0.0;        // prismatic and rigid; of a flat face, frame of i
   Scalar radius_i = 0.0;     // m, of wheels; on a line negative on its right side
   Scalar radius_j = 0.0;
-  Scalar pressure_angle = 0.0;  // of teeth, rad: gear and rack
+  Scalar pressure_angle = 0.0;  // pressure angle of teeth, rad: gear and rack
   Scalar tension = 0.0;         // N, of the slack side of a belt
   Scalar guide_length = 0.0;    // m, of the block about point_i: prismatic
   Scalar guide_width = 0.0;     // m, between the faces that the block rests on: prismatic
   BasicFriction<Scalar> friction = {};
   Scalar phase = 0.0;  // m
   CamContact contact = CamContact::round;
-  std::shared_ptr<const Profile> profile = nullptr;  // cam: in m, whatever the unit of length of the model
+  std::shared_ptr<const Profile> profile = nullptr;  // cam: in m, independent of the unit of length of the model
   Scalar metre = 1.0;                                // in that unit
 };
 using Joint = BasicJoint<double>;
@@ -142,7 +141,7 @@ struct BasicLoad {
 };
 using Load = BasicLoad<double>;
 
-/// The force in global axes, of a load whose force in its own axes is this, on a link that is turned so.
+/// The force in global axes of a load given in its own axes, on a link with this rotation.
 template <class Scalar>
 BasicVec<Scalar> global_force(const BasicLoad<Scalar>& load, BasicVec<Scalar> own, const BasicTurn<Scalar>& turned) {
   return load.turns_with_link ? turned(own) : own;

@@ -36,13 +36,13 @@ bool has_two_wheels(const BasicPairShape<Scalar>& shape) {
   return is_joint(shape, JointKind::gear) || is_joint(shape, JointKind::rolling) || is_joint(shape, JointKind::belt);
 }
 
-/// The radius of wheel j as a gear would have it that turns as the belt does.
+/// The radius of wheel j in an equivalent gear with the speed ratio of the belt.
 template <class Scalar>
 Scalar rolling_radius_j(const BasicPairShape<Scalar>& shape) {
   return is_joint(shape, JointKind::belt) ? -shape.radius_j : shape.radius_j;
 }
 
-/// What the wheels keep constant while they roll, but for whole turns of the line of centres.
+/// The constant of rolling wheels, apart from full revolutions of the line of centres.
 template <class Scalar>
 Scalar rolled(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at, const BasicPlaced<Scalar>& i,
               const BasicPlaced<Scalar>& j) {
@@ -57,7 +57,7 @@ void turn_centres(BasicPairPlace<Scalar>& at) {
   at.centres = angle + whole_turn * round((at.centres - angle) / whole_turn);
 }
 
-/// The tangent of the belt from wheel i to wheel j: the span that wheel i pays out when it turns clockwise.
+/// The tangent of the belt from wheel i to wheel j: the span that wheel i pays out when it rotates clockwise.
 template <class Scalar>
 void place_belt(const BasicPairShape<Scalar>& shape, BasicPairPlace<Scalar>& at) {
   const Scalar distance = sqrt(dot(at.apart, at.apart));

@@ -1,5 +1,5 @@
-// What a joint, or a drive, demands of its two links, for every kind in one place: its equations as forces and couples
-// that do no work in the motions that it allows, how far it is open, and what its acceleration owes to the velocities.
+// The constraints of a joint, or a drive, on its two links, for every kind in one place: its equations as forces and
+// couples that do no work in the permitted motions, its gap, and the part of its acceleration due to the velocities.
 #pragma once
 
 #include "lib/mechanism/model/pair_place.hpp"
@@ -12,7 +12,7 @@ namespace loadpath::mechanism {
 
 template <class Scalar>
 BasicPairShape<Scalar> shape_of(const BasicJoint<Scalar>& joint);
-/// Of a drive; a sliding one acts on this joint.
+/// The pair of a drive; a sliding one acts on this joint.
 template <class Scalar>
 BasicPairShape<Scalar> shape_of(const BasicDriver<Scalar>& driver, const BasicJoint<Scalar>* joint);
 
@@ -27,7 +27,7 @@ void prepare(const BasicPairShape<Scalar>& shape, BasicPairPlace<Scalar>& at);
 template <class Scalar>
 void place(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j,
            BasicPairPlace<Scalar>& at);
-/// Wheels at a closed position: chooses the whole turns of the line of centres.
+/// Wheels at a closed position: chooses the full revolutions of the line of centres.
 template <class Scalar>
 void count_turns(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>& i, const BasicPlaced<Scalar>& j,
                  BasicPairPlace<Scalar>& at);
@@ -37,7 +37,7 @@ bool has_phase(const BasicPairShape<Scalar>& shape);
 /// Sets the phase of every joint that has one to what it is at the stated poses.
 template <class Scalar>
 void take_phases(BasicModel<Scalar>& model);
-/// How far each of the equations is from holding; `target`: the coordinate that a drive should have.
+/// The residual of each equation; `target`: the required coordinate of a drive.
 template <class Scalar>
 void open(const BasicPairShape<Scalar>& shape, const BasicPairPlace<Scalar>& at, const BasicPlaced<Scalar>& i,
           const BasicPlaced<Scalar>& j, std::type_identity_t<Scalar> target,

@@ -9,7 +9,7 @@
 
 namespace loadpath::mechanism {
 
-/// Where a link's frame is, global axes.
+/// The pose of a link's frame, global axes.
 template <class Scalar>
 struct BasicPlaced {
   BasicTurn<Scalar> turned;
@@ -19,7 +19,7 @@ struct BasicPlaced {
 };
 using Placed = BasicPlaced<double>;
 
-/// How a link's frame moves.
+/// The motion of a link's frame.
 template <class Scalar>
 struct BasicSpeeds {
   BasicVec<Scalar> origin;
@@ -35,7 +35,7 @@ BasicVec<Scalar> velocity_at(BasicVec<Scalar> point, const BasicPlaced<Scalar>& 
 
 enum class PairKind { joint, turning_drive, sliding_drive };
 
-/// What joints and drives have in common; the numbers of a Joint, ready for use.
+/// Data common to joints and drives; the numbers of a Joint, ready for use.
 template <class Scalar>
 struct BasicPairShape {
   using Kind = PairKind;
@@ -45,13 +45,13 @@ struct BasicPairShape {
   BasicVec<Scalar> line{1.0, 0.0};    // frame of j
   Scalar angle = 0.0;                 // prismatic and rigid: of i against j
   BasicTurn<Scalar> turned;           // the same
-  Scalar radius_i = 0.0;              // of the wheels
+  Scalar radius_i = 0.0;              // radii of the wheels
   Scalar radius_j = 0.0;
   Scalar phase = 0.0;   // wheels: what their rolling keeps constant, m
-  Scalar offset = 0.0;  // of a drive
+  Scalar offset = 0.0;  // offset of a drive
   CamContact contact = CamContact::round;
-  const Profile* profile = nullptr;  // of a cam; the joint that it belongs to keeps it
-  Scalar metre = 1.0;                // of the profile, in the unit of length
+  const Profile* profile = nullptr;  // profile of a cam; owned by the joint
+  Scalar metre = 1.0;                // scale of the profile, in the unit of length
 
   [[nodiscard]] std::size_t rows() const {
     return kind == Kind::joint ? static_cast<std::size_t>(constraint_count(joint)) : 1;
@@ -67,14 +67,14 @@ struct BasicPairRow {
 };
 using PairRow = BasicPairRow<double>;
 
-/// Which of a row's values can differ from zero.
+/// The values of a row that can differ from zero.
 struct RowPattern {
   bool x = true, y = true, phi = true;
 };
-/// Where a follower touches its cam.
+/// The contact of a follower with its cam.
 template <class Scalar>
 struct BasicTouch {
-  Scalar parameter = Profile::anywhere;  // of the profile's curve; next to the one before
+  Scalar parameter = Profile::anywhere;  // parameter of the profile's curve; nearest to the previous one
   Scalar gap = 0.0;                      // between them, negative where they overlap
   Scalar bend = 0.0;                     // round: curvature of the path of its centre; flat: radius of the profile's
 };
@@ -82,7 +82,7 @@ struct BasicTouch {
 /// A pair at a position, global axes.
 template <class Scalar>
 struct BasicPairPlace {
-  BasicVec<Scalar> at;     // where the forces of its rows act on i: its pin, the point where wheels touch
+  BasicVec<Scalar> at;     // point of action of its rows' forces on i: its pin, the contact of wheels
   BasicVec<Scalar> at_j;   // and on j: the same once the pair is closed
   BasicVec<Scalar> seat;   // point_j
   BasicVec<Scalar> apart;  // from the seat to the pin of link i

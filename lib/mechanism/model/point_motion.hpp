@@ -1,4 +1,4 @@
-// How a point of a rigid link moves, by the motion of the link's frame. `arm`: from the frame's origin, global axes.
+// The motion of a point of a rigid link, from that of the link's frame. `arm`: from its origin, global axes.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"

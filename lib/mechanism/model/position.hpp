@@ -1,4 +1,4 @@
-// What a solver gives at one position of a mechanism.
+// The results of a solver at one position of a mechanism.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -10,8 +10,8 @@
 
 namespace loadpath::mechanism {
 
-/// The state of one driver: coordinate, speed, acceleration (rad or m, per s, per s^2). Where all drivers rest,
-/// `impending` tells which way this one is about to move: +1 or -1, 0: not known.
+/// The state of one driver: coordinate, speed, acceleration (rad or m, per s, per s^2). If all drivers rest,
+/// `impending` is the direction of impending motion: +1 or -1, 0: unknown.
 struct Drive {
   double coordinate = 0.0;
   double speed = 0.0;
@@ -45,7 +45,7 @@ struct Position {
   std::vector<Pose> pose;
   std::vector<Pose> velocity;      // m/s, rad/s
   std::vector<Pose> acceleration;  // m/s^2, rad/s^2
-  std::vector<Pose> tendency;      // of a mechanism with friction: its velocity, or that of the impending motion
+  std::vector<Pose> tendency;      // mechanisms with friction: the velocity, or that of the impending motion
   std::vector<Reaction> reactions;
   std::vector<double> effort;  // N m or N, on link i of the driver
   std::vector<LoadNow> loads;

@@ -14,7 +14,7 @@ using std::cos, std::sin, std::sqrt;
 
 double sign_of(CamSense sense) { return sense == CamSense::counter_clockwise ? -1.0 : 1.0; }
 
-/// As the follower sees the cam turn, its frame goes round the cam the other way.
+/// In the frame of the cam, the frame of the follower rotates in the opposite direction.
 template <class Scalar>
 BasicLift<Scalar> lift_at(const Lift& lift, CamSense sense, Scalar parameter) {
   const double sign = sign_of(sense);
@@ -29,7 +29,7 @@ BasicCurvePoint<Scalar> curve_point(BasicVec<Scalar> at, BasicVec<Scalar> first,
   return {at, (1.0 / pace) * first, pace, cross(first, second) / (pace * pace)};
 }
 
-/// A point with these derivatives in a frame that turns with the parameter.
+/// A point with these derivatives in a frame that rotates with the parameter.
 template <class Scalar>
 BasicCurvePoint<Scalar> carried_round(Scalar parameter, BasicVec<Scalar> own, BasicVec<Scalar> first,
                                       BasicVec<Scalar> second) {
@@ -62,7 +62,7 @@ BasicCurvePoint<Scalar> point_of(const FlatFollower& f, Scalar parameter) {
   return {height * out + s.first * tangent, tangent, height + s.second, 1.0};
 }
 
-/// By the distance of the face from the axis, as it depends on the direction of its normal, and its derivatives.
+/// From the distance of the face from the axis, as a function of the direction of its normal, and its derivatives.
 template <class Scalar>
 BasicCurvePoint<Scalar> point_of(const SwingingFace& f, Scalar parameter) {
   const BasicLift<Scalar> s = lift_at(f.lift, f.sense, parameter);
@@ -88,7 +88,7 @@ BasicCurvePoint<Scalar> point_of(const SplineCurve& curve, Scalar parameter) {
   return curve_point<Scalar>({x.y, y.y}, {x.first, y.first}, {x.second, y.second});
 }
 
-/// Shares of a whole turn by the lengths of the chords.
+/// Shares of a full revolution by the lengths of the chords.
 std::vector<double> chord_parameters(std::span<const Vec> points) {
   std::vector<double> parameters{0.0};
   for (std::size_t k = 1; k < points.size(); ++k) {
@@ -117,7 +117,7 @@ double best_of_all(Measure measure) {
   return best;
 }
 
-/// Newton's iteration for a parameter, with steps held short; no number where it finds none, or leads to a place where
+/// Newton's iteration for a parameter, with steps held short; no number if it finds none, or leads to a place where
 /// the curve is farthest.
 template <class Step>
 double iterate(double parameter, Step step) {
@@ -134,7 +134,7 @@ double iterate(double parameter, Step step) {
   return Profile::anywhere;
 }
 
-/// From `start`; where there is none, or nothing is found from there, from the best place of all. No number where that
+/// From `start`; if there is none, or nothing is found from there, from the best place of all. No number where that
 /// leads nowhere.
 template <class Step, class Measure>
 double find(double start, Step step, Measure measure) {

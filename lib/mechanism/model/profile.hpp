@@ -1,8 +1,8 @@
 // The profile of a cam: a closed curve in the cam's own axes, its origin the cam's axis.
 //
-// It is told by a curve, run through counter-clockwise, and lies inside of that by `inset`: a law of lift gives the
-// path of the roller's centre, which the flank of the cam keeps the roller's radius away from. Tangent and curvature
-// are exact, so that the follower's acceleration is that of the law.
+// It is defined by a curve, traversed counter-clockwise, and lies inside it by `inset`: a lift function gives the
+// path of the roller's centre, from which the flank of the cam is offset by the roller's radius. Tangent and
+// curvature are exact, so that the follower's acceleration is that of the lift function.
 #pragma once
 
 #include "lib/mechanism/model/lift.hpp"
@@ -25,7 +25,7 @@ struct BasicCurvePoint {
 };
 using CurvePoint = BasicCurvePoint<double>;
 
-/// In which sense the cam turns against the frame of its follower as the law goes on.
+/// The direction of rotation of the cam against the frame of its follower along the law.
 enum class CamSense { counter_clockwise, clockwise };
 
 /// The path of a roller's centre on a straight guide: at the cam's angle 0 the guide points along the x axis, at the
@@ -37,8 +37,8 @@ struct SlidingFollower {
   double offset = 0.0;    // m
 };
 
-/// The same on an arm about a pivot, which at the cam's angle 0 lies on the x axis; `side`: +1 where the roller is left
-/// of the way from the axis to the pivot, -1 right of it.
+/// The same on an arm about a pivot, which at the cam's angle 0 lies on the x axis; `side`: +1 if the roller is to
+/// the left of the line from the axis to the pivot, -1 to the right.
 struct SwingingFollower {
   Lift lift;  // rad, away from the cam
   CamSense sense = CamSense::counter_clockwise;
@@ -46,7 +46,7 @@ struct SwingingFollower {
   double pivot = 0.0;     // m, from the axis
   double arm = 0.0;       // m
   double side = 1.0;
-  /// Of the arm against the line to the axis, without lift, rad.
+  /// The angle of the arm against the line to the axis, at zero lift, rad.
   [[nodiscard]] double base_angle() const;
 };
 
@@ -57,8 +57,8 @@ struct FlatFollower {
   double base = 0.0;  // m, radius of the base circle
 };
 
-/// The flank that carries a flat face which swings about a pivot, that at the cam's angle 0 lies on the x axis; `side`
-/// as of an arm: where the face runs from the pivot. Its normal must turn on as the cam does: CurvePoint::turning > 0.
+/// The flank for a flat face that swings about a pivot, on the x axis at the cam's angle 0; `side` as of an arm: where
+/// the face extends from the pivot. Its normal must rotate with the cam: CurvePoint::turning > 0.
 struct SwingingFace {
   Lift lift;  // rad, away from the cam
   CamSense sense = CamSense::counter_clockwise;
@@ -66,7 +66,7 @@ struct SwingingFace {
   double pivot = 0.0;   // m, from the axis
   double offset = 0.0;  // m, of the face from its pivot, towards the cam
   double side = 1.0;
-  /// Of the face against the line to the axis, without lift, rad.
+  /// The angle of the face against the line to the axis, at zero lift, rad.
   [[nodiscard]] double base_angle() const;
 };
 
@@ -92,7 +92,7 @@ class Profile {
   using Curve = std::variant<SlidingFollower, SwingingFollower, FlatFollower, SwingingFace, Circle, SplineCurve>;
   explicit Profile(Curve curve, double inset = 0.0) : curve_(std::move(curve)), inset_(inset) {}
 
-  /// Of the profile inside of the curve, m.
+  /// The offset of the profile inside the curve, m.
   [[nodiscard]] double inset() const { return inset_; }
   [[nodiscard]] const Curve& curve() const { return curve_; }
   template <class Scalar>
@@ -119,7 +119,7 @@ BasicVec<Scalar> outward(BasicVec<Scalar> tangent) {
 
 /// The tightest bends of a profile, and where, by the curve's parameter.
 struct Bends {
-  /// The least radius of curvature where it bulges, m; what is not positive is undercut. Infinite where nothing bulges.
+  /// The minimum radius of curvature of convex parts, m; undercut unless positive. Infinite without convex parts.
   double bulge = std::numeric_limits<double>::infinity(), bulge_at = 0.0;
   /// The same where it is hollow: no roller of a larger radius reaches in. Infinite where it is convex all round.
   double hollow = std::numeric_limits<double>::infinity(), hollow_at = 0.0;

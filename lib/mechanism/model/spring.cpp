@@ -13,7 +13,7 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// A span that is nothing beside the sizes of the spring: what is left of it has no direction.
+/// A span negligible against the sizes of the spring: the rounding errors have no direction.
 template <class Scalar>
 bool coincide(const Scalar& span, const BasicSpring<Scalar>& spring) {
   using std::sqrt;

@@ -1,4 +1,4 @@
-// What a spring with its damper does at a position.
+// The forces of a spring with its damper at a position.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -17,8 +17,8 @@ struct BasicSpringNow {
 };
 using SpringNow = BasicSpringNow<double>;
 
-/// Where the ends of a spring with a free length or a damper coincide its force has no direction: it and the effort are
-/// no numbers there.
+/// If the ends of a spring with a free length or a damper coincide its force has no direction: the force and the
+/// effort are NaN there.
 template <class Scalar>
 BasicSpringNow<Scalar> spring_now(const BasicSpring<Scalar>& spring, const BasicPlaced<Scalar>& i,
                                   const BasicPlaced<Scalar>& j, const BasicSpeeds<Scalar>& speed_i,

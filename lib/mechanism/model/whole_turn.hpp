@@ -1,4 +1,4 @@
-// The angle of a whole turn, rad.
+// The angle of a full revolution, rad.
 #pragma once
 
 #include <numbers>

@@ -1,5 +1,5 @@
-// What acts on the links besides the constraints: weights, forces of inertia, loads, springs; and what reactions bring
-// with them.
+// Loads on the links other than constraint forces: weights, inertia forces, loads, springs; and forces induced by
+// reactions.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -14,15 +14,15 @@ namespace loadpath::mechanism {
 struct ActiveForce {
   enum class Kind { weight, inertia, load, spring, induced };
   Kind kind;
-  std::size_t index;    // of the link, of the load, of the spring, or of the joint
+  std::size_t index;    // index of the link, the load, the spring, or the joint
   std::size_t link;     // on which it acts
   Vec arm;              // from the origin of the link's frame, global axes, m
   Vec force;            // N, global axes
   double couple = 0.0;  // N m
 };
 
-/// Weights, loads, springs and, unless `statics`, forces of inertia (D'Alembert) act at the mass centre; what is zero
-/// is left out.
+/// Weights, loads, springs and, unless `statics`, inertia forces (D'Alembert) act at the mass centre; zero loads are
+/// left out.
 void find_active_forces(const Model& model, const Position& at, bool statics, std::vector<ActiveForce>& active);
 
 /// Adds them up, coordinate by coordinate: forces, N, and moments about the origins of the links' frames over this

@@ -1,4 +1,4 @@
-// The proof by the whole system: the equations of equilibrium of all links at once, three for each, for all components
+// The proof by the full system: the equations of equilibrium of all links at once, three for each, for all components
 // of the reactions and all efforts.
 #pragma once
 
@@ -11,7 +11,7 @@ namespace loadpath::mechanism {
 class AllEquations {
  public:
   explicit AllEquations(const Instant& instant);
-  /// What is singular to rounding gives no numbers.
+  /// Gives NaN if singular to rounding.
   void find_forces(const Instant& instant, Forces& forces);
 
  private:

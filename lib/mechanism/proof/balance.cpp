@@ -74,7 +74,7 @@ class Balance {
     const Joint& joint = model_.joints[k];
     push(joint.i, reaction.at, reaction.force, reaction.couple);
     push(joint.j, reaction.at, -reaction.force, -reaction.couple);
-    // An ideal joint does no work: to count it would hide what is wrong with it.
+    // An ideal joint does no work: counting it would hide an error.
     if (modes_of(joint) > 0) add_power(power_on(joint.i, reaction) - power_on(joint.j, reaction));
   }
 

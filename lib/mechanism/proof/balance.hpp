@@ -1,5 +1,5 @@
-// The proof by summing up: what is left of the equilibrium of each link and of the power balance when everything that
-// acts is added together again, from the model and a position alone.
+// The proof by summation: the residuals of the equilibrium of each link and of the power balance when all loads are
+// added up again, only from the model and a position.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -11,7 +11,7 @@
 
 namespace loadpath::mechanism {
 
-/// What is left unbalanced on a link.
+/// The residual of the equilibrium of a link.
 struct LinkResidual {
   double force = 0.0;   // N
   double moment = 0.0;  // about the mass centre, N m

@@ -16,7 +16,7 @@ struct Forces {
 
 Forces blank_forces(const Model& model);
 
-/// Of two that act at the same place.
+/// The sum of two that act at the same point.
 inline Reaction operator+(const Reaction& a, const Reaction& b) {
   return {a.at, a.force + b.force, a.couple + b.couple};
 }

@@ -29,10 +29,10 @@ class Instant {
   [[nodiscard]] const Position& at() const { return *at_; }
   [[nodiscard]] bool statics() const { return statics_; }
   [[nodiscard]] std::span<const ActiveForce> active() const { return active_; }
-  /// Of `active`, what reactions bring with them, and the rest.
+  /// The part of `active` that reactions induce, and the rest.
   [[nodiscard]] std::span<const ActiveForce> induced() const { return active().subspan(external_); }
   [[nodiscard]] std::span<const ActiveForce> external() const { return active().first(external_); }
-  /// What the reaction of a joint holds besides the forces of its constraints.
+  /// The part of a joint's reaction that does not come from its constraints.
   [[nodiscard]] const Reaction& beside_constraints(std::size_t joint) const { return beside_[joint]; }
 
   /// The unit of length of constraints and coordinates, m: what makes a moment comparable with a force.
@@ -43,7 +43,7 @@ class Instant {
   /// A driver's effort over the force that is compared with others: that unit for a moment, 1 for a force.
   [[nodiscard]] double effort_arm(std::size_t driver) const;
 
-  /// How this link moves, m/s and 1/s, when this driver alone moves, at 1 rad or one unit of length per second.
+  /// The velocity of this link, m/s and 1/s, when only this driver moves, at 1 rad or one unit of length per second.
   [[nodiscard]] Pose virtual_velocity(std::size_t driver, std::size_t link) const {
     const double* v = &motions_[driver * constraints_.columns() + 3 * link];
     return {length_ * v[0], length_ * v[1], v[2]};
@@ -52,13 +52,13 @@ class Instant {
   [[nodiscard]] double virtual_rate(std::size_t driver) const { return length_ / effort_arm(driver); }
   /// W, of everything that acts, in the virtual velocities of this driver.
   [[nodiscard]] double virtual_power(std::size_t driver) const;
-  /// Of the constraints' Jacobian here, with the groups that it goes by.
+  /// The inverse of the constraints' Jacobian here, with its groups.
   [[nodiscard]] const GroupInverse& inverse() const { return inverse_; }
 
-  /// Of the position: condition number of its constraint equations with this unit of length, 1-norm, as GroupInverse
+  /// The condition number of the position's constraint equations with this unit of length, 1-norm, as GroupInverse
   /// finds it.
   [[nodiscard]] double condition() const { return condition_; }
-  /// To rounding: at most three digits of what the inverse gives are left.
+  /// To rounding: at most three digits of the inverse remain.
   [[nodiscard]] bool is_singular() const { return !(condition_ <= 1e13); }
 
  private:
@@ -80,7 +80,7 @@ class Instant {
   std::vector<Reaction> beside_;
   GroupInverse inverse_;
   std::vector<double> rates_;
-  std::vector<double> motions_;  // of all links for one driver after the other
+  std::vector<double> motions_;  // motions of all links for one driver after the other
   double condition_ = 0.0;
 };
 

@@ -21,7 +21,7 @@ double largest(std::span<const double> values) {
   return most;
 }
 
-/// J x - right, which stands in its place, over the largest value of both and `scale`.
+/// The error of J x - right, which replaces `right`, relative to the largest value of both and `scale`.
 double error(const Constraints& constraints, std::span<const double> x, std::span<double> right, double scale) {
   scale = larger_magnitude(larger_magnitude(scale, largest(x)), largest(right));
   const auto pattern = constraints.pattern();
@@ -55,7 +55,7 @@ double MotionProof::residual(const Instant& instant, std::span<const Drive> driv
     rate_[first + k] = drives[k].speed / unit;
     rate_change_[first + k] += drives[k].acceleration / unit;
   }
-  // Where centripetal accelerations cancel, they are still what rounding is a part of.
+  // Centripetal accelerations may cancel, but still determine the rounding error.
   const double centripetal = largest(velocity_) * largest(velocity_);
   most = larger_magnitude(most, error(constraints, velocity_, rate_, 0.0));
   return larger_magnitude(most, error(constraints, acceleration_, rate_change_, centripetal));

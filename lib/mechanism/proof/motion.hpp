@@ -18,7 +18,7 @@ class MotionProof {
   double residual(const Instant& instant, std::span<const Drive> drives);
 
  private:
-  // Of the links, with three zeros for the ground, and of the constraints.
+  // Velocities of the links, with three zeros for the ground, and rates of the constraints.
   std::vector<double> velocity_, acceleration_, rate_, rate_change_;
 };
 

@@ -1,5 +1,5 @@
-// The proof by opening the chain (text D, section 3), group after group, the last first: what a group presses with in
-// the joints by which it hangs on earlier ones acts on those like any other force.
+// The proof by opening the chain (text D, section 3), group after group, the last first: the forces of a group in the
+// joints that connect it to earlier ones act on those like any other force.
 #pragma once
 
 #include "lib/mechanism/proof/opened_group.hpp"
@@ -11,12 +11,12 @@ namespace loadpath::mechanism {
 
 class OpenedChain {
  public:
-  /// All links hang together by joints. The instant is referred to, for the groups that it goes by.
+  /// All links are connected by joints. The instant is referenced, for its groups.
   explicit OpenedChain(const Instant& instant);
 
   void find_forces(const Instant& instant, Forces& forces);
 
-  /// Of all groups, in the order of attachment.
+  /// The opened joints of all groups, in the order of attachment.
   [[nodiscard]] std::vector<std::size_t> opened_joints() const;
 
  private:

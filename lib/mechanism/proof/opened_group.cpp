@@ -34,7 +34,7 @@ void add(double* to, Vec arm, Vec force, double couple) {
   Eigen::Map<Triple>(to) += Triple(force.x, force.y, cross(arm, force) + couple);
 }
 
-/// Of forces and moments about the origin of the group's first link.
+/// The reaction as forces and moments about the origin of the group's first link.
 Reaction reaction_in(const Instant& instant, const Pair& pair, Vec first, const Triple& on_i) {
   const Vec force{on_i[0], on_i[1]};
   return {instant.length() * pair.at.at, force, instant.length() * (on_i[2] - cross(pair.at.at - first, force))};
@@ -172,7 +172,7 @@ void OpenedGroup::solve_moments() {
   }
 }
 
-// Whatever acts on a part is held by the joint that it hangs on.
+// The forces on a part are in equilibrium with the joint that connects it.
 void OpenedGroup::find_tree_reactions(const Instant& instant, Forces& forces) const {
   const Vec first = place(instant.q(), group_->links.front());
   for (const Branch& branch : branches_) {
@@ -191,7 +191,7 @@ void OpenedGroup::find_opened_reactions(const Instant& instant, Forces& forces) 
   for (const std::size_t joint : opened_) {
     while (joining->joint != joint) ++joining;
     const Pair& pair = instant.constraints().pairs()[joint];
-    const bool on_i = joining->i != outside_;  // else not of this group, of which the columns hold nothing
+    const bool on_i = joining->i != outside_;  // otherwise not of this group, whose columns are empty
     Triple sum = Triple::Zero();
     for (std::size_t n = 0; n < pair.shape.rows(); ++n, ++u) {
       sum += forces_[u] * view(acting(on_i ? joining->i : joining->j, joining->row + n));

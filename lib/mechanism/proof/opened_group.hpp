@@ -1,7 +1,7 @@
-// The opened chain of one group: enough of its joints are opened to leave a tree of its links, which hang on the ground
-// and on earlier groups. Then, for each freedom of each joint of the tree, what acts on the part beyond the joint has
-// no moment about it, or no projection on its line; these equations give the reactions in the opened joints and the
-// efforts. The reactions in the joints of the tree follow from the equilibrium of the parts.
+// The opened chain of one group: enough of its joints are opened to leave a tree of its links, connected to the
+// ground and to earlier groups. Then, for each degree of freedom of each joint of the tree, the loads on the part
+// beyond the joint have no moment about it, or no projection on its line; these equations give the reactions in the
+// opened joints and the efforts. The reactions in the joints of the tree follow from the equilibrium of the parts.
 #pragma once
 
 #include "lib/mechanism/inverse/group_rows.hpp"
@@ -24,8 +24,8 @@ class OpenedGroup {
   /// The group's rows are referred to. Opens joints that take away few freedoms rather than others.
   OpenedGroup(const Instant& instant, const GroupRows& group);
 
-  /// From what acts on the coordinates of all links (`add_up`), later groups included: the reactions in its joints and
-  /// the efforts of its drivers; adds what it presses with on earlier links.
+  /// From the loads on the coordinates of all links (`add_up`), later groups included: the reactions in its joints
+  /// and the efforts of its drivers; adds its forces on earlier links.
   void find_forces(const Instant& instant, std::span<double> on_links, Forces& forces);
 
   [[nodiscard]] const std::vector<std::size_t>& opened_joints() const { return opened_; }
@@ -36,7 +36,7 @@ class OpenedGroup {
     std::size_t joint, row;
     std::size_t i, j;  // `outside` for the ground and for links of earlier groups
   };
-  /// A link with the joint by which it hangs on the tree.
+  /// A link with the joint that connects it to the tree.
   struct Branch {
     std::size_t link, parent;  // the parent is outside, or comes earlier
     std::size_t joining;

@@ -1,5 +1,5 @@
-// The proof of a position: its reactions and efforts found again by methods that share neither equations nor
-// unknowns with one another, and what is left of the equilibrium of each link and of the power balance.
+// The proof of a position: its reactions and efforts found again by methods that share neither equations nor unknowns
+// with one another, and the residuals of the equilibrium of each link and of the power balance.
 #pragma once
 
 #include "lib/mechanism/proof/all_equations.hpp"
@@ -17,18 +17,18 @@ namespace loadpath::mechanism {
 struct Proof {
   enum Method { whole_system, virtual_power, zhukovsky, released_constraints, opened_chain };
   static constexpr std::size_t methods = 5;
-  /// Up to this part of the largest force times the condition number, rounding explains what is left.
+  /// Up to this share of the largest force times the condition number, residuals are rounding errors.
   static constexpr double tolerance = 1e-10;
 
   /// Largest difference between a method and the position, N; moments over the mechanism's characteristic length.
   std::array<double, methods> disagreement{};
   Residuals residuals;
   double unbalanced = 0.0;     // the largest residual of a link, N, moments likewise
-  double motion = 0.0;         // the largest error of places, velocities and accelerations, of the whole, `motion.hpp`
-  double largest_force = 0.0;  // of reactions, efforts and active forces, N, moments likewise
+  double motion = 0.0;         // maximum error of positions, velocities and accelerations, `motion.hpp`
+  double largest_force = 0.0;  // largest of reactions, efforts and active forces, N, moments likewise
   double condition = 1.0;      // number of the position, 1-norm, at least 1
 
-  /// A part of the largest force times the condition number. What cannot be told is no number.
+  /// A fraction of the largest force times the condition number. Unknown values are NaN.
   [[nodiscard]] double part(double force) const;
   [[nodiscard]] double part(Method method) const { return part(disagreement[method]); }
   /// Whether the motion, all methods and the equilibrium of every link agree within the tolerance.
@@ -39,7 +39,7 @@ struct Proof {
 class Prover {
  public:
   explicit Prover(const Model& model);
-  /// From now on positions of this model, of the same structure.
+  /// Takes positions of this model, of the same structure, from now on.
   void take_dimensions(const Model& model) { instant_.take_dimensions(model); }
   /// `statics`: without inertia.
   Proof prove(std::span<const Drive> drives, bool statics, const Position& at);

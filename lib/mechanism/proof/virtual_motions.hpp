@@ -1,4 +1,4 @@
-// How a mechanism moves when one of its constraints alone gives way, for every constraint: the inverse of the whole
+// The motion of a mechanism when one of its constraints is released, for every constraint: the inverse of the full
 // Jacobian, for studies that need all of it.
 #pragma once
 
@@ -13,7 +13,7 @@ namespace loadpath::mechanism {
 class VirtualMotions {
  public:
   explicit VirtualMotions(const Instant& instant);
-  /// Of the position that the instant has taken. Takes no memory.
+  /// For the position of the instant. Does not allocate.
   void find(const Instant& instant);
 
   /// In units of length and rad, of all coordinates, at one unit per second.

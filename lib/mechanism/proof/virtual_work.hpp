@@ -9,11 +9,11 @@
 
 namespace loadpath::mechanism {
 
-/// The effort, N m or N, of this driver: it alone moves, and the powers of all that acts sum up to nothing.
+/// The effort, N m or N, of this driver: only it moves, and the powers of all loads sum to zero.
 double effort_by_virtual_power(const Instant& instant, std::size_t driver);
 
-/// Reactions, each component of which does work where its constraint alone is released and all drivers are held; the
-/// efforts likewise. Group after group, the last first: what a later group presses with is a force on those before.
+/// Reactions, each component by the work done when only its constraint is released and all drivers are fixed; the
+/// efforts likewise. Group after group, the last first: forces from a later group are loads on those before.
 class ReleasedConstraints {
  public:
   void find_forces(const Instant& instant, Forces& forces);

@@ -9,8 +9,8 @@
 
 namespace loadpath::mechanism {
 
-/// The plan for one driver that moves alone at 1 rad/s or 1 m/s. Images are in m for a rotary driver and plain ratios
-/// for a linear one; the pole is at the origin. Turned clockwise: the moment about the pole is the power.
+/// The plan for one driver that moves by itself at 1 rad/s or 1 m/s. Images are in m for a rotary driver and plain
+/// ratios for a linear one; the pole is at the origin. Rotated clockwise: the moment about the pole is the power.
 struct ZhukovskyLever {
   /// A force at the image of its point. A couple is a pair of forces at two points of its link.
   struct Force {
@@ -20,7 +20,7 @@ struct ZhukovskyLever {
     bool of_couple;
     Vec image;
     Vec force;         // N
-    double arm = 0.0;  // of the force about the pole, positive counter-clockwise
+    double arm = 0.0;  // lever arm of the force about the pole, positive counter-clockwise
   };
   std::vector<Force> forces;
   double effort = 0.0;  // that keeps the balance, N m or N

@@ -11,10 +11,10 @@
 namespace loadpath::mechanism {
 namespace {
 
-constexpr std::size_t freedoms_of_link = 3;  // of a link in the plane
+constexpr std::size_t freedoms_of_link = 3;  // degrees of freedom of a link in the plane
 constexpr int nobody = -2;
 
-/// One constraint equation and the links in it. `ground` where there is none.
+/// One constraint equation and the links in it. `ground` if there is none.
 struct Equation {
   std::array<int, 2> links;
   int holds = nobody;  // the link that it was given to
@@ -33,7 +33,7 @@ std::vector<Equation> equations_of(const Model& model) {
   return equations;
 }
 
-/// Gives every link three equations that it stands in, by augmenting paths.
+/// Assigns to every link three equations that involve it, by augmenting paths.
 class Assignment {
  public:
   Assignment(std::vector<Equation>& equations, std::size_t links)

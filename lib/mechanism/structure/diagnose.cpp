@@ -23,7 +23,7 @@ Finding not_closing(const Model& model, const Structure& structure) {
           say("the stated poses are too far from an assembly, or the lengths do not permit one")};
 }
 
-/// Whether a joint holds a ratio of speeds.
+/// Whether a joint imposes a ratio of speeds.
 bool has_ratio(JointKind kind) {
   switch (kind) {
     case JointKind::gear:
@@ -72,7 +72,7 @@ Finding wrong_number_of_drivers(const Model& model, const Structure& structure) 
   return {Finding::About::model, 0, std::move(message), std::move(hint)};
 }
 
-/// The pin about which a link spins that is nothing but the roller of a cam; nullptr where it is more than that.
+/// The pin about which a link spins that is nothing but the roller of a cam; nullptr if it is more than that.
 const Joint* pin_of_roller(const Model& model, std::size_t k) {
   const int link = static_cast<int>(k);
   const Joint *pin = nullptr, *cam = nullptr;
@@ -125,7 +125,7 @@ Finding rubs_without_knowing(const Model& model, std::size_t joint) {
       say("leave out its friction and pressure angle, or the joints that repeat it")};
 }
 
-/// What keeps a mechanism with joints that hold too much from being solved.
+/// Reasons why a mechanism with redundant constraints cannot be solved.
 std::vector<Finding> about_redundancy(const Model& model, const Structure& structure) {
   std::vector<Finding> findings;
   if (!can_release(model)) {

@@ -13,7 +13,7 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-// Of what differs from zero in a matrix whose entries are about 1.
+// Relative threshold of nonzero values in a matrix whose entries are about 1.
 constexpr double rank_threshold = 1e-9;
 constexpr double support_threshold = 1e-7;
 constexpr double closed = 1e-11;
@@ -81,7 +81,7 @@ void FreeMechanism::shift(std::span<const double> by) {
 }
 
 bool FreeMechanism::close_without(std::span<const std::size_t> rows, std::span<const std::size_t> reluctant) {
-  constexpr double reluctance = 1e-6;  // far above the threshold of the rank, its square below what is measured
+  constexpr double reluctance = 1e-6;  // far above the threshold of the rank, its square below measurable values
   constexpr int most_steps = 40;
   constexpr double longest_step = 0.3;
   const Eigen::Map<const VectorXd> q(q_.data(), static_cast<Index>(q_.size()));

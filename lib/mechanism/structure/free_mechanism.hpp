@@ -24,25 +24,25 @@ class FreeMechanism {
   void go_to(std::span<const double> q);
   void shift(std::span<const double> by);
   /// Goes to the nearest coordinates at which all joints are closed and all drivers where they should be, by steps of
-  /// least norm. False where there are none near.
+  /// least norm. False if there are none near.
   bool close() { return close_without({}, {}); }
   /// The same as if these rows of the constraints were not there; these coordinates stay where they are as long as
   /// others can do it.
   bool close_without(std::span<const std::size_t> rows, std::span<const std::size_t> reluctant);
   /// Moves along all of its motions at once, unequally, so that no symmetry is kept, by about this much (rad, or parts
-  /// of the unit of length), and closes. False where that leads nowhere.
+  /// of the unit of length), and closes. False if that leads nowhere.
   bool move_on(double by);
 
   /// Motions that no constraint stops: 3 entries for each link.
   [[nodiscard]] NullSpace motions() const;
   /// Forces that are in equilibrium by themselves: an entry for each row of the constraints.
   [[nodiscard]] NullSpace self_stresses() const;
-  /// How firmly this many constraints hold: a pivot of the constraints' matrix over the largest one, 0 to 1.
+  /// The independence of this many constraints: a pivot of the constraints' matrix over the largest one, 0 to 1.
   [[nodiscard]] double grip(std::size_t rank) const;
 
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
   [[nodiscard]] std::span<const double> q() const { return std::span(q_).first(constraints_.columns()); }
-  /// Of the links; `unit`: what the model's lengths are in, m.
+  /// The poses of the links; `unit`: unit of the model's lengths, m.
   [[nodiscard]] std::vector<Pose> poses(double unit) const;
 
  private:

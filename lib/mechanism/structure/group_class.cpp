@@ -13,7 +13,7 @@ struct Edge {
   std::size_t a, b;
 };
 
-/// The chain that stands for a group: members are numbers, 0 is everything that was there before.
+/// The equivalent chain of a group: members are numbers, 0 is everything that was there before.
 class Chain {
  public:
   static constexpr std::size_t outside = 0;
@@ -29,7 +29,7 @@ class Chain {
     for (const std::size_t k : group.drivers) lock(model, model.drivers[k]);
   }
 
-  /// Of the group as it is: what a driver holds in place is still attached by its joint.
+  /// The order of the group as it is: a driven member is still attached by its joint.
   [[nodiscard]] int order() const { return order_; }
 
   [[nodiscard]] int contour_class() const {
@@ -80,14 +80,14 @@ class Chain {
     }
   }
 
-  /// A joint with one constraint stands for a member with two joints.
+  /// A joint with one constraint is equivalent to a member with two joints.
   void add_between(std::size_t i, char first, char second, std::size_t j) {
     const std::size_t between = members_++;
     edges_.push_back({first, i, between});
     edges_.push_back({second, between, j});
   }
 
-  /// The members on both sides of a driver become one; what lies between them alone is then no joint any more.
+  /// The members on both sides of a driver become one; joints between only these two vanish.
   void lock(const Model& model, const Driver& driver) {
     const bool linear = driver.kind == Driver::Kind::linear;
     const Joint* joint = linear ? &model.joints[static_cast<std::size_t>(driver.joint)] : nullptr;
@@ -113,7 +113,7 @@ class Chain {
         std::count_if(edges_.begin(), edges_.end(), [=](const Edge& e) { return e.a == member || e.b == member; }));
   }
 
-  /// The number of members in the shortest loop inside the chain through this joint; 0 where there is none.
+  /// The number of members in the shortest loop inside the chain through this joint; 0 if there is none.
   [[nodiscard]] int shortest_loop(std::size_t through) const {
     const Edge& start = edges_[through];
     if (start.a == outside || start.b == outside) return 0;

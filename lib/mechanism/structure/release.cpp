@@ -14,7 +14,7 @@ Model at_poses(const Model& model, std::span<const Pose> poses) {
   return there;
 }
 
-/// In its unit of length, so that the entries of its constraints can be compared.
+/// In its unit of length, so that the entries of its constraints are comparable.
 FreeMechanism free_of(Model model, bool driven) {
   if (!driven) model.drivers.clear();
   return FreeMechanism(in_unit_of_length(model, characteristic_length(model)));
@@ -78,7 +78,7 @@ bool takes_part(const NullSpace& self_stresses, const Pair& pair) {
   return false;
 }
 
-/// The model with the one constraint less that it misses least; nothing where each is missed.
+/// The model with the one constraint less that it misses least; nothing if each is missed.
 std::optional<Model> release_one(const Model& model, const FreeMechanism& free, const NullSpace& self_stresses) {
   constexpr double firm = 1e-6;
   const std::size_t rank = free.constraints().rows() - self_stresses.size();
@@ -91,7 +91,7 @@ std::optional<Model> release_one(const Model& model, const FreeMechanism& free, 
       Model candidate = model;
       candidate.joints[k] = joint;
       const double hold = free_of(candidate, false).grip(rank);
-      if (hold <= 1.001 * most) continue;  // of equals the first, whatever rounding says
+      if (hold <= 1.001 * most) continue;  // among equals the first, independent of rounding
       most = hold;
       best = std::move(candidate);
     }

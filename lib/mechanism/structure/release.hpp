@@ -1,6 +1,6 @@
-// A mechanism that is held more than once: which of its reactions are unique, and how what is too much is released so
-// that the rest can be solved. A self-stress of the joints, a set of forces in equilibrium by themselves, may be added
-// to any solution; what it does not touch is unique (M. Wojtyra, Multibody System Dynamics 13 (2005)).
+// An overconstrained mechanism: which of its reactions are unique, and how redundant constraints are released so that
+// the rest can be solved. A self-stress of the joints, a set of forces in equilibrium by themselves, may be added to
+// any solution; reactions that it does not affect are unique (M. Wojtyra, Multibody System Dynamics 13 (2005)).
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -11,25 +11,25 @@
 
 namespace loadpath::mechanism {
 
-/// Whether the equilibrium of rigid links alone decides a joint's force and couple.
+/// Whether the equilibrium of rigid links determines a joint's force and couple.
 struct Uniqueness {
   bool force = true;
   bool couple = true;
 };
 
-/// Of every joint, near the stated poses and over the motion from there on. The model closes and is not singular.
+/// For every joint, near the stated poses and over the motion from there on. The model closes and is not singular.
 std::vector<Uniqueness> uniqueness(const Model& model);
 
 /// The same mechanism, without self-stress: of one joint of each set that shares a constraint too many, one constraint
 /// is left out, so that what stays holds as firmly as can be at these poses. It moves as the given one does; the
-/// reactions that are unique are those of the given one. The joints keep their places in the model. Nothing where
+/// reactions that are unique are those of the given one. The joints keep their places in the model. Nothing if
 /// every choice would leave it loose.
 std::optional<Model> release(const Model& model, std::span<const Pose> poses);
 
 /// Whether `release` has something to give at the assembly nearest to the stated poses.
 bool can_release(const Model& model);
 
-/// How firmly a model is held at these poses, 0 (not held) to 1.
+/// The independence of a model's constraints at these poses, 0 (mobile) to 1.
 double grip(const Model& model, std::span<const Pose> poses);
 
 }  // namespace loadpath::mechanism

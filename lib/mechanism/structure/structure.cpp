@@ -70,7 +70,7 @@ bool needs_distance(const Joint& joint) {
   return joint.kind == JointKind::gear || joint.kind == JointKind::belt || joint.kind == JointKind::rack;
 }
 
-/// The distance that other joints must hold for this one; of other kinds 0.
+/// The centre distance that other joints must maintain for this one; 0 for other kinds.
 double centre_distance(const Constraints& constraints, const Joint& joint) {
   if (!needs_distance(joint)) return 0.0;
   const bool two = joint.kind != JointKind::rack;
@@ -145,7 +145,7 @@ Structure analyse(const Model& model) {
   if (!driven.close()) {
     const FreeMechanism as_far_as_possible = driven;
     driven.go_to(free.q());
-    // With dependent constraints it is the drivers that contradict each other, not the lengths.
+    // With dependent constraints, the drivers contradict each other, not the lengths.
     structure.closes = !driven.self_stresses().empty();
     if (!structure.closes) find_widest(as_far_as_possible.constraints(), length, structure);
   }

@@ -1,5 +1,4 @@
-// Whether a model can be solved: its numbers, how it hangs together, its mobility by count and by rank, its
-// redundancies.
+// Whether a model can be solved: its numbers, its connectivity, its mobility by count and by rank, its redundancies.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -11,7 +10,7 @@
 
 namespace loadpath::mechanism {
 
-/// What stands in the way of solving a model, and which part of it that concerns.
+/// An obstacle to solving a model, and the part of it concerned.
 struct Finding {
   enum class About { model, link, joint, driver, load, spring };
   About about = About::model;
@@ -20,10 +19,10 @@ struct Finding {
   Message hint;
 };
 
-/// The part of `diagnose` that needs no geometry: numbers, references, what is connected with what.
+/// The part of `diagnose` that needs no geometry: numbers, references, connections.
 std::vector<Finding> check_parts(const Model& model);
 
-/// Wheels whose centres are not as far apart as their radii ask.
+/// Wheels whose centre distance differs from that required by their radii.
 struct Misfit {
   std::size_t joint = 0;
   double apart = 0.0, needed = 0.0;  // m; of a belt the least distance, of a rack that of its line
@@ -39,19 +38,19 @@ struct Structure {
   bool singular = false;       // the rank is lower here than nearby: a dead point or a change point
   /// Sets of joints that share one constraint too many, whichever of them is blamed; their reactions are not unique.
   std::vector<std::vector<std::size_t>> redundant;
-  /// Of gears and belts, whose joint does not hold its centres.
+  /// Misfits of gears and belts, whose joint does not fix its centres.
   std::vector<Misfit> misfits;
-  /// Gears, racks and belts whose centres do not keep their distance as the mechanism moves.
+  /// Gears, racks and belts whose centre distance changes as the mechanism moves.
   std::vector<std::size_t> parting;
-  /// Links that move though all drivers are held.
+  /// Links that can move with all drivers fixed.
   std::vector<std::size_t> loose;
 };
 Structure analyse(const Model& model);
 
-/// Empty when the model can be solved at its stated assembly. Mobility 0 without drivers is legal: statics. So are
-/// joints that hold too much, where that can be released and no friction hangs on a reaction that is not unique.
+/// Empty if the model can be solved at its stated assembly. Mobility 0 without drivers is legal: statics. So are
+/// redundant joints, if they can be released and no friction depends on a reaction that is not unique.
 std::vector<Finding> diagnose(const Model& model);
-/// Gives the structure too; it is empty where the model has not passed `check_parts`.
+/// Gives the structure too; it is empty if the model has not passed `check_parts`.
 std::vector<Finding> diagnose(const Model& model, Structure& structure);
 
 /// The sets of `redundant`, each once, with how many freedoms too many they hold.

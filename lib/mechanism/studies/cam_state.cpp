@@ -8,7 +8,7 @@
 namespace loadpath::mechanism {
 namespace {
 
-/// Which way the follower's point goes if its guide alone moves it.
+/// The direction of the follower's point if only its guide moves it.
 Vec path_at(const Model& model, std::size_t guide, int follower, Vec point, const Position& at) {
   const Joint& joint = model.joints[guide];
   if (joint.kind == JointKind::prismatic) {
@@ -48,7 +48,7 @@ CamState cam_state(const Model& model, std::size_t k, const Position& at) {
   if (const auto guide = guide_of(model, k)) {
     const Vec point = joint.contact == CamContact::flat ? place.at : i.point(joint.point_i);
     const Vec path = path_at(model, *guide, joint.i, point, at);
-    constexpr double rounding = 1e-14;  // of the sine
+    constexpr double rounding = 1e-14;  // rounding error of the sine
     const double across = std::abs(cross(path, out));
     state.pressure_angle = across <= rounding * length(path) ? 0.0 : std::atan2(across, std::abs(dot(path, out)));
   }

@@ -44,7 +44,7 @@ bool CauseSplit::find(const Position& at, bool statics) {
   return true;
 }
 
-// Each component from the power of the cause where its constraint alone gives way.
+// Each component from the power of the cause when only its constraint is released.
 void CauseSplit::find_share(std::size_t cause) {
   const double length = instant_.length();
   Forces& share = shares_[cause];

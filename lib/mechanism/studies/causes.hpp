@@ -1,6 +1,6 @@
-// Who causes the force: every reaction and effort at a position, split exactly into the shares of all weights, of the
-// inertia of each link, of each load and spring, and of what each joint's reaction induces (friction, pressure of
-// teeth, slack sides). The equations of equilibrium are linear in what acts, so the shares sum up to the whole.
+// Causes of the forces: every reaction and effort at a position, split exactly into the shares of all weights, of the
+// inertia of each link, of each load and spring, and of the forces induced by each joint's reaction (friction, tooth
+// forces, slack sides). The equations of equilibrium are linear in the loads, so the shares sum to the total.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -17,7 +17,7 @@ namespace loadpath::mechanism {
 struct Cause {
   enum class Kind { weights, inertia, load, spring, induced };
   Kind kind = Kind::weights;
-  std::size_t index = 0;  // of the link, of the load, of the spring, or of the joint that induces it
+  std::size_t index = 0;  // index of the link, the load, the spring, or the joint that induces it
 };
 
 class CauseSplit {
@@ -27,10 +27,10 @@ class CauseSplit {
 
   /// All that the model can have: weights first, then links, loads, springs and joints in their order.
   [[nodiscard]] std::span<const Cause> causes() const { return causes_; }
-  /// Splits a solved position. False where the position is singular to rounding. Takes no memory.
+  /// Splits a solved position. False if the position is singular to rounding. Takes no memory.
   [[nodiscard]] bool find(const Position& at, bool statics = false);
-  /// The reactions, at the position's pins, and the efforts of one cause alone. What is induced is taken at its amount
-  /// there, and counts with the joint that induces it.
+  /// The reactions, at the position's pins, and the efforts due to one cause. Induced forces are taken at their
+  /// amounts there, and count with the joint that induces them.
   [[nodiscard]] const Forces& share(std::size_t cause) const { return shares_[cause]; }
 
  private:

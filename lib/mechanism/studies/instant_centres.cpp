@@ -8,7 +8,7 @@
 namespace loadpath::mechanism {
 namespace {
 
-// Of the mechanism's sizes.
+// Relative to the mechanism's size.
 constexpr double farthest = 1e9;
 
 Pose velocity_of(const Position& at, int link) {

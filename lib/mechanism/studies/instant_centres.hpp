@@ -1,4 +1,4 @@
-// Instantaneous centres: the point about which a link turns at the moment, against the ground or another link.
+// Instantaneous centres: the instantaneous centre of rotation of a link against the ground or another link.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -16,12 +16,13 @@ struct InstantCentre {
   Vec direction;  // unit vector towards the centre at infinity: square to the motion
 };
 
-/// Of link i against link j: where both have the same velocity. It does not depend on the speed of the one drive, but
-/// there must be one. `size`: of the mechanism, m; a centre more than 1e9 of it away is at infinity. Technical
-/// mechanics (in Bulgarian), chapter 29.
+/// The centre of link i against link j: the point where both have the same velocity. It does not depend on the speed
+/// of the one drive, but there must be one. `size`: of the mechanism, m; a centre more than 1e9 of it away is at
+/// infinity. Technical mechanics (in Bulgarian), chapter 29.
 InstantCentre instant_centre(const Position& at, int i, int j, double size);
 
-/// Of every two links, the ground last: three of them lie on a line for any three links (Aronhold and Kennedy).
+/// The centres of all pairs of links, the ground last: three of them are collinear for any three links (Aronhold and
+/// Kennedy).
 struct CentreOfPair {
   int i = 0, j = ground;
   InstantCentre centre;

@@ -90,7 +90,7 @@ void MemberLoads::add_mass(const Position& at, bool statics) {
     spread_mass(moving, origin_ - frame);
     const Vec spread = turned_(length_ * first_ + 0.5 * length_ * length_ * slope_);
     const double moment = length_ * length_ * (0.5 * first_.y + slope_.y * length_ / 3.0);
-    // What the link's own mass centre and moment of inertia have beyond those of the bar.
+    // The deviation of the link's own mass centre and moment of inertia from those of the bar.
     add(origin_, -needed.force - spread, couple - cross(centre - origin_, needed.force) - moment);
   } else {
     add(centre, -needed.force, couple);
@@ -159,7 +159,7 @@ void MemberLoads::add_drives(const Position& at) {
 void MemberLoads::sum_up() {
   std::ranges::stable_sort(actions_, {}, &Action::x);
   stations_.assign(1, {});
-  const double together = 1e-9 * length_;  // as the pins of a compound hinge: nothing lies between them
+  const double together = 1e-9 * length_;  // as the pins of a compound hinge: without material between them
   for (std::size_t k = 0; k < actions_.size(); ++k) {
     const bool elsewhere = k == 0 || actions_[k].x - stations_.back().x > together;
     if (actions_[k].x - stations_.back().x > together) stations_.push_back(further(stations_.back(), actions_[k].x));

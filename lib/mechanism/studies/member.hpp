@@ -12,13 +12,13 @@
 
 namespace loadpath::mechanism {
 
-/// How the mass of a link lies along its axis.
+/// The distribution of a link's mass along its axis.
 enum class MassLine {
   uniform,  // evenly from start to end
   lumped    // all of it, with its moment of inertia, at the mass centre
 };
 
-/// The axis of a link, in its frame. What acts beside the axis acts on it through a rigid arm.
+/// The axis of a link, in its frame. Loads off the axis act on it through a rigid arm.
 struct Member {
   std::size_t link = 0;
   Vec start, end;
@@ -45,9 +45,9 @@ class MemberLoads {
  public:
   explicit MemberLoads(const Model& model, const Member& member);
 
-  /// What acts on the link at a position that is solved. `statics`: without inertia.
+  /// Takes the loads on the link at a solved position. `statics`: without inertia.
   void take(const Position& at, bool statics);
-  /// Just before and just after each place where something acts, in rising order; nothing may be left after the last.
+  /// Just before and just after each point of action, in rising order; nothing may be left after the last.
   [[nodiscard]] std::span<const SectionForces> stations() const { return stations_; }
   /// Anywhere between, 0 <= x <= length.
   [[nodiscard]] SectionForces at(double x) const;
@@ -75,9 +75,9 @@ class MemberLoads {
   const Model& model_;
   Member member_;
   double length_;
-  Vec origin_;   // of the member at the position, global axes
-  Turn turned_;  // of the member
-  // Of the mass, per length: first + slope * x, in the axes of the member.
+  Vec origin_;   // origin of the member at the position, global axes
+  Turn turned_;  // rotation of the member
+  // Distributed mass, per length: first + slope * x, in the axes of the member.
   Vec first_, slope_;
   std::vector<Action> actions_;
   std::vector<SectionForces> stations_;

@@ -1,5 +1,5 @@
-// Derivatives of the position functions of a mechanism: how every link moves per radian or metre of a drive, whatever
-// its speed. Also called velocity and acceleration analogues.
+// Derivatives of the position functions of a mechanism: the motion of every link per radian or metre of a drive, at
+// any speed. Also called velocity and acceleration analogues.
 #pragma once
 
 #include "lib/mechanism/groups/motion.hpp"
@@ -21,11 +21,11 @@ class PositionFunctions {
   PositionFunctions& operator=(const PositionFunctions&) = delete;
 
   /// From the poses of `at`, an assembly, its velocities and accelerations as the first and second derivatives with
-  /// respect to a drive's coordinate, the others holding still: rad and m per rad, or per m. False where the drives
+  /// respect to a drive's coordinate, the others holding still: rad and m per rad, or per m. False if the drives
   /// cannot hold the mechanism.
   [[nodiscard]] bool derive(Position& at, std::size_t driver = 0);
-  /// Of the closing equations of a group, in order of attachment, where it was derived last: the sign of their
-  /// determinant, +1 or -1. It changes where the group passes from one of its assemblies to another.
+  /// The sign of the determinant of a group's closing equations, in order of attachment, where it was derived last:
+  /// +1 or -1. It changes where the group passes from one of its assemblies to another.
   [[nodiscard]] double sign(std::size_t group) { return positions_.loops(group).sign(); }
   [[nodiscard]] const Plan& plan() const { return plan_; }
 
@@ -37,8 +37,8 @@ class PositionFunctions {
   std::vector<Drive> drives_;
 };
 
-/// The same of the only drive of a solved position, from its velocities and accelerations: the drive turns at a speed
-/// that does not change.
+/// The same of the only drive of a solved position, from its velocities and accelerations: the drive has constant
+/// speed.
 void divide_by_speed(Position& at, double speed);
 
 /// The coordinate of a drive at these poses, rad or m.

@@ -8,7 +8,7 @@
 namespace loadpath::mechanism {
 namespace {
 
-// Of lengths and directions.
+// Relative error of lengths and directions.
 constexpr double rounding = 1e-9;
 
 /// From the first to the second, when the mass centre lies on their line.

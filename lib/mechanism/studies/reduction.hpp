@@ -1,5 +1,5 @@
-// The mechanism reduced to its drive: one inertia that has its kinetic energy, one moment that does the work of its
-// loads (m and F in place of J and M where the drive is linear). And a link's mass reduced to points.
+// The mechanism reduced to its drive: one inertia with its kinetic energy, one moment with the power of its loads (m
+// and F in place of J and M for a linear drive). And a link's mass reduced to points.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -15,13 +15,13 @@
 
 namespace loadpath::mechanism {
 
-/// Where this driver alone moves, the others holding still.
+/// The motion with only this driver moving and the others at rest.
 struct Reduced {
   double inertia = 0.0;     // kg m^2 or kg: twice the kinetic energy over the square of the drive's speed
-  double derivative = 0.0;  // of the inertia, by the drive's coordinate: kg m^2/rad or kg/m
+  double derivative = 0.0;  // derivative of the inertia, by the drive's coordinate: kg m^2/rad or kg/m
   double moment = 0.0;      // N m or N, positive with the coordinate: of loads, weights and springs
   double induced = 0.0;     // likewise: of friction and what else the position's reactions bring with them
-  /// What the drive must do if it is the only one that moves: J epsilon + dJ/dphi omega^2 / 2 - M.
+  /// The effort of the drive if only it moves: J epsilon + dJ/dphi omega^2 2 - M.
   [[nodiscard]] double effort(const Drive& drive) const {
     return inertia * drive.acceleration + 0.5 * derivative * drive.speed * drive.speed - moment - induced;
   }
@@ -31,7 +31,7 @@ class Reduction {
  public:
   /// The model is referred to: its loads may change between positions.
   explicit Reduction(const Model& model);
-  /// At a position, of which poses count, and for what is induced the reactions. Nothing where the drive cannot move
+  /// At a position, of which poses count, and for what is induced the reactions. Nothing if the drive cannot move
   /// the mechanism, at a dead point. Takes no memory.
   [[nodiscard]] std::optional<Reduced> find(const Position& at, std::size_t driver = 0);
   /// The same where it is known how the drive moves the mechanism, as PositionFunctions derives it.
@@ -54,7 +54,7 @@ std::optional<std::array<PointMass, 2>> statically_equivalent(const Link& link, 
 /// Three masses with the moment of inertia as well, at two points and, the last, in the mass centre between them, on
 /// one line; that one can be negative.
 std::optional<std::array<PointMass, 3>> dynamically_equivalent(const Link& link, Vec a, Vec b);
-/// Of the link over that of the masses, about the mass centre, kg m^2; negative when they have more.
+/// The link's inertia minus that of the masses, about the mass centre, kg m^2; negative if the masses have more.
 double missing_inertia(const Link& link, std::span<const PointMass> masses);
 
 }  // namespace loadpath::mechanism

@@ -7,8 +7,8 @@
 
 namespace loadpath::mechanism {
 
-/// Of the pin point_i of link i against link j, global axes, m/s and m/s^2. The absolute velocity is v_r + v_e, the
-/// absolute acceleration a_r + a_e + a_C. Technical mechanics (in Bulgarian), chapter 31.
+/// The motion of the pin point_i of link i against link j, global axes, m/s and m/s^2. The absolute velocity is v_r +
+/// v_e, the absolute acceleration a_r + a_e + a_C. Technical mechanics (in Bulgarian), chapter 31.
 struct RelativeMotion {
   double s = 0.0;                    // m: place of the pin from point_j along the guide
   double s_dot = 0.0, s_ddot = 0.0;  // its rates
@@ -20,7 +20,7 @@ struct RelativeMotion {
 /// Whether the joint is a slot or a slide.
 bool is_guided(const Joint& joint);
 
-/// Of a slot or a slide.
+/// For a slot or a slide.
 RelativeMotion relative_motion(const Joint& joint, const Position& at);
 
 }  // namespace loadpath::mechanism

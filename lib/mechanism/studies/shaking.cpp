@@ -73,7 +73,7 @@ Eigen::VectorXd magnitudes(const Eigen::VectorXd& forces) {
   return result;
 }
 
-// Lawson: weighted least squares, whose weights grow where the rest is large, tend to the smallest peak.
+// Lawson: weighted least squares, whose weights grow where the residual is large, converge to the smallest peak.
 Eigen::VectorXd least_peak(const BalanceEquations& equations) {
   constexpr int most_steps = 2000;
   constexpr double close = 1e-6;
@@ -95,7 +95,7 @@ Eigen::VectorXd least_peak(const BalanceEquations& equations) {
       least = rest.maxCoeff();
       best = x;
     }
-    // What the weighted rms leaves is a lower bound of any peak.
+    // The residual of the weighted rms is a lower bound of any peak.
     if (least - std::sqrt(weight.dot(rest.cwiseAbs2())) <= close * scale) break;
     weight = weight.cwiseProduct(rest);
     const double sum = weight.sum();

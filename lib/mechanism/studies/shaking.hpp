@@ -1,5 +1,5 @@
-// What the moving masses do to the frame, and counterweights against it. The shaking force is -sum m a, without
-// weights and loads, which do not shake by themselves.
+// The forces of the moving masses on the frame, and counterweights against them. The shaking force is -sum m a,
+// without weights and loads, which do not shake by themselves.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -28,15 +28,15 @@ struct ShakingCycle {
 };
 ShakingCycle shaking_over(const Model& model, std::span<const Position> cycle, Vec about);
 
-/// Where a counterweight is wanted: on a link, about this point of it. If the point moves, the counterweight's mass
-/// counts besides its moment and must be stated; about a fixed pivot it does not.
+/// The site of a counterweight: on a link, about this point of it. If the point moves, the counterweight's mass
+/// counts in addition to its moment and must be given; about a fixed pivot it does not.
 struct CounterweightSite {
   std::size_t link = 0;
   Vec pivot;                             // link frame, m
   double mass = 0.0;                     // kg
-  std::optional<double> direction = {};  // of its arm, rad, link frame; nothing: the best one
+  std::optional<double> direction = {};  // direction of its arm, rad, link frame; nothing: the best one
 };
-/// Its mass times its arm from the pivot, link frame, kg m. In a stated direction it may come out opposite to it.
+/// Its mass times its arm from the pivot, link frame, kg m. In a given direction it may come out opposite to it.
 struct Counterweight {
   CounterweightSite site;
   Vec mass_moment;
@@ -52,8 +52,8 @@ std::vector<Counterweight> find_counterweights(const Model& model, std::span<con
                                                std::span<const CounterweightSite> sites,
                                                BalanceAim aim = BalanceAim::rms);
 
-/// A link with a point mass for its counterweight at this distance from the pivot, m, > 0; a site with a stated mass
-/// has that mass at the arm that it needs. The motion stays as it is; forces and shaking moment are to be found anew.
+/// A link with a point mass for its counterweight at this distance from the pivot, m, > 0; a site with a given mass
+/// has that mass at the arm that it needs. The motion is unchanged; forces and shaking moment must be computed again.
 Link with_counterweight(const Link& link, const Counterweight& weight, double radius);
 
 /// Mass, mass centre and moment of inertia with a point mass at this place of the link's frame.

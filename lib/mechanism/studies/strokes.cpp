@@ -12,7 +12,7 @@
 namespace loadpath::mechanism {
 namespace {
 
-// Of the largest derivative over the course: less is rounding.
+// Relative to the largest derivative over the motion: smaller values are rounding errors.
 constexpr double negligible = 1e-10;
 
 struct Motion {
@@ -57,7 +57,7 @@ class Finder {
  public:
   Finder(const Model& model, const Course& course) : model_(model), course_(course), near_(model) {}
 
-  /// Nothing where it does not move.
+  /// Nothing if it does not move.
   std::optional<Stroke> find(Stroke::Of of, std::size_t index, double unit) {
     Stroke stroke{.of = of, .index = index};
     motions_.clear();
@@ -79,7 +79,7 @@ class Finder {
     return std::abs(motions_[k].first) <= least_ ? 0.0 : motions_[k].first;
   }
 
-  /// A zero at a position counts to the interval that follows, if the motion before it was the other way.
+  /// A zero at a position counts to the interval that follows, if the previous motion was in the opposite direction.
   void find_reversals(Stroke& stroke) {
     const std::size_t count = course_.at.size();
     const bool cyclic = course_.period != 0.0;
@@ -121,7 +121,7 @@ class Finder {
     return {};
   }
 
-  /// From the last position on to where the first one comes again.
+  /// From the last position to the repetition of the first one.
   void complete_turn(const Stroke& stroke, std::vector<double>& places) {
     const std::size_t last = course_.at.size() - 1;
     if (!course_.known[last] || !course_.known[0]) return;

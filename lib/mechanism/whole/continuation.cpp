@@ -14,9 +14,9 @@ constexpr double negligible = 1e-12;
 constexpr double exact = 1e-13;
 constexpr double quadratic = 1e-7;  // a Newton step as small as this leaves rounding errors only
 
-// Of a predicted step: what Newton may change of it, so that it does not end in another assembly.
+// Relative to a predicted step: the maximum correction by Newton, so that it does not end in another assembly.
 constexpr double largest_correction = 0.2;
-// Of a move: the step that is no longer halved, and what is missing at a position that cannot be passed.
+// Relative to a move: the minimum step, and the remainder at a position that cannot be passed.
 constexpr double shortest_part = 1e-9;
 constexpr int most_parts = 5000;  // a move that needs more creeps along a position that it never passes
 constexpr double nearly_all = 1.0 - 1e-6;
@@ -143,7 +143,7 @@ Status Continuation::move(std::span<const double> goal) {
   return Status::closed;
 }
 
-// Velocity and acceleration at the position held, for a move that would take the time 1 to the goal.
+// Velocity and acceleration at the current position, for a move that would take the time 1 to the goal.
 void Continuation::predict(std::span<const double> goal) {
   std::ranges::fill(first_, 0.0);
   const std::size_t row = constraints_.first_driver_row();
@@ -187,7 +187,7 @@ bool Continuation::correct(double most) {
 Status Continuation::give_up(double reached, std::span<const double> goal) {
   q_ = start_;
   std::ranges::copy(goal, target_.begin());
-  const bool together = pull_together();  // then it closes there, and only the way is lost
+  const bool together = pull_together();  // then it closes there, and only the path is lost
   gap_ = widest(reached);
   q_ = start_;
   held_ = held_at_start_;

@@ -11,18 +11,17 @@
 
 namespace loadpath::mechanism {
 
-/// The coordinates held now, with the constraints placed and factored there. Lengths in units of the mechanism's size.
+/// The current coordinates, with the constraints factored there. Lengths in units of the mechanism's size.
 class Continuation {
  public:
   explicit Continuation(const Model& model);
 
-  /// Of a model of the same structure, as if made from it.
+  /// For a model of the same structure, as if made from it.
   void take_dimensions(const Model& model);
   Status assemble(const Model& model);
   /// Takes over the poses of the model, closed at these coordinates of the drivers.
   void hold(const Model& model, std::span<const double> drives);
-  /// To these coordinates of the drivers, which are finite; stays where it was when that fails, as it does without an
-  /// assembly.
+  /// Moves to these finite coordinates of the drivers; unchanged if that fails, as it does without an assembly.
   Status move(std::span<const double> goal);
 
   [[nodiscard]] std::span<const double> q() const { return q_; }

@@ -1,10 +1,10 @@
-// Where a mechanism stays open.
+// The gap that remains open in a mechanism.
 #pragma once
 
 namespace loadpath::mechanism {
 
-/// After a failure: the joint that stays open widest when the mechanism is pulled together as far as it goes, and the
-/// part of the last move, 0 to 1, up to which it closes.
+/// After a failure: the joint with the widest gap when the mechanism is closed as far as possible, and the part of
+/// the last move, 0 to 1, up to which it closes.
 struct Gap {
   int joint = -1;
   double size = 0.0;  // m

@@ -1,9 +1,9 @@
-// Positions, velocities, accelerations, reactions and driving efforts of a planar mechanism, from the equations of the
-// whole system at once: Newton with the exact constraint Jacobian, and its transpose for the multipliers.
+// Positions, velocities, accelerations, reactions and driving efforts of a planar mechanism, from the equations of
+// the full system at once: Newton with the exact constraint Jacobian, and its transpose for the multipliers.
 //
 // Three coordinates per link (its frame's origin and angle); needs as many independent constraints as coordinates:
-// joints + drivers = 3 * links, or mobility 0 without drivers. `diagnose` (structure.hpp) says so in words beforehand.
-// All memory is taken in the constructor: `assemble` and `solve` allocate nothing.
+// joints + drivers = 3 * links, or mobility 0 without drivers. `diagnose` (structure.hpp) explains violations
+// beforehand. All memory is taken in the constructor: `assemble` and `solve` allocate nothing.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"

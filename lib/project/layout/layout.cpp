@@ -18,7 +18,7 @@ using toml::Group;
 using toml::Pair;
 using toml::Section;
 
-/// What is before what: the heading, shared values, tables; then steps and expectations as they come.
+/// The order of sections: the heading, shared values, tables; then steps and expectations as given.
 int rank_of(const Section& section) {
   if (section.header.empty()) return -1;
   const std::string name = toml::first_part(section.name);
@@ -39,7 +39,7 @@ std::size_t place_in(const std::vector<std::string>& order, const Pair& pair) {
   return static_cast<std::size_t>(std::find(order.begin(), order.end(), toml::first_part(pair.key)) - order.begin());
 }
 
-/// Sorts the keys within each group; those that tell what the step is stand in the first.
+/// Sorts the keys within each group; those that identify the step are in the first.
 void sort_groups(std::vector<Group>& groups, const std::vector<std::string>& order, std::size_t leading) {
   std::vector<Pair> first;
   for (Group& group : groups) {
@@ -48,7 +48,7 @@ void sort_groups(std::vector<Group>& groups, const std::vector<std::string>& ord
     first.insert(first.end(), moved, group.pairs.end());
     group.pairs.erase(moved, group.pairs.end());
   }
-  for (std::size_t i = 0; i + 1 < groups.size(); ++i) {  // of a group that is left empty the comments stay
+  for (std::size_t i = 0; i + 1 < groups.size(); ++i) {  // comments of an emptied group remain
     if (!groups[i].pairs.empty() || i == 0) continue;
     auto& lead = groups[i + 1].lead;
     if (!groups[i].lead.empty() && !lead.empty()) lead.insert(lead.begin(), "");
@@ -63,7 +63,7 @@ void sort_groups(std::vector<Group>& groups, const std::vector<std::string>& ord
   }
 }
 
-/// The field that keys lead to; names of elements lead nowhere. Null where a key is none of them.
+/// The field that keys lead to; names of elements lead nowhere. Null if a key is none of them.
 const FieldInfo* field_at(std::span<const FieldInfo> fields, const std::vector<std::string>& keys) {
   const FieldInfo* at = nullptr;
   for (const std::string& key : keys) {
@@ -88,11 +88,11 @@ std::vector<std::string> parts_of(const std::string& key) {
   return parts;
 }
 
-/// What a section is of: a step's calculator and template, as far as they are known.
+/// The owner of a section: a step's calculator and template, as far as known.
 struct Owner {
   const Calculator* calculator = nullptr;
   const Template* from = nullptr;
-  std::vector<std::string> inner;  // of [shaft.loads]: "loads"
+  std::vector<std::string> inner;  // keys below it: "loads" for [shaft.loads]
 };
 
 Owner owner_of(const Section& section, const toml::Tree& tree, Calculators calculators) {
@@ -137,7 +137,7 @@ class Writer {
     text_ += section.header + (section.comment.empty() ? "" : "  " + section.comment) + "\n";
   }
 
-  /// Comments of neighbouring lines stand in one column.
+  /// Comments of neighbouring lines are aligned.
   void group(const Group& group, const Owner& owner) {
     lines(group.lead);
     if (!group.lead.empty() && !group.pairs.empty()) blank();
@@ -154,12 +154,12 @@ class Writer {
   [[nodiscard]] std::string take() { return std::move(text_); }
 
  private:
-  /// Of the last line.
+  /// The width of the last line.
   static std::size_t width(const std::string& written) {
     return code_points(written.substr(written.rfind('\n') + 1)).size();  // npos + 1 is 0
   }
-  /// Where the comment of a line stands: behind the longest of those beside it that have one too. Those that have
-  /// several lines, or a long one, stand alone.
+  /// The column of a line's comment: after the longest of the neighbouring lines that have one too. Values of several
+  /// lines, or a long one, are not aligned with others.
   static std::size_t column_of(const std::vector<Pair>& pairs, const std::vector<std::string>& written,
                                std::size_t at) {
     constexpr std::size_t longest = 48;

@@ -1,4 +1,4 @@
-// How a project file is laid out: the order of its tables and of the keys of its steps, spaces, quotes, units.
+// The layout of a project file: the order of its tables and of the keys of its steps, spaces, quotes, units.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"
@@ -10,9 +10,8 @@
 
 namespace loadpath::project {
 
-/// The text in the layout that it should have; comments stay with what they are about, and blank lines stay between
-/// groups of keys. It says the same: the same steps in the same order with the same values. What is no TOML is an
-/// issue.
+/// The text in the standard layout; comments stay with their subjects, and blank lines stay between groups of keys.
+/// The meaning is unchanged: the same steps in the same order with the same values. Invalid TOML is an issue.
 std::string layout_of(std::string_view text, const std::string& file, Calculators calculators,
                       std::vector<Issue>& issues);
 

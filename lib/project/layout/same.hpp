@@ -1,4 +1,4 @@
-// Whether two texts of a project say the same.
+// Whether two texts of a project have the same meaning.
 #pragma once
 
 #include "lib/toml/tree.hpp"

@@ -1,4 +1,4 @@
-// What is wrong with a part of a project file that is no field of a calculator.
+// Errors in parts of a project file other than fields of a calculator.
 #pragma once
 
 #include "lib/text/issue.hpp"

@@ -43,7 +43,7 @@ void read_within(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
               say("'{1}' may be a part of the value or a difference from it", tree.text), remedy);
   } else if (literal->dimension == e.is.dimension) {
     e.within_si = literal->si;
-  } else if (!e.unit.empty()) {  // else `is` has been told already
+  } else if (!e.unit.empty()) {  // otherwise `is` has been reported already
     add_error(issues, place, "expect.within",
               say("'{1}' ({2}) is not a tolerance of '{3}' ({4})", tree.text, name_of(literal->dimension), e.is_text,
                   name_of(e.is.dimension)),
@@ -70,7 +70,7 @@ void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues
   }
 }
 
-/// What is expected: a quantity, or "inf" of a plain number.
+/// The expected value: a quantity, or "inf" for a plain number.
 void read_expected(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
   if (e.is_text == "inf" || e.is_text == "-inf") {
     e.number = e.is.si = (e.is_text[0] == '-' ? -1.0 : 1.0) * std::numeric_limits<double>::infinity();

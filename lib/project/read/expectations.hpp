@@ -1,4 +1,4 @@
-// What a project expects of itself: [[expect]].
+// Expectations of a project on its own results: [[expect]].
 #pragma once
 
 #include "lib/quantity/expression/expression.hpp"
@@ -18,8 +18,8 @@ struct Expectation {
   Expression value;
   Literal is;
   std::string is_text;              // as written
-  double number = 0.0;              // of `is` in its own unit: what its digits count
-  std::string unit;                 // of `is`; "-" for a number
+  double number = 0.0;              // number of `is` in its own unit, as its digits count
+  std::string unit;                 // unit of `is`; "-" for a number
   std::optional<int> digits;        // half a unit of this significant digit
   std::optional<double> within;     // relative
   std::optional<double> within_si;  // absolute

@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 using toml::Tree;
 
-constexpr std::size_t most_turns = 20'000'000;  // of 16 bytes each
+constexpr std::size_t most_turns = 20'000'000;  // 16 bytes each
 constexpr std::size_t most_in_step = 5'000;     // each is looked at on thousands of planes
 constexpr double largest = 1e30;                // as of a value that is typed: beyond all machines
 
@@ -31,7 +31,7 @@ constexpr std::array<std::pair<std::string_view, rainflow::Format>, 4> forms{{{"
 
 Fault told(Message message, Message hint) { return {0, 1, std::move(message), std::move(hint)}; }
 
-/// What one stands for: "MPa", or "2.5 MPa".
+/// The SI value of one unit: "MPa", or "2.5 MPa".
 Outcome<double> unit_of(const Tree& table, const FieldInfo& field) {
   const auto* const unit = table.find("unit");
   if (unit == nullptr && field.dimension.is_number()) return 1.0;
@@ -74,7 +74,7 @@ Outcome<rainflow::Form> form_of(const Tree& table) {
   return form;
 }
 
-/// Files alone: a device may have no end, and a pipe that has a name waits for one who writes. "-" is what is piped in.
+/// Regular files only: a device may be endless, and a named pipe waits for a writer. "-" is the standard input.
 Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   const Tree& named = table.find("file")->value;
   if (named.text == "-") return rainflow::open_source("-");
@@ -88,12 +88,12 @@ Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   return rainflow::open_source(path.string());
 }
 
-/// Where the series turns, or all of it, in the unit of the file.
+/// The reversals of the series, or all of it, in the unit of the file.
 class Turns {
  public:
   explicit Turns(Kept kept) : kept_(kept) {}
 
-  /// None where all is well.
+  /// None if all is well.
   std::optional<Fault> take(std::span<const double> samples) {
     if (kept_ == Kept::all) return take_all(samples);
     values_.resize(count_ + samples.size() + 4);
@@ -105,7 +105,7 @@ class Turns {
       return told(say("it turns more than {1} times", std::to_string(most_turns)), say("cut it, and count its parts"));
     return std::nullopt;
   }
-  /// None where there is a history.
+  /// None if there is a history.
   std::optional<Fault> finish(const Message& what) {
     if (kept_ == Kept::turns) count_ += turning_points_.finish(values_.data() + count_, at_.data() + count_);
     values_.resize(count_);

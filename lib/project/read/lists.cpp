@@ -8,7 +8,8 @@ namespace loadpath::project {
 
 using Type = FieldInfo::Type;
 
-/// What a list without a bound takes: no rule of any calculator, but what has more is a slip, and fills the memory.
+/// The limit of an unbounded list: not a rule of any calculator, but more elements are a mistake, and fill the
+/// memory.
 constexpr std::size_t most_elements = 100'000;
 
 static Fault too_many(const FieldInfo& field, std::size_t count) {
@@ -18,7 +19,7 @@ static Fault too_many(const FieldInfo& field, std::size_t count) {
           bounded ? Message{} : say("no list of a project has more")};
 }
 
-/// What is wrong with one row is wrong with all, mostly: it is said once, with the file.
+/// An error in one row usually affects all: it is reported once, with the file.
 static void keep_first_of_file(std::vector<Issue>& issues, std::size_t before, const std::string& file) {
   const auto is_error = [](const Issue& issue) { return issue.severity == Severity::error; };
   const auto first = std::find_if(issues.begin() + static_cast<std::ptrdiff_t>(before), issues.end(), is_error);

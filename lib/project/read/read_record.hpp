@@ -8,8 +8,8 @@
 
 namespace loadpath::project {
 
-/// Reads `table` into a fresh record, or into one that `from` lays out: an element that is there already takes what
-/// stands under its name. Keys in `reserved` are left to the caller; `prefix` starts the keys of issues.
+/// Reads `table` into a fresh record, or into one that `from` lays out: an existing element is updated with the
+/// values given under its name. Keys in `reserved` are left to the caller; `prefix` starts the keys of issues.
 Reading read_record(const toml::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
                     const std::vector<std::string>& reserved, std::vector<Issue>& issues);
 

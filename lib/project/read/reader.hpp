@@ -31,7 +31,7 @@ class Reader {
 
  private:
   void read_value(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
-  /// What other steps have is taken whole, where the text says so.
+  /// Takes a record, list or word of another step where the text refers to it.
   bool takes(const Tree& tree, const FieldInfo& field, const std::string& path);
   void read_expression(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
@@ -39,7 +39,7 @@ class Reader {
   void read_search(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_special(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_history_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
-  /// Keys of a table that are none of these.
+  /// Refuses keys of a table other than these.
   void refuse_others(const toml::Tree& tree, const std::vector<std::string>& keys, const std::string& path);
   void read_grid_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
   void read_uncertain_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path);
@@ -80,7 +80,7 @@ class Reader {
   Reading& reading_;
   std::vector<Issue>& issues_;
   std::string prefix_;
-  bool in_step_ = false;  // whether the fields that are read take several series whole, sample beside sample
+  bool in_step_ = false;  // whether the fields being read take several synchronous series, sample by sample
 };
 
 /// "links.rod" and "mass": "links.rod.mass".

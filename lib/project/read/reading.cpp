@@ -33,7 +33,7 @@ std::optional<toml::Tree> number_of(const toml::Tree& tree,
     if (known(reference.path) == nullptr) return std::nullopt;
   }
   const auto value = parsed->evaluate([&](const std::string& path) -> const Value& { return *known(path); });
-  // A moment over radians is a moment to a field that takes the expression; a literal says what it is.
+  // A moment over radians is a moment to a field that takes the expression; a literal states its kind.
   const Dimension& dimension = value.signature.dimension;
   const bool has_angle = dimension != dimension.without_angle();
   if (has_angle && !dimension.is_angle_or_number() && dimension != Dimension::of(0, 0, -1, 0, 1)) return std::nullopt;

@@ -1,4 +1,4 @@
-// What a table of a project file says about the record of a calculator: literals at once, expressions for later.
+// The content of a project file's table for the record of a calculator: literals at once, expressions for later.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"
@@ -21,28 +21,28 @@ namespace loadpath::project {
 
 /// A number whose value is an expression over other steps.
 struct Operand {
-  std::string path;  // of the leaf, within the step
+  std::string path;  // path of the leaf, within the step
   Leaf leaf;
   Expression expression;
   std::string text;                                         // as written, without the '='
-  Place place;                                              // of the text behind the '='
-  bool of_record = false;                                   // nobody typed it
-  bool may_lack = false;                                    // of a record: what that leaves open stays open
+  Place place;                                              // place of the text after the '='
+  bool of_record = false;                                   // not typed
+  bool may_lack = false;                                    // records: inputs missing there stay open
   double early = std::numeric_limits<double>::quiet_NaN();  // SI, where it is known before any step is solved
 };
 
-/// What is taken whole from another step: a word, a list, a record, the row of a table.
+/// A complete object taken from another step: a word, a list, a record, the row of a table.
 struct Taken {
-  std::string path;                  // what it fills, within the step
+  std::string path;                  // path that it fills, within the step
   const FieldInfo* field = nullptr;  // null: a row
   std::string source;                // "pick.best"
-  Place place;                       // of the text behind the '='
-  bool of_record = false;            // nobody typed it
-  bool may_lack = false;             // of a record: what that leaves open stays open
-  const Axis* axis = nullptr;        // of a list that holds series
+  Place place;                       // place of the text after the '='
+  bool of_record = false;            // not typed
+  bool may_lack = false;             // records: inputs missing there stay open
+  const Axis* axis = nullptr;        // axis of a list that contains series
 };
 
-/// What is to be found: the smallest of a stock, or the largest value, or the first row of a table, that passes.
+/// The goal of a search: the smallest of a stock, or the largest value, or the first row of a table, that passes.
 struct Search {
   std::string path;
   Leaf leaf;          // without field: the row of a table
@@ -58,19 +58,19 @@ struct Varied {
   Place place;
   std::string shared = {};              // "values.n", where all that refer to it take the same
   sweep::Axis axis = {};                // SI, of choices their numbers
-  std::vector<std::string> words = {};  // of a row or a choice
+  std::vector<std::string> words = {};  // words of a row or a choice
   std::optional<sweep::Distribution> distribution = {};
-  std::string stock = {};  // whose sizes are the values: filled in where the tables are known
+  std::string stock = {};  // whose sizes are the values: filled in once the tables are known
   double from = -std::numeric_limits<double>::infinity(), to = std::numeric_limits<double>::infinity();
-  std::size_t at = 0;  // of the words, the one that it has now
+  std::size_t at = 0;  // index of the current word
 };
 
-/// A value that was typed beside a record that has it too.
+/// A typed value whose field a record gives too.
 struct TypedBeside {
   std::string path;    // within the step
-  std::string source;  // of the record's value: "press.links.rod.l"
+  std::string source;  // path of the record's value: "press.links.rod.l"
   bool is_word = false;
-  bool is_load = false;  // what the part has to bear, as the record says
+  bool is_load = false;  // a load on the part, according to the record
 };
 
 /// A field that has no value yet, and must have one.
@@ -80,7 +80,7 @@ struct Lacking {
   Place place;
 };
 
-/// A leaf that was typed: what stood in the file, and where.
+/// A typed leaf: its text in the file, and the place.
 struct Typed {
   std::string text;
   Place place;
@@ -88,12 +88,12 @@ struct Typed {
   std::string shared = {};  // "values.n", which it was written as
 };
 
-/// What a table says about a record.
+/// The content of a table for a record.
 struct Reading {
   Record record;
-  Record parameters;  // of the template that laid the record out; without type where there is none
+  Record parameters;  // parameters of the template that laid the record out; without type if there is none
   std::vector<Operand> operands;
-  std::vector<Operand> whole;  // of one value in the record, which the step makes itself of all positions of a series
+  std::vector<Operand> whole;  // single values of the record, derived from all positions of a series
   std::vector<Taken> taken;
   std::vector<Taken> records;     // that are among the operands and the words now, field by field
   std::vector<TypedBeside> kept;  // typed, though a record has it too
@@ -101,18 +101,18 @@ struct Reading {
   std::vector<Search> searches;
   std::vector<Varied> varied;
   std::map<std::string, Typed> typed;  // by the path of the leaf; lists and groups by their own path too
-  std::set<std::string> faulty;        // top-level fields that an error is about: what else depends on them is not said
-  std::vector<std::shared_ptr<const Axis>> axes;  // of series that files have given
-  Place place;                                    // of the table
+  std::set<std::string> faulty;        // top-level fields with an error: consequences for others are not reported
+  std::vector<std::shared_ptr<const Axis>> axes;  // axes of series read from files
+  Place place;                                    // place of the table
 };
 
-/// "=30 mm": the number as it is typed without its sign; nothing where the text refers to something, or is no
-/// expression. `known` gives values of references; nothing where it gives none.
+/// "=30 mm": the number as typed without the '='; nothing if the text refers to something, or is not an expression.
+/// `known` gives values of references; nothing if it gives none.
 std::optional<toml::Tree> number_of(const toml::Tree& tree,
                                     const std::function<const Value*(const std::string&)>& known);
 
-/// "=pick.section" alone: what it refers to; nothing where the text is another. An expression that cannot be read is
-/// none.
+/// "=pick.section" without anything else: the path it refers to; nothing for any other text, or an unreadable
+/// expression.
 std::optional<std::string> lone_reference(const toml::Tree& tree);
 
 /// Whether the input comes from a record of another step.
@@ -121,7 +121,8 @@ bool is_of_record(const Reading& reading, const std::string& path);
 /// That a field has no value.
 Issue missing_field(const Lacking& lacking, const std::string& prefix);
 
-/// Every path of other steps that the reading refers to position by position: what comes along with it loads the part.
+/// Visits every path of other steps that the reading refers to position by position: their load components load the
+/// part.
 template <class Visit>
 void for_each_loading_reference(const Reading& reading, const Visit& visit) {
   for (const Operand& operand : reading.operands) {

@@ -12,7 +12,7 @@ namespace {
 
 using toml::Tree;
 
-/// Where records stand in turn: the way to them, the records, and what each is called.
+/// Records taken in turn: the path to them, the records, and their names.
 struct Turn {
   std::vector<std::size_t> way;  // entries and items, from the table on
   std::string name;              // "links.rod"
@@ -43,7 +43,7 @@ std::string text_of(const Tree& tree) {
 
 bool is_record(const Tree& tree) { return tree.type == Tree::Type::table || tree.type == Tree::Type::array; }
 
-/// The records of { each = ... }; none where it is a stock, or no such table.
+/// The records of { each = ... }; none if it is a stock, or no such table.
 std::vector<std::pair<std::string, Tree>> records_of(const Tree& tree) {
   std::vector<std::pair<std::string, Tree>> all;
   if (tree.type != Tree::Type::table || tree.entries.size() != 1 || tree.entries[0].key != "each") return all;
@@ -108,7 +108,7 @@ bool has_number(const FieldInfo& field) {
          field.type == FieldInfo::Type::choice;
 }
 
-/// A name or a formula in which two readings differ; empty where none does.
+/// A name or a formula in which two readings differ; empty if none does.
 std::string other_text(const Reading& a, const Reading& b) {
   std::vector<std::pair<std::string, std::string>> texts[2];
   for (std::size_t side = 0; side < 2; ++side) {

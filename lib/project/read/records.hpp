@@ -1,6 +1,6 @@
-// Whole records that an input takes in turn, written out where one record would stand:
-//   crank = { each = [{ n = "1200 rpm", ... }, { n = "1500 rpm", ... }] }
-//   crank = { each = { slow = { ... }, fast = { ... } } }    which gives them names
+// Several complete records that an input takes in turn, written in place of one record:
+// crank = { each = [{ n = "1200 rpm", ... }, { n = "1500 rpm", ... }] }
+// crank = { each = { slow = { ... }, fast = { ... } } }    which gives them names
 // Every number in which they differ becomes one of the values of one input.
 #pragma once
 

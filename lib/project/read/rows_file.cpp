@@ -66,7 +66,7 @@ std::string with_point(std::string_view cell) {
   return text;
 }
 
-/// As the number or the text would stand in the project file.
+/// The number or the text as it would be written in the project file.
 Tree value_of(std::string_view cell, const Column& column, const Place& place) {
   Tree value;
   value.place = place;
@@ -131,7 +131,7 @@ class Rows {
     return std::nullopt;
   }
 
-  /// The first column whose cells are numbers without a unit that its field has; null where there is none.
+  /// The first column whose cells are numbers without a unit that its field has; null if there is none.
   [[nodiscard]] const Column* without_unit(std::string_view line) const {
     const auto cells = cells_of(line, separator_);
     for (std::size_t k = 0; k < std::min(cells.size(), columns_.size()); ++k) {

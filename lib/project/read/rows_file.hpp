@@ -1,4 +1,4 @@
-// A list of a project whose rows stand in a file beside it: over_time = { file = "pressure.csv" }.
+// A list of a project whose rows are in a separate file: over_time = { file = "pressure.csv" }.
 //
 // The first line names the fields, with their units in brackets: t [s], share. Cells are parted by commas, semicolons
 // or tabs; what follows a # is left out.
@@ -14,14 +14,14 @@
 
 namespace loadpath::project {
 
-/// Whether this stands in place of the rows themselves.
+/// Whether this refers to a file in place of the rows.
 bool names_rows_file(const toml::Tree& tree);
 
 /// The paths of all files that a table of a project names, of rows and of histories, from where the project was read.
 std::vector<std::string> files_in(const toml::Tree& table);
 
-/// The rows, which have these fields, as they would stand in the project file. The path is taken from the folder of the
-/// project.
+/// The rows, which have these fields, as they would be written in the project file. The path is relative to the
+/// folder of the project.
 Outcome<toml::Tree> read_rows_file(const toml::Tree& tree, std::span<const FieldInfo> fields);
 
 }  // namespace loadpath::project

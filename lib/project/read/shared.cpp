@@ -15,11 +15,11 @@ namespace {
 using toml::Tree;
 
 constexpr std::string_view shared_prefix = "values.";
-constexpr std::size_t most_in_place = 1'000'000;  // values and tables that stand in the place of a name
-constexpr std::size_t deepest = 32;               // values that stand in one another
-constexpr std::size_t longest_way = 1000;         // of references from value to value
+constexpr std::size_t most_in_place = 1'000'000;  // values and tables that replace a name
+constexpr std::size_t deepest = 32;               // nested values
+constexpr std::size_t longest_way = 1000;         // length of a chain of references between values
 
-/// "=values.n": "n"; empty where the text is none that stands alone.
+/// "n" for "=values.n"; empty unless the text is a bare reference.
 std::string name_of_reference(const Tree& tree) {
   const auto path = lone_reference(tree);
   return path && path->starts_with(shared_prefix) ? path->substr(shared_prefix.size()) : "";
@@ -40,7 +40,7 @@ std::vector<std::string> names_in(std::string_view text) {
   return names;
 }
 
-/// What the texts of a tree name.
+/// Collects the names in the texts of a tree.
 void collect_names(const Tree& tree, std::vector<std::string>& names) {
   if (tree.type == Tree::Type::text)
     for (std::string& name : names_in(tree.text)) names.push_back(std::move(name));
@@ -57,7 +57,7 @@ std::optional<Value> literal_of(const Tree& tree) {
   return Value{{literal->dimension, nullptr}, {literal->si}};
 }
 
-/// What is wrong with a text that begins as a quantity does: "5,5 KW"; nothing of a word.
+/// The fault of a text that begins like a quantity: "5,5 KW"; nothing for a word.
 std::optional<Fault> fault_of(const Tree& tree) {
   const std::size_t begin = tree.type == Tree::Type::text ? tree.text.find_first_not_of(" +-") : std::string::npos;
   if (begin == std::string::npos || tree.text[begin] < '0' || tree.text[begin] > '9') return std::nullopt;
@@ -65,7 +65,7 @@ std::optional<Fault> fault_of(const Tree& tree) {
   return literal ? std::nullopt : std::optional<Fault>{literal.fault()};
 }
 
-/// A speed whose unit a field would know to be of revolutions, and an expression does not.
+/// A speed whose unit a field would take as revolutions, while an expression does not.
 std::optional<std::string> open_count(const Tree& tree) {
   if (tree.type == Tree::Type::text) {
     const auto literal = parse_literal(tree.text);
@@ -130,7 +130,7 @@ void Values::settle(const std::string& name, std::vector<std::string>& path, std
   collect_names(shared.tree, names);
   for (const std::string& other : names) {
     const auto found = all_.find(other);
-    if (found == all_.end()) continue;  // told where it stands
+    if (found == all_.end()) continue;  // reported at its place
     if (other != name) found->second.is_used = true;
     settle(other, path, issues);
   }
@@ -161,7 +161,7 @@ void Values::settle(const std::string& name, std::vector<std::string>& path, std
   shared.is_constant = true;
 }
 
-/// `names`: the way that comes back to the last of them.
+/// `names`: the path that returns to the last of them.
 void Values::refuse_circle(const std::vector<std::string>& names, std::vector<Issue>& issues) {
   const auto first = std::find(names.begin(), names.end(), names.back());
   if (first + 2 == names.end()) return refuse_circle(names.back(), issues);
@@ -278,7 +278,7 @@ Outcome<Signature> Values::signature(const std::string& name) {
   if (found == all_.end() && told_.contains(name)) return Fault{};
   if (found == all_.end()) return Fault{0, name.size(), say("there is no value '{1}'", name), nearest_to(name)};
   found->second.is_used = true;
-  if (found->second.expression || found->second.in_circle) return Fault{};  // written out, or told
+  if (found->second.expression || found->second.in_circle) return Fault{};  // written out, or reported
   if (!found->second.is_literal) read_several(name, found->second);
   if (const auto text = found->second.is_literal ? open_count(found->second.tree) : std::nullopt)
     return Fault{0, name.size(), say("'{1}' is a speed in revolutions to some and a frequency to others", *text),
@@ -291,7 +291,7 @@ Outcome<Signature> Values::signature(const std::string& name) {
                say("it can be used alone: \"=values.{1}\"", name)};
 }
 
-/// A range, a list, an uncertain value, where an expression asks for it.
+/// Reads a range, a list, an uncertain value, on first use in an expression.
 void Values::read_several(const std::string& name, Shared& shared) {
   const Tree& tree = shared.tree;
   std::optional<Dimension> dimension;
@@ -302,7 +302,7 @@ void Values::read_several(const std::string& name, Shared& shared) {
     si = one->si[0];
     return true;
   };
-  const auto silent = [](const Place&, const Message&, const Message&) {};  // the caller tells that it is no literal
+  const auto silent = [](const Place&, const Message&, const Message&) {};  // the caller reports a non-literal
   const auto of_first = [&](const Tree& text) {
     const auto one = literal_of(text);
     return one ? one->signature.dimension : Dimension{};

@@ -1,6 +1,6 @@
-// What a file writes once for many steps: [values]. A reference that stands alone, "=values.n", is as if the text were
-// typed there, be it a quantity, a word, a list; inside an expression, "=2*values.n", it is a literal, or the
-// expression that it is itself, in parentheses.
+// Values written once for many steps: [values]. A bare reference, "=values.n", is equivalent to typing the text
+// there, be it a quantity, a word, a list; inside an expression, "=2*values.n", it is a literal, or its own
+// expression, in parentheses.
 #pragma once
 
 #include "lib/quantity/expression/expression.hpp"
@@ -30,31 +30,31 @@ class Values {
     std::optional<sweep::Distribution> distribution;
   };
 
-  /// Takes the table [values]; names that are none and references in a circle become issues.
+  /// Takes the table [values]; unknown names and circular references become issues.
   void read(const toml::Tree::Entry& table, std::vector<Issue>& issues);
   [[nodiscard]] bool empty() const { return all_.empty(); }
 
-  /// The tree with values in place of the references that stand alone. Unknown names become issues.
+  /// The tree with values in place of bare references. Unknown names become issues.
   [[nodiscard]] toml::Tree in_place(const toml::Tree& tree, std::vector<Issue>& issues);
-  /// The literal of a name, for an expression; a Fault where there is none.
+  /// The literal of a name, for an expression; a Fault if there is none.
   [[nodiscard]] Outcome<Signature> signature(const std::string& name);
-  /// Null where there is none.
+  /// Null if there is none.
   [[nodiscard]] const Value* literal(const std::string& name) const;
   /// The same, of one that no sweep gives other values, calculated or not.
   [[nodiscard]] const Value* fixed(const std::string& name) const;
-  /// What a literal says of its kind: "25 Hz".
+  /// The kind of a literal by its unit: "25 Hz".
   [[nodiscard]] Meant kind(const std::string& name) const;
   /// Writes values that are expressions in the place of the references to them. An Issue at `place` where that grows
   /// out of bounds.
   void write_into(Expression& expression, const Place& place, const std::string& key, std::vector<Issue>& issues) const;
-  /// Numbers that are written as expressions, as literals: of tables and expectations, which are read at once. What
-  /// refers to a step stays as it is.
+  /// Evaluates numbers written as expressions to literals, for tables and expectations, which are read at once.
+  /// References to steps remain.
   void write_out_all_numbers(toml::Tree& tree) const;
-  /// Every value that the texts of a tree name is used: those of steps, of what is expected.
+  /// Marks every value named in the texts of a tree as used: in steps and expectations.
   void note_uses(const toml::Tree& tree);
 
   [[nodiscard]] std::vector<Several> several() const;
-  /// Gives such a value one of them.
+  /// Sets such a value to one of its values.
   void set(const std::string& name, double si);
   /// A warning for every value that nothing refers to.
   void warn_of_unused(std::vector<Issue>& issues) const;
@@ -62,15 +62,15 @@ class Values {
  private:
   struct Shared {
     toml::Tree tree;
-    Place place;  // of its name
+    Place place;  // place of its name
     Value literal;
-    std::optional<Several> several = {};  // of which the literal is one
+    std::optional<Several> several = {};  // set of values that the literal is one of
     std::optional<Expression> expression = {};
     bool is_literal = false;
     bool is_constant = false;  // an expression that refers to no step; the literal is its value
     bool is_used = false;
-    bool in_circle = false;                                                         // which has been told
-    enum class Search : std::uint8_t { fresh, open, done } search = Search::fresh;  // of its references
+    bool in_circle = false;                                                         // reported
+    enum class Search : std::uint8_t { fresh, open, done } search = Search::fresh;  // search of its references
   };
   static void read_several(const std::string& name, Shared& shared);
   void write_out_numbers(toml::Tree& tree) const;
@@ -81,9 +81,9 @@ class Values {
 
   std::map<std::string, Shared> all_;
   std::set<std::string> open_;  // while references are followed
-  std::set<std::string> told_;  // names that stood alone, and have no value
-  std::size_t in_place_ = 0;    // what has been put in the place of names
-  bool too_many_ = false;       // which has been told
+  std::set<std::string> told_;  // bare names without a value
+  std::size_t in_place_ = 0;    // number of replacements of names
+  bool too_many_ = false;       // reported
 };
 
 }  // namespace loadpath::project

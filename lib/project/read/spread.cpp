@@ -16,7 +16,7 @@ using toml::Tree;
 
 bool is_literal(const Tree& tree) { return tree.type == Tree::Type::text || tree.type == Tree::Type::number; }
 
-/// What the reading of one value of many needs again and again.
+/// Data reused for reading each of many values.
 struct Many {
   const Tree& tree;
   const Dimension& dimension;
@@ -42,7 +42,7 @@ bool Many::has_only(const std::vector<std::string>& keys) const {
   return true;
 }
 
-/// Nothing where the key is missing, or its value refused.
+/// Nothing if the key is missing, or its value refused.
 std::optional<double> Many::value(std::string_view key) const {
   const auto* entry = tree.find(key);
   double si = 0.0;
@@ -157,7 +157,7 @@ std::optional<sweep::Law> law_of_mean(const Many& many, const std::string& law) 
   return sweep::Lognormal{*mean, *sd};
 }
 
-/// { value, tolerance }: what is within is alike, or three standard deviations of a normal law reach to its ends.
+/// { value, tolerance }: a uniform distribution within, or a normal law with its ends at three standard deviations.
 std::optional<sweep::Law> law_of_tolerance(const Many& many, const std::string& law) {
   if (!many.has_only({"value", "tolerance", "distribution"}) ||
       !many.is_one_of(law, {"uniform", "triangular", "normal"}))
@@ -197,7 +197,7 @@ std::optional<sweep::Law> law_of_scale(const Many& many, const std::string& law)
   return sweep::Weibull{*wide, *shape, *least};
 }
 
-/// What the keys of the table say, where no distribution is named.
+/// The law implied by the keys of the table, if no distribution is named.
 std::string usual_law(const Tree& tree) {
   if (const auto* named = tree.find("distribution")) return named->value.text;
   if (tree.find("mean") != nullptr) return "normal";

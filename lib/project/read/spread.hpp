@@ -21,7 +21,8 @@
 
 namespace loadpath::project {
 
-/// How a text or number becomes SI: a field refuses what it does not allow; false, with the issue told.
+/// Conversion of a text or number to SI: a field refuses values that it does not allow; false, with the issue
+/// reported.
 using ToSi = std::function<bool(const toml::Tree& literal, double& si)>;
 /// An issue at a place of the tree.
 using Refuse = std::function<void(const Place& place, Message message, Message hint)>;
@@ -31,13 +32,13 @@ bool is_grid(const toml::Tree& tree);
 /// Whether it has a distribution.
 bool is_uncertain(const toml::Tree& tree);
 
-/// The values of a range or a list in SI, in its order. Nothing where an issue was told.
+/// The values of a range or a list in SI, in its order. Empty if an issue was reported.
 std::optional<sweep::Axis> read_grid(const toml::Tree& tree, const Dimension& dimension, const ToSi& to_si,
                                      const Refuse& refuse);
 std::optional<sweep::Distribution> read_uncertain(const toml::Tree& tree, const Dimension& dimension, const ToSi& to_si,
                                                   const Refuse& refuse);
 
-/// { each = "R40" }: the stock; empty where the tree is none.
+/// { each = "R40" }: the stock; empty if the tree is none.
 std::string stock_of(const toml::Tree& tree);
 
 }  // namespace loadpath::project

@@ -1,11 +1,11 @@
-// What a project says of its own sweep:
-//   [project.sweep]
-//   results = ["m = rod.mass", "rod.modes.buckling"]
-//   samples = 10000
-//   seed = 1
-//   sampling = "latin"                                    or "random"
-//   zip = [["shaft.T", "shaft.n"]]                        these run together
-//   correlations = [{ of = ["shaft.T", "shaft.n"], r = 0.8 }]
+// A project's settings for its own sweep:
+// [project.sweep]
+// results = ["m = rod.mass", "rod.modes.buckling"]
+// samples = 10000
+// seed = 1
+// sampling = "latin"                                    or "random"
+// zip = [["shaft.T", "shaft.n"]]                        these run together
+// correlations = [{ of = ["shaft.T", "shaft.n"], r = 0.8 }]
 #pragma once
 
 #include "lib/text/issue.hpp"
@@ -17,7 +17,7 @@
 
 namespace loadpath::project {
 
-/// A text of a file or of the shell, and where it stands.
+/// A text of a file or of the shell, and its place.
 struct Placed {
   std::string text;
   Place place;
@@ -37,7 +37,7 @@ struct SweepSettings {
   std::vector<Correlated> correlations;
 };
 
-/// Reads the table; what is no field of it, or a value that is none, becomes an issue.
+/// Reads the table; unknown fields and invalid values become issues.
 void read_sweep_settings(const toml::Tree& table, SweepSettings& settings, std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

@@ -51,7 +51,7 @@ void Reader::read_expression(const Tree& tree, const FieldInfo& field, void* own
   auto parsed = Expression::parse(text);
   const auto literal =
       parsed ? Outcome<Literal>(Fault{}) : parse_literal(text, Expected{field.dimension, field.kind, field.unit});
-  if (literal)  // a number that is no expression: "2,5 kN", "20 °C", "1450 1/min"
+  if (literal)  // a number that is not an expression: "2,5 kN", "20 °C", "1450 1/min"
     parsed = Expression::parse(format_exact(literal->si) + " " + si_unit(literal->dimension));
   if (!parsed) return fault_at(start, text, path, parsed.fault());
   reading_.operands.push_back({path, {&field, owner}, std::move(*parsed), std::move(text), start});
@@ -85,7 +85,7 @@ void Reader::refuse_others(const Tree& tree, const std::vector<std::string>& key
   }
 }
 
-/// Whether a text that is no quantity refers to other steps, as expressions do.
+/// Whether a text other than a quantity refers to other steps, as expressions do.
 static bool is_bare_expression(const std::string& text) {
   if (parse_unit(text)) return false;  // a number was forgotten
   const auto parsed = Expression::parse(text);

@@ -1,4 +1,4 @@
-// Inputs that take many values; what each of them may be is the field's to say.
+// Inputs that take many values; the field decides on the permitted values.
 #include "lib/calculator/choice_words.hpp"
 #include "lib/project/read/reader.hpp"
 #include "lib/project/read/spread.hpp"
@@ -12,7 +12,7 @@ namespace loadpath::project {
 using Type = FieldInfo::Type;
 
 static bool all_whole(const sweep::Axis& axis) {
-  constexpr std::uint64_t most = 1'000'000;  // more whole numbers no field takes
+  constexpr std::uint64_t most = 1'000'000;  // no field takes more integers
   if (axis.size() > most) return false;
   for (std::uint64_t i = 0; i < axis.size(); ++i) {
     if (axis.at(i) != std::floor(axis.at(i))) return false;
@@ -20,7 +20,7 @@ static bool all_whole(const sweep::Axis& axis) {
   return true;
 }
 
-/// One value of several, with the field's own checks; false where it is refused.
+/// One value of several, with the field's own checks; false if it is refused.
 bool Reader::read_one(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path, double& si) {
   const auto errors = [this] {
     return std::count_if(issues_.begin(), issues_.end(), [](const Issue& i) { return i.severity == Severity::error; });

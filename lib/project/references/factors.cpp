@@ -21,7 +21,7 @@ constexpr std::array factors_of_loads{"K_A", "gamma_F"};
 /// A factor of 1 does not count, nor one that is not given.
 bool counts(double factor) { return !std::isnan(factor) && factor != 1.0; }
 
-/// Of a series the first that counts.
+/// The first value of a series that is applied.
 double factor_in(const std::vector<double>& si) {
   const auto found = std::find_if(si.begin(), si.end(), counts);
   return found == si.end() ? 1.0 : *found;
@@ -57,14 +57,14 @@ bool carries(const FieldInfo& field) {
   return field.is_load || *field.factors != '\0' || field.dimension == Dimension::of(2, 1, -3);
 }
 
-/// What the value at a path of another step holds.
+/// The factors included in the value at a path of another step.
 Factors factors_at(const Project& project, const std::string& path) {
   const auto [name, rest] = split_step(path);
   if (name == "values" && project.find(name) == nullptr) return factors_of_shared(project, path);
   const Step* const step = project.find(name);
   const FieldInfo* const field = step == nullptr ? nullptr : step->field(rest);
   if (step == nullptr) return {};
-  if (field == nullptr) return step->loads().factors;  // of a mechanism: its reactions hold what its loads do
+  if (field == nullptr) return step->loads().factors;  // mechanism: its reactions include the factors of its loads
   Factors held;
   const auto add = [&](const std::string& key, const std::string& of) {
     if (const double factor = input_of(*step, key); counts(factor)) held[of] = factor;
@@ -78,7 +78,7 @@ Factors factors_at(const Project& project, const std::string& path) {
   return held;
 }
 
-/// What loads a step, as it is written there, and what it holds.
+/// A load of a step, as written there, and the factors that it includes.
 struct Load {
   std::string path, text;
   Place place;
@@ -105,8 +105,8 @@ class Check {
   }
 
  private:
-  /// What a load of another step lacks, and this step neither takes nor gives: a nominal load does not hold the factor
-  /// of the step that it comes from.
+  /// The factor that a load of another step lacks, and that this step neither takes nor gives: a nominal load does
+  /// not include the factor of the step that it comes from.
   Message lacking() {
     if (const Message peak = lacking_peak(); !peak.empty()) return peak;
     if (const Message peak = below_peak(); !peak.empty()) return peak;
@@ -231,7 +231,7 @@ class Check {
     return lacks;
   }
 
-  /// Whether the load holds k_max of that step, or T_max beside it does.
+  /// Whether the load, or T_max in the same step, includes k_max of that step.
   bool takes_start_of(const std::string& step, const std::string& load) const {
     const std::string k_max = step + ".k_max";
     for (const Operand& operand : step_.input().reading.operands) {
@@ -265,7 +265,7 @@ class Check {
     take(std::move(load));
   }
 
-  /// All elements of a list come from one step, and hold the same.
+  /// All elements of a list come from one step, with the same factors.
   void take_list(const Taken& taken, std::span<const FieldInfo> fields, const std::string& within) {
     for (const FieldInfo& field : fields) {
       const std::string inner = within + field.key;

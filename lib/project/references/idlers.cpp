@@ -11,7 +11,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// A choice `idler` beside the numbers of teeth of two gears: of a pair.
+/// The choice `idler` of a gear pair, next to the numbers of teeth of two gears.
 const FieldInfo* idler_of(const Step& step) {
   const auto& fields = step.input().calculator->input->fields;
   const bool has_teeth = find_field(fields, "z_1") != nullptr && find_field(fields, "z_2") != nullptr;
@@ -19,7 +19,7 @@ const FieldInfo* idler_of(const Step& step) {
   return idler != nullptr && idler->type == FieldInfo::Type::choice ? idler : nullptr;
 }
 
-/// Which gears of a pair are idlers, and what the other pair or the planetary gear is called.
+/// The idlers of a pair, and the name of the other pair or the planetary gear.
 struct Found {
   bool first = false, second = false;
   std::string other;
@@ -40,7 +40,7 @@ void set(Step& step, const Found& found, std::vector<Issue>& issues) {
   step.remark(say("idler = {1}: that gear is one of '{2}' too", word, found.other));
 }
 
-/// A number as far as it is known before the project is solved; NaN where it is not.
+/// A number as far as it is known before the project is solved; NaN if it is not.
 double number_of(const Step& step, const std::string& key) {
   const Reading& reading = step.input().reading;
   for (const Operand& operand : reading.operands) {
@@ -55,7 +55,7 @@ bool may_be_one_gear(const Step& step, const Step& other) {
   return number_of(step, "z_1") == number_of(other, "z_2") && number_of(step, "m_n") == number_of(other, "m_n");
 }
 
-/// The pair whose second shaft drives the first gear of this one: its speed, torque or load comes from there.
+/// The pair whose second shaft drives the first gear of this one: the source of its speed, torque or load.
 const Step* driver_of(const Step& step, const Project& project) {
   for (const Operand& operand : step.input().reading.operands) {
     if (operand.path != "n_1" && operand.path != "T_1") continue;

@@ -5,9 +5,9 @@
 
 namespace loadpath::project {
 
-/// Where the pinion of one pair is the wheel of another, z_1 = "=first.z_2", or a planet, z_2 = "=set.z_p", the teeth
-/// of that gear bend both ways in a turn: sets `idler` in both pairs; what is typed against it is an error. Before the
-/// steps are prepared.
+/// If the pinion of one pair is the wheel of another, z_1 = "=first.z_2", or a planet, z_2 = "=set.z_p", it is an
+/// idler with reversed tooth bending: sets `idler` in both pairs; a contradicting typed value is an error. Called
+/// before the steps are prepared.
 void find_idlers(Project& project, std::vector<Issue>& issues);
 
 /// Two gears that turn together and have the same module and number of teeth are one gear, or two on one shaft: where

@@ -25,20 +25,20 @@ std::string word_now(const Step& step, const Project& project, const std::string
   return at >= 0.0 ? leaf.field->choices[static_cast<std::size_t>(at)].key : "";
 }
 
-/// Which stress a step, or a record of it, is about: "normal", "shear"; empty where no choice says so.
+/// The kind of stress of a step, or a record of it: "normal", "shear"; empty if no choice defines it.
 std::string stress_of(const Step& step, const Project& project, const std::string& path) {
   for (const std::string& beside : {path.substr(0, path.rfind('.') + 1), std::string()}) {
     const std::string choice = beside + "stress";
     const FieldInfo* const field = step.field(choice);
     if (field == nullptr || field->type != FieldInfo::Type::choice) continue;
-    const std::string word = step.word(choice);  // of a result when the step is solved
+    const std::string word = step.word(choice);  // known for a result once the step is solved
     return word.empty() ? word_now(step, project, choice) : word;
   }
   return {};
 }
 
-/// Of a field of a step. Where a choice says which stress the step is about, its stresses without a name of their own
-/// are that.
+/// The kind of a field of a step. If a choice defines the kind of stress of the step, that applies to its stresses
+/// without a name of their own.
 Meant kind_of(const Step& step, const Project& project, const std::string& path, const FieldInfo& field) {
   const Meant kind = kind_of_field({field.key, field.doc, field.unit, field.dimension, field.kind});
   const bool may_be_shear = kind == Meant::normal_stress || kind == Meant::nothing;
@@ -65,7 +65,7 @@ struct WrongKind {
   Message message, hint;
 };
 
-/// What a value of another angle stands for, and how to make it what is wanted.
+/// The meaning of a value with another angle, and its conversion to the required one.
 WrongKind wrong_angle(const Operand& operand, const Dimension& given) {
   const Dimension& wanted = operand.leaf.field->dimension;
   Message message = say("'{1}' takes a value of {2}, and this expression is one of {3}", operand.path, name_of(wanted),
@@ -95,14 +95,14 @@ WrongKind wrong_kind(const Operand& operand, Meant wanted, Meant given) {
 void check_kinds(const Step& step, const Project& project, const Declared& declared, std::vector<Issue>& issues) {
   const auto of = [&](const std::string& path) { return kind_at(project, path); };
   const auto check = [&](const Operand& operand) {
-    if (operand.of_record) return;  // its words come with it
+    if (operand.of_record) return;  // its words come from the same record
     const FieldInfo& field = *operand.leaf.field;
     const auto refuse = [&](std::size_t at, std::size_t length, Message message, Message hint) {
       issues.push_back({place_in(operand.place, operand.text, at, length), step.name() + "." + operand.path,
                         std::move(message), std::move(hint), Severity::error});
     };
     const auto signature = operand.expression.check(declared);
-    if (!signature || signature->dimension.without_angle() != field.dimension.without_angle()) return;  // told
+    if (!signature || signature->dimension.without_angle() != field.dimension.without_angle()) return;  // reported
     const auto given = operand.expression.kind(of, declared);
     if (!given) return refuse(given.fault().at, given.fault().length, given.fault().message, given.fault().hint);
     const bool turns = operand.expression.holds_pi();

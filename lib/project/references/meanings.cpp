@@ -12,7 +12,7 @@ namespace {
 
 using WordOf = std::function<std::string(const std::string& choice)>;
 
-/// What a value is, and the choice that says so.
+/// The meaning of a value, and the choice that defines it.
 struct Said {
   std::string_view what;
   std::string choices;  // "loading = \"bending\""
@@ -30,7 +30,7 @@ std::string words_of(const char* choices, const WordOf& word_of) {
   return words;
 }
 
-/// What the calculator says of a field where its choices have these words; null where it says nothing.
+/// The meaning declared by the calculator for a field if its choices have these words; null if there is none.
 const Meaning* declared(const Calculator& calculator, const std::string& field, const WordOf& word_of) {
   const auto said = [&](const Meaning& meaning) {
     if (is_reduction(meaning) || !has_key(meaning.fields, field)) return false;
@@ -63,14 +63,14 @@ std::string word_before(const Step& step, const Project& project, const std::str
   return is_choice ? leaf.field->choices[static_cast<std::size_t>(leaf.get())].key : "";
 }
 
-/// What the input is to be, as its calculator declares it.
+/// The meaning required of the input, as its calculator declares it.
 Said wanted_by(const Step& step, const Operand& operand, const Project& project) {
   const WordOf word_of = [&](const std::string& choice) { return word_before(step, project, choice); };
   const Meaning* const meaning = declared(*step.input().calculator, operand.path, word_of);
   return meaning == nullptr || is_allowable(meaning->what) ? Said{} : Said{meaning->what, {}};
 }
 
-/// What a value of another step is.
+/// The meaning of a value of another step.
 Said given_by(const Step& source, const std::string& path) {
   const WordOf word_of = [&](const std::string& choice) { return source.word(choice); };
   const Calculator* const calculator = source.input().calculator;
@@ -88,7 +88,7 @@ class Checking {
     for (const TypedBeside& kept : step_.input().reading.kept) {
       if (kept.is_word) compare(kept);
     }
-    if (issues_.size() > before) return;  // what the values are to be is not known
+    if (issues_.size() > before) return;  // the required meaning of the values is not known
     for (const Operand& operand : step_.input().reading.operands) check(operand);
     for (const Operand& operand : step_.input().reading.whole) check(operand);
   }
@@ -117,7 +117,7 @@ class Checking {
                        std::move(hint), Severity::error});
   }
 
-  /// A word that is typed beside the record that has one.
+  /// Compares a typed word with that of a record.
   void compare(const TypedBeside& beside) {
     const auto [name, rest] = split_step(beside.source);
     const Step* const source = project_.find(name);

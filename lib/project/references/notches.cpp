@@ -17,7 +17,7 @@ namespace {
 /// Lowest notch sensitivity (cast iron); agreement of shape factors from charts and formulas.
 constexpr double least_sensitivity = 0.2, agreement = 0.9;
 
-/// A factor of a step by its full path; NaN where there is none.
+/// A factor of a step by its full path; NaN if there is none.
 struct Factor {
   std::string path;
   double value = std::nan("");
@@ -40,7 +40,7 @@ const NotchClaim* claim_of(const Step& step, const std::string& path) {
 
 bool is_stress(const Operand& operand) { return operand.leaf.field->dimension == Dimension::of(-1, 1, -2); }
 
-/// The largest shape factor of the notches whose nominal stresses load the step, directly or through other steps.
+/// The largest K_t of the notches whose nominal stresses load the step, directly or through other steps.
 Factor notch_of_loads(const Step& step, const Project& project, std::set<const Step*>& seen) {
   Factor most;
   if (!seen.insert(&step).second) return most;
@@ -60,7 +60,7 @@ Factor notch_of_loads(const Step& step, const Project& project, std::set<const S
   return most;
 }
 
-/// Whether the calculator says that the field is the fatigue limit of a part.
+/// Whether the calculator declares the field as the fatigue limit of a part.
 bool is_limit(const Calculator& calculator, const std::string& path) {
   return std::any_of(calculator.meanings.begin(), calculator.meanings.end(), [&](const Meaning& meaning) {
     const std::string_view what = meaning.what;

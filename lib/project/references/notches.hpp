@@ -1,5 +1,4 @@
-// Nominal stresses at a notch beside the fatigue limits that they are compared with (NotchClaim in
-// lib/calculator/meaning.hpp).
+// Nominal stresses at a notch, compared with their fatigue limits (NotchClaim in lib/calculator/meaning.hpp).
 #pragma once
 
 #include "lib/project/project.hpp"

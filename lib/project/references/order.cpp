@@ -77,7 +77,7 @@ class Ordering {
     }
   }
 
-  /// Who takes results of a step that waits, and is not waited for, comes when that is solved whole.
+  /// Steps that use results of a waiting step, but do not block it, follow its complete solution.
   void put_behind_whole() {
     for (const auto& entry : waits_) {
       const std::size_t waiting = entry.first;
@@ -92,7 +92,7 @@ class Ordering {
     }
   }
 
-  /// The input of a step that takes the path, where it can wait; empty where none can.
+  /// The input of a step that takes the path, where it can wait; empty if none can.
   [[nodiscard]] std::string waiting_operand(std::size_t i, const Edge& edge) const {
     const std::string rest = split_step(edge.path).second;
     const Step& source = *project_.steps[edge.to];
@@ -166,7 +166,7 @@ class Ordering {
   std::vector<Issue>& issues_;
   std::vector<State> state_;
   std::vector<std::vector<Edge>> edges_;
-  std::map<std::size_t, std::vector<Edge>> waits_;  // of operands, not of references
+  std::map<std::size_t, std::vector<Edge>> waits_;  // by operands, not by references
   std::vector<std::size_t> path_;
   std::vector<std::size_t> order_;
 };

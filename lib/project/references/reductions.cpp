@@ -25,7 +25,7 @@ bool is_of_loads(const Dimension& dimension) {
 /// The last name of a path: "sigma_max" of "others[2].sigma_max".
 std::string last_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
 
-/// The reduction that a field is by its definition: "amplitude"; empty where it is the load itself.
+/// The reduction that a field is by its definition: "amplitude"; empty if it is the load itself.
 std::string reduction_of(const Calculator& calculator, const std::string& path) {
   const std::string key = last_of(path);
   for (const Meaning& meaning : calculator.meanings) {
@@ -47,7 +47,7 @@ bool holds_entry(const std::vector<Entry>& entries, const std::string& path) {
   return std::any_of(entries.begin(), entries.end(), [&](const Entry& e) { return e.path == path; });
 }
 
-/// Whether a value of a step comes from a load that is less than its series.
+/// Whether a value of a step comes from a load smaller than its series.
 bool is_reduced(const Step& step, const std::string& rest) {
   const auto& loads = step.loads().reduced;
   if (loads.empty()) return false;
@@ -55,7 +55,7 @@ bool is_reduced(const Step& step, const std::string& rest) {
   return !holds_entry(step.account().inputs, rest);
 }
 
-/// What the value at a path of another step has left of its series.
+/// The remaining dependence of another step's value on its series.
 Reduced reduced_at(const Project& project, const std::string& path) {
   const Value* const value = project.value(path);
   Reduced reduced;
@@ -115,7 +115,7 @@ class ReductionCheck {
     loads_.push_back({operand.path, message(operand, r)});
   }
 
-  /// A list that is taken whole: its loads are those of the other step.
+  /// An entire list: its loads are those of the other step.
   void take(const Taken& taken) {
     if (taken.field == nullptr || taken.field->type != FieldInfo::Type::list) return;
     const auto [name, rest] = split_step(taken.source);
@@ -195,13 +195,12 @@ class ReductionCheck {
     return own == "max" || own == "min";
   }
 
-  /// One end of a cycle with r = -1 is safe whatever the sign of the series is; another ratio is not that of the
-  /// series.
+  /// One end of a cycle with r = -1 is safe for any sign of the series; another ratio is not that of the series.
   [[nodiscard]] bool is_alternating(const Operand& operand) const {
     return has_reversed_ratio(step_, prefix_of(operand.path));
   }
 
-  /// A field that is just this: an amplitude; one extreme of a cycle, where the other is given beside it.
+  /// A field defined as this reduction: an amplitude; one extreme of a cycle, if the other is given too.
   [[nodiscard]] bool is_that_reduction(const Operand& operand, const Reduced& r) const {
     const std::string own = reduction_of(*step_.input().calculator, operand.path);
     if (own == "amplitude" || own == "mean") return own == r.function;
@@ -211,7 +210,7 @@ class ReductionCheck {
     return has_beside(operand, r, "max", "min") || has_beside(operand, r, "min", "max");
   }
 
-  /// "max(rod.N)/A" has "min(rod.N)/A" beside it, in an input that is a reduction of a cycle.
+  /// Whether "max(rod.N)/A" has its counterpart "min(rod.N)/A", in an input that is a reduction of a cycle.
   [[nodiscard]] bool has_beside(const Operand& operand, const Reduced& r, std::string_view own,
                                 std::string_view other) const {
     std::string text = operand.text;

@@ -1,5 +1,5 @@
-// Loads that are less than the series that they come from: the mean of a force, its value at one place, the larger of
-// two extremes. What was lost stays lost through arithmetic and through other steps.
+// Loads smaller than the series that they come from: the mean of a force, its value at one place, the larger of two
+// extremes. The reduction persists through arithmetic and through other steps.
 #pragma once
 
 #include "lib/project/project.hpp"

@@ -8,7 +8,7 @@ namespace {
 
 using Type = FieldInfo::Type;
 
-/// What a field, or the row of a table, takes from another step.
+/// Whether a field, or the row of a table, takes this form from another step.
 bool fits(const FieldInfo* field, Form form) {
   if (field == nullptr || field->is_word()) return form == Form::word || form == Form::row;
   return form == (field->type == Type::list ? Form::list : Form::record);
@@ -50,14 +50,14 @@ class Settling {
     reading_.taken.clear();
     for (const Taken& taken : all) settle(taken);
     take_bodies();
-    if (refused_ || !reading_.faulty.empty()) return;  // what a record may have is not known
+    if (refused_ || !reading_.faulty.empty()) return;  // the members of the record are not known
     for (const Lacking& lacking : reading_.lacking) {
       if (reading_.typed.count(lacking.path) == 0) issues_.push_back(missing(lacking));
     }
   }
 
  private:
-  /// What is still missing when records have filled what they have: told at the first of them.
+  /// Required inputs that the records have not filled: reported at the first of them.
   [[nodiscard]] Issue missing(const Lacking& lacking) const {
     Issue issue = missing_field(lacking, step_.name() + ".");
     if (reading_.records.empty()) return issue;
@@ -70,7 +70,7 @@ class Settling {
   void settle(const Taken& taken) {
     const auto [name, rest] = split_step(taken.source);
     const Step* const source = project_.find(name);
-    if (source == nullptr && name == "values") return void(refused_ = true);  // told where it was to stand
+    if (source == nullptr && name == "values") return void(refused_ = true);  // reported at its place
     if (source == nullptr) return refuse(taken, project_.unknown_step(taken.source));
     const Form form = form_of(*source, rest);
     if (form == Form::nothing) {
@@ -90,7 +90,7 @@ class Settling {
     if (form == Form::list) reading_.taken.back().axis = axis_of(taken, *source, rest);
   }
 
-  /// The axis of the series among what the elements of a list give, and that are not taken whole.
+  /// The axis of the series among the values of a list's elements that are taken one by one.
   static const Axis* axis_of(const Taken& taken, const Step& source, const std::string& rest) {
     for (const FieldInfo& field : taken.field->fields) {
       if (field.takes_whole()) continue;
@@ -103,9 +103,9 @@ class Settling {
   void refuse(const Taken& taken, const Fault& fault) {
     refused_ = true;
     for (const FieldInfo& field : step_.input().calculator->input->fields) {
-      if (!reading_.typed.contains(field.key)) reading_.faulty.insert(field.key);  // it might have come with it
+      if (!reading_.typed.contains(field.key)) reading_.faulty.insert(field.key);  // the record might have given it
     }
-    if (fault.message.empty()) return;  // the errors of the other step, which are told
+    if (fault.message.empty()) return;  // errors of the other step, already reported
     issues_.push_back({place_in(taken.place, taken.source, fault.at, fault.length), step_.name() + "." + taken.path,
                        fault.message, fault.hint, Severity::error});
   }
@@ -158,7 +158,7 @@ class Settling {
                               : say("taken from {1}: {2}; given here and not taken: {3}", taken.source, filled, kept));
   }
 
-  /// Dimensions of the component that come with a single load, "=gears.gear_1.T": root circle, rim.
+  /// Dimensions of the component, given with a single load, "=gears.gear_1.T": root circle, rim.
   void take_bodies() {
     std::vector<Taken> singles;  // path: of the load
     for (const Operand& operand : reading_.operands) {
@@ -210,8 +210,7 @@ class Settling {
     return found;
   }
 
-  /// The record that a value belongs to: that which holds it, or the one handed over with it and its index, "gear_1"
-  /// for T_1.
+  /// The record of a value: the one that contains it, or the one handed over with it and its index, "gear_1" for T_1.
   static std::string record_of(const Step& source, const std::string& path) {
     const auto is_record = [&](const std::string& c) { return form_of(source, c) == Form::record; };
     if (path.find('.') != std::string::npos) {
@@ -243,8 +242,8 @@ class Settling {
     reading_.operands.push_back({path, leaf, std::move(*expression), given.path, taken.place, true, may_lack});
   }
 
-  /// What the record leaves open stays open in the step, but for what the step cannot do without and for loads: one
-  /// that is not known is not none.
+  /// Inputs missing in the record stay open in the step, except for those that the step requires and for loads: an
+  /// unknown load is not zero.
   [[nodiscard]] bool may_lack(const Step& source, const Member& given, const std::string& path) const {
     const FieldInfo* const field = source.field(given.path);
     const bool needed = std::any_of(reading_.lacking.begin(), reading_.lacking.end(),

@@ -1,5 +1,5 @@
-// What a step takes whole from others: records become operands, one for each field that they fill; words, lists and
-// rows are compared with what they are to fill.
+// Complete objects taken from other steps: records become operands, one for each field that they fill; words, lists
+// and rows are compared with the fields to fill.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -13,7 +13,7 @@ void settle_references(Step& step, const Project& project, std::vector<Issue>& i
 /// the "amplitude" of a cycle, its "mean", its "max" or "min".
 bool is_reduction(const Meaning& meaning);
 
-/// "others[2]." of "others[2].sigma_max".
+/// The prefix "others[2]." in "others[2].sigma_max".
 std::string prefix_of(const std::string& path);
 
 /// Whether the stress ratio of a cycle is typed as r = -1, `beside`: prefix of its inputs.

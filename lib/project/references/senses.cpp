@@ -31,7 +31,7 @@ bool is_moment_or_force(const Dimension& dimension) {
          dimension.twelfths[Dimension::time] <= -2 * Dimension::one;
 }
 
-/// Of what an operand refers to the first load that changes its sense, there or on the way to there.
+/// The first load among the references of an operand that reverses, there or at its own origin.
 std::optional<Reversal> reversal_of(const Operand& operand, const Project& project) {
   for (const auto& reference : operand.expression.references()) {
     const Value* const value = project.value(reference.path);

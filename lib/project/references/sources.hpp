@@ -11,10 +11,11 @@
 
 namespace loadpath::project {
 
-/// A step that values are taken from, and the element of its list that they come from.
+/// A step that values are taken from, and the element of its list.
 struct Source {
   std::string step;
-  std::string place;  // "2" of "train.shafts[2].T"; empty if several are named, or the last is left: "train.P_out"
+  std::string
+      place;  // index: "2" in "train.shafts[2].T"; empty if several are named, or the last is left: "train.P_out"
   bool is_assumed = false;  // no reference names a place: "1"
 };
 std::vector<Source> sources_of(const Reading& reading);
@@ -25,7 +26,7 @@ std::string path_in(const Source& source, std::string key);
 /// The same source with all places that it may mean, the assumed one first.
 std::vector<Source> alternatives(const Source& source);
 
-/// The keys that a field has there; empty where it is not compared.
+/// The keys that a field has there; empty if it is not compared.
 const char* keys_in_sources(const FieldInfo& field);
 
 /// The inputs that a value of another step is made for: here, and there ("I_y", "I").

@@ -26,7 +26,7 @@ void add_rows(const Inputs& inputs, std::vector<Entry>& entries) {
   for (const auto& [group, row] : inputs.rows()) {
     const Origin* const origin = inputs.origin_of_row(group);
     if (origin == nullptr || (row.text.empty() && !origin->searched)) continue;
-    Value none;  // of a search that has found nothing
+    Value none;  // value of a search without result
     if (row.text.empty()) none.si = {std::nan("")};
     entries.insert(entries.begin(), {group, "row of the tables", "-", Role::input, none, *origin, row.text});
   }
@@ -44,13 +44,13 @@ std::vector<Entry> input_entries_of(const Inputs& inputs, const WeighedValues& w
   return entries;
 }
 
-/// Whether a result is part of a record that other steps take whole.
+/// Whether a result belongs to a record that other steps take.
 bool is_handed_over(const Evaluation& evaluation, const std::string& path) {
   const FieldInfo* const head = find_field(evaluation.calculator().result->fields, path.substr(0, path.find('.')));
   return head != nullptr && head->is_handed_over;
 }
 
-/// What the calculation names: the section that it found; and what records name: words of a drive that was picked.
+/// Names in the calculation: the section that it found; and words of records: of a drive that was picked.
 void add_words(const Evaluation& evaluation, std::vector<Entry>& entries) {
   const Record& result = evaluation.result();
   for (const FieldInfo& field : evaluation.calculator().result->fields) {
@@ -80,7 +80,7 @@ void add_numbers(const Evaluation& evaluation, const Results& results, std::vect
   }
 }
 
-/// What was found has passed what is judged: what is not, for want of an input, is told with it.
+/// A search result passes the assessed checks only: modes not assessed, for lack of an input, are reported with it.
 void tell_unjudged(Account& account) {
   std::string names;
   for (const account::Mode& mode : account.modes) {

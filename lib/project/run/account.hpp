@@ -1,4 +1,4 @@
-// What an evaluation has found, as an account.
+// Conversion of the findings of an evaluation to an account.
 #pragma once
 
 #include "lib/project/run/governing.hpp"
@@ -6,7 +6,7 @@
 
 namespace loadpath::project {
 
-/// What was found in a solving.
+/// Findings of a solution.
 struct Findings {
   Results results;
   WeighedValues weighed = {};

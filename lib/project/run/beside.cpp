@@ -15,7 +15,7 @@ constexpr double rounding_of_numbers = 1e-6, most_rounding = 0.01;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-/// The number that a literal begins with, and how many of its digits stand behind the point.
+/// The number at the start of a literal, and the number of its decimal places.
 struct Digits {
   std::string number;
   int decimals = 0;

@@ -1,6 +1,6 @@
 // A typed value next to a row of a table or a record that fills its field too. One rule for all fields: equal to the
-// digits typed is equal; what says which part it is may not differ; what the part bears may be lower, what it has to
-// bear may be higher, and the other way wants a reason (lib/project/because.hpp).
+// digits typed is equal; identifying data of the part must not differ; a lower capacity or a higher load is
+// conservative; the opposite needs a reason (lib/project/because.hpp).
 #pragma once
 
 #include "lib/calculator/record.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath::project {
 
-/// What a field is about, which its declaration tells.
+/// The role of a field, which its declaration gives.
 enum class Beside {
   identity,  // geometry, kind, numbers: of one part only
   modulus,   // the same, as far as books agree on it
@@ -19,7 +19,7 @@ enum class Beside {
   usual      // empirical values: within a range that experience gives
 };
 Beside beside_of(const FieldInfo& field);
-/// By the dimension alone: what bears or loads a part is a capacity.
+/// The role by dimension only: capacities and loads count as capacities.
 Beside beside_of_dimension(const Dimension& dimension);
 /// Whether a different value is another part.
 constexpr bool is_of_one_part(Beside beside) { return beside == Beside::identity || beside == Beside::modulus; }
@@ -28,13 +28,13 @@ constexpr bool is_of_one_part(Beside beside) { return beside == Beside::identity
 /// loads, speeds, safety and application factors.
 bool is_empirical(const FieldInfo& field);
 
-/// Half a unit of the last digit of a literal over its number, or of a lone literal behind '='; of another text nothing
-/// but rounding. Never more than 1 %, for "1e2 mm" is no 140 mm.
+/// Half a unit of the last digit of a literal relative to its number, or of a bare literal after '='; for any other
+/// text the rounding error. At most 1 %, because "1e2 mm" does not equal 140 mm.
 double relative_rounding(std::string_view typed);
 
-/// Whether the typed value is the other one, as far as its digits tell.
+/// Whether the typed value equals the other one, to the digits typed.
 bool is_equal(Beside beside, double typed, double other, double rounding);
-/// Whether it is on the side that wants a reason: more than the part has, or less than it has to bear.
+/// Whether it is on the side that needs a reason: a higher capacity, or a lower load.
 bool is_bolder(Beside beside, double typed, double other);
 
 }  // namespace loadpath::project

@@ -27,7 +27,7 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
 
 void CalculatorStep::solve_without(const std::set<std::string>& inputs, const Known& known) {
   Evaluation evaluation(*this, known);
-  std::vector<Issue> told;  // again when the step is solved whole
+  std::vector<Issue> told;  // reported again by the complete solution
   if (!evaluation.inputs().take_from_others(told) || !evaluation.inputs().evaluate_operands(told, inputs)) return;
   Findings found{.results = evaluate_all(evaluation)};
   found.governing = evaluate_governing(evaluation, found.results, false);

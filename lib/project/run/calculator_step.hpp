@@ -13,8 +13,8 @@ class CalculatorStep : public PreparedStep {
   void solve_without(const std::set<std::string>& inputs, const Known& known) override;
   void solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) override;
 
-  /// Known when it is solved: typed inputs that rows and records beside them were compared with, and whether that has
-  /// to be done at every point of a sweep.
+  /// Known once it is solved: typed inputs that rows and records for the same fields were compared with, and whether
+  /// that must be done at every point of a sweep.
   [[nodiscard]] const std::vector<std::string>& compared() const { return compared_; }
   [[nodiscard]] bool goes_point_by_point() const { return goes_point_by_point_; }
 

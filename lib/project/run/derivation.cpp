@@ -27,7 +27,7 @@ std::string named_element(const std::string& scope, const Record& input, const R
   return scope;
 }
 
-/// Whether the branch that ran says no more than the line without it: S_0 of S_0, where it is given, or 30.0 * m_per_s.
+/// Whether the executed branch adds nothing to the line: S_0 of S_0, if it is given, or 30.0 * m_per_s.
 bool says_nothing(const formula::Node& tree, const Line& line, const Names& names) {
   using formula::Kind;
   const auto known = [&](std::string_view name) { return names.si_of(line.scope, name); };
@@ -78,8 +78,8 @@ std::optional<Names::Known> Names::find_result(const std::string& scope, std::st
 
 std::optional<Names::Known> Names::find_any(const std::string& scope, std::string_view name) const {
   if (const auto line = find_line(scope, name)) return line;
-  // A list of the input with the scope's name need not have the same elements as that of the result. At the top an
-  // input that was left open ("d") is what the calculator has put in its place.
+  // A list of the input with the scope's name need not have the same elements as that of the result. At the top level
+  // the calculator has replaced an input that was left open ("d").
   const auto found = found_in(result_, joined(scope, name));
   if (!scope.empty()) return found;
   const auto typed = found_in(input_, name);
@@ -121,7 +121,7 @@ std::string Names::unit_of(const Line& line) const {
   return readable_unit(line.si, is_angle(line) ? Dimension::of(0, 0, 0, 0, 1) : line.dimension);
 }
 
-/// In C++ an angle is a plain number; its formula tells it from one.
+/// In C++ an angle is a plain number; its formula identifies it.
 bool Names::is_angle(const Line& line) const {
   if (!line.dimension.is_number()) return false;
   const auto tree = formula::parse(line.formula);
@@ -131,8 +131,8 @@ bool Names::is_angle(const Line& line) const {
          });
 }
 
-/// In C++ an angular speed has the dimension of a frequency; what it is a multiple of tells it from one: "rpm",
-/// "rad/s".
+/// In C++ an angular speed has the dimension of a frequency; the quantity that it is a multiple of distinguishes
+/// them: "rpm", "rad/s".
 std::string Names::unit_of_speed(const Line& line) const {
   if (line.dimension != Dimension::of(0, 0, -1)) return {};
   const auto tree = formula::parse(line.formula);

@@ -10,7 +10,7 @@ std::vector<account::Derived> derive(const Trace& trace, const Record& input, co
 
 /// The value that a name has in a scope after the lines before `line`: of in.d that of the input; of r.F_c and of a
 /// plain name that of the earlier lines of the scope, of the element of the result that the scope names, of outer
-/// scopes, and of a plain name at last that of the input. Nothing where it is unknown.
+/// scopes, and of a plain name at last that of the input. Nothing if it is unknown.
 class Names {
  public:
   Names(const Record& input, const Record& result) : input_(input), result_(result) {}

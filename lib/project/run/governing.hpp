@@ -1,4 +1,4 @@
-// What the calculation says at the position that governs.
+// Results of the calculation at the governing position.
 #pragma once
 
 #include "lib/project/run/evaluation/results.hpp"
@@ -9,7 +9,7 @@ namespace loadpath::project {
 struct Governing {
   std::size_t position = 0;
   bool is_evaluated = false;  // else there are no results
-  Trace trace;                // empty where no words are wanted
+  Trace trace;                // empty if no words are wanted
 };
 
 /// Leaves the evaluation at the governing position. `in_words`: with the lines of the calculation.

@@ -13,7 +13,7 @@ using Type = FieldInfo::Type;
 
 constexpr std::size_t most_choices = 32;
 
-/// Whether a number differs; what is not available is like itself.
+/// Whether a number differs; NaN equals NaN.
 bool differs(double a, double b) { return a != b && !(std::isnan(a) && std::isnan(b)); }
 
 /// Other values of a quantity, near and far; zero last, for it can turn a part into another one.
@@ -38,7 +38,7 @@ std::vector<double> others(const FieldInfo& field, double value) {
 
 bool may_be(const FieldInfo& field, double value) { return field.type == Type::choice || field.bounds.holds(value); }
 
-/// What an input can move: results, which modes of failure concern the part, which customs it breaks.
+/// The possible effects of an input: on results, applicability of failure modes, violated customs.
 struct Effects {
   std::vector<double> numbers;
   std::string words;
@@ -63,7 +63,7 @@ bool equal(const Effects& a, const Effects& b) {
                                           [](double x, double y) { return !differs(x, y); });
 }
 
-/// Of the inputs as they are in the record.
+/// The effects of the inputs in the record.
 Effects effects_of(Evaluation& evaluation) {
   const Calculator& calculator = evaluation.calculator();
   const void* const input = evaluation.record().data.get();
@@ -102,14 +102,14 @@ bool has_effect(Evaluation& evaluation, const Leaf& leaf, std::size_t position) 
   return moved || !tried;
 }
 
-/// Where inputs are tried: a few places of a cycle, and the one that governs.
+/// The positions for trying inputs: a few of a cycle, and the governing one.
 std::vector<std::size_t> probes(const Evaluation& evaluation, const Governing& governing) {
   const std::size_t count = evaluation.positions();
   const std::set<std::size_t> places{governing.position, 0, count / 4, count / 2, 3 * count / 4};
   return {places.begin(), places.end()};
 }
 
-/// What the leaf is where nobody types it; NaN where it has to be typed, or its list is inside of another one.
+/// The value of the leaf if nobody types it; NaN if it is required, or its list is inside another one.
 double untyped(const RecordType& input, const std::string& path, const FieldInfo& field) {
   const Record blank(input);
   const std::string head = path.substr(0, path.find_first_of(".["));
@@ -124,19 +124,19 @@ double untyped(const RecordType& input, const std::string& path, const FieldInfo
   return has_default ? leaf.get() : std::numeric_limits<double>::quiet_NaN();
 }
 
-/// Whether who typed the input could have left it out: nothing and no rule asks for it.
+/// Whether the user could have omitted the input: neither a field nor a rule requires it.
 bool is_spare(Evaluation& evaluation, const std::string& path, const Leaf& leaf) {
   const double blank = untyped(*evaluation.calculator().input, path, *leaf.field), given = leaf.get();
   const bool may_lack = leaf.field->optional && leaf.field->type == Type::quantity;
   if (std::isnan(blank) && !may_lack) return false;
   const Effects before = effects_of(evaluation);
-  leaf.set(blank);  // a check may be there with it alone, wherever it does not decide
+  leaf.set(blank);  // it may activate a check, even if it does not decide it
   const bool spare = keeps_rules(evaluation) && equal(before, effects_of(evaluation));
   leaf.set(given);
   return spare;
 }
 
-/// Whether a check that is asked for has no value: what it would be moved by cannot be told.
+/// Whether an active check has no value, so that the inputs that affect it are unknown.
 bool lacks_checks(const Evaluation& evaluation, const Results& results) {
   return std::any_of(results.series.begin(), results.series.end(), [&](const ResultSeries& series) {
     const bool is_check = series.field->role == Role::check && is_reported(evaluation, series);
@@ -167,7 +167,7 @@ void warn_of_unused(Evaluation& evaluation, const Results& results, const Govern
     const std::string& path = entry.first;
     const Leaf leaf = evaluation.inputs().leaf(path);
     if (!leaf || leaf.field->get == nullptr || !std::isfinite(leaf.get())) continue;
-    if (path == evaluation.inputs().size_field()) continue;  // tables are asked with the size
+    if (path == evaluation.inputs().size_field()) continue;  // tables are looked up with the size
     if (is_of_record(step.reading, path)) continue;
     const auto counts = [&](std::size_t position) { return has_effect(evaluation, leaf, position); };
     if (std::any_of(places.begin(), places.end(), counts) || !is_spare(evaluation, path, leaf)) continue;

@@ -1,4 +1,4 @@
-// Which typed inputs have an effect: who types one believes that it counts.
+// Typed inputs that have an effect: a user who types one expects it to count.
 #pragma once
 
 #include "lib/project/run/governing.hpp"

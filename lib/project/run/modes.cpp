@@ -9,7 +9,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// A step that has no results for want of an input has not been judged at all.
+/// A step that has no results for want of an input has not been assessed at all.
 void add_missing_input(const Evaluation& evaluation, const Results& results, account::Modes& modes) {
   const Message missing = evaluation.missing();
   if (!results.series.empty() || missing.empty()) return;
@@ -38,7 +38,7 @@ bool is_loaded(const Inputs& inputs) {
          });
 }
 
-/// Whether a load is told at all; what is left out, or is zero where nobody says else, asks for no verdict on loads.
+/// Whether a load is given; an omitted one, or a default of zero, requires no verdict on loads.
 bool is_load_told(const Evaluation& evaluation) {
   bool told = false;
   for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
@@ -47,8 +47,8 @@ bool is_load_told(const Evaluation& evaluation) {
   return told;
 }
 
-/// What holds without a load has not been judged under one: a reference may bring none by mistake. What another load
-/// than those that are declared has utilised, a liquid, its own speed, is loaded.
+/// A pass without load is not an assessment: a reference may give none by mistake. A part utilised by loads other
+/// than the declared ones, a liquid, its own speed, is loaded.
 void add_missing_load(const Evaluation& evaluation, const Results& results,
                       const std::vector<account::Verdict>& verdicts, account::Modes& modes) {
   const auto is_strength = [](const ModeInfo& mode) { return mode.kind == ModeKind::strength; };
@@ -69,7 +69,7 @@ void add_missing_load(const Evaluation& evaluation, const Results& results,
   modes.push_back(std::move(mode));
 }
 
-/// A value that nothing here is held against goes on to other steps: what they say with it is no verdict.
+/// A value that no check here uses is passed on to other steps, whose results with it do not assess it.
 void add_handed_on(const Evaluation& evaluation, const WeighedValues& weighed, account::Modes& modes) {
   if (weighed.handed_on.empty()) return;
   account::Mode mode;

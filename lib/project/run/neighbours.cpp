@@ -39,7 +39,7 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-/// The largest value of a column, which is that of the least size; NaN where the row has none.
+/// The largest value of a column, which is that of the least size; NaN if the row has none.
 double largest_in_row(const table::Entry& row, std::string_view column) {
   if (const auto same = table::property(row, column)) return same->si;
   double most = unknown;
@@ -59,7 +59,7 @@ bool is_comparable(const FieldInfo& field) {
   return field.get != nullptr && !field.takes_whole() && (field.is_number() || field.type == FieldInfo::Type::choice);
 }
 
-/// The size that a row is asked at, as it came out: an input, or a result.
+/// The resulting size for looking up a row: an input, or a result.
 double size_of_row(const Inputs& inputs, const Results& results, const FieldInfo& field) {
   double size = table::no_size;
   for (const std::string& key : listed_keys(field.provider.size)) {
@@ -72,7 +72,7 @@ double size_of_row(const Inputs& inputs, const Results& results, const FieldInfo
   return size;
 }
 
-/// What a material bounds of a field, by its meaning; null: nothing.
+/// The strength bound of a field, by its meaning; null if there is none.
 const StrengthBound* bound_of(const Evaluation& evaluation, const std::string& path) {
   for (const Meaning& meaning : evaluation.calculator().meanings) {
     const auto keys = listed_keys(meaning.fields);
@@ -87,7 +87,7 @@ const StrengthBound* bound_of(const Evaluation& evaluation, const std::string& p
   return nullptr;
 }
 
-/// Typed fields that a row fills as well, and those that stand in place of one that it would fill.
+/// Adds typed fields that a row fills as well, and those that replace one that it would fill.
 void add_rows_beside(const Evaluation& evaluation, const Results& results, std::vector<Neighbour>& all) {
   const Inputs& inputs = evaluation.inputs();
   const StepInput& step = evaluation.step().input();
@@ -137,7 +137,7 @@ void add_records_beside(const Evaluation& evaluation, const Known& known, std::v
   }
 }
 
-/// The material that the step names; empty where it names none.
+/// The material that the step names; empty if it names none.
 std::string named_material(const Inputs& inputs) {
   const auto named = inputs.rows().find("material");
   return named == inputs.rows().end() ? "" : named->second.text;
@@ -155,7 +155,7 @@ double strength_of_part(const Evaluation& evaluation, const char* key) {
   return row ? largest_in_row(*row, key) : unknown;
 }
 
-/// A strength of the material whose row the expression of an input refers to, "=tables.materials.S355.R_e/1.5".
+/// The strength of the material whose row the expression of an input refers to, "=tables.materials.S355.R_e/1.5".
 double strength_referred_to(const Evaluation& evaluation, const std::string& path, const char* column) {
   constexpr std::string_view materials = "tables.materials.";
   const StepInput& step = evaluation.step().input();
@@ -174,7 +174,7 @@ double strength_referred_to(const Evaluation& evaluation, const std::string& pat
 bool may_change(const Evaluation& evaluation, const char* column, double part, double typed) {
   const Inputs& inputs = evaluation.inputs();
   const Leaf own = inputs.leaf(column);
-  // Of what is not known the largest of the row stands there.
+  // For an unknown size, the largest value of the row is used.
   if (!own || std::isnan(largest_magnitude(inputs.value_of(column, own)))) return false;
   const auto& provided = inputs.provided();
   const auto of_material = std::find_if(provided.begin(), provided.end(), [&](const Provided& p) {
@@ -210,7 +210,7 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
   });
 }
 
-/// Where a source has the largest value of these keys, of the dimension of the field; empty where it has none.
+/// The key of a source with the largest value among these, of the dimension of the field; empty if it has none.
 std::string largest_in(const Source& source, const char* keys, const FieldInfo& field, const Known& known) {
   std::string largest;
   for (const std::string& key : listed_keys(keys)) {
@@ -225,7 +225,7 @@ std::string largest_in(const Source& source, const char* keys, const FieldInfo& 
   return largest;
 }
 
-/// Whether a value is that of another element of the source, where no reference names one: the second stage of a train
+/// Whether a value is that of another element of the source, if no reference names one: the second stage of a train
 /// whose power is the same at every shaft.
 bool is_of_another_place(const Source& source, const char* keys, const FieldInfo& field, const Known& known,
                          double value) {
@@ -244,8 +244,8 @@ Beside beside_of_source(const FieldInfo& field) {
   return *field.most_of_source != '\0' ? Beside::capacity : Beside::demand;
 }
 
-/// Quantities of the step that values are taken from: a key sits on the shaft whose torque it takes, a gear pair is a
-/// stage of its train.
+/// Adds quantities of the step that values are taken from: a key is on the shaft whose torque it takes, a gear pair
+/// is a stage of its train.
 void add_sources_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
   std::optional<std::vector<Source>> sources;
@@ -293,7 +293,7 @@ void add_usual_beside(const Evaluation& evaluation, std::vector<Neighbour>& all)
     Value usual = typed;
     for (double& x : usual.si) x = std::isnan(x) ? x : std::clamp(x, field.plausible.low, field.plausible.high);
     all.push_back({path, leaf, std::move(usual), say("the usual range"), Beside::usual});
-    all.back().by_size = true;  // whether it decides hangs on all other values
+    all.back().by_size = true;  // whether it decides depends on all other values
   });
 }
 

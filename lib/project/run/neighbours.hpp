@@ -1,4 +1,4 @@
-// What stands beside typed values: a row of a table or a record that has the same field, or a strength that bounds it.
+// Neighbours of typed values: a row of a table or a record that has the same field, or a strength that bounds it.
 #pragma once
 
 #include "lib/project/run/beside.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath::project {
 
-/// What stands beside a typed value.
+/// A neighbour of a typed value.
 struct Neighbour {
   std::string path;
   Leaf leaf;
@@ -20,7 +20,7 @@ struct Neighbour {
   std::string row_of = {};  // the table of the row; empty: of a record, or a strength
 };
 
-/// `results`: rows are asked at the size that came out, where there are any yet.
+/// `results`: rows are looked up at the resulting size, if there is one yet.
 std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results& results, const Known& known);
 
 /// Whether the user typed the input: a record may have filled it.

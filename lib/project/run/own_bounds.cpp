@@ -10,7 +10,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// Whether a load of the step comes from something that has the key too: "press.links.rod.N" from what has a length.
+/// Whether a load of the step comes from a part with the key too: "press.links.rod.N" from one with a length.
 bool source_has(const Reading& reading, const std::string& key, const Known& known) {
   const auto has = [&](const Expression::Reference& reference) {
     const std::string beside = reference.path.substr(0, reference.path.rfind('.') + 1) + key;
@@ -49,7 +49,7 @@ void add_bounds_beside(const Evaluation& evaluation, const Known& known, std::ve
                    {{leaf.field->dimension, nullptr}, {value}},
                    say("{1}", say(bound.text)),
                    bound.is_least ? Beside::demand : Beside::capacity});
-    all.back().by_size = true;  // at another point other inputs stand beside it
+    all.back().by_size = true;  // at another point it has other neighbours
   }
 }
 

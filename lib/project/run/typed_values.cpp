@@ -23,7 +23,7 @@ double typed_value(const Evaluation& evaluation, const Neighbour& beside) {
   return largest_magnitude(evaluation.inputs().value_of(beside.path, beside.leaf));
 }
 
-/// By the digits of the text; of a value that is not typed nothing but rounding.
+/// By the digits of the text; for a value that is not typed only the rounding error.
 double rounding_of(const Evaluation& evaluation, const Neighbour& beside) {
   const auto& typed = evaluation.step().input().reading.typed;
   const auto text = typed.find(beside.path);
@@ -37,7 +37,7 @@ double unusual_value(const Evaluation& evaluation, const Neighbour& beside) {
   return *std::find_if(typed.si.begin(), typed.si.end(), [&](double x) { return !std::isnan(x) && !usual.holds(x); });
 }
 
-/// How a value is bolder than it should be: "R_e = 960 MPa, above 225 MPa of the material 'S235JR'".
+/// The excess of a value over its bound: "R_e = 960 MPa, above 225 MPa of the material 'S235JR'".
 Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
   const FieldInfo& field = *beside.leaf.field;
   const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
@@ -51,7 +51,7 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
              : say("{1} = {2}, below {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
 }
 
-/// Those that are bolder than what stands beside them.
+/// The neighbours less favourable than the typed value.
 std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& results, const Known& known,
                                    WeighedValues& weighed) {
   std::vector<Neighbour> bolder;
@@ -69,7 +69,7 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
   return bolder;
 }
 
-/// Whether a result is the same in other results; what is not available is like itself.
+/// Whether a result is the same in other results; NaN equals NaN.
 bool is_same_in(const Results& others, const ResultSeries& series) {
   const auto is_it = [&](const ResultSeries& other) { return other.path == series.path; };
   const auto other = std::find_if(others.series.begin(), others.series.end(), is_it);
@@ -79,7 +79,7 @@ bool is_same_in(const Results& others, const ResultSeries& series) {
                     [](double x, double y) { return x == y || (x != x && y != y); });
 }
 
-/// Evaluates with what stands beside a typed value in its place.
+/// Evaluates with the neighbour in place of the typed value.
 Results results_with(Evaluation& evaluation, const Neighbour& beside) {
   Inputs& inputs = evaluation.inputs();
   const Value typed = inputs.value_of(beside.path, beside.leaf);
@@ -124,9 +124,9 @@ bool is_far_from_usual(const Evaluation& evaluation, const Neighbour& beside) {
   return typed > far * usual.high || typed < usual.low / far;
 }
 
-/// The checks and limits that come out otherwise with what stands beside the value; where that is the nearest usual
-/// value, those that pass for it alone, and of a value `far` from it those that it lowers. True where results change,
-/// and none of them is a check or limit.
+/// Marks the checks and limits that change with the neighbour in place of the value; for the nearest usual value,
+/// those that pass only with the typed one, and if it is `far` off those that it lowers. True if results change, but
+/// no check or limit.
 bool mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, Beside kind, bool far,
                   WeighedValues& weighed) {
   bool decides = false, changes = false;
@@ -143,7 +143,7 @@ bool mark_decided(const Results& with_typed, const Results& with_other, const Bo
   return changes && !decides;
 }
 
-/// Whether a row of a table gives the value, which nothing can stand in for.
+/// Whether a row of a table gives the value, which cannot be replaced.
 bool is_of_row(const Evaluation& evaluation, const std::string& path) {
   const auto& provided = evaluation.inputs().provided();
   return std::any_of(provided.begin(), provided.end(),
@@ -207,7 +207,7 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
   std::set<const Typed*> used;
   std::vector<Neighbour> all = bolder_ones(evaluation, results, known, weighed);
   const auto reason_of = [&](const Neighbour& beside) { return reason_for(step, beside.path); };
-  // What holds a mode back is told before what does not.
+  // Values that hold back a mode are reported before the others.
   std::stable_partition(all.begin(), all.end(), [&](const Neighbour& beside) { return reason_of(beside) == nullptr; });
   const bool has_results = !results.series.empty();
   for (const Neighbour& beside : all) {

@@ -1,5 +1,5 @@
-// Typed values compared with table rows, records, strengths that bound them, and usual ranges. A value of another part
-// is an error; a more favourable value holds back the modes that it decides until the user justifies it
+// Typed values compared with table rows, records, strengths that bound them, and usual ranges. A value of another
+// part is an error; a more favourable value holds back the modes that it decides until the user justifies it
 // (lib/project/run/beside.hpp).
 #pragma once
 
@@ -12,22 +12,22 @@
 
 namespace loadpath::project {
 
-/// Typed values that are bolder than what stands beside them, and what they decide.
+/// Typed values more favourable than their neighbours, and the modes that they decide.
 struct WeighedValues {
   std::map<std::string, Bolder> decided;   // by the check or limit that such a value decides
-  std::vector<Bolder> handed_on;           // without a reason, and no check of the step sees them: others do
+  std::vector<Bolder> handed_on;           // without a reason, used only by other steps
   std::map<std::string, Message> reasons;  // by the input: how it is bolder, and why
-  std::vector<std::string> compared;       // typed inputs that something stands beside
-  bool compared_by_size = false;           // whether what stands beside one of them depends on a size
+  std::vector<std::string> compared;       // typed inputs that have a neighbour
+  bool compared_by_size = false;           // whether the neighbour of one of them depends on a size
   bool holds_back = false;                 // whether modes are held back
 };
 
-/// An issue for everything typed that says of the part what the row or the record beside it does not: what was typed
-/// may not make another part of it.
+/// Reports an issue for each typed identifying value that differs from the row or the record: a typed value must not
+/// turn it into another part.
 bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::vector<Issue>& issues);
 
 /// Keeps the justification of each more favourable value, or holds back the modes that it decides. An unnecessary
-/// justification is an issue where unused inputs are reported.
+/// justification is an issue if unused inputs are reported.
 WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results, const Known& known,
                                  const Wanted& wanted, std::vector<Issue>& issues);
 

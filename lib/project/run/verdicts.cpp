@@ -69,7 +69,7 @@ account::Verdict limit_verdict(const Evaluation& evaluation, const ResultSeries&
                                      : account::state_of_limit(field.bounds, field.is_criterion, worst)};
 }
 
-/// A check where nothing could be computed.
+/// The verdict of a check if nothing could be computed.
 account::Verdict open_verdict(const Evaluation& evaluation, const FieldInfo& check) {
   Gap gap = gap_of(evaluation);
   return {.step = evaluation.step().name(),
@@ -81,7 +81,7 @@ account::Verdict open_verdict(const Evaluation& evaluation, const FieldInfo& che
           .note = std::move(gap.why)};
 }
 
-/// Where a limit is not kept, a check without a value is no gap in the input: the formula does not reach so far.
+/// If a limit is violated, a check without a value is not a gap in the input: the formula is outside its range.
 void excuse_uncovered(std::vector<account::Verdict>& all) {
   if (std::none_of(all.begin(), all.end(), [](const auto& v) { return v.state == account::State::not_covered; }))
     return;

@@ -65,7 +65,7 @@ std::vector<Sized> sized_of(const Members& members, const std::string& key) {
 
 bool is_same(double a, double b) { return std::abs(a - b) <= 1e-9 * std::max(std::abs(a), std::abs(b)); }
 
-/// The size that the body has to have: what is given, else the largest that was found.
+/// The required size of the body: a given one, else the largest that was found.
 const Sized& required(const std::vector<Sized>& all) {
   return *std::max_element(all.begin(), all.end(), [](const Sized& a, const Sized& b) {
     return a.is_given != b.is_given ? b.is_given : a.si < b.si;
@@ -81,7 +81,7 @@ Issue contradiction(const std::string& body, const std::string& key, const Sized
   return issue;
 }
 
-/// Whether a search of the body begins anew.
+/// Whether a search of the body has to be repeated.
 bool hand_out(const std::string& body, const std::string& key, const Members& members, std::vector<Issue>& issues) {
   const std::vector<Sized> all = sized_of(members, key);
   if (all.size() < 2) return false;
@@ -99,8 +99,8 @@ bool hand_out(const std::string& body, const std::string& key, const Members& me
   return changed;
 }
 
-/// Rows of a table that steps of one body have: it is made of one material, and has one section. `row_of`: the name of
-/// the row in a step; empty if it has none.
+/// Checks the rows of a table in steps of one body: it is made of one material, and has one section. `row_of`: the
+/// name of the row in a step; empty if it has none.
 template <class RowOf>
 void check_rows(const std::string& body, const Members& members, const RowOf& row_of, std::vector<Issue>& issues) {
   std::map<std::string, const Step*> named;

@@ -6,11 +6,11 @@
 
 namespace loadpath::project {
 
-/// When the project is read: issues for bodies that one step names alone, and for steps without a size in common.
+/// When the project is read: issues for bodies that only one step names, and for steps without a common size.
 void check_bodies(const Project& project, std::vector<Issue>& issues);
 
-/// When all steps are solved: whether a search has to be made again because the body asks for another size. Sizes that
-/// contradict one another become issues.
+/// After all steps are solved: whether a search must be repeated because the body requires another size.
+/// Contradicting sizes become issues.
 bool hand_out_sizes(Project& project, std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

@@ -6,7 +6,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// Of what acts on one of several parts, "chain.T_1|T_2", that which `referred` has; where it has none, all.
+/// Among alternatives, "chain.T_1|T_2", the one that `referred` contains; if it contains none, all.
 std::vector<std::string> alternatives_of(const std::string& companion, const std::string& beside,
                                          const std::set<std::string>& referred) {
   std::vector<std::string> all, meant;

@@ -1,4 +1,4 @@
-// What loads a part together with what a step refers to.
+// Load components that act on a part together with the values that a step refers to.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath::project {
 
-/// Paths of what acts beside the value at a path, for a step that refers to these paths.
+/// Paths of the components that act together with the value at a path, for a step that refers to these paths.
 std::vector<std::string> companions_of(const Project& project, const std::string& path,
                                        const std::set<std::string>& referred = {});
 

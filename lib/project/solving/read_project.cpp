@@ -18,7 +18,7 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr std::size_t most_tables = 100'000;  // no rule: what has more is a slip
+constexpr std::size_t most_tables = 100'000;  // not a rule: more are a mistake
 
 std::set<std::string> references_of(const Step& step) {
   std::set<std::string> references;
@@ -33,7 +33,7 @@ std::vector<std::string> references_of(const Project& project) {
   return references;
 }
 
-/// The values of tables that expressions name. What is none is told where the expression is checked.
+/// The values of tables that expressions name. Unknown names are reported when the expression is checked.
 std::map<std::string, Value> table_values_of(const Project& project) {
   std::map<std::string, Value> values;
   const auto take = [&](const std::string& path) {
@@ -48,9 +48,9 @@ std::map<std::string, Value> table_values_of(const Project& project) {
   return values;
 }
 
-/// What loads a step varies where it is a series, or comes from a step whose part turns, at once or through other
-/// steps. The expression that makes a number of it decides nothing: 15 kW/(1450 rpm) is a torque like 98.8 N*m. In
-/// order of evaluation.
+/// The load of a step varies if it is a series, or comes from a step whose part rotates, directly or through other
+/// steps. An expression that makes a number of it does not change that: 15 kW/(1450 rpm) is a torque like 98.8 N*m.
+/// In order of evaluation.
 void find_varying_loads(Project& project, const Declared& declared) {
   for (const std::size_t i : project.order) {
     Step& step = *project.steps[i];
@@ -79,7 +79,7 @@ void refuse_ranges(const Project& project, std::vector<Issue>& issues) {
     for (const Varied& varied : step->input().reading.varied) {
       const std::string key = step->name() + "." + varied.path;
       const bool told = !issues.empty() && issues.back().place.line == varied.place.line &&
-                        issues.back().place.column == varied.place.column;  // of a record that is taken in turn
+                        issues.back().place.column == varied.place.column;  // from a record that is taken in turn
       if (told) continue;
       issues.push_back(
           varied.distribution
@@ -106,7 +106,7 @@ void add_step(const toml::Tree::Entry& entry, Project& project, Catalogue catalo
     project.unread.insert(entry.key);
 }
 
-/// Values that are expressions stand in the place of the references to them, in steps and in what is expected.
+/// Replaces references to values that are expressions, in steps and in expectations.
 void write_values_out(Project& project, std::vector<Issue>& issues) {
   for (const auto& step : project.steps) {
     Reading& reading = step->input().reading;

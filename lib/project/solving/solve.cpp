@@ -19,7 +19,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// What expectations are held against, and what inputs are compared with.
+/// The values that expectations refer to, and that inputs are compared with.
 std::set<std::string> compared_values(const Project& project) {
   std::set<std::string> compared;
   for (const auto& step : project.steps)
@@ -30,7 +30,7 @@ std::set<std::string> compared_values(const Project& project) {
   return compared;
 }
 
-/// What the steps refer to, and what loads a part beside it.
+/// The series that steps refer to, and the load components that act with them.
 std::set<std::string> taken_series(const Project& project) {
   std::set<std::string> taken(project.references.begin(), project.references.end());
   for (const auto& step : project.steps) {
@@ -41,7 +41,7 @@ std::set<std::string> taken_series(const Project& project) {
   return taken;
 }
 
-/// What steps know of one another while the project is solved.
+/// The access of steps to one another while the project is solved.
 Known known_of(const Project& project) {
   static const Value none{{}, {std::numeric_limits<double>::quiet_NaN()}};
   const auto value = [&project](const std::string& path) -> const Value& {
@@ -60,13 +60,13 @@ Known known_of(const Project& project) {
   return {value, word, within};
 }
 
-/// A warning as it stands with its step: behind the path that it is about, where it does not start with that.
+/// A warning in the report of its step: after the path that it concerns, unless it starts with that.
 Message of_step(const Issue& warning, const std::string& step) {
   const std::string path = warning.key.substr(std::min(step.size() + 1, warning.key.size()));
   return warning.message.text().starts_with(path) ? warning.message : say("{1}: {2}", path, warning.message);
 }
 
-/// Customs that the input breaks stand with the step that they are about.
+/// Passes warnings about violated customs to the steps that they concern.
 void hand_out_warnings(Project& project, const std::vector<Issue>& issues) {
   for (const Issue& issue : issues) {
     if (issue.severity != Severity::warning) continue;
@@ -90,10 +90,10 @@ void solve(Project& project, std::vector<Issue>& issues, Wanted wanted) {
 
 namespace {
 
-/// What steps take of one, by its path.
+/// Values of one step that others take, by path.
 using Handed = std::map<std::string, std::pair<std::vector<double>, std::string>>;
 
-/// What a step takes of another one as it is now.
+/// Records the current values that a step takes from another one.
 void note_taken(const Project& project, const Step& taker, const Step& of, Handed& taken) {
   for_each_reference(taker.input().reading, [&](const std::string& path) {
     const auto [name, rest] = split_step(path);
@@ -108,7 +108,7 @@ bool is_alike(const std::vector<double>& a, const std::vector<double>& b) {
                     [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
-/// A step was solved without some inputs first: what others have taken of it must not hang on them.
+/// A step was solved without some inputs first: values that others have taken from it must not depend on them.
 void refuse_other_values(const Handed& before, const Project& project, const Step& step, std::vector<Issue>& issues) {
   for (const auto& [path, taken] : before) {
     const Value* const value = project.value(path);
@@ -125,7 +125,7 @@ void refuse_other_values(const Handed& before, const Project& project, const Ste
 
 namespace {
 
-/// All steps in their order, with the sizes that bodies ask for as they are known now.
+/// Solves all steps in their order, with the currently known sizes that bodies require.
 void solve_steps(Project& project, std::vector<Issue>& issues, const Wanted& wanted) {
   const Known known = known_of(project);
   const Declared declared = [&](const std::string& path) { return project.signature(path); };
@@ -162,7 +162,7 @@ void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wan
   for (int round = 0; true; ++round) {
     solve_steps(project, issues, wanted);
     if (has_errors(issues) || !hand_out_sizes(project, issues)) break;
-    issues.resize(before);  // they are told again with the sizes that the bodies have
+    issues.resize(before);  // they are reported again with the sizes of the bodies
     if (round < most_rounds) continue;
     issues.push_back({project.steps.front()->input().place, "body", say("the sizes of the bodies do not settle"),
                       say("give one of them a value"), Severity::error});

@@ -9,9 +9,9 @@ namespace loadpath::project {
 
 /// Solves the steps in order; stops at the first step with an issue.
 void solve(Project& project, std::vector<Issue>& issues, Wanted wanted = {});
-/// What is wanted, and what steps and expectations take of one another.
+/// The wanted values, including those that steps and expectations take from one another.
 Wanted with_references(const Project& project, Wanted wanted);
-/// The same as `solve`, as often as inputs are changed: of wants with references.
+/// The same as `solve`, for repeated changes of inputs: `wanted` includes references.
 void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted);
 
 }  // namespace loadpath::project

@@ -17,7 +17,7 @@ SweptInput& input_of(std::vector<SweptInput>& all, const std::string& name) {
   return all.back();
 }
 
-/// The values; of words 0, 1, 2..., whatever numbers the field has for them.
+/// The values; for words 0, 1, 2..., independent of their numbers in the field.
 sweep::Axis axis_of(const Varied& varied) {
   if (varied.words.size() < 2) return varied.words.empty() ? varied.axis : sweep::Axis();
   return *sweep::Axis::by_count(0.0, static_cast<double>(varied.words.size() - 1), varied.words.size());

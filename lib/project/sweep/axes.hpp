@@ -13,14 +13,14 @@ struct SweptInput {
   std::string unit;  // that its field is shown in
   Dimension dimension;
   sweep::Axis axis;                                 // SI; of words 0, 1, 2...
-  std::optional<sweep::Distribution> distribution;  // in place of the axis
-  std::vector<std::string> words;                   // in place of numbers
+  std::optional<sweep::Distribution> distribution;  // instead of the axis
+  std::vector<std::string> words;                   // instead of numbers
   Place place;
 
-  /// Where it goes: fields of steps, and a literal of [values].
+  /// The destination of a value: fields of steps, and a literal of [values].
   struct Target {
     Step* step;
-    std::size_t varied;  // of its reading
+    std::size_t varied;  // index in its reading
   };
   std::vector<Target> targets;
   bool is_literal = false;

@@ -8,9 +8,9 @@
 
 namespace loadpath::project {
 
-/// The mean of what is uncertain, the middle one of values, the first word.
+/// The mean of an uncertain input, the middle one of values, the first word.
 double middle_of(const SweptInput& input);
-/// Where 5 % and 95 % of what is uncertain lie, else the ends.
+/// The 5 % and 95 % quantiles of an uncertain input, else its bounds.
 double low_of(const SweptInput& input);
 double high_of(const SweptInput& input);
 /// Standard deviation; of values that are given, 0.

@@ -27,7 +27,7 @@ std::string trimmed(const std::string& text) {
 
 using Names = std::vector<std::pair<std::string, std::string>>;
 
-/// What a name of a result stands for; other texts as they are.
+/// The expression behind a name of a result; other texts unchanged.
 std::string meant(const std::string& text, const Names& results) {
   const auto found = std::find_if(results.begin(), results.end(), [&](const auto& r) { return r.first == text; });
   return found == results.end() ? text : found->second;
@@ -54,8 +54,8 @@ std::optional<Demand> bound_of(const Placed& asked, const Names& results, std::v
   return std::nullopt;
 }
 
-/// What a design is held against. A verdict is a flag; its utilisation, before it, shows a search the way where there
-/// is one: a mechanism alone has none.
+/// The constraints of a design. A verdict is a flag; its utilisation, before it, guides the search, if there is one:
+/// a mechanism by itself has none.
 std::vector<Demand> demands_of(const BestAsked& asked_for, std::vector<Issue>& issues) {
   const std::vector<Placed>& such_that = asked_for.such_that;
   std::vector<Demand> demands;
@@ -123,7 +123,7 @@ std::vector<sweep::Constraint> constraints_of(const BestAsked& asked, const std:
   for (std::size_t i = 0; i < demands.size(); ++i) {
     const bool is_followed = i + 1 < demands.size() && demands[i + 1].kind == Kind::is_one;  // by its flag: see above
     const bool is_shown = demands[i].kind == Kind::at_most_one && is_followed && demands[i].text == demands[i + 1].text;
-    all.push_back({i + 1, asked.quantile ? Kind::at_most_one : demands[i].kind,  // the share over what is allowed
+    all.push_back({i + 1, asked.quantile ? Kind::at_most_one : demands[i].kind,  // the share over the permitted one
                    is_shown ? i + 1 : sweep::Constraint::itself});
   }
   return all;
@@ -144,7 +144,7 @@ bool can_read(const ReadAgain& read, const std::vector<Placed>& columns, std::ve
   return !has_errors(issues);
 }
 
-/// Why a point is no machine, or which mode of failure it has no verdict for.
+/// The reason why a point is invalid, or the failure mode without a verdict.
 Message lack_of(Variants& variants, const std::vector<double>& point) {
   std::vector<double> found(variants.outputs());
   std::vector<const double*> in(point.size());
@@ -165,7 +165,7 @@ Message lack_of(Variants& variants, const std::vector<double>& point) {
   return {};
 }
 
-/// What searches make nothing of, and the reader wants to know.
+/// Reasons that searches ignore but the reader needs.
 void find_lacks(Variants& variants, Best& best) {
   for (const sweep::Neighbour& neighbour : best.optimum.neighbours) {
     Message& lack = best.lacks.emplace_back();

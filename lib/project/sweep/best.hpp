@@ -1,5 +1,5 @@
-// The best machine of those that a project allows: which of its inputs are chosen, what is to be small or large, which
-// demands it meets, and why none beside it is better.
+// The best design within a project: inputs to choose, objective, constraints, and the reason why no neighbouring
+// design is better.
 #pragma once
 
 #include "lib/project/sweep/blocks.hpp"
@@ -12,17 +12,17 @@
 
 namespace loadpath::project {
 
-/// What is asked for, as the user writes it.
+/// The request as the user writes it.
 struct BestAsked {
   Placed objective;  // "rod.mass", or "m = rod.mass"
   bool maximise = false;
   std::vector<Placed> such_that;        // "every mode passes", "rod passes", "rod.mass <= 5 kg"; none: the first
-  std::optional<double> quantile = {};  // objective and demands hold with this probability over what is uncertain
+  std::optional<double> quantile = {};  // probability of objective and constraints over the uncertain inputs
   std::vector<std::pair<std::string, std::string>> results = {};  // by their names: "mass", "rod.A*rod.l*rho"
 };
 
 struct Demand {
-  std::string text;  // as asked for
+  std::string text;  // as requested
   std::string column;
   sweep::Constraint::Kind kind;
 };
@@ -30,22 +30,22 @@ struct Demand {
 struct Best {
   std::vector<SweptInput> inputs;
   std::vector<std::size_t> chosen;  // those that the search was free in; the others stay at their middle
-  std::vector<double> point;        // of all inputs
+  std::vector<double> point;        // values of all inputs
   std::string objective;            // its name
-  std::string unit;                 // of the objective
+  std::string unit;                 // unit of the objective
   std::vector<Demand> demands;
   sweep::Optimum optimum;      // over the chosen ones; its outputs are the objective, then the demands
-  std::vector<Message> lacks;  // of each neighbour why it has no value for what it breaks; empty where it has one
+  std::vector<Message> lacks;  // per neighbour, why the violated constraint has no value; empty if it has one
 };
 
-/// Inputs with values, words and stocks are chosen from these, { min, max } from between; other uncertain inputs stay
-/// at their mean, or scatter where a quantile is asked for. Issues where what is asked for cannot be read.
+/// Inputs with values, words and stocks are chosen from these, { min, max } from the interval; other uncertain inputs
+/// stay at their mean, or scatter if a quantile is requested. Issues if the request cannot be read.
 std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std::uint64_t samples, std::uint64_t seed,
                               std::vector<Issue>& issues);
 
 struct SoughtValue {
   SweptInput input;
-  std::string unit;  // of the result
+  std::string unit;  // unit of the result
   double target = 0.0;
   sweep::Sought sought;
 };

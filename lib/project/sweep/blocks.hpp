@@ -11,13 +11,13 @@
 
 namespace loadpath::project {
 
-/// Points of a block. It does not follow from the machine: what is added up is added up by blocks.
+/// Points of a block. Independent of the computer, because sums are accumulated by blocks.
 constexpr std::uint64_t block_size = 256;
 
 struct SolvedBlock {
   std::uint64_t first = 0;  // point
   std::size_t count = 0;
-  std::vector<std::vector<double>> inputs, results;  // column by column; results asked for, then verdicts
+  std::vector<std::vector<double>> inputs, results;  // column by column; requested results, then verdicts
   std::vector<Refusal> refusals;
 };
 

@@ -17,7 +17,7 @@ std::string trimmed(const std::string& text) {
   return text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
-/// What is wrong with "m" of "m = rod.mass"; a column that every sweep has keeps its name.
+/// The fault of "m" in "m = rod.mass"; the columns that every sweep has keep their names.
 std::optional<Fault> wrong_name(const std::string& name, const std::string& text) {
   const auto fault = [&](Message message, Message hint) {
     return Fault{0, std::max<std::size_t>(1, name.size()), std::move(message), std::move(hint)};
@@ -38,7 +38,7 @@ std::optional<Kind> kind_of_word(std::string_view word) {
   return std::nullopt;
 }
 
-/// "rod", "buckling", "utilisation" of "rod.modes.buckling.utilisation"; false where the text speaks of no verdict.
+/// "rod", "buckling", "utilisation" of "rod.modes.buckling.utilisation"; false if the text speaks of no verdict.
 bool read_verdict(const std::string& text, const Project& project, SweptResult& column) {
   const std::size_t last = text.rfind('.');
   if (const auto kind = kind_of_word(text)) {

@@ -1,4 +1,4 @@
-// What a sweep reads off every point: expressions over results, and how the modes of failure came out.
+// The values that a sweep reads at every point: expressions over results, and the states of the failure modes.
 #pragma once
 
 #include "lib/account/fold.hpp"
@@ -13,14 +13,14 @@ namespace loadpath::project {
 
 struct SweptResult {
   enum class Kind {
-    expression,   // of results: "rod.mass", "peak(lever.drive.M)"
-    state,        // of the project, a step or a mode: a number of account::State
+    expression,   // expression over results: "rod.mass", "peak(lever.drive.M)"
+    state,        // state of the project, a step or a mode: a number of account::State
     utilisation,  // the largest of it; of modes that have none NaN
-    passes        // 1 where all that applies is judged or accepted, else 0
+    passes        // 1 where all that applies is assessed or accepted, else 0
   };
   Kind kind = Kind::expression;
-  std::string name;  // of the column
-  std::string text;  // as asked for
+  std::string name;  // name of the column
+  std::string text;  // as requested
   std::string unit;  // that people read it in
   Dimension dimension;
   Expression expression;
@@ -31,14 +31,14 @@ struct SweptResult {
 std::pair<std::string, std::string> name_and_text(const std::string& column);
 
 /// A column from "rod.mass" or "m = rod.mass + pin.mass". Besides expressions there are "state", "utilisation" and
-/// "passes" of the whole, of a step ("rod.utilisation") and of a mode of failure ("rod.modes.buckling.utilisation",
-/// or "rod.modes.buckling" alone). A Fault tells what is wrong with the text.
+/// "passes" of the project, of a step ("rod.utilisation") and of a failure mode ("rod.modes.buckling.utilisation", or
+/// just "rod.modes.buckling"). A Fault describes an error in the text.
 Outcome<SweptResult> read_column(const std::string& text, Project& project);
 
-/// What is read off every point: state and utilisation of the whole, then of every mode of failure.
+/// The columns read at every point: state and utilisation of the project, then of every failure mode.
 std::vector<SweptResult> verdict_columns(const Project& project);
 
-/// The modes of failure that a step may have, in the order of its calculator.
+/// The failure modes that a step may have, in the order of its calculator.
 std::vector<std::string> modes_of(const Step& step);
 
 }  // namespace loadpath::project

@@ -1,4 +1,4 @@
-// What a sweep keeps of all its points: how the parts came out, what every result is like, the points worth a look.
+// The statistics of a sweep: states of the parts, distribution of every result, notable points.
 //
 // It is the same to the bit however the points were shared out, and can be stored and taken up again.
 #pragma once
@@ -18,7 +18,7 @@
 
 namespace loadpath::project {
 
-/// An objective of a Pareto set: a result that was asked for, by its number.
+/// An objective of a Pareto set: the index of a requested result.
 struct Objective {
   std::size_t column = 0;
   sweep::Aim aim = sweep::Aim::min;
@@ -29,9 +29,9 @@ struct Keep {
   std::vector<Objective> objectives;  // none: no Pareto set
 };
 
-/// How often a mode, or the whole, came out as what, and where its utilisation is largest.
+/// The frequency of each state of a mode, or of the project, and the point of maximum utilisation.
 struct Tally {
-  static constexpr std::size_t states = 8;  // of account::State, and account::refused_state
+  static constexpr std::size_t states = 8;  // values of account::State, and account::refused_state
   std::array<std::uint64_t, states> counts{};
   sweep::Extreme largest;
 
@@ -43,14 +43,14 @@ struct Tally {
   }
   /// Points that it concerns.
   [[nodiscard]] std::uint64_t total() const;
-  /// Those that are judged and pass, or are accepted or open.
+  /// Those that are assessed and pass, or are accepted or open.
   [[nodiscard]] std::uint64_t passing() const;
 };
 
 /// Points that were refused for one reason.
 struct Refused {
   std::uint64_t count = 0, first = 0;
-  std::string key, message;  // of the first
+  std::string key, message;  // path and message of the first
 };
 
 class Found {
@@ -60,18 +60,18 @@ class Found {
   Found(std::size_t inputs, std::size_t results, std::size_t verdicts, Keep keep);
 
   void add(const SolvedBlock& block);
-  /// Of other blocks; false where both have one.
+  /// Merges other blocks; false if both contain one.
   bool merge(const Found& other);
 
   [[nodiscard]] std::uint64_t points() const { return points_; }
   [[nodiscard]] const std::vector<sweep::Summary>& results() const { return results_; }
-  /// The first of the whole, then of every mode, in the order of verdict_columns().
+  /// First the tally of the project, then of every mode, in the order of verdict_columns().
   [[nodiscard]] const std::vector<Tally>& tallies() const { return tallies_; }
   [[nodiscard]] const std::map<std::string, Refused>& refusals() const { return refusals_; }
   /// Rows hold inputs, then results.
   [[nodiscard]] std::vector<sweep::Worst::Row> worst() const { return worst_.rows(); }
   [[nodiscard]] std::vector<sweep::Pareto::Point> pareto() const { return pareto_.points(); }
-  /// Of inputs and results, in this order.
+  /// The covariances of inputs and results, in this order.
   [[nodiscard]] sweep::Covariances covariances() const { return covariances_.total(); }
   [[nodiscard]] const Keep& keep() const { return keep_; }
 

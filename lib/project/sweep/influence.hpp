@@ -1,4 +1,4 @@
-// Which inputs a result hangs on: tornado, slopes, the budget of its scatter, Sobol indices.
+// The inputs that influence a result: tornado, slopes, the budget of its scatter, Sobol indices.
 #pragma once
 
 #include "lib/project/sweep/blocks.hpp"
@@ -14,16 +14,16 @@ namespace loadpath::project {
 /// About the middle of all inputs; words stay at their first.
 struct Influence {
   std::vector<SweptInput> inputs;         // that are numbers
-  std::vector<std::string> names, units;  // of the results
-  std::vector<double> low, high;          // of each input, see low_of()
-  std::vector<sweep::Tornado> tornados;   // of each result
+  std::vector<std::string> names, units;  // names and units of the results
+  std::vector<double> low, high;          // per input, see low_of()
+  std::vector<sweep::Tornado> tornados;   // per result
   sweep::Slopes slopes;
-  std::vector<sweep::Budget> budgets;      // of each result; none where nothing is uncertain
-  std::vector<sweep::SobolIndices> sobol;  // of each result, over what is uncertain; where rows were asked for
-  std::vector<std::size_t> scattering;     // of the inputs, in the order of the indices
+  std::vector<sweep::Budget> budgets;      // per result; none if nothing is uncertain
+  std::vector<sweep::SobolIndices> sobol;  // per result, over the uncertain inputs; if rows were requested
+  std::vector<std::size_t> scattering;     // the inputs, in the order of the indices
 };
 
-/// `sobol_rows`: 0: no Sobol indices. Issues where there is no result, or no input that is a number.
+/// `sobol_rows`: 0: no Sobol indices. Issues if there is no result, or no numeric input.
 std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& plan, const SweepSettings& settings,
                                         std::uint64_t sobol_rows, std::vector<Issue>& issues);
 

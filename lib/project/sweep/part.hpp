@@ -8,7 +8,7 @@
 
 namespace loadpath::project {
 
-/// Of the results that were asked for the first ones alone: searches do not ask for every mode of failure.
+/// Only the first of the requested results: searches do not need every failure mode.
 class Part final : public sweep::Function {
  public:
   /// `inputs`: which of them vary; the rest stay at their middle (base.hpp).

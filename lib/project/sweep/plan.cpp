@@ -17,7 +17,7 @@ std::vector<SweptInput>::const_iterator input_named(const std::vector<SweptInput
   return std::find_if(inputs.begin(), inputs.end(), [&](const SweptInput& input) { return input.name == name; });
 }
 
-/// What is wrong with the name of a column beside those before it and the inputs.
+/// Reports a column name that conflicts with an earlier one or an input.
 void check_name(const SweepPlan& plan, const SweptResult& column, const Place& place, std::vector<Issue>& issues) {
   const auto same = [&](const SweptResult& other) { return other.name == column.name; };
   if (std::any_of(plan.columns.begin(), plan.columns.end(), same))
@@ -72,7 +72,7 @@ void Planning::add_level(const std::vector<std::size_t>& together) {
   levels_.push_back(std::move(level));
 }
 
-/// Inputs that run together stand where the first of them does.
+/// Zipped inputs are at the position of the first of them.
 void Planning::add_levels() {
   std::vector<std::vector<std::size_t>> zips;
   for (const std::vector<Placed>& zip : settings_.zip) {

@@ -1,4 +1,4 @@
-// A sweep of a project: its points, in which order its inputs go through them, and what is read off each.
+// A sweep of a project: its points, the order of its inputs, and the values read at each.
 #pragma once
 
 #include "lib/project/read/sweep_settings.hpp"
@@ -12,14 +12,14 @@ namespace loadpath::project {
 
 struct SweepPlan {
   std::vector<SweptInput> inputs;      // in the order of the file
-  std::vector<std::size_t> variables;  // of the space, that of each input
-  std::vector<SweptResult> columns;    // as they were asked for
+  std::vector<std::size_t> variables;  // variable of the space for each input
+  std::vector<SweptResult> columns;    // as requested
   sweep::Space space;
 
-  /// What a table of points has beside the inputs, as numbers of the results: one that is an input stands there
-  /// already.
+  /// The columns of a table of points in addition to the inputs, as indices of the results: a result that is an input
+  /// is omitted.
   [[nodiscard]] std::vector<std::size_t> beside_inputs() const;
-  /// The same with how the whole came out behind them, which has two columns.
+  /// The same, followed by the two columns of the overall verdict.
   [[nodiscard]] std::vector<std::size_t> kept_results() const;
   /// The values of all inputs at a point.
   [[nodiscard]] std::vector<double> at(std::uint64_t index) const;
@@ -27,10 +27,10 @@ struct SweepPlan {
   void fill(std::uint64_t first, std::size_t n, std::span<double* const> of_inputs) const;
 };
 
-/// What is wrong with names, zips, correlations, results becomes an issue.
+/// Errors in names, zips, correlations and results become issues.
 SweepPlan plan_sweep(Project& project, const SweepSettings& settings, std::vector<Issue>& issues);
 
-/// Gives all inputs the values of a point: the project is that of one machine then. Issues as of typed values.
+/// Sets all inputs to the values of a point: the project is then a single design. Issues as for typed values.
 void set_point(Project& project, const SweepPlan& plan, std::uint64_t index, std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

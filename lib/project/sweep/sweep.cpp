@@ -8,7 +8,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// So many blocks go through one thread at once that none waits long for another at the end.
+/// The number of blocks per part: few enough that no thread waits long for another at the end.
 std::uint64_t blocks_of_part(const SweepWork& work) {
   constexpr std::uint64_t most = 64, parts_of_a_thread = 8;
   return std::clamp(work.blocks.count() / (parts_of_a_thread * work.jobs), std::uint64_t{1}, most);

@@ -1,4 +1,4 @@
-// A sweep at work: threads solve its points, what they find is put together in the order of the points.
+// A running sweep: threads solve its points, and the results are merged in the order of the points.
 #pragma once
 
 #include "lib/project/sweep/found.hpp"
@@ -12,7 +12,7 @@ namespace loadpath::project {
 struct SweptPart {
   BlockRange blocks;
   Found found;
-  std::vector<SolvedBlock> rows;  // where they are wanted
+  std::vector<SolvedBlock> rows;  // if requested
 };
 
 struct SweepWork {
@@ -21,15 +21,15 @@ struct SweepWork {
   Keep keep;
   BlockRange blocks;  // those that are to be solved
   unsigned jobs = 1;
-  bool rows = false;                        // whether points are wanted one by one
+  bool rows = false;                        // whether individual points are requested
   const std::atomic<bool>* stop = nullptr;  // ends the work between two blocks, once it is true
 };
 
-/// What solves parts in one thread: it has read the project for itself.
+/// Solves parts in one thread, with a project that it has read itself.
 class PartSolver {
  public:
   explicit PartSolver(const SweepWork& work);
-  /// Of what is stopped, the blocks before: `blocks` of the part says which.
+  /// If stopped, the blocks finished so far: see `blocks` of the part.
   [[nodiscard]] SweptPart solve(BlockRange blocks);
 
  private:
@@ -41,7 +41,7 @@ class PartSolver {
   BlockSolver solver_;
 };
 
-/// Nothing found yet.
+/// An empty result.
 Found nothing_found(const SweepPlan& plan, const Project& project, const Keep& keep);
 
 /// Solves the blocks; `take` is given the parts in their order, and ends the work with false.

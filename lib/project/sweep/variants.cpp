@@ -22,7 +22,7 @@ std::vector<SweptResult> columns_of(Project& project, const std::vector<std::str
   return columns;
 }
 
-/// Numbers alone: what people read is made for the points that they ask for.
+/// Numbers only: text for readers is made for the points that they request.
 Wanted wanted_by(const Project& project, const std::vector<SweptResult>& columns) {
   Wanted wanted{.pictures = false, .formulas = false, .unused = false, .words = false, .series = SeriesChoice::none()};
   for (const SweptResult& column : columns) {
@@ -45,7 +45,7 @@ account::Modes modes_in(const Project& project, const SweptResult& column) {
   return project.strict ? account::strictly(std::move(modes)) : modes;
 }
 
-/// What is expected of the project is not held against its points.
+/// Expectations of the project do not apply to its points.
 Project without_expectations(Project project) {
   project.expectations.clear();
   return project;
@@ -77,7 +77,7 @@ void Variants::solve_batch(std::span<const double* const> in, std::span<double* 
   for (const double*& column : from_) column += start;
   for (double*& column : to_) column += start;
   if (way_ == Way::columns) solve_columns(from_, to_, count);
-  if (points_.axes_differ && !one_alone) {  // their series have other places, and are told one by one from now on
+  if (points_.axes_differ && !one_alone) {  // other positions of the series: one by one from now on
     for (std::size_t row = 0; row < count; ++row) solve_batch(in, out, start + row, 1);
     return;
   }
@@ -109,7 +109,7 @@ void Variants::solve_alone(std::span<const double* const> in, std::span<double* 
 
 namespace {
 
-/// Whether a part leaves a mode to a calculator of which there is a step: its verdict hangs on more than the part.
+/// Whether a part leaves a mode to a calculator of an existing step: its verdict depends on more than the part.
 bool leaves_modes(const Project& project) {
   const auto runs = [&](std::string_view calculator) {
     return std::any_of(project.steps.begin(), project.steps.end(),
@@ -130,16 +130,16 @@ bool has_bodies(const Project& project) {
 
 }  // namespace
 
-/// The first of a few points that is a machine is solved; false where none is.
+/// Solves the first valid one of a few points; false if there is none.
 bool Variants::solve_first(std::span<const double* const> in, std::size_t n) {
   constexpr std::size_t most = 16;
   bool solved = false;
   for (std::size_t row = 0; row < std::min(n, most) && !solved; ++row) solved = solve_point(in, row);
-  refusals_.clear();  // they are told when the block is solved
+  refusals_.clear();  // they are reported when the block is solved
   return solved;
 }
 
-/// Laid out at the first point that is solved; without one the next block is asked.
+/// Set up at the first point that is solved; without one the next block is tried.
 void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   const bool solved_twice = project_.passes.size() != project_.order.size() || !project_.beforehand.empty();
   const bool hangs_on_others = leaves_modes(project_) || solved_twice || has_bodies(project_);
@@ -147,7 +147,7 @@ void Variants::find_way(std::span<const double* const> in, std::size_t n) {
   way_ = !hangs_on_others && find_kernels() ? Way::columns : Way::alone;
 }
 
-/// Of all steps; false where one of them takes more of others than numbers, or columns would bring nothing.
+/// Kernels of all steps; false if one of them takes more from others than numbers, or columns would bring no gain.
 bool Variants::find_kernels() {
   std::set<std::string> referred = wanted_.taken;
   referred.insert(wanted_.compared.begin(), wanted_.compared.end());
@@ -182,7 +182,7 @@ bool Variants::find_kernels() {
 }
 
 void Variants::solve_columns(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {
-  if (n > points_.count) points_.values.clear();  // else what is the same everywhere is there
+  if (n > points_.count) points_.values.clear();  // otherwise constant values are already there
   points_.count = n;
   points_.is_other.assign(n, 0);
   for (std::size_t k = 0; k < axes_.size(); ++k) {
@@ -204,7 +204,7 @@ void Variants::solve_columns(std::span<const double* const> in, std::span<double
   read_verdicts(out, n);
 }
 
-/// What columns of verdicts say, from the modes of all steps.
+/// Fills the columns of verdicts from the modes of all steps.
 void Variants::read_verdicts(std::span<double* const> out, std::size_t n) {
   if (of_column_.empty()) find_modes_of_columns();
   const SweptResult* before = nullptr;
@@ -232,7 +232,7 @@ void Variants::find_modes_of_columns() {
   }
 }
 
-/// As read() says it of a machine that was solved alone.
+/// The same result as read() for a design solved separately.
 void Variants::read_verdict(const SweptResult& column, std::span<double> out) const {
   switch (column.kind) {
     case SweptResult::Kind::utilisation:
@@ -246,7 +246,7 @@ void Variants::read_verdict(const SweptResult& column, std::span<double> out) co
   }
 }
 
-/// False, with a refusal, where the point is none that can be solved.
+/// False, with a refusal, if the point cannot be solved.
 bool Variants::solve_point(std::span<const double* const> in, std::size_t row) {
   std::vector<Issue> issues;
   for (std::size_t k = 0; k < axes_.size(); ++k) set_input(project_, axes_[k], in[k][row], issues);

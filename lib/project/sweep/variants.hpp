@@ -1,6 +1,5 @@
-// A project as one function of its point: every input that takes many values in, every result that is asked for out,
-// through the whole path of the loads. A point gives the same bits wherever it is solved: `loadpath run --point` takes
-// the same way.
+// A project as one function of its point: all varied inputs in, all requested results out, through the complete load
+// path. A point gives the same bits wherever it is solved: `loadpath run --point` uses the same function.
 #pragma once
 
 #include "lib/project/sweep/axes.hpp"
@@ -15,14 +14,13 @@ namespace loadpath::project {
 
 /// A point that was not solved, and why.
 struct Refusal {
-  std::size_t row;  // of the block
+  std::size_t row;  // row within the block
   Issue issue;
 };
 
 class Variants final : public sweep::Function {
  public:
-  /// `results`: columns as they were asked for, which have been read without a fault; then come the verdicts, see
-  /// verdict_columns().
+  /// `results`: columns as requested, already read without a fault; the verdicts follow, see verdict_columns().
   Variants(Project project, const std::vector<std::string>& results);
   Variants(const Variants&) = delete;
   Variants& operator=(const Variants&) = delete;
@@ -33,9 +31,9 @@ class Variants final : public sweep::Function {
   [[nodiscard]] std::size_t inputs() const override { return axes_.size(); }
   [[nodiscard]] std::size_t outputs() const override { return columns_.size(); }
   void evaluate(std::span<const double* const> in, std::span<double* const> out, std::size_t n) override;
-  /// Of the points that were evaluated last, in their order.
+  /// The refusals of the points evaluated last, in their order.
   [[nodiscard]] const std::vector<Refusal>& refusals() const { return refusals_; }
-  /// How many of all points so far were solved as machines of their own.
+  /// The number of points so far that were solved as separate designs.
   [[nodiscard]] std::size_t solved_alone() const { return alone_; }
 
  private:
@@ -66,9 +64,9 @@ class Variants final : public sweep::Function {
   Way way_ = Way::unknown;
   std::vector<std::unique_ptr<PointStep>> kernels_;  // in order of evaluation
   PointColumns points_;
-  std::vector<const double*> from_;  // of a batch
+  std::vector<const double*> from_;  // columns of a batch
   std::vector<double*> to_;
-  std::vector<std::vector<account::ModeColumns>> modes_;             // of each step in order of evaluation
+  std::vector<std::vector<account::ModeColumns>> modes_;             // modes of each step in order of evaluation
   std::vector<std::vector<const account::ModeColumns*>> of_column_;  // that a column speaks of
   std::vector<Refusal> refusals_;
   std::size_t alone_ = 0;

@@ -27,7 +27,7 @@ bool reduces(const Node& node) {
          (rule == Rule::selection && node.kids.size() == 1);
 }
 
-/// The dimension to a real power; nothing where an exponent would not be whole in twelfths.
+/// The dimension to a real power; nothing if an exponent would not be a multiple of 1/12.
 std::optional<Dimension> raised(const Dimension& dimension, double exponent) {
   Dimension result;
   for (std::size_t i = 0; i < Dimension::count; ++i) {
@@ -177,7 +177,7 @@ class Check {
     return stress;
   }
 
-  /// A literal number is no angle, as outside of expressions; with pi in it, it is one in radians.
+  /// A plain number is not an angle, as outside of expressions; with pi in it, it is one in radians.
   [[nodiscard]] Dimensioned trigonometric(const Node& node, const Dimension& given) const {
     const Node& angle = node.kids.front();
     const std::string written = tree_.written(angle);

@@ -13,7 +13,7 @@ namespace {
 using expression::Node;
 using expression::Operation;
 
-/// What is never negative: a magnitude, or the larger of a value and a number that is not negative.
+/// Whether a call is never negative: a magnitude, or the larger of a value and a non-negative number.
 bool is_positive(const Node& call) {
   if (is_constant(call)) return false;
   return call.function->is_magnitude ||
@@ -23,7 +23,7 @@ bool is_positive(const Node& call) {
 }
 
 /// Through products and quotients with positive numbers; a sign, a signed factor, a sum or the choice of max and min
-/// says what is meant, but a range or a mean square is never an extreme.
+/// expresses intent, but a range or a mean square is never an extreme.
 std::string_view unsigned_of(const Node& node, const Expression::Declared& declared) {
   if (node.operation == Operation::call && is_positive(node)) return node.function->name;
   if (node.operation == Operation::reference) {
@@ -44,7 +44,7 @@ std::string_view unsigned_of(const Node& node, const Expression::Declared& decla
   return sign && is_extreme ? std::string_view() : name;
 }
 
-constexpr std::size_t most_nodes = 4096;  // of an expression that others are written into
+constexpr std::size_t most_nodes = 4096;  // size limit of an expression with others written in
 
 std::size_t count_nodes(const Node& node) {
   std::size_t count = 1;
@@ -73,8 +73,8 @@ bool calls(const Node& node) {
   return node.operation == Operation::call || std::any_of(node.kids.begin(), node.kids.end(), calls);
 }
 
-/// What a number alone multiplies or divides, "1.2*shaft.tau_max"; null where it is anything else. A root or a function
-/// makes another of it: "sqrt(3)*shaft.tau_max".
+/// The reference that is multiplied or divided only by a number, "1.2*shaft.tau_max"; null for anything else. A root
+/// or a function changes its meaning: "sqrt(3)*shaft.tau_max".
 const Node* multiple_of(const Node& node) {
   const auto is_number = [](const Node& kid) { return is_constant(kid) && !calls(kid); };
   if (node.operation == Operation::divide) return is_number(node.kids[1]) ? &node.kids[0] : nullptr;
@@ -128,7 +128,7 @@ std::string_view Expression::unsigned_part(const Declared& declared) const {
 
 namespace {
 
-/// False where it grows out of bounds.
+/// False if it grows out of bounds.
 bool write_into(Node& node, const std::function<const Node*(const std::string&)>& by, std::size_t& count) {
   const Node* const other = node.operation == Operation::reference ? by(node.path) : nullptr;
   if (other != nullptr) {

@@ -4,7 +4,7 @@
 //   number  decimal point only (a comma separates arguments), directly followed by a unit: 30 MPa, 2 N*m, 60 deg
 //           (a unit's own * / ^ bind only inside the unit text, which ends before a reference, a call, a number and pi:
 //           `2 N*m*lever.drive.phi`, `40 mm*cos(20 deg)`, `2 m*pi`); `1/min` and `W/(m*K)` are units
-//   name    always with a dot: lever.drive.M, shaft.segments[2].tau, shaft.segments.journal.tau; a part that is no
+//   name    always with a dot: lever.drive.M, shaft.segments[2].tau, shaft.segments.journal.tau; a part that is not a
 //           name in quotes: tables.sections."IPE 330".I_y
 //   const   pi, rev (one turn: rev*f is the angular speed of f turns per time), g (9.80665 m/s^2; inside the unit of a
 //           number g is the gram: `5 g`, `2 kN/g`, but `80 kg * (g)`)
@@ -39,28 +39,28 @@ using Factors = std::map<std::string, double>;
 using FactorsOf = std::function<Factors(const std::string& path)>;
 /// "chain.K_A": "K_A".
 std::string kind_of(const std::string& factor);
-/// The factor of this kind; empty where there is none.
+/// The factor of this kind; empty if there is none.
 std::string of_kind(const Factors& factors, const std::string& kind);
-/// One of these that has no equal among the others; empty where every one has.
+/// One of these that has no equal among the others; empty if every one has.
 std::string without_equal(const Factors& factors, const Factors& others);
 
-/// What is left of the series that a value comes from.
+/// The reduction of the series that a value depends on.
 struct Reduced {
   enum class Left {
     no_series,  // it comes from none
     whole,      // every position: the series itself, times a constant, a sum or a resultant of such
     square,     // the same, squared
     peak,       // the largest magnitude
-    once,       // one reduction of a whole series, times a constant
+    once,       // one reduction of an entire series, times a constant
     less        // anything else
   };
   Left left = Left::no_series;
   bool is_signed = false;     // it, or the series, is negative somewhere
   bool of_load = false;       // the series is of a force, a moment, a stress, a power
   std::string function = {};  // that reduced it: "mean"
-  std::string argument = {};  // of that function, as written: "press.joints.B.F"
+  std::string argument = {};  // argument of that function, as written: "press.joints.B.F"
   std::string text = {};      // the part that lost the rest: "mean(press.joints.B.F)"
-  std::string factor = {};    // of a whole series: a constant number beside it, as written: "0.5"
+  std::string factor = {};    // constant factor of an entire series, as written: "0.5"
 };
 using ReducedOf = std::function<Reduced(const std::string& path)>;
 
@@ -80,35 +80,35 @@ class Expression {
   static Outcome<Expression> parse(std::string_view text);
 
   [[nodiscard]] const std::vector<Reference>& references() const;
-  /// Whether it is one reference and nothing else: it may stand for what is no number.
+  /// Whether it consists of one reference, which may also refer to non-numbers.
   [[nodiscard]] bool is_reference() const;
-  /// Puts other expressions in the place of references: `by` gives the one for a path, null where the path stays. What
-  /// is said of them stands at the reference. False, and nothing is changed, where the whole would grow out of bounds.
+  /// Replaces references by other expressions: `by` gives the one for a path, null to keep the path. Messages about
+  /// them point to the reference. Returns false, with nothing changed, if the result would exceed the size limit.
   using Written = std::function<const Expression*(const std::string& path)>;
   bool write_out(const Written& by);
-  /// The references whose value it hands on as it is, or as one of several: alone, "peak(limit.sigma_D)", in a sum.
-  /// times a number. What they are the whole is too; another product says itself what it makes.
+  /// The references whose value it passes on unchanged, or as one of several: by itself, in "peak(limit.sigma_D)", in
+  /// a sum, times a number. Their origin is that of the result; any other product has its own.
   [[nodiscard]] std::vector<Reference> handed_on() const;
   /// Dimension and axis of the result, or the first fault: unknown names, unlike dimensions or axes, °C, wrong
   /// arguments.
   [[nodiscard]] Outcome<Signature> check(const Declared& declared) const;
-  /// What makes the sign of the value another than that of tension and compression: a function, "peak", or a path,
-  /// "press.joints.A.F"; empty where nothing does. A sign that is written before it stands for the one that is meant.
+  /// The part that changes the sign convention of tension and compression: a function, "peak", or a path,
+  /// "press.joints.A.F"; empty if there is none. An explicit sign in front of it counts as intended.
   [[nodiscard]] std::string_view unsigned_part(const Declared& declared) const;
-  /// What the value is beyond its dimension (lib/quantity/kinds.hpp). A sum of unlike kinds is a fault.
+  /// The meaning of the value beyond its dimension (lib/quantity/kinds.hpp). A sum of unlike kinds is a fault.
   using KindOf = std::function<Meant(const std::string& path)>;
   [[nodiscard]] Outcome<Meant> kind(const KindOf& of, const Declared& declared) const;
-  /// Whether pi stands in it: 2*pi*f makes radians of turns.
+  /// Whether it contains pi: 2*pi*f converts revolutions to radians.
   [[nodiscard]] bool holds_pi() const;
   /// Those of its references: of a product all, of a quotient without those of the divisor, of a root of a square once.
   /// A factor that would count twice, and a sum of what holds one and what does not, are faults.
   [[nodiscard]] Outcome<Factors> factors(const FactorsOf& of) const;
-  /// What is left of the series in it, by what its references have left.
+  /// The remaining dependence on series, given that of its references.
   [[nodiscard]] Reduced reduced(const ReducedOf& of) const;
   /// The value. A result that is not finite is NaN (never an infinity).
   [[nodiscard]] Value evaluate(const Known& known) const;
   /// The same, to the bit, where every reference is one value, for many points at once: `column` gives the n values of
-  /// a path. False where it takes a place of a series.
+  /// a path. False if it takes a place of a series.
   bool evaluate(const Column& column, std::span<double> out) const;
 
  private:

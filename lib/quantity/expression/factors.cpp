@@ -1,4 +1,4 @@
-// Which factors the value of an expression contains.
+// The factors that the value of an expression includes.
 #include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
@@ -22,7 +22,7 @@ struct Raised {
   std::set<std::string> names;  // the inputs that it is: "chain.K_A"
 };
 using Powers = std::map<Identity, Raised>;
-/// Nothing: of a literal, which goes with any.
+/// Nothing: for a literal, which goes with any.
 using Held = std::optional<Powers>;
 
 void multiply(Powers& powers, const Powers& by, double exponent) {
@@ -41,7 +41,7 @@ Held raised_to(const Held& base, double exponent) {
   return powers;
 }
 
-/// The kind that counts more than once; empty where none does.
+/// The kind that counts more than once; empty if none does.
 std::string counted_twice(const Powers& powers) {
   std::map<std::string, double> sums;
   for (const auto& [identity, raised] : powers) sums[identity.first] += std::max(raised.power, 0.0);
@@ -49,7 +49,7 @@ std::string counted_twice(const Powers& powers) {
   return most == sums.end() ? "" : most->first;
 }
 
-/// A factor of these that the others do not hold, or in another power; empty where they hold all.
+/// A factor of these that the others do not hold, or in another power; empty if they hold all.
 std::string more_than(const Powers& others, const Powers& powers) {
   for (const auto& [identity, raised] : powers) {
     const auto other = others.find(identity);
@@ -116,7 +116,7 @@ class Walk {
     return powers;
   }
 
-  /// What both hold; a factor that stands in both counts twice.
+  /// Factors of both operands together; one included in both would be applied twice.
   Held product(const Node& node, double exponent) {
     const Held a = of_node(node.kids[0]);
     const Held b = of_node(node.kids[1]);
@@ -158,7 +158,7 @@ class Walk {
     return alike(node);
   }
 
-  /// Of a sum, a difference, a choice: what all hold alike.
+  /// Factors common to all operands of a sum, a difference, a choice.
   Held alike(const Node& node) {
     Held held;
     std::size_t first = 0;

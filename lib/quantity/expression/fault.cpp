@@ -52,7 +52,8 @@ void Parser::fail_bare_name(std::size_t end) {
   fail(next_, end - next_, say("'{1}' is not a complete reference", word), std::move(hint));
 }
 
-/// Whether what was read last is the start of a value of a table, cut at a name that is no word: `tables.sections.IPE`.
+/// Whether the last token is the start of a value of a table, cut at a name that is not a word:
+/// `tables.sections.IPE`.
 bool Parser::is_behind_table() const {
   if (references_.empty()) return false;
   const auto& last = references_.back();

@@ -25,7 +25,7 @@ constexpr Function reduction(std::string_view name, std::string_view form, doubl
   return {.name = name, .form = form, .rule = rule, .least = 1, .most = 1, .reduce = f};
 }
 
-// The functions of a place, beside those over an interval.
+// The functions at a point, next to those over an interval.
 using expression::acos, expression::asin, expression::atan, expression::atan2, expression::cbrt, expression::cos;
 using expression::exp, expression::log, expression::sin, expression::sqrt, expression::tan;
 using loadpath::acos, loadpath::asin, loadpath::atan, loadpath::atan2, loadpath::cbrt, loadpath::cos, loadpath::exp;

@@ -1,5 +1,5 @@
-// Numbers between bounds: what holds a function everywhere between two places, whatever it does there. Each bound is
-// moved outwards by a rounding, so that it holds in floating point too.
+// Numbers between bounds: they enclose a function everywhere between two places. Each bound is moved outwards by a
+// rounding, so that it holds in floating point too.
 #pragma once
 
 #include <initializer_list>
@@ -25,15 +25,15 @@ Interval operator+(const Interval& a, const Interval& b);
 Interval operator-(const Interval& a, const Interval& b);
 Interval operator*(const Interval& a, const Interval& b);
 Interval operator/(const Interval& a, const Interval& b);
-/// What both hold; the first where they have nothing in common, which rounding alone can bring about.
+/// The intersection; the first interval if it is empty, which only rounding can cause.
 Interval both(const Interval& a, const Interval& b);
 /// The least interval that holds both.
 Interval joined(const Interval& a, const Interval& b);
 
-/// These bounds a rounding or two further out: functions of the C library may be wrong in the last digit. What is no
-/// number may be any.
+/// Widens the bounds by a rounding or two: functions of the C library may be wrong in the last digit. NaN gives the
+/// entire range.
 Interval outward(double low, double high);
-/// The least that holds all of these, a rounding further out; everything where one is no number.
+/// The smallest interval that contains all of these, widened by a rounding; the entire range if one is NaN.
 Interval hull(std::initializer_list<double> values);
 /// To a constant power; everything where it is not defined everywhere.
 Interval to_power(const Interval& a, double exponent);

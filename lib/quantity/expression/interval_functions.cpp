@@ -46,7 +46,7 @@ IntervalJet chain(const Interval& value, const Interval& first, const Interval& 
 
 bool is_still(const IntervalJet& a) { return a.first.magnitude() == 0.0 && a.second.magnitude() == 0.0; }
 
-/// Of a constant the derivatives are nothing, whatever the function does.
+/// The derivatives of a constant are zero, whatever the function.
 IntervalJet chained(const Interval& value, const Interval& first, const Interval& second, const IntervalJet& a) {
   return is_still(a) ? IntervalJet{value, {}, {}} : chain(value, first, second, a);
 }
@@ -131,7 +131,7 @@ IntervalJet acos(const IntervalJet& a) {
 }
 
 IntervalJet atan2(const IntervalJet& y, const IntervalJet& x) {
-  const bool leaps = x.value.low <= 0.0 && y.value.holds(0.0);  // on the way round, or at the origin
+  const bool leaps = x.value.low <= 0.0 && y.value.holds(0.0);  // crossing the branch cut, or at the origin
   if (leaps) return {{-pi_value, pi_value}, Interval::everything(), Interval::everything()};
   const Interval value = hull({std::atan2(y.value.low, x.value.low), std::atan2(y.value.low, x.value.high),
                                std::atan2(y.value.high, x.value.low), std::atan2(y.value.high, x.value.high)});

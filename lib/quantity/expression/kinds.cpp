@@ -1,4 +1,4 @@
-// Which kind the value of an expression is (lib/quantity/kinds.hpp): sums, choices and multiples keep it.
+// The kind of an expression's value (lib/quantity/kinds.hpp): sums, choices and multiples keep it.
 #include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
@@ -26,7 +26,7 @@ bool is_in_one_direction(Meant kind) {
   return kind == Meant::normal_stress || kind == Meant::equivalent_stress || kind == Meant::uniaxial_stress;
 }
 
-/// Of two kinds that stand in one sum, whether they are of one quantity and yet not to be added.
+/// Whether two kinds in one sum belong to one quantity and yet cannot be added.
 bool clash(Meant a, Meant b) {
   const auto either = [&](Meant x, Meant y) { return (a == x && b == y) || (a == y && b == x); };
   return (is_shear(a) && is_in_one_direction(b)) || (is_shear(b) && is_in_one_direction(a)) ||
@@ -106,7 +106,7 @@ class KindWalk {
     return differs && of_node(node.kids[1]) == Meant::temperature ? Meant::difference : kind;
   }
 
-  /// What all are that are known; nothing where they differ.
+  /// The kind common to all known operands; nothing if they differ.
   Meant alike(const Node& node) {
     Meant kind = Meant::nothing;
     bool differ = false;

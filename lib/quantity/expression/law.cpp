@@ -68,7 +68,7 @@ typename How::Number value_of(const Node& node, const typename How::Number& vari
   return {};
 }
 
-/// The function is no further from its tangent in the middle than its derivatives allow.
+/// Narrows the bounds: the deviation from the tangent in the middle is limited by the derivatives.
 void draw_closer(IntervalJet& bounds, const Jet& middle, const Interval& away) {
   const auto at = [](double x) { return Interval{x, x}; };
   const bool known = std::isfinite(middle.value) && std::isfinite(middle.first) && std::isfinite(middle.second);

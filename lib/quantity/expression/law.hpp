@@ -1,5 +1,5 @@
 // A quantity as a smooth function of one variable, written in the language of expressions with a bare name for the
-// variable: "30 deg + 90 deg*sin(2*pi*t/(2 s))". Its derivatives are exact. Where a name is the variable it is no unit:
+// variable: "30 deg + 90 deg*sin(2*pi*t/(2 s))". Its derivatives are exact. The name of the variable is not a unit:
 // with t for the time, `2 t` is not two tonnes.
 #pragma once
 
@@ -29,11 +29,11 @@ class Law {
   Law(Law&&) noexcept;
   Law& operator=(Law&&) noexcept;
 
-  /// The first fault: of grammar or dimensions, a name that is not the variable's, a result that is no `result` (angles
-  /// and numbers are alike), a function that has kinks (abs, min, max).
+  /// The first fault: of grammar or dimensions, a name other than the variable, a result that is not a `result`
+  /// (angles and numbers are alike), a function with kinks (abs, min, max).
   static Outcome<Law> parse(std::string_view text, const Variable& variable, const Dimension& result);
 
-  /// The value in SI and its derivatives; what is not finite where the law is not smooth, as a root of zero.
+  /// The value in SI and its derivatives; not finite where the law is not smooth, as a root of zero.
   [[nodiscard]] Jet at(double variable) const;
 
   /// Intervals that hold the value and both derivatives everywhere between two places; without bounds where the law

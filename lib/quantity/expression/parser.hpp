@@ -1,4 +1,4 @@
-// The parser of expressions: its grammar is in parse.cpp, what it says of a wrong text in fault.cpp.
+// The parser of expressions: its grammar is in parse.cpp, its messages about wrong texts in fault.cpp.
 #pragma once
 
 #include "lib/quantity/expression/scan.hpp"
@@ -11,7 +11,7 @@
 
 namespace loadpath::expression {
 
-/// Recursive descent. The first fault ends the text, so that every loop ends and later faults count for nothing.
+/// Recursive descent. The first fault ends the text, so that every loop ends and later faults are ignored.
 class Parser {
  public:
   explicit Parser(std::string_view text, std::string_view variable = {}) : text_{text}, variable_{variable} {

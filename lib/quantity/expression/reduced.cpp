@@ -1,4 +1,4 @@
-// What is left of the series that the value of an expression comes from.
+// The remaining dependence of an expression's value on its series.
 #include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
@@ -42,7 +42,7 @@ class Reductions {
   }
 
  private:
-  /// Of a number too: its sign is another then.
+  /// Numbers too: their sign changes.
   static Reduced negated(Reduced r) {
     if (r.left == Left::once) r.function = r.function == "max" ? "min" : r.function == "min" ? "max" : r.function;
     if (r.left == Left::square) r.left = Left::less;
@@ -50,7 +50,7 @@ class Reductions {
     return r;
   }
 
-  /// What is lost in it first, or in the whole of it.
+  /// The first loss of information, in an operand or in the result.
   [[nodiscard]] Reduced less(const Node& node, const Reduced& a, const Reduced& b = {}) const {
     Reduced r;
     r.left = Left::less;
@@ -63,7 +63,7 @@ class Reductions {
     return r;
   }
 
-  /// Loads that act together: whole series, or magnitudes that are not taken from one another.
+  /// Loads that act together: entire series, or magnitudes that are not subtracted from one another.
   [[nodiscard]] Reduced sum(const Node& node) const {
     Reduced a = of_node(node.kids[0]), b = of_node(node.kids[1]);
     const bool subtracts = node.operation == Operation::subtract;
@@ -149,7 +149,7 @@ class Reductions {
     return all;
   }
 
-  /// The largest of whole series at every position, or of magnitudes.
+  /// The largest of entire series at every position, or of magnitudes.
   [[nodiscard]] Reduced selection(const Node& node, Reduced all) const {
     const bool largest = node.function->name == "max";
     bool any = all.left != Left::no_series, alike = true;

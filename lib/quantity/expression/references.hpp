@@ -1,4 +1,4 @@
-// What an expression refers to: as it stands in the text, as it is declared when the file is read, and with its values.
+// The references of an expression: as written in the text, as declared when the file is read, and with their values.
 #pragma once
 
 #include "lib/quantity/series.hpp"
@@ -10,12 +10,12 @@
 
 namespace loadpath::expression {
 
-/// A reference as written and where it stands in the text (bytes).
+/// A reference as written, and its position in the text (bytes).
 struct Reference {
   std::string path;
   std::size_t at = 0;
 };
-/// What a path is, when the file is read; a Fault (its `at` is ignored) where it is nothing.
+/// The signature of a path, when the file is read; a Fault (its `at` is ignored) for an unknown path.
 using Declared = std::function<Outcome<Signature>(const std::string& path)>;
 /// The value of a path, when the project is solved; the paths are those that passed `check`.
 using Known = std::function<const Value&(const std::string& path)>;

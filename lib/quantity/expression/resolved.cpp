@@ -10,12 +10,12 @@ namespace loadpath {
 namespace {
 
 constexpr std::size_t first_pieces = 64, most_pieces = 200'000;
-constexpr double least_piece = 1e-12;  // of the whole
+constexpr double least_piece = 1e-12;  // relative to the full range
 constexpr double nothing = 1e-250;
 
 struct Piece {
   double from, to, at_from, at_to;
-  double beyond;  // by which the law may leave the values at both ends
+  double beyond;  // deviation of the law beyond the values at both ends
   bool operator<(const Piece& other) const { return beyond < other.beyond; }
 };
 
@@ -81,7 +81,7 @@ class Resolving {
   const Law& law_;
   double tolerance_;
   Followed what_;
-  double most_ = 0.0;  // of the values so far
+  double most_ = 0.0;  // largest value so far
   std::priority_queue<Piece> open_;
   std::vector<Piece> done_;
   Resolved resolved_;

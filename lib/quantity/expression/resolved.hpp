@@ -1,5 +1,5 @@
-// A law as the corners of a line that stays near it: between two of them it goes no further beyond the values at both
-// than is told. Nothing between them is missed, because intervals bound it there
+// A law as the corners of a polyline close to it: between two corners it deviates beyond their values by no more than
+// the tolerance. No peak between them is missed, because intervals bound the law there
 // (lib/quantity/expression/interval.hpp).
 #pragma once
 
@@ -15,7 +15,7 @@ struct Resolved {
   bool complete = true;  // false: a pole, a place outside of its domain, or more waves than can be followed
 };
 
-/// What of the law is followed.
+/// The quantity to be resolved.
 enum class Followed { value, second };
 
 /// `tolerance`: by how much it may go beyond, of its largest magnitude.

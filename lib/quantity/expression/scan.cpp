@@ -67,7 +67,7 @@ std::size_t part_end(std::string_view text, std::size_t at) {
   return end == at + 1 ? at : end;
 }
 
-/// What a unit is looked for in, and the word that is none.
+/// The text searched for a unit, and the word excluded.
 struct Units {
   std::string_view text, variable;
 };

@@ -1,5 +1,5 @@
-// Where the tokens of an expression end. Every function takes the text and the byte at which a token may start and
-// gives the byte after it; the same byte where no such token starts there.
+// The ends of the tokens of an expression. Every function takes the text and the byte at which a token may start and
+// returns the byte after it; the same byte if no such token starts there.
 #pragma once
 
 #include <cstddef>
@@ -29,9 +29,9 @@ std::size_t path_end(std::string_view text, std::size_t at);
 /// A word of letters of any script, as units are written: mm, °, об.
 std::size_t word_end(std::string_view text, std::size_t at);
 
-/// The longest unit: words with exponents joined by * · /, up to what is a reference, a call, a number or pi. Several
-/// divisors stand in parentheses (`W/(m*K)`), a reciprocal may begin with 1 (`1/min`), a `^` behind a word is its own.
-/// `variable`: a word that is no unit.
+/// The longest unit: words with exponents joined by * · /, up to a reference, a call, a number or pi. Several
+/// divisors are in parentheses (`W/(m*K)`), a reciprocal may begin with 1 (`1/min`), a `^` after a word belongs to
+/// it. `variable`: a word that is not a unit.
 std::size_t unit_end(std::string_view text, std::size_t at, std::string_view variable = {});
 
 }  // namespace loadpath::expression

@@ -13,7 +13,7 @@
 
 namespace loadpath::expression {
 
-/// What a function asks of its arguments and gives back.
+/// The rule for the arguments and the result of a function.
 enum class Rule {
   reduction,        // a series to one value of its dimension
   cycle_reduction,  // the same, of a cycle only
@@ -37,14 +37,14 @@ struct Function {
   double (*map)(double) = nullptr;
   double (*join)(double, double) = nullptr;
   int degree = 1;
-  bool is_magnitude = false;         // never negative, whatever it is taken of
-  Jet (*jet)(const Jet&) = nullptr;  // of a smooth function of one argument; null where it has kinks
+  bool is_magnitude = false;         // never negative, for any argument
+  Jet (*jet)(const Jet&) = nullptr;  // smooth functions of one argument; null for functions with kinks
   Jet (*jet_of_two)(const Jet&, const Jet&) = nullptr;
   IntervalJet (*bounds)(const IntervalJet&) = nullptr;  // where `jet` is set
   IntervalJet (*bounds_of_two)(const IntervalJet&, const IntervalJet&) = nullptr;
 };
 
-/// Null where no function has the name.
+/// Null if no function has the name.
 const Function* find_function(std::string_view name);
 std::vector<std::string> function_names();
 
@@ -53,11 +53,11 @@ enum class Operation { literal, reference, negate, add, subtract, multiply, divi
 struct Node {
   Operation operation = Operation::literal;
   std::size_t at = 0, length = 0;      // bytes of the text
-  double si = 0.0;                     // of a literal
-  Dimension dimension;                 // of a literal
-  Meant kind = Meant::nothing;         // of a literal, by its unit
-  std::string path;                    // of a reference
-  const Function* function = nullptr;  // of a call
+  double si = 0.0;                     // value of a literal
+  Dimension dimension;                 // dimension of a literal
+  Meant kind = Meant::nothing;         // kind of a literal, by its unit
+  std::string path;                    // path of a reference
+  const Function* function = nullptr;  // function of a call
   std::vector<Node> kids;
 };
 
@@ -71,17 +71,17 @@ struct Parsed {
   Tree tree;
   std::vector<Reference> references;
 };
-/// `variable`: a bare name that is a reference and no unit; empty: there is none.
+/// `variable`: a bare name that is a reference and not a unit; empty: there is none.
 Outcome<Parsed> parse(std::string_view text, std::string_view variable = {});
 
 Outcome<Signature> check(const Tree& tree, const Declared& declared);
-/// Of a part of it.
+/// Checks one node of the tree.
 Outcome<Signature> check(const Tree& tree, const Node& node, const Declared& declared);
 
 /// The numbers and the axis of a tree that passed its check; the dimension is left to the check.
 Value numbers(const Node& node, const Known& known);
 
-/// The same of single values, for as many points as `out` holds; false where it asks for a place of a series.
+/// The same for single values, at all points of `out`; false if it refers to a place in a series.
 bool numbers(const Node& node, const Column& column, std::span<double> out);
 
 /// The value of a tree without references.

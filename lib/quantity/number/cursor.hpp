@@ -34,7 +34,7 @@ struct Cursor {
     at += word.size();
     return true;
   }
-  /// The first of `words` that stands here, or an empty view.
+  /// The first of `words` that the text continues with, or an empty view.
   template <class Words>
   std::string_view take_any(const Words& words) {
     for (const std::string_view word : words)
@@ -50,9 +50,9 @@ struct Cursor {
     while (!take_any(spaces).empty()) {
     }
   }
-  /// "12", "-12", "−12": with an ASCII sign; empty, and nothing taken, where no whole number stands here.
+  /// "12", "-12", "−12": with an ASCII sign; empty, and nothing consumed, if no integer follows.
   std::string signed_integer();
-  /// "⁻¹" as "-1"; empty where no superscript stands here.
+  /// "⁻¹" as "-1"; empty if no superscript follows.
   std::string superscript();
 };
 

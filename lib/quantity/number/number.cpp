@@ -18,7 +18,7 @@ constexpr std::array<std::string_view, 7> times_signs = {"x", "×",      "·", "
 bool is_mark(char c) { return c == '.' || c == ','; }
 bool is_hex(char c) { return is_digit(c) || (c >= 'a' && c <= 'f') || (c >= 'A' && c <= 'F'); }
 
-/// "1,234.5" as "1234.5", "1,250,000" as "1250000"; empty where the marks do not stand at thousands.
+/// "1,234.5" as "1234.5", "1,250,000" as "1250000"; empty unless the marks are at thousands.
 std::string without_thousands(std::string_view written) {
   const std::size_t last = written.find_last_of(".,");
   const bool last_is_decimal = written.find(written[last]) == last;
@@ -169,7 +169,7 @@ class Reader {
                 say("write 2·10^6 or 2e6"));
   }
 
-  /// 1/2, or after a whole number 1 1/2 and 1-1/2; a unit that starts with 1/ is none.
+  /// 1/2, or after an integer 1 1/2 and 1-1/2; a unit that starts with 1/ is not a fraction.
   bool fraction() {
     const std::size_t from = in_.at;
     Cursor ahead = in_;
@@ -211,7 +211,7 @@ class Reader {
   Cursor in_;
   std::size_t start_;
   std::string digits_;  // as from_chars reads them
-  bool plain_ = true;   // a run of digits and nothing else so far
+  bool plain_ = true;   // so far only a run of digits
   bool negative_ = false;
   bool ready_ = false;  // value_ is known from a fraction
   double value_ = 0.0;

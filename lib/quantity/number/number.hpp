@@ -1,4 +1,4 @@
-// The number of a quantity: 30, -5, 1e6, 2·10^6, 1 200, 2,5, 1-1/2. What can be read in two ways is refused.
+// The number of a quantity: 30, -5, 1e6, 2·10^6, 1 200, 2,5, 1-1/2. Ambiguous numbers are refused.
 #pragma once
 
 #include "lib/text/issue.hpp"
@@ -10,7 +10,7 @@ namespace loadpath {
 
 struct Number {
   double value = 0.0;
-  std::size_t end = 0;  // of its text
+  std::size_t end = 0;  // end of its text
 };
 
 /// The number that starts at `at`.

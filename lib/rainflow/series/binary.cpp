@@ -27,7 +27,7 @@ Fault at_byte(std::uint64_t byte, Message message, Message hint = {}) {
 struct Rows {
   std::size_t width = sizeof(double);
   std::uint64_t columns = 1, column = 0;
-  std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();  // of a file that does not say it
+  std::uint64_t rows = std::numeric_limits<std::uint64_t>::max();  // number of rows if the file does not state it
   std::uint64_t start = 0;                                         // the byte of the first
 };
 
@@ -90,7 +90,7 @@ class RowReader final : public Reader {
   std::vector<double> values_;
 };
 
-/// What stands behind 'key': in the header of an array, a dictionary of Python on one line.
+/// The text after 'key': in the header of an array, a dictionary of Python on one line.
 std::string_view entry(std::string_view header, std::string_view key) {
   const std::size_t at = header.find("'" + std::string(key) + "'");
   if (at == std::string_view::npos) return {};
@@ -102,7 +102,7 @@ std::string_view entry(std::string_view header, std::string_view key) {
   return header.substr(from, to == std::string_view::npos ? to : to - from);
 }
 
-/// The numbers of "(1000, 3" or "(1000,": as many as there are; nothing where it is no such list.
+/// The numbers of "(1000, 3" or "(1000,", in any number; nothing for any other text.
 std::optional<std::vector<std::uint64_t>> shape_of(std::string_view text) {
   std::vector<std::uint64_t> shape;
   if (!text.starts_with('(')) return std::nullopt;

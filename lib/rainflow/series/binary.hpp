@@ -9,7 +9,7 @@
 
 namespace loadpath::rainflow {
 
-/// NumPy's format, versions 1 to 3 (numpy.lib.format); `column` is a number counted from 1, or empty where there is
+/// NumPy's format, versions 1 to 3 (numpy.lib.format); `column` is a number counted from 1, or empty if there is
 /// one.
 Outcome<std::unique_ptr<Reader>> read_npy(std::unique_ptr<Source> source, const std::string& column);
 

@@ -28,7 +28,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// Takes the first field off a line; a separator within "" is none.
+/// Takes the first field off a line; a separator within "" does not count.
 std::string_view take_field(std::string_view& line, char separator) {
   if (separator == blanks) {
     while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
@@ -64,8 +64,8 @@ char separator_of(std::string_view line) {
   return blanks;
 }
 
-/// What std::from_chars gives for up to 15 digits with a point and no exponent: both whole numbers are doubles, and
-/// their quotient is rounded once. None of any other text.
+/// The result of std::from_chars for up to 15 digits with a point and no exponent: both integers are doubles, and
+/// their quotient is rounded once. Nothing for any other text.
 std::optional<double> short_number(std::string_view text) {
   constexpr std::array<double, 16> tens{1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                         1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
@@ -96,7 +96,7 @@ std::optional<double> number_of(std::string_view text) {
   const auto [behind, error] = std::from_chars(text.data(), text.data() + text.size(), x);
   if (behind != text.data() + text.size()) return std::nullopt;
   if (error == std::errc::result_out_of_range)
-    x = std::strtod(std::string(text).c_str(), nullptr);  // tells 0 from inf
+    x = std::strtod(std::string(text).c_str(), nullptr);  // distinguishes 0 from inf
   else if (error != std::errc{})
     return std::nullopt;
   return std::isfinite(x) ? std::optional(x) : std::nullopt;
@@ -135,7 +135,7 @@ class CsvReader final : public Reader {
   Form form_;
   char separator_ = ',';
   std::size_t column_ = 0;   // counted from 0
-  std::size_t columns_ = 0;  // of the first line
+  std::size_t columns_ = 0;  // columns of the first line
   bool by_name_ = false;
   std::vector<double> values_;
 };

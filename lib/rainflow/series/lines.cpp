@@ -4,7 +4,7 @@
 
 namespace loadpath::rainflow {
 
-/// What is left of the block is part of a line: it is moved to the front, and the block filled up behind it.
+/// The rest of the block is part of a line: it is moved to the front, and the block filled up after it.
 std::optional<std::string_view> Lines::more() {
   if (fault_) return std::nullopt;
   if (!ended_) {

@@ -18,22 +18,22 @@ class Lines {
  public:
   explicit Lines(std::unique_ptr<Source> source) : source_(std::move(source)), buffer_(longest) {}
 
-  /// The next line without its end, which is LF or CR LF, valid until the next is asked for. None at the end of the
-  /// source, or where fault() tells why.
+  /// The next line without its end, which is LF or CR LF, valid until the next call. None at the end of the source,
+  /// or with a reason in fault().
   std::optional<std::string_view> next() {
     const void* const found = std::memchr(buffer_.data() + at_, '\n', end_ - at_);
     return found != nullptr ? taken(static_cast<std::size_t>(static_cast<const char*>(found) - buffer_.data()), 1)
                             : more();
   }
-  /// The latest line comes once more.
+  /// Returns the latest line once more.
   void again() { at_ = start_, --number_; }
 
-  /// Of the latest line, counted from 1.
+  /// The number of the latest line, from 1.
   [[nodiscard]] std::uint64_t number() const { return number_; }
   [[nodiscard]] const std::optional<Fault>& fault() const { return fault_; }
 
  private:
-  static constexpr std::size_t longest = std::size_t{1} << 20U;  // bytes of a line, and of what is read at once
+  static constexpr std::size_t longest = std::size_t{1} << 20U;  // bytes of a line, and of one read
 
   std::string_view taken(std::size_t end, std::size_t length_of_end) {
     start_ = at_, at_ = end + length_of_end, ++number_;

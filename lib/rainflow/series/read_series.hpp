@@ -9,10 +9,10 @@
 
 namespace loadpath::rainflow {
 
-/// The format that the end of a file's name says; none where it says nothing.
+/// The format that the end of a file's name says; none if it says nothing.
 std::optional<Format> format_of(std::string_view path);
 
-/// A Fault where the start of the file is not of that form, or the column is not there.
+/// A Fault if the start of the file is not of that form, or the column is not there.
 Outcome<std::unique_ptr<Reader>> read_series(std::unique_ptr<Source> source, const Form& form);
 
 }  // namespace loadpath::rainflow

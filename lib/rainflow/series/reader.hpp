@@ -12,14 +12,14 @@
 
 namespace loadpath::rainflow {
 
-/// Parts of a series in their order, each valid until the next is asked for.
+/// Parts of a series in their order, each valid until the next call.
 class Reader {
  public:
   Reader() = default;
   Reader(Reader&&) = delete;
   virtual ~Reader() = default;
-  /// Finite numbers; none at the end. A Fault whose `at` is the line of a text, counted from 1, or the byte of a binary
-  /// file, counted from 0: the message says so too, and reading is over.
+  /// Finite numbers; none at the end. A Fault whose `at` is the line of a text, counted from 1, or the byte of a
+  /// binary file, counted from 0: the message includes it too, and reading ends.
   virtual Outcome<std::span<const double>> next() = 0;
 };
 
@@ -37,7 +37,7 @@ struct Form {
   /// Between columns: ',', ';', a tab, or a blank for any number of blanks and tabs; none: what the first line with
   /// numbers or names shows, a tab before a semicolon before a comma before blanks.
   std::optional<char> separator;
-  /// What a line of comment begins with.
+  /// First character of a line of comment.
   char comment = '#';
 };
 

@@ -1,4 +1,4 @@
-// Where the bytes of a series come from: a file or the standard input, of any length.
+// The source of a series' bytes: a file or the standard input, of any length.
 #pragma once
 
 #include "lib/text/issue.hpp"
@@ -15,8 +15,8 @@ class Source {
   Source() = default;
   Source(Source&&) = delete;
   virtual ~Source() = default;
-  /// Fills `room` from its start with what comes next; how many bytes, fewer than there is room for at the end alone. A
-  /// Fault where reading fails.
+  /// Fills `room` from its start with the next bytes; returns their number, less than its size only at the end. A
+  /// Fault if reading fails.
   virtual Outcome<std::size_t> read(std::span<char> room) = 0;
 };
 

@@ -1,4 +1,5 @@
-// A chart whose points are told: the one under the pointer, or that the arrow keys have gone to, in a table beside it.
+// A chart with data for its points: that under the pointer, or selected by the arrow keys, is shown in an adjacent
+// table.
 #include "lib/draw/chart/chart.hpp"
 
 #include "lib/quantity/format.hpp"

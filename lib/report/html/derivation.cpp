@@ -32,7 +32,7 @@ std::string sides(const Step& step) {
   return symbolic + "<wbr><span class=\"numbers\">" + (says_more ? numeric + "<wbr>" : "") + value + "</span>";
 }
 
-/// What is taken from elsewhere, and a short formula with a short reason, has room beside its like.
+/// Whether it takes half a line: an imported value, or a short formula with a short reason.
 bool is_half(const Step& step, const Worked& w) {
   constexpr double half = 46.0, formula = 34.0;  // letters
   if (step.formula.empty()) return true;
@@ -43,7 +43,7 @@ bool is_half(const Step& step, const Worked& w) {
   return letters <= formula && letters + letters_of(step.why.text()) <= half;
 }
 
-/// A formula that cannot be broken to fit beside its reason, or on a page at all, is given room.
+/// Full width for a formula that cannot be broken to fit next to its reason, or on a page at all.
 std::string_view width_class(const Step& step) {
   constexpr std::size_t beside_reason = 58, page = 84;  // letters
   const Worked w = worked(step);

@@ -73,7 +73,8 @@ class Writer {
     return (*this)(Heading{2, say("Input").text(), "input"}) + "<pre class=\"input\" tabindex=\"0\">" + escaped(input) +
            "</pre>\n";
   }
-  /// The pictures stand in the page as they are printed. To show another frame the script moves every part from there.
+  /// The pictures in the page are those of the printed frame. To show another frame the script moves every part from
+  /// there.
   [[nodiscard]] std::string script() const {
     const auto script_of = [](bool wanted, std::string_view name) {
       return wanted ? "<script>\n" + std::string(embedded::asset(name)) + "</script>\n" : "";

@@ -15,7 +15,7 @@ std::string math(std::string_view fragment);
 std::string symbol(std::string_view path);
 std::string cell(const Cell& cell);
 
-/// One of many columns is set closer, its units in the head; what is still too wide becomes several below each other.
+/// A table of many columns has closer spacing and units in the head; if still too wide, it is divided.
 std::string table(const Table& table, const std::string& caption);
 
 /// The shapes that verdicts refer to; once in a page.
@@ -29,7 +29,7 @@ std::string headline(const Modes& modes);
 std::string derivation(const Derivation& derivation);
 /// Links a row to the heading of its step where the page has one.
 std::string verdicts(const Verdicts& verdicts, const std::set<std::string>& anchors);
-/// A bar beside a utilisation.
+/// A bar for a utilisation.
 std::string bar(double utilisation);
 
 /// The outcome of all modes in a sentence.
@@ -41,10 +41,10 @@ std::string passes(const Modes& modes, const std::set<std::string>& anchors);
 
 /// A figure that holds a Motion; without scripts it is a picture.
 std::string motion(const draw::Figure& figure);
-/// A figure that holds a chart: its points can be told where scripts run.
+/// A figure that holds a chart: scripts show its points.
 std::string chart(const draw::Figure& figure);
 
-/// The style sheet with the math font in it; `header` and `footer` stand on every printed page.
+/// The style sheet with the math font in it; `header` and `footer` are on every printed page.
 std::string style(std::string_view header, std::string_view footer, std::string_view paper);
 
 }  // namespace loadpath::report::page

@@ -1,4 +1,4 @@
-// The first page: how the machine's modes of failure came out.
+// The first page: how the machine's failure modes came out.
 #include "lib/quantity/format.hpp"
 #include "lib/report/conclusion.hpp"
 #include "lib/report/html/html.hpp"

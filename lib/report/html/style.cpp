@@ -7,7 +7,7 @@
 namespace loadpath::report::page {
 namespace {
 
-/// A CSS string: whatever is not a letter or digit is written as its code, so that nothing ends the string or the
+/// A CSS string: all characters but letters and digits are written as codes, so that nothing ends the string or the
 /// sheet.
 std::string quoted(std::string_view words) {
   constexpr std::string_view digits = "0123456789abcdef";

@@ -8,7 +8,7 @@
 namespace loadpath::report::page {
 namespace {
 
-constexpr double close_letters = 112.0, finer_letters = 134.0;  // of a line that is set closer, and in smaller type
+constexpr double close_letters = 112.0, finer_letters = 134.0;  // of a line: closer spacing, smaller type
 
 std::string close_cell(const Cell& of, const Column& column) {
   const auto* const q = std::get_if<Quantity>(&of);
@@ -41,7 +41,7 @@ std::string close_part(const Table& table, const Part& part) {
   return out + "</tbody></table></div>";
 }
 
-/// What is filled in by hand: the first column alone has words.
+/// Whether it is a form to be filled in by hand: only the first column has words.
 bool is_form(const Table& table) {
   const auto is_empty = [](const Cell& of) {
     const auto* const text = std::get_if<std::string>(&of);
@@ -52,10 +52,10 @@ bool is_form(const Table& table) {
   });
 }
 
-/// Symbols with what they mean: in print two columns of them stand on a page.
+/// Symbols with their meanings: in print two columns of them fit on a page.
 bool is_of_values(const Table& table) { return table.head.size() == 3 && table.head[0].id == "symbol"; }
 
-/// Numbers and names that fill less than half of a line: such a table stands beside the next one.
+/// Numbers and names that fill less than half of a line: such a table is placed next to the following one.
 bool is_narrow(const Table& table, const std::vector<bool>& numeric) {
   constexpr double half = 45.0;  // letters
   const auto breaks = [](const Cell& of) {

@@ -7,7 +7,7 @@
 namespace loadpath::report::page {
 namespace {
 
-constexpr double limit_at = 80.0;  // percent of the bar that stands for a utilisation of 1
+constexpr double limit_at = 80.0;  // percentage of the bar for a utilisation of 1
 
 std::string subject(const Verdict& row, const std::set<std::string>& anchors) {
   std::string out = escaped(row.step);
@@ -19,7 +19,7 @@ std::string subject(const Verdict& row, const std::set<std::string>& anchors) {
   return out;
 }
 
-/// A state in the place of a value says no more than the verdict.
+/// A state in place of a value repeats the verdict.
 std::string value(const Verdict& row) {
   if (std::holds_alternative<State>(row.value)) return "–";
   return cell(row.value) + (row.utilisation ? bar(*row.utilisation) : "");

@@ -26,7 +26,7 @@ std::string on_one_line(const std::vector<std::string>& sides, const std::string
   return out + value;
 }
 
-/// Left, formula, numbers: of these what says more than the value.
+/// Left, formula, numbers: those that add to the value.
 std::vector<std::string> sides_of(const Step& step, const Worked& w, const std::string& value) {
   std::vector<std::string> sides{left_side(step.symbol)};
   if (!w.tree) {

@@ -12,14 +12,14 @@ namespace {
 struct Range {
   char32_t first, last;
 };
-/// What the T1 and TS1 encodings of LaTeX have.
+/// The letters in the T1 and TS1 encodings of LaTeX.
 constexpr std::array known = {
     Range{0x00A0, 0x00B1}, Range{0x00B4, 0x00B6}, Range{0x00B8, 0x00B8}, Range{0x00BA, 0x0125}, Range{0x0128, 0x0137},
     Range{0x0139, 0x013E}, Range{0x0141, 0x0148}, Range{0x014A, 0x0165}, Range{0x0168, 0x017E}, Range{0x0218, 0x021B},
     Range{0x1E9E, 0x1E9E}, Range{0x2010, 0x2015}, Range{0x2018, 0x201A}, Range{0x201C, 0x201E}, Range{0x2020, 0x2022},
     Range{0x2026, 0x2026}, Range{0x2030, 0x2030}, Range{0x2039, 0x203A}, Range{0x20AC, 0x20AC}, Range{0x2116, 0x2116},
     Range{0x2122, 0x2122}};
-constexpr Range cyrillic{0x0400, 0x045F};  // of these T2A has all but two, which no language of today needs
+constexpr Range cyrillic{0x0400, 0x045F};  // T2A lacks two of these, which no language of today uses
 constexpr std::array<char32_t, 2> not_in_t2a = {0x040D, 0x045D};
 
 struct Sign {

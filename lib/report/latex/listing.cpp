@@ -27,7 +27,7 @@ std::string listing(std::string_view text) {
   while (!text.empty()) {
     const std::size_t length = std::min(text.find('\n'), text.size());
     const std::string line = without_control(text.substr(0, length));
-    // What would end the environment stands beside it.
+    // A line that would end the environment is written outside.
     out += line.find(end) == std::string::npos
                ? line + "\n"
                : std::string(end) + "\n\\texttt{" + latex_text(line) + "}\n" + std::string(begin);

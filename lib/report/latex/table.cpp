@@ -22,7 +22,7 @@ struct Plain {
   std::string operator()(State s) const { return account::shown(s).text(); }
 };
 
-/// Of the words between blanks the longest; an underscore is a place for a break too.
+/// The longest word between blanks; an underscore is a possible break too.
 double longest_word(std::string_view text) {
   double longest = 0.0;
   while (!text.empty()) {
@@ -56,7 +56,7 @@ void add_head(Letters& letters, const Message& head) {
   letters.add_whole(symbol_share * letters_of(formula::symbol_plain(head.args[0].text())));
 }
 
-/// `units`: those that all numbers of a column share stand in the head.
+/// `units`: units common to all numbers of a column are in the head.
 Need need_of(const Table& table, const Column& column, bool units) {
   Letters letters;
   if (column.index < table.head.size()) add_head(letters, table.head[column.index]);
@@ -142,7 +142,7 @@ std::size_t breadth(const Table& table) {
   return columns;
 }
 
-/// A column that nothing stands in is filled in by hand.
+/// An empty column is filled in by hand.
 bool is_form(const Table& table) {
   const auto is_empty = [](const Cell& of) {
     const auto* const text = std::get_if<std::string>(&of);
@@ -155,7 +155,7 @@ bool is_form(const Table& table) {
 
 /// High rows with a line below each, on one page.
 std::string form(const Table& table) {
-  constexpr double first = 0.15, all = 0.93;  // of a line; the rest lies between the columns
+  constexpr double first = 0.15, all = 0.93;  // shares of a line; the rest is the gaps between the columns
   const double share = (all - first) / static_cast<double>(table.head.size() - 1);
   std::string out = "\\begin{minipage}{\\linewidth}\\small\\renewcommand{\\arraystretch}{2}\n\\begin{tabular}{@{}L{" +
                     format_number(first, 3) + "\\linewidth}*{" + std::to_string(table.head.size() - 1) + "}{L{" +

@@ -20,7 +20,7 @@ std::string state_of(const Mode& mode);
 /// "INCOMPLETE", marked as the worst of the modes is.
 std::string headline(const Modes& modes);
 
-/// What is too wide in any type becomes several tables below each other.
+/// A table too wide in any type size is divided into several, one below the other.
 std::string table(const Table& table);
 std::string derivation(const Derivation& derivation);
 std::string verdicts(const Verdicts& verdicts, const Linked& linked);

@@ -1,4 +1,4 @@
-// Verdicts, and how the machine's modes of failure came out.
+// Verdicts, and how the machine's failure modes came out.
 #include "lib/quantity/format.hpp"
 #include "lib/report/conclusion.hpp"
 #include "lib/report/latex/tex.hpp"
@@ -37,7 +37,7 @@ std::string table_of(const Modes& modes, const Linked& linked) {
                 rows);
 }
 
-/// A state in the place of a value says no more than the verdict.
+/// A state in place of a value repeats the verdict.
 std::string value(const Verdict& row) { return std::holds_alternative<State>(row.value) ? "–" : cell(row.value); }
 
 std::string subject(const Verdict& row, const Linked& linked) {

@@ -8,7 +8,7 @@
 namespace loadpath::report::tex {
 namespace {
 
-/// How many letters a line of a type has, on A4 and Letter.
+/// The number of letters in a line of a type size, on A4 and Letter.
 struct Type {
   std::string_view name;
   double letters;

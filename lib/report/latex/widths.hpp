@@ -1,4 +1,4 @@
-// How wide the columns of a table are set.
+// The widths of a table's columns.
 #pragma once
 
 #include <string>
@@ -6,22 +6,22 @@
 
 namespace loadpath::report::tex {
 
-/// Letters that a column needs: to break nothing but between words, and to break nothing at all.
+/// Letters that a column needs: to break only between words, and to break nothing at all.
 struct Need {
   double least = 0.0, all = 0.0;
 };
 
-/// What it has where there is little room.
+/// The width of a column where there is little space.
 double comfortable(const Need& need);
 
 inline constexpr double letters_of_line = 122.0;  // in the smallest type
 
 struct Widths {
   std::string type;            // "\\small"
-  std::vector<double> shares;  // of a line; 0: as wide as what stands in the column
+  std::vector<double> shares;  // shares of a line; 0: as wide as the content of the column
 };
 
-/// The largest type in which the columns stand beside each other, and what each then has.
+/// The largest type size in which the columns fit, and their widths in it.
 Widths widths_of(const std::vector<Need>& needs);
 
 }  // namespace loadpath::report::tex

@@ -81,7 +81,7 @@ std::string doubts(const Modes& all) {
   return out;
 }
 
-/// The formula on one line; its numbers, where they say more, on the next.
+/// The formula on one line; its numbers, if they differ, on the next.
 std::string equation(const Step& step) {
   const std::string left = formula::symbol_tex(named_symbol(step.symbol).symbol);
   const std::string value = formula::quantity_tex(written(step.value));
@@ -100,7 +100,7 @@ std::string step_text(const Step& step) {
   return out + "$$\n" + equation(step) + "\n$$\n\n";
 }
 
-/// Writes block after block; figures are collected on the way.
+/// Writes block after block and collects the figures.
 class Writer {
  public:
   Writer(std::string_view stem, Markdown& out) : stem_(stem), out_(out) {}
@@ -168,7 +168,7 @@ Markdown markdown(const Document& document, std::string_view stem) {
   for (const Block& block : document.blocks) std::visit(writer, block);
   if (document.input.empty()) return out;
   writer(Heading{2, say("Input").text(), "input"});
-  for (std::size_t at = 0; at < document.input.size();) {  // set in: nothing in it can end the block
+  for (std::size_t at = 0; at < document.input.size();) {  // indented: nothing in it can end the block
     const std::size_t end = std::min(document.input.find('\n', at), document.input.size());
     out.text += "    " + document.input.substr(at, end - at) + "\n";
     at = end + 1;

@@ -7,12 +7,12 @@
 
 namespace loadpath::report::md {
 
-/// Words on one line in which nothing is read as markup.
+/// Words on one line, escaped from markup.
 std::string text(std::string_view words);
 std::string code(std::string_view words);
 std::string inline_math(std::string_view tex);
 
-/// The address of a file beside the text.
+/// The address of a file in the same folder.
 std::string address(std::string_view file_name);
 
 /// Cells that are Markdown already; columns are padded, so that the source reads as a table too.

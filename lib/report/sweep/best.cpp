@@ -13,7 +13,7 @@ using project::SweptInput;
 
 Quantity in_unit_of(double si, const std::string& unit) { return {si, unit.empty() ? std::string("-") : unit, 5}; }
 
-/// How far the result can be trusted.
+/// The reliability of the result.
 Message reach_of(const sweep::Optimum& optimum) {
   using Reach = sweep::Optimum::Reach;
   const std::string n = std::to_string(optimum.candidates > 0 ? optimum.candidates : optimum.evaluations);
@@ -37,7 +37,7 @@ Table chosen_table(const Best& best) {
   return table;
 }
 
-/// Why the machine beside the best one is no better.
+/// The reason why a neighbour of the best design is not better.
 Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Message& lack) {
   using Outcome = sweep::Neighbour::Outcome;
   if (neighbour.outcome == Outcome::better) return say("better: the search ended before it");

@@ -1,4 +1,4 @@
-// The best machine of a project, or the value at which a result has what was asked for, as a document.
+// The best design of a project, or the value at which a result reaches its target, as a document.
 #pragma once
 
 #include "lib/project/sweep/best.hpp"
@@ -6,7 +6,7 @@
 
 namespace loadpath::report {
 
-/// What was chosen, how good it is, and for every machine beside it what it fails or loses.
+/// The choices, their objective, and for every neighbouring design the check that it fails or the loss.
 std::vector<Block> best_blocks(const project::Best& best);
 
 std::vector<Block> seek_blocks(const project::SoughtValue& sought);

@@ -18,7 +18,7 @@ using project::SweptInput;
 using project::SweptResult;
 using Verdict = Chart::Verdict;
 
-/// Of the modes of a point the one that makes its verdict: the worst, and of these the most utilised.
+/// The mode that decides the verdict of a point: the worst, and among equals the one with the highest utilisation.
 struct Decided {
   Verdict verdict = Verdict::none;
   std::size_t tally = 0;  // 0: no mode; else as in Found::tallies()
@@ -50,7 +50,7 @@ Decided decided(const SolvedPoints& points, std::size_t asked, std::size_t i) {
 
 std::string mode_name(const SweptResult& column) { return column.step + "." + column.mode; }
 
-/// A chart with what both kinds have: what is told, how each point came out.
+/// A chart with the data common to both kinds: shown values, state of each point.
 Chart chart_of(const Project& project, const SweepPlan& plan, const SolvedPoints& points) {
   const std::size_t asked = plan.columns.size();
   const auto verdicts = project::verdict_columns(project);
@@ -143,7 +143,7 @@ bool any_number(const std::vector<double>& values) {
   return std::any_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-/// Of what passes the most utilised.
+/// The passing point with the highest utilisation.
 std::size_t last_that_passes(const Chart& chart) {
   std::size_t found = 0;
   double most = -INFINITY;

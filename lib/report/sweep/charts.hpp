@@ -1,5 +1,5 @@
-// Figures of a sweep whose points can be told: results against each other with the Pareto set, and two inputs with what
-// passes.
+// Figures of a sweep with data for their points: results over each other with the Pareto set, and two inputs with the
+// passing region.
 #pragma once
 
 #include "lib/report/document.hpp"

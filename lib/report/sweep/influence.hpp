@@ -1,4 +1,4 @@
-// Which inputs a result hangs on, as tables and figures.
+// The inputs that influence a result, as tables and figures.
 #pragma once
 
 #include "lib/project/sweep/influence.hpp"

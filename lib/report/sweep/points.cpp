@@ -14,7 +14,7 @@ using project::SweepPlan;
 using project::SweptInput;
 
 constexpr std::size_t most = 2000;       // dots of a figure
-constexpr std::size_t most_front = 800;  // of them
+constexpr std::size_t most_front = 800;  // limit of their number
 constexpr std::size_t most_worst = 100;
 
 SolvedPoints solved(const SweepPlan& plan, const project::ReadAgain& read, std::vector<std::uint64_t> numbers) {
@@ -76,7 +76,7 @@ std::vector<std::uint64_t> numbers_of_cloud(const SweepPlan& plan, const Found& 
   return {numbers.begin(), numbers.end()};
 }
 
-/// Places of an axis in rising order of their values; none where two values are equal.
+/// Places of an axis in rising order of their values; none if two values are equal.
 std::vector<std::uint64_t> rising_places(const SweptInput& input, std::size_t wanted) {
   std::vector<std::uint64_t> places = spread_out(input.axis.size(), wanted);
   const auto value = [&](std::uint64_t i) { return input.axis.at(i); };
@@ -86,7 +86,7 @@ std::vector<std::uint64_t> rising_places(const SweptInput& input, std::size_t wa
                                                                                  : std::vector<std::uint64_t>{};
 }
 
-/// How many columns and rows there is room for.
+/// The number of columns and rows that fit.
 std::pair<std::size_t, std::size_t> size_of_plane(std::uint64_t across, std::uint64_t up) {
   const auto side = static_cast<std::size_t>(std::sqrt(static_cast<double>(most)));
   const auto fitting = [&](std::uint64_t values, std::uint64_t other) {
@@ -98,7 +98,7 @@ std::pair<std::size_t, std::size_t> size_of_plane(std::uint64_t across, std::uin
 
 bool has_axis(const SweptInput& input) { return !input.distribution && input.words.empty() && input.axis.size() > 1; }
 
-/// Of inputs whose values make all the points there are; of two that run together the first stands for both.
+/// The plane of two inputs whose values make up all points; of two inputs zipped together the first represents both.
 std::optional<Plane> plane_of(const SweepPlan& plan, std::size_t a, std::size_t b) {
   const SweptInput &first = plan.inputs[a], &second = plan.inputs[b];
   const std::uint64_t rows = second.axis.size();

@@ -1,5 +1,5 @@
-// Which points of a sweep its figures show: a bounded number, however many there are, the same on every machine. They
-// are solved once more, for a point is a function of its number.
+// The points of a sweep that its figures show: a bounded number, the same on every computer. They are solved once
+// more, since a point is a function of its number.
 #pragma once
 
 #include "lib/project/sweep/found.hpp"
@@ -12,11 +12,11 @@ namespace loadpath::report {
 
 struct SolvedPoints {
   std::vector<std::uint64_t> numbers;                // rising
-  std::vector<std::vector<double>> inputs, results;  // column by column; results asked for, then verdicts
+  std::vector<std::vector<double>> inputs, results;  // column by column; requested results, then verdicts
   [[nodiscard]] std::size_t size() const { return numbers.size(); }
 };
 
-/// The points of two inputs that are crossed, and nothing else is.
+/// The points of two crossed inputs, without other inputs.
 struct Plane {
   std::size_t across = 0, up = 0;  // inputs
   std::size_t columns = 0;
@@ -24,7 +24,7 @@ struct Plane {
 };
 
 struct DrawnPoints {
-  SolvedPoints cloud;  // for two objectives: evenly out of all, the Pareto set, the worst
+  SolvedPoints cloud;  // for two objectives: an even selection, the Pareto set, the worst
   std::optional<Plane> plane;
 };
 

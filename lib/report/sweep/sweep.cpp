@@ -19,7 +19,7 @@ using project::SweptResult;
 using project::Tally;
 
 constexpr double confidence = 0.95;
-constexpr std::size_t most_rows = 12;  // of the Pareto set, on paper
+constexpr std::size_t most_rows = 12;  // rows of the Pareto set, on paper
 constexpr std::size_t bins = 30;
 constexpr std::uint64_t most_listed = 12;  // values of an input
 
@@ -28,7 +28,7 @@ std::string number(std::uint64_t n) { return std::to_string(n); }
 /// "12.5 %", with as many digits as a share near 0 or 1 needs.
 std::string percent(double share) { return format_number(100.0 * share, 3) + " %"; }
 
-/// "2.1 % (1.9 to 2.3 %)"; of a grid, which is no sample, without bounds.
+/// "2.1 % (1.9 to 2.3 %)"; without bounds for a grid, which is not a sample.
 std::string share_text(std::uint64_t met, std::uint64_t n, bool is_sample) {
   if (n == 0) return "-";
   const std::string share = percent(static_cast<double>(met) / static_cast<double>(n));
@@ -53,7 +53,7 @@ std::string listed(const SweptInput& input, std::uint64_t n) {
   return n <= most_listed ? all : all + "... " + say("{1} of them", number(n)).text();
 }
 
-/// What an input goes through: "20 mm, 25 mm, 32 mm"; "20 mm to 60 mm, 41 values"; "normal, mean 200 N*m, sd 20 N*m".
+/// The values of an input: "20 mm, 25 mm, 32 mm"; "20 mm to 60 mm, 41 values"; "normal, mean 200 N*m, sd 20 N*m".
 Message course_of(const SweptInput& input) {
   if (!input.distribution) {
     const std::uint64_t n = input.words.empty() ? input.axis.size() : input.words.size();
@@ -110,7 +110,7 @@ Table mode_table(const Project& project, const SweepPlan& plan, const Found& fou
     if (n == 0) continue;
     const std::uint64_t gaps = n - fails - tally.passing();
     const bool remote = fails == 0 && gaps == 0 && tally.of(State::open) == n;
-    if (remote) continue;  // told at the end of a run of one point
+    if (remote) continue;  // reported at the end of a run of one point
     table.rows.push_back(
         {mode_name(columns[2 * t]), share_text(fails, n, is_sample(plan)), share_text(gaps, n, false),
          share_text(tally.passing(), n, false),
@@ -167,7 +167,7 @@ Table pareto_table(const SweepPlan& plan, const Found& found) {
   return table;
 }
 
-/// How much of the scatter of a result each uncertain input brings, where they are not correlated and act evenly.
+/// The share of each uncertain input in the scatter of a result, if they are uncorrelated and act linearly.
 std::optional<Table> correlation_table(const SweepPlan& plan, const Found& found) {
   const sweep::Covariances all = found.covariances();
   if (!is_sample(plan) || plan.columns.empty() || all.size() == 0) return std::nullopt;

@@ -1,5 +1,5 @@
-// What a sweep has found, as a document: how often the parts fail, what the results are like, which points are worth a
-// look, and how to solve one of them alone.
+// The results of a sweep, as a document: failure rates of the parts, distributions of the results, notable points,
+// and the command that solves one of them separately.
 #pragma once
 
 #include "lib/project/sweep/found.hpp"
@@ -8,7 +8,7 @@
 
 namespace loadpath::report {
 
-/// `found` holds all points of the plan, or those of a shard; `drawn` those of its figures, none where nobody looks at
+/// `found` holds all points of the plan, or those of a shard; `drawn` those of its figures, none if nobody looks at
 /// them.
 Document sweep_document(const project::Project& project, const project::SweepPlan& plan, const project::Found& found,
                         std::string_view program, const DrawnPoints& drawn = {});

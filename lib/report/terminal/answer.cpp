@@ -45,7 +45,7 @@ void show_chosen(const project::Project& project) {
   if (!rows.empty()) std::cout << with_plain_spaces(columns(rows)) << "\n";
 }
 
-/// What does not pass.
+/// Shows the modes that do not pass.
 void show_doubts(const Modes& modes) {
   Modes rows = modes;
   std::erase_if(rows, [](const account::Mode& mode) { return mode.state == State::pass; });

@@ -27,7 +27,7 @@ std::size_t width_of(const std::string& text) {  // code points; an escape seque
 
 std::size_t indent_of(const std::string& text) { return std::min(text.find_first_not_of(' '), text.size()); }
 
-/// "90 mm", "-4.5 kN·m": a number and its unit, nothing else.
+/// Whether a text is a number and its unit: "90 mm", "-4.5 kN·m".
 bool is_quantity(const std::string& text) {
   const std::size_t from = indent_of(text), digit = from + (text.compare(from, 1, "-") == 0 ? 1 : 0);
   const std::size_t space = text.find(' ', from);
@@ -67,7 +67,7 @@ Lines broken(const std::string& text, std::size_t width, std::size_t hang) {
   return lines;
 }
 
-/// What a cell takes at least: its longest word, behind the indent of its later lines.
+/// The minimum width of a cell: its longest word, after the indent of its later lines.
 std::size_t least_width(const std::string& cell, std::size_t hang) {
   std::size_t least = 0;
   for (const std::string& word : words_of(cell)) least = std::max(least, width_of(word));
@@ -76,7 +76,7 @@ std::size_t least_width(const std::string& cell, std::size_t hang) {
 
 std::size_t hang_of(const std::string& cell) { return indent_of(cell) > 0 ? gap : 0; }
 
-/// Takes from the widest column that has words to break, until the line fits or no word can give way.
+/// Narrows the widest column that has words to break, until the line fits or no word can be broken.
 void fit(std::vector<std::size_t>& widths, const std::vector<std::size_t>& least, std::size_t width) {
   const std::size_t gaps = gap * (widths.empty() ? 0 : widths.size() - 1);
   while (std::accumulate(widths.begin(), widths.end(), gaps) > width) {

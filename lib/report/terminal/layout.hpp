@@ -7,8 +7,7 @@
 
 namespace loadpath::terminal {
 
-/// How many characters a line on standard output may have: what the terminal shows, from 80 to 120; 100 where there is
-/// none.
+/// The number of characters in a line on standard output: the width of the terminal, from 80 to 120; 100 without one.
 std::size_t line_width();
 
 /// Rows of cells as columns of at most `width` characters together; wider only where a word is.

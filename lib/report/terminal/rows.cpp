@@ -33,7 +33,7 @@ std::string plain_formula(const account::Step& line) {
 
 std::string name_of(const Mode& mode, bool of_project) { return of_project ? mode.step + "." + mode.id : mode.id; }
 
-/// Modes that no input of their step would let be assessed, by what would.
+/// Modes that no input of their step would permit to assess, by the remedy.
 void add_remote(const std::string& reason, const std::string& name,
                 std::vector<std::pair<std::string, std::string>>& remote) {
   const auto same = std::ranges::find(remote, reason, &std::pair<std::string, std::string>::first);
@@ -74,7 +74,7 @@ Row mode_row(const Mode& mode, const std::string& name) {
 
 std::string mode_columns(const account::Modes& modes, bool of_project) {
   std::vector<Row> rows;
-  std::vector<std::pair<std::string, std::string>> remote;  // what would assess them, and which they are
+  std::vector<std::pair<std::string, std::string>> remote;  // calculators that would assess them, and the modes
   for (const Mode& mode : account::in_order(modes)) {
     if (account::is_remote(mode))
       add_remote(account::reason(mode).text(), name_of(mode, of_project), remote);

@@ -1,4 +1,4 @@
-// Rows of the terminal's columns: values, lines of a calculation, modes of failure.
+// Rows of the terminal's columns: values, lines of a calculation, failure modes.
 #pragma once
 
 #include "lib/account/account.hpp"
@@ -10,17 +10,17 @@ namespace loadpath::terminal {
 
 using Row = std::vector<std::string>;
 
-/// A word, a quantity, the extremes of a series with their places; or why there is none.
+/// A word, a quantity, the extremes of a series with their places; or the reason for a missing value.
 std::string value_text(const account::Entry& entry);
 
 /// "u = F / A", its value and its source; `in_element`: behind the name of the element that it belongs to.
 Row line_row(const account::Derived& line, bool in_element);
 
-/// How a mode came out, by the name that it has where it stands: "rod.yield" of a project, "yield" of a step.
+/// The state of a mode, with its name in context: "rod.yield" for a project, "yield" for a step.
 Row mode_row(const account::Mode& mode, const std::string& name);
 
-/// The modes as columns, what needs a hand first; those that no input would let be assessed share a line for each
-/// reason. `of_project`: named with their steps.
+/// The modes as columns, first those that need action; modes that no input would permit to assess share a line for
+/// each reason. `of_project`: named with their steps.
 std::string mode_columns(const account::Modes& modes, bool of_project);
 
 }  // namespace loadpath::terminal

@@ -17,12 +17,12 @@ namespace loadpath::terminal {
 
 namespace {
 
-/// Results worth a line on the terminal: nothing that was not asked for.
+/// Results worth a line on the terminal: only requested ones.
 bool is_shown(const account::Entry& e) {
   return e.brief && e.role == Role::result && (!account::is_open(e) || !e.missing.empty());
 }
 
-/// What a search has found, and why.
+/// The result of a search, and its reason.
 void show_found(const project::Step& step) {
   std::vector<Row> rows;
   for (const account::Entry* e : report::chosen(step.account()))
@@ -72,7 +72,7 @@ void show_lists(const project::Step& step) {
   }
 }
 
-/// What only this kind of step has to say: of a mechanism its extremes and its structure.
+/// Tables specific to this kind of step: for a mechanism its extremes and its structure.
 void show_tables(const project::Step& step) {
   for (const account::Block& block : step.account().blocks) {
     if (const auto* table = std::get_if<account::Table>(&block)) show_table(*table);
@@ -103,7 +103,7 @@ void show_verdicts(const std::vector<account::Verdict>& verdicts) {
   std::cout << columns(rows);
 }
 
-/// Hints name many words at times. Lines of a file stay whole, for the caret stands below its character.
+/// Hints sometimes name many words. Lines of a file stay unbroken, because the caret is below its character.
 std::string with_short_hints(const std::string& text) {
   constexpr std::string_view mark = "= help: ";
   std::string all;

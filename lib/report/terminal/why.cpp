@@ -29,7 +29,7 @@ void show_lines(const std::vector<account::Derived>& lines) {
   std::cout << columns(rows);
 }
 
-/// What is known of a path: the input, and the result of the same name where it is another value.
+/// The entries of a path: the input, and the result of the same name if its value differs.
 std::vector<const Entry*> entries_at(const Step& step, const std::string& path) {
   std::vector<const Entry*> found;
   for (const auto* entries : {&step.account().inputs, &step.account().results}) {
@@ -47,7 +47,7 @@ const Mode* find_mode(const Step& step, const std::string& id) {
   return found == modes.end() ? nullptr : &*found;
 }
 
-/// A mode of failure, a value, or a mode of the calculator that does not concern this part; none where there is no
+/// A failure mode, a value, or a mode of the calculator that does not concern this part; none if there is no
 /// such.
 std::vector<Row> rows_about(const Step& step, const std::string& name) {
   if (const Mode* const mode = find_mode(step, name)) return {mode_row(*mode, mode->id)};
@@ -73,7 +73,7 @@ void show_reasons(const Step& step, const std::string& path) {
   show_entries(reasons.inputs);
 }
 
-/// Where there is no such result or mode: what may have been meant.
+/// Suggests similar names if there is no such result or mode.
 void refuse(const Step& step, const std::string& path) {
   std::vector<std::string> known;
   for (const Mode& mode : step.account().modes) known.push_back(mode.id);
@@ -89,7 +89,7 @@ void show_head(const Step& step) {
   std::cout << step.name() << ": " << step.input().calculator->title << " (" << step.input().calculator->id << ")\n";
 }
 
-/// Everything that does not pass, what was chosen, and the formulas that tell most.
+/// All modes that do not pass, the choices, and the formulas of the governing mode.
 void show_step(const Step& step) {
   account::Modes rest = step.account().modes;
   std::erase_if(rest, [](const Mode& mode) { return mode.state == account::State::pass; });
@@ -105,7 +105,7 @@ void show_step(const Step& step) {
   show_reasons(step, mode->governs);
 }
 
-/// What keeps the step from passing, where something else was asked for.
+/// The mode that keeps the step from passing, if another was requested.
 void show_obstacle(const Step& step, const std::string& asked) {
   const auto mode = report::deciding(step.account().modes);
   if (!mode || mode->id == asked || rank(mode->state) <= rank(account::State::open)) return;

@@ -7,12 +7,12 @@
 
 namespace loadpath::terminal {
 
-/// The mode of failure that decides over every step.
+/// The failure mode that decides over every step.
 void show_deciding(const project::Project& project);
 
-/// What a value or a mode of failure follows from: the formulas that lead there and what these start from. `of` empty:
-/// everything of the step that does not pass, what was chosen, and the formulas of the mode that tells most. False,
-/// with a message on standard error alone, where there is no such.
+/// The derivation of a value or a failure mode: the formulas that lead there and their inputs. `of` empty: all modes
+/// of the step that do not pass, its choices, and the formulas of the governing mode. False, with a message on
+/// standard error only, if there is no such path.
 bool show_why(const project::Step& step, const std::string& of);
 
 }  // namespace loadpath::terminal

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t header_size = npy_header_size;
 
-/// Of one size, whatever the number: it is written again when there are more.
+/// Fixed size for any number of rows: it is written again when there are more.
 std::array<char, header_size> header(std::uint64_t rows) {
   std::string text = "{'descr': '<f8', 'fortran_order': False, 'shape': (" + std::to_string(rows) + ",), }";
   constexpr std::size_t before = 10;  // the magic, the version, the length

@@ -15,14 +15,14 @@ namespace loadpath::sweep {
 /// Bytes before the first number.
 constexpr std::size_t npy_header_size = 128;
 
-/// Numbers are appended; how many there are stands in the header, which `flush` sets.
+/// Numbers are appended; their count is in the header, which `flush` sets.
 class NpyColumn {
  public:
   /// A new file, or the first `rows` numbers of one that is there.
   static Outcome<NpyColumn> open(const std::filesystem::path& path, std::uint64_t rows = 0);
 
   [[nodiscard]] bool append(std::span<const double> values);
-  /// Everything that was appended is on the disk afterwards; false where that cannot be.
+  /// Everything that was appended is on the disk afterwards; false if that cannot be.
   [[nodiscard]] bool flush();
   [[nodiscard]] std::uint64_t rows() const { return rows_; }
 
@@ -34,11 +34,11 @@ class NpyColumn {
   std::uint64_t rows_ = 0;
 };
 
-/// Everything that was written to the file is on the disk afterwards; false where that cannot be.
+/// Everything that was written to the file is on the disk afterwards; false if that cannot be.
 bool flush_to_disk(std::FILE* file);
 
-/// Hands the numbers of such a file on, some at a time, until `take` ends it with false. What is wrong with the file,
-/// or nothing.
+/// Passes on the numbers of such a file, some at a time, until `take` ends it with false. Returns the error in the
+/// file, or nothing.
 Message read_npy(const std::filesystem::path& path, const std::function<bool(std::span<const double> values)>& take);
 
 }  // namespace loadpath::sweep

@@ -10,7 +10,7 @@ namespace loadpath::sweep {
 
 namespace {
 
-// So many values are told apart by a double, and those of a logarithmic axis are kept.
+// A double distinguishes this many values, and those of a logarithmic axis are kept.
 constexpr double most_values = 0x1p53;
 constexpr std::uint64_t most_kept = 10'000'000;
 
@@ -78,7 +78,7 @@ Outcome<Axis> Axis::logarithmic(double from, double to, std::uint64_t count) {
     return refused(say("the ends of a logarithmic range must be of one sign, and not zero"));
   if (count < 2) return refused(say("a range has 2 values at least"));
   if (count > most_kept) return refused(say("a logarithmic range has {1} values at most", std::to_string(most_kept)));
-  // In extended precision, so that decades come out as the decimal number that is meant.
+  // In extended precision, so that decades give the intended decimal number.
   const long double ratio = std::log(static_cast<long double>(to) / from);
   std::vector<double> values(count);
   for (std::size_t i = 0; i < count; ++i)

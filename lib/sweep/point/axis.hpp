@@ -22,13 +22,13 @@ class Axis {
   static Outcome<Axis> logarithmic(double from, double to, std::uint64_t count);
 
   [[nodiscard]] std::uint64_t size() const { return size_; }
-  /// The value of 0 <= i < size(), of i alone.
+  /// The value of 0 <= i < size(), a function of i only.
   [[nodiscard]] double at(std::uint64_t i) const;
 
  private:
-  std::vector<double> values_;  // of a list; empty where they are computed
+  std::vector<double> values_;  // values of a list; empty if they are computed
   double from_ = 0.0, to_ = 0.0;
-  double step_ = 0.0;  // zero where the ends and the number are given
+  double step_ = 0.0;  // zero if the ends and the number are given
   double last_ = 0.0;  // the value at size - 1
   std::uint64_t size_ = 1;
 };

@@ -12,7 +12,7 @@ namespace loadpath::sweep {
 
 namespace {
 
-// Below it the share of a variable that the others leave is rounding alone.
+// Below it the residual share of a variable, given the others, is rounding.
 constexpr double smallest_share = 1e-12;
 
 struct Matrix {
@@ -43,7 +43,7 @@ std::optional<Fault> fault_of_entries(const Matrix& R, const std::vector<std::st
   return std::nullopt;
 }
 
-/// The rows up to the first that leaves nothing of its variable; all of them where there is none.
+/// The rows up to the first that leaves nothing of its variable; all of them if there is none.
 std::size_t root_of(const Matrix& R, std::vector<double>& root) {
   root.assign(R.size * R.size, 0.0);
   for (std::size_t i = 0; i < R.size; ++i) {
@@ -65,7 +65,7 @@ struct Bounds {
   double low, high, away;
 };
 
-/// What row i may have in column j, with its other coefficients before i as they are: where 1 - r' A^-1 r > 0.
+/// The permitted interval of row i in column j, with its other coefficients before i fixed: where 1 - r' A^-1 r > 0.
 std::optional<Bounds> bounds_of(const Matrix& R, const std::vector<double>& inverse, std::size_t i, std::size_t j) {
   double linear = 0.0, rest = -1.0;
   for (std::size_t a = 0; a < i; ++a) {
@@ -131,7 +131,7 @@ Outcome<Correlation> Correlation::of(std::vector<double> matrix, const std::vect
   return made;
 }
 
-// From the last row up: what a row needs of the rows before it is still there.
+// From the last row up: the rows before it are still unchanged.
 void Correlation::apply(std::span<double* const> columns, std::size_t n) const {
   for (std::size_t i = size_; i-- > 1;) {
     const double own = root_[i * size_ + i];

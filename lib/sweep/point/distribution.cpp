@@ -38,7 +38,7 @@ inline double value(const Weibull& law, double p, double q) {
   return value(law, p < 0.5 ? log_of_survival(p) : -natural_log(q));
 }
 
-/// What a column of probabilities is made of: `at(p)` for each.
+/// The transformation of a column of probabilities: `at(p)` for each.
 template <class At>
 LOADPATH_COLUMNS void each(const double* p, double* x, std::size_t n, const At& at) {
   for (std::size_t i = 0; i < n; ++i) x[i] = at(p[i]);
@@ -53,7 +53,7 @@ Sides sides(double z) {
   return z < 0.0 ? Sides{smaller, 1.0 - smaller} : Sides{1.0 - smaller, smaller};
 }
 
-// ---- what is refused -----------------------------------------------------------------------------------------------
+// ---- refusals -------------------------------------------------------------------------------------------------------
 
 Message refusal_of(const Normal& law) { return law.sd > 0.0 ? Message{} : say("the standard deviation must be > 0"); }
 Message refusal_of(const Uniform& law) { return law.min < law.max ? Message{} : say("min must be below max"); }

@@ -1,4 +1,4 @@
-// How an uncertain input scatters: the law with its parameters, and the value to a probability.
+// The distribution of an uncertain input: the law with its parameters, and the value at a probability.
 //
 // Normal, uniform and triangular laws, the lognormal one by mean and standard deviation of the quantity itself, and
 // Weibull's of three parameters. Probabilities lie inside (0, 1), where every value is finite.
@@ -22,20 +22,20 @@ struct Triangular {
   double min = 0.0, mode = 0.5, max = 1.0;
 };
 struct Lognormal {
-  double mean = 1.0, sd = 1.0;  // of the quantity, not of its logarithm
+  double mean = 1.0, sd = 1.0;  // parameters of the quantity, not of its logarithm
 };
 struct Weibull {
   double scale = 1.0, shape = 1.0, location = 0.0;
 };
 using Law = std::variant<Normal, Uniform, Triangular, Lognormal, Weibull>;
 
-/// What is wrong with the parameters; empty where nothing is.
+/// The error in the parameters; empty if there is none.
 Message refusal(const Law& law);
 
 class Distribution {
  public:
   Distribution() : Distribution(Normal{}) {}
-  /// Of a law that is not refused.
+  /// For a law that is not refused.
   explicit Distribution(const Law& law);
 
   /// The value that is not exceeded with probability p, 0 < p < 1.
@@ -43,8 +43,8 @@ class Distribution {
   /// The same to the bit for each of a column; both spans may be the same column.
   void quantile(std::span<const double> p, std::span<double> x) const;
 
-  /// The value that belongs to the value z of a standard normal variable, quantile(Phi(z)), |z| <= 37; p so near to 1
-  /// that it could not be told from it is none here.
+  /// The value at z of a standard normal variable, quantile(Phi(z)), |z| <= 37; valid even where p is too near to 1
+  /// to be represented.
   [[nodiscard]] double of_normal(double z) const;
   void of_normal(std::span<const double> z, std::span<double> x) const;
 
@@ -57,7 +57,7 @@ class Distribution {
 
  private:
   Law law_;
-  double log_mean_ = 0.0, log_sd_ = 0.0;  // of the logarithm, of a lognormal law
+  double log_mean_ = 0.0, log_sd_ = 0.0;  // lognormal law: parameters of the logarithm
 };
 
 }  // namespace loadpath::sweep

@@ -32,7 +32,7 @@ inline double log_of_survival(double p) {
 /// e^x; beyond +-708 that of the bound.
 inline double exponential(double x) {
   constexpr double ln2_high = 6.93147180369123816490e-01, ln2_low = 1.90821492927058770002e-10;
-  constexpr double shifter = 0x1.8p52;  // adding it rounds to an integer, which stands in the low bits
+  constexpr double shifter = 0x1.8p52;  // adding it rounds to an integer, which is in the low bits
   const double above = x < -708.0 ? -708.0 : x, bounded = above > 708.0 ? 708.0 : above;
   const double shifted = bounded * 1.44269504088896338700e+00 + shifter;
   const double k = shifted - shifter;

@@ -10,7 +10,7 @@ namespace loadpath::sweep {
 
 namespace {
 
-/// The finaliser of splitmix64 (Steele, Lea and Flood 2014): every bit of the result hangs on every bit of x.
+/// The finaliser of splitmix64 (Steele, Lea and Flood 2014): every bit of the result depends on every bit of x.
 std::uint64_t mixed(std::uint64_t x) {
   x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9;
   x = (x ^ (x >> 27)) * 0x94d049bb133111eb;

@@ -11,14 +11,14 @@ class Permutation {
  public:
   Permutation(std::uint64_t size, std::uint64_t seed, std::uint64_t variable, std::uint64_t cube);
 
-  /// Where i < size goes.
+  /// The image of i < size.
   [[nodiscard]] std::uint64_t operator()(std::uint64_t i) const;
 
  private:
   [[nodiscard]] std::uint64_t shuffle(std::uint64_t i) const;
 
   std::uint64_t size_;
-  std::array<std::uint64_t, 4> keys_;  // of the rounds
+  std::array<std::uint64_t, 4> keys_;  // keys of the rounds
   unsigned half_;                      // bits of each half of a number
 };
 

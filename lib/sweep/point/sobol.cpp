@@ -53,7 +53,7 @@ Sobol::Sobol(std::size_t variables, std::uint64_t seed) : seed_(seed), direction
 
 void Sobol::fill(std::size_t variable, std::uint64_t first, std::uint64_t shift, std::span<double> column) const {
   const Directions& directions = directions_[variable];
-  Directions up_to;  // what counting up flips: a bit and all below it
+  Directions up_to;  // bits flipped by counting up: a bit and all below it
   std::uint64_t flipped = 0, x = random_bits(seed_, shift, variable, Purpose::shift)[0];
   for (unsigned bit = 0; bit < digits; ++bit) {
     up_to[bit] = flipped ^= directions[bit];

@@ -23,13 +23,13 @@ class Sobol {
   void fill(std::size_t variable, std::uint64_t first, std::uint64_t shift, std::span<double> column) const;
 
  private:
-  using Directions = std::array<std::uint64_t, 52>;  // what each bit of the index flips
+  using Directions = std::array<std::uint64_t, 52>;  // flips by each bit of the index
 
   std::uint64_t seed_ = 0;
-  std::vector<Directions> directions_;  // of each variable
+  std::vector<Directions> directions_;  // directions of each variable
 };
 
-/// What the bits 0 ... 51 of an index flip, as it is published, of a variable; the highest bit of a number is 1/2.
+/// The flips by the bits 0 ... 51 of an index, as published, for a variable; the highest bit of a number is 1/2.
 std::vector<std::array<std::uint64_t, 52>> sobol_directions(std::size_t variables);
 
 }  // namespace loadpath::sweep

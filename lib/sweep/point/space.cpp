@@ -62,7 +62,7 @@ Outcome<Space> Space::of(std::vector<Level> levels, Random random) {
   return space;
 }
 
-/// A level that is slower than those that there are; the digits stand in reverse until all levels are there.
+/// Adds a level slower than the existing ones; the digits are in reverse order until all levels are there.
 Message Space::put_above(Level level) {
   if (level.empty()) return {};
   const std::uint64_t size = level.front().size();

@@ -1,8 +1,8 @@
 // The points of a sweep: a grid of levels, and samples of uncertain inputs at each of its points.
 //
-// A point is a pure function of its index: which values the grid takes is told by the digits of the index, the first
-// level being the slowest, and what is drawn at random by a counter generator. So points can be made in any order, by
-// any number of threads and machines, and again.
+// A point is a pure function of its index: the digits of the index select the values of the grid, the first level
+// being the slowest, and random values come from a counter-based generator. So points can be made in any order, by
+// any number of threads and computers, and repeated.
 #pragma once
 
 #include "lib/sweep/point/axis.hpp"
@@ -49,7 +49,7 @@ class Space {
  private:
   struct Digit {
     Axis axis;
-    std::uint64_t stride;  // points for which it stands still
+    std::uint64_t stride;  // number of points for which it is constant
   };
   Message put_above(Level level);
   void sample(std::uint64_t first, std::size_t n, std::span<double* const> columns) const;

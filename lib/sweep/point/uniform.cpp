@@ -18,7 +18,7 @@ constexpr std::size_t chunk = 64;
 
 std::uint64_t joined(std::uint32_t lower, std::uint32_t upper) { return lower | std::uint64_t{upper} << 32; }
 
-/// What is the same over a column.
+/// Data common to a column.
 struct Place {
   std::uint64_t seed, variable, purpose;
 };

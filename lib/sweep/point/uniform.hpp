@@ -8,11 +8,11 @@
 
 namespace loadpath::sweep {
 
-/// What numbers are for: another use of the same seed gives others.
+/// The purpose of random numbers: another use of the same seed gives others.
 enum class Purpose : std::uint32_t { samples, strata, triangle, shift, search };
 
-/// The middle of one of 2^52 parts of (0, 1), by the upper bits: they make a number between 1 and 2. Nothing is
-/// rounded.
+/// The middle of one of 2^52 parts of (0, 1), by the upper bits: they make a number between 1 and 2. There is no
+/// rounding.
 inline double unit(std::uint64_t bits) {
   return std::bit_cast<double>((bits >> 12) | 0x3ff0000000000000) - (1.0 - 0x1p-53);
 }

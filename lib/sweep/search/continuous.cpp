@@ -25,7 +25,7 @@ class Descent {
   }
 
   void follow(nlopt::algorithm algorithm, double first_step, double margin);
-  /// By gradients to the constraints; what ends a little outside is done again further inside.
+  /// By gradients to the constraints; a result slightly outside is repeated further inside.
   void follow_gradients();
   void poll() { best = polled(trials, best, free, 0.05); }
   [[nodiscard]] const Trial& result() const { return best; }
@@ -48,7 +48,7 @@ class Descent {
   double scale, inside = 0.0;
   std::vector<std::size_t> free;
   std::vector<const Constraint*> limited;
-  std::vector<double> seen, values, sloped, slopes;  // the last point and what is there: objective, then constraints
+  std::vector<double> seen, values, sloped, slopes;  // the last point and its values: objective, then constraints
   nlopt::opt* running = nullptr;
   std::exception_ptr failure;
 };
@@ -63,7 +63,7 @@ Places Descent::places(const double* x) const {
 double tamed(double by) { return by <= 1.0 ? by : 1.0 + std::log(by); }
 
 void Descent::take(std::span<const double> outputs, double* into) const {
-  constexpr double unknown = 50.0;  // beyond what is seen: log(1e20) = 46
+  constexpr double unknown = 50.0;  // beyond all known values: log(1e20) = 46
   const double f = outputs[trials.problem().objective];
   const double signed_f = trials.problem().maximise ? -f : f;
   into[0] = std::isfinite(f) ? signed_f / scale : 1e3;
@@ -87,7 +87,7 @@ void Descent::look(const double* x) {
 }
 
 void Descent::differentiate(const double* x) {
-  constexpr double h = 1e-6;  // of the range: its square, of the differences' error, is near rounding's share of them
+  constexpr double h = 1e-6;  // share of the range: the truncation error, h^2, is near the rounding error
   const std::span here(x, free.size());
   if (std::equal(here.begin(), here.end(), sloped.begin(), sloped.end())) return;
   std::vector<Places> around;
@@ -163,7 +163,8 @@ void Descent::follow(nlopt::algorithm algorithm, double first_step, double margi
     double value = 0.0;
     optimiser.optimize(x, value);
   } catch (const std::exception&) {
-    // Rounding, or a direction that leads nowhere: what was seen is kept. What the function threw is thrown on.
+    // Rounding, or a direction without progress: the best point so far is kept. Exceptions of the function are passed
+    // on.
   }
   running = nullptr;
   if (failure) std::rethrow_exception(failure);

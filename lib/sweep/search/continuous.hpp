@@ -6,12 +6,12 @@
 namespace loadpath::sweep {
 
 enum class Care {
-  quick,    // by gradients, and by linear models where that finds nothing allowed
-  thorough  // by both, and then by polling around the best, which flags and kinks need
+  quick,    // by gradients, and by linear models if that finds no feasible point
+  thorough  // by both, and then by polling around the best, as flags and kinks require
 };
 
 /// The best point that a descent from `start` saw, `start` included; a local optimum. Gradients are central
-/// differences, and steer by the utilisations (SLSQP and COBYLA of NLopt); what counts as best is judged with all
+/// differences, and steer by the utilisations (SLSQP and COBYLA of NLopt); what counts as best is assessed with all
 /// constraints. `scale` is the usual size of the objective.
 [[nodiscard]] Trial descended(Trials& trials, const Trial& start, double scale, Care care);
 

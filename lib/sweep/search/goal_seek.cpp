@@ -80,7 +80,7 @@ Look Seeker::edge(Look there, double not_there) {
   return there;
 }
 
-/// The points of the range with the edges of what is not available between them.
+/// The points of the range with the edges of missing values between them.
 std::vector<Look> Seeker::over_the_range() {
   std::vector<double> places;
   const std::size_t points = std::max<std::size_t>(goal.points, 2);
@@ -108,7 +108,7 @@ void Seeker::add_stretch(const Look& first, const Look& last) {
 
 /// A root or a leap between two places where the signs differ.
 void Seeker::add_between(const Look& left, const Look& right) {
-  constexpr double negligible = 1e-6;  // of what the output differs from the target at the ends
+  constexpr double negligible = 1e-6;  // relative to the deviation of the output from the target at the ends
   std::uintmax_t most = 200;
   std::vector<Look> seen;
   const auto rest = [&](double x) {

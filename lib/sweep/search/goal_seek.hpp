@@ -1,4 +1,4 @@
-// The value of one input at which an output has a wanted value.
+// The value of one input at which an output reaches a target.
 #pragma once
 
 #include "lib/sweep/function.hpp"
@@ -16,28 +16,28 @@ struct Goal {
   std::size_t points = 257;  // at which the range is looked at, 2 at least
 };
 
-/// Where the output has the target, or leaps over it.
+/// A point where the output equals the target, or jumps across it.
 struct Meeting {
   enum class Kind {
-    crossing,  // to rounding: `within` is what is left of the bracket
-    touching,  // without going through; to a millionth of what the output differs from the target beside it
+    crossing,  // to rounding: `within` is the final width of the bracket
+    touching,  // without crossing; to a millionth of the neighbouring deviation of the output from the target
     stretch,   // from `at` to `to` at every point that was looked at
     leap       // past it: the output has the target on neither side
   };
   Kind kind = Kind::crossing;
   double at = 0.0, to = 0.0;
-  double value = 0.0;   // of the output at `at`
-  double within = 0.0;  // of the true place
+  double value = 0.0;   // value of the output at `at`
+  double within = 0.0;  // error bound of the position
 };
 
 struct Sought {
   std::vector<Meeting> meetings;  // in order; two closer than the points apart may be missed
-  double nearest = 0.0;           // where the output is nearest to the target; NaN where it is never there
+  double nearest = 0.0;           // where the output is nearest to the target; NaN if it is never there
   double value = 0.0;             // there
   std::uint64_t evaluations = 0;
 };
 
-/// The other inputs stay as `base` says. Brackets by points over the range and at the edges of what is not available;
+/// The other inputs keep the values of `base`. Brackets by points over the range and at the edges of missing values;
 /// roots by TOMS 748 of Boost.Math.
 [[nodiscard]] Sought seek(Function& function, const std::vector<double>& base, const Goal& goal);
 

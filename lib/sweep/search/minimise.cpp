@@ -22,7 +22,7 @@ Trial best_in(const std::vector<Trial>& trials) {
                            [](const Trial& a, const Trial& b) { return better(a.standing, b.standing); });
 }
 
-/// Goes on from neighbours that are better, until none is or the budget is spent.
+/// Continues from better neighbours, until none is or the budget is spent.
 Proof proven(Trials& trials, MixedSearch& search, Trial& best, double step) {
   for (;;) {
     Proof proof = proof_of(trials, search, best, step);

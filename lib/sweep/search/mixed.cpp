@@ -35,7 +35,7 @@ double usual_objective(const std::vector<Trial>& scan) {
   return *middle;
 }
 
-/// How far apart two points are in their continuous variables, as a share of the ranges; 1 where their stocks differ.
+/// The distance of two points in their continuous variables, as a share of the ranges; 1 if their stocks differ.
 double distance(const std::vector<Variable>& variables, const Places& a, const Places& b) {
   double most = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -89,7 +89,7 @@ void MixedSearch::remember(const Trial& trial) {
 }
 
 std::vector<Trial> MixedSearch::apart(const std::vector<Trial>& points, std::size_t most) const {
-  constexpr double far = 0.15;  // of the ranges
+  constexpr double far = 0.15;  // relative to the ranges
   std::vector<Trial> taken;
   for (const Trial& point : points) {
     if (taken.size() == most) break;
@@ -165,7 +165,7 @@ bool MixedSearch::step(Trial& current) {
          step_to(current, trials_at(across(variables, current.at)));
 }
 
-/// Goes on to a neighbour that is better; the nearest to being so is looked at first. What was solved once stays so.
+/// Moves to a better neighbour, trying the most promising first. Solved points are not solved again.
 bool MixedSearch::step_to(Trial& current, std::vector<Trial> around) {
   std::vector<Trial> known;
   std::erase_if(around, [&](const Trial& trial) {

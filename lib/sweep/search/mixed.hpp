@@ -7,8 +7,8 @@
 
 namespace loadpath::sweep {
 
-/// From the best of points spread over all ranges it goes from neighbour to neighbour in the stock while one is better,
-/// at each with the continuous variables at their best. Where the stock has few combinations, each is looked at.
+/// From the best of points spread over all ranges it moves from neighbour to neighbour in the stock while one is
+/// better, at each with the continuous variables at their best. If the stock has few combinations, all are tried.
 class MixedSearch {
  public:
   explicit MixedSearch(Trials& at_work);

@@ -1,11 +1,11 @@
-// What lies beside a design in the stock.
+// The neighbours of a design in the stock.
 #pragma once
 
 #include "lib/sweep/search/problem.hpp"
 
 namespace loadpath::sweep {
 
-/// One discrete variable changed: by one and by up to `reach` places either way; words to every other word.
+/// One discrete variable changed: by one and by up to `reach` places in both directions; words to every other word.
 [[nodiscard]] std::vector<Places> beside(const std::vector<Variable>& variables, const Places& at, int reach);
 
 /// Two discrete variables changed at once, each by one place or to every other word.

@@ -1,4 +1,4 @@
-// What a search for the best design finds: the point, and what stands beside it.
+// The result of a search for the best design: the point, and its neighbours.
 #pragma once
 
 #include <cstddef>
@@ -7,16 +7,16 @@
 
 namespace loadpath::sweep {
 
-/// A point beside the best one: one variable changed, in the stock by one value or to another word.
+/// A neighbour of the best point: one variable changed, in the stock by one value or to another word.
 struct Neighbour {
   enum class Outcome {
-    breaks,     // a constraint, and the best point does not; where that breaks too: is no nearer to being allowed
-    no_better,  // allowed, and its objective is no better
+    breaks,     // violates a constraint, and the best point does not; if that does too: is not nearer to feasibility
+    no_better,  // feasible, and its objective is not better
     better      // the search ended before it could go there
   };
   std::size_t variable = 0;
   bool up = false;       // to the next larger place
-  bool resized = false;  // the continuous variables were searched anew, else they stay
+  bool resized = false;  // the continuous variables were searched again, else they are unchanged
   Outcome outcome = Outcome::no_better;
   std::size_t broken = 0;  // the constraint that is broken most; their number where none is
   std::vector<double> point, outputs;
@@ -24,8 +24,8 @@ struct Neighbour {
 
 struct Optimum {
   enum class Reach {
-    every_point,        // of a finite set
-    every_combination,  // of the stock, each with the continuous variables at a local optimum
+    every_point,        // every point of a finite set
+    every_combination,  // every combination of the stock, each with the continuous variables at a local optimum
     local               // better than its neighbours and than what was found from the other starts
   };
   std::vector<double> point, outputs;
@@ -33,7 +33,7 @@ struct Optimum {
   std::size_t worst = 0;  // the constraint that is broken most; their number where none is
   Reach reach = Reach::local;
   bool budget_spent = false;
-  std::uint64_t candidates = 0;       // where every point was gone through, how many there are; else 0
+  std::uint64_t candidates = 0;       // number of points if all were evaluated; else 0
   std::uint64_t evaluations = 0;      // those of the proof too, which meets some points again
   std::vector<Neighbour> neighbours;  // a side without a neighbour is the end of the range
 };

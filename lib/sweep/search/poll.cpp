@@ -13,7 +13,7 @@ double mirrored(const std::vector<double>& v, double square, std::size_t i, std:
   return (i == j ? 1.0 : 0.0) - (square > 0.0 ? 2.0 * v[i] * v[j] / square : 0.0);
 }
 
-/// A vector that turns with the number of the round; none in the first, where the directions are those of the axes.
+/// A vector that rotates with the number of the round; none in the first, where the directions are those of the axes.
 std::vector<double> turned(const Spread& spread, std::uint64_t round, std::size_t n) {
   std::vector<double> v(n, 0.0);
   for (std::size_t i = 0; round > 0 && i < n; ++i) v[i] = 2.0 * spread(round, i) - 1.0;

@@ -10,8 +10,7 @@
 
 namespace loadpath::sweep {
 
-/// One input of the function. A place says where in its range it stands: a share from 0 to 1, or the number of the
-/// value.
+/// One input of the function. A place is the position in its range: a share from 0 to 1, or the number of the value.
 struct Variable {
   double from = 0.0, to = 0.0;  // continuous; both belong to it
   std::vector<double> values;   // a stock, in order of size; not empty: discrete
@@ -21,7 +20,7 @@ struct Variable {
   [[nodiscard]] double at(double place) const;
 };
 
-/// An output that decides whether a point is allowed. What is not finite is not.
+/// An output that decides whether a point is feasible. NaN and infinity are not.
 struct Constraint {
   enum class Kind {
     at_most_one,  // a utilisation
@@ -30,7 +29,7 @@ struct Constraint {
   static constexpr std::size_t itself = static_cast<std::size_t>(-1);
   std::size_t output = 0;
   Kind kind = Kind::at_most_one;
-  std::size_t decided_by = itself;  // the constraint that alone counts where this has no value and that one holds
+  std::size_t decided_by = itself;  // the constraint that decides if this one has no value
 };
 
 /// The variables are the inputs of the function, in their order.
@@ -45,7 +44,7 @@ struct Problem {
 /// A place of each variable.
 using Places = std::vector<double>;
 
-/// What a point is worth to a search.
+/// The rank of a point in a search.
 struct Standing {
   int missing = 0;         // constraints, and the objective, that are not finite
   double violation = 0.0;  // the sum by which utilisations exceed 1, and 1 for each flag that does not pass
@@ -57,10 +56,10 @@ struct Standing {
 /// Whether a is better than b: allowed points by their objective; before them, what lacks less, then what breaks less.
 [[nodiscard]] bool better(const Standing& a, const Standing& b);
 
-/// The standing of a point with these outputs.
+/// The rank of a point with these outputs.
 [[nodiscard]] Standing judge(const Problem& problem, std::span<const double> outputs);
 
-/// By how much a value of this output breaks it; 0 where it does not, infinity where the value is not finite.
+/// By how much a value of this output breaks it; 0 if it does not, infinity where the value is not finite.
 [[nodiscard]] double excess(Constraint::Kind kind, double value);
 
 /// The same of one constraint of a problem.
@@ -70,7 +69,7 @@ struct Standing {
 /// number of constraints.
 [[nodiscard]] std::size_t worst_broken(const Problem& problem, std::span<const double> outputs);
 
-/// How many points the discrete variables have together, at most `most` + 1.
+/// The number of combinations of the discrete variables, at most `most` + 1.
 [[nodiscard]] std::uint64_t combinations(const std::vector<Variable>& variables, std::uint64_t most);
 
 }  // namespace loadpath::sweep

@@ -1,4 +1,4 @@
-// What stands beside the best point, each with the reason why it is not taken.
+// The neighbours of the best point, each with the reason why it is not selected.
 #pragma once
 
 #include "lib/sweep/search/mixed.hpp"
@@ -11,8 +11,8 @@ struct Proof {
   std::vector<Trial> better;  // those that are better than the point
 };
 
-/// One place up and down of each variable, `step` of their range for continuous ones. Neighbours in the stock are told
-/// twice where there are continuous variables: as they are, and resized by `search`.
+/// One place up and down of each variable, `step` of their range for continuous ones. Neighbours in the stock are
+/// listed twice if there are continuous variables: as they are, and resized by `search`.
 [[nodiscard]] Proof proof_of(Trials& trials, MixedSearch& search, const Trial& best, double step);
 
 }  // namespace loadpath::sweep

@@ -1,4 +1,4 @@
-// Points of a search, judged many at once and counted.
+// Points of a search, assessed many at once and counted.
 #pragma once
 
 #include "lib/sweep/column_block.hpp"

@@ -1,4 +1,4 @@
-// A design whose worth is what it does over scatter: quantiles and shares of the outputs as outputs, to be minimised.
+// The objective of a design under scatter: quantiles and shares of the outputs as outputs, to be minimised.
 #pragma once
 
 #include "lib/sweep/column_block.hpp"
@@ -10,7 +10,7 @@
 
 namespace loadpath::sweep {
 
-/// What an input of the inner function is: a design variable, scatter, or the one with the other on top.
+/// The role of an input of the inner function: a design variable, scatter, or the sum of both.
 struct Scattered {
   std::optional<std::size_t> design;   // an input of the robust function
   std::optional<std::size_t> scatter;  // a column of the sampler
@@ -30,8 +30,8 @@ struct Statistic {
   double p = 0.0;
 };
 
-/// The same samples at every point (common random numbers), so that it is as smooth as the inner function lets it be.
-/// Where a sample is not available, mean, deviation and quantiles are not either.
+/// The same samples at every point (common random numbers), so that it is as smooth as the inner function. If a
+/// sample is not available, neither are mean, deviation and quantiles.
 class Robust : public Function {
  public:
   Robust(Function& inner, std::size_t designs, std::vector<Scattered> inputs, std::size_t columns,

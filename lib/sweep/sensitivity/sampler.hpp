@@ -1,4 +1,4 @@
-// Where samples come from.
+// The source of samples.
 #pragma once
 
 #include <cstddef>

@@ -29,7 +29,7 @@ struct Samples {
   [[nodiscard]] double size(std::size_t level) const { return std::ldexp(step, -static_cast<int>(level)); }
   /// The largest slope of a chord from the base.
   [[nodiscard]] double steepest() const;
-  /// What rounding of the output and of the input may add to a difference over the first step.
+  /// The contribution of rounding in the output and the input to a difference over the first step.
   [[nodiscard]] double noise() const { return 2.0 * rounding * (std::abs(base) + std::abs(at) * steepest()) / step; }
 };
 
@@ -43,7 +43,7 @@ double Samples::steepest() const {
   return most;
 }
 
-/// The limit of differences whose error goes in powers of step^order; those that are not finite are passed over.
+/// The limit of differences whose error is a series in powers of step^order; those that are not finite are skipped.
 Estimate extrapolated(const std::array<double, levels>& differences, double ratio, double noise) {
   Estimate best;
   std::array<double, levels> row{};

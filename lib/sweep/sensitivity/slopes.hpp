@@ -1,4 +1,4 @@
-// First derivatives at a point by differences, with what is known of their error.
+// First derivatives at a point by differences, with estimates of their error.
 //
 // Differences over steps that are halved are extrapolated (Richardson), from both sides and from each; the entry of the
 // scheme with the least estimated error is taken (Ridders 1982). A kink nearer than a 512th of the step counts as one
@@ -16,15 +16,15 @@ struct Slope {
   enum class Kind {
     smooth,
     kink,       // the slopes of both sides differ: the value is their mean, the error half of their difference
-    below,      // from this side alone: the other is not available
+    below,      // only from this side: the other is not available
     above,      // the same
     unsettled,  // a leap, or noise: the differences do not settle
     none        // not available on either side, or at the point; all numbers are NaN
   };
   Kind kind = Kind::none;
   double value, error;  // the error is estimated, and absolute
-  double below, above;  // of each side; NaN where it is not available
-  double elasticity;    // relative change of the output to that of the input; NaN where the output is 0
+  double below, above;  // slopes on each side; NaN if not available
+  double elasticity;    // relative change of the output to that of the input; NaN if the output is 0
 };
 
 struct Slopes {

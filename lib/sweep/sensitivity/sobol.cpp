@@ -13,7 +13,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 constexpr double two_sided_95 = 1.959963984540054;  // the normal quantile of 0.975
 
-/// The rows A and B of a block, and which of them the function is asked for.
+/// The rows A and B of a block, and those at which the function is evaluated.
 class Rows {
  public:
   Rows(const Sampler& sampler, std::size_t inputs, std::uint64_t first, std::size_t n)

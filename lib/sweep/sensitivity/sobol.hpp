@@ -1,5 +1,5 @@
-// Sobol indices: which share of an output's variance an input makes alone, and which with all that it acts together
-// with.
+// Sobol indices: the share of an output's variance due to an input by itself, and the share including its
+// interactions.
 //
 // Samples 2 j and 2 j + 1 of the sampler are the rows A_j and B_j; AB_ij is A_j with input i from B_j (Saltelli 2010).
 // The first-order index is the correlation of f(B) and f(AB_i) (Martinez 2011), the total one the mean of (f(A) -
@@ -18,7 +18,7 @@ struct SobolIndex {
   double total = 0.0, total_within = 0.0;
 };
 
-/// Of one output. Where it does not scatter, or fewer than two rows are known, the indices are NaN.
+/// The indices of one output. If it does not scatter, or fewer than two rows are known, they are NaN.
 struct SobolIndices {
   double mean = 0.0, variance = 0.0;
   std::uint64_t rows = 0;      // j of which all values are finite
@@ -44,7 +44,7 @@ class SobolSums {
   struct OfOutput {
     std::uint64_t rows = 0, left_out = 0;
     double a = 0.0, b = 0.0, aa = 0.0, bb = 0.0;
-    double vv = 0.0;  // of v = (a^2 + b^2) / 2
+    double vv = 0.0;  // sum of squares of v = (a^2 + b^2) / 2
   };
   /// Over b, c of f(AB_i) and t = (a - c)^2 / 2.
   struct OfInput {
@@ -61,7 +61,7 @@ class SobolSums {
   std::vector<OfInput> pairs_;  // for each output those of all inputs
 };
 
-/// Means of the outputs over the first block, of what is finite.
+/// Means of the outputs over the first block, finite values only.
 [[nodiscard]] std::vector<double> sobol_centres(Function& function, const Sampler& sampler);
 
 /// From `rows` rows, (inputs + 2) evaluations each.

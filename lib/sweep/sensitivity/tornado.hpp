@@ -1,4 +1,4 @@
-// What an output does when each input goes to its low and to its high value while the others stay.
+// The change of an output when each input goes to its low and to its high value with the others fixed.
 #pragma once
 
 #include "lib/sweep/function.hpp"
@@ -10,13 +10,13 @@ namespace loadpath::sweep {
 struct Bar {
   std::size_t input = 0;
   double low = 0.0, high = 0.0;  // the output at the low and at the high value
-  double swing = 0.0;  // the largest less the smallest of both and of the base; NaN where one is not available
-  bool turns = false;  // the output at the base does not lie between both
+  double swing = 0.0;            // the largest less the smallest of both and of the base; NaN if one is not available
+  bool turns = false;            // the output at the base does not lie between both
 };
 
 struct Tornado {
   double base = 0.0;      // the output there
-  std::vector<Bar> bars;  // those not available first, then by their swing; equal ones in the order of the inputs
+  std::vector<Bar> bars;  // those not available first, then by their span; equal ones in the order of the inputs
 };
 
 /// One for each output. Lows, highs and base have a value for each input.

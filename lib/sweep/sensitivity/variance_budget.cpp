@@ -16,7 +16,7 @@ struct Deviations {
     if (correlation.empty()) return i == k ? 1.0 : 0.0;
     return correlation[i * parts.size() + k];
   }
-  /// What input i has of the variance, its part of the covariances included.
+  /// The contribution of input i to the variance, including its part of the covariances.
   [[nodiscard]] double contribution(std::size_t i) const {
     double sum = 0.0;
     for (std::size_t k = 0; k < parts.size(); ++k) sum += together(i, k) * parts[k];

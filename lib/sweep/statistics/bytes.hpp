@@ -1,4 +1,4 @@
-// What reductions are stored as between shards and ranks: whole numbers and doubles to the bit, lowest byte first.
+// The storage format of reductions between shards and ranks: integers and doubles to the bit, lowest byte first.
 #pragma once
 
 #include <bit>
@@ -21,7 +21,7 @@ class Writer {
   std::string bytes_;
 };
 
-/// Gives zeros once the text has ended, and tells it.
+/// Gives zeros once the text has ended, and reports it.
 class Reader {
  public:
   explicit Reader(std::string_view bytes) : bytes_(bytes) {}
@@ -35,7 +35,7 @@ class Reader {
     return found;
   }
   double real() { return std::bit_cast<double>(number()); }
-  /// How many things of so many numbers each follow; none where there is no room for them.
+  /// How many things of so many numbers each follow; none if there is no room for them.
   std::uint64_t count(std::uint64_t numbers_each) {
     const std::uint64_t found = number();
     return found <= bytes_.size() / 8 / numbers_each ? found : fail();

@@ -1,4 +1,4 @@
-// How far a sample can be trusted: exact bounds of a share and of a quantile, whatever the distribution.
+// The confidence of a sample: exact bounds of a share and of a quantile, for any distribution.
 #pragma once
 
 #include <cstdint>
@@ -9,10 +9,10 @@ struct Interval {
   double low, high;
 };
 
-/// Bounds of the probability behind `met` of n, n > 0: Clopper and Pearson 1934, never less sure than asked for.
+/// Bounds of the probability behind `met` of n, n > 0: Clopper and Pearson 1934, at least the required confidence.
 Interval share_bounds(std::uint64_t met, std::uint64_t n, double confidence);
 
-/// Ranks 1 ... n of the values between which the quantile lies; 0 and n + 1 where the sample is too small to tell.
+/// Ranks 1 ... n of the values that enclose the quantile; 0 and n + 1 if the sample is too small.
 struct RankBounds {
   std::uint64_t low, high;
 };

@@ -1,4 +1,4 @@
-// How columns go together: covariances and correlations of each two.
+// The correlation of columns: covariances and correlations of each pair.
 #pragma once
 
 #include "lib/sweep/statistics/bytes.hpp"
@@ -10,11 +10,11 @@
 
 namespace loadpath::sweep {
 
-/// Of the points at which every column is finite. A part for a Forest.
+/// Covariances over the points at which every column is finite. A part for a Forest.
 class Covariances {
  public:
   Covariances() = default;
-  /// Of one block of n points.
+  /// The covariances of one block of n points.
   Covariances(std::span<const double* const> columns, std::size_t n);
 
   void merge(const Covariances& right);
@@ -23,7 +23,7 @@ class Covariances {
   [[nodiscard]] std::size_t size() const { return means_.size(); }
   [[nodiscard]] double mean(std::size_t i) const;
   [[nodiscard]] double covariance(std::size_t i, std::size_t j) const;
-  /// NaN where one of the two does not vary.
+  /// NaN if one of the two does not vary.
   [[nodiscard]] double correlation(std::size_t i, std::size_t j) const;
 
   void store(Writer& writer) const;
@@ -35,7 +35,7 @@ class Covariances {
 
   std::uint64_t count_ = 0;
   std::vector<double> means_;
-  std::vector<double> products_;  // of what is away from the means: the lower triangle, row after row
+  std::vector<double> products_;  // products of deviations from the means: the lower triangle, row after row
 };
 
 }  // namespace loadpath::sweep

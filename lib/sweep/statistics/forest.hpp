@@ -1,8 +1,8 @@
-// Sums of blocks that come out the same to the bit however blocks are grouped, and in whatever order they come.
+// Sums of blocks that are the same to the bit for any grouping and order of the blocks.
 //
-// Adding doubles hangs on the order. Here it is fixed by the numbers of the blocks: blocks 2k and 2k + 1 are merged to
-// one of the next level, and so on, as far as both are there. What is left stands in the order of its blocks, at most
-// two parts per level for blocks that follow one another, and is merged from the left when the whole is asked for.
+// Sums of doubles depend on the order. Here it is fixed by the numbers of the blocks: blocks 2k and 2k + 1 are merged
+// to one of the next level, and so on, as far as both are there. The remaining parts are in the order of their
+// blocks, at most two per level for consecutive blocks, and are merged from the left when the total is requested.
 #pragma once
 
 #include "lib/sweep/statistics/bytes.hpp"
@@ -19,14 +19,14 @@ namespace loadpath::sweep {
 template <class Part>
 class Forest {
  public:
-  /// False, and nothing is done, where the block is there already.
+  /// False, and nothing is done, if the block is there already.
   bool add(std::uint64_t block, Part part) {
     if (overlaps(block, 0)) return false;
     insert(block, {0, std::move(part)});
     return true;
   }
 
-  /// False, and nothing is done, where both have a block.
+  /// False, and nothing is done, if both contain a block.
   bool merge(const Forest& other) {
     for (const auto& [first, tree] : other.trees_) {
       if (overlaps(first, tree.level)) return false;
@@ -53,7 +53,7 @@ class Forest {
     for (const auto& [first, tree] : trees_) sum += std::uint64_t{1} << tree.level;
     return sum;
   }
-  /// How many parts are kept.
+  /// The number of parts kept.
   [[nodiscard]] std::size_t parts() const { return trees_.size(); }
 
   void store(Writer& writer) const {

@@ -30,9 +30,9 @@ inline void in_lanes(std::size_t n, const Each& each) {
 }
 
 [[nodiscard]] bool all_finite(std::span<const double> column);
-/// How many are equal to `value`.
+/// The number of values equal to `value`.
 [[nodiscard]] double count_of(double value, std::span<const double> column);
-/// NaN is passed over; minus infinity where there is nothing else.
+/// NaN is skipped; minus infinity if there is nothing else.
 [[nodiscard]] double largest_of(std::span<const double> column);
 
 }  // namespace loadpath::sweep

@@ -9,11 +9,11 @@
 
 namespace loadpath::sweep {
 
-/// What is not finite is not counted in. What does not exist, like the variance of one value, is NaN.
+/// Infinite values and NaN are not counted. Undefined moments, like the variance of one value, are NaN.
 class Moments {
  public:
   Moments() = default;
-  /// Of one block: in two passes over it.
+  /// The moments of one block, in two passes over it.
   explicit Moments(std::span<const double> values);
   /// The same, where the number of finite values, one of them and the sum of their distances from it are known.
   Moments(std::span<const double> values, std::uint64_t count, double from, double sum);
@@ -22,7 +22,7 @@ class Moments {
 
   [[nodiscard]] std::uint64_t count() const { return count_; }
   [[nodiscard]] double mean() const;
-  [[nodiscard]] double variance() const;  // of the population that the values are a sample of
+  [[nodiscard]] double variance() const;  // estimate for the population sampled by the values
   [[nodiscard]] double sd() const;
   [[nodiscard]] double skewness() const;
   [[nodiscard]] double kurtosis() const;  // beyond that of the normal distribution
@@ -36,7 +36,7 @@ class Moments {
  private:
   std::uint64_t count_ = 0;
   double mean_ = 0.0;
-  double square_ = 0.0, cube_ = 0.0, fourth_ = 0.0;  // sums of powers of what is away from the mean
+  double square_ = 0.0, cube_ = 0.0, fourth_ = 0.0;  // sums of powers of deviations from the mean
 };
 
 }  // namespace loadpath::sweep

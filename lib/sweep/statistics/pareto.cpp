@@ -11,7 +11,7 @@ namespace loadpath::sweep {
 
 namespace {
 
-/// A whole number in the order of the doubles, the best first.
+/// An integer in the order of the doubles, the best first.
 std::uint64_t rank_of(double objective, Aim aim) {
   const double x = (aim == Aim::min ? objective : -objective) + 0.0;  // there is one zero
   const auto bits = std::bit_cast<std::uint64_t>(x);
@@ -29,8 +29,8 @@ bool beats(const std::vector<std::uint64_t>& a, const std::vector<std::uint64_t>
 Pareto::Pareto(std::vector<Aim> aims, unsigned bits)
     : aims_(std::move(aims)), dropped_(52 - std::min(bits, 52U)), objectives_(aims_.size()), keys_(aims_.size()) {}
 
-// Members stand in the order of their keys, so only those before may beat the point. With two objectives the second
-// gets smaller from one to the next: the one just before decides.
+// Members are in the order of their keys, so only earlier ones may dominate the point. With two objectives the second
+// decreases from one to the next: the preceding one decides.
 bool Pareto::stays() {
   if (!std::all_of(objectives_.begin(), objectives_.end(), is_finite)) return false;
   for (std::size_t k = 0; k < aims_.size(); ++k) keys_[k] = rank_of(objectives_[k], aims_[k]) >> dropped_;

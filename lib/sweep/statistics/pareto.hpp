@@ -1,11 +1,12 @@
 // The points that no other beats in every objective.
 //
-// A point goes where another is as good in each objective and better in one. Of points that are equal in all, the one
-// of the smallest index stays, and the others are counted. The set does not hang on the order in which points come.
+// A dominated point is removed: another is as good in each objective and better in one. Among points equal in all,
+// the one of the smallest index remains, and the others are counted. The set does not depend on the order of the
+// points.
 //
-// Its size is bounded by nothing where objectives contradict each other at every point: then `bits` of the mantissa, 8
-// say, take values of one class (2^-8 = 0.4 %) for equal. So there are at most 2^bits points per power of two with two
-// objectives; points that are told differ from the true front by less than a class.
+// Its size is unbounded if objectives conflict at every point: then `bits` of the mantissa, 8 say, treat values of
+// one class (2^-8 = 0.4 %) as equal. So there are at most 2^bits points per power of two with two objectives;
+// reported points differ from the true front by less than a class.
 #pragma once
 
 #include "lib/sweep/statistics/bytes.hpp"
@@ -24,7 +25,7 @@ class Pareto {
  public:
   struct Point {
     std::uint64_t index = 0;
-    std::uint64_t equals = 0;  // how many points are taken for equal to it, itself among them
+    std::uint64_t equals = 0;  // number of points treated as equal to it, including itself
     std::vector<double> objectives, values;
   };
 
@@ -50,11 +51,11 @@ class Pareto {
   void load(Reader& reader);
 
  private:
-  using Keys = std::vector<std::uint64_t>;  // of the objectives: the smaller the better
+  using Keys = std::vector<std::uint64_t>;  // keys of the objectives: the smaller the better
 
   /// Whether no point beats the one at hand.
   bool stays();
-  /// Takes the point at hand in; where it is to be told, gives what is told of it.
+  /// Inserts the current point; if it is to be reported, returns its data.
   Point* place(std::uint64_t index, std::uint64_t equals);
   [[nodiscard]] bool is_better(std::uint64_t index, const Point& than) const;
 

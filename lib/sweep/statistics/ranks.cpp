@@ -9,7 +9,7 @@ namespace loadpath::sweep {
 
 namespace {
 
-/// The share t of the way from a to b, and never beyond.
+/// The linear interpolation from a to b at share t, never beyond.
 double between(double a, double b, double t) { return std::clamp(a + (b - a) * t, a, b); }
 
 }  // namespace
@@ -49,7 +49,7 @@ std::uint64_t Ranks::below(double x) const {
   if (reaching == classes_.end()) return count_;
   const std::uint64_t before = before_[static_cast<std::size_t>(reaching - classes_.begin())];
   if (!(x > reaching->least)) return before;
-  // The largest stands at x or beyond: of the others as many as an even spread has below.
+  // The largest is at x or beyond: among the others the share below x is that of a uniform distribution.
   const double share = (x - reaching->least) / (reaching->largest - reaching->least);
   const double some = std::ceil(share * static_cast<double>(reaching->count - 1));
   return before + std::clamp<std::uint64_t>(static_cast<std::uint64_t>(some), 1, reaching->count - 1);

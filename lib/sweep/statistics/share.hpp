@@ -1,4 +1,4 @@
-// How often something is met: the share of points that fail, with how sure it is.
+// The frequency of an event: the share of points that fail, with its confidence.
 #pragma once
 
 #include "lib/sweep/statistics/bytes.hpp"
@@ -19,7 +19,7 @@ struct Share {
     unknown += other.unknown;
   }
 
-  /// NaN where nothing is known.
+  /// NaN if nothing is known.
   [[nodiscard]] double share() const { return static_cast<double>(met) / static_cast<double>(count); }
   [[nodiscard]] Interval bounds(double confidence) const {
     if (count == 0) return {0.0, 1.0};

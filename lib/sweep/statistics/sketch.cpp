@@ -36,7 +36,7 @@ void Sketch::add(std::span<const double> values) {
       page(number);
     }
     ValueClass& of = pages_[number][key & (page_size - 1)];
-    ++of.count;  // no branches: in a class of few values they go either way
+    ++of.count;  // no branches: in a class of few values they are unpredictable
     of.least = x < of.least ? x : of.least;
     of.largest = x > of.largest ? x : of.largest;
   }

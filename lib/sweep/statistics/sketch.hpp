@@ -1,4 +1,4 @@
-// Quantiles of any number of values in bounded memory, the same whatever the order: values are counted by their sign,
+// Quantiles of any number of values in bounded memory, independent of the order: values are counted by their sign,
 // exponent and the first 12 bits of their mantissa.
 //
 // A class is 2^-12 of its values wide, and knows the least and the largest of them: between the two, values are taken
@@ -25,7 +25,7 @@ struct ValueClass {
 
 class Sketch {
  public:
-  /// What is not finite is not counted in.
+  /// Infinite values and NaN are not counted.
   void add(std::span<const double> values);
   void merge(const Sketch& other);
   /// Those with values, in their order.
@@ -35,7 +35,7 @@ class Sketch {
   void load(Reader& reader);
 
  private:
-  using Page = std::vector<ValueClass>;  // of one sign and exponent; empty where there are no values
+  using Page = std::vector<ValueClass>;  // classes of one sign and exponent; empty if there are no values
   Page& page(std::size_t number);
 
   std::vector<Page> pages_;
@@ -47,7 +47,7 @@ struct Histogram {
   std::vector<std::uint64_t> counts;
 };
 
-/// What a sketch has to tell.
+/// The results of a sketch.
 class Ranks {
  public:
   explicit Ranks(const Sketch& sketch);
@@ -55,11 +55,11 @@ class Ranks {
   [[nodiscard]] std::uint64_t count() const { return count_; }
   /// The value of rank 0 ... count() - 1.
   [[nodiscard]] double at(std::uint64_t rank) const;
-  /// With linear interpolation between ranks p (n - 1), as numpy and R (type 7) do it; NaN where there are no values.
+  /// With linear interpolation between ranks p (n - 1), as numpy and R (type 7) do it; NaN if there are no values.
   [[nodiscard]] double quantile(double p) const;
-  /// What the quantile lies between with this confidence; NaN on a side where the sample is too small to tell.
+  /// The bounds of the quantile with this confidence; NaN on a side where the sample is too small.
   [[nodiscard]] Interval quantile_bounds(double p, double confidence) const;
-  /// How many values are below x.
+  /// The number of values below x.
   [[nodiscard]] std::uint64_t below(double x) const;
   /// Bins of equal breadth; of equal ratio where all values are above zero, else none.
   [[nodiscard]] Histogram histogram(std::size_t bins) const;

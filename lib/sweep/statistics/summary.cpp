@@ -69,7 +69,7 @@ bool Summary::add(std::uint64_t block, std::uint64_t first, std::span<const doub
   count_ += count;
   missing_ += values.size() - count;
   if (count == 0) return true;
-  // Looked for only where it is not beaten already; the comparisons hold where there is none yet.
+  // Looked for only where it is not beaten already; the comparisons hold if there is none yet.
   if (!(seen.min > min_.value)) take(min_, place_of(seen.min, first, values), std::less<>{});
   if (!(seen.max < max_.value)) take(max_, place_of(seen.max, first, values), std::greater<>{});
   sketch_.add(values);

@@ -1,4 +1,4 @@
-// What is kept of a result over all points of a sweep, without keeping the points.
+// The statistics of a result over all points of a sweep, without storing the points.
 #pragma once
 
 #include "lib/sweep/statistics/forest.hpp"
@@ -13,20 +13,20 @@ namespace loadpath::sweep {
 
 struct Extreme {
   double value = std::numeric_limits<double>::quiet_NaN();
-  std::uint64_t index = 0;  // of its point; the first where there are several
+  std::uint64_t index = 0;  // index of its point; the first if there are several
 };
 
 class Summary {
  public:
-  /// The values of a block, the first of which is of point `first`. False, and nothing is done, where the block is
-  /// there already; so with merge().
+  /// The values of a block, the first of which belongs to point `first`. False, and nothing is done, if the block is
+  /// there already; likewise merge().
   bool add(std::uint64_t block, std::uint64_t first, std::span<const double> values);
   bool merge(const Summary& other);
 
-  [[nodiscard]] std::uint64_t count() const { return count_; }      // of finite values
-  [[nodiscard]] std::uint64_t missing() const { return missing_; }  // of points without one
+  [[nodiscard]] std::uint64_t count() const { return count_; }      // number of finite values
+  [[nodiscard]] std::uint64_t missing() const { return missing_; }  // number of points without one
   [[nodiscard]] Moments moments() const { return moments_.total(); }
-  [[nodiscard]] Extreme min() const { return min_; }  // NaN where there is no value
+  [[nodiscard]] Extreme min() const { return min_; }  // NaN if there is no value
   [[nodiscard]] Extreme max() const { return max_; }
   [[nodiscard]] Ranks ranks() const { return Ranks(sketch_); }
 

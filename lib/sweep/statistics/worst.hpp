@@ -10,8 +10,8 @@
 
 namespace loadpath::sweep {
 
-/// The K with the largest key; of equal keys those of smaller index. Which they are does not hang on the order. Memory:
-/// K rows.
+/// The K rows with the largest key; among equal keys those of smaller index. The selection does not depend on the
+/// order. Memory: K rows.
 class Worst {
  public:
   struct Row {
@@ -23,7 +23,7 @@ class Worst {
   explicit Worst(std::size_t most = 0) : most_(most) {}
 
   /// The points of a block, the first of which has the index `first`; `values(i)` makes the row of its i-th point. A
-  /// key that is NaN is none.
+  /// NaN key is not counted.
   template <class Values>
   void add(std::uint64_t first, std::span<const double> keys, const Values& values) {
     for (std::size_t i = 0; i < keys.size(); ++i) {

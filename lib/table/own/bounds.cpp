@@ -1,4 +1,5 @@
-// What rows of a project are held against: themselves, the built-in row that they replace, the rows of their group.
+// References for checking the rows of a project: the rows themselves, the built-in row that they replace, their
+// group.
 #include "lib/quantity/format.hpp"
 #include "lib/table/library.hpp"
 #include "lib/table/own/own.hpp"
@@ -16,7 +17,7 @@ namespace {
 constexpr double rounding_of_rows = 1.005;
 constexpr double beyond_group = 1.5;  // over the largest, or below the least, of the rows of a group
 
-/// Whole powers of a dimension; what has a temperature or an angle has none.
+/// Integer powers of a dimension; none for temperatures and angles.
 struct Powers {
   int length, mass, time;
   bool is_whole;
@@ -45,13 +46,13 @@ std::string_view size_of_group(std::string_view group) {
   return group == "circlip" || group == "spline" ? "d_1" : "";
 }
 
-/// Of a ring: the speed at which it opens. Less is no fault.
+/// Detaching speed of a retaining ring. A smaller value is not an error.
 bool is_speed(const Dimension& dimension) {
   const Powers p = powers_of(dimension.without_angle());
   return p.is_whole && p.length == 0 && p.mass == 0 && p.time == -1;
 }
 
-/// With which power of that length a value grows: areas, forces and masses per length with the second; speeds fall.
+/// The power of that length with which a value grows: 2 for areas, forces and masses per length; speeds fall.
 std::optional<int> growth_of(const Dimension& dimension) {
   if (is_speed(dimension)) return -1;
   const Powers p = powers_of(dimension);
@@ -88,7 +89,7 @@ double strongest(std::string_view group, std::string_view key) {
   return most;
 }
 
-/// What the built-in rows have, over the power of their size.
+/// The range of the built-in rows, over the power of their size.
 Span span_of(std::string_view group, std::string_view key, std::string_view size, int power) {
   Span span;
   for (const Table* table : tables_of(group)) {

@@ -11,7 +11,7 @@ namespace loadpath::table {
 
 namespace {
 
-/// The sources of a row as texts: its keys mean nothing outside of the file.
+/// The sources of a row as texts: its keys have no meaning outside the file.
 void name_sources(const Library& library, std::vector<std::string>& sources) {
   for (std::string& source : sources) {
     const auto found = library.citations.find(source);

@@ -29,7 +29,7 @@ std::vector<std::string> keys_of(const Table& table) {
   return keys;
 }
 
-/// Columns and words: what a row can say.
+/// Columns and words: the possible keys of a row.
 std::vector<std::string> all_keys(const Table& table) {
   std::vector<std::string> keys = keys_of(table);
   keys.insert(keys.end(), std::begin(words), std::end(words));
@@ -187,7 +187,7 @@ void OwnReader::read_word(const Tree::Entry& entry, const std::string& key, Row&
   for (const Tree& item : entry.value.items) row.aliases.push_back(item.text);
 }
 
-/// A kind that is spelt nearly like one that calculators know may be a slip, or the user's own.
+/// A kind spelt nearly like one that calculators know may be a mistake, or the user's own.
 void OwnReader::check_kind(const Tree::Entry& entry, const std::string& key, std::string_view group) {
   const auto kinds = kinds_of(group);
   const std::string near = nearest(entry.value.text, kinds);
@@ -215,7 +215,7 @@ void OwnReader::check_sign(const Value& value, const Column& column, std::string
   complain(place, value.key, say("{1} = {2}: must be > 0", value.key, format_quantity(value.si, column.unit)));
 }
 
-/// The value in SI; NaN and an issue where it is none of the column.
+/// The value in SI; NaN and an issue if it is none of the column.
 double OwnReader::read_quantity(const Tree& tree, const Column& column, const std::string& key) {
   const bool number = tree.type == Tree::Type::number;
   if (!number && tree.type != Tree::Type::text) {

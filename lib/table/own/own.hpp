@@ -1,5 +1,5 @@
-// Reads the tables of a project into a library: rows and series that stand in its file, and files in the form of the
-// built-in tables. Only what the built-in tables know can be given: their groups, their columns, in their dimensions.
+// Reads the tables of a project into a library: rows and series in its file, and files in the form of the built-in
+// tables. Only groups and columns of the built-in tables can be given, in their dimensions.
 //
 //   [tables.materials.P265GH]            one row: columns with units; kind, standard, note, aliases; `source` is
 //   required R_e = "265 MPa"                      at any size, or by_size = [{ size_max = "16 mm", R_e = "265 MPa" }]
@@ -23,7 +23,7 @@ class OwnReader {
   OwnReader(Library& own, std::vector<std::string> groups, std::vector<Issue>& issues)
       : own_(own), groups_(std::move(groups)), issues_(issues) {}
 
-  /// `[tables]` of a project file.
+  /// Reads `[tables]` of a project file.
   void read_tables(const toml::Tree::Entry& tables);
   /// A file of the form of lib/table/reader.hpp.
   void read_file(std::string_view text, const std::string& file);
@@ -37,7 +37,7 @@ class OwnReader {
   void read_value(const Tree::Entry& entry, const Table& table, const std::string& key, std::vector<Value>& values);
   void read_sizes(const Tree& tree, const Table& table, const std::string& key, Row& row);
   void read_size(const Tree& tree, const Table& table, const std::string& key, Row& row);
-  /// An issue where a value is zero or less, and those of the built-in rows never are.
+  /// An issue if a value is zero or less, and those of the built-in rows never are.
   void check_sign(const Value& value, const Column& column, std::string_view group, const Place& place);
   double read_quantity(const Tree& tree, const Column& column, const std::string& key);
   void check_kind(const Tree::Entry& entry, const std::string& key, std::string_view group);
@@ -54,7 +54,7 @@ class OwnReader {
     const Place& place;
     const std::string& key;
   };
-  /// An issue for what no part can have, and for what is better than the built-in rows without a reason.
+  /// Reports values that are impossible for any part, and values better than the built-in rows without a reason.
   void check_bounds(const Row& row, const Table& table, const Place& place, const std::string& key);
   void check_strengths(const RowRead& read, std::vector<std::string>& used);
   void check_strength(const RowRead& read, const char* key, std::vector<std::string>& used);

@@ -33,7 +33,7 @@ void OwnReader::read_series(const Tree::Entry& entry) {
   add_series(std::move(series), entry.place, key);
 }
 
-/// What is chosen from is a length.
+/// Sizes to choose from are lengths.
 void OwnReader::read_unit_of(const Tree::Entry& entry, const std::string& key, Series& series) {
   series.unit = text_of(entry, key + ".unit");
   if (series.unit.empty()) return;

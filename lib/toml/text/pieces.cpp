@@ -53,13 +53,13 @@ class Cutter {
     at_ = std::min(end + 1, text_.size());
     return text;
   }
-  /// Behind a value or a header: what is left of the line.
+  /// The rest of the line after a value or a header.
   std::string rest_of_line() {
     skip_spaces();
     return comment();
   }
 
-  /// Without blank lines at both ends, and with one alone between comments.
+  /// Without blank lines at both ends, and with at most one between comments.
   static void strip(Lines& lines) {
     while (!lines.empty() && lines.front().empty()) lines.erase(lines.begin());
     while (!lines.empty() && lines.back().empty()) lines.pop_back();
@@ -76,7 +76,7 @@ class Cutter {
     return adjoining;
   }
 
-  /// The comments at the top of the file; those right above the first table are its own where others stand above them.
+  /// The comments at the top of the file; those right above the first table belong to it if others precede them.
   Lines take_preamble() {
     Lines adjoining = take_adjoining();
     const bool others = std::any_of(pending_.begin(), pending_.end(), [](const auto& line) { return !line.empty(); });

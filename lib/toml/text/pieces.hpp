@@ -12,38 +12,38 @@ struct Pair {
   std::vector<std::string> before;  // comments in the lines above it
   std::string key;                  // "links.rod.mass", without spaces around its dots
   std::string value;                // as written, over several lines perhaps
-  std::string comment;              // behind it, with its #; empty where there is none
+  std::string comment;              // behind it, with its #; empty if there is none
 };
 
 /// Pairs without a blank line between them.
 struct Group {
-  std::vector<std::string> lead;  // comments above that stand apart, with "" for a blank line between them
+  std::vector<std::string> lead;  // detached comments above, with "" for a blank line between them
   std::vector<Pair> pairs;
 };
 
-/// A table: its header and what stands below it.
+/// A table: its header and its content.
 struct Section {
   std::vector<std::string> before;  // comments right above the header
-  std::string header;               // "[shaft]", "[[shaft.loads]]"; empty of what stands before the first
+  std::string header;               // "[shaft]", "[[shaft.loads]]"; empty for content before the first
   std::string name;                 // "shaft.loads"
   std::string comment;
   std::vector<Group> groups;
-  std::vector<std::string> tail;  // comments at its end that stand apart
+  std::vector<std::string> tail;  // detached comments at its end
 };
 
 struct Pieces {
   std::vector<std::string> preamble;  // comments at the top of the file
-  bool apart = false;                 // a blank line stands below them
+  bool apart = false;                 // a blank line follows them
   std::vector<Section> sections;
 };
 
-/// Of a text that is TOML.
+/// The pieces of a valid TOML text.
 Pieces pieces_of(std::string_view text);
 
 /// The first part of a key or of a table's name: "links" of "links.rod.mass".
 std::string first_part(std::string_view key);
 
-/// Behind the text in quotes that starts at `at`, of a text that is TOML.
+/// The position after the text in quotes that starts at `at`, in valid TOML.
 std::size_t behind_text(std::string_view text, std::size_t at);
 
 }  // namespace loadpath::toml

@@ -1,4 +1,4 @@
-// How values are written: spaces, indents and quotes.
+// The form of values: spaces, indents and quotes.
 #pragma once
 
 #include <functional>
@@ -8,7 +8,8 @@
 
 namespace loadpath::toml {
 
-/// What a text in plain quotes becomes, by the keys that lead to it from the value: { a = { b = "1mm" } }: "a" "b".
+/// The replacement of a text in plain quotes, by the keys that lead to it from the value: { a = { b = "1mm" } }: "a"
+/// "b".
 using Rewrite = std::function<std::string(const std::vector<std::string>& keys, const std::string& text)>;
 
 /// A value with one space around =, behind commas and inside of braces, in the lines that it has, those within brackets

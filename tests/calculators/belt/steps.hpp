@@ -1,4 +1,4 @@
-// One step of a belt calculator from its text: read, solved, and what was said about it.
+// One step of a belt calculator from its text: read, solved, with its messages.
 #pragma once
 
 #include "calculators/catalogue.hpp"

@@ -52,7 +52,7 @@ inline project::Project solved(const std::string& text, std::vector<Issue>& issu
   return p;
 }
 
-/// What is wrong with a step of these lines, in words: one line for each issue.
+/// The errors of a step of these lines, in words: one line for each issue.
 inline std::string complaints(const std::string& lines) {
   std::vector<Issue> issues;
   static_cast<void>(solved("[bar]\n" + lines, issues));

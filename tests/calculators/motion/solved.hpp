@@ -36,7 +36,7 @@ class SolvedStep {
     }
     return {};
   }
-  /// The first error, with its field: "v_B: ..."; empty where nothing is wrong.
+  /// The first error, with its field: "v_B: ..."; empty if nothing is wrong.
   [[nodiscard]] std::string fault() const {
     for (const Issue& issue : issues_) {
       if (issue.severity == Severity::error) return issue.key + ": " + issue.message.text();
@@ -55,7 +55,7 @@ inline bool near(double value, double expected, double relative = 1e-9) {
   return std::abs(value - expected) <= relative * std::abs(expected);
 }
 
-/// Lines that a calculator refuses, and what it says.
+/// Lines that a calculator refuses, and its message.
 struct Refused {
   const char* lines;
   const char* says;

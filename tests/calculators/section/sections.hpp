@@ -1,4 +1,4 @@
-// What the tests of sections share.
+// Helpers for the tests of sections.
 #pragma once
 
 #include "calculators/section/properties/properties.hpp"
@@ -15,7 +15,7 @@ using test::rel;
 template <class C>
 constexpr auto solve = test::evaluated<C>;
 
-/// The text of the first rule that an input breaks; empty where it breaks none.
+/// The text of the first rule that an input breaks; empty if it breaks none.
 template <class C>
 std::string broken(const typename C::Input& in) {
   for (const auto& rule : C::rules) {

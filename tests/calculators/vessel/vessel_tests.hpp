@@ -1,4 +1,4 @@
-// What the tests of the vessels share.
+// Helpers for the tests of vessels.
 #pragma once
 
 #include "calculators/catalogue.hpp"

@@ -1,5 +1,5 @@
-// What the fuzzer starts from: every example of the catalogue, every reference case and shipped example, and the
-// projects of tests/fuzz/seeds, one step of each at a time with the steps that it refers to.
+// Seeds of the fuzzer: every example of the catalogue, every reference case and shipped example, and the projects of
+// tests/fuzz/seeds, one step of each at a time with the steps that it refers to.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@ namespace loadpath::fuzz {
 struct Seeds {
   std::vector<std::string> projects;
   std::vector<std::string> lines;                          // "d = \"40 mm\"", each once
-  std::map<std::string, std::vector<std::string>> values;  // of a key, over all seeds
+  std::map<std::string, std::vector<std::string>> values;  // values of a key, over all seeds
 };
 
 const Seeds& seeds();

@@ -1,4 +1,4 @@
-// Figures as calculators make them, for the tests of what is drawn.
+// Figures as calculators make them, for the tests of drawing.
 #pragma once
 
 #include "lib/figure/figure.hpp"
@@ -50,7 +50,7 @@ inline Plot torque_plot() {
   return plot;
 }
 
-/// A slotted lever in one position: the crank turns about O, its block slides on the lever about B.
+/// A slotted lever in one position: the crank rotates about O, its slider moves on the lever about B.
 inline Scheme lever() {
   const Point O{0.09, 0.0}, B{0.0, 0.0}, A{0.105, -0.0259808};
   const double angle = std::atan2(A.y, A.x);

@@ -1,4 +1,4 @@
-// Reads back what the figures' tests ask of an SVG text.
+// Reads from an SVG text what the figures' tests need.
 #pragma once
 
 #include "lib/draw/canvas/view.hpp"
@@ -19,7 +19,7 @@ inline int count(std::string_view text, std::string_view part) {
   return n;
 }
 
-/// Every element is closed in its order, and no markup stands in a text or an attribute.
+/// Every element is closed in its order, and a text or an attribute contains no markup.
 inline bool well_formed(std::string_view svg) {
   std::vector<std::string_view> open;
   for (std::size_t at = svg.find('<'); at != std::string_view::npos; at = svg.find('<', at + 1)) {
@@ -84,7 +84,7 @@ inline double number(std::string_view tag, std::string_view name) {
   return value;
 }
 
-/// What a text says without its markup.
+/// The words of a text without its markup.
 inline std::string words(std::string_view marked) {
   std::string text;
   bool in_tag = false;

@@ -127,7 +127,7 @@ inline Model oval_with_flat_arm() {
   return model;
 }
 
-/// An edge on a cam that a moving link carries, and whose follower slides on that link.
+/// An edge on a cam carried by a moving link, with a follower that slides on that link.
 inline Model cam_on_a_moving_link() {
   Model model = four_bar_without_load();
   const int coupler = 1;

@@ -143,7 +143,7 @@ inline Model class_three() {
   return model;
 }
 
-/// Crank 0.03 m, slotted lever 20 kg about B at the origin; `with_slider`: a massless slider in place of the slot.
+/// Crank 0.03 m, slotted lever 20 kg about B at the origin; `with_slider`: a massless slider instead of the slot.
 inline Model slotted_lever(bool with_slider = false, double gamma = -0.349065850398865915) {
   Model model;
   const Pose crank_pose{0.09, 0.0, -1.0471975511965976};
@@ -164,7 +164,7 @@ inline Model slotted_lever(bool with_slider = false, double gamma = -0.349065850
   return model;
 }
 
-/// A crank on a moving base: the slot's line turns, and neither of its links is the ground's neighbour alone.
+/// A crank on a moving base: the slot's line rotates, and both of its links have neighbours other than the ground.
 inline Model slot_on_a_moving_link(bool with_slider) {
   Model model;
   model.gravity = {1.0, -9.0};

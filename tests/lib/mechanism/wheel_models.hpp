@@ -89,7 +89,7 @@ inline Model rolling_wheel() {
   return model;
 }
 
-/// A wheel of 30 mm on an arm rolls on a fixed one of 50 mm, held by nothing but the contact and the rod to the arm.
+/// A wheel of 30 mm on an arm rolls on a fixed one of 50 mm, guided only by the contact and the rod to the arm.
 inline Model rolling_on_wheel() {
   Model model;
   const int arm = add_bar(model, "arm", {0.0, 0.0, 0.3}, 0.06, 1.0);
@@ -131,7 +131,7 @@ inline Model welded_four_bar() {
   return model;
 }
 
-/// A mechanism of each kind of joint that is no pin, slide or slot.
+/// A mechanism of each kind of joint other than pin, slide or slot.
 struct Case {
   const char* name;
   Model model;

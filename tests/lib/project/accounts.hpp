@@ -1,4 +1,4 @@
-// What the first step of a solved project has to say.
+// The account of the first step of a solved project.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -11,7 +11,7 @@
 
 namespace loadpath::test {
 
-/// The table whose caption starts so; nullptr where there is none.
+/// The table whose caption starts so; nullptr if there is none.
 inline const account::Table* table_of(const project::Project& project, const std::string& start) {
   for (const account::Block& block : project.steps[0]->account().blocks) {
     const auto* table = std::get_if<account::Table>(&block);
@@ -25,7 +25,7 @@ inline std::string text_of(const account::Cell& cell) {
   return std::get<Message>(cell).text();
 }
 
-/// nullptr where it is not said.
+/// nullptr if it is not said.
 inline const account::Verdict* find_verdict(const project::Project& project, const std::string& symbol) {
   const auto& verdicts = project.steps[0]->account().verdicts;
   const auto found = std::find_if(verdicts.begin(), verdicts.end(), [&](const auto& v) { return v.symbol == symbol; });

@@ -1,11 +1,11 @@
-// Whether the program says something of a project that is wrong.
+// Whether the program reports an error of a project with given words.
 #pragma once
 
 #include "tests/lib/project/texts.hpp"
 
 namespace loadpath::test {
 
-/// Whether an issue of the project has these words, in its key, its message or its hint; shows what is said where none
+/// Whether an issue of the project has these words, in its key, its message or its hint; prints the issues if none
 /// has.
 inline bool says(const std::string& text, const std::string& words) {
   std::string all;

@@ -1,4 +1,4 @@
-// A project as its text, solved where that is allowed: what it says, and what it comes to.
+// A project as its text, solved if permitted: its issues and results.
 #pragma once
 
 #include "calculators/catalogue.hpp"
@@ -31,7 +31,7 @@ struct Solved {
     return text;
   }
   [[nodiscard]] std::string errors() const { return messages(Severity::error); }
-  /// Of a series its first.
+  /// The first value of a series.
   [[nodiscard]] double value(const std::string& path) const {
     const Value* const found = project.value(path);
     REQUIRE_MESSAGE(found != nullptr, path, "\n", messages());
@@ -47,7 +47,7 @@ struct Solved {
     }
     return "none";
   }
-  /// "gears.root_1"; nullptr where it does not concern the part.
+  /// "gears.root_1"; nullptr if it does not concern the part.
   [[nodiscard]] const account::Mode* find_mode(const std::string& name) const {
     const auto found =
         std::find_if(all.begin(), all.end(), [&](const account::Mode& m) { return m.step + "." + m.id == name; });

@@ -1,4 +1,4 @@
-// Projects as texts, what the program says of them, and what they come to.
+// Projects as texts, with their issues and results.
 #pragma once
 
 #include "calculators/catalogue.hpp"
@@ -12,7 +12,7 @@
 
 namespace loadpath::test {
 
-/// A slider-crank whose rod alone has a mass.
+/// A slider-crank in which only the rod has a mass.
 inline const std::string press_of_heavy_rod = R"toml([press]
 calculator = "mechanism.planar"
 template = "slider_crank"
@@ -50,7 +50,7 @@ M = "5 N*m"
 )";
 }
 
-/// A block whose guide jams when it is pushed forward: l / (2 mu) = 400 mm, and the rod pushes at 500 mm. `cylinder`:
+/// A slider whose guide jams when it is pushed forward: l (2 mu) = 400 mm, and the rod pushes at 500 mm. `cylinder`:
 /// of the rod.
 inline std::string block_that_jams(const std::string& cylinder) {
   return R"([a]

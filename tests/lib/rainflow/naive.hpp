@@ -1,5 +1,5 @@
-// Counting by another way than the program's: all of the series in memory, and the smallest range that closes is taken
-// out again and again.
+// Counting by an independent method: all of the series in memory, and the smallest range that closes is taken out
+// repeatedly.
 #pragma once
 
 #include "lib/rainflow/counter.hpp"
@@ -17,7 +17,7 @@
 namespace loadpath::rainflow::testing {
 
 using Series = std::vector<double>;
-/// How often each cycle is counted, by range and mean.
+/// The count of each cycle, by range and mean.
 using Counts = std::map<std::pair<double, double>, double>;
 
 inline Series naive_turning_points(Series series) {
@@ -34,7 +34,7 @@ inline void note(Counts& counts, double a, double b, double count) {
   counts[{std::abs(b - a), a / 2.0 + b / 2.0}] += count;
 }
 
-/// The closed cycles of a history, as whole ones; the turning points that are left.
+/// The closed cycles of a history, as full ones; the remaining turning points.
 inline Series naive_closed(const Series& series, Counts& counts) {
   Series points = naive_turning_points(series);
   for (;;) {

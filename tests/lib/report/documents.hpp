@@ -48,7 +48,7 @@ inline Document shaft_document() {
   return document;
 }
 
-/// What a browser would have to be told, and nothing of it may reach the page as markup.
+/// Text with special characters of every format; none of it may reach the page as markup.
 inline constexpr const char* hostile = "</title></style><script>alert(\"1\")</script> & 'q' \\ { } $x$ a|b `c` *d*";
 
 inline Document hostile_document() {

@@ -1,4 +1,4 @@
-// What the tests of tables share.
+// Helpers for the tests of tables.
 #pragma once
 
 #include "lib/table/library.hpp"

@@ -1,4 +1,4 @@
-// Rules over literals alone, before any step is solved: what is not known yet may make up for what they find.
+// Rules over literals only, before any step is solved: values not known yet may remove a violation.
 #include "lib/project/run/evaluation/prepared_step.hpp"
 
 #include <algorithm>
@@ -27,8 +27,8 @@ std::array<double, 3> samples_of(const FieldInfo& field) {
   return {low, high, field.type == FieldInfo::Type::count ? std::floor(middle) : middle};
 }
 
-/// Whether an input is known only when the project is solved, or is wrong already; expressions whose value is known
-/// already are not pending.
+/// Whether an input is known only when the project is solved, or has an error; expressions with a known value are not
+/// pending.
 bool is_pending(const PreparedStep& step, const std::string& field) {
   const auto concerns = [&](const auto& entry) {
     return entry.path.substr(0, entry.path.find_first_of(".[")) == field;
@@ -58,15 +58,15 @@ std::vector<std::string> pending_leaves(const PreparedStep& step) {
 
 }  // namespace
 
-/// What is not known yet may make up for what a rule finds: it is broken where it is broken whatever is to come, and
-/// all rules are asked again when the project is solved.
+/// Values not known yet may remove a violation: a rule counts as violated only if it is for all of them, and all
+/// rules are checked again when the project is solved.
 void PreparedStep::check_rules_of_literals(std::vector<Issue>& issues) {
   const Calculator& calculator = *input().calculator;
   const auto is_list = [](const Taken& taken) {
     return taken.field != nullptr && taken.field->type == FieldInfo::Type::list;
   };
   const auto& taken = input().reading.taken;
-  if (std::any_of(taken.begin(), taken.end(), is_list)) return;  // how many elements, nobody knows
+  if (std::any_of(taken.begin(), taken.end(), is_list)) return;  // the number of elements is unknown
   const Record record = input().reading.record.clone();
   for (const Operand& operand : input().reading.operands)
     if (!std::isnan(operand.early)) find_leaf(record, operand.path).set(operand.early);
@@ -91,7 +91,7 @@ void PreparedStep::check_rules_of_literals(std::vector<Issue>& issues) {
     return broken;
   };
   for (std::size_t i = 0; i < calculator.rules.size(); ++i) {
-    if (calculator.rules[i].only_warns) continue;  // said once, when it is solved
+    if (calculator.rules[i].only_warns) continue;  // reported once, when it is solved
     const auto fields = listed_keys(calculator.rules[i].fields);
     if (std::any_of(fields.begin(), fields.end(), [&](const std::string& f) { return is_pending(*this, f); })) continue;
     if (broken_whatever_comes(i)) issues.push_back(broken_rule(i, record, provided_));

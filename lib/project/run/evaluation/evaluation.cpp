@@ -24,7 +24,7 @@ Issue Evaluation::broken_rule(std::size_t rule) const { return step_.broken_rule
 
 bool Evaluation::check_rules(std::vector<Issue>& issues) {
   inputs_.set_values_of_rows(first_size());
-  std::set<std::size_t> warned;  // a warning is said once, not at every position
+  std::set<std::size_t> warned;  // a warning is reported once, not at every position
   for (std::size_t i = 0; i < positions(); ++i) {
     if (!set_position(i)) continue;
     for (std::size_t rule = 0; rule < calculator_.rules.size(); ++rule) {
@@ -46,7 +46,7 @@ double Evaluation::size_now() {
   return given ? given.get() : not_available;
 }
 
-/// A size that follows from the values, or is searched for, starts at nothing.
+/// A size that follows from the values, or is searched for, starts at zero.
 double Evaluation::first_size() {
   const std::string_view path = inputs_.size_field();
   if (path.empty()) return not_available;
@@ -56,8 +56,8 @@ double Evaluation::first_size() {
   return is_found ? 0.0 : size_now();
 }
 
-/// A strength falls with the size that it is asked for, so the size only grows from one round to the next. Where a row
-/// is stronger at a larger size it may alternate: then there is no size that follows from the values at itself.
+/// A strength falls with the size that it is looked up at, so the size only grows from one round to the next. If a
+/// row is stronger at a larger size it may alternate: then no size is consistent with the values at itself.
 void Evaluation::settle_sizes_from(double size) {
   unsettled_ = {};
   if (inputs_.size_field().empty()) return inputs_.set_values_of_rows(not_available);
@@ -66,7 +66,7 @@ void Evaluation::settle_sizes_from(double size) {
     inputs_.set_values_of_rows(size);
     settled_ = size;
     const double next = size_now();
-    if (std::isnan(next) || next == size) return;  // without a size something is not available; the checks say so
+    if (std::isnan(next) || next == size) return;  // without a size something is not available; the checks report it
     two_before = before;
     before = size;
     size = next;
@@ -74,7 +74,7 @@ void Evaluation::settle_sizes_from(double size) {
   unsettled_ = unsettled_size(two_before, before, size);
 }
 
-/// Only a result changes from one round to the next.
+/// Only a result changes between rounds.
 Message Evaluation::unsettled_size(double two_before, double before, double now) const {
   const FieldInfo& field = *find_field(calculator_.result->fields, inputs_.size_field());
   const auto shown = [&](double si) { return format_quantity(si, field.unit, 4); };

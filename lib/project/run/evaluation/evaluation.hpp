@@ -36,24 +36,24 @@ class Evaluation {
   /// Why the size does not settle.
   [[nodiscard]] const Message& unsettled() const { return unsettled_; }
 
-  /// Puts the inputs of position i into the record; false where one of them is not available there.
+  /// Puts the inputs of position i into the record; false if one of them is not available there.
   bool set_position(std::size_t i) { return inputs_.set_position(i) && is_settled(); }
   /// The same, and evaluates it.
   bool evaluate_at(std::size_t i);
   /// Evaluates the record as it is.
   void evaluate_record() { calculator_.evaluate(record().data.get(), result_.data.get()); }
-  /// The largest value of a result over the positions, refined between them; NaN where one is not available.
+  /// The largest value of a result over the positions, refined between them; NaN if one is not available.
   double largest_result(const FieldInfo& field);
 
   [[nodiscard]] bool is_asked(const FieldInfo& check) const { return step_.is_asked(check, record()); }
-  /// Whether a result is a check or a limit that the part is held against.
+  /// Whether a result is a check or a limit of the part.
   [[nodiscard]] bool is_judged(const FieldInfo& field) const;
-  /// Why there are no results; empty where no input lacks.
+  /// Why there are no results; empty if no input lacks.
   [[nodiscard]] Message missing() const { return is_settled() ? inputs_.missing() : unsettled_; }
 
  private:
   void settle_sizes_from(double size);
-  /// NaN where nothing gives it.
+  /// NaN if nothing gives it.
   [[nodiscard]] double size_now();
   [[nodiscard]] double first_size();
   [[nodiscard]] Message unsettled_size(double two_before, double before, double now) const;
@@ -62,7 +62,7 @@ class Evaluation {
   const Calculator& calculator_;
   Inputs inputs_;
   Record result_;
-  double settled_ = 0.0;  // the size that values of rows were asked at last
+  double settled_ = 0.0;  // size at which values of rows were last looked up
   Message unsettled_;
 };
 

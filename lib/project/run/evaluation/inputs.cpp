@@ -66,7 +66,7 @@ void Inputs::add_computed(ComputedInput input) {
   computed_.push_back(std::move(input));
 }
 
-/// Of several things that come along, the largest at each position.
+/// The largest of several load components at each position.
 ComputedInput Inputs::companion_input(const Provided& provided) const {
   Value most{{provided.field->dimension, nullptr}, {0.0}};
   std::string names;
@@ -77,7 +77,7 @@ ComputedInput Inputs::companion_input(const Provided& provided) const {
       most = {value.signature, std::vector<double>(value.si.size(), most.si[0])};
     for (std::size_t i = 0; i < most.si.size(); ++i) {
       const double size = std::abs(value.si[value.is_series() ? i : 0]);
-      if (!(size <= most.si[i])) most.si[i] = size;  // what is not available stays so
+      if (!(size <= most.si[i])) most.si[i] = size;  // NaN propagates
     }
     names += (names.empty() ? "" : ", ") + path;
   }
@@ -86,7 +86,7 @@ ComputedInput Inputs::companion_input(const Provided& provided) const {
 
 void Inputs::take_row(const std::string& group, const std::string& row, std::vector<Issue>& issues) {
   rows_[group].text = row;
-  for (const Provided& provided : provided_) {  // what the next row lacks is not what the last one had
+  for (const Provided& provided : provided_) {  // the next row may lack other columns
     if (is_of_row(provided, group))
       leaf(provided.path).set(find_leaf(step_.input().reading.record, provided.path).get());
   }
@@ -103,7 +103,7 @@ void Inputs::clear_row(const std::string& group) {
     const Leaf given = leaf(provided.path);
     const bool is_quantity = given.field->type == FieldInfo::Type::quantity;
     const double si = is_quantity ? std::nan("") : find_leaf(untouched, provided.path).get();
-    if (is_quantity || !std::isnan(si)) given.set(si);  // a choice has no value that is none
+    if (is_quantity || !std::isnan(si)) given.set(si);  // NaN is not a value of a choice
   }
   std::erase_if(provided_, [&](const Provided& provided) { return is_of_row(provided, group); });
   rows_[group].text.clear();

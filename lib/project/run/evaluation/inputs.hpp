@@ -12,7 +12,7 @@
 
 namespace loadpath::project {
 
-/// An input whose value comes from other steps: set anew at every position, or once where it takes a series whole.
+/// An input whose value comes from other steps: set at every position, or once if it takes an entire series.
 struct ComputedInput {
   std::string path;
   Leaf leaf;
@@ -35,14 +35,14 @@ class Inputs {
   void take_row(const std::string& group, const std::string& row, std::vector<Issue>& issues);
   /// Leaves a row open, and the inputs that it gives.
   void clear_row(const std::string& group);
-  /// Sets the values of rows at a size; where a table has none, `table_gap` says why.
+  /// Sets the values of rows at a size; if a table has none, `table_gap` gives the reason.
   void set_values_of_rows(double size);
-  /// Puts the computed inputs at position i into the record; false where one of them is not available there.
+  /// Puts the computed inputs at position i into the record; false if one of them is not available there.
   bool set_position(std::size_t i);
   /// Sets an input at every position.
   void set_value(const std::string& path, const Leaf& leaf, const Value& value);
   void set_origin(const std::string& path, Origin origin) { origins_[path] = std::move(origin); }
-  /// An input is not available, which leaves the step without results. `subject`: what the report says it of.
+  /// Marks an input as not available, which leaves the step without results. `subject`: of the message in the report.
   void set_unavailable(Message why, account::Subject subject = account::Subject::input) {
     unavailable_ = std::move(why);
     subject_ = subject;
@@ -51,20 +51,20 @@ class Inputs {
   [[nodiscard]] const Record& record() const { return record_; }
   [[nodiscard]] Leaf leaf(std::string_view path) const { return find_leaf(record_, path); }
   [[nodiscard]] const std::vector<ComputedInput>& computed() const { return computed_; }
-  /// The computed input at a path; null where there is none.
+  /// The computed input at a path; null if there is none.
   [[nodiscard]] const ComputedInput* find_computed(std::string_view path) const;
   [[nodiscard]] Value value_of(const std::string& path, const Leaf& leaf) const;
   [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
-  /// By their groups, those that were found among them.
+  /// The rows by their groups, including those that were found.
   [[nodiscard]] const Rows& rows() const { return rows_; }
-  /// The input or result that the rows are asked at: the first of the sizes that is given, "d_h, d", else the last.
+  /// The input or result that gives the size of rows: the first given one of the sizes, "d_h, d", else the last.
   [[nodiscard]] std::string_view size_field() const;
   [[nodiscard]] Origin origin_of(const std::string& path, const Leaf& leaf) const;
-  /// Where a row comes from that was taken from another step or found; null for one that the step names itself.
+  /// The origin of a row that was taken from another step or found; null for one that the step names itself.
   [[nodiscard]] const Origin* origin_of_row(const std::string& group) const;
-  /// Why a table's value is not available; empty where all are.
+  /// Why a table's value is not available; empty if all are.
   [[nodiscard]] const Message& table_gap() const { return table_gap_; }
-  /// Which of the inputs has no value somewhere; empty where all have.
+  /// The message that names an input without a value somewhere; empty if all have values.
   [[nodiscard]] Message missing() const;
   [[nodiscard]] account::Subject subject_of_missing() const { return subject_; }
 
@@ -82,8 +82,8 @@ class Inputs {
   Rows rows_;
   std::vector<Provided> provided_;
   std::vector<ComputedInput> computed_;
-  std::map<std::string, Origin> origins_;  // of rows, and of leaves that were provided, kept or searched for
-  Message unavailable_;                    // a word, a list, or what a search has not found; empty: there is none
+  std::map<std::string, Origin> origins_;  // origins of rows, and of leaves that were provided, kept or searched for
+  Message unavailable_;                    // a word, a list, or a search without result; empty: there is none
   account::Subject subject_ = account::Subject::input;
   Message table_gap_;
 };

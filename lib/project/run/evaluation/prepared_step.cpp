@@ -10,10 +10,10 @@ namespace loadpath::project {
 
 namespace {
 
-/// What a field is, from its meaning: "yield strength, with S in place of tau_adm".
+/// The noun of a field, from its meaning: "yield strength, with S in place of tau_adm".
 std::string noun_of(std::string_view doc) { return std::string(doc.substr(0, doc.find_first_of(",;:"))); }
 
-/// The size that a row is asked at: the first that is given of those that the provider names.
+/// The size for looking up a row: the first given one of those that the provider names.
 double size_of(const Provider& provider, const Record& record) {
   for (const std::string& key : listed_keys(provider.size)) {
     const Leaf size = find_leaf(record, key);
@@ -32,7 +32,7 @@ std::set<std::string> taken_paths(const Reading& reading, const std::vector<Prov
   return taken;
 }
 
-/// What comes along with the loads that are referred to, and neither another input nor a provider takes.
+/// Components of the referenced loads that neither another input nor a provider takes.
 std::vector<std::string> rest_of_loads(const Reading& reading, const std::vector<Provided>& provided,
                                        const Companions& companions) {
   std::set<std::string> taken = taken_paths(reading, provided);
@@ -43,7 +43,7 @@ std::vector<std::string> rest_of_loads(const Reading& reading, const std::vector
     }
   };
   for (const Operand& operand : reading.operands) {
-    if (!operand.leaf.field->is_load) continue;  // a length brings nothing along
+    if (!operand.leaf.field->is_load) continue;  // a length has no load components
     for (const auto& reference : operand.expression.references()) add(reference.path);
   }
   for (const Taken& list : reading.taken) {
@@ -129,7 +129,7 @@ void PreparedStep::check_stock(const Search& search, std::vector<Issue>& issues)
                     did_you_mean(search.stock, input().tables->names_of(search.path)));
     for (const FieldInfo& field : input().calculator->input->fields) {
       if (field.provider.table != search.path || input().reading.typed.count(field.key) == 0) continue;
-      // A number that no row has belongs to one row all the same: a rating, a warping constant.
+      // A number that no row has still belongs to one row: a rating, a warping constant.
       if (field.is_number() ||
           std::any_of(rows.begin(), rows.end(), [&](const table::Entry& row) { return gives(row, field); }))
         return refuse(say("'{1}' is given, and the {2} that is searched for gives it too", field.key, search.path),
@@ -166,7 +166,7 @@ bool PreparedStep::is_asked(const FieldInfo& check, const Record& record) const 
   const auto comes_from_row = [&](std::string_view input, const FieldInfo& field) {
     return names_row_for(std::string(input)) && !field.provider.may_lack;
   };
-  while (!inputs.empty()) {  // asked for every candidate of a search: no list of keys is made
+  while (!inputs.empty()) {  // called for every candidate of a search: avoids a list of keys
     const std::string_view input = inputs.substr(0, inputs.find(", "));
     const Leaf asking = find_leaf(record, input);
     if (asking && (!std::isnan(asking.get()) || comes_from_row(input, *asking.field))) return true;
@@ -182,7 +182,7 @@ bool PreparedStep::is_about(std::size_t rule, const std::string& path) const {
 
 namespace {
 
-/// The input of a rule that a row was to fill, and the row has no such value; null where there is none.
+/// The input of a rule that a row was to fill, and the row has no such value; null if there is none.
 const Provided* lacking_row(const RuleInfo& rule, const Record& record, const std::vector<Provided>& all) {
   const auto fields = listed_keys(rule.fields);
   for (const Provided& provided : all) {
@@ -288,7 +288,7 @@ bool is_more_than_number(const Calculator& calculator, const FieldInfo& field) {
   return field.is_load || field.is_factor || std::any_of(calculator.meanings.begin(), calculator.meanings.end(), means);
 }
 
-/// Of an expression over inputs that are known beforehand.
+/// The value of an expression over inputs that are known beforehand.
 std::optional<Value> evaluate_beforehand(const Operand& operand, const Step::Beforehand& of) {
   std::map<std::string, Value> values;
   for (const auto& reference : operand.expression.references()) {
@@ -322,7 +322,7 @@ std::optional<Value> PreparedStep::value_beforehand(const std::string& path, boo
   return Value{{leaf.field->dimension, nullptr}, {leaf.get()}};
 }
 
-/// Of a row that is named: at a size that is known too, or at none.
+/// The value of a named row: at a size that is known too, or at none.
 std::optional<Value> PreparedStep::row_beforehand(const FieldInfo& field, const Beforehand& of) const {
   const Provider& from = field.provider;
   const std::string& row = input().rows.at(from.table).text;
@@ -351,7 +351,7 @@ std::vector<std::string> PreparedStep::companions_of(const std::string& path) co
   return all;
 }
 
-/// Those of them that are not nothing: a spur gear has no axial force.
+/// Records the non-zero ones: a spur gear has no axial force.
 void PreparedStep::leave_what_acts(const Known& known) {
   std::string names;
   for (const std::string& path : rest_) {

@@ -1,4 +1,4 @@
-// The step of a calculator before it is solved: where its inputs come from, what it searches for, its rules.
+// The step of a calculator before it is solved: the origins of its inputs, its searches, its rules.
 #pragma once
 
 #include "lib/project/run/evaluation/providers.hpp"
@@ -12,7 +12,7 @@ class PreparedStep : public Step {
 
   void prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) override;
   [[nodiscard]] Outcome<Signature> signature(const std::string& path) const override;
-  /// What comes along with this step's own inputs goes on to who uses its results.
+  /// Load components of this step's own inputs are passed on to the users of its results.
   [[nodiscard]] std::vector<std::string> companions_of(const std::string& path) const override;
   [[nodiscard]] std::optional<Value> value_beforehand(const std::string& path, bool settled,
                                                       const Beforehand& of) const override;
@@ -20,24 +20,23 @@ class PreparedStep : public Step {
   [[nodiscard]] const Axis* axis() const { return axis_; }
   [[nodiscard]] const std::vector<Provided>& provided() const { return provided_; }
   [[nodiscard]] const std::vector<Search>& searches() const { return searches_; }
-  /// Whether they are sizes that the calculator wants to be found together.
+  /// Whether they are sizes that the calculator finds jointly.
   [[nodiscard]] bool sizes_together() const;
-  /// Where the elements of lists come from that a row has filled, by leaf.
+  /// The origins of the elements of lists that a row has filled, by leaf.
   [[nodiscard]] const std::map<std::string, Origin>& origins() const { return origins_; }
-  /// The issue that an input makes by breaking a rule: where the rule says, else at the first of its fields that was
-  /// typed.
+  /// The issue of a violated rule: at the rule's own path, else at the first of its fields that was typed.
   [[nodiscard]] Issue broken_rule(std::size_t rule, const Record& record, const std::vector<Provided>& provided) const;
-  /// Whether a table is to fill the input, be there such a row or not.
+  /// Whether a table is to fill the input, even if the row does not exist.
   [[nodiscard]] bool names_row_for(const std::string& field) const;
-  /// Whether a check or a limit is asked for: by an input that has a value, or that a row is to give.
+  /// Whether a check or a limit is active: through an input that has a value, or that a row is to give.
   [[nodiscard]] bool is_asked(const FieldInfo& check, const Record& record) const;
-  /// Whether something comes along with its loads that it does not take.
+  /// Whether its loads have components that it does not include.
   [[nodiscard]] bool leaves_loads() const { return !rest_.empty(); }
   /// Whether a rule of the calculator concerns an input, or the list that it is in.
   [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
 
  protected:
-  /// Tells what comes along with its loads, is not nothing, and is not taken.
+  /// Records non-zero components of its loads that it does not include.
   void leave_what_acts(const Known& known);
 
  private:
@@ -48,9 +47,9 @@ class PreparedStep : public Step {
   [[nodiscard]] bool is_open(const std::string& field) const;
   [[nodiscard]] std::optional<Value> row_beforehand(const FieldInfo& field, const Beforehand& of) const;
 
-  const Axis* axis_ = nullptr;  // of the series among the inputs; null: one position
+  const Axis* axis_ = nullptr;  // axis of the series among the inputs; null: one position
   std::vector<Provided> provided_;
-  std::vector<std::string> rest_;  // what comes along with the loads, and is not taken
+  std::vector<std::string> rest_;  // load components not included
   std::vector<Search> searches_;
   std::map<std::string, Origin> origins_;
 };

@@ -36,7 +36,7 @@ class RowsFound {
   std::map<std::string, Outcome<table::Entry>> found_;  // by the group, of which a step names one
 };
 
-/// The row that the step names for this input; nothing where it names none, or where the row does not exist.
+/// The row that the step names for this input; nothing if it names none, or where the row does not exist.
 std::optional<Provided> from_table(const StepInput& input, const Rows& rows, const FieldInfo& field, RowsFound& found,
                                    std::vector<Issue>& issues) {
   const auto named = rows.find(field.provider.table);
@@ -56,7 +56,7 @@ std::optional<Provided> from_table(const StepInput& input, const Rows& rows, con
   return std::nullopt;
 }
 
-/// What comes along with everything that the expression of another input refers to.
+/// The components of everything that the expression of another input refers to.
 std::optional<Provided> from_companion(const StepInput& input, const FieldInfo& field, const Companions& companions) {
   Provided provided{field.key, &field, "", {}, {}};
   for (const Operand& operand : input.reading.operands) {
@@ -105,7 +105,7 @@ std::map<std::string, Origin> fill_lists(const StepInput& input, const Rows& row
     if (!field.has_fields() || named == rows.end() || named->second.text.empty()) continue;
     if (typed.contains(field.key) || typed.contains(from.unless)) continue;
     const auto entry = input.tables->find_row(from.table, named->second.text);
-    if (!entry) continue;  // another input has said so
+    if (!entry) continue;  // another input has reported it
     for (const auto& [size, value] : table::values_by_size(*entry, from.column)) {
       if (field.size(data) == field.capacity) break;
       const std::string path = std::string(field.key) + "[" + std::to_string(field.size(data) + 1) + "].";

@@ -1,4 +1,4 @@
-// Inputs that nobody typed but that have a source: a row of a table, or what comes along with another input.
+// Inputs that nobody typed but that have a source: a row of a table, or a component of another input's load.
 #pragma once
 
 #include "lib/project/step.hpp"
@@ -11,11 +11,11 @@ struct Provided {
   std::string path;
   const FieldInfo* field;
   std::string row;                      // table: the row's name, "C45E"
-  std::vector<std::string> companions;  // companion: full paths of what comes along
+  std::vector<std::string> companions;  // companion: full paths of the load components
   table::Entry entry = {};              // table: the row itself
 };
 
-/// What a table says.
+/// The result of looking up a table.
 struct Lookup {
   double si = 0.0;  // NaN: not available, with the reason
   Origin origin;
@@ -29,19 +29,19 @@ using Rows = std::map<std::string, Typed>;
 std::vector<Provided> provided_by_rows(const StepInput& input, const Rows& rows, std::vector<Issue>& issues);
 /// Whether a row has a value for the input.
 bool gives(const table::Entry& row, const FieldInfo& field);
-/// Those that come along with the loads of others.
+/// The inputs provided by load components of other inputs.
 std::vector<Provided> provided_by_companions(const StepInput& input, const Companions& companions);
 
-/// Fills the lists of a record that take a row's values at all its sizes, and says by leaf where these come from.
+/// Fills the lists of a record that take a row's values at all its sizes, and returns their origins by leaf.
 std::map<std::string, Origin> fill_lists(const StepInput& input, const Rows& rows, const Record& record);
 
 /// Rounds after which a size that follows from values of rows at that size is given up.
 constexpr int most_size_rounds = 20;
 
-/// The value of a table's row, at a size where it depends on one; none where that is not known (NaN).
+/// The value of a table's row, at a size where it depends on one; none if that is not known (NaN).
 Lookup look_up(const Provided& provided, double size);
 
-/// The values of a stock in SI, ascending: "R20", "R40", "shaft"...; empty where the stock is unknown.
+/// The values of a stock in SI, ascending: "R20", "R40", "shaft"...; empty if the stock is unknown.
 std::vector<double> stock_values(const table::Tables& tables, const std::string& stock);
 /// The origin of a value that was taken from a stock: the stock's sources, or that one of its sizes is recalled.
 Origin stock_origin(const table::Tables& tables, const std::string& stock, Message text);

@@ -21,7 +21,7 @@ void walk(std::span<const FieldInfo> fields, void* data, const Visit& visit) {
   }
 }
 
-/// How many elements each list has, in the order of a walk.
+/// The number of elements of each list, in the order of traversal.
 std::vector<std::size_t> list_sizes(std::span<const FieldInfo> fields, void* data) {
   std::vector<std::size_t> sizes;
   for (const FieldInfo& field : fields) {
@@ -45,7 +45,7 @@ std::vector<std::size_t> add_series(const Evaluation& evaluation, std::vector<Re
   return order;
 }
 
-/// Which modes concern the part at a position; any may concern one that is not known.
+/// Applicability of each mode at a position; if the part is unknown, every mode may apply.
 void add_applies(const Evaluation& evaluation, bool is_available, std::vector<Applies>& applies) {
   const Calculator& calculator = evaluation.calculator();
   for (std::size_t k = 0; k < applies.size(); ++k) {
@@ -59,7 +59,7 @@ void add_applies(const Evaluation& evaluation, bool is_available, std::vector<Ap
 Results evaluate_all(Evaluation& evaluation) {
   const auto& fields = evaluation.calculator().result->fields;
   Results results{{}, std::vector<Applies>(evaluation.calculator().modes.size(), Applies::no)};
-  std::vector<std::size_t> order, shape;  // of the result that the series stand for
+  std::vector<std::size_t> order, shape;  // order and shape of the result with these series
   evaluation.settle_sizes();
   for (std::size_t i = 0; i < evaluation.positions(); ++i) {
     const bool is_available = evaluation.set_position(i);
@@ -75,7 +75,7 @@ Results evaluate_all(Evaluation& evaluation) {
     std::size_t leaf = 0;
     walk(fields, result, [&](const FieldInfo& field, const void* owner) {
       if (field.get == nullptr) return;
-      const double si = field.get(owner);  // what has left the range of numbers is not available
+      const double si = field.get(owner);  // values beyond the range of numbers are not available
       results.series[order[leaf++]].value.si[i] = std::isinf(si) && !field.infinite ? unset_number : si;
     });
   }

@@ -16,14 +16,14 @@ struct ResultSeries {
 };
 
 struct Results {
-  std::vector<ResultSeries> series;  // empty where no position is available
-  std::vector<Applies> applies;      // of every mode, over the positions
+  std::vector<ResultSeries> series;  // empty if no position is available
+  std::vector<Applies> applies;      // applicability of every mode, over the positions
 };
 
 /// At the sizes that follow from the values of rows.
 Results evaluate_all(Evaluation& evaluation);
 
-/// Whether a result is asked for, and is not one that the calculator has left unset.
+/// Whether a result is requested, and not left unset by the calculator.
 bool is_reported(const Evaluation& evaluation, const ResultSeries& series);
 
 }  // namespace loadpath::project

@@ -7,10 +7,10 @@
 
 namespace loadpath::project {
 
-/// Whether a rule is about the input that is searched for, or about those that the row gives which is. Of a load it may
-/// be any: what a part needs is asked where it is loaded.
+/// Whether a rule concerns the searched input, or the inputs that the searched row gives. For loads it may be any
+/// rule, because requirements of a part are stated where it is loaded.
 bool concerns_search(const PreparedStep& step, std::size_t rule);
-/// Whether a rule is about what is not there before the search.
+/// Whether a rule needs values that exist only after the search.
 bool waits_for_search(const PreparedStep& step, std::size_t rule);
 
 }  // namespace loadpath::project

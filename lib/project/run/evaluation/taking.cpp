@@ -1,4 +1,4 @@
-// What a step takes whole from other steps: words, lists, rows of tables.
+// Complete objects taken from other steps: words, lists, rows of tables.
 #include "lib/project/run/evaluation/inputs.hpp"
 
 #include <algorithm>
@@ -9,7 +9,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// "[2].R" or ".pump.R": the element, and what stands behind it.
+/// Splits "[2].R" or ".pump.R" into the element and the rest.
 std::pair<std::string, std::string> split_element(const std::string& path) {
   const std::size_t end = path.starts_with('[') ? path.find(']') + 1 : path.find('.', 1);
   return {path.substr(0, end), path.substr(std::min(end + 1, path.size()))};
@@ -22,7 +22,7 @@ void name_element(const FieldInfo& list, void* element, const std::string& here)
     name->set_text(element, std::string_view(here).substr(1));
 }
 
-/// What has no value in the other step.
+/// The message for a missing value of the other step.
 Message unavailable(const Taken& taken) { return say("'{1}' is not available: {2}", taken.path, taken.source); }
 
 /// "[1], [2]" or "left, right": the elements of a list of another step.
@@ -37,7 +37,7 @@ std::string elements_in(const Known& known, const std::string& list) {
   return names;
 }
 
-/// A record of an element that the list of a solved step does not have, "shaft.bearings.left"; nothing where it has.
+/// A record of an element that the list of a solved step does not have, "shaft.bearings.left"; nothing if it has.
 std::optional<Issue> missing_element(const Known& known, const std::string& step, const Taken& record) {
   const std::size_t dot = record.source.rfind('.');
   const std::string list = record.source.substr(0, dot), name = record.source.substr(dot + 1);
@@ -75,8 +75,8 @@ bool Inputs::take_from_others(std::vector<Issue>& issues) {
   return issues.size() == before;
 }
 
-/// A record without any value comes from a step without results; the step then has no results, rather than broken
-/// rules.
+/// A record without any value comes from a step without results; the step then has no results either, instead of
+/// violated rules.
 bool Inputs::find_records(const std::set<std::string>& left_open, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   const auto& reading = step_.input().reading;

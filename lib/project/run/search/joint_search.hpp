@@ -1,9 +1,9 @@
-// The search for several sizes of one part at once: from sizes that pass, all alike but for what their neighbours ask,
-// each is lowered as far as everything holds, the largest first, until none can be; at first with those that go down
-// with it, at last alone, so that in the end no single one can be a size smaller.
+// The search for several sizes of one part at once: from sizes that pass, all alike unless their neighbours require
+// otherwise, each is lowered as far as all checks pass, the largest first, until none can be; at first together with
+// dependent sizes, finally one at a time, so that in the end no single one can be a size smaller.
 //
-// Then sizes are traded as long as the part gets cheaper: some go down while others go up. The calculator may know
-// several ways in which the sizes go together; each is searched, and the cheapest is taken.
+// Then sizes are traded as long as the part gets cheaper: some decrease while others increase. The calculator may
+// have several arrangements of the sizes; each is searched, and the cheapest is taken.
 #pragma once
 
 #include "lib/project/run/search/joint_sizes.hpp"
@@ -16,7 +16,7 @@ namespace loadpath::project {
 
 class JointSearch {
  public:
-  /// `in_words`: what is found says why it is no smaller.
+  /// `in_words`: the result explains why it is not smaller.
   JointSearch(Evaluation& evaluation, bool in_words)
       : evaluation_(evaluation),
         passing_(evaluation),

@@ -1,4 +1,4 @@
-// Several sizes of one part that are searched for together, as the calculator lets them go together.
+// Several sizes of one part that are searched for together, in the calculator's arrangements.
 #pragma once
 
 #include "lib/project/run/evaluation/inputs.hpp"
@@ -9,15 +9,15 @@
 
 namespace loadpath::project {
 
-/// For each of the sizes which of its stock it is.
+/// The index in its stock for each of the sizes.
 using SizeIndices = std::vector<std::size_t>;
 
-/// What is set is the least that each size may be; the calculator raises it as its neighbours ask (a shoulder, one
-/// diameter without a step). For any least sizes there is so one part, the lightest of those that keep to them.
+/// Each size has a lower bound, which is set; the calculator raises it as its neighbours require (a shoulder, one
+/// diameter without a step). Any set of lower bounds thus gives one part, the lightest that satisfies them.
 class JointSizes {
  public:
   JointSizes(const PreparedStep& step, const Inputs& inputs);
-  JointSizes(const JointSizes&) = delete;  // what is sought refers to the sizes
+  JointSizes(const JointSizes&) = delete;  // expressions of the searched inputs refer to the sizes
   JointSizes& operator=(const JointSizes&) = delete;
 
   [[nodiscard]] std::size_t count() const { return sought_.size(); }
@@ -33,22 +33,22 @@ class JointSizes {
   [[nodiscard]] bool is_first(std::size_t i) const { return sought_[i].like == i; }
   /// All sizes of all stocks, each once, ascending.
   [[nodiscard]] std::vector<double> levels() const;
-  /// Of each the first size that is not below.
+  /// The first size of each stock that is not below `size`.
   [[nodiscard]] SizeIndices first_from(double size) const;
 
-  /// Lets the sizes go together in one of the calculator's ways; false where there are no more.
+  /// Selects one of the calculator's arrangements of the sizes; false if there are no more.
   bool arrange(std::size_t way);
-  /// Sets sizes that go together, none of which is below its least; false where there are none.
+  /// Sets sizes that go together, none of which is below its least; false if there are none.
   bool set(const SizeIndices& least);
   /// Makes one of them, with those that are of one size with it, a size smaller than `laid`, in no record yet; false
-  /// where there is none.
+  /// if there is none.
   bool shrink(const SizeIndices& laid, std::size_t which);
-  /// Sets it so beside the others as they are; false where they hold it up.
+  /// Sets a smaller size with the others unchanged; false if they prevent it.
   bool set_smaller(const SizeIndices& laid, std::size_t which);
-  /// What the calculator finds at fault with one of the sizes as they are; empty where nothing is.
+  /// The calculator's fault in one of the current sizes; empty if there is none.
   [[nodiscard]] Message fault(std::size_t i) const;
   [[nodiscard]] bool is_sound() const;
-  /// What is to be least, with the sizes as they are.
+  /// The objective to minimise, at the current sizes.
   [[nodiscard]] double cost() const;
   /// Whether an element of a result's list is about one of the sizes that are like `first`.
   [[nodiscard]] bool is_place_of(std::size_t first, const FieldInfo& list, const void* element) const;

@@ -12,8 +12,8 @@ namespace loadpath::project {
 namespace {
 
 constexpr double growth = 1.25;       // between the values that are tried first
-constexpr double least_share = 1e-9;  // of the largest one
-constexpr int digits = 4;             // of what is found
+constexpr double least_share = 1e-9;  // relative to the largest one
+constexpr int digits = 4;             // digits of the result
 
 /// The number of four digits that is not larger.
 double rounded_down(double value, double unit) {
@@ -22,7 +22,7 @@ double rounded_down(double value, double unit) {
   return std::floor(number / one * (1.0 + 1e-12)) * one * unit;
 }
 
-/// Beyond it no machine has such a value; in SI.
+/// The limit of plausible values; in SI.
 double largest_of(const FieldInfo& field) {
   const double usual = std::isinf(field.plausible.high) ? 1e6 * field.factor : 10.0 * field.plausible.high;
   return std::min(usual, field.bounds.high);
@@ -40,7 +40,7 @@ bool LargestSearch::passes_with(double value) {
 void LargestSearch::run(bool in_words, std::vector<Issue>& issues) {
   const double most = largest_of(*leaf_.field);
   double low = most * least_share;
-  leaf_.set(low);  // a load is what asks for its checks
+  leaf_.set(low);  // checks are active only with a load
   if (!passing_.is_any_asked()) return issues.push_back(aimless_search(evaluation_.step(), wanted_));
   while (low < most && !passes_with(low)) low *= growth;
   if (low >= most && excuse_unmoved(most)) {
@@ -64,7 +64,7 @@ void LargestSearch::run(bool in_words, std::vector<Issue>& issues) {
   if (in_words) warn_of_found(evaluation_, wanted_, issues);
 }
 
-/// Leaves limits out of account that fail whatever the load is, and checks that no smaller load mends.
+/// Ignores limits that fail for any load, and checks that no smaller load satisfies.
 bool LargestSearch::excuse_unmoved(double most) {
   const auto failed_with = [&](double value) {
     passes_with(value);
@@ -80,7 +80,7 @@ bool LargestSearch::excuse_unmoved(double most) {
   return excused > 0;
 }
 
-/// Rounded to four digits: the largest such number that passes.
+/// Rounds down to four digits: the largest such number that passes.
 void LargestSearch::keep(double largest) {
   const double unit = leaf_.field->factor;
   const double next = rounded_down(largest * (1.0 + 2e-6), unit);  // the halving stops a little below the limit
@@ -92,7 +92,7 @@ void LargestSearch::keep(double largest) {
                                   {say("largest that passes every check; 1 % more: {1}", beyond), {}, false, true});
 }
 
-/// Without a value there is no result, and no verdict.
+/// Without a value there is neither a result nor a verdict.
 void LargestSearch::tell_none(double value, std::vector<Issue>& issues) {
   leaf_.set(value);
   if (const auto rule = passing_.first_broken_rule()) return issues.push_back(evaluation_.broken_rule(*rule));

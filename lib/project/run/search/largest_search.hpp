@@ -18,7 +18,7 @@ class LargestSearch {
   bool passes_with(double value);
   bool excuse_unmoved(double most);
   void keep(double largest);
-  /// Not even `value` passes.
+  /// Reports that not even `value` passes.
   void tell_none(double value, std::vector<Issue>& issues);
 
   Evaluation& evaluation_;

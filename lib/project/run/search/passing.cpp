@@ -56,7 +56,7 @@ bool Passing::passes_again() {
   if (evaluation_.positions() > 1) return passes();
   evaluation_.settle_sizes_again();
   if (!keeps_rules() || !evaluation_.set_position(0)) return false;
-  // Where the size is a result it was settled with these values of tables, and all results are there.
+  // If the size is a result it was settled with these values of tables, and all results are available.
   const auto& fields = evaluation_.calculator().result->fields;
   if (find_field(fields, evaluation_.inputs().size_field()) == nullptr) evaluation_.evaluate_record();
   void* const result = evaluation_.result().data.get();

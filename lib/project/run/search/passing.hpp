@@ -26,28 +26,28 @@ class Passing {
  public:
   explicit Passing(Evaluation& evaluation) : evaluation_(evaluation) {}
 
-  /// Whether no rule about what is searched for, no check, criterion or limit of a method fails, but for what is
-  /// excused. What passes beyond its formulas is no size to take.
+  /// Whether no rule about the searched inputs, no check, criterion or limit of a method fails, apart from the
+  /// excused ones. A candidate outside the validity of its formulas is not acceptable.
   bool passes();
   /// The same from the size that was found last, and of a part without positions from one evaluation.
   bool passes_again();
   /// Whether element k of a list passes its checks, and keeps its criteria and the limits of its methods.
   [[nodiscard]] bool element_passes(const FieldInfo& list, std::size_t k) const;
-  /// Whether the rules about what is searched for hold at the sizes that were settled.
+  /// Whether the rules about the searched inputs hold at the settled sizes.
   bool keeps_rules() { return evaluation_.is_settled() && !first_broken_rule(); }
   /// The first of them that is broken at a position.
   std::optional<std::size_t> first_broken_rule();
-  /// Whether a check is asked for: else any candidate would pass.
+  /// Whether a check is active: otherwise any candidate would pass.
   [[nodiscard]] bool is_any_asked() const;
 
   /// Leaves a check or a limit out of account that no candidate improves.
   void excuse(const Row& row) { excused_.insert(row); }
-  /// The same of all that depend on the loads alone.
+  /// Excuses all that depend only on the loads.
   void excuse_sizeless();
   [[nodiscard]] std::size_t count_of_excused() const { return excused_.size(); }
-  /// Whether a check or a limit of the result, or of an element of a list, is judged, and not excused.
+  /// Whether a check or a limit of the result, or of an element of a list, is assessed, and not excused.
   [[nodiscard]] bool counts(const Row& row) const;
-  /// The first value of a limit that is outside of it, or that is missing; nothing where it is kept.
+  /// The first value of a limit that is outside of it, or that is missing; nothing if it is kept.
   std::optional<double> first_outside(const FieldInfo& limit);
 
  private:
@@ -59,7 +59,7 @@ class Passing {
 
   Evaluation& evaluation_;
   std::set<Row> excused_;
-  std::vector<bool> concerned_;  // of every rule whether a search has to keep it, once that was asked
+  std::vector<bool> concerned_;  // for every rule whether a search must satisfy it, once determined
 };
 
 }  // namespace loadpath::project

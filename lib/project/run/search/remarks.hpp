@@ -1,4 +1,4 @@
-// What is said of a search beside what it finds: that nothing limits it, which customs the result breaks.
+// Remarks on a search in addition to its result: that nothing limits it, or the customs that the result violates.
 #pragma once
 
 #include "lib/project/run/evaluation/evaluation.hpp"
@@ -7,7 +7,7 @@
 
 namespace loadpath::project {
 
-/// A search without a check; its hint names what asks for one.
+/// The issue of a search without a check; its hint names inputs that activate one.
 Issue aimless_search(const PreparedStep& step, const Search& wanted);
 /// Customs that what was found breaks, in the words in which a typed value would be warned of.
 void warn_of_found(Evaluation& evaluation, const Search& wanted, std::vector<Issue>& issues);

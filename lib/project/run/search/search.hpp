@@ -8,8 +8,8 @@
 
 namespace loadpath::project {
 
-/// Sets what the step searches for; nothing where it searches for nothing. An issue where no check is asked for, so
-/// that any would pass. `in_words`: why what is found is no smaller, where it comes from.
+/// Sets the searched inputs of the step, if any. An issue if no check is active, because any candidate would pass.
+/// `in_words`: the origin of the result explains why it is not smaller.
 bool run_search(Evaluation& evaluation, bool in_words, std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

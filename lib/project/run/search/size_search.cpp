@@ -57,8 +57,8 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   const auto& results = evaluation_.calculator().result->fields;
   const FieldInfo* const result = wanted_.leaf ? find_field(results, wanted_.path) : nullptr;
   const double least = result == nullptr ? std::nan("") : evaluation_.largest_result(*result);
-  // Not even a least size: the checks say why. One that does not settle, or that is beyond the sizes of a row, excludes
-  // no candidate, for these have a size.
+  // Without a minimum size, the checks give the reason. A size that does not settle, or is beyond the sizes of a row,
+  // excludes no candidate, because candidates have a size.
   const bool is_beyond_table = !evaluation_.inputs().table_gap().empty();
   if (result != nullptr && std::isnan(least) && evaluation_.is_settled() && !is_beyond_table) return;
   if (result == nullptr && !passing_.is_any_asked())
@@ -95,8 +95,8 @@ std::size_t SizeSearch::first_that_passes(std::size_t from) {
   return candidates_.count();
 }
 
-/// Excuses what no candidate mends: checks and limits that all fail, and that are no better with the last candidate
-/// than with the first. They decide the verdict of the step, whatever is found. Whether there are any.
+/// Excuses checks and limits that no candidate satisfies: they fail with all, and do not improve from the first to
+/// the last. They decide the verdict of the step, whatever the result. Returns whether there are any.
 bool SizeSearch::excuse_unmoved(std::size_t from) {
   std::size_t first = from, last = candidates_.count();
   while (first < last && !keeps_rules_with(first)) ++first;
@@ -104,7 +104,7 @@ bool SizeSearch::excuse_unmoved(std::size_t from) {
   const FailedValues smallest = failed_values(evaluation_, passing_);
   do --last;
   while (last > first && !keeps_rules_with(last));
-  if (last == first) return false;  // a single one tells nothing
+  if (last == first) return false;  // a single one shows no trend
   FailedValues unmoved = unmoved_values(smallest, failed_values(evaluation_, passing_));
   for (std::size_t i = first + 1; i < last && !unmoved.empty(); ++i) {
     if (!keeps_rules_with(i)) continue;
@@ -129,7 +129,7 @@ std::size_t SizeSearch::nearest(std::size_t from) {
   return best;
 }
 
-/// What the sizing run has found for inputs that were left open and stay as they are when the size is rounded up.
+/// Results of the sizing run for inputs left open, which are kept when the size is rounded up.
 void SizeSearch::keep_sizing_results() {
   for (const FieldInfo& field : evaluation_.calculator().input->fields) {
     const Leaf leaf = evaluation_.inputs().leaf(field.key);
@@ -148,7 +148,7 @@ Message SizeSearch::what_is_searched() const {
   return wanted_.stock.empty() ? say("{1}", wanted_.path) : say("{1} of {2}", wanted_.path, wanted_.stock);
 }
 
-/// There is no result. Told is the nearest candidate, and what it fails by.
+/// There is no result. Reports the nearest candidate, and its failures.
 void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
   if (candidates_.count() == 0)
     return leave_open(say("{1} has no value that '{2}' may have", candidates_.source(), wanted_.path));
@@ -205,15 +205,15 @@ void SizeSearch::warn_of_passed_over(std::size_t found, std::vector<Issue>& issu
   issues.push_back(std::move(first));
 }
 
-/// Without words: a body asks which sizes were found.
+/// Records the size without text: a body only needs the sizes found.
 void SizeSearch::note_found() {
   if (wanted_.leaf)
     evaluation_.inputs().set_origin(wanted_.path, {.text = say("found"), .sources = {}, .searched = true});
 }
 
-/// What was found, and why the one before it is too small.
+/// Reports the result, and the reason why the previous candidate is too small.
 void SizeSearch::tell_found(std::size_t found) {
-  Passing whole(evaluation_);  // of what is excused too
+  Passing whole(evaluation_);  // includes the excused ones
   const bool covered = passing_.count_of_excused() == 0 || whole.passes();
   Message text = covered ? say("smallest of {1} that passes every check", candidates_.source())
                          : say("smallest of {1} that passes every check that depends on it", candidates_.source());

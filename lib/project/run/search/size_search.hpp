@@ -12,12 +12,13 @@ namespace loadpath::project {
 
 class SizeSearch {
  public:
-  /// `in_words`: what is found says why it is no smaller.
+  /// `in_words`: the result explains why it is not smaller.
   SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words);
   void run(std::vector<Issue>& issues);
 
  private:
-  /// What another step of the same body gives is not searched for: this one is assessed at it. Whether that is so.
+  /// A size given by another step of the same body is not searched: this one is assessed at it. Returns whether that
+  /// applies.
   bool takes_size_of_body();
   /// Whether the rules about what is searched for hold with a candidate, at the sizes that follow from it.
   bool keeps_rules_with(std::size_t i);

@@ -95,7 +95,7 @@ bool AloneStep::keeps_axes(bool with_speed) {
   });
 }
 
-/// False where a field refuses its value.
+/// False if a field refuses its value.
 bool AloneStep::set_inputs(const PointColumns& points, std::size_t point) {
   for (const Varied& varied : step_.input().reading.varied) {
     const double si = points.values.find(step_.name() + "." + varied.path)->second[point];
@@ -126,7 +126,7 @@ bool AloneStep::take_modes(std::size_t point, std::vector<account::ModeColumns>&
   return true;
 }
 
-/// False where a series is not as long as its axis.
+/// False if a series is not as long as its axis.
 bool AloneStep::take_values(PointColumns& points, std::size_t point) {
   for (const Told& told : told_) {
     const Value* const value = step_.value(told.within);

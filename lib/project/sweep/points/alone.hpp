@@ -14,8 +14,8 @@ namespace loadpath::project {
 
 class AloneStep final : public PointStep {
  public:
-  /// Of a step that was solved at one point; null where it takes more of others than numbers. `wanted`: of all steps,
-  /// for as long as this lives. `referred`: full paths of values that somebody refers to.
+  /// For a step that was solved at one point; null if it takes more from others than numbers. `wanted`: for all
+  /// steps, valid as long as this object lives. `referred`: full paths of values that somebody refers to.
   static std::unique_ptr<AloneStep> of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
                                        const PointColumns& points);
 
@@ -34,15 +34,15 @@ class AloneStep final : public PointStep {
 
   /// A value that others refer to.
   struct Told {
-    std::string within, path;  // of the step, and full
+    std::string within, path;  // path within the step, and full path
     Signature signature;
   };
 
   Step& step_;
   const Wanted& wanted_;
-  std::map<std::string, Value> referred_;  // of other steps, at the point
+  std::map<std::string, Value> referred_;  // values of other steps, at the point
   std::vector<Told> told_;
-  std::map<const Axis*, Axis> axes_;  // of what is told, as they were at the first point
+  std::map<const Axis*, Axis> axes_;  // axes of the published values, as they were at the first point
 };
 
 }  // namespace loadpath::project

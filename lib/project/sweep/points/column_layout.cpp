@@ -1,4 +1,4 @@
-// What a ColumnStep finds out when its step was solved at one point.
+// The properties that a ColumnStep derives after its step was solved at one point.
 #include "lib/account/rows.hpp"
 #include "lib/project/accept.hpp"
 #include "lib/project/modes.hpp"
@@ -62,7 +62,7 @@ bool ColumnLayout::lay_out(const std::set<std::string>& wanted, const PointColum
   return true;
 }
 
-/// Nothing taken whole, nothing that acts and is not taken.
+/// Whether the step takes no complete objects, and includes all load components.
 bool ColumnLayout::is_plain() const {
   const Reading& reading = step.input().reading;
   return reading.taken.empty() && reading.whole.empty() && !step.leaves_loads() && !step.goes_point_by_point() &&
@@ -74,14 +74,14 @@ bool ColumnLayout::is_fed(std::string_view field) const {
                      [&](const Fed& f) { return std::string_view(f.path()).substr(step.name().size() + 1) == field; });
 }
 
-/// Where an input that varies lies in the record; nothing where that is not fixed, or more hangs on it than numbers.
+/// The offset of a varying input in the record; nothing if it is not fixed, or affects more than numbers.
 std::optional<std::size_t> ColumnLayout::place_of(const FieldInfo& field, const std::string& path) const {
   const auto& compared = step.compared();
   if (std::find(compared.begin(), compared.end(), path) != compared.end()) return std::nullopt;
   if (field.is_factor || field.takes_whole() || !is_fixed(calculator.input->fields, path)) return std::nullopt;
   const Leaf leaf = find_leaf(record, path);
   const Value* const now = step.value(path);
-  if (now != nullptr && !now->si.empty()) leaf.set(now->si[0]);  // what asks for checks has a value
+  if (now != nullptr && !now->si.empty()) leaf.set(now->si[0]);  // inputs that activate checks have a value
   return offset_in(record, leaf);
 }
 
@@ -103,7 +103,7 @@ bool ColumnLayout::add_fed(const PointColumns& points) {
   return true;
 }
 
-/// What does not come along now; false where that is a series.
+/// Adds components absent at this point; false for a series.
 bool ColumnLayout::add_absent(const Provided& provided, const PointColumns& points) {
   for (const std::string& path : provided.companions) {
     const auto signature = points.signatures.find(path);
@@ -114,7 +114,7 @@ bool ColumnLayout::add_absent(const Provided& provided, const PointColumns& poin
   return true;
 }
 
-/// What comes along with loads, where there is such a thing.
+/// Adds the components of loads, if any.
 bool ColumnLayout::add_companions(const PointColumns& points) {
   for (const Provided& provided : step.provided()) {
     if (!provided.row.empty()) continue;
@@ -129,7 +129,7 @@ bool ColumnLayout::add_companions(const PointColumns& points) {
   return true;
 }
 
-/// The first of the sizes that rows are asked at which is given, "d_h, d", else the last; empty where none is asked.
+/// The first of the sizes that rows are asked at which is given, "d_h, d", else the last; empty if none is asked.
 std::string ColumnLayout::size_field() const {
   for (const Provided& provided : step.provided()) {
     if (provided.row.empty() || *provided.field->provider.size == '\0') continue;
@@ -154,7 +154,7 @@ Size ColumnLayout::size_of(const std::string& field) const {
   return {.is_sought = is_sought, .same = given ? given.get() : nan};
 }
 
-/// False where a row lacks a value.
+/// False if a row lacks a value.
 bool ColumnLayout::add_values_of_rows() {
   const std::string field = size_field();
   const Size all = field.empty() ? Size{} : size_of(field);
@@ -168,14 +168,14 @@ bool ColumnLayout::add_values_of_rows() {
       continue;
     }
     const Value* const now = step.value(provided.path);
-    leaf.set(now == nullptr || now->si.empty() ? nan : now->si[0]);  // what asks for checks has a value
+    leaf.set(now == nullptr || now->si.empty() ? nan : now->si[0]);  // inputs that activate checks have a value
     sized.emplace_back(provided, offset_in(record, leaf));
   }
   if (!sized.empty()) size = all;
   return true;
 }
 
-/// Checks and limits that are asked for, and what others refer to. Lists must be empty, or judge nothing.
+/// Adds active checks and limits, and values that others refer to. Lists must be empty, or without checks.
 bool ColumnLayout::add_read(const std::set<std::string>& wanted) {
   std::set<std::string> left;
   for (const std::string& path : wanted) {
@@ -189,14 +189,14 @@ bool ColumnLayout::add_read(const std::set<std::string>& wanted) {
   for (const FieldInfo& field : calculator.result->fields) {
     const std::string path = step.name() + "." + field.key;
     const bool judges = (field.role == Role::check || field.role == Role::limit) && field.is_leaf();
-    const bool is_asked = step.is_asked(field, record);  // else it has no value, whatever the calculator says
+    const bool is_asked = step.is_asked(field, record);  // otherwise it has no value, even if the calculator sets one
     const bool is_row = judges && is_asked;
     const bool is_wanted = left.erase(path) != 0 && is_asked;
     if (!is_row && !is_wanted) continue;
     if (!is_fixed(calculator.result->fields, field.key)) return false;
     read.push_back({path, &field, offset_in(result, find_leaf(result, field.key)), is_row, is_wanted});
   }
-  for (const std::string& path : left) {  // of groups
+  for (const std::string& path : left) {  // paths of groups
     const std::string within = path.substr(step.name().size() + 1);
     if (!is_fixed(calculator.result->fields, within)) return false;
     const Leaf leaf = find_leaf(result, within);
@@ -222,7 +222,7 @@ void ColumnLayout::add_rules() {
   }
 }
 
-/// False where it is no search for one size.
+/// False unless it is a search for one size.
 bool ColumnLayout::add_search() {
   const auto& searches = step.searches();
   if (searches.empty()) return true;
@@ -235,7 +235,7 @@ bool ColumnLayout::add_search() {
   const FieldInfo& searched = *own.leaf.field;
   std::erase_if(own.stock, [&](double si) { return !searched.bounds.holds(si) || !searched.plausible.holds(si); });
   own.offset = offset_in(record, own.leaf);
-  own.leaf.set(now->si[0]);  // what asks for checks has a value
+  own.leaf.set(now->si[0]);  // inputs that activate checks have a value
   if (const FieldInfo* const least = find_field(calculator.result->fields, wanted.path)) {
     if (!is_fixed(calculator.result->fields, wanted.path)) return false;
     own.least = least;
@@ -250,7 +250,7 @@ bool ColumnLayout::add_search() {
   return true;
 }
 
-/// Which rules a candidate has to keep, and which hold before there is one.
+/// Adds the rules that a candidate has to satisfy, and those that must hold before there is one.
 void ColumnLayout::add_rules_of_search() {
   if (!sought) return;
   sought->rules.assign(calculator.rules.size(), 0);

@@ -18,7 +18,7 @@ void ColumnParts::feed(PointColumns& points) {
     input.tell(points, axis);
   }
   inputs_fed = in.size();
-  for (const std::string& path : absent) {  // what comes along at another point loads the part there
+  for (const std::string& path : absent) {  // a component present at another point loads the part there
     const double* const si = points.of(path);
     for (std::size_t point = 0; point < points.count; ++point) {
       if (!std::isnan(si[point])) leave(points, point);
@@ -33,7 +33,7 @@ void ColumnParts::provide(PointColumns& points) {
     value.fill(sizes, positions());
     in.push_back({value.offset(), value.si()});
     for (std::size_t point = 0; point < points.count; ++point) {
-      const bool is_beyond = std::isnan(value.si()[point * positions()]);  // the table; of a search that is no fit
+      const bool is_beyond = std::isnan(value.si()[point * positions()]);  // the table; in a search it does not fit
       if (is_beyond && !sought) leave(points, point);
     }
   }
@@ -70,7 +70,7 @@ void ColumnParts::read_sizes(PointColumns& points, std::vector<double>& next) {
     next[point] = largest_of(size_rows, point, size->field->dimension).value;
 }
 
-/// A strength falls with the size that it is asked for, so the size only grows from one round to the next.
+/// A strength falls with the size that it is looked up at, so the size only grows from one round to the next.
 void ColumnParts::settle_sizes(PointColumns& points) {
   if (!size || size->fed) return;
   for (int round = 0; round < most_size_rounds; ++round) {
@@ -79,7 +79,7 @@ void ColumnParts::settle_sizes(PointColumns& points) {
     for (std::size_t point = 0; point < points.count; ++point) {
       const double next = next_sizes[point];
       if (is_other(points, point) || std::isnan(next) || next == sizes[point]) continue;
-      if (round + 1 == most_size_rounds) leave(points, point);  // who tells what it alternates between
+      if (round + 1 == most_size_rounds) leave(points, point);  // the single solution reports the alternating sizes
       sizes[point] = next;
       settled = false;
     }
@@ -88,7 +88,7 @@ void ColumnParts::settle_sizes(PointColumns& points) {
   }
 }
 
-/// Where every load is zero.
+/// Leaves points where every load is zero.
 void ColumnParts::leave_unloaded(PointColumns& points) const {
   if (is_loaded || !is_load_told) return;
   if (std::any_of(fed.begin(), fed.end(), [](const Fed& f) { return f.field().is_load && all_act(f.si()); })) return;
@@ -122,7 +122,7 @@ void ColumnParts::ask(PointColumns& points, std::span<const char> asked_rules) {
   gather(points);
 }
 
-/// What the positions of a point come to: one that breaks a rule is enough, and one that a mode concerns.
+/// Combines the positions of a point: a rule is violated, or a mode applies, if it is so at any position.
 void ColumnParts::gather(PointColumns& points) {
   const std::size_t count = positions();
   for (std::size_t point = 0; point < points.count; ++point) {
@@ -140,7 +140,7 @@ void ColumnParts::gather(PointColumns& points) {
   }
 }
 
-/// A size that follows from the values, or is searched for, starts at nothing.
+/// A size that follows from the values, or is searched for, starts at zero.
 void ColumnParts::start_sizes(PointColumns& points) {
   if (!size) return;
   sizes.assign(points.count, 0.0);
@@ -172,7 +172,7 @@ void ColumnParts::tell_found(PointColumns& points) const {
   if (sought) tell_one(step.searches().front().path, sought->si.data());
 }
 
-/// What has left the range of numbers is not available; a point whose check has no value is another's.
+/// Values beyond the range of numbers are not available; a point with a missing check is handed over.
 void ColumnParts::check_number(Read& number, PointColumns& points) const {
   if (sweep::all_finite(number.si)) return;
   const bool is_set_somewhere = number.field->where_set;
@@ -214,10 +214,10 @@ void ColumnParts::run(PointColumns& points) {
   }
 }
 
-/// A check or a limit at every point: over positions the largest, or what is farthest beyond its bounds.
+/// A check or a limit at every point: over positions the largest, or the value farthest beyond its bounds.
 std::span<const double> ColumnParts::worst_of(Read& number, std::size_t n) {
   if (axis == nullptr) return number.si;
-  const bool is_known = sought && number.field->role == Role::check && !number.field->is_beside;  // of what was found
+  const bool is_known = sought && number.field->role == Role::check && !number.field->is_beside;  // result of a search
   for (std::size_t point = 0; point < n && !is_known; ++point) {
     const auto here = std::span(number.si).subspan(point * positions(), positions());
     number.worst[point] = number.field->role == Role::check

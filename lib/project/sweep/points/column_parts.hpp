@@ -13,12 +13,12 @@ struct ColumnParts : ColumnPlan {
   std::vector<InputColumn> in;
   std::size_t inputs_fed = 0;  // the first of them
   std::vector<ResultColumn> out;
-  std::vector<std::vector<Applies>> applies;  // of each mode, point by point
+  std::vector<std::vector<Applies>> applies;  // applicability of each mode, point by point
   std::vector<Applies*> applies_at;
   std::vector<std::vector<Applies>> applies_over;  // the same over the positions
   std::vector<char> other_rows;                    // over the positions
   std::vector<double> sizes, next_sizes, size_rows;
-  Value slice;  // of a series, at one point
+  Value slice;  // values of a series, at one point
   account::RowColumns fold;
 
   explicit ColumnParts(ColumnPlan&& plan) : ColumnPlan(std::move(plan)) {}

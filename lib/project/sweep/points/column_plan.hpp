@@ -1,4 +1,4 @@
-// What a ColumnStep knows of its calculator: where inputs and results lie, what judges the modes.
+// The data of a ColumnStep about its calculator: offsets of inputs and results, checks of the modes.
 #pragma once
 
 #include "lib/account/fold.hpp"
@@ -21,22 +21,22 @@ struct Read {
   std::string path;  // full
   const FieldInfo* field;
   std::size_t offset = 0;
-  bool is_row = false;  // a check or a limit that is asked for
+  bool is_row = false;  // an active check or limit
   bool is_wanted = false;
   std::vector<double> si = {};
-  std::vector<double> worst = {};  // of each point, where positions make it
+  std::vector<double> worst = {};  // worst value at each point, if there are positions
 };
 
-/// What rows of tables are asked at, where that varies: a result, an input, or the same everywhere.
+/// The size for looking up rows of tables, if it varies: a result, an input, or constant.
 struct Size {
   std::optional<std::size_t> result = {};  // offset
-  const FieldInfo* field = nullptr;        // of the result
+  const FieldInfo* field = nullptr;        // field of the result
   std::optional<std::size_t> fed = {};     // which of the inputs
   bool is_sought = false;                  // the size that is searched for
   double same = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// How far the search of a point has come.
+/// The progress of a point's search.
 struct Candidate {
   std::size_t now = 0;
 };
@@ -46,12 +46,12 @@ struct Sought {
   Leaf leaf = {};  // in the record
   std::vector<double> stock = {};
   std::size_t offset = 0;
-  const FieldInfo* least = nullptr;  // the least size, of the result; null: there is none
+  const FieldInfo* least = nullptr;  // result with the minimum size; null: there is none
   std::size_t least_offset = 0;
-  std::vector<std::size_t> kept = {};  // of results that a sizing would fix
+  std::vector<std::size_t> kept = {};  // results that a sizing would fix
   std::vector<std::vector<double>> of_kept = {};
   std::vector<char> rules = {};    // that a candidate has to keep
-  std::vector<Candidate> at = {};  // of each point
+  std::vector<Candidate> at = {};  // candidate at each point
   std::vector<char> breaks = {};   // a rule, of each point
   std::vector<double> si = {};     // over all rows
 };
@@ -60,7 +60,7 @@ struct Sought {
 bool is_fixed(std::span<const FieldInfo> fields, std::string_view path);
 std::size_t offset_in(const Record& record, const Leaf& leaf);
 
-/// A mode, and which of the numbers that are read judge it.
+/// A mode, and which of the numbers that are read assess it.
 struct Judging {
   std::size_t mode;
   std::vector<std::size_t> rows = {};
@@ -73,15 +73,15 @@ struct ColumnPlan {
   const Axis* axis;  // null: one position
   Record record, result;
   std::vector<Fed> fed;
-  std::vector<std::string> absent;  // that would come along, and did not where this was laid out
+  std::vector<std::string> absent;  // load components that were absent where this was laid out
   std::vector<Sized> sized;
-  std::optional<Size> size;      // of the sized inputs
+  std::optional<Size> size;      // size of the sized inputs
   std::optional<Sought> sought;  // that is searched for
   std::vector<Read> read;
-  std::vector<char> rules;  // of each whether what varies can break it
+  std::vector<char> rules;  // for each rule, whether varying inputs can violate it
   std::vector<char> no_rules;
   std::vector<Judging> judging;
-  bool is_loaded = false;  // whatever varies
+  bool is_loaded = false;  // for all varying inputs
   bool is_load_told = false;
 
   explicit ColumnPlan(CalculatorStep& s)
@@ -92,8 +92,8 @@ struct ColumnPlan {
         result(*calculator.result) {}
 };
 
-/// Of a step that was solved at one point; nothing where it needs more than its kernel. `wanted`: full paths of its
-/// values that others refer to. `points`: with the signatures of what it refers to.
+/// For a step that was solved at one point; nothing if it needs more than its kernel. `wanted`: full paths of its
+/// values that others refer to. `points`: with the signatures of the values it refers to.
 std::optional<ColumnPlan> plan_columns(CalculatorStep& step, const std::set<std::string>& wanted,
                                        const PointColumns& points);
 

@@ -8,7 +8,7 @@
 
 namespace loadpath::project {
 
-/// What a search begins with: the least size that is calculated without one.
+/// The start of a search: the minimum size, computed without one.
 void ColumnParts::find_first_candidates(PointColumns& points) {
   Sought& wanted = *sought;
   const double found = wanted.leaf.get();
@@ -29,8 +29,8 @@ void ColumnParts::find_first_candidates(PointColumns& points) {
   wanted.leaf.set(found);
 }
 
-/// The least size over all rows. What the sizing finds for inputs that were left open would stay when the size is
-/// rounded up: such a point is another's.
+/// The minimum size over all rows. Results of the sizing for inputs left open would be kept when the size is rounded
+/// up: such a point is handed over.
 void ColumnParts::run_for_least(PointColumns& points) {
   const std::size_t rows = points.count * positions();
   size_rows.resize(rows);
@@ -72,15 +72,15 @@ void ColumnParts::search(PointColumns& points) {
   }
 }
 
-/// Whether the candidate of a point is the one; else it has the next one to be tried. As the search of a single
-/// machine: the first with which nothing fails that a size changes. A point where none is found is another's.
+/// Whether the candidate of a point is the result; otherwise takes the next one to be tried. As in the search of a
+/// single design: the first with no failure that a size changes. A point without a result is handed over.
 bool ColumnParts::is_found(std::size_t point) {
   if (fits(point)) return true;
   ++sought->at[point].now;
   return false;
 }
 
-/// Which candidates break a rule, and which modes concern the part with them.
+/// Finds the candidates that violate a rule, and the modes that concern the part with them.
 void ColumnParts::ask_candidates(PointColumns& points) {
   const std::vector<char> others = points.is_other;
   ask(points, sought->rules);

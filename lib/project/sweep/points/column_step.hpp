@@ -1,8 +1,8 @@
 // A calculator's step at many points at once, without a word: the kernel over columns of points, or of the positions of
 // all points where loads are series.
 //
-// It knows the ordinary course of things: every input has a value, every rule holds, every check is there. A point
-// where that is not so is told to be another's, who solves it as a machine of its own.
+// It handles regular points: every input has a value, every rule is satisfied, every check exists. An irregular point
+// is handed over, to be solved as a separate design.
 #pragma once
 
 #include "lib/project/run/calculator_step.hpp"
@@ -19,8 +19,8 @@ struct ColumnParts;
 
 class ColumnStep final : public PointStep {
  public:
-  /// Of a step that was solved at one point; null where the step needs more than its kernel. `wanted`: full
-  /// paths of its values that others refer to. `points`: with the signatures of what it refers to.
+  /// For a step that was solved at one point; null if the step needs more than its kernel. `wanted`: full paths of
+  /// its values that others refer to. `points`: with the signatures of the values it refers to.
   static std::unique_ptr<ColumnStep> of(CalculatorStep& step, const std::set<std::string>& wanted,
                                         const PointColumns& points);
   ~ColumnStep() override;

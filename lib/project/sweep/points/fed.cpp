@@ -94,7 +94,7 @@ void Fed::put(std::size_t point, const Value& value, std::size_t positions) {
     std::fill_n(first, positions, value.si[0]);
 }
 
-/// Of several things, the largest at each position.
+/// The largest of several load components at each position.
 void Fed::fill_from_companions(PointColumns& points, const Axis* axis) {
   const std::size_t positions = positions_of(axis);
   std::fill(si_.begin(), si_.end(), 0.0);
@@ -113,7 +113,7 @@ void Fed::fill_from_companions(PointColumns& points, const Axis* axis) {
         if (!(size <= most)) most = size;
       }
     }
-    if (there == 0) points.is_other[point] = 1;  // nothing comes along
+    if (there == 0) points.is_other[point] = 1;  // no load component
   }
 }
 

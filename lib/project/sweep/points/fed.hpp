@@ -1,4 +1,4 @@
-// Inputs of a step that have other values at every point: of the sweep, by expressions, with what comes along.
+// Inputs of a step that vary from point to point: of the sweep, by expressions, with load components.
 #pragma once
 
 #include "lib/project/run/calculator_step.hpp"
@@ -19,7 +19,7 @@ class Fed {
   /// `is_open`: a record of another step leaves it out.
   Fed(std::string path, const FieldInfo& field, std::size_t offset, const Expression& expression, bool is_open,
       const PointColumns& points);
-  /// The largest of what comes along with other inputs.
+  /// The largest of the load components of other inputs.
   Fed(std::string path, const FieldInfo& field, std::size_t offset, const std::vector<std::string>& companions,
       const PointColumns& points);
 
@@ -30,10 +30,10 @@ class Fed {
   /// At every position of every point.
   [[nodiscard]] const std::vector<double>& si() const { return si_; }
 
-  /// Over the positions of `axis`, which is null where there is one. Points where it has no value, or one that its
+  /// Over the positions of `axis`, which is null if there is one. Points where it has no value, or one that its
   /// field refuses or that is unusual, become another's.
   void fill(PointColumns& points, const Axis* axis);
-  /// What others may refer to.
+  /// Publishes the values that others may refer to.
   void tell(PointColumns& points, const Axis* axis) const;
 
  private:
@@ -53,7 +53,7 @@ class Fed {
   std::vector<std::pair<std::string, Value>> companions_;
   std::vector<double> si_;
   std::vector<double> of_points_;
-  std::vector<double> rounding_;  // of each point
+  std::vector<double> rounding_;  // rounding at each point
 };
 
 }  // namespace loadpath::project

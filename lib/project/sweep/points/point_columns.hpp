@@ -1,4 +1,4 @@
-// What the steps of a project have at many points at once: columns of numbers, and of series.
+// The values of a project's steps at many points at once: columns of numbers, and of series.
 #pragma once
 
 #include "lib/quantity/expression/expression.hpp"
@@ -17,7 +17,7 @@ namespace loadpath::project {
 /// A series at every point: the positions of the first, of the second...
 struct SeriesColumn {
   std::vector<double> si;
-  std::vector<double> rounding;  // of each point (Value::rounding)
+  std::vector<double> rounding;  // rounding at each point (Value::rounding)
 };
 
 /// Columns by full paths, and which points are out of the ordinary.
@@ -25,15 +25,15 @@ struct PointColumns {
   std::size_t count = 0;
   std::map<std::string, std::vector<double>, std::less<>> values;
   std::map<std::string, SeriesColumn, std::less<>> series;
-  std::map<std::string, double, std::less<>> constants;      // what is the same at every point
-  std::map<std::string, Signature, std::less<>> signatures;  // of what is referred to
+  std::map<std::string, double, std::less<>> constants;      // values equal at every point
+  std::map<std::string, Signature, std::less<>> signatures;  // signatures of the referenced values
   std::vector<char> is_other;
-  bool axes_differ = false;   // from point to point: no two of them can be told by one series
-  bool speeds_matter = true;  // somebody reads how fast an axis runs
+  bool axes_differ = false;   // between points: no common series can represent them
+  bool speeds_matter = true;  // speeds of axes are read
 
-  /// The values of a path, NaN where it has none.
+  /// The values of a path, NaN if it has none.
   const double* of(const std::string& path);
-  /// A number or a series at one point, as the step gives it there alone; `value` keeps its memory.
+  /// A number or a series at one point, as the step gives it for that point; `value` keeps its memory.
   void read(const std::string& path, std::size_t point, Value& value);
 };
 
@@ -46,7 +46,7 @@ class PointExpression {
   /// Whether it is made of series.
   [[nodiscard]] bool reads_series() const { return reads_series_; }
   Value at(PointColumns& points, std::size_t point);
-  /// Of one number a point; without series in lanes. False where it takes a place of a series of numbers.
+  /// One number per point; without series in lanes. False if it takes a place of a series of numbers.
   bool fill(PointColumns& points, std::span<double> out);
 
  private:
@@ -55,7 +55,7 @@ class PointExpression {
   bool reads_series_ = false;
 };
 
-/// The positions of an axis; 1 where there is none.
+/// The positions of an axis; 1 if there is none.
 std::size_t positions_of(const Axis* axis);
 
 }  // namespace loadpath::project

@@ -12,11 +12,10 @@ class PointStep {
  public:
   virtual ~PointStep() = default;
 
-  /// Takes its inputs from the columns, adds its values to them, and says how its modes came out, in the order of the
-  /// calculator. A point where things do not take their ordinary course is told to be another's, who solves it as a
-  /// machine of its own.
+  /// Takes its inputs from the columns, adds its values to them, and sets the states of its modes, in the order of
+  /// the calculator. An irregular point is handed over, to be solved as a separate design.
   virtual void evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) = 0;
-  /// Whether it looks at the axes of others' series, how fast they run, and not at the places of the numbers alone.
+  /// Whether it uses the axes of other steps' series and their speeds, not only the positions of the numbers.
   [[nodiscard]] virtual bool reads_axes() const { return false; }
 };
 

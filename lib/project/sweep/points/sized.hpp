@@ -11,12 +11,12 @@
 
 namespace loadpath::project {
 
-/// One such input. What does not depend on the size stands in the record.
+/// One such input. Values independent of the size are in the record.
 class Sized {
  public:
-  /// Of a row that has values by size.
+  /// For a row that has values by size.
   Sized(const Provided& provided, std::size_t offset);
-  /// Whether a row's values depend on the size that it is asked at.
+  /// Whether a row's values depend on the lookup size.
   static bool is_one(const Provided& provided);
 
   [[nodiscard]] std::size_t offset() const { return offset_; }

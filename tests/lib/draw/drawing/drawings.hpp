@@ -1,4 +1,4 @@
-// What the tests of drawings share: whether every dimension measures what it says, and nothing is drawn outside.
+// Helpers for the tests of drawings: whether every dimension shows its true length, and nothing is drawn outside.
 #pragma once
 
 #include "lib/draw/canvas/view.hpp"
@@ -30,7 +30,7 @@ inline double measured(const Drawing::Length& l) {
   return length(l.to - l.from);
 }
 
-/// Every dimension is as long, as wide, as strong in the drawing as it says.
+/// Every dimension has the length, width or magnitude in the drawing that it states.
 inline void check_dimensions(const Figure& figure) {
   for (const auto& view : drawing_of(figure).views) {
     for (const auto& l : view.lengths) {
@@ -74,7 +74,7 @@ inline std::string outside_frame(std::string_view svg) {
         ++i;
         continue;
       }
-      if (command == 'A') {  // its end alone
+      if (command == 'A') {  // only its end
         std::size_t used = 0;
         double values[7];
         for (double& value : values) value = std::stod(d.substr(i), &used), i += used;
@@ -93,7 +93,7 @@ inline std::string outside_frame(std::string_view svg) {
   return {};
 }
 
-/// What holds of every drawing: it is whole, says no number that is none, and stays within its frame.
+/// Invariants of every drawing: it is complete, shows no NaN, and stays within its frame.
 inline void check_drawn(const Figure& figure) {
   const std::string text = svg(figure);
   CHECK(well_formed(text));

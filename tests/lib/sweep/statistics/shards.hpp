@@ -1,4 +1,4 @@
-// Columns cut into blocks, and blocks given to shards in any way, as threads and machines do.
+// Columns divided into blocks, and blocks assigned to shards arbitrarily, as threads and computers do.
 #pragma once
 
 #include "lib/sweep/statistics/bytes.hpp"
@@ -35,14 +35,14 @@ std::string bytes_of(const Reduction& reduction) {
   return writer.bytes();
 }
 
-/// What comes out where `blocks` blocks go to shards, by `feed(shard, block)`, and shards are merged in some order.
+/// The result if `blocks` blocks go to shards, by `feed(shard, block)`, and shards are merged in some order.
 template <class Reduction, class Feed, class Merge>
 Reduction sharded(const Reduction& empty, std::size_t blocks, unsigned seed, const Feed& feed, const Merge& merge) {
   std::mt19937 random(seed);
   std::vector<Reduction> shards(1 + random() % 9, empty);
   std::size_t owner = 0;
   for (std::size_t block = 0; block < blocks; ++block) {
-    if (random() % 7 == 0) owner = random() % shards.size();  // runs of blocks, as ranks ask for them
+    if (random() % 7 == 0) owner = random() % shards.size();  // runs of blocks, as ranks request them
     feed(shards[owner], block);
   }
   std::shuffle(shards.begin(), shards.end(), random);

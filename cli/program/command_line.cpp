@@ -7,7 +7,7 @@ namespace {
 constexpr auto footer = R"(Examples:
   loadpath run examples/slotted-lever/project.toml --report report.html
   loadpath sweep examples/strut-sweep/project.toml --report sweep.html
-  loadpath why examples/press-link/project.toml lever
+  loadpath why examples/press-link/project.toml pin
   loadpath shaft torsion --T "2700 N*m" --tau_adm "30 MPa"
   loadpath mechanism planar --file examples/toggle-press/project.toml --svg press.svg
   loadpath convert "2700 lbf*in" "N*m"

@@ -346,7 +346,8 @@ struct ListField : detail::Described<ListField<Owner, Items>> {
 
 /// A rule between fields: alternatives, order, sums, and customs, whose breach only warns. `fields` names them,
 /// separated by ", ". `particulars`, where there are any, says of an input that breaks the rule what the text leaves
-/// open: which element, how much, what to do. An empty path or message there stands for the rule's own.
+/// open: which element, how much, what to do. An empty path or message there stands for the rule's own. A rule that
+/// only warns may name the modes of failure whose verdicts show it: what is assumed in place of an input.
 template <class Input>
 struct Rule {
   bool (*holds)(const Input&);
@@ -354,6 +355,7 @@ struct Rule {
   const char* text;
   FieldFault (*particulars)(const Input&) = nullptr;
   bool only_warns = false;
+  const char* modes = "";
 };
 
 }  // namespace loadpath

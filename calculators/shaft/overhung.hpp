@@ -7,6 +7,7 @@
 #pragma once
 
 #include "calculators/shaft/parts/modes.hpp"
+#include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/form.hpp"
 #include "lib/calculator/meaning.hpp"
@@ -49,6 +50,8 @@ tau_adm = "30 MPa"
     Force F = unset<Force>;
     Length a = unset<Length>;
     Moment T = unset<Moment>;
+    Power P = unset<Power>;
+    AngularSpeed n = unset<AngularSpeed>;
     double K_A = 1.0;
     Length d = unset<Length>;
     double chi = unset<double>;
@@ -58,28 +61,34 @@ tau_adm = "30 MPa"
     Hypothesis hypothesis = Hypothesis::mises;
   };
   static constexpr Applies loaded(const Input& in) {
-    return where(abs(in.F) > 0.0 * N.one || abs(in.T) > 0.0 * N_m.one);
+    return where(abs(in.F) > 0.0 * N.one || abs(in.T) > 0.0 * N_m.one || in.P > 0.0 * kW.one);
   }
-  static constexpr Fields inputs{
-      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-      Field{&Input::F, "F", N, "transverse force on the overhang"}.load(),
-      Field{&Input::a, "a", mm, "overhang: from the force to the middle of the bearing"}.at_least(0).usually(1, 1e4),
-      Field{&Input::T, "T", N_m, "torque at the same time"}.load(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on force and torque: what they do not contain, once"}
-          .at_least(1)
-          .usually(1, 4)
-          .factor(),
-      Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
-      Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}.at_least(0).below(0.99).may_be_missing(),
-      Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
-      Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable equivalent stress, without a further safety factor"}
-          .positive()
-          .usually(1, 2000),
-      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress by torsion alone"}
-          .positive()
-          .usually(1, 1000)
-          .may_be_missing(),
-      Choice{&Input::hypothesis, "hypothesis", "strength hypothesis of the equivalent stress"}.may_be_missing()};
+  static constexpr auto inputs = join(
+      Fields{RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+             Field{&Input::F, "F", N, "transverse force on the overhang"}.load(),
+             Field{&Input::a, "a", mm, "overhang: from the force to the middle of the bearing"}.at_least(0).usually(
+                 1, 1e4),
+             Field{&Input::T, "T", N_m, "torque at the same time"}.load().may_be_missing()},
+      power_inputs<Input>(),
+      Fields{
+          Field{&Input::K_A, "K_A", ratio, "service factor on force and torque: what they do not contain, once"}
+              .at_least(1)
+              .usually(1, 4)
+              .factor(),
+          Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
+          Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}
+              .at_least(0)
+              .below(0.99)
+              .may_be_missing(),
+          Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
+          Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable equivalent stress, without a further safety factor"}
+              .positive()
+              .usually(1, 2000),
+          Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress by torsion alone"}
+              .positive()
+              .usually(1, 1000)
+              .may_be_missing(),
+          Choice{&Input::hypothesis, "hypothesis", "strength hypothesis of the equivalent stress"}.may_be_missing()});
 
   struct Result {
     Moment M_b = unset<Moment>, M_t = unset<Moment>, M_v = unset<Moment>;
@@ -108,11 +117,14 @@ tau_adm = "30 MPa"
       Field{&Result::u_Q, "u_Q", ratio, "shear at the neutral axis: equivalent stress over the allowable one"}.check(),
       Field{&Result::u_tau, "u_tau", ratio, "torsion alone: shear stress over the allowable one"}.check("tau_adm")};
 
-  static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
-                  "give the bore as chi or as d_bore, never both"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; }, "d_bore, d",
-                  "the bore must be smaller than the shaft"}};
+  static constexpr auto rules = join(
+      std::array{Rule<Input>{[](const Input& in) { return is_set(in.T) || is_set(in.P); }, "T, P, n",
+                             "give the torque T, or the power P with the speed n"}},
+      power_rules<Input>(),
+      std::array{Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
+                             "give the bore as chi or as d_bore, never both"},
+                 Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; },
+                             "d_bore, d", "the bore must be smaller than the shaft"}});
 
   static constexpr std::array meanings{Meaning{"sigma_b, M_b", reverses_in_turns}};
   static constexpr auto modes = with_modes_of_shafts(std::array{

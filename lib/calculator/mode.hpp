@@ -23,15 +23,16 @@ struct ModeInfo {
   const char* id = "";     // "root_1": the key of `accept`, and of JSON
   const char* title = "";  // "tooth root of gear 1 in bending"
   ModeKind kind = ModeKind::strength;
-  const char* checks = "";  // the checks and limits that judge it, all of them: "u_F1, v_share", "segments.u_tau"
-  const char* judge = "";   // the calculator that judges it, or what its checks leave; without both nothing does
-  const char* taken = "";   // how that judges it: modes of it, by the record that it takes, "sun_mesh.root_1"
-  const char* wants = "";   // inputs that would let it be judged, where its checks do not tell
-  const char* advice = "";  // what else to do where no input is missing
-  const char* use = "";     // the calculator that assesses it when it takes the place of this one: "shaft.design"
-  const char* add = "";     // calculators of which a step beside this one assesses it: "shaft.key, shaft.spline"
-  bool by_service = false;  // unseen, it applies where what loads the part says that it turns or that the load varies
-  bool by_rest = false;     // unseen, it applies where a load has companions that the step does not take
+  const char* checks = "";   // the checks and limits that judge it, all of them: "u_F1, v_share", "segments.u_tau"
+  const char* judge = "";    // the calculator that judges it, or what its checks leave; without both nothing does
+  const char* taken = "";    // how that judges it: modes of it, by the record that it takes, "sun_mesh.root_1"
+  const char* wants = "";    // inputs that would let it be judged, where its checks do not tell
+  const char* request = "";  // how to ask for the inputs of its checks, where a list of them does not say it
+  const char* advice = "";   // what else to do where no input is missing
+  const char* use = "";      // the calculator that assesses it when it takes the place of this one: "shaft.design"
+  const char* add = "";      // calculators of which a step beside this one assesses it: "shaft.key, shaft.spline"
+  bool by_service = false;   // unseen, it applies where what loads the part says that it turns or that the load varies
+  bool by_rest = false;      // unseen, it applies where a load has companions that the step does not take
 };
 
 /// Whether anything in the catalogue assesses the mode: this calculator, or another one.
@@ -64,6 +65,12 @@ struct Mode : ModeInfo {
   [[nodiscard]] constexpr Mode wanting(const char* inputs) const {
     Mode mode = *this;
     mode.wants = inputs;
+    return mode;
+  }
+  /// What to give where no check is asked for, in words: "give tau_adm, or S with R_e".
+  [[nodiscard]] constexpr Mode asking(const char* text) const {
+    Mode mode = *this;
+    mode.request = text;
     return mode;
   }
   /// What to do where all inputs are given and it is not assessed: "give the hub its length".

@@ -10,6 +10,7 @@
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/parts/modes.hpp"
+#include "calculators/shaft/parts/torque.hpp"
 #include "calculators/shaft/torsion/diagram.hpp"
 #include "calculators/shaft/torsion/types.hpp"
 #include "lib/calculator/field.hpp"
@@ -53,6 +54,7 @@ theta_adm = "0.004 rad/m"
 )";
 
   static bool torques_close(const Input& in);
+  static bool asks_twist(const Input& in);
   static bool torques_on_shaft(const Input& in);
   static bool bores_fit(const Input& in);
   static Applies loaded(const Input& in);
@@ -61,8 +63,9 @@ theta_adm = "0.004 rad/m"
   static FieldFault torque_off_shaft(const Input& in);
   static constexpr auto inputs = join(
       Fields{RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-             Field{&Input::T, "T", N_m, "torque through the whole shaft, in place of torques"}.load().may_be_missing(),
-             Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
+             Field{&Input::T, "T", N_m, "torque through the whole shaft, in place of torques"}.load().may_be_missing()},
+      power_inputs<Input>(),
+      Fields{Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
              Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
              Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}
                  .at_least(0)
@@ -118,54 +121,58 @@ theta_adm = "0.004 rad/m"
       ListField{&Result::segments, "segments", "stretches of constant moment and diameter, left to right"},
       ListField{&Result::sections, "sections", "sections between the stretches"}};
 
-  static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return is_set(in.T) == in.torques.empty(); }, "T, torques",
-                  "give either T or torques"},
-      Rule<Input>{[](const Input& in) {
-                    return is_set(in.tau_adm) || is_set(in.sigma_adm) || (is_set(in.R_e) && is_set(in.S)) ||
-                           (is_set(in.theta_adm) && !is_set(in.S));
-                  },
-                  "tau_adm, sigma_adm, R_e, S",
-                  "give tau_adm, or S with the yield strength R_e (or a material), or sigma_adm with behaviour; or "
-                  "theta_adm alone, which leaves the strength open"},
-      Rule<Input>{[](const Input& in) {
-                    return is_set(in.sigma_adm) == (in.behaviour != Behaviour::unsaid) &&
-                           !(is_set(in.sigma_adm) && (is_set(in.tau_adm) || is_set(in.S)));
-                  },
-                  "sigma_adm, behaviour, tau_adm, S",
-                  "sigma_adm goes with behaviour, and stands in place of tau_adm and S"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.tau_adm) || !(is_set(in.S) || is_set(in.R_e)); },
-                  "tau_adm, R_e, S", "tau_adm already holds the safety: give tau_adm, or R_e with S, never both",
-                  &two_safeties},
-      Rule<Input>{[](const Input& in) { return !is_set(in.theta_adm) || is_set(in.G); }, "theta_adm, G",
-                  "theta_adm needs the shear modulus G (or a material)"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
-                  "give the bore as chi or as d_bore, never both"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; }, "d_bore, d",
-                  "the bore must be smaller than the shaft"},
-      Rule<Input>{[](const Input& in) { return in.fixed == Fixed::none || !in.torques.empty(); }, "fixed, torques",
-                  "a fixed end goes with torques; T alone runs through the whole shaft"},
-      Rule<Input>{[](const Input& in) { return in.segments.empty() || !is_set(in.l); }, "l, segments",
-                  "the length is the sum of the segments: give l or segments"},
-      Rule<Input>{&torques_close, "torques, fixed", "the torques must sum to zero, or one end must be fixed",
-                  &open_sum},
-      Rule<Input>{&torques_on_shaft, "torques, segments, l", "every torque must lie on the shaft", &torque_off_shaft},
-      Rule<Input>{&bores_fit, "segments, d",
-                  "the bore of a segment must be smaller than its diameter; give it as chi or as "
-                  "d_bore, never both"},
-      heat_treated_before_turning<Input>()};
+  static constexpr auto rules = join(
+      std::array{Rule<Input>{[](const Input& in) { return (is_set(in.T) || is_set(in.P)) == in.torques.empty(); },
+                             "T, P, torques", "give the torque T, or the power P with the speed n, or torques"}},
+      power_rules<Input>(),
+      std::array{
+          Rule<Input>{[](const Input& in) {
+                        return is_set(in.tau_adm) || is_set(in.sigma_adm) || (is_set(in.R_e) && is_set(in.S)) ||
+                               ((is_set(in.theta_adm) || asks_twist(in)) && !is_set(in.S));
+                      },
+                      "tau_adm, sigma_adm, R_e, S, G",
+                      "give tau_adm, or S with the yield strength R_e (or a material), or sigma_adm with behaviour; or "
+                      "theta_adm alone, or the diameter and G for the twist, which leaves the strength open"},
+          Rule<Input>{[](const Input& in) {
+                        return is_set(in.sigma_adm) == (in.behaviour != Behaviour::unsaid) &&
+                               !(is_set(in.sigma_adm) && (is_set(in.tau_adm) || is_set(in.S)));
+                      },
+                      "sigma_adm, behaviour, tau_adm, S",
+                      "sigma_adm goes with behaviour, and stands in place of tau_adm and S"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.tau_adm) || !(is_set(in.S) || is_set(in.R_e)); },
+                      "tau_adm, R_e, S", "tau_adm already holds the safety: give tau_adm, or R_e with S, never both",
+                      &two_safeties},
+          Rule<Input>{[](const Input& in) { return !is_set(in.theta_adm) || is_set(in.G); }, "theta_adm, G",
+                      "theta_adm needs the shear modulus G (or a material)"},
+          Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
+                      "give the bore as chi or as d_bore, never both"},
+          Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; },
+                      "d_bore, d", "the bore must be smaller than the shaft"},
+          Rule<Input>{[](const Input& in) { return in.fixed == Fixed::none || !in.torques.empty(); }, "fixed, torques",
+                      "a fixed end goes with torques; T alone runs through the whole shaft"},
+          Rule<Input>{[](const Input& in) { return in.segments.empty() || !is_set(in.l); }, "l, segments",
+                      "the length is the sum of the segments: give l or segments"},
+          Rule<Input>{&torques_close, "torques, fixed", "the torques must sum to zero, or one end must be fixed",
+                      &open_sum},
+          Rule<Input>{&torques_on_shaft, "torques, segments, l", "every torque must lie on the shaft",
+                      &torque_off_shaft},
+          Rule<Input>{&bores_fit, "segments, d",
+                      "the bore of a segment must be smaller than its diameter; give it as chi or as "
+                      "d_bore, never both"},
+          heat_treated_before_turning<Input>()});
 
   static constexpr std::array meanings{all_in_shear, all_in_normal};
   static constexpr std::array notch_claims{NotchClaim{"tau_max, cycle.sigma_max", "K_ts"}};
-  static constexpr auto modes = with_modes_of_shafts(
-      std::array{Mode<Input>{"yield", "yield in torsion", &loaded}.judged_by("u_tau").wanting("tau_adm"),
-                 Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta").of_service(),
-                 Mode<Input>{"bending", "bending by forces across the shaft: a shaft.overhung",
-                             [](const Input& in) { return shown_by(is_set(in.F)); }}
-                     .judged_by("F_bend")
-                     .wanting("F")
-                     .in_service(),
-                 fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue")});
+  static constexpr auto modes =
+      with_modes_of_shafts(std::array{Mode<Input>{"yield", "yield in torsion", &loaded}.judged_by("u_tau").asking(
+                                          "give tau_adm, or S with the yield strength R_e (or a material)"),
+                                      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta").of_service(),
+                                      Mode<Input>{"bending", "bending by forces across the shaft: a shaft.overhung",
+                                                  [](const Input& in) { return shown_by(is_set(in.F)); }}
+                                          .judged_by("F_bend")
+                                          .wanting("F")
+                                          .in_service(),
+                                      fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue")});
 
   static constexpr std::array forms{Form{"T, K_A, G, tau_adm, theta_adm",
                                          "d_strength, d_stiffness, d_min, D_star, tau_max, theta_max, u_tau, u_theta"},

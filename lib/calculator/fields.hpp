@@ -27,10 +27,17 @@ struct Described {
   const char* same_as_source = "";  // an input: see same_as_that_of_source
   bool is_chosen = false;           // a result that is what the step decides on: a section, a drive
   bool is_of_body = false;          // an input that comes with a load of the same record that is taken singly
+  const char* also_called = "";     // an input: other words that a project may write for its key, "n_2"
 
   [[nodiscard]] constexpr Self as(Role r) const {
     Self s = self();
     s.role = r;
+    return s;
+  }
+  /// Other words for the key of an input, "a, C": what a project writes where a result has that key.
+  [[nodiscard]] constexpr Self also(const char* words) const {
+    Self s = self();
+    s.also_called = words;
     return s;
   }
   [[nodiscard]] constexpr Self may_be_missing() const {

@@ -37,6 +37,7 @@ struct FieldInfo {
   Type type = Type::quantity;
   const char* key = "";
   const char* doc = "";
+  const char* also_called = "";
   Role role = Role::input;
   bool optional = false;
   bool is_load = false;
@@ -137,6 +138,9 @@ struct Leaf {
 std::vector<std::string> listed_keys(std::string_view list);
 
 const FieldInfo* find_field(std::span<const FieldInfo> fields, std::string_view key);
+
+/// The input that a project means by this word: of that key, else called so, too.
+const FieldInfo* find_input(std::span<const FieldInfo> fields, std::string_view word);
 
 /// The field at a path, of whatever type, and the aggregate that holds it.
 Leaf find_member(std::span<const FieldInfo> fields, void* data, std::string_view path);

@@ -36,48 +36,52 @@ n_2_set = "730 rpm"
 a_set = "600 mm"
 )";
 
-  static constexpr Fields inputs{
-      Choice{&Input::basis, "basis", "system of ratings and factors; must be stated"},
-      NameField{&Input::section, "section", "only this section"}.may_be_missing(),
-      Choice{&Input::belt_class, "belt_class", "class of the belt; goes with the basis iso"}.may_be_missing(),
-      Field{&Input::P, "P", kW, "power, the mean over the cycle"}
-          .load()
-          .at_least_that_of_source("shafts[#].P")
-          .positive()
-          .usually(0.05, 3000),
-      Field{&Input::K_A, "K_A", ratio, "service factor of the basis (C_P, c_2): what the power does not contain, once"}
-          .at_least(1)
-          .usually(1, 2)
-          .may_be_missing()
-          .factor(),
-      Choice{&Input::duty, "duty", "kind of load"}.may_be_missing(),
-      Choice{&Input::motor, "motor", "torque of the motor"}.may_be_missing(),
-      Field{&Input::h_day, "h_day", hour, "use per day"}.positive().within(0.01, 24).may_be_missing(),
-      Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}
-          .positive()
-          .near_that_of_source("shafts[#].n")
-          .usually(20, 9000),
-      Field{&Input::n_2_set, "n_2_set", rpm, "speed that the driven pulley shall have"}.positive().usually(20, 9000),
-      Field{&Input::tol_n, "tol_n", ratio, "how far it may be off, as a share"}.positive().below(0.5).usually(0.005,
-                                                                                                              0.1),
-      Field{&Input::a_set, "a_set", mm, "centre distance that there shall be"}.positive().usually(50, 2e4),
-      Field{&Input::tol_a, "tol_a", ratio, "how far it may be off, as a share"}.positive().below(0.9).usually(0.01,
-                                                                                                              0.5),
-      Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.03),
-      Field{&Input::d_1_min, "d_1_min", mm, "smallest driving pulley, as the motor asks for"}
-          .positive()
-          .may_be_missing(),
-      Field{&Input::d_max, "d_max", mm, "largest pulley that there is room for"}.positive().may_be_missing(),
-      Count{&Input::z_max, "z_max", 1, 100, "most belts"}.may_be_missing(),
-      Field{&Input::mu, "mu", ratio, "coefficient of friction, for the grip of the grooves"}
-          .positive()
-          .usually(0.1, 0.6)
-          .may_be_missing(),
-      Field{&Input::v_rim_adm, "v_rim_adm", m_per_s, "largest speed of the rim; cast iron 35 m/s"}.positive().usually(
-          10, 100),
-      Choice{&Input::rank, "rank", "what the list is ranked by"}.may_be_missing()};
+  static constexpr auto inputs = join(
+      Fields{Choice{&Input::basis, "basis", "system of ratings and factors"}.may_be_missing(),
+             NameField{&Input::section, "section", "only this section"}.may_be_missing(),
+             Choice{&Input::belt_class, "belt_class", "class of the belt; goes with the basis iso"}.may_be_missing(),
+             Field{&Input::P, "P", kW, "power, the mean over the cycle"}
+                 .load()
+                 .at_least_that_of_source("shafts[#].P")
+                 .positive()
+                 .usually(0.05, 3000),
+             Field{&Input::K_A, "K_A", ratio,
+                   "service factor of the basis (C_P, c_2): what the power does not contain, once"}
+                 .at_least(1)
+                 .usually(1, 2)
+                 .may_be_missing()
+                 .factor(),
+             Choice{&Input::duty, "duty", "kind of load"}.may_be_missing(),
+             Choice{&Input::motor, "motor", "torque of the motor"}.may_be_missing(),
+             Field{&Input::h_day, "h_day", hour, "use per day"}.positive().within(0.01, 24).may_be_missing(),
+             Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}
+                 .positive()
+                 .near_that_of_source("shafts[#].n")
+                 .usually(20, 9000)},
+      driven_inputs<Input>(),
+      Fields{Field{&Input::tol_n, "tol_n", ratio, "how far it may be off, as a share"}.positive().below(0.5).usually(
+                 0.005, 0.1),
+             Field{&Input::a_set, "a_set", mm, "centre distance that there shall be"}.also("a").positive().usually(50,
+                                                                                                                   2e4),
+             Field{&Input::tol_a, "tol_a", ratio, "how far it may be off, as a share"}.positive().below(0.9).usually(
+                 0.01, 0.5),
+             Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.03),
+             Field{&Input::d_1_min, "d_1_min", mm, "smallest driving pulley, as the motor asks for"}
+                 .positive()
+                 .may_be_missing(),
+             Field{&Input::d_max, "d_max", mm, "largest pulley that there is room for"}.positive().may_be_missing(),
+             Count{&Input::z_max, "z_max", 1, 100, "most belts"}.may_be_missing(),
+             Field{&Input::mu, "mu", ratio, "coefficient of friction, for the grip of the grooves"}
+                 .positive()
+                 .usually(0.1, 0.6)
+                 .may_be_missing(),
+             Field{&Input::v_rim_adm, "v_rim_adm", m_per_s, "largest speed of the rim; cast iron 35 m/s"}
+                 .positive()
+                 .usually(10, 100),
+             Choice{&Input::rank, "rank", "what the list is ranked by"}.may_be_missing()});
 
   static constexpr Fields results{
+      Choice{&Result::rating, "rating", "system of ratings and factors that decides"},
       Field{&Result::tried, "tried", ratio, "drives that meet speed and centre distance"},
       Field{&Result::too_weak, "too_weak", ratio, "of them, those that need too many belts"},
       Field{&Result::outside, "outside", ratio, "of them, those that fail another check or limit"},
@@ -88,6 +92,8 @@ a_set = "600 mm"
       Count{&Result::z, "z", 0, 100, "number of belts"}.chosen(),
       Field{&Result::a, "a", mm, "centre distance"},
       Field{&Result::n_2, "n_2", rpm, "speed of the driven pulley"},
+      Field{&Result::i, "i", ratio, "transmission ratio n_1/n_2 with slip"},
+      Field{&Result::i_w, "i_w", ratio, "wanted transmission ratio"},
       Field{&Result::dev_n, "dev_n", ratio, "its deviation, as a share"},
       Field{&Result::dev_a, "dev_a", ratio, "deviation of the centre distance, as a share"},
       Field{&Result::n_k, "n_k", rpm, "speed of the smaller pulley, without slip"},
@@ -114,6 +120,8 @@ a_set = "600 mm"
   static FieldFault unknown_section(const Input& in);
   static FieldFault wrong_class(const Input& in);
   static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return is_set(in.n_2_set) != is_set(in.i_set); }, "n_2_set, i_set",
+                  "give the speed of the driven pulley n_2, or the ratio i"},
       Rule<Input>{[](const Input& in) { return in.basis != Basis::unstated; }, "basis",
                   "state the basis, iso or optibelt: ratings and factors of one do not go with the other"},
       Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},

@@ -42,17 +42,23 @@ void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, cons
                          const std::vector<std::string>& reserved) {
   for (const Tree::Entry& entry : table.entries) {
     if (std::find(reserved.begin(), reserved.end(), entry.key) != reserved.end()) continue;
-    const std::string inner = joined(path, entry.key);
     const auto part = std::find_if(parts.begin(), parts.end(),
-                                   [&](const Part& p) { return find_field(p.fields, entry.key) != nullptr; });
-    if (part == parts.end()) {
+                                   [&](const Part& p) { return find_input(p.fields, entry.key) != nullptr; });
+    const FieldInfo* const field = part == parts.end() ? nullptr : find_input(part->fields, entry.key);
+    const std::string inner = joined(path, field == nullptr ? entry.key : std::string(field->key));
+    if (field == nullptr) {
       say_at(entry.place, inner, say("'{1}' is no field here", entry.key), fields_near(entry.key, parts));
       if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(parts)));
       continue;
     }
+    if (entry.key != field->key && table.find(field->key) != nullptr) {
+      say_at(entry.place, inner, say("'{1}' and '{2}' are the same input", entry.key, field->key),
+             say("give one of them"));
+      continue;
+    }
     in_step_ = takes_several_whole(part->fields);
     reading_.typed[inner] = {entry.value.text, entry.value.place, false, entry.value.shared};
-    read_value(entry.value, *find_field(part->fields, entry.key), part->owner, inner);
+    read_value(entry.value, *field, part->owner, inner);
   }
   for (const Part& part : parts) require(part.fields, part.owner, path, table.place);
 }

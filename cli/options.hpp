@@ -11,6 +11,7 @@ namespace loadpath::cli {
 /// The output options of every solving command.
 struct OutputOptions {
   std::vector<std::string> reports;  // .html, .md, .tex, .pdf
+  bool report_of_project = false;    // where none is named, the one that the project names
   bool json = false;
   std::string csv;                  // folder, or a .csv file for the one step that has series
   std::string svg;                  // folder for every figure, or an .svg file for the leading one

@@ -10,6 +10,7 @@
 #include "lib/project/verify.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 namespace loadpath::cli {
@@ -50,6 +51,14 @@ std::string input_of(const std::vector<terminal::SourceText>& sources) {
   return all;
 }
 
+/// With the report that the project names, relative to its file, where the shell names none.
+OutputOptions with_report_of(const project::Project& project, OutputOptions output) {
+  if (!output.report_of_project || !output.reports.empty() || project.report.empty()) return output;
+  const std::filesystem::path folder = std::filesystem::path(project.file).parent_path();
+  output.reports.push_back((folder / project.report).string());
+  return output;
+}
+
 /// That values which the project expects are others: no part of its verdict.
 void tell_misses(const project::Project& project) {
   const auto all = project::compare(project);
@@ -79,10 +88,12 @@ int exit_for(const account::Modes& modes) {
 }
 
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
-                   const OutputOptions& output, report::Detail usual) {
-  const report::Detail detail = detail_of(output, usual);
+                   const OutputOptions& asked, report::Detail usual) {
+  const report::Detail detail = detail_of(asked, usual);
   std::vector<Issue> issues;
   project::Project project = read(issues);
+  const OutputOptions output = with_report_of(project, asked);
+  if (output.reports != asked.reports && !has_errors(issues) && !can_write(output)) return wrong_input;
   project.strict = output.strict;
   if (!has_errors(issues)) project::solve(project, issues, wanted_by(output, detail));
   if (!has_errors(issues)) check_series(project, output, issues);

@@ -67,6 +67,7 @@ n_st = 3
   static bool extreme_fibre_known(const Input& in);
   static FieldFault section_missing(const Input& in);
   static FieldFault missing_for_method(const Input& in);
+  static bool factors_given(const Input& in);
   static Outline outline_of(const Input& in);
 
   static constexpr auto rules = join(
@@ -77,9 +78,9 @@ n_st = 3
                       "e_z; of a channel about z, a tee about y and an angle c itself, as it is not half the side"},
           Rule<Input>{&needs_of_method,
                       "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, "
-                      "h, b, t_f",
+                      "A, h, b, t_f",
                       "something is missing that the method needs", &missing_for_method}},
-      method_rules<Input>(), eccentricity_rules<Input>());
+      method_rules<Input>(), assumption_rules<Input, &factors_given>(), eccentricity_rules<Input>());
   static constexpr std::array meanings = member_meanings;
   static constexpr auto bounds = join(held_bounds<Input>(), curve_bounds<Input>());
   static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0", "R_e, kind, h, b, t_f, t_w");

@@ -75,7 +75,7 @@ double moment_safety(const Input& in, double n, Tracer& trace) {
 template <class Tracer>
 void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
   if (r.loading == column::Loading::tension) r.u_p = r.u_i = 0.0, r.k = 1.0;
-  const double n = column::safety(in, in.method, trace);
+  const double n = column::safety(in, column::method_of(in), true, trace);
   if (!is_set(n)) return;
   r.u_p = r.u_i = 0.0, r.k = 1.0;
   if (!(r.F > 0.0 * kN)) return;
@@ -99,7 +99,7 @@ void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void tilting(const Input& in, Result& r, Tracer& trace) {
   if (!Member::stands_on_edge(in)) return;
-  const double n = column::safety(in, in.method, trace);
+  const double n = column::safety(in, column::method_of(in), true, trace);
   if (!is_set(in.S) && !is_set(n)) return;
   const auto sigma_M = r.sigma_M;
   const double c_t = trace.value("c_t", section::rectangle_factors(in.h / in.b).k_1, "of h/b, in torsion");

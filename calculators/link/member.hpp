@@ -158,11 +158,12 @@ S = 1.5
           Rule<Input>{&fibre_known, "c_y, h, d, kind",
                       "bending needs the distance of the extreme fibre c_y, or h; of a tee or an angle c_y itself"},
           Rule<Input>{&column::of<Input, &column::Buckling::needs_of_method>,
-                      "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, h, b, t_f",
+                      "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, A, h, b, t_f",
                       "something is missing that the method needs",
                       &column::of<Input, &column::Buckling::missing_for_method>}},
       std::array{Rule<Input>{&shear_inside, "A_v, A, d, d_bore, h, b", "the shear area cannot exceed the area"}},
-      column::method_rules<Input>());
+      column::method_rules<Input>(),
+      column::assumption_rules<Input, &column::of<Input, &column::Buckling::factors_given>>());
   static constexpr auto bounds =
       join(column::held_bounds<Input>(), column::curve_bounds<Input>(),
            std::array{Bound<Input>{"A_v", "the section, EN 1993-1-1 6.2.6", &most_shear_area}});

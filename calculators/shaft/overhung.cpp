@@ -49,7 +49,8 @@ template <class Tracer>
 Overhung::Result Overhung::evaluate(const Input& in, Tracer& trace) {
   Result r;
   STEP_TO(r, M_b, in.K_A * abs(in.F) * in.a, "at the bearing");
-  STEP_TO(r, M_t, in.K_A * abs(in.T), "at the same time");
+  const Moment T = torque_of(in, trace);
+  STEP_TO(r, M_t, in.K_A * abs(T), "at the same time");
   STEP(c, in.hypothesis == Hypothesis::mises ? 0.75 : 1.0,
        in.hypothesis == Hypothesis::mises ? "weight of torsion by von Mises" : "weight of torsion by Tresca");
   STEP_TO(r, M_v, sqrt(M_b * M_b + c * M_t * M_t), "equivalent moment");

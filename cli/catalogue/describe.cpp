@@ -28,7 +28,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 void add_fields(std::span<const FieldInfo> fields, void* owner, const std::string& prefix, Rows& rows) {
   for (const FieldInfo& f : fields) {
-    const std::string key = "  " + prefix + f.key;
+    const std::string key = "  " + prefix + f.key + (*f.also_called == '\0' ? "" : std::string(", ") + f.also_called);
     if (f.type == Type::record) rows.push_back({key, "record", "optional", f.doc});
     if (f.type == Type::record) continue;
     if (f.is_leaf()) {
@@ -221,7 +221,7 @@ constexpr std::array parts{Part{"inputs", show_inputs},       Part{"keys", show_
 /// One input with all its fields: "loads"; a section of the description: "modes".
 int show_part(const Calculator& c, const std::string& name) {
   const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return name == p.name; });
-  const FieldInfo* const field = find_field(c.input->fields, name);
+  const FieldInfo* const field = find_input(c.input->fields, name);
   if (part == parts.end() && field == nullptr) {
     std::vector<std::string> names;
     names.reserve(parts.size() + c.input->fields.size());

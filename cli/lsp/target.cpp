@@ -43,7 +43,7 @@ class Walk {
   }
 
   bool top(const std::string& part) {
-    if (enter(find_field(target_.calculator->input->fields, part), target_.input.data.get())) return true;
+    if (enter(find_input(target_.calculator->input->fields, part), target_.input.data.get())) return true;
     return target_.from != nullptr &&
            enter(find_field(target_.from->parameters->fields, part), target_.parameters.data.get());
   }

@@ -23,6 +23,7 @@ struct RuleInfo {
   const char* fields;
   const char* text;
   bool only_warns = false;
+  const char* modes = "";  // of failure, whose verdicts show what the rule warns of: an assumption
 };
 
 /// A result that depends on the model: "drive.M", or "joints.NAME.F", where NAME is a name from the input.

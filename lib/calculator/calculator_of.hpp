@@ -32,7 +32,7 @@ template <class C>
 inline constexpr auto rule_infos = [] {
   std::array<RuleInfo, C::rules.size()> infos{};
   for (std::size_t i = 0; i < infos.size(); ++i)
-    infos[i] = {C::rules[i].fields, C::rules[i].text, C::rules[i].only_warns};
+    infos[i] = {C::rules[i].fields, C::rules[i].text, C::rules[i].only_warns, C::rules[i].modes};
   return infos;
 }();
 

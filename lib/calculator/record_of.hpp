@@ -25,6 +25,7 @@ constexpr FieldInfo described(const detail::Described<Self>& field, FieldInfo::T
   info.type = type;
   info.key = field.key;
   info.doc = field.doc;
+  info.also_called = field.also_called;
   info.role = field.role.value_or(role_of_list);
   info.optional = field.optional;
   info.is_load = field.is_load;

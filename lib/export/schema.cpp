@@ -118,6 +118,10 @@ json::object heading_schema() {
   json::object properties;
   for (const std::string& key : project::heading_keys()) properties[key] = text();
   properties["paper"] = {{"enum", json::array{"A4", "letter"}}, {"description", "what reports are printed on"}};
+  properties["report"] = {
+      {"type", "string"},
+      {"pattern", "\\.(html|md|tex|pdf)$"},
+      {"description", "report that `loadpath run` writes, relative to this file; --report takes its place"}};
   properties["tables"] = {{"type", "array"},
                           {"items", text()},
                           {"description", "files with rows of the project's own, relative to this one"}};

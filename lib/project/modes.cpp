@@ -256,7 +256,9 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
   mode.judge = info.judge;
   mode.use = info.use;
   mode.add = info.add;
-  if (mode.wants.empty() && *info.advice != '\0')
+  if (!mode.wants.empty() && *info.request != '\0')
+    mode.note = say(info.request);
+  else if (mode.wants.empty() && *info.advice != '\0')
     mode.note = say(info.advice);
   else if (mode.wants.empty() && *info.checks != '\0')
     mode.note = say("{1} has no value here", info.checks);

@@ -16,8 +16,8 @@ namespace {
 using toml::Tree;
 
 constexpr std::array reserved{"project", "values", "tables", "expect"};
-constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker",
-                                     "date",  "note",   "paper",    "tables", "sweep"};
+constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker", "date",
+                                     "note",  "paper",  "report",   "tables", "sweep"};
 constexpr std::array papers{"A4", "letter"};
 const std::vector<std::string> step_keys{"calculator", "template", "title",   "note",
                                          "display",    "accept",   "because", "body"};
@@ -255,6 +255,8 @@ void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>
       project.title = text;
     else if (e.key == "paper")
       read_paper(e, text, project, issues);
+    else if (e.key == "report")
+      project.report = text;
     else
       project.meta.emplace_back(e.key, text);
   }

@@ -84,7 +84,7 @@ TEST_SUITE("cli calculate") {
 
   TEST_CASE("a rule that is broken is told without a place") {
     CHECK(loadpath_with({"shaft", "torsion", "--tau_adm", "30 MPa"}).error ==
-          "command line: error: torsion: give either T or torques\n");
+          "command line: error: torsion: give the torque T, or the power P with the speed n, or torques\n");
   }
 
   TEST_CASE("a mechanism from the shell is told what it lacks") {

@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <filesystem>
 
 using namespace loadpath::test;
 namespace json = boost::json;
@@ -310,6 +311,34 @@ TEST_SUITE("cli run") {
     CHECK(wrong.code == 2);
     CHECK(contains(wrong.error, "did you mean 'letter'?"));
     CHECK(!desk.has("c.html"));
+  }
+
+  TEST_CASE("a project names the report that a run writes beside it; the shell takes its place") {
+    const Desk desk;
+    std::filesystem::create_directory(desk.folder() / "job");
+    desk.put("job/a.toml", "[project]\nreport = \"sheet.md\"\n" + passing);
+    const Ran own = desk.run({"run", "job/a.toml"});
+    CHECK(own.code == 0);
+    CHECK(contains(own.error, "report: job/sheet.md"));
+    REQUIRE(desk.has("job/sheet.md"));
+    const Ran other = desk.run({"run", "job/a.toml", "--report", "other.html"});
+    CHECK(other.code == 0);
+    CHECK(desk.has("other.html"));
+    CHECK_FALSE(contains(other.error, "sheet.md"));
+  }
+
+  TEST_CASE("a report that a project names is checked as one of the shell, before anything is solved") {
+    const Desk desk;
+    desk.put("a.toml", "[project]\nreport = \"sheet.docx\"\n" + passing);
+    const Ran unknown = desk.run({"run", "a.toml"});
+    CHECK(unknown.code == 2);
+    CHECK(contains(unknown.error, "a report is written as .html, .md, .tex or .pdf, not as 'sheet.docx'"));
+    desk.put("b.toml", "[project]\nreport = 3\n" + passing);
+    CHECK(desk.run({"run", "b.toml"}).code == 2);
+    desk.put("c.toml", "[project]\nreport = \"a.toml/c.html\"\n" + passing);
+    const Ran in_file = desk.run({"run", "c.toml"});
+    CHECK(in_file.code == 2);
+    CHECK(contains(in_file.error, "cannot write 'a.toml/c.html'"));
   }
 
   TEST_CASE("how much is told: brief is the answer, full has the input, and the answer is the same") {

@@ -13,7 +13,7 @@ struct VSizingTypes {
   enum class Merit { none, best, pulleys, shaft_load, width, speed, centre };
 
   struct Input {
-    Basis basis = Basis::unstated;
+    Basis basis = Basis::optibelt;
     Name section;
     V::BeltClass belt_class = V::BeltClass::unstated;
     Power P = unset<Power>;
@@ -22,6 +22,7 @@ struct VSizingTypes {
     V::Motor motor = V::Motor::unstated;
     Time h_day = unset<Time>;
     AngularSpeed n_1 = unset<AngularSpeed>, n_2_set = unset<AngularSpeed>;
+    double i_set = unset<double>;
     double tol_n = 0.03;
     Length a_set = unset<Length>;
     double tol_a = 0.15;
@@ -68,9 +69,11 @@ struct VSizingTypes {
 
   struct Result {
     double drives = 0.0, tried = 0.0, too_weak = 0.0, outside = 0.0;
+    Basis rating = Basis::optibelt;
     SectionWord section = SectionWord::none;
     Length d_1 = unset<Length>, d_2 = unset<Length>, L = unset<Length>, a = unset<Length>;
     Whole z = 0;
+    double i = unset<double>, i_w = unset<double>;
     AngularSpeed n_2 = unset<AngularSpeed>, n_k = unset<AngularSpeed>;
     Time L_h = unset<Time>;
     double dev_n = unset<double>, dev_a = unset<double>;

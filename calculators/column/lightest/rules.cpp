@@ -77,6 +77,10 @@ Input with_a_strength(Input in) {
   return in;
 }
 
+Method method_of(const Input& in) {
+  return in.method != Method::unsaid ? in.method : default_method(with_a_strength(in), true);
+}
+
 Result quick(const Input& in) {
   NoTrace quiet;
   return Lightest::evaluate(in, quiet);
@@ -152,10 +156,11 @@ bool Lightest::strength_in_tension(const Input& in) {
 }
 
 /// Which sections have a buckling curve, and a strength, is told of each.
-bool Lightest::needs_of_method(const Input& in) { return lack(with_a_strength(in), true).empty(); }
+bool Lightest::needs_of_method(const Input& in) { return lack(with_a_strength(in), method_of(in), true).empty(); }
 FieldFault Lightest::missing_for_method(const Input& in) {
-  return column::missing_for_method(with_a_strength(in), true);
+  return column::missing_for_method(with_a_strength(in), method_of(in), true);
 }
+bool Lightest::factors_given(const Input& in) { return column::factors_given(in, method_of(in)); }
 
 bool Lightest::one_carries(const Input& in) { return quick(in).carrying > 0.0; }
 

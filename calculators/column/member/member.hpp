@@ -34,7 +34,7 @@ struct Member {
   double a_R = unset<double>;
   Length e_y = unset<Length>, e_z = unset<Length>;
   Grade grade = Grade::to_S420;
-  Method method = Method::tetmajer;
+  Method method = Method::unsaid;
   double n_st = unset<double>, n_t = unset<double>, gamma_M1 = unset<double>, gamma_F = unset<double>, Omega_c = 1.67;
   Class material_class = Class::unsaid;
   double lambda_max = 200.0;

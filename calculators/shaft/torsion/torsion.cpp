@@ -49,6 +49,7 @@ void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
 template <class Tracer>
 void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   const bool by_strength = is_set(r.tau_all);
+  if (!by_strength && !is_set(in.theta_adm)) return;  // stresses and twist alone are asked for
   if (by_strength) trace.value("d_strength", r.d_strength, "largest of the shaft");
   if (is_set(in.theta_adm) && !by_strength) {
     trace.value("d_stiffness", r.d_stiffness, "largest of the shaft");
@@ -121,6 +122,7 @@ template <class Tracer>
 Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.tau_all = allowable_shear(in, unset<Stress>, trace);
+  if (is_set(in.P)) static_cast<void>(torque_of(in, trace));  // told here, taken by stretches_of
   const Stretches parts = stretches_of(in);
   size_stretches(in, parts, r, trace);
   choose_least(in, r, trace);

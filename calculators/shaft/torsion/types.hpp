@@ -12,7 +12,7 @@ namespace loadpath::shaft {
 
 struct TorsionTypes {
   enum class Fixed { none, left, right };
-  enum class Governs { strength, stiffness };
+  enum class Governs { strength, stiffness, neither };
 
   struct Segment {
     Name name;
@@ -42,6 +42,8 @@ struct TorsionTypes {
 
   struct Input : ShearStrength {
     Moment T = unset<Moment>;
+    Power P = unset<Power>;
+    AngularSpeed n = unset<AngularSpeed>;
     Length l = unset<Length>;
     Length d = unset<Length>;
     double chi = unset<double>;
@@ -87,7 +89,7 @@ struct TorsionTypes {
     Stress tau_all = unset<Stress>;
     Moment M_max = unset<Moment>;
     Length d_strength = unset<Length>, d_stiffness = unset<Length>, d_min = unset<Length>;
-    Governs governs = Governs::strength;
+    Governs governs = Governs::neither;
     Length D_star = unset<Length>;
     Length d = unset<Length>, d_bore = unset<Length>, d_max = unset<Length>, d_s = unset<Length>;
     Stress tau_max = unset<Stress>;
@@ -111,7 +113,8 @@ constexpr auto choices_of(TorsionTypes::Fixed) {
 constexpr auto choices_of(TorsionTypes::Governs) {
   return std::array{
       ChoiceName<TorsionTypes::Governs>{TorsionTypes::Governs::strength, "strength", "the allowable stress"},
-      ChoiceName<TorsionTypes::Governs>{TorsionTypes::Governs::stiffness, "stiffness", "the allowable twist"}};
+      ChoiceName<TorsionTypes::Governs>{TorsionTypes::Governs::stiffness, "stiffness", "the allowable twist"},
+      ChoiceName<TorsionTypes::Governs>{TorsionTypes::Governs::neither, "", "no condition is given"}};
 }
 
 }  // namespace loadpath::shaft

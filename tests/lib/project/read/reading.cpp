@@ -251,7 +251,7 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
   |           ^^^^^
 )");
     CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\n") ==
-          "a.toml:1:2: error: give either T or torques\n1 | [axle]\n  |  ^^^^\n");
+          "a.toml:1:2: error: give the torque T, or the power P with the speed n, or torques\n1 | [axle]\n  |  ^^^^\n");
   }
 
   TEST_CASE("an allowable stress and a material with a safety factor exclude one another") {

@@ -198,7 +198,7 @@ void judge_class(const Input& in, bool is_pressed, Result& r, Tracer& trace) {
   if (!has_modulus_of_steel(in)) return;
   if (in.method == Method::aisc) {
     r.r_class = trace.value("r_class", slender_ratio(plates_of(in), in.E, in.R_e, r.sigma_cr),
-                            "AISC 360, E7: up to 1 the whole area counts under this critical stress, [AISC360]");
+                            "AISC 360, E7: up to 1 the full area is effective at this critical stress, [AISC360]");
     return;
   }
   r.r_class =
@@ -253,7 +253,7 @@ Result Buckling::judge(const Input& in, bool is_bent, Tracer& trace) {
   const double lambda = r.lambda = std::max(r.axes[0].lambda, r.axes[1].lambda);
   trace.value("lambda", lambda, "the larger of both axes governs, [B25]");
   if (is_set(in.E)) {
-    STEP_TO(r, sigma_E, pow<2>(pi) * in.E / pow<2>(lambda), "Euler's stress, whether it holds or not");
+    STEP_TO(r, sigma_E, pow<2>(pi) * in.E / pow<2>(lambda), "Euler stress, also outside its validity");
     STEP_TO(r, N_cr, sigma_E * r.A, "least critical force of the elastic bar");
   }
   const Method by = method_of(in);

@@ -47,7 +47,7 @@ void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, cons
     const FieldInfo* const field = part == parts.end() ? nullptr : find_input(part->fields, entry.key);
     const std::string inner = joined(path, field == nullptr ? entry.key : std::string(field->key));
     if (field == nullptr) {
-      say_at(entry.place, inner, say("'{1}' is no field here", entry.key), fields_near(entry.key, parts));
+      say_at(entry.place, inner, say("'{1}' is not a valid key here", entry.key), fields_near(entry.key, parts));
       if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(parts)));
       continue;
     }
@@ -98,12 +98,12 @@ bool Reader::takes(const Tree& tree, const FieldInfo& field, const std::string& 
   if (const auto parsed = Expression::parse(text); !parsed) {
     fault_at(start, text, path, parsed.fault());
   } else if (field.is_word()) {
-    say_at(place_in(start, text, 0, text.size()), path, say("'{1}' is no number to calculate with", path),
+    say_at(place_in(start, text, 0, text.size()), path, say("'{1}' is not a number", path),
            say("refer to one that another step has: {1} = \"=step.{2}\"", path, field.key));
   } else {
     const bool list = field.type == Type::list;
     say_at(place_in(start, text, 0, text.size()), path,
-           say("'{1}' takes {2} of another step whole", path, list ? say("a list") : say("a record")),
+           say("'{1}' takes {2} of another step", path, list ? say("a list") : say("a record")),
            say("name it and its step: {1} = \"=step.{2}\"", path, list ? field.key : "record"));
   }
   return true;

@@ -31,6 +31,7 @@ struct Rolling {
       "speed, and the axial load that the kind can take. Lubricant and dirt (a_ISO), swinging and tilt are not "
       "covered.";
   static constexpr auto source = "[ISO281], [ISO76]";
+  static constexpr auto headline = "C = {C}";
   static constexpr bool takes_series = false;  // one life for all loads
   static constexpr auto example = R"([project]
 title = "Bearing 6208 of a gear shaft"

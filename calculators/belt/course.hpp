@@ -30,6 +30,7 @@ struct Course : CourseTypes {
       "place of a tensioner for a given length; tensions of all spans, friction and shaft loads where the powers are "
       "known. Crossed belts, losses and slip are not covered.";
   static constexpr auto source = "[B40], [Shigley-17]";
+  static constexpr auto headline = "L = {L}";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Fan and pump on one belt, with a tensioner"

@@ -30,6 +30,7 @@ struct Flat {
       "synthetic belts to 100 m/s. What shafts take whole is the larger pull, in running or at standstill. Rollers on "
       "the belt: belt.course. The life of the belt is not covered.";
   static constexpr auto source = "[B40], [Shigley-17]";
+  static constexpr auto headline = "b = {b}";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Fan drive with a flat belt"

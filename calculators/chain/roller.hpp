@@ -31,6 +31,7 @@ struct Roller {
       "pull, "
       "pressure in the joints, static safety against breaking, load of the shafts. Life is not covered.";
   static constexpr auto source = "[ASME-B29], [B40], [ISO10823]";
+  static constexpr auto headline = "z {z_1}/{z_2}, p {p}";
   static constexpr auto example = R"([project]
 title = "Chain from a gear motor to a conveyor"
 

@@ -34,6 +34,8 @@ struct Buckling {
       "Flexural buckling; a bar in tension is judged by its plain stress N/A alone, without holes; torsional buckling, "
       "thin-walled sections of class 4 and transverse loads are not covered.";
   static constexpr auto source = "[B25], [Johnson], [Rankine], [Gere], [EN1993-1-1-buckling], [AISC360], [SP16]";
+  static constexpr auto headline = "{section}|d = {d}|A = {A}";
+  static constexpr auto subject = "buckling";
   static constexpr auto example = R"([project]
 title = "Piston rod"
 

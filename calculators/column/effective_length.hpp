@@ -27,6 +27,7 @@ struct EffectiveLength {
       "smallest root of its characteristic equation; braced and sway frames by the stiffness ratios of their joints. "
       "Bars of changing section or force are not covered.";
   static constexpr auto source = "[B25], [Wittrick], [AISC-alignment]";
+  static constexpr auto headline = "beta = {beta}";
   static constexpr auto example = R"([project]
 title = "Rod in a flexible bracket"
 

@@ -28,6 +28,7 @@ struct Train : TrainTypes {
       "Ratio, speeds, torques, powers and efficiencies through any chain of stages: gears, belts with slip, chains, "
       "worms, planetary sets; what every shaft carries. Branched trains are not covered.";
   static constexpr auto source = "[B40]";
+  static constexpr auto headline = "i = {i}";
   static constexpr auto example = R"([project]
 title = "Drive of a conveyor"
 

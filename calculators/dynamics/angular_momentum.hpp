@@ -21,6 +21,7 @@ struct AngularMomentumChange {
       "Angular speed after parts on one axis change their inertia, are coupled, driven or braked by a constant moment, "
       "or the time that this takes; energy that comes from inside or is lost.";
   static constexpr auto source = "[B33], [B36]";
+  static constexpr auto headline = "omega_2 = {omega_2}";
   static constexpr auto example = R"toml([project]
 title = "A ball on a thread"
 

@@ -26,6 +26,7 @@ struct ForceOfMotion {
       "Resultant force on a mass that moves by the law x(t), y(t), z(t), its parts along the path, the inertia force, "
       "and the force that is missing beside known ones. Laws must be smooth.";
   static constexpr auto source = "[B32]";
+  static constexpr auto headline = "R_max = {R_max}|R = {R}";
   static constexpr auto example = R"toml([project]
 title = "A point on an ellipse"
 

@@ -24,6 +24,7 @@ struct Impulse {
       "Impulse of a force F(t), mean force, and the velocity of a mass after it, by the theorem of momentum. The force "
       "is a smooth law of time over the range.";
   static constexpr auto source = "[B33]";
+  static constexpr auto headline = "I = {I}|v_2 = {v_2}";
   static constexpr auto example = R"toml([project]
 title = "A blow"
 

@@ -25,6 +25,7 @@ struct Lift {
       "Acceleration, speed and time over a path of a system of one freedom: weights on threads and tracks, drums and "
       "pulleys with bearing friction and driving moments; whether it starts, which way, and whether it gets there.";
   static constexpr auto source = "[B37]";
+  static constexpr auto headline = "a = {a}";
   static constexpr auto example = R"toml([project]
 title = "Three bodies and a thread"
 

@@ -21,6 +21,7 @@ struct MassCentre {
       "Centre of mass of bodies, and the displacement of a carrier that is free to move along x when bodies move on "
       "it, starting from rest. Resistance along x is not covered.";
   static constexpr auto source = "[B35]";
+  static constexpr auto headline = "M = {M}";
   static constexpr auto example = R"toml([project]
 title = "A man in a boat"
 

@@ -20,6 +20,7 @@ struct SystemMomentum {
       "Velocity that follows from the momentum of bodies on one line: recoil, separation, coupling, and the straight "
       "impact of two bodies with a coefficient of restitution; energy that is lost or comes from inside.";
   static constexpr auto source = "[B35]";
+  static constexpr auto headline = "V_1 = {V_1}";
   static constexpr auto example = R"toml([project]
 title = "A cart and a ball"
 

@@ -22,6 +22,7 @@ struct Throw {
       "Height, range, times and speeds of a body that is thrown at an angle and lands higher, level or lower; angles "
       "that reach a given distance. The resistance of the air is not covered.";
   static constexpr auto source = "[B32]";
+  static constexpr auto headline = "L = {L}, H = {H}";
   static constexpr auto example = R"toml([project]
 title = "A throw"
 

@@ -22,6 +22,7 @@ struct WorkAndEnergy {
       "Works of weight, friction, a constant force and a spring over a straight path, the speed at its end, time and "
       "power; whether the body gets there, and how far it would. Dry friction by a constant coefficient.";
   static constexpr auto source = "[B34]";
+  static constexpr auto headline = "v_2 = {v_2}|A = {A}";
   static constexpr auto example = R"toml([project]
 title = "A body that slides down"
 

@@ -29,6 +29,8 @@ struct Combined {
       "stress rules, Gough and Pollard, side by side; yielding at the first cycle. Not covered: stresses out of phase, "
       "brittle metals, finite life. Recalled: psi by R_m.";
   static constexpr auto source = "[GOST25504], [Gough], [Shigley6]";
+  static constexpr auto headline = "n = {n}";
+  static constexpr auto subject = "fatigue";
   static constexpr auto example = R"([project]
 title = "Shoulder of a shaft that turns and drives"
 

@@ -30,6 +30,8 @@ struct Cycle {
       "cycles; normal and shear stresses alike. The largest stress against yielding, the amplitude against a fatigue "
       "limit of r = -1 where the mean stress is no tension. Mean stress and life: fatigue.life.";
   static constexpr auto source = "[B20]";
+  static constexpr auto headline = "sigma_a = {sigma_a}";
+  static constexpr auto subject = "the stress cycle";
   static constexpr auto example = R"([project]
 title = "Cycle of a connecting rod"
 

@@ -34,6 +34,7 @@ struct Endurance : EnduranceTypes {
       "not covered. Recalled: Peterson's notch sensitivity, that of cast iron, the 11th edition but for ground "
       "surfaces.";
   static constexpr auto source = "[B20], [DIN743], [FKM], [GOST25504], [Shigley6]";
+  static constexpr auto headline = "sigma_D = {sigma_D}";
   static constexpr auto example = R"([project]
 title = "Shoulder of a shaft"
 

@@ -34,6 +34,8 @@ struct Life {
       "histories, low cycles below 1e3, shear beside normal stresses, creep, corrosion. Recalled: the fit of f, of "
       "gamma, and of psi.";
   static constexpr auto source = "[Dowling9], [FKM], [GOST25504], [Shigley6]";
+  static constexpr auto headline = "n = {n}|N_f = {N_f}";
+  static constexpr auto subject = "fatigue";
   static constexpr auto example = R"([project]
 title = "Rod that is pulled"
 

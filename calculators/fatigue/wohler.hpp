@@ -26,6 +26,7 @@ struct Wohler {
       "or "
       "conventional strength. Staircase statistics and extrapolation beyond the tests are not covered.";
   static constexpr auto source = "[B20], [E739], [ISO12107]";
+  static constexpr auto headline = "k = {k}, S_D = {S_D}";
   static constexpr auto example = R"([project]
 title = "Rotating bending of smooth bars"
 

@@ -34,6 +34,7 @@ struct Pair {
       "ratios, tooth thickness and base-tangent length, tooth forces with their directions, bending by Lewis as a "
       "static first estimate. Pitting and the rating of ISO 6336 are not covered.";
   static constexpr auto source = "[ISO21771], [Lewis]";
+  static constexpr auto headline = "z {z_1}/{z_2}, m {m_n}";
   static constexpr auto example = R"([project]
 title = "First stage of a reducer"
 

@@ -36,6 +36,8 @@ struct Member {
       "links "
       "and bending out of the plane are not covered.";
   static constexpr auto source = "[Gere], [Mises], [B25], [EN1993-1-1-LTB], [Narrow-beam]";
+  static constexpr auto headline = "{section}|d = {d}|A = {A}";
+  static constexpr auto subject = "strength and buckling";
   static constexpr auto example = R"([project]
 title = "Connecting rod"
 

@@ -29,6 +29,8 @@ struct Flywheel {
       "a "
       "given flywheel, the speeds that it swings between, and the mean power of the motor. Periodic motion.";
   static constexpr auto source = "[Khurmi-16], [B36]";
+  static constexpr auto headline = "J = {J}|J = {J_F}";
+  static constexpr auto subject = "speed fluctuation";
   static constexpr auto example = R"toml([project]
 title = "Flywheel of an engine"
 

@@ -26,6 +26,8 @@ struct RunUp {
       "Time, turns and energies of a run from one speed to another along the moment lines of motor or brake and load; "
       "whether the motor gets there at all. Rigid shafts, moments that depend on the speed only.";
   static constexpr auto source = "[B36], [B37]";
+  static constexpr auto headline = "t = {t}";
+  static constexpr auto subject = "run-up";
   static constexpr auto example = R"toml([project]
 title = "A fan that runs up"
 

@@ -23,6 +23,7 @@ struct Compound {
       "Absolute velocity and acceleration of a point that moves in a frame which moves and turns itself: relative, "
       "transport and Coriolis parts. One instant; the frame turns about an axis of fixed direction.";
   static constexpr auto source = "[B31]";
+  static constexpr auto headline = "v = {v}, a = {a}";
   static constexpr auto example = R"toml([project]
 title = "A collar on a turning rod"
 

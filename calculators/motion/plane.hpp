@@ -27,6 +27,7 @@ struct Plane : PlaneTypes {
       "of "
       "two of its points; velocities of further points, and accelerations where that of A is given. One instant.";
   static constexpr auto source = "[B29], [B28]";
+  static constexpr auto headline = "omega = {omega}|v_B = {v_B}";
   static constexpr auto example = R"toml([project]
 title = "A rod that slides down a wall"
 

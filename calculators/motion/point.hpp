@@ -28,6 +28,7 @@ struct Point {
       "Path, velocity and acceleration of a point from its law of motion x(t), y(t), z(t), with the parts along the "
       "tangent and the normal, the radius of curvature and the way over a range of time. Laws must be smooth.";
   static constexpr auto source = "[B26], [B28]";
+  static constexpr auto headline = "v_max = {v_max}|v = {v}";
   static constexpr auto example = R"toml([project]
 title = "A point on an ellipse"
 

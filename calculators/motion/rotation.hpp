@@ -26,6 +26,7 @@ struct Rotation {
       "Angular speed and acceleration from the law of rotation phi(t); speed and acceleration of a point of the body; "
       "turns over a range of time. Laws must be smooth.";
   static constexpr auto source = "[B28]";
+  static constexpr auto headline = "omega = {omega}";
   static constexpr auto example = R"toml([project]
 title = "A shaft that runs up"
 

@@ -29,6 +29,8 @@ struct Cross {
       "Shear of a pin that goes across a solid shaft and its hub and carries the torque, pressure in shaft and hub, "
       "torsion of the shaft beside its hole. Static; the notch of the hole and the hub are not covered.";
   static constexpr auto source = "[RM-9], [Inggo-31], [DIN743]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "cross pin";
   static constexpr auto example = R"([project]
 title = "Lever on its shaft"
 

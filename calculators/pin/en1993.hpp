@@ -27,6 +27,8 @@ struct En1993 {
       "pin that can be replaced needs besides, by EN 1993-1-8:2005, 3.13, with partial factors. Fatigue and bored pins "
       "are not covered.";
   static constexpr auto source = "[EN1993-1-8]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "pin connection";
   static constexpr auto example = R"([project]
 title = "Pin of a tie"
 

@@ -41,6 +41,8 @@ struct Joint {
       "pressure times speed where it turns. The walls of eye and fork are left to pin.lug; a bored pin that turns oval "
       "is not covered.";
   static constexpr auto source = "[RM-9], [Bhandari-4], [Mises]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "pin and eyes";
   static constexpr auto example = R"([project]
 title = "Pin of a fork"
 

@@ -27,6 +27,8 @@ struct Lug {
       "Net section, shear-out and bearing of an eye or of one cheek of a fork, by nominal stresses, along its axis. "
       "Eyes of another shape than a round head, forces across the axis and the notch of the bore are not covered.";
   static constexpr auto source = "[Bhandari-4], [EN1993-1-8], [Mises]";
+  static constexpr auto headline = "d = {d}, t = {t}";
+  static constexpr auto subject = "lug at rest";
   static constexpr auto example = R"([project]
 title = "Eye of a rod"
 

@@ -28,6 +28,7 @@ struct BuiltUp : BuiltUpTypes {
       "parts' own, a lower bound: closed cells that the parts form would add to it. Connection is not "
       "checked; warping is not covered.";
   static constexpr auto source = "[Garrison], [ME102]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto example = R"([project]
 title = "Two channels, toes outwards, with a plate below"
 

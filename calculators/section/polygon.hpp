@@ -21,6 +21,7 @@ struct Polygon {
       "sketch: as the corners are given. The moduli about y and z alone hold where these are principal axes. Its "
       "torsion constant is given by section.solid_torsion.";
   static constexpr auto source = "[Garrison], [ME102]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto example = R"([project]
 title = "Frame with a window"
 

@@ -24,6 +24,8 @@ struct Circlip {
       "What the groove of a retaining ring, its shoulder and the ring itself bear along the shaft, and the speed at "
       "which the ring opens. Impact and assembly are not covered, the shaft's fatigue at the groove is shaft.design's.";
   static constexpr auto source = "[DIN471]";
+  static constexpr auto headline = "d = {d_1}";
+  static constexpr auto subject = "ring and groove";
   static constexpr auto example = R"([project]
 title = "Ring beside a bearing on a shaft of 18 mm"
 

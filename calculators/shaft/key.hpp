@@ -30,6 +30,8 @@ struct Key {
       "to the shaft, and bears in the hub; the wall of the hub under the root circle of a gear, sprocket or pulley. "
       "The shaft at the end of its seat and fretting are not covered.";
   static constexpr auto source = "[DIN6892], [Mises]";
+  static constexpr auto headline = "{b#}x{h#}x{l}";
+  static constexpr auto subject = "key connection";
   static constexpr auto example = R"([project]
 title = "Wheel on a shaft of 50 mm"
 

@@ -26,6 +26,8 @@ struct Overhung {
       "act at the same time; stresses at the chosen diameter. Static strength. Fatigue, notches and deflection are not "
       "covered.";
   static constexpr auto source = "[B19], [Mises]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "bending and torsion";
   static constexpr auto example = R"([project]
 title = "Crank on an overhang"
 

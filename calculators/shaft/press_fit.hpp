@@ -33,6 +33,8 @@ struct PressFit {
       "and axial force, yield of both rings, force to press it on or heat to shrink it, loss of "
       "interference at speed. Fatigue at the edge of the hub is not covered.";
   static constexpr auto source = "[Lame], [DIN7190]";
+  static constexpr auto headline = "d = {d}, l = {l}";
+  static constexpr auto subject = "interference fit";
   static constexpr auto example = R"([project]
 title = "Gear shrunk on a hollow shaft"
 

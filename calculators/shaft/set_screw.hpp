@@ -27,6 +27,8 @@ struct SetScrew {
       "Torque and force along the shaft that one set screw or two hold by their points, with the safety that tests of "
       "makers ask for. Loosening by vibration and the dent in the shaft are not covered.";
   static constexpr auto source = "[SPS]";
+  static constexpr auto headline = "{i} x d = {d_s}";
+  static constexpr auto subject = "holding of the screws";
   static constexpr auto example = R"([project]
 title = "Pulley of a small fan"
 

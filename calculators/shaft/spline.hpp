@@ -30,6 +30,8 @@ struct Spline {
       "Mean pressure on the flanks of straight-sided or involute splines in shaft and hub, shear of the teeth, wear of "
       "a hub that slides. Bending of teeth, the hub's wall and the shaft at the end of the splines are not covered.";
   static constexpr auto source = "[Bhandari-9], [WelleNabe], [DIN6892], [Mises]";
+  static constexpr auto headline = "{z}x{d_1#}x{d_2}";
+  static constexpr auto subject = "spline connection";
   static constexpr auto example = R"([project]
 title = "Gear of a lathe on its splined shaft"
 

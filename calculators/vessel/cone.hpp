@@ -23,6 +23,8 @@ struct Cone {
       "Bending at the junction with a cylinder, knuckles, weight of the wall, external pressure and fatigue are not "
       "covered.";
   static constexpr auto source = "[B24], [ExpertsMind-cone], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Hopper bottom"

@@ -23,6 +23,8 @@ struct Cylinder {
       "Membrane stresses, static. Nozzles, junctions with the ends, weight of the wall, external pressure and fatigue "
       "are not covered.";
   static constexpr auto source = "[B24], [Lame], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr auto example = R"([project]
 title = "Air receiver"
 

@@ -21,6 +21,8 @@ struct Ellipsoid {
       "Wall of an ellipsoid of revolution or a half-ellipsoidal head under internal gas pressure. Membrane stresses, "
       "static. Bending at the junction with a cylinder, nozzles, external pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Two to one head"

@@ -28,6 +28,8 @@ struct Shell {
       "liquid; least thickness. Edges of the meridian, jumps of its curvature (a knuckle beside a crown: see "
       "vessel.sphere and vessel.torus), weight of the wall, external pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr auto example = R"([project]
 title = "Bottom of a kettle"
 

@@ -22,6 +22,8 @@ struct Sphere {
       "Wall of a sphere under internal pressure of gas and of a liquid that a ring holds. Membrane stresses, static. "
       "Bending beside the ring, nozzles, weight of the wall, external pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Lame], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Gas holder"

@@ -22,6 +22,8 @@ struct Torus {
       "Wall of a ring-shaped vessel of circular section under internal gas pressure; also a smooth pipe bend. Membrane "
       "stresses, static. Ovality, bending at the crown, external pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr auto example = R"([project]
 title = "Ring main"
 

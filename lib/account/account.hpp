@@ -7,19 +7,33 @@
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/series.hpp"
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 namespace loadpath::account {
 
+/// The candidate before the one that a search has found, and what it fails.
+struct NextSize {
+  std::string name;                   // "95 mm", a row of a table
+  std::optional<double> si = {};      // none of a row
+  std::string fails = {};             // a check or a limit, "u_theta", "seats.coupling.x_c"; empty: a rule
+  std::string mode = {};              // that it decides: "twist"; may be empty
+  Message title = {};                 // of that mode
+  std::optional<double> number = {};  // the utilisation, or the value of the limit
+  std::string unit = {};              // of that value; "-" of a utilisation
+  Message reason = {};                // "u_theta = 1.055"
+};
+
 /// Where a value comes from, for the report: typed, an expression, a row of a table, a default.
 struct Origin {
   Message text;
-  std::vector<std::string> sources;  // keys of tables/sources.toml
-  bool recalled = false;             // the row's source was not seen: flagged in the report
-  bool searched = false;             // found by a search
-  bool assumed = false;              // the default: nobody gave it
+  std::vector<std::string> sources;   // keys of tables/sources.toml
+  bool recalled = false;              // the row's source was not seen: flagged in the report
+  bool searched = false;              // found by a search
+  bool assumed = false;               // the default: nobody gave it
+  std::optional<NextSize> next = {};  // of what a search has found
 };
 
 /// A named quantity of a step.

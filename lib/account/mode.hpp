@@ -1,7 +1,7 @@
 // How the modes of failure of a part came out, and what may be said of all of them.
 #pragma once
 
-#include "lib/account/state.hpp"
+#include "lib/account/verdict.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/text/issue.hpp"
 
@@ -27,11 +27,14 @@ struct Mode {
   std::optional<double> utilisation;  // of what governs
   std::string governs;                // the check or limit that decides: "u_F1", "segments[2].u_tau"
   Subject subject = Subject::mode;
-  bool is_assessable = true;  // by some calculator of the catalogue
-  std::string judge;          // the calculator that it is left to
-  std::string use, add;       // calculators that assess it: in place of this one, beside it
-  std::string wants;          // inputs that would let it be judged: "sigma_adm_1"
-  Message note;               // where it governs, why it is accepted; may be empty
+  bool is_assessable = true;              // by some calculator of the catalogue
+  std::string judge;                      // the calculator that it is left to
+  std::string use, add;                   // calculators that assess it: in place of this one, beside it
+  std::string wants;                      // inputs that would let it be judged: "sigma_adm_1"
+  Message note;                           // where it governs, why it is accepted; may be empty
+  std::optional<Compared> compared = {};  // of what governs
+  std::optional<Quantity> at = {};        // the position of a series where it governs
+  std::string takes = {};                 // what such a step takes: cycle = "=rod.cycle"
 };
 using Modes = std::vector<Mode>;
 

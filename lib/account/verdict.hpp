@@ -11,6 +11,11 @@
 
 namespace loadpath::account {
 
+/// What a check compares, in one unit: its utilisation is their ratio.
+struct Compared {
+  Quantity demand, capacity;
+};
+
 /// The writer draws a bar for a utilisation.
 struct Verdict {
   std::string step;    // "crankshaft"
@@ -20,7 +25,9 @@ struct Verdict {
   Cell value = {};                         // what is compared
   Message bound;                           // "passes at 1 or less", "0 to 0.9"
   State state = State::not_available;
-  Message note = {};  // where it governs, why it is not covered; may be empty
+  Message note = {};                      // where it governs, why it is not covered; may be empty
+  std::optional<Compared> compared = {};  // of a check whose formula is one value over another
+  std::optional<Quantity> at = {};        // the position of a series where it governs
 };
 struct Verdicts {
   std::vector<Verdict> rows;

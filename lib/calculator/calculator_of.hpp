@@ -2,6 +2,7 @@
 //
 //   struct SolidShaft {
 //     static constexpr auto id = "...", title = "...", scope = "...", source = "...", example = "...";
+//     static constexpr auto headline = "C = {C}", subject = "rating life";  // the second may be left out
 //     struct Input { ... };  struct Result { ... };
 //     static constexpr Fields inputs{Field{...}...}, results{Field{...}...};
 //     static constexpr std::array rules{Rule<Input>{...}...};
@@ -74,6 +75,8 @@ constexpr Calculator calculator_of() {
   c.scope = C::scope;
   c.source = C::source;
   c.example = C::example;
+  if constexpr (requires { C::headline; }) c.headline = C::headline;
+  if constexpr (requires { C::subject; }) c.subject = C::subject;
   c.input = &record_type<Input, C::inputs>;
   c.result = &record_type<Result, C::results, Role::result>;
   c.rules = detail::rule_infos<C>;

@@ -1,6 +1,7 @@
 // A project file: its steps, the order in which they follow from one another, and what is expected of them.
 #pragma once
 
+#include "lib/project/catalogue.hpp"
 #include "lib/project/own_tables.hpp"
 #include "lib/project/read/expectations.hpp"
 #include "lib/project/read/shared.hpp"
@@ -35,6 +36,7 @@ struct Project {
   std::vector<Pass> passes;                     // of solving: in that order, but for steps that are solved twice
   std::vector<std::string> references;          // of the steps to one another: full paths
   std::shared_ptr<const table::Tables> tables;  // the project's own before the built-in ones
+  Catalogue catalogue;                          // of which calculators its steps may be
   std::vector<NamedFile> files;                 // that were read beside its own
   std::map<std::string, Value> table_values;    // that expressions name: "tables.materials.S355.E"
   std::map<std::string, Value> beforehand;      // inputs that others take before their steps are solved

@@ -19,6 +19,7 @@ struct VSizing : VSizingTypes {
       "centre distance, on one basis; the best one with its whole calculation, or where none passes the one that comes "
       "nearest, with the most belts that are allowed. Covers what belt.v covers.";
   static constexpr auto source = V::source;
+  static constexpr auto headline = "{z} belts {section}";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Fan drive"

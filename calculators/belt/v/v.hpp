@@ -31,6 +31,7 @@ struct V : VTypes {
       "speeds and lengths that the basis rates. A life is given only where the basis states one. What shafts take "
       "whole is the largest pull: in running, at standstill or of new belts.";
   static constexpr auto source = "[B40], [GOST1284.3], [Optibelt-V]";
+  static constexpr auto headline = "{z} belts {section}|{z} belts";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Compressor with wedge belts"

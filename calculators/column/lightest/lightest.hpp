@@ -28,6 +28,8 @@ struct Lightest : LightestTypes {
       "material each section has the yield strength of its own thickness; those thicker than it is given for are not "
       "judged.";
   static constexpr auto source = Buckling::source;
+  static constexpr auto headline = "{section}";
+  static constexpr auto subject = "buckling";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Column of a platform"

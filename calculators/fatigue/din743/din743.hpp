@@ -33,6 +33,8 @@ struct Din743 {
       "a "
       "hard surface layer. Recalled: 1.15 of two keyways in torsion.";
   static constexpr auto source = "[DIN743]";
+  static constexpr auto headline = "S_D = {S_D}, S_F = {S_F}";
+  static constexpr auto subject = "fatigue and yielding";
   static constexpr auto example = R"([project]
 title = "Shoulder of a gear shaft"
 

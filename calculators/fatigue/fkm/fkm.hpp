@@ -33,6 +33,8 @@ struct Fkm {
       "250 "
       "mm, 1050 MPa.";
   static constexpr auto source = "[FKM], [PragTic], [4ming], [DIN743]";
+  static constexpr auto headline = "S_D = {S_D}";
+  static constexpr auto subject = "fatigue and yielding";
   static constexpr auto example = R"([project]
 title = "Shoulder of a gear shaft"
 

@@ -34,6 +34,8 @@ struct History : HistoryTypes {
       "the curve of a part or of a welded detail; how often the history can be borne; yield. One nominal stress. "
       "Recalled: the consistent rule and that of Liu and Zenner.";
   static constexpr auto source = "[E1049], [HCM], [Miner], [Haibach], [EN1993-1-9], [DNVC203], [FKM]";
+  static constexpr auto headline = "n = {n}|D = {D}";
+  static constexpr auto subject = "fatigue";
   static constexpr auto example = R"([project]
 title = "A bracket under three blocks of load"
 

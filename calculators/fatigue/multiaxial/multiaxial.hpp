@@ -32,6 +32,8 @@ struct Multiaxial {
       "and Dang Van side by side, von Mises in phase beside them; the plane, its amplitude by the smallest circle; "
       "yielding. Not covered: finite life, brittle metals, stresses across the surface.";
   static constexpr auto source = "[Findley], [Matake], [Crossland], [DangVan], [Mises]";
+  static constexpr auto headline = "n = {n}";
+  static constexpr auto subject = "fatigue";
   static constexpr auto example = R"([project]
 title = "Hollow shaft, bending and torsion a quarter of a turn apart"
 

@@ -29,6 +29,7 @@ struct Staircase {
       "which its scatter can be told; scatter T_S, strength at a survival probability. Not covered: the confidence of "
       "a small sample, maximum likelihood.";
   static constexpr auto source = "[DixonMood], [ISO12107]";
+  static constexpr auto headline = "S_50 = {S_50}";
   static constexpr auto example = R"([project]
 title = "Staircase of twenty bars"
 

@@ -22,6 +22,7 @@ struct Survival {
       "Shift of a fatigue strength, of a life and of the knee from one survival probability to another, log-normal, by "
       "the scatter T_S or T_N. Not covered: the confidence of a scatter, tails beyond 0.1 %.";
   static constexpr auto source = "[ISO12107], [pylife-tests]";
+  static constexpr auto headline = "sigma_P = {sigma_P}|N_P = {N_P}";
   static constexpr auto example = R"([project]
 title = "A fatigue limit of which one in forty fails"
 

@@ -31,6 +31,7 @@ struct Planetary : PlanetaryTypes {
       "Speeds, torques, powers and efficiency of sun, carrier and ring by Willis, with any member held or none; "
       "conditions of assembly, meshes of sun, planets and ring. Tooth losses only; strength is not covered.";
   static constexpr auto source = "[Willis], [Mueller]";
+  static constexpr auto headline = "z {z_s}/{z_p}/{z_r}";
   static constexpr auto example = R"([project]
 title = "Planetary stage of a winch"
 

@@ -29,6 +29,7 @@ struct Mechanism {
       "counts "
       "as an error of outputs, elasticity is not covered.";
   static constexpr auto source = "[A10], [B29], [B31], [D3]";
+  static constexpr auto headline = "torque {drive.M}|force {cylinders.*.F}";
   static constexpr auto example = R"([project]
 title = "Slider-crank"
 

@@ -20,6 +20,7 @@ struct Angle : ShapeCalculator<Angle> {
       "The moduli about y and z are those of tables; an angle that is free to bend does so about its principal "
       "axes.";
   static constexpr auto source = "[Garrison], [Roark]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto example = R"([project]
 title = "L 100x100x10 from its dimensions"
 

@@ -18,6 +18,7 @@ struct Channel : ShapeCalculator<Channel> {
       "straight parts, without fillets; rolled channels have up to 17 % more. A limit keeps the walls thin. "
       "Warping torsion, the shear centre and tapered flanges are not covered.";
   static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto example = R"([project]
 title = "UPE 200 from its dimensions"
 

@@ -13,6 +13,7 @@ struct Circle : ShapeCalculator<Circle> {
   static constexpr auto scope =
       "Area, second moments, moduli and torsion constant of a solid circle. Origin of the sketch: its centre.";
   static constexpr auto source = "[B19]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto example = R"([project]
 title = "Solid round bar"
 

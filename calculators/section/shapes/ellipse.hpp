@@ -13,6 +13,7 @@ struct Ellipse : ShapeCalculator<Ellipse> {
   static constexpr auto scope =
       "Area, second moments, moduli and torsion constant of a solid ellipse. Origin of the sketch: its centre.";
   static constexpr auto source = "[Anexa-BMOM]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto example = R"([project]
 title = "Oval bar"
 

@@ -19,6 +19,7 @@ struct Hollow : ShapeCalculator<Hollow> {
       "formula of EN 10210-2 for thin closed walls, with its limit. Local buckling of thin walls is not "
       "covered.";
   static constexpr auto source = "[Garrison], [EN10210-2]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto example = R"([project]
 title = "SHS 100x5 from its dimensions"
 

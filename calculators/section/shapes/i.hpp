@@ -19,6 +19,7 @@ struct I : ShapeCalculator<I> {
       "within 4.5 % of the tables of rolled sections, which give its limits. Warping torsion is not covered; "
       "unequal flanges are built up with section.built_up.";
   static constexpr auto source = "[Garrison], [SCI-P385]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto example = R"([project]
 title = "HEB 200 from its dimensions"
 

@@ -14,6 +14,7 @@ struct Rectangle : ShapeCalculator<Rectangle> {
       "Area, second moments, moduli and torsion constant (series of Saint-Venant) of a rectangle of width b and "
       "height h. Origin of the sketch: its centre.";
   static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto example = R"([project]
 title = "Flat bar"
 

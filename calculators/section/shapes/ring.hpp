@@ -14,6 +14,7 @@ struct Ring : ShapeCalculator<Ring> {
       "Area, second moments, moduli and torsion constant of a ring. Origin of the sketch: its centre. The bore "
       "is given as a diameter or by the wall. Local buckling of thin walls is not covered.";
   static constexpr auto source = "[B19]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto example = R"([project]
 title = "Tube"
 

@@ -18,6 +18,7 @@ struct Tee : ShapeCalculator<Tee> {
       "straight parts, without fillets; rolled sections have somewhat more. A limit keeps the walls thin. "
       "Warping torsion, the shear centre and tapered flanges are not covered.";
   static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto example = R"([project]
 title = "Half an IPE 200"
 

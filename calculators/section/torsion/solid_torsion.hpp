@@ -37,6 +37,8 @@ struct SolidTorsion {
       "corners of its contour and of its holes, at most 40 in all, by Prandtl's stress function. The stress at inner "
       "corners, held warping and fatigue are not covered.";
   static constexpr auto source = "[Prandtl]";
+  static constexpr auto headline = "I_t = {I_t}";
+  static constexpr auto subject = "torsion";
   static constexpr auto example = R"([project]
 title = "Hexagon bar, 30 mm across flats"
 

@@ -35,6 +35,8 @@ struct ThinWalled : ThinWalledTypes {
       "buckling "
       "and fatigue are not covered.";
   static constexpr auto source = "[Bredt], [Megson]";
+  static constexpr auto headline = "I_t = {I_t}";
+  static constexpr auto subject = "torsion";
   static constexpr auto example = R"([project]
 title = "Box girder of two cells with a lip"
 

@@ -44,6 +44,7 @@ struct Design {
       "the shaft turns, or are given over a turn.";
   static constexpr auto source =
       "[Shigley6], [Shigley7], [DIN743], [FKM], [GOST25504], [Peterson], [Cowper], [Mises], [Foeppl]";
+  static constexpr auto headline = "d = {d_max}";
   static constexpr auto example = R"([project]
 title = "Shaft of a gear between its bearings"
 

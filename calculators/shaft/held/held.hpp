@@ -33,6 +33,8 @@ struct Held : HeldTypes {
       "Bending, "
       "fatigue, notches and the joint under a sleeve are not covered.";
   static constexpr auto source = "[B19], [Gere-3]";
+  static constexpr auto headline = "torque {M_max}";
+  static constexpr auto subject = "torsion";
   static constexpr auto example = R"([project]
 title = "Torsion bar between two brackets"
 

@@ -32,6 +32,8 @@ struct Torsion : TorsionTypes {
       "Least diameter of a round shaft, solid or bored, by strength and by stiffness; stresses and twist at the "
       "chosen diameter. Static torsion of circular sections. Bending, fatigue and notches are not covered.";
   static constexpr auto source = "[B19]";
+  static constexpr auto headline = "d = {d}|torque {M_max}";
+  static constexpr auto subject = "torsion";
   static constexpr auto example = R"([project]
 title = "Line shaft"
 

@@ -235,18 +235,19 @@ Issue JointSearch::no_sizes() {
                   say("give '{1}' a value, or search for more sizes", first));
 }
 
-/// What one of them fails where it is a size smaller beside the others as they are.
-Message JointSearch::fault_of_less(const SizeIndices& laid, std::size_t which) {
-  const Message held = say("no smaller one goes with the others");
-  if (!sizes_.shrink(laid, which)) return held;
-  const std::string less = format_quantity(sizes_.at(which).size(), sizes_.search(which).leaf.field->unit);
+/// What one of them fails where it is a size smaller beside the others as they are; nothing where no smaller one goes
+/// with them.
+std::optional<account::NextSize> JointSearch::next_of(const SizeIndices& laid, std::size_t which) {
+  if (!sizes_.shrink(laid, which)) return std::nullopt;
+  const double size = sizes_.at(which).size();
+  const std::string less = format_quantity(size, sizes_.search(which).leaf.field->unit);
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
     if (sizes_.at(i).like != sizes_.at(which).like) continue;
     const Message unsound = sizes_.fault(i);
-    if (!unsound.empty()) return say("{1}: {2}", less, unsound);
+    if (!unsound.empty()) return next_size(evaluation_.calculator(), less, size, {unsound});
   }
-  if (!sizes_.set_smaller(laid, which)) return held;
-  return say("{1}: {2}", less, fault_of_candidate(evaluation_, passing_));
+  if (!sizes_.set_smaller(laid, which)) return std::nullopt;
+  return next_size(evaluation_.calculator(), less, size, fault_of_candidate(evaluation_, passing_));
 }
 
 /// Leaves out of account what no size mends: what fails with the smallest and the largest sizes that keep the rules,
@@ -294,7 +295,7 @@ void JointSearch::leave_open(SizeIndices nearest) {
     sizes += (i == 0 ? "" : ", ") + sizes_.search(i).path + " = " + size;
   }
   const Message why =
-      say("no sizes pass together, nearest are {1}: {2}", sizes, fault_of_candidate(evaluation_, passing_));
+      say("no sizes pass together, nearest are {1}: {2}", sizes, fault_of_candidate(evaluation_, passing_).text);
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
     const std::string& path = sizes_.search(i).path;
     evaluation_.inputs().leaf(path).set(std::nan(""));
@@ -307,10 +308,16 @@ void JointSearch::leave_open(SizeIndices nearest) {
 void JointSearch::tell(const SizeIndices& least) {
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
     Message text = say("smallest of {1} that passes every check, with the others", sizes_.stock(i));
-    if (sizes_.at(i).at > 0) text = say("{1}; {2}", text, fault_of_less(least, i));
+    std::optional<account::NextSize> next;
+    if (sizes_.at(i).at > 0) {
+      next = next_of(least, i);
+      text = next ? say("{1}; {2}: {3}", text, next->name, next->reason)
+                  : say("{1}; no smaller one goes with the others", text);
+    }
     sizes_.set(least);
     Origin origin = stock_origin(*evaluation_.step().input().tables, sizes_.stock(i), std::move(text));
     origin.searched = true;
+    origin.next = std::move(next);
     evaluation_.inputs().set_origin(sizes_.search(i).path, std::move(origin));
   }
   evaluation_.settle_sizes();

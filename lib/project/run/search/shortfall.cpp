@@ -2,6 +2,7 @@
 
 #include "lib/account/rows.hpp"
 #include "lib/numerics/magnitude.hpp"
+#include "lib/project/modes.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -65,29 +66,36 @@ std::string path_of(const Evaluation& evaluation, const FieldInfo& list, const R
   return list.key + element_path(list, evaluation.result().data.get(), row.element) + "." + row.field->key;
 }
 
+CandidateFault fault_of_check(const std::string& path, double utilisation) {
+  return {say("{1} = {2}", path, beyond_one(utilisation)), path, utilisation, "-"};
+}
+
+CandidateFault fault_of_limit(const std::string& path, const FieldInfo& limit, double si) {
+  return {say("{1} = {2}: {3}", path, format_quantity(si, limit.unit, 4), bounds_message(limit)), path, si, limit.unit};
+}
+
 /// The check in a list that is beyond 1 most, and beyond `most`; empty where none is.
-Message fault_of_lists(Evaluation& evaluation, const Passing& passing, double most) {
-  Message worst;
+CandidateFault fault_of_lists(Evaluation& evaluation, const Passing& passing, double most) {
+  CandidateFault worst;
   for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
     if (row.field->role != Role::check || !numerics::exceeds(si, most)) return;
     most = si;
-    worst = say("{1} = {2}", path_of(evaluation, list, row), beyond_one(most));
+    worst = fault_of_check(path_of(evaluation, list, row), most);
   });
   return worst;
 }
 
 /// The first limit in a list that is not kept, else the first check there without a value; empty where there is none.
-Message fault_of_listed_limits(Evaluation& evaluation, const Passing& passing) {
-  Message outside, unknown;
+CandidateFault fault_of_listed_limits(Evaluation& evaluation, const Passing& passing) {
+  CandidateFault outside, unknown;
   for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
     const FieldInfo& f = *row.field;
     if (account::is_kept(f, si)) return;
-    if (std::isnan(si) && unknown.empty()) unknown = say("{1} has no value", path_of(evaluation, list, row));
-    if (!std::isnan(si) && f.role == Role::limit && outside.empty())
-      outside =
-          say("{1} = {2}: {3}", path_of(evaluation, list, row), format_quantity(si, f.unit, 4), bounds_message(f));
+    if (std::isnan(si) && unknown.text.empty()) unknown.text = say("{1} has no value", path_of(evaluation, list, row));
+    if (!std::isnan(si) && f.role == Role::limit && outside.text.empty())
+      outside = fault_of_limit(path_of(evaluation, list, row), f, si);
   });
-  return outside.empty() ? unknown : outside;
+  return outside.text.empty() ? unknown : outside;
 }
 
 /// The first check of the part without a value; empty where all have one.
@@ -100,18 +108,17 @@ Message check_without_value(Evaluation& evaluation, const Passing& passing) {
 }
 
 /// The first limit that is not kept, of the criteria before those of the methods.
-Message fault_of_limits(Evaluation& evaluation, Passing& passing) {
+CandidateFault fault_of_limits(Evaluation& evaluation, Passing& passing) {
   for (const bool criteria : {true, false}) {
     for (const FieldInfo& f : evaluation.calculator().result->fields) {
       if (f.role != Role::limit || f.is_criterion != criteria || !passing.counts({&f})) continue;
       if (const auto bad = passing.first_outside(f))
-        return std::isnan(*bad) ? say("{1} is not available", f.key)
-                                : say("{1} = {2}: {3}", f.key, format_quantity(*bad, f.unit, 4), bounds_message(f));
+        return std::isnan(*bad) ? CandidateFault{say("{1} is not available", f.key)} : fault_of_limit(f.key, f, *bad);
     }
   }
-  if (Message listed = fault_of_listed_limits(evaluation, passing); !listed.empty()) return listed;
+  if (CandidateFault listed = fault_of_listed_limits(evaluation, passing); !listed.text.empty()) return listed;
   const Message& gap = evaluation.inputs().table_gap();
-  return gap.empty() ? check_without_value(evaluation, passing) : gap;
+  return {gap.empty() ? check_without_value(evaluation, passing) : gap};
 }
 
 /// The largest value of a check that is not passed; nothing where it is.
@@ -172,10 +179,10 @@ Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing) {
   return shortfall;
 }
 
-Message fault_of_candidate(Evaluation& evaluation, Passing& passing) {
+CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing) {
   evaluation.settle_sizes();
-  if (!evaluation.is_settled()) return evaluation.unsettled();
-  if (const auto rule = passing.first_broken_rule()) return evaluation.broken_rule(*rule).message;
+  if (!evaluation.is_settled()) return {evaluation.unsettled()};
+  if (const auto rule = passing.first_broken_rule()) return {evaluation.broken_rule(*rule).message};
   const bool is_single = evaluation.axis() == nullptr;  // from one evaluation
   if (is_single) evaluation.evaluate_at(0);
   const FieldInfo* worst = nullptr;  // a check without a value may be so for a limit that is not kept
@@ -187,9 +194,28 @@ Message fault_of_candidate(Evaluation& evaluation, Passing& passing) {
     worst = &f;
     most = largest;
   }
-  if (const Message listed = fault_of_lists(evaluation, passing, most); !listed.empty()) return listed;
-  if (worst != nullptr) return say("{1} = {2}", worst->key, beyond_one(most));
+  if (CandidateFault listed = fault_of_lists(evaluation, passing, most); !listed.text.empty()) return listed;
+  if (worst != nullptr) return fault_of_check(worst->key, most);
   return fault_of_limits(evaluation, passing);
+}
+
+account::NextSize next_size(const Calculator& calculator, std::string name, std::optional<double> si,
+                            CandidateFault fault) {
+  account::NextSize next{.name = std::move(name),
+                         .si = si,
+                         .fails = std::move(fault.row),
+                         .number = fault.number,
+                         .unit = std::move(fault.unit),
+                         .reason = std::move(fault.text)};
+  for (const ModeInfo& mode : calculator.modes) {
+    const auto keys = listed_keys(mode.checks);
+    const auto names = [&](const std::string& key) { return names_row(key, next.fails); };
+    if (next.fails.empty() || std::none_of(keys.begin(), keys.end(), names)) continue;
+    next.mode = mode.id;
+    next.title = say(mode.title);
+    break;
+  }
+  return next;
 }
 
 }  // namespace loadpath::project

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string>
 
 namespace loadpath::project {
 
@@ -26,7 +28,18 @@ FailedValues failed_values(Evaluation& evaluation, Passing& passing);
 /// Of those that fail with a smaller and with a larger candidate: which are no better with the larger.
 FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& larger);
 
-/// What the candidate is refused for, at the sizes that follow from it.
-Message fault_of_candidate(Evaluation& evaluation, Passing& passing);
+/// What a candidate is refused for.
+struct CandidateFault {
+  Message text;                       // "u_theta = 1.055"
+  std::string row = {};               // the check or the limit; empty: a rule, or a size that does not settle
+  std::optional<double> number = {};  // the utilisation, or the value of the limit
+  std::string unit = {};              // of that value
+};
+/// At the sizes that follow from it.
+CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing);
+
+/// The candidate before the one that was found, by its fault.
+account::NextSize next_size(const Calculator& calculator, std::string name, std::optional<double> si,
+                            CandidateFault fault);
 
 }  // namespace loadpath::project

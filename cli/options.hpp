@@ -18,6 +18,8 @@ struct OutputOptions {
   std::vector<std::string> series;  // patterns of those that JSON and CSV hold; none: all
   std::string detail;               // brief, normal, full; empty: as the command has it
   bool quiet = false;
+  bool full = false;    // with every table that the terminal has
+  bool modes = false;   // every failure mode
   bool strict = false;  // what is open counts as not judged
 };
 

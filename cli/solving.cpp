@@ -25,7 +25,7 @@ void tell(const std::vector<Issue>& issues, const std::vector<terminal::SourceTe
 
 /// What is only looked at is made where somebody looks: the terminal shows the extremes of every series.
 project::Wanted wanted_by(const OutputOptions& output, report::Detail detail) {
-  const bool in_full = detail == report::Detail::full;
+  const bool in_full = detail == report::Detail::full;  // or in short, with the formulas of one check
   const bool shown = !output.json && !output.quiet && !takes_standard_output(output);
   const bool drawn = !output.reports.empty() || !output.svg.empty() || !output.dxf.empty();
   return {.pictures = drawn || (shown && in_full),
@@ -57,6 +57,17 @@ void tell_misses(const project::Project& project) {
   if (misses == 0) return;
   std::cerr << misses << " of " << all.size() << (all.size() == 1 ? " expectation misses" : " expectations miss")
             << ": `loadpath verify " << (project.file == "standard input" ? "-" : project.file) << "` tells\n";
+}
+
+/// Whether the tables of the parts are shown, and not the short answer.
+bool shows_tables(const OutputOptions& output) {
+  return output.full || output.detail == "normal" || output.detail == "full";
+}
+
+void show(const project::Project& project, const OutputOptions& output, report::Detail detail, bool is_calculation) {
+  if (output.modes) return terminal::show_modes(project);
+  if (shows_tables(output)) return terminal::show_project(project, detail);
+  is_calculation ? terminal::show_calculation(project) : terminal::show_short(project);
 }
 
 }  // namespace
@@ -91,8 +102,10 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
   if (!write(project, output, input_of(sources))) return wrong_input;
   if (output.json) {
     std::cout << exports::json_of(project, program(), project::SeriesChoice(output.series));
-  } else if (!output.quiet && !takes_standard_output(output)) {
-    terminal::show_project(project, detail);
+  } else if (output.quiet) {
+    if (!takes_standard_output(output)) terminal::show_unless_passed(project);
+  } else if (!takes_standard_output(output)) {
+    show(project, output, detail, usual == report::Detail::full);
   }
   if (!output.quiet) tell_misses(project);
   return exit_for(project::modes(project));

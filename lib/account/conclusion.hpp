@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <string>
 
 namespace loadpath::account {
 
@@ -35,7 +36,16 @@ struct Conclusion {
 };
 Conclusion conclude(const Modes& modes);
 
+/// How the headline is explained: in so many characters where that is possible; `subject`: what the modes of the only
+/// step cover, "torsion".
+struct Telling {
+  std::size_t room = 120;
+  std::string subject = {};
+};
 /// What stands behind the headline: "3 of 56 failure modes are outside the scope of loadpath".
-Message explanation(const Modes& modes);
+Message explanation(const Modes& modes, const Telling& telling = {});
+
+/// "fatigue" of "fatigue, at shoulders, keyways and press fits first".
+std::string short_title(const Mode& mode);
 
 }  // namespace loadpath::account

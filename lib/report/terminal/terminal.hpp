@@ -20,7 +20,16 @@ std::string issues_text(const std::vector<Issue>& issues, const std::vector<Sour
 /// The same on standard error.
 void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources);
 
-/// A solved project: its parts, and last the answer. Brief: that alone; full: with lists, formulas, every verdict.
+/// A solved project in short: the verdict, and what to do about it.
+void show_short(const project::Project& project);
+/// The same of one calculator: with the formulas of the check that governs.
+void show_calculation(const project::Project& project);
+/// The verdict, and every failure mode with its state, its utilisation, and what that rests on.
+void show_modes(const project::Project& project);
+/// The verdict in a line, where it is no pass.
+void show_unless_passed(const project::Project& project);
+/// A solved project in full: its parts, and last the answer. Brief: that alone; full: with lists, formulas, every
+/// verdict.
 void show_project(const project::Project& project, report::Detail detail);
 
 /// Paragraphs and tables of a document; its figures are not shown.

@@ -20,6 +20,8 @@ struct OutputOptions {
   std::string detail;               // brief, normal, full; empty: as the command has it
   bool quiet = false;
   bool strict = false;  // modes not considered count as not assessed
+  bool full = false;    // with every table that the terminal has
+  bool modes = false;   // every failure mode
 };
 
 /// The points of a sweep, for projects that do not define them.

@@ -26,7 +26,7 @@ void tell(const std::vector<Issue>& issues, const std::vector<terminal::SourceTe
 
 /// Content for viewing is made only if it is viewed: the terminal shows the extremes of every series.
 project::Wanted wanted_by(const OutputOptions& output, report::Detail detail) {
-  const bool in_full = detail == report::Detail::full;
+  const bool in_full = detail == report::Detail::full;  // or in short, with the formulas of one check
   const bool shown = !output.json && !output.quiet && !takes_standard_output(output);
   const bool drawn = !output.reports.empty() || !output.svg.empty() || !output.dxf.empty();
   return {.pictures = drawn || (shown && in_full),
@@ -68,6 +68,17 @@ void tell_misses(const project::Project& project) {
             << ": `loadpath verify " << (project.file == "standard input" ? "-" : project.file) << "` tells\n";
 }
 
+/// Whether the tables of the parts are shown, and not the short answer.
+bool shows_tables(const OutputOptions& output) {
+  return output.full || output.detail == "normal" || output.detail == "full";
+}
+
+void show(const project::Project& project, const OutputOptions& output, report::Detail detail, bool is_calculation) {
+  if (output.modes) return terminal::show_modes(project);
+  if (shows_tables(output)) return terminal::show_project(project, detail);
+  is_calculation ? terminal::show_calculation(project) : terminal::show_short(project);
+}
+
 }  // namespace
 
 std::vector<terminal::SourceText> with_files_of(const project::Project& project,
@@ -102,8 +113,10 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
   if (!write(project, output, input_of(sources))) return wrong_input;
   if (output.json) {
     std::cout << exports::json_of(project, program(), project::SeriesChoice(output.series));
-  } else if (!output.quiet && !takes_standard_output(output)) {
-    terminal::show_project(project, detail);
+  } else if (output.quiet) {
+    if (!takes_standard_output(output)) terminal::show_unless_passed(project);
+  } else if (!takes_standard_output(output)) {
+    show(project, output, detail, usual == report::Detail::full);
   }
   if (!output.quiet) tell_misses(project);
   return exit_for(project::modes(project));

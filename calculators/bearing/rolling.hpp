@@ -31,6 +31,7 @@ struct Rolling {
       "minimum load, speed and axial load limits of a rolling bearing; lubrication and contamination (a_ISO), "
       "oscillation and misalignment are not covered.";
   static constexpr auto source = "[ISO281], [ISO76]";
+  static constexpr auto headline = "C = {C}";
   static constexpr auto synonyms =
       "rolling bearing, ball bearing, roller bearing, deep groove ball bearing, angular contact, tapered roller, "
       "basic rating life, L10, ISO 281, ISO 76, static safety, equivalent load, Wälzlager, Kugellager, "

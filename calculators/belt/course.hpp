@@ -29,6 +29,7 @@ struct Course : CourseTypes {
       "idlers, or the tensioner position for a given length, with span tensions, friction and shaft loads at "
       "known powers; crossed belts, losses and slip are not covered.";
   static constexpr auto source = "[B40], [Shigley-17]";
+  static constexpr auto headline = "L = {L}";
   static constexpr auto synonyms =
       "serpentine belt, multi-pulley drive, belt layout, belt length, idler, tensioner, wrap angle, span, "
       "Mehrscheibentrieb, Spannrolle, Umlenkrolle, Riemenlänge, belt, Riemen, многошкивная передача, "

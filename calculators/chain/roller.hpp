@@ -31,6 +31,7 @@ struct Roller {
       "chain pull, bearing pressure in the joints, static safety factor against breakage and shaft loads; "
       "service life is not covered.";
   static constexpr auto source = "[ASME-B29], [B40], [ISO10823]";
+  static constexpr auto headline = "z {z_1}/{z_2}, p {p}";
   static constexpr auto synonyms =
       "roller chain, chain drive, sprocket, ISO 606, ISO 10823, chain pull, chordal action, polygon effect, "
       "Rollenkette, Kettentrieb, Kettenrad, Polygoneffekt, chain, Kette, цепная передача, роликовая цепь, звёздочка";

@@ -33,6 +33,8 @@ struct Buckling {
       "safety factor; tension is assessed by N/A on the gross section; torsional buckling, class 4 sections "
       "and transverse loads are not covered.";
   static constexpr auto source = "[B25], [Johnson], [Rankine], [Gere], [EN1993-1-1-buckling], [AISC360], [SP16]";
+  static constexpr auto headline = "{section}|d = {d}|A = {A}";
+  static constexpr auto subject = "buckling";
   static constexpr auto synonyms =
       "column, strut, buckling, Euler, Johnson, Tetmajer, Yasinsky, Rankine, secant formula, slenderness, "
       "effective length, EN 1993-1-1, AISC 360, SP 16, compression member, Knickung, Knickstab, Knicklänge, "

@@ -27,6 +27,7 @@ struct EffectiveLength {
       "smallest root of the characteristic equation, or of braced and sway frames from joint stiffness ratios; "
       "columns of variable section or force are not covered.";
   static constexpr auto source = "[B25], [Wittrick], [AISC-alignment]";
+  static constexpr auto headline = "beta = {beta}";
   static constexpr auto synonyms =
       "effective length, effective length factor, buckling length, K factor, alignment chart, braced frame, "
       "sway frame, elastic restraint, Knicklänge, Knicklängenbeiwert, расчётная длина, коэффициент приведения длины";

@@ -28,6 +28,7 @@ struct Train : TrainTypes {
       "Speed ratio, speeds, torques, powers and efficiency along a series of stages: gears, belts with slip, "
       "chains, worm gears and planetary sets, with the torque of every shaft; branched trains are not covered.";
   static constexpr auto source = "[B40]";
+  static constexpr auto headline = "i = {i}";
   static constexpr auto synonyms =
       "drive train, gear train, gearbox, transmission, speed ratio, efficiency, worm gear, stages, reducer, "
       "Getriebe, Antriebsstrang, Übersetzung, Wirkungsgrad, Schneckengetriebe, power flow, привод, редуктор, "

@@ -21,6 +21,7 @@ struct AngularMomentumChange {
       "Angular velocity after a change of inertia, a coupling, or driving or braking by a constant moment of "
       "parts on one axis, or the time required, with the energy lost or released.";
   static constexpr auto source = "[B33], [B36]";
+  static constexpr auto headline = "omega_2 = {omega_2}";
   static constexpr auto synonyms =
       "angular momentum, moment of momentum, coupling of shafts, clutch engagement, spin-up, Drehimpuls, Drall, "
       "Drallsatz, Kupplungsvorgang, кинетический момент, момент количества движения";

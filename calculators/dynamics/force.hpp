@@ -26,6 +26,7 @@ struct ForceOfMotion {
       "Resultant force on a mass with smooth laws of motion x(t), y(t), z(t), its components along the path, "
       "the inertia force, and the unknown force in addition to known ones.";
   static constexpr auto source = "[B32]";
+  static constexpr auto headline = "R_max = {R_max}|R = {R}";
   static constexpr auto synonyms =
       "inverse dynamics, Newton second law, inertia force, D'Alembert, force from motion, equation of motion, "
       "Newtonsches Grundgesetz, Trägheitskraft, сила инерции, второй закон Ньютона, принцип Даламбера";

@@ -24,6 +24,7 @@ struct Impulse {
       "Impulse and mean value of a force F(t) that is smooth over the range, and the resulting velocity of a "
       "mass by the impulse-momentum theorem.";
   static constexpr auto source = "[B33]";
+  static constexpr auto headline = "I = {I}|v_2 = {v_2}";
   static constexpr auto synonyms =
       "impulse, momentum, mean force, impulse-momentum theorem, Kraftstoß, Impulssatz, импульс силы, "
       "теорема об изменении количества движения";

@@ -26,6 +26,7 @@ struct Lift {
       "tracks, drums and pulleys with bearing friction and driving moments, with start, direction and "
       "completion of the motion.";
   static constexpr auto source = "[B37]";
+  static constexpr auto headline = "a = {a}";
   static constexpr auto synonyms =
       "hoist, lift, elevator, winch, drum, pulley, block and tackle, rope, counterweight, inclined track, "
       "Atwood machine, Hubwerk, Seiltrommel, Winde, Aufzug, Flaschenzug, Seilrolle, лебёдка, подъёмник, барабан, "

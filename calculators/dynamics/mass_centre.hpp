@@ -21,6 +21,7 @@ struct MassCentre {
       "Centre of mass of a system of bodies, and the displacement of a carrier free to move along x when "
       "bodies move on it from rest; resistance along x is not covered.";
   static constexpr auto source = "[B35]";
+  static constexpr auto headline = "M = {M}";
   static constexpr auto synonyms =
       "centre of mass, center of gravity, centroid, mass centre motion, Schwerpunkt, Massenmittelpunkt, "
       "Schwerpunktsatz, центр масс, центр тяжести";

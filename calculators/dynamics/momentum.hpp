@@ -20,6 +20,7 @@ struct SystemMomentum {
       "Velocities from conservation of momentum of bodies on one line: recoil, separation, coupling, and "
       "direct impact of two bodies with a coefficient of restitution, with the energy lost or released.";
   static constexpr auto source = "[B35]";
+  static constexpr auto headline = "V_1 = {V_1}";
   static constexpr auto synonyms =
       "momentum, conservation of momentum, collision, impact, coefficient of restitution, recoil, Impulserhaltung, "
       "Stoß, Stoßzahl, количество движения, удар, коэффициент восстановления";

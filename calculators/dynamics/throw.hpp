@@ -22,6 +22,7 @@ struct Throw {
       "Height, range, flight times and velocities of a projectile that lands above, at or below launch level, "
       "and the launch angles for a given range; air resistance is not covered.";
   static constexpr auto source = "[B32]";
+  static constexpr auto headline = "L = {L}, H = {H}";
   static constexpr auto synonyms =
       "projectile, projectile motion, trajectory, range, launch angle, ballistics, oblique throw, schiefer Wurf, "
       "Wurfparabel, Wurfweite, бросок под углом, движение снаряда, дальность полёта";

@@ -22,6 +22,7 @@ struct WorkAndEnergy {
       "Work of weight, dry friction, a constant force and a spring over a straight path, the final speed, time "
       "and power, and the attainable distance; dry friction with a constant coefficient.";
   static constexpr auto source = "[B34]";
+  static constexpr auto headline = "v_2 = {v_2}|A = {A}";
   static constexpr auto synonyms =
       "work, energy, work-energy theorem, kinetic energy, power, sliding friction, spring, inclined plane, Arbeit, "
       "Arbeitssatz, kinetische Energie, schiefe Ebene, работа, кинетическая энергия, трение скольжения";

@@ -29,6 +29,8 @@ struct Combined {
       "mean stress rules, and Gough-Pollard, with first-cycle yielding; out-of-phase stresses, brittle metals "
       "and finite life are not covered.";
   static constexpr auto source = "[GOST25504], [Gough], [Shigley6]";
+  static constexpr auto headline = "n = {n}";
+  static constexpr auto subject = "fatigue";
   static constexpr auto synonyms =
       "combined stress, multiaxial fatigue, proportional, in phase, bending and torsion fatigue, Gough-Pollard, "
       "von Mises, Serensen, zusammengesetzte Beanspruchung, Biegung und Torsion, сложное напряжённое состояние, "

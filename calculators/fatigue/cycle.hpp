@@ -30,6 +30,8 @@ struct Cycle {
       "normal or shear stress, with yielding by the maximum stress and, where no tensile mean stress acts, the "
       "amplitude against a fatigue limit at r = -1; mean stress and life: fatigue.life.";
   static constexpr auto source = "[B20]";
+  static constexpr auto headline = "sigma_a = {sigma_a}";
+  static constexpr auto subject = "the stress cycle";
   static constexpr auto synonyms =
       "stress cycle, amplitude, mean stress, stress ratio, R ratio, alternating stress, pulsating stress, fatigue, "
       "Spannungsamplitude, Mittelspannung, Spannungsverhältnis, Schwellbeanspruchung, Wechselbeanspruchung, "

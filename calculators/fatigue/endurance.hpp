@@ -33,6 +33,7 @@ struct Endurance : EnduranceTypes {
       "concentration, size and surface by Serensen or Marin, the latter with temperature and reliability "
       "factors; mean stress and life: fatigue.life; corrosion is not covered.";
   static constexpr auto source = "[B20], [DIN743], [FKM], [GOST25504], [Shigley6]";
+  static constexpr auto headline = "sigma_D = {sigma_D}";
   static constexpr auto synonyms =
       "fatigue limit, endurance limit, Marin factors, surface factor, size factor, notch sensitivity, "
       "fatigue notch factor, stress concentration, reliability factor, Dauerfestigkeit, Wechselfestigkeit, "

@@ -33,6 +33,8 @@ struct Life {
       "yielding and the allowable amplitude; load histories, fewer than 1e3 cycles, combined shear, creep and "
       "corrosion are not covered.";
   static constexpr auto source = "[Dowling9], [FKM], [GOST25504], [Shigley6]";
+  static constexpr auto headline = "n = {n}|N_f = {N_f}";
+  static constexpr auto subject = "fatigue";
   static constexpr auto synonyms =
       "fatigue life, Goodman, modified Goodman, Soderberg, Gerber, ASME elliptic, Morrow, SWT, Walker, "
       "Haigh diagram, mean stress, S-N curve, Basquin, infinite life, finite life, Haigh-Diagramm, Smith-Diagramm, "

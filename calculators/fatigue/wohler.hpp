@@ -26,6 +26,7 @@ struct Wohler {
       "knee, and fatigue limit or conventional fatigue strength; staircase statistics and extrapolation beyond "
       "the tests are not covered.";
   static constexpr auto source = "[B20], [E739], [ISO12107]";
+  static constexpr auto headline = "k = {k}, S_D = {S_D}";
   static constexpr auto synonyms =
       "S-N curve, Wöhler curve, SN curve, Basquin, fatigue tests, regression, scatter, run-out, "
       "survival probability, Wöhlerlinie, Wöhlerversuch, Zeitfestigkeit, Durchläufer, кривая усталости, "

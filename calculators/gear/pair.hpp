@@ -33,6 +33,7 @@ struct Pair {
       "gears with profile shift, external, internal or with a rack, and static bending stress by Lewis as a "
       "first estimate; pitting and the rating of ISO 6336 are not covered.";
   static constexpr auto source = "[ISO21771], [Lewis]";
+  static constexpr auto headline = "z {z_1}/{z_2}, m {m_n}";
   static constexpr auto synonyms =
       "gear, spur gear, helical gear, internal gear, rack and pinion, pinion, profile shift, addendum modification, "
       "contact ratio, base tangent length, Lewis, tooth force, ISO 21771, Stirnrad, Stirnradpaar, Zahnrad, "

@@ -35,6 +35,8 @@ struct Member {
       "the chosen method, and buckling with bending by the secant formula in the plane of motion and by "
       "summation out of it; holes, curved links and out-of-plane bending are not covered.";
   static constexpr auto source = "[Gere], [Mises], [B25], [EN1993-1-1-LTB], [Narrow-beam]";
+  static constexpr auto headline = "{section}|d = {d}|A = {A}";
+  static constexpr auto subject = "strength and buckling";
   static constexpr auto synonyms =
       "link, connecting rod, rod, rocker, beam-column, combined bending and compression, buckling, internal forces, "
       "two-force member, Pleuel, Koppel, Stab, Biegung mit Druck, Knicken, звено, шатун, коромысло, "

@@ -29,6 +29,8 @@ struct Flywheel {
       "over a cycle, the fluctuation of a given flywheel, its speed limits and the mean motor power; periodic "
       "motion.";
   static constexpr auto source = "[Khurmi-16], [B36]";
+  static constexpr auto headline = "J = {J}|J = {J_F}";
+  static constexpr auto subject = "speed fluctuation";
   static constexpr auto synonyms =
       "flywheel, speed fluctuation, coefficient of fluctuation, degree of irregularity, cyclic irregularity, "
       "motor power, Schwungrad, Ungleichförmigkeitsgrad, Massenträgheitsmoment, маховик, "

@@ -26,6 +26,8 @@ struct RunUp {
       "Time, revolutions and energies of a change of speed along the torque curves of motor or brake and load, "
       "and whether the target speed is reached; rigid shafts, torques dependent on speed only.";
   static constexpr auto source = "[B36], [B37]";
+  static constexpr auto headline = "t = {t}";
+  static constexpr auto subject = "run-up";
   static constexpr auto synonyms =
       "run-up, start-up, starting time, acceleration time, braking time, torque-speed curve, motor start, stalling, "
       "Anlauf, Hochlauf, Hochlaufzeit, Bremszeit, Drehmomentkennlinie, разгон, торможение, время пуска, "

@@ -350,6 +350,7 @@ const Calculator& erased<planar::Mechanism>() {
     c.source = planar::Mechanism::source;
     c.used_sources = &planar::occasional_sources;
     c.example = planar::Mechanism::example;
+    c.headline = planar::Mechanism::headline;
     c.input = &record_type<planar::Mechanism::Input, planar::Mechanism::inputs>;
     c.patterns = &planar::result_patterns;
     c.templates = planar::templates::all();

@@ -23,6 +23,7 @@ struct Compound {
       "Absolute velocity and acceleration of a point in a moving and rotating frame at one instant, by "
       "relative, transport and Coriolis components; the frame rotates about an axis of fixed direction.";
   static constexpr auto source = "[B31]";
+  static constexpr auto headline = "v = {v}, a = {a}";
   static constexpr auto synonyms =
       "relative motion, compound motion, Coriolis acceleration, rotating frame, transport velocity, "
       "Relativbewegung, Coriolisbeschleunigung, Führungsgeschwindigkeit, сложное движение точки, "

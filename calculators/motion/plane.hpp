@@ -27,6 +27,7 @@ struct Plane : PlaneTypes {
       "its angular velocity or the velocities of two points, with velocities of further points and, for a "
       "known acceleration of A, their accelerations.";
   static constexpr auto source = "[B29], [B28]";
+  static constexpr auto headline = "omega = {omega}|v_B = {v_B}";
   static constexpr auto synonyms =
       "plane motion, rigid body kinematics, instantaneous centre, instant centre of rotation, relative velocity, "
       "ebene Bewegung, Momentanpol, плоское движение, мгновенный центр скоростей, плоскопараллельное движение";

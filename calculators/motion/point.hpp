@@ -28,6 +28,7 @@ struct Point {
       "Path, velocity, acceleration with tangential and normal components, radius of curvature and distance "
       "travelled of a point from smooth laws of motion x(t), y(t), z(t).";
   static constexpr auto source = "[B26], [B28]";
+  static constexpr auto headline = "v_max = {v_max}|v = {v}";
   static constexpr auto synonyms =
       "kinematics, particle, velocity, acceleration, trajectory, tangential acceleration, normal acceleration, "
       "radius of curvature, Kinematik des Punktes, Bahnkurve, Normalbeschleunigung, кинематика точки, траектория, "

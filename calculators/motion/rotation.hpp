@@ -26,6 +26,7 @@ struct Rotation {
       "Angular velocity and acceleration of a body from a smooth law phi(t), velocity and acceleration of one "
       "of its points, and revolutions over a time range.";
   static constexpr auto source = "[B28]";
+  static constexpr auto headline = "omega = {omega}";
   static constexpr auto synonyms =
       "rotation, angular velocity, angular acceleration, revolutions, fixed axis, Drehung um feste Achse, "
       "Winkelgeschwindigkeit, Winkelbeschleunigung, вращение вокруг неподвижной оси, угловая скорость";

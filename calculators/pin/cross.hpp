@@ -30,6 +30,8 @@ struct Cross {
       "and hub, and torsion of the shaft at the hole; static; the stress concentration of the hole and the hub "
       "are not covered.";
   static constexpr auto source = "[RM-9], [Inggo-31], [DIN743]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "cross pin";
   static constexpr auto synonyms =
       "cross pin, transverse pin, taper pin, dowel pin, shear pin, shaft-hub connection, Querstift, "
       "Stiftverbindung, Scherstift, Kegelstift, штифт, поперечный штифт, штифтовое соединение";

@@ -26,6 +26,8 @@ struct En1993 {
       "and the additional requirements for replaceable pins, to EN 1993-1-8:2005, 3.13, with partial factors; "
       "fatigue and hollow pins are not covered.";
   static constexpr auto source = "[EN1993-1-8]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "pin connection";
   static constexpr auto synonyms =
       "EN 1993-1-8, Eurocode 3, pinned connection, pin plate, bearing resistance, replaceable pin, "
       "Bolzenverbindung, Augenblech, шарнирное соединение, еврокод 3";

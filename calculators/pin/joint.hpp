@@ -41,6 +41,8 @@ struct Joint {
       "pressure in eye and clevis, and the pv value where it turns; eye and clevis walls are assessed by "
       "pin.lug; ovalisation of a hollow pin is not covered.";
   static constexpr auto source = "[RM-9], [Bhandari-4], [Mises]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "pin and eyes";
   static constexpr auto synonyms =
       "clevis pin, pin joint, fork pin, gudgeon pin, wrist pin, hinge pin, knuckle joint, bearing pressure, "
       "pv value, Bolzenverbindung, Gabel, Gelenkbolzen, Flächenpressung, clevis, Bolzen, Gelenk, палец, "

@@ -28,6 +28,8 @@ struct Lug {
       "axis; eyes other than round heads, transverse forces and the stress concentration of the bore are not "
       "covered.";
   static constexpr auto source = "[Bhandari-4], [EN1993-1-8], [Mises]";
+  static constexpr auto headline = "d = {d}, t = {t}";
+  static constexpr auto subject = "lug at rest";
   static constexpr auto synonyms =
       "lug, eye, eye bar, clevis cheek, net section, shear-out, tear-out, bearing stress, Augenstab, Lasche, Auge, "
       "Gabel, проушина, ушко";

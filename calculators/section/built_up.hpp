@@ -24,6 +24,7 @@ struct BuiltUp : BuiltUpTypes {
       "or cut out of, up to 20 shapes or tabulated sections acting compositely; the torsion constant is the "
       "lower-bound sum of the parts; connection between parts and warping are not covered.";
   static constexpr auto source = "[Garrison], [ME102]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto synonyms =
       "built-up section, composite section, compound section, plate girder, welded section, parallel axis theorem, "
       "Steiner, zusammengesetzter Querschnitt, Steinerscher Satz, составное сечение, теорема Штейнера";

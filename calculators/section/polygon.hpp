@@ -20,6 +20,7 @@ struct Polygon {
       "corners and 8 holes; moduli about y and z apply only where these are principal axes; torsion constant: "
       "section.solid_torsion.";
   static constexpr auto source = "[Garrison], [ME102]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto synonyms =
       "polygon, arbitrary section, section with holes, section properties, principal axes, product of inertia, "
       "Polygonquerschnitt, beliebiger Querschnitt, многоугольник, произвольное сечение";

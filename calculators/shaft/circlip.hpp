@@ -25,6 +25,8 @@ struct Circlip {
       "speed of the ring; impact and assembly are not covered; shaft fatigue at the groove is assessed by "
       "shaft.design.";
   static constexpr auto source = "[DIN471]";
+  static constexpr auto headline = "d = {d_1}";
+  static constexpr auto subject = "ring and groove";
   static constexpr auto synonyms =
       "circlip, retaining ring, snap ring, groove, axial retention, detaching speed, DIN 471, Sicherungsring, "
       "Seegerring, Ringnut, Ablösedrehzahl, стопорное кольцо, пружинное кольцо, канавка";

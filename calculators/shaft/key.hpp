@@ -30,6 +30,8 @@ struct Key {
       "key to shaft diameter, keyways and hub length, and the hub wall under the root circle of a gear, "
       "sprocket or pulley; shaft fatigue at the keyway end and fretting are not covered.";
   static constexpr auto source = "[DIN6892], [Mises]";
+  static constexpr auto headline = "{b#}x{h#}x{l}";
+  static constexpr auto subject = "key connection";
   static constexpr auto synonyms =
       "key, parallel key, feather key, keyway, keyseat, shaft-hub connection, bearing pressure, DIN 6892, DIN 6885, "
       "Passfeder, Passfedernut, Welle-Nabe-Verbindung, Flächenpressung, шпонка, призматическая шпонка, "

@@ -26,6 +26,8 @@ struct Overhung {
       "force and torque, with the static stresses at the chosen diameter; fatigue, notches and deflection are "
       "not covered.";
   static constexpr auto source = "[B19], [Mises]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "bending and torsion";
   static constexpr auto synonyms =
       "overhung shaft, cantilever shaft, shaft end, crankshaft end, bending and torsion, equivalent moment, "
       "von Mises, Tresca, fliegende Lagerung, Wellenende, Biegung und Torsion, Vergleichsmoment, overhang, Welle, "

@@ -33,6 +33,8 @@ struct PressFit {
       "and axial force, yielding of shaft and hub, press-in force, heating for assembly, and loss of "
       "interference at speed; fatigue at the hub edge is not covered.";
   static constexpr auto source = "[Lame], [DIN7190]";
+  static constexpr auto headline = "d = {d}, l = {l}";
+  static constexpr auto subject = "interference fit";
   static constexpr auto synonyms =
       "interference fit, press fit, shrink fit, force fit, interference, oversize, Lamé, DIN 7190, slip, "
       "pressing force, joining temperature, Pressverband, Presssitz, Querpressverband, Längspressverband, "

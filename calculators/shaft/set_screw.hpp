@@ -28,6 +28,8 @@ struct SetScrew {
       "recommended by manufacturers from tests; self-loosening by vibration and the indentation of the shaft "
       "are not covered.";
   static constexpr auto source = "[SPS]";
+  static constexpr auto headline = "{i} x d = {d_s}";
+  static constexpr auto subject = "holding of the screws";
   static constexpr auto synonyms =
       "set screw, grub screw, cup point, hub fastening, holding power, axial holding force, Gewindestift, "
       "Stellschraube, Madenschraube, установочный винт, стопорный винт";

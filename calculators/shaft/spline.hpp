@@ -31,6 +31,8 @@ struct Spline {
       "the teeth, wear of a sliding hub, and the hub wall under a root circle; tooth bending and shaft fatigue "
       "at the spline end are not covered.";
   static constexpr auto source = "[Bhandari-9], [WelleNabe], [DIN6892], [Mises]";
+  static constexpr auto headline = "{z}x{d_1#}x{d_2}";
+  static constexpr auto subject = "spline connection";
   static constexpr auto synonyms =
       "spline, splined shaft, involute spline, straight-sided spline, ISO 14, DIN 5480, shaft-hub connection, "
       "Keilwelle, Zahnwelle, Keilwellenverbindung, Flankenpressung, шлицы, шлицевое соединение, эвольвентные шлицы";

@@ -23,6 +23,8 @@ struct Cone {
       "and filled with liquid; bending at the junction with a cylinder, knuckles, self-weight, external "
       "pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [ExpertsMind-cone], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr auto synonyms =
       "pressure vessel, cone, hopper, conical shell, reducer, Kegel, Trichter, Kegelschale, коническая оболочка, "
       "конический сосуд, воронка";

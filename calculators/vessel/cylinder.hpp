@@ -23,6 +23,8 @@ struct Cylinder {
       "open pipe, closed vessel or ring-reinforced vessel; nozzles, end junctions, self-weight, external "
       "pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Lame], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr auto synonyms =
       "pressure vessel, cylinder, pipe, hoop stress, boiler formula, membrane stress, wall thickness, "
       "weld efficiency, corrosion allowance, Druckbehälter, Kesselformel, Umfangsspannung, Wanddicke, "

@@ -22,6 +22,8 @@ struct Ellipsoid {
       "under internal gas pressure; bending at the junction with a cylinder, nozzles, external pressure and "
       "fatigue are not covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr auto synonyms =
       "ellipsoidal head, dished end, dished head, vessel head, knuckle, crown, pressure vessel, Ellipsoidboden, "
       "gewölbter Boden, Krempe, эллиптическое днище, днище";

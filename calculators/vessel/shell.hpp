@@ -27,6 +27,8 @@ struct Shell {
       "internal gas and liquid pressure; meridian kinks, curvature jumps (knuckle at a crown), self-weight, "
       "external pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr auto synonyms =
       "shell of revolution, membrane theory, meridian, hoop stress, meridional stress, tank, Rotationsschale, "
       "Membrantheorie, оболочка вращения, безмоментная теория, меридиан";

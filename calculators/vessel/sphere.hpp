@@ -23,6 +23,8 @@ struct Sphere {
       "pressure of a ring-supported sphere; bending near the ring, nozzles, self-weight, external pressure and "
       "fatigue are not covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Lame], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr auto synonyms =
       "pressure vessel, sphere, spherical tank, gas holder, membrane stress, Kugelbehälter, Kugel, Druckbehälter, "
       "сферический резервуар, сферическая оболочка";

@@ -23,6 +23,8 @@ struct Torus {
       "under internal gas pressure; ovality, bending at the crown, external pressure and fatigue are not "
       "covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
   static constexpr auto synonyms =
       "torus, toroidal shell, pipe bend, elbow, membrane stress, Rohrbogen, Torusschale, тор, "
       "тороидальная оболочка, отвод";

@@ -50,7 +50,9 @@ void add_output(CLI::App& app, OutputOptions& output) {
   app.add_option("--dxf", output.dxf,
                  "write the drawing to scale for CAD (DXF R12, mm) as FILE.dxf; several into a folder")
       ->type_name("PATH");
-  app.add_flag("--quiet", output.quiet, "print errors only");
+  auto* const full = app.add_flag("--full", output.full, "print every part with its results and all failure modes");
+  app.add_flag("--modes", output.modes, "print every failure mode: state, utilisation, basis")->excludes(full);
+  app.add_flag("--quiet", output.quiet, "print errors, and the verdict line where it is not PASS");
   app.add_flag("--strict", output.strict, "count failure modes that were not considered as not assessed: exit code 4");
 }
 

@@ -74,6 +74,10 @@ struct Calculator {
   const char* synonyms = "";  // what people search by, in English, German and Russian: "feather key, Passfeder, шпонка"
   const char* source = "";   // keys of tables/sources.toml: "[B19]"
   const char* example = "";  // a project file that runs
+  /// The size of its part in a phrase: "C = {C}", "{b#}x{h#}x{l}" where # leaves the unit out; several behind | where
+  /// the first has a value that is not known.
+  const char* headline = "";
+  const char* subject = "";  // what its modes cover: "torsion"; may be empty
   /// Keys that a step cites only where it uses them (account::Account::sources).
   std::vector<std::string> (*used_sources)() = [] { return std::vector<std::string>(); };
   const RecordType* input = nullptr;

@@ -1,15 +1,18 @@
 // Makes the erased Calculator of a calculator class. Included by the source of each calculator.
 //
 //   struct SolidShaft {
-//     static constexpr auto id = "...", title = "...", scope = "...", source = "...", synonyms = "...", example =
-//     "..."; struct Input { ... };  struct Result { ... }; static constexpr Fields inputs{Field{...}...},
-//     results{Field{...}...}; static constexpr std::array rules{Rule<Input>{...}...}; static constexpr std::array
-//     modes{Mode<Input>{...}...};  // in which its part can fail template <class Tracer> static Result evaluate(const
-//     Input&, Tracer&);   // defined in the source static constexpr std::array forms{Form{"T, tau_adm"}};   // that
-//     sweeps are compiled for (form.hpp) static constexpr bool is_large = true;                   // sweeps do not
-//     inline evaluate: compile time static constexpr bool takes_series = false;              // where it decides on one
-//     thing for all its loads static constexpr bool turns = true;                      // of a part that turns static
-//     constexpr auto sized = "pieces";                  // a list whose sizes are found together; with
+//     static constexpr auto id = "...", title = "...", scope = "...", source = "...", synonyms = "...", example = "...";
+//     static constexpr auto headline = "C = {C}", subject = "rating life";  // the second may be left out
+//     struct Input { ... };  struct Result { ... };
+//     static constexpr Fields inputs{Field{...}...}, results{Field{...}...};
+//     static constexpr std::array rules{Rule<Input>{...}...};
+//     static constexpr std::array modes{Mode<Input>{...}...};  // in which its part can fail
+//     template <class Tracer> static Result evaluate(const Input&, Tracer&);   // defined in the source
+//     static constexpr std::array forms{Form{"T, tau_adm"}};   // that sweeps are compiled for (form.hpp)
+//     static constexpr bool is_large = true;                   // sweeps do not inline evaluate: compile time
+//     static constexpr bool takes_series = false;              // where it decides on one thing for all its loads
+//     static constexpr bool turns = true;                      // of a part that turns
+//     static constexpr auto sized = "pieces";                  // a list whose sizes are found together; with
 //                                                              // arrange, raise, cost, place, unsound (sizing.hpp)
 //     static constexpr std::array notch_claims{NotchClaim{...}...};  // stresses at a notch, limits for one
 //     static constexpr std::array senses{SenseClaim{...}...};  // inputs that state whether a load reverses
@@ -73,6 +76,8 @@ constexpr Calculator calculator_of() {
   c.synonyms = C::synonyms;
   c.source = C::source;
   c.example = C::example;
+  if constexpr (requires { C::headline; }) c.headline = C::headline;
+  if constexpr (requires { C::subject; }) c.subject = C::subject;
   c.input = &record_type<Input, C::inputs>;
   c.result = &record_type<Result, C::results, Role::result>;
   c.rules = detail::rule_infos<C>;

@@ -12,12 +12,27 @@ bool contains(const std::string& text, const std::string& part) { return text.fi
 
 TEST_SUITE("cli calculate") {
   TEST_CASE("one line sizes a shaft and shows the formulas") {
-    const Ran o = loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa"});
+    const Ran o = loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa", "--full"});
     CHECK(o.code == 0);
     CHECK(o.error.empty());
     CHECK(contains(o.out, "d_strength = ∛(16 · W_t / π)"));
     CHECK(contains(o.out, "77.1029 mm"));
     CHECK(contains(o.out, "pass  torsion.u_tau"));
+  }
+
+  TEST_CASE("the answer in short: verdict, governing check, size, the formulas of that check") {
+    const Ran o = loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa"});
+    CHECK(o.code == 0);
+    CHECK(o.out.starts_with("PASS (torsion only; fatigue"));
+    CHECK(contains(o.out, ", utilisation 0.895 (26.9 / 30 MPa)\n"));
+    CHECK(contains(o.out, "\n* d = 80 mm; 75 mm fails: "));
+    CHECK(contains(o.out, "  u_τ = τ_max / τ_all "));
+    CHECK(contains(o.out, "\nNot considered: fatigue"));
+    CHECK(contains(o.out, "\nMore: --full, --report FILE.pdf, loadpath describe shaft.torsion\n"));
+    CHECK_FALSE(contains(o.out, "d_strength"));
+    const Ran section = loadpath_with({"section", "circle", "--d", "50 mm"});  // without a check: its results
+    CHECK(contains(section.out, "  A           1963.5 mm²   area\n"));
+    CHECK(contains(section.out, " more results: --full\n"));
   }
 
   TEST_CASE("flags take what a file takes: decimal comma, material, search") {
@@ -148,7 +163,9 @@ TEST_SUITE("cli calculate") {
                                             "pitting_2=rated by the maker"};
     CHECK(with({}).code == 4);
     CHECK(with(accepted).code == 0);
-    CHECK(with(accepted).out.find("accepted") != std::string::npos);
+    std::vector<std::string> in_full = accepted;
+    in_full.emplace_back("--full");
+    CHECK(with(in_full).out.find("accepted") != std::string::npos);
     std::vector<std::string> strict = accepted;
     strict.emplace_back("--strict");
     CHECK(with(strict).code == 4);

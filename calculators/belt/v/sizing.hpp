@@ -19,6 +19,7 @@ struct VSizing : VSizingTypes {
       "and an approximate centre distance, with the complete belt.v calculation of the best one or of the "
       "nearest candidate where none passes.";
   static constexpr auto source = V::source;
+  static constexpr auto headline = "{z} belts {section}";
   static constexpr auto synonyms =
       "V-belt selection, V-belt sizing, belt selection, standard pulley, standard belt length, catalogue selection, "
       "Keilriemenauswahl, Riemenauslegung, подбор клинового ремня, подбор ремня";

@@ -31,6 +31,7 @@ struct V : VTypes {
       "open V-belt drive, rated by ISO 5292 (GOST 1284.3, classes III and IV) or Optibelt, within the rated "
       "diameters, speeds and lengths; life is given only where the rating states one.";
   static constexpr auto source = "[B40], [GOST1284.3], [Optibelt-V]";
+  static constexpr auto headline = "{z} belts {section}|{z} belts";
   static constexpr auto synonyms =
       "V-belt, wedge belt, narrow V-belt, SPZ, SPA, SPB, belt drive, power rating, ISO 5292, GOST 1284.3, Optibelt, "
       "Keilriemen, Schmalkeilriemen, Riementrieb, belt, клиноремённая передача, клиновой ремень";

@@ -27,6 +27,8 @@ struct Lightest : LightestTypes {
       "best one; torsional buckling of channels and angles, class 4 sections and holes in tension members are "
       "not covered.";
   static constexpr auto source = Buckling::source;
+  static constexpr auto headline = "{section}";
+  static constexpr auto subject = "buckling";
   static constexpr auto synonyms =
       "column selection, section selection, lightest section, optimum column, IPE, HEA, RHS, CHS, strut selection, "
       "Profilauswahl, Stützenbemessung, подбор сечения, колонна, стойка";

@@ -32,6 +32,8 @@ struct Din743 {
       "notch factors; finite life and load spectra (part 4), transverse shear, welds, notch factors of hollow "
       "shafts and cracking of hardened layers are not covered.";
   static constexpr auto source = "[DIN743]";
+  static constexpr auto headline = "S_D = {S_D}, S_F = {S_F}";
+  static constexpr auto subject = "fatigue and yielding";
   static constexpr auto synonyms =
       "DIN 743, shaft fatigue, safety factor, notch factor, keyway, shoulder, groove, press fit, "
       "Tragfähigkeit von Wellen, Sicherheitsnachweis, Dauerfestigkeit, Kerbwirkungszahl, Welle, "

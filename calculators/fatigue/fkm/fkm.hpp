@@ -30,6 +30,8 @@ struct Fkm {
       "keyway, press fit, cross hole or given factors; load spectra, local stresses, castings, welds, elevated "
       "temperature, transverse shear and cracking of hardened layers are not covered.";
   static constexpr auto source = "[FKM], [PragTic], [4ming], [DIN743]";
+  static constexpr auto headline = "S_D = {S_D}";
+  static constexpr auto subject = "fatigue and yielding";
   static constexpr auto synonyms =
       "FKM, FKM guideline, nominal stress, static strength assessment, fatigue strength assessment, "
       "degree of utilisation, FKM-Richtlinie, Auslastungsgrad, Nennspannung, Festigkeitsnachweis, запас прочности, "

@@ -34,6 +34,8 @@ struct History : HistoryTypes {
       "with the S-N curve of a part or a welded detail, number of allowable repetitions, and yielding, for one "
       "nominal stress component.";
   static constexpr auto source = "[E1049], [HCM], [Miner], [Haibach], [EN1993-1-9], [DNVC203], [FKM]";
+  static constexpr auto headline = "n = {n}|D = {D}";
+  static constexpr auto subject = "fatigue";
   static constexpr auto synonyms =
       "rainflow, cycle counting, Miner, Palmgren-Miner, damage sum, load spectrum, load history, "
       "variable amplitude, blocks, Haibach, HCM, ASTM E1049, welded detail, FAT class, detail category, "

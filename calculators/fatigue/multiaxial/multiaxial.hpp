@@ -33,6 +33,8 @@ struct Multiaxial {
       "the critical plane and yielding; finite life, brittle metals and stresses normal to the surface are not "
       "covered.";
   static constexpr auto source = "[Findley], [Matake], [Crossland], [DangVan], [Mises]";
+  static constexpr auto headline = "n = {n}";
+  static constexpr auto subject = "fatigue";
   static constexpr auto synonyms =
       "multiaxial fatigue, non-proportional, out of phase, critical plane, Findley, Matake, Crossland, Dang Van, "
       "mehrachsige Ermüdung, kritische Schnittebene, nichtproportional, многоосная усталость, "

@@ -29,6 +29,7 @@ struct Staircase {
       "and the strength at a survival probability; the confidence of a small sample and maximum likelihood are "
       "not covered.";
   static constexpr auto source = "[DixonMood], [ISO12107]";
+  static constexpr auto headline = "S_50 = {S_50}";
   static constexpr auto synonyms =
       "staircase method, up-and-down method, Dixon-Mood, fatigue limit test, scatter, survival probability, "
       "Treppenstufenverfahren, Dauerfestigkeitsversuch, метод лестницы";

@@ -23,6 +23,7 @@ struct Survival {
       "to another by the scatter T_S or T_N; the confidence of the scatter and tails beyond 0.1 % are not "
       "covered.";
   static constexpr auto source = "[ISO12107], [pylife-tests]";
+  static constexpr auto headline = "sigma_P = {sigma_P}|N_P = {N_P}";
   static constexpr auto synonyms =
       "survival probability, failure probability, reliability, scatter, T_S, T_N, log-normal, quantile, "
       "Überlebenswahrscheinlichkeit, Streuung, вероятность неразрушения, рассеяние";

@@ -32,6 +32,7 @@ struct Planetary : PlanetaryTypes {
       "none, assembly conditions and mesh geometry of sun, planets and ring; losses are tooth losses only; "
       "tooth strength is not covered.";
   static constexpr auto source = "[Willis], [Mueller]";
+  static constexpr auto headline = "z {z_s}/{z_p}/{z_r}";
   static constexpr auto synonyms =
       "planetary gear, epicyclic gear, sun gear, ring gear, carrier, planet, Willis equation, assembly condition, "
       "efficiency, Planetengetriebe, Umlaufgetriebe, Sonnenrad, Hohlrad, Planetenträger, gear, "

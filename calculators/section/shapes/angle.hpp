@@ -17,6 +17,7 @@ struct Angle : ShapeCalculator<Angle> {
       "constant, up to 1.7 % below the Prandtl solution without fillet; warping torsion and shear centre are "
       "not covered.";
   static constexpr auto source = "[Garrison], [Roark]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto synonyms =
       "angle, L-section, equal angle, unequal angle, principal axes, section properties, Winkelprofil, L-Profil, "
       "уголок, угловой профиль";

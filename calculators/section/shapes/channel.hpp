@@ -18,6 +18,7 @@ struct Channel : ShapeCalculator<Channel> {
       "rolled channels are up to 17 % larger; warping torsion, shear centre and tapered flanges are not "
       "covered.";
   static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto synonyms = "channel, U-section, UPE, UPN, C-section, section properties, U-Profil, швеллер";
   static constexpr auto example = R"([project]
 title = "UPE 200 from its dimensions"

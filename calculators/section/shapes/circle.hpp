@@ -14,6 +14,7 @@ struct Circle : ShapeCalculator<Circle> {
       "Area, second moments of area, section moduli and torsion constant of a solid circle; coordinate origin "
       "at the centre.";
   static constexpr auto source = "[B19]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto synonyms =
       "circle, round bar, rod, section properties, second moment of area, moment of inertia of area, "
       "section modulus, torsion constant, polar moment, Kreisquerschnitt, Flächenträgheitsmoment, "

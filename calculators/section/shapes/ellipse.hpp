@@ -14,6 +14,7 @@ struct Ellipse : ShapeCalculator<Ellipse> {
       "Area, second moments of area, section moduli and torsion constant of a solid ellipse; coordinate origin "
       "at the centre.";
   static constexpr auto source = "[Anexa-BMOM]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto synonyms =
       "ellipse, elliptical bar, section properties, torsion constant, Ellipsenquerschnitt, эллипс, "
       "эллиптическое сечение";

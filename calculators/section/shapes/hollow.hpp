@@ -17,6 +17,7 @@ struct Hollow : ShapeCalculator<Hollow> {
       "rectangular hollow section with sharp or rounded corners; coordinate origin at the centre; local "
       "buckling of thin walls is not covered.";
   static constexpr auto source = "[Garrison], [EN10210-2]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto synonyms =
       "rectangular hollow section, RHS, SHS, box section, square tube, EN 10210, EN 10219, Hohlprofil, "
       "Kastenquerschnitt, Vierkantrohr, коробчатое сечение, прямоугольная труба";

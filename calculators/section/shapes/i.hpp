@@ -19,6 +19,7 @@ struct I : ShapeCalculator<I> {
       "sections, whose proportions are its range; warping torsion is not covered; unequal flanges are modelled "
       "by section.built_up.";
   static constexpr auto source = "[Garrison], [SCI-P385]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto synonyms =
       "I-section, I-beam, H-section, double-T, IPE, HEA, HEB, UB, UC, rolled section, section properties, I-Profil, "
       "Doppel-T-Träger, двутавр, двутавровое сечение";

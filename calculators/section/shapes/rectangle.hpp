@@ -14,6 +14,7 @@ struct Rectangle : ShapeCalculator<Rectangle> {
       "Area, second moments of area, section moduli and torsion constant (Saint-Venant series) of a rectangle "
       "of width b and height h; coordinate origin at the centre.";
   static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto synonyms =
       "rectangle, flat bar, square, plate strip, section properties, torsion of a rectangle, Rechteck, "
       "Rechteckquerschnitt, Flachstahl, прямоугольник, прямоугольное сечение, полоса";

@@ -14,6 +14,7 @@ struct Ring : ShapeCalculator<Ring> {
       "Area, second moments of area, section moduli and torsion constant of an annulus given by its bore or "
       "its wall thickness; coordinate origin at the centre; local buckling of thin walls is not covered.";
   static constexpr auto source = "[B19]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto synonyms =
       "annulus, ring, tube, pipe, circular hollow section, CHS, hollow shaft, section properties, Kreisring, Rohr, "
       "Rohrquerschnitt, кольцо, труба, кольцевое сечение";

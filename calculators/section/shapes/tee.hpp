@@ -17,6 +17,7 @@ struct Tee : ShapeCalculator<Tee> {
       "of a T-section, flange on top; coordinate origin at mid-flange of the top face; warping torsion, shear "
       "centre and tapered flanges are not covered.";
   static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
   static constexpr auto synonyms = "T-section, tee, section properties, T-Profil, тавр, тавровое сечение";
   static constexpr auto example = R"([project]
 title = "Half an IPE 200"

@@ -37,6 +37,8 @@ struct SolidTorsion {
       "polygonal section with holes (at most 40 sides) by Prandtl's stress function; stress at re-entrant "
       "corners, restrained warping and fatigue are not covered.";
   static constexpr auto source = "[Prandtl]";
+  static constexpr auto headline = "I_t = {I_t}";
+  static constexpr auto subject = "torsion";
   static constexpr auto synonyms =
       "torsion of non-circular bars, Saint-Venant torsion, Prandtl stress function, membrane analogy, triangle, "
       "hexagon, polygon torsion, boundary element, Torsion nichtkreisförmiger Querschnitte, "

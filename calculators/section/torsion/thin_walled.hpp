@@ -33,6 +33,8 @@ struct ThinWalled : ThinWalledTypes {
       "with open branches, compared with the same section slit open; restrained warping, distortion, "
       "re-entrant corners, buckling and fatigue are not covered.";
   static constexpr auto source = "[Bredt], [Megson]";
+  static constexpr auto headline = "I_t = {I_t}";
+  static constexpr auto subject = "torsion";
   static constexpr auto synonyms =
       "thin-walled section, Bredt, shear flow, closed section, multi-cell, box girder torsion, open section, "
       "torsion constant, Bredtsche Formel, Schubfluss, dünnwandiger Querschnitt, geschlossenes Profil, "

@@ -42,6 +42,7 @@ struct Design {
       "speeds; loads are fixed in space while the shaft turns, or given over one revolution.";
   static constexpr auto source =
       "[Shigley6], [Shigley7], [DIN743], [FKM], [GOST25504], [Peterson], [Cowper], [Mises], [Foeppl]";
+  static constexpr auto headline = "d = {d_max}";
   static constexpr auto synonyms =
       "shaft, stepped shaft, shaft calculation, bearing reaction, deflection, slope, critical speed, whirling, "
       "Campbell diagram, torsional vibration, shaft fatigue, stress concentration, notch, shoulder, keyway, "

@@ -32,6 +32,8 @@ struct Held : HeldTypes {
       "fixed or elastic, made of cylinders and cones in series with sleeves that rotate with them, under point "
       "and distributed torques; bending, fatigue, notches and the joint under a sleeve are not covered.";
   static constexpr auto source = "[B19], [Gere-3]";
+  static constexpr auto headline = "torque {M_max}";
+  static constexpr auto subject = "torsion";
   static constexpr auto synonyms =
       "statically indeterminate torsion, fixed-fixed bar, bar in torsion, torsion bar, composite shaft, "
       "tapered bar, sleeve, reaction torque, Drehstab, statisch unbestimmt, eingespannter Stab, Torsionsstab, "

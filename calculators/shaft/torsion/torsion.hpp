@@ -38,6 +38,8 @@ struct Torsion : TorsionTypes {
       "with the stresses and the angle of twist at the chosen diameter; bending, fatigue and notches are not "
       "covered.";
   static constexpr auto source = "[B19]";
+  static constexpr auto headline = "d = {d}|torque {M_max}";
+  static constexpr auto subject = "torsion";
   static constexpr auto synonyms =
       "shaft, torsion, torque, line shaft, angle of twist, twist, torsional stiffness, hollow shaft, "
       "shaft diameter, Welle, Verdrehung, Verdrehwinkel, Torsionsmoment, вал, кручение, угол закручивания, "

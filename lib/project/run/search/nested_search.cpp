@@ -4,6 +4,7 @@
 #include "lib/project/run/search/shortfall.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -111,17 +112,22 @@ Message NestedSearch::name(const Choice& choice) const {
 void NestedSearch::tell(const Choice& found) {
   for (std::size_t k = 0; k < all_.size(); ++k) {
     Message text = say("smallest of {1} that passes every check, with the others", all_[k].source());
+    std::optional<account::NextSize> next;
     if (found[k] > 0) {
       Choice less = found;
       --less[k];
-      const bool keeps_rules = keeps_rules_with(less);
-      if (keeps_rules && !passing_.passes())
-        text = say("{1}; {2} fails: {3}", text, all_[k].name(less[k]), fault_of_candidate(evaluation_, passing_));
+      if (keeps_rules_with(less) && !passing_.passes()) {
+        const std::optional<double> si = all_[k].leaf ? std::optional(all_[k].sizes[less[k]]) : std::nullopt;
+        next = next_size(evaluation_.calculator(), all_[k].name(less[k]).text(), si,
+                         fault_of_candidate(evaluation_, passing_));
+        text = say("{1}; {2} fails: {3}", text, next->name, next->reason);
+      }
     }
     Origin origin = all_[k].leaf
                         ? stock_origin(*evaluation_.step().input().tables, all_[k].wanted.stock, std::move(text))
                         : Origin{std::move(text), {}, false};
     origin.searched = true;
+    origin.next = std::move(next);
     evaluation_.inputs().set_origin(all_[k].wanted.path, std::move(origin));
   }
 }
@@ -136,7 +142,7 @@ void NestedSearch::leave_open() {
     why = say("there is nothing to search in");
   } else if (find_nearest(nearest)) {
     keeps_rules_with(nearest);
-    why = say("none pass together, nearest is {1}: {2}", name(nearest), fault_of_candidate(evaluation_, passing_));
+    why = say("none pass together, nearest is {1}: {2}", name(nearest), fault_of_candidate(evaluation_, passing_).text);
   } else {
     why = say("no combination of sizes satisfies the input rules");
   }

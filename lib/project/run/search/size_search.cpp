@@ -159,7 +159,7 @@ void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
   evaluation_.settle_sizes();
   const bool uncovered = !(shortfall_of_candidate(evaluation_, passing_).check > 1.0);
   Message fault = say("{1}: none passes, nearest is {2}: {3}", what_is_searched(), candidates_.name(best),
-                      fault_of_candidate(evaluation_, passing_));
+                      fault_of_candidate(evaluation_, passing_).text);
   if (uncovered) fault = say("{1}: the method is not valid there{2}", fault, other_methods(evaluation_));
   leave_open(std::move(fault));
 }
@@ -171,7 +171,7 @@ void SizeSearch::refuse_all(std::vector<Issue>& issues) {
   const auto rule = passing_.first_broken_rule();
   if (!rule) {
     return leave_open(say("{1}: none passes, nearest is {2}: {3}", what_is_searched(), candidates_.name(last),
-                          fault_of_candidate(evaluation_, passing_)));
+                          fault_of_candidate(evaluation_, passing_).text));
   }
   Issue issue = evaluation_.broken_rule(*rule);
   issue.hint =
@@ -219,16 +219,21 @@ void SizeSearch::tell_found(std::size_t found) {
                          : say("smallest of {1} that passes every check that depends on it", candidates_.source());
   if (const BodySize* const body = size_of_body())
     text = say("{1}; the body '{2}' has this size: {3}", text, evaluation_.step().input().body.text, body->by);
+  std::optional<account::NextSize> next;
   if (found > 0) {
     candidates_.take(evaluation_.inputs(), found - 1);
-    text = say("{1}; {2} fails: {3}", text, candidates_.name(found - 1), fault_of_candidate(evaluation_, passing_));
+    const std::optional<double> si = candidates_.leaf ? std::optional(candidates_.sizes[found - 1]) : std::nullopt;
+    next = next_size(evaluation_.calculator(), candidates_.name(found - 1).text(), si,
+                     fault_of_candidate(evaluation_, passing_));
+    text = say("{1}; {2} fails: {3}", text, candidates_.name(found - 1), next->reason);
     candidates_.take(evaluation_.inputs(), found);
     evaluation_.settle_sizes();
   }
-  if (!covered) text = say("{1}; not met at any size: {2}", text, fault_of_candidate(evaluation_, whole));
+  if (!covered) text = say("{1}; not met at any size: {2}", text, fault_of_candidate(evaluation_, whole).text);
   Origin origin = wanted_.leaf ? stock_origin(*evaluation_.step().input().tables, wanted_.stock, std::move(text))
                                : Origin{std::move(text), {}, false};
   origin.searched = true;
+  origin.next = std::move(next);
   evaluation_.inputs().set_origin(wanted_.path, std::move(origin));
 }
 

@@ -1,10 +1,9 @@
 // Makes the erased Calculator of a calculator class. Included by the source of each calculator.
 //
 //   struct SolidShaft {
-//     static constexpr auto id = "...", title = "...", scope = "...", source = "...", synonyms = "...", example = "...";
-//     static constexpr auto headline = "C = {C}", subject = "rating life";  // the second may be left out
-//     struct Input { ... };  struct Result { ... };
-//     static constexpr Fields inputs{Field{...}...}, results{Field{...}...};
+//     static constexpr auto id = "...", title = "...", scope = "...", source = "...", synonyms = "...", example =
+//     "..."; static constexpr auto headline = "C = {C}", subject = "rating life";  // the second may be left out struct
+//     Input { ... };  struct Result { ... }; static constexpr Fields inputs{Field{...}...}, results{Field{...}...};
 //     static constexpr std::array rules{Rule<Input>{...}...};
 //     static constexpr std::array modes{Mode<Input>{...}...};  // in which its part can fail
 //     template <class Tracer> static Result evaluate(const Input&, Tracer&);   // defined in the source

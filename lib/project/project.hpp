@@ -29,6 +29,7 @@ struct Project {
   std::string title;
   std::vector<std::pair<std::string, std::string>> meta;  // number, revision, author, checker, date, note: as typed
   std::string paper = "A4";                               // that reports are printed on; or "letter"
+  std::string report;                                     // file that a run writes, next to the project; or none
   Values values;
   std::vector<std::unique_ptr<Step>> steps;     // in the order of the file
   std::set<std::string> unread;                 // names of steps that have an error instead of a calculator

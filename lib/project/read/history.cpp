@@ -3,6 +3,7 @@
 #include "lib/project/read/reading.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
+#include "lib/rainflow/series/cells.hpp"
 #include "lib/rainflow/series/read_series.hpp"
 #include "lib/rainflow/turning_points.hpp"
 
@@ -31,13 +32,26 @@ constexpr std::array<std::pair<std::string_view, rainflow::Format>, 4> forms{{{"
 
 Fault told(Message message, Message hint) { return {0, 1, std::move(message), std::move(hint)}; }
 
-/// What one stands for: "MPa", or "2.5 MPa".
-Outcome<double> unit_of(const Tree& table, const FieldInfo& field) {
+/// What a heading names: "F [kN]"; none where it names no unit of the field.
+std::optional<UnitValue> unit_in(std::string_view heading, const FieldInfo& field) {
+  const std::string unit = rainflow::heading_of(heading).unit;
+  const auto parsed = unit.empty() ? Outcome<UnitValue>(Fault{}) : parse_unit(unit);
+  if (!parsed || parsed->dimension != field.dimension || parsed->offset != 0.0) return std::nullopt;
+  return *parsed;
+}
+
+/// What one stands for: "MPa", or "2.5 MPa"; without it, what the heading says.
+Outcome<double> unit_of(const Tree& table, const FieldInfo& field, std::string_view heading = {}) {
   const auto* const unit = table.find("unit");
+  if (unit == nullptr) {
+    if (const auto told_there = unit_in(heading, field)) return told_there->factor;
+  }
   if (unit == nullptr && field.dimension.is_number()) return 1.0;
   const auto wanted = [&](std::string_view text) {
     return told(say("'{1}' is no {2}", text, name_of(field.dimension)),
-                say("say what 1 of the file stands for: unit = \"{1}\", or unit = \"2.5 {1}\"", field.unit));
+                say("name the unit in the header, F [{1}], or say what 1 of the file stands for: unit = \"{1}\", or "
+                    "unit = \"2.5 {1}\"",
+                    field.unit));
   };
   if (unit == nullptr || unit->value.type != Tree::Type::text) return wanted(unit == nullptr ? "" : unit->value.text);
   const std::string& text = unit->value.text;
@@ -48,6 +62,16 @@ Outcome<double> unit_of(const Tree& table, const FieldInfo& field) {
   const double factor = !fits ? 0.0 : plain ? plain->factor : scaled->si;
   if (!(std::abs(factor) > 1.0 / largest) || std::abs(factor) > largest) return wanted(text);
   return factor;
+}
+
+/// A unit of the key that the heading contradicts; a scale, "2.5 MPa", does not.
+std::optional<Fault> contradiction(const Tree& table, const FieldInfo& field, std::string_view heading) {
+  const auto* const unit = table.find("unit");
+  const auto there = unit_in(heading, field);
+  const auto here = unit == nullptr ? Outcome<UnitValue>(Fault{}) : parse_unit(unit->value.text);
+  if (!there || !here || std::abs(here->factor / there->factor - 1.0) < 1e-12) return std::nullopt;
+  return told(say("the heading is '{1}', and unit = \"{2}\"", heading, unit->value.text),
+              say("leave out unit; or, where the heading is wrong, say unit = \"1 {1}\"", unit->value.text));
 }
 
 Outcome<rainflow::Form> form_of(const Tree& table) {
@@ -66,19 +90,27 @@ Outcome<rainflow::Form> form_of(const Tree& table) {
   } else if (path != "-") {
     return told(say("the name '{1}' does not say what the file is", path), say("add form = \"csv\", npy, f64 or f32"));
   }
-  const auto* const column = table.find("column");
-  if (column != nullptr && column->value.type == Tree::Type::number)
-    form.column = format_exact(column->value.number);
-  else if (column != nullptr)
-    form.column = column->value.text;
+  const auto place_in_file = [&](const char* key) -> std::string {
+    const auto* const entry = table.find(key);
+    if (entry == nullptr) return {};
+    return entry->value.type == Tree::Type::number ? format_exact(entry->value.number) : entry->value.text;
+  };
+  form.column = place_in_file("column"), form.row = place_in_file("row");
+  if (form.row.empty()) return form;
+  if (!form.column.empty())
+    return told(say("a series is a column or a row of the file, not both"), say("leave out one of column and row"));
+  if (form.format != rainflow::Format::csv)
+    return told(say("a row is one of a text, and this is none"), say("leave out row"));
   return form;
 }
+
+fs::path path_of(const Tree& named) { return fs::path(named.place.file).parent_path() / named.text; }
 
 /// Files alone: a device may have no end, and a pipe that has a name waits for one who writes. "-" is what is piped in.
 Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   const Tree& named = table.find("file")->value;
   if (named.text == "-") return rainflow::open_source("-");
-  const fs::path path = fs::path(named.place.file).parent_path() / named.text;
+  const fs::path path = path_of(named);
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
   if (type != fs::file_type::regular)
@@ -189,13 +221,15 @@ bool is_history(const Tree& tree) {
 
 bool read_history(const Tree& table, const FieldInfo& field, Kept kept, History& history, HistoryFault& fault) {
   const auto refuse = [&](const char* key, const Fault& found) {
-    fault = {key, found};
+    fault = {key, {}, found};
     return false;
   };
-  const auto unit = unit_of(table, field);
+  const bool of_file = names_history_file(table);
+  const bool is_told = table.find("unit") != nullptr || !of_file;
+  const auto unit = is_told ? unit_of(table, field) : Outcome<double>(1.0);
   if (!unit) return refuse("unit", unit.fault());
   Turns turns(kept);
-  if (!names_history_file(table)) {
+  if (!of_file) {
     if (const auto found = take_values(table.find("values")->value, turns)) return refuse("values", *found);
     if (const auto found = put(turns, *unit, field, history)) return refuse("values", *found);
     return true;
@@ -204,10 +238,20 @@ bool read_history(const Tree& table, const FieldInfo& field, Kept kept, History&
   if (!form) return refuse(table.find("form") == nullptr ? "file" : "form", form.fault());
   auto source = open(table);
   if (!source) return refuse("file", source.fault());
+  const auto refuse_at_line = [&](const char* key, const Fault& found) {
+    refuse(key, found);
+    const Tree& named = table.find("file")->value;
+    const bool has_lines = form->format == rainflow::Format::csv && named.text != "-" && found.at > 0;
+    if (has_lines) fault.place = {path_of(named).string(), static_cast<int>(found.at), 1, 1};
+    return false;
+  };
   auto reader = rainflow::read_series(std::move(*source), *form);
-  if (!reader) return refuse(table.find("column") == nullptr ? "file" : "column", reader.fault());
-  if (const auto found = read_turns(**reader, turns)) return refuse("file", *found);
-  if (const auto found = put(turns, *unit, field, history)) return refuse("file", *found);
+  if (!reader) return refuse_at_line("file", reader.fault());
+  if (const auto found = contradiction(table, field, (*reader)->heading())) return refuse("unit", *found);
+  const auto scale = unit_of(table, field, (*reader)->heading());
+  if (!scale) return refuse("unit", scale.fault());
+  if (const auto found = read_turns(**reader, turns)) return refuse_at_line("file", *found);
+  if (const auto found = put(turns, *scale, field, history)) return refuse("file", *found);
   return true;
 }
 

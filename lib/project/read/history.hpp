@@ -1,6 +1,7 @@
 // A quantity over time that stands in a file beside the project, sigma = { file = "gauge.csv", column = "S2",
-// unit = "MPa" }, or in the project itself: { values = [0, 3, -1], unit = "MPa" }. The file is of any length; where the
-// quantity turns is kept of it, which all counting of cycles rests on; where several are taken in step, every sample.
+// unit = "MPa" }, along a line of it, row = "S2", or in the project itself: { values = [0, 3, -1], unit = "MPa" }. The
+// file is of any length; where the quantity turns is kept of it, which all counting of cycles rests on; where several
+// are taken in step, every sample.
 #pragma once
 
 #include "lib/calculator/record.hpp"
@@ -26,6 +27,7 @@ enum class Kept { turns, all };
 
 struct HistoryFault {
   const char* key = "file";  // that it is about
+  Place place = {};          // the line of the file; none where it is about the key
   Fault fault;
 };
 /// False, and a fault, where the file or a key of the table is wrong. The path of the file is taken from the folder of

@@ -18,25 +18,23 @@ static Fault too_many(const FieldInfo& field, std::size_t count) {
           bounded ? Message{} : say("no list of a project has more")};
 }
 
-/// What is wrong with one row is wrong with all, mostly: it is said once, with the file.
-static void keep_first_of_file(std::vector<Issue>& issues, std::size_t before, const std::string& file) {
+/// What is wrong with one row is wrong with all, mostly: it is said once, at its line of the file.
+static void keep_first_of_file(std::vector<Issue>& issues, std::size_t before) {
   const auto is_error = [](const Issue& issue) { return issue.severity == Severity::error; };
   const auto first = std::find_if(issues.begin() + static_cast<std::ptrdiff_t>(before), issues.end(), is_error);
   if (first == issues.end()) return;
-  const std::string inner = first->key;
-  first->message = say("'{1}', {2}: {3}", file, inner, first->message);
   issues.erase(std::remove_if(first + 1, issues.end(), is_error), issues.end());
 }
 
 void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
-  if (names_rows_file(tree) && find_field(field.fields, "name") == nullptr) {
-    const auto rows = read_rows_file(tree, field.fields);
-    if (rows) {
-      const std::size_t before = issues_.size();
-      read_list(*rows, field, owner, path);
-      return keep_first_of_file(issues_, before, tree.entries[0].value.text);
-    }
-    return say_at(tree.entries[0].value.place, path, rows.fault().message, rows.fault().hint);
+  const bool has_own = find_field(field.fields, "name") != nullptr || find_field(field.fields, "file") != nullptr;
+  if (names_rows_file(tree) && !has_own) {
+    Issue wrong;
+    const auto rows = read_rows_file(tree, field.fields, wrong);
+    if (!rows) return say_at(wrong.place, path, std::move(wrong.message), std::move(wrong.hint));
+    const std::size_t before = issues_.size();
+    read_list(*rows, field, owner, path);
+    return keep_first_of_file(issues_, before);
   }
   const bool named = tree.type == Tree::Type::table && find_field(field.fields, "name") != nullptr &&
                      find_field(field.fields, "name")->type == Type::name;

@@ -153,9 +153,11 @@ json::object Definitions::history(const Dimension& dimension) {
   const json::object number{{"type", json::array{"number", "string"}}, {"pattern", "^="}};  // or an expression
   const json::object column{{"type", json::array{"string", "integer"}}};
   const json::object values{{"type", "array"}, {"items", number}, {"minItems", 1}};
-  return {{"anyOf", json::array{quantity(dimension),
-                                closed({"file"}, {{"file", text}, {"column", column}, {"unit", text}, {"form", text}}),
-                                closed({"values"}, {{"values", values}, {"unit", text}})}}};
+  return {{"anyOf",
+           json::array{
+               quantity(dimension),
+               closed({"file"}, {{"file", text}, {"column", column}, {"row", column}, {"unit", text}, {"form", text}}),
+               closed({"values"}, {{"values", values}, {"unit", text}})}}};
 }
 
 json::object Definitions::row(const std::string& group) {

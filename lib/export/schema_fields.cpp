@@ -46,6 +46,17 @@ json::object without_name(json::object element) {
   return element;
 }
 
+/// { file = "rows.csv", columns = { t = "time", p = 3 } }.
+json::object rows_in_file() {
+  const json::object column{{"type", json::array{"string", "integer"}}};
+  return {
+      {"type", "object"},
+      {"additionalProperties", false},
+      {"required", json::array{"file"}},
+      {"properties", json::object{{"file", json::object{{"type", "string"}}},
+                                  {"columns", json::object{{"type", "object"}, {"additionalProperties", column}}}}}};
+}
+
 json::object list(const FieldInfo& field, void* blank, Definitions& definitions) {
   json::object element = object_of(field.fields, blank == nullptr ? nullptr : field.push(blank), definitions);
   json::object array{{"type", "array"}, {"items", element}};
@@ -60,7 +71,7 @@ json::object list(const FieldInfo& field, void* blank, Definitions& definitions)
   } else if (field.positional) {
     forms.push_back(json::object{{"type", json::array{"string", "number"}}});
   }
-  if (find_field(field.fields, "name") == nullptr) forms.push_back(of_one_text("file"));
+  if (find_field(field.fields, "name") == nullptr) forms.push_back(rows_in_file());
   forms.push_back(expression());
   return {{"anyOf", std::move(forms)}};
 }

@@ -3,6 +3,7 @@
 #include "lib/project/read/reading.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"
+#include "lib/rainflow/series/cells.hpp"
 #include "lib/rainflow/series/read_series.hpp"
 #include "lib/rainflow/turning_points.hpp"
 
@@ -20,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using toml::Tree;
 
-constexpr std::size_t most_turns = 20'000'000;  // 16 bytes each
+constexpr std::size_t most_turns = 20'000'000;  // of 16 bytes each
 constexpr std::size_t most_in_step = 5'000;     // each is looked at on thousands of planes
 constexpr double largest = 1e30;                // as of a value that is typed: beyond all machines
 
@@ -31,13 +32,26 @@ constexpr std::array<std::pair<std::string_view, rainflow::Format>, 4> forms{{{"
 
 Fault told(Message message, Message hint) { return {0, 1, std::move(message), std::move(hint)}; }
 
-/// The SI value of one unit: "MPa", or "2.5 MPa".
-Outcome<double> unit_of(const Tree& table, const FieldInfo& field) {
+/// What a heading names: "F [kN]"; none where it names no unit of the field.
+std::optional<UnitValue> unit_in(std::string_view heading, const FieldInfo& field) {
+  const std::string unit = rainflow::heading_of(heading).unit;
+  const auto parsed = unit.empty() ? Outcome<UnitValue>(Fault{}) : parse_unit(unit);
+  if (!parsed || parsed->dimension != field.dimension || parsed->offset != 0.0) return std::nullopt;
+  return *parsed;
+}
+
+/// What one stands for: "MPa", or "2.5 MPa"; without it, what the heading says.
+Outcome<double> unit_of(const Tree& table, const FieldInfo& field, std::string_view heading = {}) {
   const auto* const unit = table.find("unit");
+  if (unit == nullptr) {
+    if (const auto told_there = unit_in(heading, field)) return told_there->factor;
+  }
   if (unit == nullptr && field.dimension.is_number()) return 1.0;
   const auto wanted = [&](std::string_view text) {
-    return told(say("'{1}' is not a {2}", text, name_of(field.dimension)),
-                say("give the unit of the numbers in the file: unit = \"{1}\", or unit = \"2.5 {1}\"", field.unit));
+    return told(say("'{1}' is no {2}", text, name_of(field.dimension)),
+                say("name the unit in the header, F [{1}], or say what 1 of the file stands for: unit = \"{1}\", or "
+                    "unit = \"2.5 {1}\"",
+                    field.unit));
   };
   if (unit == nullptr || unit->value.type != Tree::Type::text) return wanted(unit == nullptr ? "" : unit->value.text);
   const std::string& text = unit->value.text;
@@ -50,6 +64,16 @@ Outcome<double> unit_of(const Tree& table, const FieldInfo& field) {
   return factor;
 }
 
+/// A unit of the key that the heading contradicts; a scale, "2.5 MPa", does not.
+std::optional<Fault> contradiction(const Tree& table, const FieldInfo& field, std::string_view heading) {
+  const auto* const unit = table.find("unit");
+  const auto there = unit_in(heading, field);
+  const auto here = unit == nullptr ? Outcome<UnitValue>(Fault{}) : parse_unit(unit->value.text);
+  if (!there || !here || std::abs(here->factor / there->factor - 1.0) < 1e-12) return std::nullopt;
+  return told(say("the heading is '{1}', and unit = \"{2}\"", heading, unit->value.text),
+              say("leave out unit; or, where the heading is wrong, say unit = \"1 {1}\"", unit->value.text));
+}
+
 Outcome<rainflow::Form> form_of(const Tree& table) {
   rainflow::Form form;
   const auto* const told_form = table.find("form");
@@ -59,26 +83,34 @@ Outcome<rainflow::Form> form_of(const Tree& table) {
     const auto known =
         std::find_if(forms.begin(), forms.end(), [&](const auto& row) { return row.first == told_form->value.text; });
     if (known == forms.end())
-      return told(say("'{1}' is not a known file format", told_form->value.text), say("csv, npy, f64 or f32"));
+      return told(say("'{1}' is no form of a file", told_form->value.text), say("csv, npy, f64 or f32"));
     form.format = known->second;
   } else if (by_name) {
     form.format = *by_name;
   } else if (path != "-") {
     return told(say("the name '{1}' does not say what the file is", path), say("add form = \"csv\", npy, f64 or f32"));
   }
-  const auto* const column = table.find("column");
-  if (column != nullptr && column->value.type == Tree::Type::number)
-    form.column = format_exact(column->value.number);
-  else if (column != nullptr)
-    form.column = column->value.text;
+  const auto place_in_file = [&](const char* key) -> std::string {
+    const auto* const entry = table.find(key);
+    if (entry == nullptr) return {};
+    return entry->value.type == Tree::Type::number ? format_exact(entry->value.number) : entry->value.text;
+  };
+  form.column = place_in_file("column"), form.row = place_in_file("row");
+  if (form.row.empty()) return form;
+  if (!form.column.empty())
+    return told(say("a series is a column or a row of the file, not both"), say("leave out one of column and row"));
+  if (form.format != rainflow::Format::csv)
+    return told(say("a row is one of a text, and this is none"), say("leave out row"));
   return form;
 }
 
-/// Regular files only: a device may be endless, and a named pipe waits for a writer. "-" is the standard input.
+fs::path path_of(const Tree& named) { return fs::path(named.place.file).parent_path() / named.text; }
+
+/// Files alone: a device may have no end, and a pipe that has a name waits for one who writes. "-" is what is piped in.
 Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   const Tree& named = table.find("file")->value;
   if (named.text == "-") return rainflow::open_source("-");
-  const fs::path path = fs::path(named.place.file).parent_path() / named.text;
+  const fs::path path = path_of(named);
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
   if (type != fs::file_type::regular)
@@ -88,12 +120,12 @@ Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   return rainflow::open_source(path.string());
 }
 
-/// The reversals of the series, or all of it, in the unit of the file.
+/// Where the series turns, or all of it, in the unit of the file.
 class Turns {
  public:
   explicit Turns(Kept kept) : kept_(kept) {}
 
-  /// None if all is well.
+  /// None where all is well.
   std::optional<Fault> take(std::span<const double> samples) {
     if (kept_ == Kept::all) return take_all(samples);
     values_.resize(count_ + samples.size() + 4);
@@ -105,7 +137,7 @@ class Turns {
       return told(say("it turns more than {1} times", std::to_string(most_turns)), say("cut it, and count its parts"));
     return std::nullopt;
   }
-  /// None if there is a history.
+  /// None where there is a history.
   std::optional<Fault> finish(const Message& what) {
     if (kept_ == Kept::turns) count_ += turning_points_.finish(values_.data() + count_, at_.data() + count_);
     values_.resize(count_);
@@ -122,10 +154,10 @@ class Turns {
   std::optional<Fault> take_all(std::span<const double> samples) {
     if (count_ + samples.size() > most_in_step)
       return told(say("it has more than {1} samples", std::to_string(most_in_step)),
-                  say("several series stay in step: cut all of them to the same range"));
+                  say("several series are kept in step whole: cut them to what decides, all alike"));
     values_.resize(count_), at_.resize(count_);
     for (const double sample : samples) {
-      if (!std::isfinite(sample)) return told(say("sample {1} is not a number", std::to_string(count_)), {});
+      if (!std::isfinite(sample)) return told(say("sample {1} is no number", std::to_string(count_)), {});
       values_.push_back(sample), at_.push_back(count_++);
     }
     return std::nullopt;
@@ -189,13 +221,15 @@ bool is_history(const Tree& tree) {
 
 bool read_history(const Tree& table, const FieldInfo& field, Kept kept, History& history, HistoryFault& fault) {
   const auto refuse = [&](const char* key, const Fault& found) {
-    fault = {key, found};
+    fault = {key, {}, found};
     return false;
   };
-  const auto unit = unit_of(table, field);
+  const bool of_file = names_history_file(table);
+  const bool is_told = table.find("unit") != nullptr || !of_file;
+  const auto unit = is_told ? unit_of(table, field) : Outcome<double>(1.0);
   if (!unit) return refuse("unit", unit.fault());
   Turns turns(kept);
-  if (!names_history_file(table)) {
+  if (!of_file) {
     if (const auto found = take_values(table.find("values")->value, turns)) return refuse("values", *found);
     if (const auto found = put(turns, *unit, field, history)) return refuse("values", *found);
     return true;
@@ -204,10 +238,20 @@ bool read_history(const Tree& table, const FieldInfo& field, Kept kept, History&
   if (!form) return refuse(table.find("form") == nullptr ? "file" : "form", form.fault());
   auto source = open(table);
   if (!source) return refuse("file", source.fault());
+  const auto refuse_at_line = [&](const char* key, const Fault& found) {
+    refuse(key, found);
+    const Tree& named = table.find("file")->value;
+    const bool has_lines = form->format == rainflow::Format::csv && named.text != "-" && found.at > 0;
+    if (has_lines) fault.place = {path_of(named).string(), static_cast<int>(found.at), 1, 1};
+    return false;
+  };
   auto reader = rainflow::read_series(std::move(*source), *form);
-  if (!reader) return refuse(table.find("column") == nullptr ? "file" : "column", reader.fault());
-  if (const auto found = read_turns(**reader, turns)) return refuse("file", *found);
-  if (const auto found = put(turns, *unit, field, history)) return refuse("file", *found);
+  if (!reader) return refuse_at_line("file", reader.fault());
+  if (const auto found = contradiction(table, field, (*reader)->heading())) return refuse("unit", *found);
+  const auto scale = unit_of(table, field, (*reader)->heading());
+  if (!scale) return refuse("unit", scale.fault());
+  if (const auto found = read_turns(**reader, turns)) return refuse_at_line("file", *found);
+  if (const auto found = put(turns, *scale, field, history)) return refuse("file", *found);
   return true;
 }
 

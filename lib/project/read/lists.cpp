@@ -8,8 +8,7 @@ namespace loadpath::project {
 
 using Type = FieldInfo::Type;
 
-/// The limit of an unbounded list: not a rule of any calculator, but more elements are a mistake, and fill the
-/// memory.
+/// What a list without a bound takes: no rule of any calculator, but what has more is a slip, and fills the memory.
 constexpr std::size_t most_elements = 100'000;
 
 static Fault too_many(const FieldInfo& field, std::size_t count) {
@@ -19,25 +18,23 @@ static Fault too_many(const FieldInfo& field, std::size_t count) {
           bounded ? Message{} : say("no list of a project has more")};
 }
 
-/// An error in one row usually affects all: it is reported once, with the file.
-static void keep_first_of_file(std::vector<Issue>& issues, std::size_t before, const std::string& file) {
+/// What is wrong with one row is wrong with all, mostly: it is said once, at its line of the file.
+static void keep_first_of_file(std::vector<Issue>& issues, std::size_t before) {
   const auto is_error = [](const Issue& issue) { return issue.severity == Severity::error; };
   const auto first = std::find_if(issues.begin() + static_cast<std::ptrdiff_t>(before), issues.end(), is_error);
   if (first == issues.end()) return;
-  const std::string inner = first->key;
-  first->message = say("'{1}', {2}: {3}", file, inner, first->message);
   issues.erase(std::remove_if(first + 1, issues.end(), is_error), issues.end());
 }
 
 void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
-  if (names_rows_file(tree) && find_field(field.fields, "name") == nullptr) {
-    const auto rows = read_rows_file(tree, field.fields);
-    if (rows) {
-      const std::size_t before = issues_.size();
-      read_list(*rows, field, owner, path);
-      return keep_first_of_file(issues_, before, tree.entries[0].value.text);
-    }
-    return say_at(tree.entries[0].value.place, path, rows.fault().message, rows.fault().hint);
+  const bool has_own = find_field(field.fields, "name") != nullptr || find_field(field.fields, "file") != nullptr;
+  if (names_rows_file(tree) && !has_own) {
+    Issue wrong;
+    const auto rows = read_rows_file(tree, field.fields, wrong);
+    if (!rows) return say_at(wrong.place, path, std::move(wrong.message), std::move(wrong.hint));
+    const std::size_t before = issues_.size();
+    read_list(*rows, field, owner, path);
+    return keep_first_of_file(issues_, before);
   }
   const bool named = tree.type == Tree::Type::table && find_field(field.fields, "name") != nullptr &&
                      find_field(field.fields, "name")->type == Type::name;
@@ -90,7 +87,7 @@ void Reader::read_element(const Tree& tree, const Target& target, const std::str
   if (is_name(written) || named != nullptr) inner = path + "." + written;
   if (named != nullptr) {
     if (const auto* again = tree.find("name")) {
-      say_at(again->place, inner, say("the name is already used before the table: '{1}'", named->key),
+      say_at(again->place, inner, say("the name already stands before the table: '{1}'", named->key),
              say("leave out 'name'"));
     }
     Tree name;
@@ -101,7 +98,7 @@ void Reader::read_element(const Tree& tree, const Target& target, const std::str
     read_name(name, *find_field(list.fields, "name"), element, inner);
   }
   if (known != nullptr && reading_.typed.count(inner) != 0)
-    say_at(tree.place, path, say("the name '{1}' is used twice in '{2}'", written, path));
+    say_at(tree.place, path, say("the name '{1}' stands twice in '{2}'", written, path));
   reading_.typed[inner] = {tree.text, tree.place};
   const std::size_t before = issues_.size();
   read_aggregate(tree, list, element, inner);
@@ -119,7 +116,7 @@ void Reader::check_names(const FieldInfo& list, void* owner, const std::string& 
     if (!n.empty() && !seen.insert(n).second) {
       const auto typed = reading_.typed.find(path + "." + std::string(n) + ".name");
       say_at(typed == reading_.typed.end() ? place : typed->second.place, path,
-             say("the name '{1}' is used twice in '{2}'", n, path));
+             say("the name '{1}' stands twice in '{2}'", n, path));
     }
   }
 }

@@ -1,27 +1,31 @@
-// A list of a project whose rows are in a separate file: over_time = { file = "pressure.csv" }.
+// A list of a project whose rows stand in a file beside it: over_time = { file = "pressure.csv" }.
 //
-// The first line names the fields, with their units in brackets: t [s], share. Cells are parted by commas, semicolons
-// or tabs; what follows a # is left out.
+// The first line names the fields, with their units in brackets: t [s], share; or columns = { t = "time", share = 3 }
+// says which column is which field, by its name or its number. Cells are parted by tabs, semicolons, commas or blanks;
+// where a comma does not part them it may stand for a decimal point. What follows a # is left out. What is wrong is
+// told once, with the line of the file.
 #pragma once
 
 #include "lib/calculator/record.hpp"
 #include "lib/text/issue.hpp"
 #include "lib/toml/tree.hpp"
 
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace loadpath::project {
 
-/// Whether this refers to a file in place of the rows.
+/// Whether this stands in place of the rows themselves.
 bool names_rows_file(const toml::Tree& tree);
 
 /// The paths of all files that a table of a project names, of rows and of histories, from where the project was read.
 std::vector<std::string> files_in(const toml::Tree& table);
 
-/// The rows, which have these fields, as they would be written in the project file. The path is relative to the
-/// folder of the project.
-Outcome<toml::Tree> read_rows_file(const toml::Tree& tree, std::span<const FieldInfo> fields);
+/// The rows, which have these fields, as they would stand in the project file, each value with its place in its own.
+/// The path is taken from the folder of the project.
+/// None, and an issue, where something is wrong.
+std::optional<toml::Tree> read_rows_file(const toml::Tree& tree, std::span<const FieldInfo> fields, Issue& wrong);
 
 }  // namespace loadpath::project

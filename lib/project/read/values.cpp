@@ -196,13 +196,14 @@ void Reader::read_formula(const Tree& tree, const FieldInfo& field, void* owner,
 
 void Reader::read_history_of(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   const bool of_file = names_history_file(tree);
-  refuse_others(
-      tree,
-      of_file ? std::vector<std::string>{"file", "column", "unit", "form"} : std::vector<std::string>{"values", "unit"},
-      path);
+  refuse_others(tree,
+                of_file ? std::vector<std::string>{"file", "column", "row", "unit", "form"}
+                        : std::vector<std::string>{"values", "unit"},
+                path);
   History history;
   HistoryFault fault;
   if (!read_history(tree, field, in_step_ ? Kept::all : Kept::turns, history, fault)) {
+    if (!fault.place.file.empty()) return say_at(fault.place, path, fault.fault.message, fault.fault.hint);
     const auto* const key = tree.find(fault.key);
     return say_at(key == nullptr ? tree.place : key->value.place, path, fault.fault.message, fault.fault.hint);
   }

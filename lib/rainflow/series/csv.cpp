@@ -1,13 +1,11 @@
 #include "lib/rainflow/series/csv.hpp"
 
+#include "lib/rainflow/series/cells.hpp"
 #include "lib/rainflow/series/lines.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
-#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,91 +15,6 @@ namespace loadpath::rainflow {
 namespace {
 
 constexpr std::size_t values_at_once = 4096;
-constexpr char blanks = ' ';  // as a separator: any number of blanks and tabs
-
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  if (text.size() > 1 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-  return text;
-}
-
-/// Takes the first field off a line; a separator within "" does not count.
-std::string_view take_field(std::string_view& line, char separator) {
-  if (separator == blanks) {
-    while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
-  }
-  const std::size_t quoted = !line.empty() && line.front() == '"' ? line.find('"', 1) : 0;
-  const std::size_t from = quoted == std::string_view::npos ? 0 : quoted;
-  std::size_t end = from;
-  if (separator == blanks) {
-    while (end < line.size() && !is_blank(line[end])) ++end;
-  } else {
-    end = std::min(line.find(separator, from), line.size());
-  }
-  const std::string_view field = line.substr(0, end);
-  line.remove_prefix(std::min(end + 1, line.size()));
-  return trimmed(field);
-}
-
-std::vector<std::string> fields_of(std::string_view line, char separator) {
-  std::vector<std::string> fields;
-  const bool ends_open = separator != blanks && !line.empty() && line.back() == separator;
-  if (separator == blanks) {
-    while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
-  }
-  while (!line.empty()) fields.emplace_back(take_field(line, separator));
-  if (ends_open) fields.emplace_back();
-  return fields;
-}
-
-char separator_of(std::string_view line) {
-  for (const char candidate : {'\t', ';', ','}) {
-    if (line.find(candidate) != std::string_view::npos) return candidate;
-  }
-  return blanks;
-}
-
-/// The result of std::from_chars for up to 15 digits with a point and no exponent: both integers are doubles, and
-/// their quotient is rounded once. Nothing for any other text.
-std::optional<double> short_number(std::string_view text) {
-  constexpr std::array<double, 16> tens{1,   1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                                        1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
-  const bool negative = !text.empty() && text.front() == '-';
-  if (negative) text.remove_prefix(1);
-  if (text.empty() || text.size() >= tens.size() || text.front() == '.') return std::nullopt;
-  std::uint64_t digits = 0;
-  std::size_t decimals = 0, point = text.size();
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto digit = static_cast<unsigned>(text[i] - '0');
-    if (digit <= 9) {
-      digits = 10 * digits + digit;
-    } else if (text[i] == '.' && point == text.size()) {
-      point = i, decimals = text.size() - i - 1;
-    } else {
-      return std::nullopt;
-    }
-  }
-  const double size = static_cast<double>(digits) / tens[decimals];
-  return negative ? -size : size;
-}
-
-/// All of the text as a finite number.
-std::optional<double> number_of(std::string_view text) {
-  if (const auto value = short_number(text)) return value;
-  if (text.size() > 1 && text.front() == '+' && text[1] != '-') text.remove_prefix(1);
-  double x = 0.0;
-  const auto [behind, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-  if (behind != text.data() + text.size()) return std::nullopt;
-  if (error == std::errc::result_out_of_range)
-    x = std::strtod(std::string(text).c_str(), nullptr);  // distinguishes 0 from inf
-  else if (error != std::errc{})
-    return std::nullopt;
-  return std::isfinite(x) ? std::optional(x) : std::nullopt;
-}
-
 /// A text for a message: short, and without what a terminal would obey.
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 40;
@@ -111,6 +24,31 @@ std::string shown(std::string_view text) {
   return text.size() > longest ? out + "..." : out;
 }
 
+/// The next line that is neither empty nor a comment.
+std::optional<std::string_view> content_of(Lines& lines, char comment) {
+  while (auto line = lines.next()) {
+    constexpr std::string_view mark = "\xef\xbb\xbf";
+    if (lines.number() == 1 && line->starts_with(mark)) line->remove_prefix(mark.size());
+    std::size_t first = 0;
+    while (first < line->size() && is_blank((*line)[first])) ++first;
+    if (first < line->size() && (*line)[first] != comment) return line;
+  }
+  return std::nullopt;
+}
+
+/// The number that a column or a row is asked for by; none of a name.
+std::optional<std::size_t> place_in_text(const std::string& text) {
+  std::size_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [behind, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc{} && behind == end ? std::optional(number) : std::nullopt;
+}
+
+/// Whether a heading is called so, with its unit or without.
+bool is_called(std::string_view heading, const std::string& name) {
+  return heading == name || heading_of(heading).name == name;
+}
+
 class CsvReader final : public Reader {
  public:
   CsvReader(std::unique_ptr<Source> source, Form form) : lines_(std::move(source)), form_(std::move(form)) {}
@@ -118,9 +56,10 @@ class CsvReader final : public Reader {
   /// Finds the column.
   std::optional<Fault> start();
   Outcome<std::span<const double>> next() override;
+  [[nodiscard]] std::string_view heading() const override { return heading_; }
 
  private:
-  std::optional<std::string_view> content();
+  std::optional<std::string_view> content() { return content_of(lines_, form_.comment); }
   std::optional<Fault> find_column(const std::vector<std::string>& fields);
   std::optional<Fault> find_name(const std::vector<std::string>& fields);
   [[nodiscard]] std::string_view field_of(std::string_view line) const;
@@ -135,29 +74,23 @@ class CsvReader final : public Reader {
   Form form_;
   char separator_ = ',';
   std::size_t column_ = 0;   // counted from 0
-  std::size_t columns_ = 0;  // columns of the first line
+  std::size_t columns_ = 0;  // of the first line
   bool by_name_ = false;
+  std::string heading_;
   std::vector<double> values_;
 };
 
-/// The next line that is neither empty nor a comment.
-std::optional<std::string_view> CsvReader::content() {
-  while (auto line = lines_.next()) {
-    constexpr std::string_view mark = "\xef\xbb\xbf";
-    if (lines_.number() == 1 && line->starts_with(mark)) line->remove_prefix(mark.size());
-    std::size_t first = 0;
-    while (first < line->size() && is_blank((*line)[first])) ++first;
-    if (first < line->size() && (*line)[first] != form_.comment) return line;
-  }
-  return std::nullopt;
-}
-
 std::optional<Fault> CsvReader::find_name(const std::vector<std::string>& fields) {
-  const auto found = std::find(fields.begin(), fields.end(), form_.column);
+  const auto is_it = [&](const std::string& field) { return is_called(field, form_.column); };
+  auto found = std::find(fields.begin(), fields.end(), form_.column);
+  const bool is_whole = found != fields.end();
+  if (!is_whole) found = std::find_if(fields.begin(), fields.end(), is_it);
   if (found == fields.end())
     return at_line(say("line {1}: there is no column '{2}'", std::to_string(lines_.number()), shown(form_.column)),
                    did_you_mean(form_.column, fields, there_is(fields)));
-  if (std::find(found + 1, fields.end(), form_.column) != fields.end())
+  const auto again =
+      is_whole ? std::find(found + 1, fields.end(), form_.column) : std::find_if(found + 1, fields.end(), is_it);
+  if (again != fields.end())
     return at_line(say("line {1}: two columns are called '{2}'", std::to_string(lines_.number()), shown(form_.column)),
                    say("name it by its number, counted from 1"));
   column_ = static_cast<std::size_t>(found - fields.begin());
@@ -172,13 +105,11 @@ std::optional<Fault> CsvReader::find_column(const std::vector<std::string>& fiel
     return at_line(say("line {1} has {2} columns: say which, by its name or its number from 1", line, count),
                    separator_ == ',' ? say("a decimal sign is a point, not a comma") : Message{});
   }
-  std::size_t number = 0;
-  const char* const end = form_.column.data() + form_.column.size();
-  const auto [behind, error] = std::from_chars(form_.column.data(), end, number);
-  if (error != std::errc{} || behind != end) return find_name(fields);
-  if (number < 1 || number > fields.size())
+  const auto number = place_in_text(form_.column);
+  if (!number) return find_name(fields);
+  if (*number < 1 || *number > fields.size())
     return at_line(say("line {1} has {2} columns, and no column {3}", line, count, form_.column));
-  column_ = number - 1;
+  column_ = *number - 1;
   return std::nullopt;
 }
 
@@ -190,10 +121,14 @@ std::optional<Fault> CsvReader::start() {
   const auto fields = fields_of(*line, separator_);
   columns_ = fields.size();
   if (auto fault = find_column(fields)) return fault;
-  const bool is_header = by_name_ || std::none_of(fields.begin(), fields.end(), [](const std::string& field) {
-                           return field.empty() || number_of(field) || field.find_first_of("0123456789") == 0;
-                         });
-  if (!is_header) lines_.again();
+  const bool is_header =
+      by_name_ || std::none_of(fields.begin(), fields.end(), [&](const std::string& field) {
+        return field.empty() || number_of(field, separator_) || field.find_first_of("0123456789") == 0;
+      });
+  if (is_header)
+    heading_ = fields[column_];
+  else
+    lines_.again();
   return std::nullopt;
 }
 
@@ -234,7 +169,7 @@ Outcome<std::span<const double>> CsvReader::next() {
   while (values_.size() < values_at_once) {
     const auto line = content();
     if (!line) break;
-    const auto value = number_of(field_of(*line));
+    const auto value = number_of(field_of(*line), separator_);
     if (!value) return not_a_number(*line);
     if (runs_over(*line)) return too_many(*line);
     values_.push_back(*value);
@@ -243,12 +178,77 @@ Outcome<std::span<const double>> CsvReader::next() {
   return std::span<const double>(values_);
 }
 
+/// A series along a line.
+class RowReader final : public Reader {
+ public:
+  RowReader(std::unique_ptr<Source> source, Form form) : lines_(std::move(source)), form_(std::move(form)) {}
+
+  /// Finds the line, and reads it.
+  std::optional<Fault> start();
+  Outcome<std::span<const double>> next() override {
+    const std::span<const double> all = is_told_ ? std::span<const double>() : std::span<const double>(values_);
+    is_told_ = true;
+    return all;
+  }
+  [[nodiscard]] std::string_view heading() const override { return heading_; }
+
+ private:
+  std::optional<Fault> take(std::string_view line);
+
+  Lines lines_;
+  Form form_;
+  std::string heading_;
+  std::vector<double> values_;
+  bool is_told_ = false;
+};
+
+std::optional<Fault> RowReader::take(std::string_view line) {
+  const char separator = form_.separator.value_or(separator_of(line));
+  const auto fields = fields_of(line, separator);
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    const auto value = number_of(fields[k], separator);
+    if (value) {
+      values_.push_back(*value);
+    } else if (k == 0) {
+      heading_ = fields[k];
+    } else if (!fields[k].empty() || k + 1 < fields.size()) {
+      return Fault{lines_.number(),
+                   1,
+                   say("line {1}: '{2}' in column {3} is not a finite number", std::to_string(lines_.number()),
+                       shown(fields[k]), std::to_string(k + 1)),
+                   {}};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<Fault> RowReader::start() {
+  const auto number = place_in_text(form_.row);
+  std::size_t count = 0;
+  std::vector<std::string> names;
+  while (const auto line = content_of(lines_, form_.comment)) {
+    ++count;
+    std::string_view rest = *line;
+    std::string first(take_field(rest, form_.separator.value_or(separator_of(*line))));
+    if (number ? count == *number : is_called(first, form_.row)) return take(*line);
+    names.push_back(std::move(first));
+  }
+  if (lines_.fault()) return lines_.fault();
+  if (number) return Fault{count, 1, say("there are {1} lines, and no line {2}", std::to_string(count), form_.row), {}};
+  return Fault{1, 1, say("no line begins with '{1}'", shown(form_.row)), did_you_mean(form_.row, names)};
+}
+
+template <class Kind>
+Outcome<std::unique_ptr<Reader>> started(std::unique_ptr<Source> source, const Form& form) {
+  auto reader = std::make_unique<Kind>(std::move(source), form);
+  if (auto fault = reader->start()) return *fault;
+  return std::unique_ptr<Reader>(std::move(reader));
+}
+
 }  // namespace
 
 Outcome<std::unique_ptr<Reader>> read_csv(std::unique_ptr<Source> source, const Form& form) {
-  auto reader = std::make_unique<CsvReader>(std::move(source), form);
-  if (auto fault = reader->start()) return *fault;
-  return std::unique_ptr<Reader>(std::move(reader));
+  return form.row.empty() ? started<CsvReader>(std::move(source), form) : started<RowReader>(std::move(source), form);
 }
 
 }  // namespace loadpath::rainflow

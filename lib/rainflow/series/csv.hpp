@@ -7,9 +7,9 @@
 
 namespace loadpath::rainflow {
 
-/// Decimal points, CR LF or LF, a byte order mark, lines of comment and empty lines anywhere; the first other line is
-/// a header if the column is selected by name, or if it contains no number. `"` may enclose names and numbers. A line
-/// is at most a mebibyte.
+/// Decimal points, or commas where a comma does not part columns; CR LF or LF, a byte order mark, lines of comment and
+/// empty lines wherever they are; the first other line is a header where the column is asked for by name, or where
+/// there is no number in it. `"` may stand round names and numbers. A line is at most a mebibyte.
 Outcome<std::unique_ptr<Reader>> read_csv(std::unique_ptr<Source> source, const Form& form);
 
 }  // namespace loadpath::rainflow

@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace loadpath::rainflow {
 
@@ -21,6 +22,8 @@ class Reader {
   /// Finite numbers; none at the end. A Fault whose `at` is the line of a text, counted from 1, or the byte of a
   /// binary file, counted from 0: the message includes it too, and reading ends.
   virtual Outcome<std::span<const double>> next() = 0;
+  /// What stands over the column, or before the row: "F [N]"; empty where nothing does.
+  [[nodiscard]] virtual std::string_view heading() const { return {}; }
 };
 
 enum class Format {
@@ -32,13 +35,15 @@ enum class Format {
 
 struct Form {
   Format format = Format::csv;
-  /// Its name in the header, or its number, counted from 1; empty: the only one.
+  /// Its name in the header, with its unit or without, or its number, counted from 1; empty: the only one.
   std::string column;
   /// Between columns: ',', ';', a tab, or a blank for any number of blanks and tabs; none: what the first line with
   /// numbers or names shows, a tab before a semicolon before a comma before blanks.
   std::optional<char> separator;
   /// First character of a line of comment.
   char comment = '#';
+  /// In place of a column: the line whose first field is this name, or the line of this number. Text only.
+  std::string row = {};
 };
 
 }  // namespace loadpath::rainflow

@@ -1,4 +1,5 @@
 #include "tests/cli/process.hpp"
+#include "tests/slotted_lever.hpp"
 
 #include <algorithm>
 
@@ -157,8 +158,9 @@ TEST_SUITE("cli mechanism") {
   }
 
   TEST_CASE("any calculator takes its steps from a file, and what they refer to") {
-    const Ran o = loadpath_with({"shaft", "torsion", "--file", LOADPATH_ROOT "/examples/slotted-lever/project.toml",
-                                 "--tau_adm", "40 MPa", "--full"});
+    const Desk desk;
+    desk.put("a.toml", slotted_lever_with_two_shafts());
+    const Ran o = desk.run({"shaft", "torsion", "--file", "a.toml", "--tau_adm", "40 MPa", "--full"});
     CHECK(o.code == 4);
     CHECK(contains(o.out, "d_strength = ∛(16 · W_t / π)"));
     CHECK(contains(o.out, "24.8497 mm"));

@@ -61,7 +61,7 @@ TEST_SUITE("completion") {
     CHECK(has(offered(desk, {"why", file, ""}), "crankshaft"));
     const std::string of_step = offered(desk, {"why", file, "crankshaft."});
     CHECK(has(of_step, "crankshaft.twist"));
-    CHECK(has(of_step, "crankshaft.tau_max"));
+    CHECK(has(of_step, "crankshaft.T_max"));
     CHECK(offered(desk, {"why", "no.toml", ""}) == "\n");
     desk.put("broken.toml", "[a\n");
     CHECK(offered(desk, {"why", "broken.toml", ""}) == "\n");

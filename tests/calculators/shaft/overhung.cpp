@@ -5,8 +5,8 @@
 #include "lib/project/project.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
-#include "lib/toml/tree.hpp"
 #include "tests/calculators/evaluated.hpp"
+#include "tests/slotted_lever.hpp"
 
 #include <doctest/doctest.h>
 
@@ -32,12 +32,6 @@ project::Project solved(const std::string& text, std::vector<Issue>& issues) {
   project::Project p = project::read_project(text, "case.toml", catalogue(), issues);
   if (!has_errors(issues)) project::solve(p, issues);
   return p;
-}
-
-std::string slotted_lever() {
-  std::string text;
-  REQUIRE(toml::read_file(std::string(LOADPATH_ROOT) + "/examples/slotted-lever/project.toml", text));
-  return text;
 }
 
 }  // namespace
@@ -95,7 +89,7 @@ TEST_SUITE("shaft") {
 
   TEST_CASE("the crank of the slotted lever: 35.93 mm where torsion alone asks for 27.35") {
     std::vector<Issue> issues;
-    const project::Project p = solved(slotted_lever(), issues);
+    const project::Project p = solved(test::slotted_lever_with_two_shafts(), issues);
     REQUIRE(issues.empty());
     CHECK(std::abs(maximum(*p.value("crank_end.d_v")).value - 0.03593) < 0.5e-5);
     CHECK(std::abs(maximum(*p.value("crank_end.d_t")).value - 0.02735) < 0.5e-5);
@@ -104,7 +98,7 @@ TEST_SUITE("shaft") {
 
   TEST_CASE("torsion fed by a mechanism whose pin loads the shaft says that bending is not covered") {
     std::vector<Issue> issues;
-    const project::Project p = solved(slotted_lever(), issues);
+    const project::Project p = solved(test::slotted_lever_with_two_shafts(), issues);
     bool said = false;
     for (const auto& v : project::verdicts(p)) {
       said = said || (v.step == "crankshaft" && v.symbol == "F_bend" && v.state == account::State::not_covered);

@@ -7,6 +7,7 @@
 // over reversals 2 N, or with a slope k. Compression is no help. Below 1e3 cycles, of low cycles, nothing is said.
 // Safety and life are those of the share of parts that sigma_D holds for: one half, but where P_s is in it.
 // Not covered: histories (one cycle alone), shear beside normal stresses (fatigue.combined), creep, corrosion.
+// From memory, source not seen: the fit of f, of gamma, and of psi.
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"

@@ -6,6 +6,7 @@
 // up to the section found, which is on the safe side for the others.
 // Not covered: what column.buckling does not cover, and so torsional buckling, which can decide for channels and
 // angles.
+// Sections thicker than the material is given for are not assessed.
 #pragma once
 
 #include "calculators/column/bounds.hpp"

@@ -42,11 +42,11 @@ template <class Tracer>
 Equivalent equivalent(const Input& in, Force F_rK, Force F_aK, Tracer& trace) {
   Equivalent q;
   if (takes_axial_alone(in.kind)) {
-    STEP_TO(q, P, F_aK, "a thrust bearing takes axial load alone, [ISO281]");
+    STEP_TO(q, P, F_aK, "axial load only, thrust bearing, [ISO281]");
     return q;
   }
   if (takes_radial_alone(in.kind) || F_aK == none) {
-    STEP_TO(q, P, F_rK, "radial load alone, [ISO281]");
+    STEP_TO(q, P, F_rK, "radial load only, [ISO281]");
     return q;
   }
   find_factors(in, F_aK, q, trace);
@@ -117,7 +117,7 @@ template <class Tracer>
 void life(const Input& in, const Stages& all, Result& r, Tracer& trace) {
   const Force P_max = trace.value("P_max", largest(all), "largest load in running");
   STEP(P_lim, is_set(in.C_0) ? min(0.5 * in.C, in.C_0) : 0.5 * in.C, "beyond, bodies and raceways yield, [ISO281]");
-  STEP_TO(r, x_P, P_max / P_lim, "within what the rating life holds for");
+  STEP_TO(r, x_P, P_max / P_lim, "within the validity of the rating life");
   const Force P_m = r.P_m;
   const double p = r.p;
   const AngularSpeed n_m = r.n_m;
@@ -155,7 +155,7 @@ void at_rest(const Input& in, Force F_rX, Force F_aX, Result& r, Tracer& trace) 
   STEP(F_r00, is_set(in.F_r0) ? in.F_r0 : 0.0 * N, "radial, at rest or in a shock");
   STEP(F_a00, is_set(in.F_a0) ? abs(in.F_a0) : 0.0 * N, "axial at the same time");
   if (takes_axial_alone(in.kind)) {
-    STEP_TO(r, P_0, max(F_aX, F_a00), "a thrust bearing takes axial load alone, [ISO76]");
+    STEP_TO(r, P_0, max(F_aX, F_a00), "axial load only, thrust bearing, [ISO76]");
   } else {
     const bool axial = Rolling::has_axial(in);
     const double X_0 = trace.value("X_0", static_radial_factor(in.kind), "of the kind, [ISO76]");
@@ -191,7 +191,7 @@ void axial(const Input& in, double k, Force F_rX, Force F_aX, Result& r, Tracer&
   const Force F_a0 = is_set(in.F_a0) ? in.F_a0 : none, F_r0 = is_set(in.F_r0) ? in.F_r0 : none;
   const Force over_0 = bears_on_ribs(in.kind) ? refused(in.kind, 2.0 * abs(F_a0), F_a0) : refused(in.kind, F_r0, F_a0);
   r.F_ao = trace.value("F_ao", std::max(refused(in.kind, F_rX, k * in.K_A * in.F_a), over_0),
-                       "the wrong way, or without ribs; on ribs beyond half the radial load, [SKF-rolling]");
+                       "wrong direction, or no ribs; on ribs more than half the radial load, [SKF-rolling]");
   r.F_ro = trace.value("F_ro", takes_axial_alone(in.kind) ? std::max(F_rX, F_r0) : none, "on a thrust bearing");
   if (Rolling::has_axial_bound(in) == Applies::yes && (is_set(in.F_a_adm) || is_set(in.C_0))) {
     if (bears_on_ribs(in.kind) && !is_set(in.F_a_adm)) return;

@@ -251,7 +251,7 @@ s_0 = 2
       Rule<Input>{&static_factors_given, "Y_0, s_0, F_a, F_a0, kind",
                   "the static safety under an axial load needs Y_0 of the maker's table"},
       Rule<Input>{[](const Input& in) { return !is_set(in.F_a0) || is_set(in.F_r0); }, "F_a0, F_r0",
-                  "give the radial load F_r0 beside F_a0, be it zero"},
+                  "give the radial load F_r0 in addition to F_a0, even if it is zero"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.L_h) && is_set(in.L_m)); }, "L_h, L_m",
                   "give the life either in hours or in revolutions"},
       Rule<Input>{[](const Input& in) { return is_set(in.n) || is_set(in.L_m) || !in.blocks.empty(); },
@@ -265,7 +265,7 @@ s_0 = 2
       Rule<Input>{[](const Input& in) { return !is_set(in.L_m) || !is_set(in.n) || in.n > 0.0 * rpm; }, "L_m, n",
                   "a bearing at standstill has no life in revolutions: leave out L_m, or n"},
       Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || runs(in) == Applies::yes; }, "L_h, n, blocks",
-                  "a bearing that stands has no life in hours: leave out L_h, or give the speed"},
+                  "a bearing at standstill has no life in hours: omit L_h, or give the speed"},
       Rule<Input>{[](const Input& in) { return in.blocks.empty() || is_set(highest_speed(in)); }, "n, blocks",
                   "blocks are shares of the time: give the speed n, or that of each block"},
       Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}};

@@ -31,24 +31,25 @@ constexpr auto choices_of(Kind) {
       ChoiceName<Kind>{Kind::unstated, "unstated", "not stated, and refused"},
       ChoiceName<Kind>{Kind::deep_groove_ball, "deep_groove_ball", "deep groove ball bearing, one row"},
       ChoiceName<Kind>{Kind::angular_contact_ball, "angular_contact_ball",
-                       "angular contact ball bearing, one row: axial load one way"},
+                       "angular contact ball bearing, single row: axial load in one direction"},
       ChoiceName<Kind>{Kind::angular_contact_pair, "angular_contact_pair",
                        "two rows of balls at an angle, face to face or back to back; C and C_0 of both"},
       ChoiceName<Kind>{Kind::self_aligning_ball, "self_aligning_ball", "self-aligning ball bearing"},
       ChoiceName<Kind>{Kind::cylindrical_roller_NU, "cylindrical_roller_NU",
                        "cylindrical roller bearing NU or N: a ring without ribs, no axial load"},
       ChoiceName<Kind>{Kind::cylindrical_roller_NJ, "cylindrical_roller_NJ",
-                       "cylindrical roller bearing NJ: ribs one way"},
+                       "cylindrical roller bearing NJ: ribs in one direction"},
       ChoiceName<Kind>{Kind::cylindrical_roller_NUP, "cylindrical_roller_NUP",
                        "cylindrical roller bearing NUP, or NJ with HJ: ribs both ways"},
       ChoiceName<Kind>{Kind::needle_roller, "needle_roller", "needle roller bearing: no axial load"},
-      ChoiceName<Kind>{Kind::tapered_roller, "tapered_roller", "tapered roller bearing, one row: axial load one way"},
+      ChoiceName<Kind>{Kind::tapered_roller, "tapered_roller",
+                       "tapered roller bearing, single row: axial load in one direction"},
       ChoiceName<Kind>{Kind::tapered_pair, "tapered_pair",
                        "two rows of tapered rollers, face to face or back to back; C and C_0 of both"},
       ChoiceName<Kind>{Kind::spherical_roller, "spherical_roller", "spherical roller bearing, two rows"},
-      ChoiceName<Kind>{Kind::thrust_ball, "thrust_ball", "thrust ball bearing: axial load alone, one way"},
+      ChoiceName<Kind>{Kind::thrust_ball, "thrust_ball", "thrust ball bearing: axial load only, in one direction"},
       ChoiceName<Kind>{Kind::thrust_roller, "thrust_roller",
-                       "thrust bearing with cylindrical or needle rollers: axial load alone, one way"}};
+                       "cylindrical or needle roller thrust bearing: axial load only, in one direction"}};
 }
 
 constexpr bool has_balls(Kind kind) {

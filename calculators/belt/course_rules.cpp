@@ -51,7 +51,7 @@ FieldFault Course::wrong_tensioner(const Input& in) {
   if (moving == in.pulleys.size())
     return {"L", say("the length of the belt is given, and no pulley moves"),
             say("give one pulley the direction in which it tightens the belt, as in along = \"90 deg\"")};
-  return {"pulleys", say("several pulleys move, and one length does not tell where each of them is"),
+  return {"pulleys", say("several pulleys move, and one belt length does not determine their positions"),
           say("leave out along of all but one")};
 }
 
@@ -101,8 +101,8 @@ FieldFault Course::flaw_of(const Input& in) {
   if (is_set(in.L)) return length_fault(in, circles);
   const Loop loop = lay_loop(circles, turn_of(in));
   if (lay_loop(circles, -turn_of(in)).flaw == Flaw::none)
-    return {"turns", say("the pulleys are listed against the way the belt runs"),
-            say("turn the first one the other way: turns = \"{1}\"", in.turns == Turns::ccw ? "cw" : "ccw")};
+    return {"turns", say("the pulleys are listed against the direction of the belt"),
+            say("reverse the first one: turns = \"{1}\"", in.turns == Turns::ccw ? "cw" : "ccw")};
   const std::string at = path_of(in, loop.at), other = path_of(in, loop.other);
   switch (loop.flaw) {
     case Flaw::touching:

@@ -34,11 +34,11 @@ void pull(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
 template <class Tracer>
 void size(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, sigma_b, is_set(in.E_b) ? in.E_b * in.delta / min(in.d_1, in.d_2) : 0.0 * MPa,
-          is_set(in.E_b) ? "bending around the smaller pulley" : "the allowable stress holds for the given pulleys");
+          is_set(in.E_b) ? "bending around the smaller pulley" : "allowable stress for the given pulleys");
   STEP_TO(r, sigma_c, in.rho * r.v * r.v, "centrifugal stress");
   STEP_TO(r, sigma_N, in.sigma_adm - sigma_b - sigma_c, "left for pulling");
   if (is_set(in.E_b)) {
-    STEP_TO(r, u_b, sigma_b / in.sigma_adm, "bending alone");
+    STEP_TO(r, u_b, sigma_b / in.sigma_adm, "bending only");
   }
   if (!(sigma_N > from_si<Stress>(0.0))) return;
   STEP_TO(r, v_opt, sqrt((in.sigma_adm - sigma_b) / (3.0 * in.rho)), "largest power where F_t v has its maximum");

@@ -205,7 +205,7 @@ E_b = "40 MPa"
       Rule<Input>{[](const Input& in) { return is_set(in.P) != is_set(in.T_1); }, "P, T_1", "give either P or T_1"},
       Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
                   "give either the centre distance a or the length of the belt L"},
-      Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must stand clear of each other", &touching},
+      Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching},
       Rule<Input>{[](const Input& in) { return in.delta < 0.5 * min(in.d_1, in.d_2); }, "delta, d_1, d_2",
                   "the belt must be thinner than half of the smaller pulley"}};
 
@@ -243,7 +243,7 @@ constexpr auto choices_of(Flat::Tensioning) {
   return std::array{
       ChoiceName<Flat::Tensioning>{Flat::Tensioning::fixed, "fixed", "centres that are fixed when running"},
       ChoiceName<Flat::Tensioning>{Flat::Tensioning::constant_force, "constant_force",
-                                   "a weight or spring that pulls the pulleys apart with the same force always"}};
+                                   "weight or spring that tensions the belt with constant force"}};
 }
 
 }  // namespace loadpath::belt

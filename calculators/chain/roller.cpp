@@ -83,7 +83,7 @@ void pulls(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(r.v)) trace.value("v", v, "at rest: no speed is given");
   STEP_TO(r, F_c, in.strands * q * v * v, "centrifugal force, [Chain-laws]");
   STEP_TO(r, F_f, in.K_f * in.strands * q * g * r.a, "pull by the sag of the slack strand, [Vunivere]");
-  STEP_TO(r, F, in.K_A * F_t + F_c + F_f, "largest pull; the service factor stands here once");
+  STEP_TO(r, F, in.K_A * F_t + F_c + F_f, "maximum pull; the service factor is applied here, once");
   STEP_TO(r, F_W, in.K_A * F_t + 2.0 * F_f,
           "both strands pull, [Vunivere]; the centrifugal force does not reach the shafts");
   const Force none = 0.0 * N.one;
@@ -110,9 +110,9 @@ void breaking(const Input& in, Result& r, Tracer& trace) {
   STEP(F_1, in.edition == Edition::maker ? in.F_uM : in.F_u94,
        maker ? "one strand, of the maker's list" : "one strand, ISO 606:1994");
   STEP_TO(r, F_u, in.strands * F_1, "breaking load of all strands");
-  STEP_TO(r, u_F, r.F / F_u, "the largest pull may not break the chain, whatever safety is asked for");
+  STEP_TO(r, u_F, r.F / F_u, "the maximum pull must not exceed the breaking load, whatever the required safety factor");
   if (!(r.F > 0.0 * N)) return;
-  STEP_TO(r, S_stat, F_u / (r.F_t + r.F_c + r.F_f), "no design criterion alone: wear and fatigue decide");
+  STEP_TO(r, S_stat, F_u / (r.F_t + r.F_c + r.F_f), "not sufficient as a design criterion: wear and fatigue govern");
   STEP_TO(r, S_dyn, F_u / r.F, "with the service factor");
   if (!is_set(in.S_min)) return;
   STEP_TO(r, u_S, in.S_min / S_dyn, "safety against breaking");

@@ -181,7 +181,7 @@ void judge_class(const Input& in, bool is_pressed, Result& r, Tracer& trace) {
   if (!has_modulus_of_steel(in)) return;
   if (in.method == Method::aisc) {
     r.r_class = trace.value("r_class", slender_ratio(plates_of(in), in.E, in.R_e, r.sigma_cr),
-                            "AISC 360, E7: up to 1 the whole area counts under this critical stress, [AISC360]");
+                            "AISC 360, E7: up to 1 the full area is effective at this critical stress, [AISC360]");
     return;
   }
   r.r_class =

@@ -59,13 +59,13 @@ void add_shape(const Buckling::Input& in, AxisName axis, draw::Plot& plot) {
 
 std::vector<draw::Figure> Buckling::figures(const Input& in, const Result& r) {
   std::vector<draw::Figure> figures{
-      {"critical-stress", "Critical stress over slenderness, without safety", chart(in, r)}};
+      {"critical-stress", "Critical stress against slenderness (no safety factor)", chart(in, r)}};
   draw::Plot shapes;
   shapes.x = {"x", "place along the bar", "mm"};
   shapes.y = {"w", "deflection over its largest", "-"};
   for (const auto axis : {AxisName::y, AxisName::z}) add_shape(in, axis, shapes);
   if (auto bar = bar_figure(in, r)) figures.insert(figures.begin(), std::move(*bar));
-  if (!shapes.curves.empty()) figures.push_back({"buckled-shape", "The buckled bar", std::move(shapes)});
+  if (!shapes.curves.empty()) figures.push_back({"buckled-shape", "Buckling mode shape", std::move(shapes)});
   return figures;
 }
 

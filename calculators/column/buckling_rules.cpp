@@ -38,7 +38,7 @@ bool Buckling::section_given(const Input& in) {
 FieldFault Buckling::section_missing(const Input& in) {
   if (is_set(in.A)) {
     return {"A", say("with the area A both axes need I or i"),
-            say("give I_y and I_z, or i_y and i_z; of a round bar d alone")};
+            say("give I_y and I_z, or i_y and i_z; for a round bar only d")};
   }
   if (axis_given(in.I_y, in.i_y) || axis_given(in.I_z, in.i_z))
     return {"", say("I or i is given, but not the area A"), say("give A too, or a round bar d, or a rectangle b, h")};

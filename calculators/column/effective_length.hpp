@@ -131,7 +131,7 @@ end_2 = "pinned"
                     return !elastic || (is_set(in.E) && is_set(in.I));
                   },
                   "end_1, end_2, E, I", "springs are compared with the bar: give E (or a material) and I"},
-      Rule<Input>{&supports_inside, "supports, l", "supports stand between the ends, in order along the bar"}};
+      Rule<Input>{&supports_inside, "supports, l", "supports must lie between the ends, in order along the bar"}};
   static constexpr std::array modes{
       Mode<Input>{"held", "kinematic stability of the supports", &always<Input>}.judged_by("u").of_shape()};
 

@@ -42,7 +42,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
         NameField{&Part::name, "name", "name of the part"}.may_be_missing(),
         Field{&Part::J_1, "J_1", kg_m2, "moment of inertia before"}.positive().may_be_missing(),
         Field{&Part::J_2, "J_2", kg_m2, "moment of inertia after; as before where missing"}.positive().may_be_missing(),
-        Field{&Part::mass, called("m"), kg, "mass of a part that is small beside its radius, in place of J_1"}
+        Field{&Part::mass, called("m"), kg, "mass of a part that is small compared with its radius, in place of J_1"}
             .positive()
             .may_be_missing(),
         Field{&Part::R_1, "R_1", mm, "its distance from the axis before"}.positive().may_be_missing(),

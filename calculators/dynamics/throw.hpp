@@ -87,7 +87,8 @@ theta = "30 deg"
 
   static constexpr std::array modes{
       Mode<Input>{"landing", "height of the landing point", &always<Input>}.judged_by("u_h"),
-      Mode<Input>{"reach", "horizontal range", [](const Input& in) { return where(is_set(in.L_req)); }}.judged_by("u_L")};
+      Mode<Input>{"reach", "horizontal range", [](const Input& in) { return where(is_set(in.L_req)); }}.judged_by(
+          "u_L")};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

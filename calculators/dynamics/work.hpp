@@ -93,8 +93,7 @@ mu = 0.1
       Rule<Input>{[](const Input& in) { return is_set(in.c) || !(is_set(in.z_1) || is_set(in.z_2)); }, "z_1, z_2, c",
                   "a deformation needs the stiffness c of the spring"}};
 
-  static constexpr std::array modes{
-      Mode<Input>{"reach", "travel to the path end", &always<Input>}.judged_by("u_s")};
+  static constexpr std::array modes{Mode<Input>{"reach", "travel to the path end", &always<Input>}.judged_by("u_s")};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -117,8 +117,8 @@ Combined::Result Combined::evaluate(const Input& in, Tracer& trace) {
   first_cycle(in, r, trace);
   if (!varies(in)) return r;
   compare_cycles(in, r, trace);
-  STEP(sigma_t, max(in.sigma_m, 0.0 * MPa), "compression is no help");
-  STEP(tau_t, abs(in.tau_m), "shear of either sense");
+  STEP(sigma_t, max(in.sigma_m, 0.0 * MPa), "no benefit from compression");
+  STEP(tau_t, abs(in.tau_m), "shear of either sign");
   serensen(in, sigma_t, tau_t, r, trace);
   gough(in, sigma_t, tau_t, r, trace);
   mises(in, sigma_t, tau_t, r, trace);

@@ -81,7 +81,7 @@ S_F = 1.5
               .usually(3, 1000)
               .may_be_missing(),
           Field{&Input::K_sigma, "K_sigma", ratio,
-                "K_D of sigma_D, which the mean stress does not feel; 1 is on the safe side"}
+                "K_D included in sigma_D, not applied to the mean stress; 1 is on the safe side"}
               .within(1, 50)
               .usually(1, 6),
           Field{&Input::K_tau, "K_tau", ratio, "K_D of tau_D"}.within(1, 50).usually(1, 6),

@@ -121,7 +121,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
               .limit(0, same, "sigma_D")
               .where_it_applies(),
           cycles_over_told<Result>(&Result::x_N),
-          Group<Result, WholeCycle>{&Result::cycle, "cycle", "the whole cycle, for fatigue.life: cycle"}.handed_over(),
+          Group<Result, WholeCycle>{&Result::cycle, "cycle", "full cycle, for fatigue.life: cycle"}.handed_over(),
           ListField<Result, List<Compared, most_others>>{&Result::others, "others", "the compared cycles"}});
 
   static constexpr bool turns = true;

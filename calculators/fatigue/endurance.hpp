@@ -102,7 +102,7 @@ R_z = "6.3 um"
       Choice{&Input::edition, "edition", "edition of the surface factors of Marin's school"}.may_be_missing(),
       Choice{&Input::turning, "turning", "whether the part turns under its bending, for the size of Marin's school"}
           .may_be_missing(),
-      Field{&Input::h, "h", mm, "height of a rectangular section that stands, in place of d"}
+      Field{&Input::h, "h", mm, "height of a non-rotating rectangular section, in place of d"}
           .positive()
           .may_be_missing(),
       Field{&Input::b, "b", mm, "width of that section"}.positive().may_be_missing(),
@@ -129,7 +129,7 @@ R_z = "6.3 um"
       Field{&Result::sigma_m1, "sigma_m1", MPa, "fatigue limit of the smooth specimen; shear in torsion"},
       Field{&Result::sigma_low, "sigma_low", MPa, "lower end of the rule's band"},
       Field{&Result::sigma_high, "sigma_high", MPa, "upper end of the rule's band"},
-      Field{&Result::N_0, "N_0", ratio, "cycles that the limit stands for: of non-ferrous metals conventional"},
+      Field{&Result::N_0, "N_0", ratio, "number of cycles of the limit: conventional for non-ferrous metals"},
       Field{&Result::K_f, "K_f", ratio, "fatigue notch factor"},
       Field{&Result::epsilon, "epsilon", ratio, "size factor of Serensen's school"},
       Field{&Result::beta_F, "beta_F", ratio, "surface factor of Serensen's school"},
@@ -209,7 +209,8 @@ R_z = "6.3 um"
                     return !is_set(in.h) || (in.turning == Turning::standing && in.loading != Loading::torsion);
                   },
                   "h, b, turning, loading",
-                  "the size of a rectangle is told of bending and tension of what stands: turning = \"standing\""},
+                  "the size factor of a rectangle applies to bending and tension of non-rotating parts: turning = "
+                  "\"standing\""},
       Rule<Input>{[](const Input& in) { return !is_set(in.T) || in.group <= Group::cast_steel; }, "T, group",
                   "the temperature factor is that of steels: give R_m at the temperature of the part in place of T"},
       Rule<Input>{[](const Input& in) { return !is_set(in.k_c) || is_set(in.sigma_W); }, "k_c, sigma_W",
@@ -242,24 +243,19 @@ R_z = "6.3 um"
   static constexpr std::array notch_claims{NotchClaim{"sigma_D", "K_f", "K_t"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"size", "validity: size factor", &has_size}
-          .judged_by("x_d")
-          .wanting("d, epsilon")
-          .of_shape(),
+      Mode<Input>{"size", "validity: size factor", &has_size}.judged_by("x_d").wanting("d, epsilon").of_shape(),
       Mode<Input>{"surface", "validity: surface factor", &has_surface}
           .judged_by("x_Rz")
           .wanting("R_z, beta_F")
           .of_shape(),
-      Mode<Input>{"notch", "validity: notch sensitivity data",
-                  [](const Input& in) { return where(is_set(in.r_n)); }}
+      Mode<Input>{"notch", "validity: notch sensitivity data", [](const Input& in) { return where(is_set(in.r_n)); }}
           .judged_by("x_n, x_r")
           .of_shape(),
       Mode<Input>{"metal", "validity: modulus of steel",
                   [](const Input& in) { return where(is_set(in.E) && is_steel(in.group)); }}
           .judged_by("x_E")
           .of_shape(),
-      Mode<Input>{"temperature", "validity: temperature factor",
-                  [](const Input& in) { return where(is_set(in.T)); }}
+      Mode<Input>{"temperature", "validity: temperature factor", [](const Input& in) { return where(is_set(in.T)); }}
           .judged_by("x_T")
           .of_shape(),
       Mode<Input>{"surroundings", "corrosion, heat and fretting", &unseen<Input>}.special()};

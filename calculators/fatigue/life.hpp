@@ -168,7 +168,8 @@ S_F = 1.5
               .within(2, 40)
               .usually(3, 20)
               .may_be_missing(),
-          F<double>{&Input::N_D, "N_D", ratio, "cycles that sigma_D stands for, else 1e6, of non-ferrous metals 1e8"}
+          F<double>{&Input::N_D, "N_D", ratio,
+                    "number of cycles of sigma_D; if omitted 1e6, for non-ferrous metals 1e8"}
               .within(1e4, 1e10)
               .usually(5e5, 1e9)
               .may_be_missing()});
@@ -182,7 +183,7 @@ S_F = 1.5
         Field{&Row::sigma_m, "sigma_m", MPa, "mean stress, as the rule counts it"},
         Field{&Row::sigma_ar, "sigma_ar", MPa, "amplitude of symmetric cycles that does the same"},
         Field{&Row::sigma_A, "sigma_A", MPa, "amplitude that is left where the mean stress stays"},
-        Field{&Row::n, "n", ratio, "safety: factor on the whole load"},
+        Field{&Row::n, "n", ratio, "safety factor, on mean stress and amplitude"},
         Field{&Row::n_m, "n_m", ratio, "safety: factor on the amplitude, the mean stress stays"},
         Field{&Row::N, "N", ratio, "life in cycles; none below 1e3"}.may_be_infinite()};
   };
@@ -211,7 +212,7 @@ S_F = 1.5
               .where_it_applies(),
           Field{&Result::S_e, "S_e", MPa, "strength in symmetric cycles for this life"},
           Field{&Result::sigma_ar, "sigma_ar", MPa, "amplitude of symmetric cycles that does the same, by the rule"},
-          Field{&Result::n, "n", ratio, "safety by the rule: factor on the whole load"},
+          Field{&Result::n, "n", ratio, "safety factor by the rule, on mean stress and amplitude"},
           Field{&Result::n_m, "n_m", ratio, "safety by the rule: factor on the amplitude, the mean stress stays"},
           Field{&Result::N_f, "N_f", ratio, "life in cycles at this load; none below 1e3, N_D where it lasts longer"}
               .may_be_infinite(),
@@ -229,7 +230,7 @@ S_F = 1.5
               .limit(0, 1, "R_m")
               .criterion(),
           Field{&Result::x_N, "x_N", ratio, "1e3 cycles over N: below, lives are those of strains"}.limit(0, 1, "N"),
-          Field{&Result::x_D, "x_D", ratio, "N over N_D, where nothing is told beyond"}
+          Field{&Result::x_D, "x_D", ratio, "N / N_D, where nothing is stated beyond N_D"}
               .limit(0, 1 + 1e-9, "N")
               .where_it_applies(),
           Field{&Result::x_f, "x_f", ratio, "R_m over the highest of the fit of f"}.limit(0, 1, "N").where_it_applies(),
@@ -246,7 +247,8 @@ S_F = 1.5
       Rule<Input>{&line_has_all, "line, N, sigma_D, R_m, f, sigma_f, b, k, K_D", "the line of finite life needs more",
                   &lacking_of_line},
       Rule<Input>{[](const Input& in) { return is_set(in.sigma_D) || (in.line == Line::basquin && is_set(in.N)); },
-                  "sigma_D", "give the fatigue limit of the part sigma_D; a life N by Basquin's line alone needs none"},
+                  "sigma_D",
+                  "give the fatigue limit of the part sigma_D; not needed for a life N by Basquin's line only"},
       Rule<Input>{[](const Input& in) { return is_ferrous(in) || is_set(in.N); }, "group, N",
                   "non-ferrous metals have no limit without end: give the group of another metal, or the cycles N that "
                   "it must last"},
@@ -254,9 +256,9 @@ S_F = 1.5
       lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
       yields_before_it_breaks<Input>(),
       Rule<Input>{[](const Input& in) { return in.compression == Compression::ignored || in.rule == MeanRule::fkm; },
-                  "compression, rule", "compression is counted by rule = \"fkm\" alone"},
+                  "compression, rule", "compression is counted by rule = \"fkm\" only"},
       Rule<Input>{[](const Input& in) { return in.group != Group::grey_iron || is_set(in.K_m); }, "K_m, group",
-                  "grey iron does not yield at a notch: give K_m, its K_f, or 1 where there is no notch"},
+                  "grey iron does not yield at a notch: give K_m, its K_f, or 1 without a notch"},
       Rule<Input>{[](const Input& in) {
                     return !is_set(in.S_F) || is_set(in.R_e) || (in.group == Group::grey_iron && is_set(in.R_m));
                   },

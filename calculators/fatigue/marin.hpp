@@ -51,7 +51,7 @@ double marin_surface(const EnduranceTypes::Input& in, Tracer& trace) {
   const bool ninth = in.edition == EnduranceTypes::Edition::ninth;
   const auto [a, b] = ninth ? surface_of_9th(in.finish) : surface_of_11th(in.finish);
   const char* const why = ninth ? "of the finish, [Shigley6] table 6-2"
-                                : "of the finish, 11th edition: ground as in [Shigley-SM6], the others recalled";
+                                : "of the finish, 11th edition: ground as in [Shigley-SM6], the others from memory";
   trace.value("a", a, why);
   trace.value("b", b, why);
   STEP(k_s, a * pow(in.R_m / MPa, b), "surface, [Shigley6] (6-19)");
@@ -62,9 +62,9 @@ double marin_surface(const EnduranceTypes::Input& in, Tracer& trace) {
 template <class Tracer>
 Length marin_diameter(const EnduranceTypes::Input& in, Tracer& trace) {
   const bool bends = in.loading == EnduranceTypes::Loading::bending;
-  if (is_set(in.h)) return NAMED_STEP("d_e", 0.808 * sqrt(in.h * in.b), "rectangle that stands, [Shigley6] table 6-3");
+  if (is_set(in.h)) return NAMED_STEP("d_e", 0.808 * sqrt(in.h * in.b), "non-rotating rectangle, [Shigley6] table 6-3");
   if (in.turning == EnduranceTypes::Turning::standing && bends)
-    return NAMED_STEP("d_e", 0.370 * in.d, "round bar that stands, [Shigley6] (6-24)");
+    return NAMED_STEP("d_e", 0.370 * in.d, "non-rotating round bar, [Shigley6] (6-24)");
   return in.d;
 }
 

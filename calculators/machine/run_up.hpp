@@ -69,7 +69,7 @@ n_2 = "1400 rpm"
       ListField{&Input::parts, "parts", "what is accelerated, with its speed over that of the motor"},
       ListField{&Input::motor, "motor", "moment of the motor over the speed, of a brake negative: [[n, M], ...]"}
           .as_arrays(),
-      ListField{&Input::load, "load", "moment that the load asks for over the speed: [[n, M], ...]; none where missing"}
+      ListField{&Input::load, "load", "load moment against speed: [[n, M], ...]; none if omitted"}
           .as_arrays()
           .may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed at the start"}.at_least(0),
@@ -89,7 +89,7 @@ n_2 = "1400 rpm"
       Field{&Result::J_red, "J_red", kg_m2, "moment of inertia reduced to the motor's shaft"},
       Field{&Result::M_start, "M_start", N_m, "accelerating moment at the start, signed"},
       Field{&Result::M_end, "M_end", N_m, "accelerating moment at the end, signed"},
-      Field{&Result::M_least, "M_least", N_m, "least moment towards the end speed on the way"},
+      Field{&Result::M_least, "M_least", N_m, "minimum accelerating moment up to the final speed"},
       Field{&Result::epsilon_1, "epsilon_1", rad_per_s2, "angular acceleration at the start"},
       Field{&Result::t, "t", sec, "time of the run"},
       Field{&Result::turns, "turns", ratio, "turns of the motor meanwhile"},

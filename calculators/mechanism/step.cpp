@@ -36,7 +36,7 @@ void MechanismStep::prepare(const project::Declared& declared, const project::Co
   for (const project::Taken& taken : input().reading.taken) {
     issues.push_back({taken.place, name() + "." + taken.path,
                       say("'{1}' of a mechanism is written out: its parts hang on it", taken.path),
-                      say("what many steps share can stand in [values]: \"=values.{1}\"", taken.path),
+                      say("values of several steps can be given in [values]: \"=values.{1}\"", taken.path),
                       Severity::error});
   }
   if (input().from != nullptr) add_faults(check_overrides(*input().from, input().reading), issues);

@@ -89,7 +89,7 @@ phi = "60 deg"
       Field{&Result::a_e, "a_e", m_per_s2, "transport acceleration"},
       Field{&Result::a_c, "a_c", m_per_s2, "Coriolis acceleration"},
       Field{&Result::a, "a", m_per_s2, "absolute acceleration"},
-      Choice{&Result::sense, "sense", "Coriolis acceleration beside the normal transport acceleration"},
+      Choice{&Result::sense, "sense", "Coriolis and normal transport acceleration"},
       Field{&Result::v_exi, "v_exi", m_per_s, "transport velocity along xi"},
       Field{&Result::v_eeta, "v_eeta", m_per_s, "transport velocity along eta"},
       Field{&Result::v_axi, "v_axi", m_per_s, "absolute velocity along xi"},

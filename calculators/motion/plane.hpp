@@ -48,7 +48,7 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
       Group{&Input::B, "B", "place of B: [x, y]"}.as_array().may_be_missing(),
       Field{&Input::v_A, "v_A", m_per_s, "velocity of A along alpha_A, signed"},
       Field{&Input::alpha_A, "alpha_A", deg, "direction of the velocity of A, from x"},
-      Field{&Input::omega, "omega", rad_per_s, "angular speed, counter-clockwise positive; else B tells"}
+      Field{&Input::omega, "omega", rad_per_s, "angular velocity, counter-clockwise positive; or give B"}
           .may_be_missing(),
       Field{&Input::v_B, "v_B", m_per_s,
             "velocity of B along alpha_B, signed; needed where both velocities are "
@@ -102,7 +102,7 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
       Rule<Input>{[](const Input& in) { return !(is_set(in.epsilon) && is_set(in.alpha_aB)); }, "epsilon, alpha_aB",
                   "the angular acceleration is epsilon, or follows from alpha_aB: give one of the two"},
       Rule<Input>{[](const Input& in) { return !is_set(in.a_A) || is_set(in.epsilon) || is_set(in.alpha_aB); },
-                  "a_A, epsilon, alpha_aB", "accelerations need epsilon, or alpha_aB, beside a_A"},
+                  "a_A, epsilon, alpha_aB", "accelerations need epsilon, or alpha_aB, in addition to a_A"},
       Rule<Input>{[](const Input& in) { return is_set(in.a_A) || !(is_set(in.epsilon) || is_set(in.alpha_aB)); },
                   "a_A, epsilon, alpha_aB", "accelerations need that of A: give a_A (\"0 m/s^2\" where it has none)"},
       Rule<Input>{&guide_is_oblique, "alpha_aB, A, B",

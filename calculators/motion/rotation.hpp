@@ -52,7 +52,7 @@ t_2 = "2 s"
   };
   static constexpr Fields inputs{
       FormulaField{&Input::phi, "phi", "angle as a formula of the time t: \"90 deg*(t/(1 s))^2\""},
-      Field{&Input::t, "t", sec, "time that the state is worked out for"},
+      Field{&Input::t, "t", sec, "time at which the state is calculated"},
       Field{&Input::R, "R", mm, "distance of the point from the axis"}.at_least(0).usually(0.1, 1e5).may_be_missing(),
       Field{&Input::phi_M, "phi_M", deg, "direction from the axis to the point at phi = 0, from x"},
       Field{&Input::t_1, "t_1", sec, "start of the range that turns are counted in, with t_2"}.may_be_missing(),
@@ -112,7 +112,7 @@ t_2 = "2 s"
 
 constexpr auto choices_of(Rotation::Change) {
   using C = Rotation::Change;
-  return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the body stands at this time"},
+  return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the body is at rest at this time"},
                     ChoiceName<C>{C::steady, "steady", "the angular speed does not change at this time"},
                     ChoiceName<C>{C::faster, "faster", "the body gets faster"},
                     ChoiceName<C>{C::slower, "slower", "the body gets slower"}};

@@ -173,7 +173,7 @@ p_adm_2 = "100 MPa"
       Rule<Input>{[](const Input& in) { return !is_set(in.d_i) || !is_set(in.d) || in.d_i < in.d; }, "d_i, d",
                   "the bore must be smaller than the pin"},
       Rule<Input>{[](const Input& in) { return in.spread == Spread::even || in.held == Held::loose; }, "spread, held",
-                  "the force falls over the cheeks of a loose pin alone: held = \"loose\""},
+                  "a falling force distribution applies only to a loose pin: held = \"loose\""},
       Rule<Input>{[](const Input& in) {
                     const bool typed = is_set(in.sigma_adm) && is_set(in.tau_adm);
                     return !is_set(in.R_m) || typed || in.loading != Loading::unsaid;

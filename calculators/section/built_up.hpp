@@ -55,13 +55,13 @@ parts = [
   static constexpr std::array rules{
       Rule<Input>{&parts_are_whole, "parts", "a part lacks what its shape needs", &incomplete},
       Rule<Input>{&is_full, "parts",
-                  "the holes leave no section: more is cut out than there is, or beside the material"},
+                  "the holes leave no section: they remove more than the material, or lie outside of it"},
       Rule<Input>{&none_overlap, "parts", "parts overlap: what both cover would count twice", &overlapping},
-      Rule<Input>{&all_touch, "parts", "a part stands apart from the others", &apart, true}};
+      Rule<Input>{&all_touch, "parts", "a part is separate from the others", &apart, true}};
 
-  static constexpr std::array modes{
-      Mode<Input>{"joined", "shear connection of the parts",
-                  [](const Input& in) { return in.parts.size() < 2 ? Applies::no : shown_by(!all_touch(in)); }}};
+  static constexpr std::array modes{Mode<Input>{"joined", "shear connection of the parts", [](const Input& in) {
+                                                  return in.parts.size() < 2 ? Applies::no : shown_by(!all_touch(in));
+                                                }}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -193,7 +193,7 @@ R_e_2 = "300 MPa"
                              },
                              "bore, d_1, d_2", "the bore of the mounted component must equal d_1 or d_2"},
                  Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
-                             "a spline has a whole number of teeth"},
+                             "the number of teeth must be an integer"},
                  Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be the larger"},
                  Rule<Input>{[](const Input& in) { return !(in.d_2 - in.d_1 <= 4.0 * in.g); }, "g, d_1, d_2",
                              "the chamfers leave nothing of the flank"},

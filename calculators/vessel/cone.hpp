@@ -64,7 +64,7 @@ sigma_adm = "120 MPa"
   static constexpr std::array rules = join(
       wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= in.R / std::tan(in.alpha); },
-                             "h_l, R, alpha", "the liquid stands above the large end of the cone"},
+                             "h_l, R, alpha", "the liquid level is above the large end of the cone"},
                  Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
                              "the wall is thicker than the radius leaves room for"}});
 

@@ -80,14 +80,14 @@ Length rings(const Input& in, Stress sigma_all, Tracer& trace) {
   if (is_set(in.A_r)) return NAMED_STEP("a_r", in.A_r / in.l_r, "section of the rings per length");
   const Stress p_0 = trace.value("p_0", bottom_pressure(in), "pressure of the liquid at the lowest place");
   return NAMED_STEP("a_r", (in.p + p_0) * in.R / sigma_all,
-                    "rings that could take the whole hoop force, as [B24] assumes");
+                    "rings that could take the full hoop force, as [B24] assumes");
 }
 
 /// The thicknesses of the book: each stress by itself.
 template <class Tracer>
 void by_the_book(const Input& in, Cylinder::Result& r, Tracer& trace) {
-  STEP_TO(r, delta_o, r.p_i * r.R_m / (in.z_l * r.sigma_all), "hoop stress alone, [B24] (10)");
-  STEP_TO(r, delta_M, r.sigma_M * r.delta_c / (in.z_c * r.sigma_all), "meridional stress alone, [B24] (11)");
+  STEP_TO(r, delta_o, r.p_i * r.R_m / (in.z_l * r.sigma_all), "hoop stress only, [B24] (10)");
+  STEP_TO(r, delta_M, r.sigma_M * r.delta_c / (in.z_c * r.sigma_all), "meridional stress only, [B24] (11)");
 }
 
 template <class Tracer>

@@ -77,8 +77,8 @@ sigma_adm = "140 MPa"
   static constexpr Fields results = join(
       wall_results<Result>(),
       Fields{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
-             Field{&Result::delta_o, "delta_o", mm, "carrying thickness by the hoop stress alone, pR/sigma"},
-             Field{&Result::delta_M, "delta_M", mm, "carrying thickness by the meridional stress alone, pR/2sigma"},
+             Field{&Result::delta_o, "delta_o", mm, "analysis thickness for the hoop stress only, pR/sigma"},
+             Field{&Result::delta_M, "delta_M", mm, "analysis thickness for the meridional stress only, pR/2sigma"},
              Field{&Result::a_r, "a_r", mm, "section of the rings per length of the vessel"}},
       lame_results<Result>(),
       Fields{Field{&Result::sigma_e, "sigma_e", MPa, "bending stress of flat ends, in their middle"},
@@ -128,7 +128,7 @@ constexpr auto choices_of(Cylinder::Ends) {
 
 constexpr auto choices_of(Cylinder::Support) {
   using Support = Cylinder::Support;
-  return std::array{ChoiceName<Support>{Support::bottom, "bottom", "stands: the ground bears the liquid"},
+  return std::array{ChoiceName<Support>{Support::bottom, "bottom", "standing: the ground carries the liquid"},
                     ChoiceName<Support>{Support::top, "top", "hangs: the wall bears the liquid"}};
 }
 

@@ -68,14 +68,14 @@ sigma_adm = "140 MPa"
   static constexpr std::array rules =
       join(wall_rules<Input>(), gas_rules<Input>(),
            std::array{Rule<Input>{[](const Input& in) { return in.a <= 5.0 * in.b && in.b <= 5.0 * in.a; }, "a, b",
-                                  "so flat or so slender an ellipsoid is no membrane: a/b must lie between 1/5 and 5"},
+                                  "a/b must be 1/5 to 5 (range of membrane theory)"},
                       Rule<Input>{[](const Input& in) { return leaves_room(in, min(in.a, in.b)); }, "a, b, delta",
                                   "the wall is thicker than the semi-axes leave room for"}});
 
   static constexpr Applies flat(const Input& in) { return where(in.a * in.a > 2.0 * in.b * in.b); }
   static constexpr std::array meanings = wall_meanings;
-  static constexpr std::array modes = wall_modes<Input>(
-      "u_v, t_R, x_s", Mode<Input>{"knuckle", "buckling of the knuckle", &flat}.judged_by("w_b"));
+  static constexpr std::array modes =
+      wall_modes<Input>("u_v, t_R, x_s", Mode<Input>{"knuckle", "buckling of the knuckle", &flat}.judged_by("w_b"));
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

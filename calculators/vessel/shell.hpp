@@ -94,7 +94,7 @@ sigma_adm = "120 MPa"
           Field{&Result::psi_max, "psi_max", deg, "edges: largest turn of the meridian from one chord to the next"}
               .limit(0, 15 * (1 + 1e-9)),
           Field{&Result::s_min, "s_min", ratio,
-                "flatness: widest radius over the largest radius of curvature rho_o; a flat place is no membrane"}
+                "flatness: maximum radius / maximum radius of curvature rho_o (a flat zone is not a membrane)"}
               .limit(0.02, 1.0 + 1e-9),
           shallowness<Result>(),
           Field{&Result::w_kappa, "w_kappa", ratio,
@@ -109,7 +109,7 @@ sigma_adm = "120 MPa"
       wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{&long_enough, "points", "a meridian needs at least three points"},
                  Rule<Input>{&apart, "points", "two neighbouring points of the meridian are one and the same"},
-                 Rule<Input>{&is_loaded, "h_l, points", "nothing loads the wall: the liquid stands below all of it"},
+                 Rule<Input>{&is_loaded, "h_l, points", "the wall is not loaded: the liquid level is below it"},
                  Rule<Input>{&held_off_axis, "points",
                              "only the first point may lie on the axis, and the last must lie higher or lower than it: "
                              "split a shell that is closed at both ends where it is held"}});
@@ -117,10 +117,10 @@ sigma_adm = "120 MPa"
   static Applies knuckle_compressed(const Input& in);
   static Applies compressed(const Input& in);
   static constexpr std::array meanings = wall_meanings;
-  static constexpr std::array modes = wall_modes<Input>(
-      "u_v, t_R, psi_max, s_min, x_s, w_kappa",
-      Mode<Input>{"knuckle", "buckling of the knuckle", &knuckle_compressed}.judged_by("w_b"),
-      Mode<Input>{"buckling", "compressive buckling of the wall", &compressed});
+  static constexpr std::array modes =
+      wall_modes<Input>("u_v, t_R, psi_max, s_min, x_s, w_kappa",
+                        Mode<Input>{"knuckle", "buckling of the knuckle", &knuckle_compressed}.judged_by("w_b"),
+                        Mode<Input>{"buckling", "compressive buckling of the wall", &compressed});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

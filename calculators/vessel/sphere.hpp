@@ -66,7 +66,7 @@ sigma_adm = "160 MPa"
   static constexpr std::array rules =
       join(wall_rules<Input>(), liquid_rules<Input>(),
            std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= 2.0 * in.R; }, "h_l, R",
-                                  "the liquid stands above the top of the sphere: give the pressure there as p"},
+                                  "the liquid level is above the top of the sphere: give the pressure there as p"},
                       Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
                                   "the wall is thicker than the radius leaves room for"}});
 

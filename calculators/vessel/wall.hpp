@@ -181,8 +181,7 @@ constexpr auto choices_of(Hypothesis) {
   return std::array{
       ChoiceName<Hypothesis>{Hypothesis::tresca, "tresca", "Tresca, with the radial stress -p at the inside"},
       ChoiceName<Hypothesis>{Hypothesis::mises, "mises", "von Mises, with the radial stress -p at the inside"},
-      ChoiceName<Hypothesis>{Hypothesis::membrane, "membrane",
-                             "the larger membrane stress alone, as the textbook has it"}};
+      ChoiceName<Hypothesis>{Hypothesis::membrane, "membrane", "the larger membrane stress only, as in the textbook"}};
 }
 
 }  // namespace loadpath::vessel

@@ -79,7 +79,7 @@ void show_keys(const Calculator& calculator) {
     rows.push_back({"  display", "table", "optional", "units of results: display = { KEY = \"in\" }"});
   if (!calculator.modes.empty())
     rows.push_back({"  accept", "table", "optional",
-                    "modes of failure that you answer for: accept.MODE = \"reason\"; the modes stand below"});
+                    "failure modes accepted by the user: accept.MODE = \"reason\" (modes listed below)"});
   if (calculator.result != nullptr)
     rows.push_back({"  because", "table", "optional",
                     "why a typed value is better than the row or the record beside it: because.KEY = \"reason\""});

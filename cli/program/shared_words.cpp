@@ -67,9 +67,9 @@ void add_points(CLI::App& app, PointOptions& options) {
   app.add_option("--samples", options.samples, "samples of uncertain inputs, at each point of the ranges")
       ->type_name("N")
       ->check(whole_from(1));
-  app.add_option("--seed", options.seed, "another seed gives other samples")->type_name("N")->check(whole_from(0));
-  app.add_flag("--latin", options.latin, "samples of a Latin hypercube: spread evenly over each input");
-  app.add_option("--zip", options.zip, "inputs that run together: shaft.T,shaft.n")
+  app.add_option("--seed", options.seed, "seed of the random samples")->type_name("N")->check(whole_from(0));
+  app.add_flag("--latin", options.latin, "Latin hypercube sampling");
+  app.add_option("--zip", options.zip, "inputs varied in parallel, not crossed: shaft.T,shaft.n")
       ->type_name("INPUTS")
       ->expected(1)
       ->take_all()

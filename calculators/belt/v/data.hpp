@@ -67,7 +67,7 @@ struct VRow {
                                  Field{&VRow::v_max, "v_max", m_per_s, "largest speed"},
                                  Field{&VRow::f_B_max, "f_B_max", Hz, "largest bending frequency"},
                                  Field{&VRow::C_0, "C_0", N, "stiffness of the belt against the test force"},
-                                 Field{&VRow::L_h, "L_h", hour, "life that the rating holds for"}};
+                                 Field{&VRow::L_h, "L_h", hour, "life on which the rating is based"}};
 };
 
 struct VLengthRow {

@@ -88,9 +88,9 @@ constexpr auto choices_of(VTypes::Motor) {
 }
 constexpr auto choices_of(VTypes::Tensioning) {
   using Tensioning = VTypes::Tensioning;
-  return std::array{ChoiceName<Tensioning>{Tensioning::fixed, "fixed", "centres that are fixed when running"},
-                    ChoiceName<Tensioning>{Tensioning::constant_force, "constant_force",
-                                           "a weight or spring that always pulls alike"}};
+  return std::array{
+      ChoiceName<Tensioning>{Tensioning::fixed, "fixed", "centres that are fixed when running"},
+      ChoiceName<Tensioning>{Tensioning::constant_force, "constant_force", "weight or spring with constant force"}};
 }
 constexpr auto choices_of(VTypes::End) {
   return std::array{ChoiceName<VTypes::End>{VTypes::End::low, "low", "the low end: more belts"},

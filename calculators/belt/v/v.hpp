@@ -185,14 +185,14 @@ L = "2650 mm"
       Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},
       Rule<Input>{&class_fits, "belt_class, basis", "the class of the belt goes with the basis iso", &wrong_class},
       Rule<Input>{&service_is_given, "K_A, duty, motor, h_day",
-                  "give K_A; on the basis optibelt duty, motor and h_day may stand in its place, never both"},
+                  "give K_A; on the basis optibelt duty, motor and h_day may replace it, never both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.K_A_1) || in.basis == Basis::iso; }, "K_A_1, basis",
                   "K_A_1 belongs to the basis iso; the tension of the basis optibelt takes the one K_A"},
       Rule<Input>{[](const Input& in) { return in.C_K_end == End::low || in.basis == Basis::iso; }, "C_K_end, basis",
                   "the count factor belongs to the basis iso; the basis optibelt has none"},
       Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
                   "give either the centre distance a or the length of the belt L"},
-      Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must stand clear of each other", &touching}};
+      Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching}};
 
   static constexpr bool turns = true;
   static constexpr std::array meanings{Meaning{"P", "mean"}};

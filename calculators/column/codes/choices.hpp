@@ -43,7 +43,7 @@ constexpr auto choices_of(Method) {
                     ChoiceName<M>{M::secant, "secant", "secant formula, with an eccentricity"},
                     ChoiceName<M>{M::ec3, "ec3", "EN 1993-1-1:2005, 6.3.1, flexural buckling"},
                     ChoiceName<M>{M::aisc, "aisc", "AISC 360, E3, allowable strength"},
-                    ChoiceName<M>{M::sp16, "sp16", "SP 16.13330, 7.1.3, its coefficients recalled"}};
+                    ChoiceName<M>{M::sp16, "sp16", "SP 16.13330, 7.1.3, coefficients from memory"}};
 }
 
 /// What the buckling curve of EN 1993-1-1 and the limits of local buckling follow from.
@@ -114,7 +114,7 @@ enum class Loading { none, compression, tension };
 
 constexpr auto choices_of(Loading) {
   using L = Loading;
-  return std::array{ChoiceName<L>{L::none, "none", "no load given: the allowable loads alone"},
+  return std::array{ChoiceName<L>{L::none, "none", "no load given: allowable loads only"},
                     ChoiceName<L>{L::compression, "compression", "compressed"},
                     ChoiceName<L>{L::tension, "tension", "no compression: a bar in tension does not buckle"}};
 }

@@ -68,8 +68,7 @@ Message remedy_of(Failure failure) {
   if (failure == Failure::strength)
     return say("name a material that is given for thicker sections, or families with thinner walls");
   if (failure == Failure::beyond) return say("name families of larger sections, or hold the bar better");
-  if (failure == Failure::range)
-    return say("take a method that holds for stocky bars too: tetmajer, johnson, ec3, aisc");
+  if (failure == Failure::range) return say("take a method that also covers stocky bars: tetmajer, johnson, ec3, aisc");
   return {};
 }
 
@@ -91,7 +90,7 @@ FieldFault Lightest::unknown_family(const Input& in) {
   const Family* const unknown = stranger(in);
   const auto known = families();
   return {"families[" + std::to_string(unknown - &in.families[0] + 1) + "].family",
-          say("there is no family '{1}' in the section tables", unknown->family.view()),
+          say("unknown family '{1}' in the section tables", unknown->family.view()),
           did_you_mean(unknown->family.view(), known, there_is(known))};
 }
 
@@ -132,7 +131,7 @@ bool Lightest::fibres_known(const Input& in) { return fibreless(in) == nullptr; 
 FieldFault Lightest::no_fibre(const Input& in) {
   return {
       in.e_y > 0.0 * mm ? "e_y" : "e_z",
-      say("the extreme fibre of {1} is not half its side, so the secant formula is not worked out for these sections",
+      say("the extreme fibre of {1} is not at half the side, so the secant formula is not available for these sections",
           fibreless(in)->name()),
       say("leave out e_y, e_z and take another method, or give column.buckling the section with c_y or c_z")};
 }

@@ -75,13 +75,10 @@ constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
       Mode<Input>{"local", "local buckling (class 3 limit)", &thin_walled<Input, outline_of>}
           .judged_by("r_class, x_E")
           .wanting(of_walls),
-      Mode<Input>{"torsional", "torsional and torsional-flexural buckling",
-                  &twisting<Input, outline_of>},
-      Mode<Input>{"eccentric", "eccentric compression (secant formula)", &bent<Input>}
-          .judged_by("u_e")
-          .wanting("method = secant"),
-      Mode<Input>{"lateral_torsional", "lateral-torsional buckling",
-                  &twisting_when_bent<Input, outline_of>},
+      Mode<Input>{"torsional", "torsional and torsional-flexural buckling", &twisting<Input, outline_of>},
+      Mode<Input>{"eccentric", "eccentric compression (secant formula)", &bent<Input>}.judged_by("u_e").wanting(
+          "method = secant"),
+      Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &twisting_when_bent<Input, outline_of>},
       Mode<Input>{"lateral", "bending by transverse, inertia and moment loads", &unseen<Input>}
           .in_service()
           .by_companions()

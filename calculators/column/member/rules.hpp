@@ -57,7 +57,7 @@ constexpr auto held_rules() {
                   },
                   "ends_y, ends_z, beta_y, beta_z", "give the ends of an axis or its factor beta, never both"},
       Rule<Input>{&of<Input, &supports_inside>, "supports_y, supports_z, l",
-                  "supports stand between the ends, in order along the bar", &of<Input, &support_outside>},
+                  "supports must lie between the ends, in order along the bar", &of<Input, &support_outside>},
       Rule<Input>{
           &of<Input, &supports_need_ends>, "supports_y, supports_z, beta_y, beta_z, beta_basis",
           "supports are computed from the ends exactly: leave out beta of that axis, and beta_basis = \"exact\""}};
@@ -67,7 +67,7 @@ constexpr auto held_rules() {
 template <class Input>
 constexpr auto method_rules() {
   return std::array{
-      Rule<Input>{&of<Input, &method_suits_class>, "method, material_class, E", "the method is for steel alone",
+      Rule<Input>{&of<Input, &method_suits_class>, "method, material_class, E", "the method is for steel only",
                   &of<Input, &method_of_steel>},
       Rule<Input>{&of<Input, &yields_as_graded>, "grade, R_e",
                   "grade S460 has a yield strength of at least 400 MPa; omit grade for another steel"},

@@ -61,7 +61,7 @@ constexpr auto din743_section() {
           .positive()
           .usually(5, 500),
       Field<Input, Length>{&Input::d_bore, "d_bore", mm, "bore diameter"}.at_least(0),
-      Field<Input, Length>{&Input::D, "D", mm, "larger diameter, of a shoulder or beside a groove"}
+      Field<Input, Length>{&Input::D, "D", mm, "larger diameter, of a shoulder or next to a groove"}
           .positive()
           .usually(5, 600)
           .may_be_missing(),
@@ -152,26 +152,26 @@ constexpr auto notch_ranges() {
 template <class Result>
 constexpr auto din743_results() {
   return join(
-      Fields{Field<Result, Length>{&Result::d_eff, "d_eff", mm, "diameter at heat treatment"},
-             Field<Result, double>{&Result::K_1B, "K_1B", ratio, "size at heat treatment, tensile strength"},
-             Field<Result, double>{&Result::K_1S, "K_1S", ratio, "size at heat treatment, yield strength"},
-             Field<Result, Stress>{&Result::sigma_Bd, "sigma_Bd", MPa, "tensile strength of this size"},
-             Field<Result, Stress>{&Result::sigma_Sd, "sigma_Sd", MPa, "yield strength of this size"},
-             Field<Result, Stress>{&Result::sigma_mv, "sigma_mv", MPa, "equivalent mean stress; negative: compression"},
-             Field<Result, Stress>{&Result::tau_mv, "tau_mv", MPa, "equivalent mean stress of shear"},
-             Field<Result, double>{&Result::S_D, "S_D", ratio, "safety against fatigue; infinite where nothing varies"}
-                 .may_be_infinite(),
-             Field<Result, double>{&Result::S_F, "S_F", ratio, "safety against yielding under the largest load"}
-                 .may_be_infinite(),
-             Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: required safety over S_D"}.check(),
-             Field<Result, double>{&Result::u_F, "u_F", ratio, "yielding: required safety over S_F"}
-                 .check()
-                 .where_it_applies(),
-             din743_range<Result>(&Result::x_m, "x_m", "equivalent mean stress over the yield limit").criterion(),
-             din743_range<Result>(&Result::x_small, "x_small",
-                                  "7.5 mm over the diameter: K_2 and K_3 are told from there on"),
-             din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 500 mm, where K_1 ends"),
-             din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound")},
+      Fields{
+          Field<Result, Length>{&Result::d_eff, "d_eff", mm, "diameter at heat treatment"},
+          Field<Result, double>{&Result::K_1B, "K_1B", ratio, "size at heat treatment, tensile strength"},
+          Field<Result, double>{&Result::K_1S, "K_1S", ratio, "size at heat treatment, yield strength"},
+          Field<Result, Stress>{&Result::sigma_Bd, "sigma_Bd", MPa, "tensile strength of this size"},
+          Field<Result, Stress>{&Result::sigma_Sd, "sigma_Sd", MPa, "yield strength of this size"},
+          Field<Result, Stress>{&Result::sigma_mv, "sigma_mv", MPa, "equivalent mean stress; negative: compression"},
+          Field<Result, Stress>{&Result::tau_mv, "tau_mv", MPa, "equivalent mean stress of shear"},
+          Field<Result, double>{&Result::S_D, "S_D", ratio, "safety against fatigue; infinite where nothing varies"}
+              .may_be_infinite(),
+          Field<Result, double>{&Result::S_F, "S_F", ratio, "safety against yielding under the largest load"}
+              .may_be_infinite(),
+          Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: required safety over S_D"}.check(),
+          Field<Result, double>{&Result::u_F, "u_F", ratio, "yielding: required safety over S_F"}
+              .check()
+              .where_it_applies(),
+          din743_range<Result>(&Result::x_m, "x_m", "equivalent mean stress over the yield limit").criterion(),
+          din743_range<Result>(&Result::x_small, "x_small", "7.5 mm / diameter: K_2 and K_3 are stated from 7.5 mm on"),
+          din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 500 mm, where K_1 ends"),
+          din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound")},
       notch_ranges<Result>(),
       Fields{ListField<Result, List<Din743Stress, 3>>{&Result::stresses, "stresses",
                                                       "tension, bending, torsion: what acts"}});
@@ -179,25 +179,26 @@ constexpr auto din743_results() {
 
 constexpr auto choices_of(Notch) {
   using N = Notch;
-  return std::array{ChoiceName<N>{N::untold, "untold", "not told, which no section is rated by"},
-                    ChoiceName<N>{N::smooth, "smooth", "no notch"},
-                    ChoiceName<N>{N::shoulder, "shoulder", "shoulder from d to D with the radius r"},
-                    ChoiceName<N>{N::round_groove, "round-groove", "groove around, round with r, D beside it"},
-                    ChoiceName<N>{N::rectangular_groove, "rectangular-groove",
-                                  "groove around of the width w with r at its edges, D beside it: a retaining ring"},
-                    ChoiceName<N>{N::v_groove, "v-groove", "sharp V-groove around, r about 0.1 mm, D beside it"},
-                    ChoiceName<N>{N::keyway, "keyway", "one keyway with its hub"},
-                    ChoiceName<N>{N::two_keyways, "two-keyways", "two keyways with their hub"},
-                    ChoiceName<N>{N::press_fit, "press-fit", "hub pressed on, at its edge"},
-                    ChoiceName<N>{N::cross_hole, "cross-hole", "hole across with the radius r"},
-                    ChoiceName<N>{N::alpha, "alpha", "shape factors as typed"},
-                    ChoiceName<N>{N::beta, "beta", "notch factors as typed: splines, undercuts, tests"}};
+  return std::array{
+      ChoiceName<N>{N::untold, "untold", "not stated: no section is assessed with it"},
+      ChoiceName<N>{N::smooth, "smooth", "no notch"},
+      ChoiceName<N>{N::shoulder, "shoulder", "shoulder from d to D with the radius r"},
+      ChoiceName<N>{N::round_groove, "round-groove", "circumferential round groove with r, D next to it"},
+      ChoiceName<N>{N::rectangular_groove, "rectangular-groove",
+                    "circumferential rectangular groove of width w with r at its edges, D next to it: retaining ring"},
+      ChoiceName<N>{N::v_groove, "v-groove", "circumferential sharp V-groove, r about 0.1 mm, D next to it"},
+      ChoiceName<N>{N::keyway, "keyway", "one keyway with its hub"},
+      ChoiceName<N>{N::two_keyways, "two-keyways", "two keyways with their hub"},
+      ChoiceName<N>{N::press_fit, "press-fit", "hub pressed on, at its edge"},
+      ChoiceName<N>{N::cross_hole, "cross-hole", "hole across with the radius r"},
+      ChoiceName<N>{N::alpha, "alpha", "shape factors as typed"},
+      ChoiceName<N>{N::beta, "beta", "notch factors as typed: splines, undercuts, tests"}};
 }
 
 constexpr auto choices_of(SteelGroup) {
   using G = SteelGroup;
   return std::array{
-      ChoiceName<G>{G::none, "none", "not told: R_m and R_e are those of this size"},
+      ChoiceName<G>{G::none, "none", "not stated: R_m and R_e apply to this size"},
       ChoiceName<G>{G::quenched_tempered, "quenched-tempered", "quenched and tempered, d_B 16 mm"},
       ChoiceName<G>{G::case_hardening_crnimo, "case-hardening-CrNiMo", "CrNiMo steel for case hardening, core, 16 mm"},
       ChoiceName<G>{G::case_hardening, "case-hardening", "other steel for case hardening, core, d_B 16 mm"},

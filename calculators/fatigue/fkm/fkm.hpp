@@ -74,15 +74,12 @@ f_max = 1.8
   static constexpr std::array modes{
       Mode<Input>{"fatigue", "fatigue strength, constant amplitude", &any_varies<Input>}.judged_by(
           "u_D, x_eff, x_G, x_Rz, x_N, x_small, x_r, x_D, x_alpha, x_t, x_hole, x_bore, x_E"),
-      Mode<Input>{"yield", "static strength at peak load", &always<Input>}
-          .judged_by("u_S, x_E")
-          .wanting("f_max"),
+      Mode<Input>{"yield", "static strength at peak load", &always<Input>}.judged_by("u_S, x_E").wanting("f_max"),
       Mode<Input>{"layer", "cracking of the hardened layer",
                   [](const Input& in) { return where(in.layer == Layer::hard); }},
       Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
       Mode<Input>{"shear", "transverse shear and buckling", &unseen<Input>}.special(),
-      Mode<Input>{"surroundings", "corrosion, fretting, temperature and welds", &unseen<Input>}
-          .special()};
+      Mode<Input>{"surroundings", "corrosion, fretting, temperature and welds", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -42,7 +42,7 @@ Stress on_curve(const Input& in, const Haigh& haigh, const Cycle& cycle, Tracer&
   STEP(sigma_s, in.stress == Stresses::shear ? in.K_A * abs(sigma_m0) : in.K_A * sigma_m0,
        "with the application factor; of shear its magnitude");
   STEP(sigma_m, in.mean == History::Means::fkm ? sigma_s : max(sigma_s, 0.0 * MPa),
-       "what compression gives is counted by FKM alone");
+       "the benefit of compression is counted by FKM only");
   if (in.stress == Stresses::shear && is_set(haigh.R_m)) trace.value("R_m", haigh.R_m, "of shear, [Shigley6] (6-54)");
   if (in.stress == Stresses::shear && is_set(haigh.R_e)) trace.value("R_e", haigh.R_e, "of shear, [Mises]");
   const Stress sigma_ar = equivalent(rule_of(in), haigh, {sigma_a, sigma_m}, trace);
@@ -147,8 +147,9 @@ void all_rules(const Input& in, const std::vector<Cycle>& cycles, const OnCurve&
   r.D_original = trace.value("D_original", by(MinerRule::original), "sum of n / N above the limit, [Miner]");
   r.D_elementary = trace.value("D_elementary", by(MinerRule::elementary), "the slope k for all cycles");
   r.D_modified = trace.value("D_modified", by(MinerRule::modified), "2 k - 1 below the limit, [Haibach]");
-  r.D_consistent = trace.value("D_consistent", by(MinerRule::consistent), "the limit falls, [Haibach], recalled");
-  r.D_LZ = trace.value("D_LZ", by(MinerRule::liu_zenner), "slope (k + 3.6)/2, Liu and Zenner, recalled");
+  r.D_consistent =
+      trace.value("D_consistent", by(MinerRule::consistent), "decreasing fatigue limit, [Haibach], from memory");
+  r.D_LZ = trace.value("D_LZ", by(MinerRule::liu_zenner), "slope (k + 3.6)/2, Liu and Zenner, from memory");
   r.D = in.miner == MinerRule::original     ? NAMED_STEP("D", r.D_original, "the original rule decides")
         : in.miner == MinerRule::elementary ? NAMED_STEP("D", r.D_elementary, "the elementary rule decides")
         : in.miner == MinerRule::consistent ? NAMED_STEP("D", r.D_consistent, "the consistent rule decides")
@@ -172,8 +173,7 @@ void largest_cycle(const Input& in, const std::vector<Cycle>& cycles, const OnCu
   const rainflow::SnCurve curve = weighing_curve(in, on.largest);
   const auto N = curve.cycles(r.S_1 / MPa);
   r.N_S1 = N ? trace.value("N_S1", *N, "cycles on the curve, not reversals") : endless;
-  if (const auto least = curve.cycles(on.largest))
-    r.x_N = trace.value("x_N", *least, "life of the largest cycle alone");
+  if (const auto least = curve.cycles(on.largest)) r.x_N = trace.value("x_N", *least, "life of the largest cycle only");
 }
 
 /// What the gate leaves out, by the curve that one cycle is weighed with.

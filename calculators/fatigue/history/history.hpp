@@ -72,7 +72,7 @@ n_req = 1
   }
   static constexpr Fields inputs{
       Field{&Input::sigma, "sigma", MPa,
-            "nominal stress over the history: a series, whole, or { file, column, unit }, or { values, unit }"}
+            "nominal stress over the history: a full series, or { file, column, unit }, or { values, unit }"}
           .load()
           .may_be_missing(),
       ListField{&Input::blocks, "blocks", "cycles in blocks, in place of a series"}.may_be_missing(),
@@ -220,12 +220,13 @@ n_req = 1
   static constexpr std::array rules{
       Rule<Input>{&one_source, "sigma, blocks", "give the stress sigma as a series, or blocks, one of the two"},
       Rule<Input>{&is_history, "sigma",
-                  "one value is no history: take the series itself, without peak, max or mean, or give blocks"},
+                  "a history is required, not a single value: take the series itself, without peak, max or mean, or "
+                  "give blocks"},
       Rule<Input>{&curve_given, "curve, sigma_D, N_D, k, sigma_C, detail, lg_a", "the curve lacks numbers",
                   &missing_of_curve},
       Rule<Input>{&curve_alone, "curve, sigma_D, N_D, k, sigma_C, detail, lg_a, m_1, m_2, N_1",
-                  "give the numbers of the curve that is chosen alone: sigma_D, N_D and k of a part; sigma_C of "
-                  "EN 1993-1-9; detail, or lg_a, of DNV-RP-C203"},
+                  "give only the data of the chosen curve: sigma_D, N_D and k of a part; sigma_C of EN 1993-1-9; "
+                  "detail, or lg_a, of DNV-RP-C203"},
       Rule<Input>{[](const Input& in) { return in.detail == Detail::untold || !(is_set(in.lg_a) || is_set(in.m_1)); },
                   "detail, lg_a, m_1", "the detail has its own lg a and slope: give detail, or lg_a with m_1"},
       Rule<Input>{&slopes_fall, "m_1, m_2", "the second branch falls less than the first: m_2 is above m_1"},
@@ -251,7 +252,7 @@ n_req = 1
                   "HCM begins on a branch that closes nothing: repeat the history, or count by four points"},
       Rule<Input>{[](const Input& in) { return in.classes == 0 || in.sigma.is_series(); }, "classes, blocks",
                   "classes sort the cycles of a series; blocks are classes already"},
-      Rule<Input>{&varies, "sigma", "a stress that does not vary is no history"},
+      Rule<Input>{&varies, "sigma", "the stress does not vary: not a history"},
       lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
       safety_has_its_yield<Input>(),
       yields_before_it_breaks<Input>()};

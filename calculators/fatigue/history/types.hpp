@@ -127,7 +127,7 @@ constexpr auto choices_of(HistoryTypes::Counting) {
 }
 constexpr auto choices_of(HistoryTypes::Residue) {
   using R = HistoryTypes::Residue;
-  return std::array{ChoiceName<R>{R::repeated, "repeated", "the history comes again: full cycles alone"},
+  return std::array{ChoiceName<R>{R::repeated, "repeated", "the history repeats: full cycles only"},
                     ChoiceName<R>{R::half_cycles, "half-cycles", "each range is half a cycle, of a history that ends"},
                     ChoiceName<R>{R::ignored, "ignored", "not counted: on the unsafe side"}};
 }

@@ -67,7 +67,7 @@ S_F = 1.5
   static constexpr Fields inputs = join(
       Fields{
           Field{&Input::sigma_x, "sigma_x", MPa,
-                "normal stress along x: a series, whole, or { file, column, unit }, or { values, unit }; or one value"}
+                "normal stress along x: a full series, or { file, column, unit }, or { values, unit }; or one value"}
               .load()
               .may_be_missing(),
           Field{&Input::sigma_y, "sigma_y", MPa, "normal stress along y, the same, at the same moments"}
@@ -86,7 +86,7 @@ S_F = 1.5
           Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
           modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
           Choice{&Input::criterion, "criterion", "criterion that decides"}.may_be_missing(),
-          Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the whole path"}
+          Field{&Input::S_D, "S_D", ratio, "required fatigue safety factor, on the full stress path"}
               .at_least(1)
               .usually(1.2, 6)
               .factor(),
@@ -170,7 +170,7 @@ S_F = 1.5
       Rule<Input>{&in_step, "sigma_x, sigma_y, tau_xy",
                   "the stresses are of the same moments: series of one mechanism, or as many samples of each"},
       Rule<Input>{&varies, "sigma_x, sigma_y, tau_xy",
-                  "a stress that does not vary is no history: one of the three is a series that does"},
+                  "at least one of the three stresses must be a series that varies"},
       Rule<Input>{
           &fine_enough, "sigma_x, sigma_y, tau_xy",
           "36 positions of a turn at least, and between them extremes no more than 1 % of the range larger: take more"},
@@ -197,7 +197,7 @@ S_F = 1.5
 
 constexpr auto choices_of(Multiaxial::Criterion) {
   using C = Multiaxial::Criterion;
-  return std::array{ChoiceName<C>{C::worst, "worst", "the least safety of all that hold for tau_D/sigma_D"},
+  return std::array{ChoiceName<C>{C::worst, "worst", "minimum safety factor of all criteria valid for tau_D/sigma_D"},
                     ChoiceName<C>{C::findley, "findley", "the plane of the largest tau_a + k sigma_n"},
                     ChoiceName<C>{C::matake, "matake", "the plane of the largest tau_a, and its sigma_n"},
                     ChoiceName<C>{C::crossland, "crossland", "root of J_2 of the amplitude and hydrostatic stress"},

@@ -95,7 +95,7 @@ P_s = 0.9
       Field{&Result::S_P, "S_P", MPa, "strength that the share P_s survives, with 50 % confidence; none below 0"},
       Field{&Result::x_s, "x_s", ratio, "D, from 0.3 on the formula of the standard deviation holds"}.limit(
           0.3 - 1e-9, std::numeric_limits<double>::infinity()),
-      Field{&Result::x_n, "x_n", ratio, "tests, at least 15 to tell a scatter"}.limit(15, most_tests),
+      Field{&Result::x_n, "x_n", ratio, "number of tests, at least 15 for a scatter"}.limit(15, most_tests),
       Field{&Result::P_f, "P_f", ratio,
             "failure probability of the strength for design: below 5 % few tests say nothing"}
           .limit(0.05 - 1e-12, 1)};
@@ -108,9 +108,7 @@ P_s = 0.9
 
   static constexpr std::array meanings{Meaning{"S_50", mean_strength}};
   static constexpr std::array modes{
-      Mode<Input>{"scatter", "sample size and step size", &always<Input>}
-          .judged_by("x_s, x_n")
-          .of_shape(),
+      Mode<Input>{"scatter", "sample size and step size", &always<Input>}.judged_by("x_s, x_n").of_shape(),
       Mode<Input>{"survival", "survival probability supported by the sample", &always<Input>}
           .judged_by("P_f")
           .of_shape()};

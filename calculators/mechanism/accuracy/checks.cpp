@@ -81,7 +81,7 @@ class ToleranceCheck {
       if (width.belongs)
         ++count;
       else
-        faults_.add(path_ + "." + width.key, say("'{1}' is no half width of {2}", width.key, word_of(t_.of)),
+        faults_.add(path_ + "." + width.key, say("'{1}' is not a half width of {2}", width.key, word_of(t_.of)),
                     say("write {1}", hint()));
     }
     if (count == 1) return;
@@ -184,7 +184,7 @@ void check_point(const planar::Accuracy& wanted, const std::string& path, NameFa
   std::vector<std::string> names;
   for (const TracedPoint& p : traced_points(faults.input())) names.push_back(p.name);
   if (std::find(names.begin(), names.end(), wanted.point.view()) != names.end()) return;
-  faults.add(path + ".point", say("there is no moving point '{1}'", wanted.point.view()),
+  faults.add(path + ".point", say("unknown moving point '{1}'", wanted.point.view()),
              did_you_mean(wanted.point.view(), names, there_is(names)));
 }
 
@@ -246,9 +246,10 @@ void check_accuracy(NameFaults& faults) {
     faults.add("tolerances", say("the tolerances have no effect: no output is named under 'accuracy'"), hint);
   else if (in.accuracy.empty() && any)
     faults.add(path_of("joints", play->name, "clearance"),
-               say("the play in '{1}' has no effect: no output is named under 'accuracy'", play->name.view()), hint);
+               say("the clearance in '{1}' has no effect: no output is named under 'accuracy'", play->name.view()),
+               hint);
   if (!in.accuracy.empty() && !any)
-    faults.add("accuracy", say("nothing has a tolerance or play, so no output has an error"),
+    faults.add("accuracy", say("no tolerance or clearance given, so no output has an error"),
                say("add tolerances = { rod = { link = \"rod\", point = \"A\", to = \"B\", t = \"0.05 mm\" } }"));
   for (const planar::Tolerance& t : in.tolerances) ToleranceCheck(t, faults).run();
   for (const planar::Accuracy& wanted : in.accuracy) check_output(wanted, faults);

@@ -34,7 +34,7 @@ mechanism::Model at_position(mechanism::Model model, const mechanism::Position& 
 void add_assemblies(const mechanism::Model& model, std::vector<account::Block>& blocks) {
   const auto found = mechanism::assemblies(model);
   if (found.list.size() < 2) return;
-  Table table{found.complete ? say("Assemblies at the first position")
+  Table table{found.complete ? say("Assembly modes at the first position")
                              : say("Assemblies found at the first position; there may be more"),
               {say("assembly"), say("followed")},
               {}};
@@ -48,7 +48,7 @@ void add_assemblies(const mechanism::Model& model, std::vector<account::Block>& 
 Message side_meaning(const mechanism::Model& model, const mechanism::DyadClosing& dyad) {
   using Kind = mechanism::DyadClosing::Kind;
   const auto name = [&](std::size_t joint) { return model.joints[joint].name; };
-  if (dyad.kind == Kind::two_arms) return say("left: of the way from {1} to {2}", name(dyad.first), name(dyad.second));
+  if (dyad.kind == Kind::two_arms) return say("left: of the line from {1} to {2}", name(dyad.first), name(dyad.second));
   if (dyad.kind == Kind::arm_and_line) return say("ahead: of {1} along {2}", name(dyad.first), name(dyad.line));
   return dyad.first == dyad.joint ? say("ahead: of {1} along the slot", name(dyad.second))
                                   : say("ahead: {1} of {2} along the guide", name(dyad.first), name(dyad.second));
@@ -108,7 +108,7 @@ double settled(double x, double least) { return std::abs(x) <= least ? 0.0 : x; 
 
 void add_strokes(const mechanism::Model& model, const Kinematics& kinematics, const Axis* axis,
                  std::vector<account::Block>& blocks) {
-  Table table{say("Strokes; at its extremes a part cannot drive the mechanism"),
+  Table table{say("Strokes and dead centres"),
               {say("part"), say("extreme"), say("at"), say("extreme"), say("at"), say("stroke"), say("time ratio")},
               {}};
   const double step = axis->at.size() > 1 ? std::abs(axis->at[1] - axis->at[0]) : 0.0;

@@ -78,17 +78,17 @@ struct MethodText {
 
 std::array<MethodText, mechanism::Proof::methods> method_texts() {
   using mechanism::Proof;
-  return {{{Proof::whole_system, "whole_system",
-            say("forces found again from the equilibrium of all links at once: largest difference"), false},
-           {Proof::opened_chain, "opened_chain",
-            say("forces found again from moments about the joints of the opened chain: largest difference"), false},
-           {Proof::released_constraints, "released_constraints",
-            say("each reaction found again from the work when its constraint alone is released: largest difference"),
-            false},
-           {Proof::virtual_power, "virtual_power",
-            say("driving effort found again from the powers of all that acts: largest difference"), true},
-           {Proof::zhukovsky, "zhukovsky_lever",
-            say("driving effort found again with Zhukovsky's lever: largest difference"), true}}};
+  return {
+      {{Proof::whole_system, "whole_system",
+        say("forces found again from the equilibrium of all links at once: largest difference"), false},
+       {Proof::opened_chain, "opened_chain",
+        say("forces found again from moments about the joints of the opened chain: largest difference"), false},
+       {Proof::released_constraints, "released_constraints",
+        say("each reaction recalculated by virtual work with only its constraint released: maximum difference"), false},
+       {Proof::virtual_power, "virtual_power",
+        say("driving effort found again from the powers of all that acts: largest difference"), true},
+       {Proof::zhukovsky, "zhukovsky_lever",
+        say("driving effort found again with Zhukovsky's lever: largest difference"), true}}};
 }
 
 /// The position where this is largest; what is not a number counts as largest of all.

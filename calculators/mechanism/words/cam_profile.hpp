@@ -75,8 +75,8 @@ struct CamProfile {
       Choice{&CamProfile::sense, "sense", "by lift: how the cam turns as the segments follow each other"}
           .may_be_missing(),
       ListField{&CamProfile::segments, "segments",
-                "by lift: rises, dwells and falls over a turn; the first begins where the guide, or the way to the "
-                "pivot, is the profile's x axis"}
+                "by lift: rises, dwells and falls over a revolution; the first begins where the guide, or the line to "
+                "the pivot, is the profile's x axis"}
           .may_be_missing(),
       Field{&CamProfile::r, "r", mm, "circle: its radius"}.positive().may_be_missing(),
       Group{&CamProfile::centre, "centre", "circle: its centre, from the cam's axis"}.as_array().may_be_missing(),
@@ -109,8 +109,8 @@ constexpr auto choices_of(CamProfile::Law) {
   using T = CamProfile::Law;
   return std::array{
       ChoiceName<T>{T::dwell, "dwell", "the follower rests"},
-      ChoiceName<T>{T::harmonic, "harmonic", "simple harmonic; the acceleration jumps beside a dwell"},
-      ChoiceName<T>{T::cycloidal, "cycloidal", "sine of the acceleration; no jump beside a dwell"},
+      ChoiceName<T>{T::harmonic, "harmonic", "simple harmonic; the acceleration jumps at a dwell"},
+      ChoiceName<T>{T::cycloidal, "cycloidal", "sinusoidal acceleration; no jump at a dwell"},
       ChoiceName<T>{T::polynomial_345, "3-4-5", "polynomial, no acceleration at the ends"},
       ChoiceName<T>{T::polynomial_4567, "4-5-6-7", "polynomial, neither acceleration nor jerk at the ends"},
       ChoiceName<T>{T::modified_sine, "modified_sine", "sines of the acceleration, low peaks of velocity and torque"},

@@ -45,7 +45,7 @@ class NameCheck {
   void check_link(const planar::Link& link) {
     if (link.name.view() == "ground")
       faults_.add(path_of("links", link.name, ""),
-                  say("the fixed link is always called 'ground'; its points stand in [ground]"));
+                  say("the frame is always called 'ground'; give its points in [ground]"));
     for (const auto& p : link.points)
       check_point(p, path_of("links", link.name, "points") + "." + std::string(p.name.view()));
     if (!link.S.empty()) faults_.require_point(link_index(in_, link.name), link.S, path_of("links", link.name, "S"));
@@ -74,7 +74,7 @@ class NameCheck {
     if (find_profile(in_, joint.profile) == nullptr) {
       const auto names = names_in(in_.profiles);
       faults_.add(
-          path_of("joints", joint.name, "profile"), say("there is no profile '{1}'", joint.profile.view()),
+          path_of("joints", joint.name, "profile"), say("unknown profile '{1}'", joint.profile.view()),
           did_you_mean(joint.profile.view(), names,
                        say("add it: profiles.{1} = { shape = \"circle\", r = \"40 mm\" }", joint.profile.view())));
     }

@@ -41,9 +41,7 @@ struct Load {
           .as_arrays()
           .may_be_missing(),
       NameField{&Load::course, "course", "how F and M vary, one of the courses, in place of 'over'"}.may_be_missing(),
-      Choice{&Load::useful, "useful",
-             "whether the work against it is what the machine is for: the efficiency counts it"}
-          .may_be_missing()};
+      Choice{&Load::useful, "useful", "useful load (counted as output in the efficiency)"}.may_be_missing()};
 };
 
 struct Spring {
@@ -76,8 +74,7 @@ constexpr auto choices_of(Axes) {
 }
 constexpr auto choices_of(Useful) {
   using T = Useful;
-  return std::array{ChoiceName<T>{T::no, "no", "not counted as useful"},
-                    ChoiceName<T>{T::yes, "yes", "the machine is there to work against it"}};
+  return std::array{ChoiceName<T>{T::no, "no", "not counted as useful"}, ChoiceName<T>{T::yes, "yes", "useful load"}};
 }
 
 }  // namespace loadpath::planar

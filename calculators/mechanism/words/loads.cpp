@@ -72,7 +72,7 @@ mechanism::Spring spring_of(const Mechanism::Input& in, const planar::Spring& gi
 std::vector<FieldFault> check_fields(const planar::Spring& spring) {
   const std::string path = path_of("springs", spring.name);
   if (turns(spring) && pulls(spring)) {
-    return {{path, say("'{1}' has fields of a spring that pulls and of one that turns", spring.name.view()),
+    return {{path, say("'{1}' has fields of a tension spring and of a torsion spring", spring.name.view()),
              say("either k, free and c, or k_turn, free_angle and c_turn")}};
   }
   if (turns(spring)) return {};
@@ -98,7 +98,8 @@ std::vector<FieldFault> check_shares(const Mechanism::Input& in) {
     const auto& over = in.loads[k].over;
     if (over.empty()) continue;
     if (in.crank.joint.empty())
-      faults.push_back({path_of(in.loads[k], k) + ".over", say("'over' goes by the crank angle, and there is no crank"),
+      faults.push_back({path_of(in.loads[k], k) + ".over",
+                        say("'over' depends on the crank angle, and no crank is given"),
                         say("leave it out, or drive by a crank")});
     for (std::size_t n = 1; n < over.size(); ++n) {
       if (over[n].angle > over[n - 1].angle) continue;

@@ -125,7 +125,7 @@ F_y = "0 N"
           .as_arrays()
           .may_be_missing(),
       ListField{&Input::tolerances, "tolerances", "dimensions and masses that are not exact, by name"}.may_be_missing(),
-      ListField{&Input::accuracy, "accuracy", "outputs whose error by tolerances and play is wanted, by name"}
+      ListField{&Input::accuracy, "accuracy", "outputs with an error analysis for tolerances and clearances, by name"}
           .may_be_missing(),
       ListField{&Input::counterweights, "counterweights", "where counterweights are wanted, by name"}.may_be_missing(),
       Choice{&Input::balance, "balance", "what counterweights make as small as it gets"}.may_be_missing(),
@@ -136,12 +136,11 @@ F_y = "0 N"
       Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity, its magnitude; none where missing"}.usually(
           -30, 30),
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
-      Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads alone"}.may_be_missing()};
+      Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads only"}.may_be_missing()};
 
   /// The rows that judge a mode are those of the aspects; a mode without a row does not concern the mechanism.
   static constexpr std::array modes{
-      Mode<Input>{"closing", "loop closure and periodicity",
-                  &always<Input>}
+      Mode<Input>{"closing", "loop closure and periodicity", &always<Input>}
           .judged_by("closes, returns, returns_*, directed_*, assembly")
           .of_shape(),
       Mode<Input>{"jamming", "frictional jamming (self-locking)", &always<Input>}.judged_by("moves").of_shape(),
@@ -152,16 +151,13 @@ F_y = "0 N"
       Mode<Input>{"pressure_angle", "pressure angle of the cam follower", &always<Input>}
           .judged_by("pressure_*")
           .of_shape(),
-      Mode<Input>{"uniqueness", "static determinacy of reactions", &always<Input>}
-          .judged_by("determinate")
-          .of_shape(),
+      Mode<Input>{"uniqueness", "static determinacy of reactions", &always<Input>}.judged_by("determinate").of_shape(),
       Mode<Input>{"solution", "verification by independent methods", &always<Input>}
           .judged_by("force_balance, moment_balance, power_balance, motion, trustworthy, whole_system, "
                      "opened_chain, "
                      "released_constraints, virtual_power, zhukovsky_lever")
           .of_shape(),
-      Mode<Input>{"courses", "validity: load curves", &always<Input>}.judged_by(
-          "course_*"),
+      Mode<Input>{"courses", "validity: load curves", &always<Input>}.judged_by("course_*"),
       Mode<Input>{"resolution", "position resolution of peak reactions", &always<Input>}
           .judged_by("resolution")
           .of_shape(),

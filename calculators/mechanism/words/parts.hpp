@@ -160,7 +160,7 @@ struct Joint {
       Field{&Joint::c, "c", N_s_per_m, "prismatic, slot, cams: viscous resistance to sliding"}.at_least(0),
       Field{&Joint::c_turn, "c_turn", N_m_s, "revolute, rolling: viscous resistance to turning"}.at_least(0),
       Field{&Joint::clearance, "clearance", mm,
-            "revolute: play of the pin in its diameter, which shifts it by half of that either way"}
+            "revolute: diametral clearance of the pin (shift of half of it in any direction)"}
           .at_least(0)};
 };
 

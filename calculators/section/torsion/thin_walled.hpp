@@ -131,14 +131,15 @@ theta_adm = "0.5 deg/m"
           "give the area of a cell as A or by three points or more, the length of a wall as l or by two or more"},
       Rule<Input>{&cells_once, "cells", "every cell has a name of its own"},
       Rule<Input>{&cells_known, "walls, cells",
-                  "a wall names the cell that it bounds, and another one beside it where there is one", &unknown_cell},
-      Rule<Input>{&cells_close, "cells, walls",
-                  "a cell has walls, and its walls or those of cells beside it have the outside on their other side",
-                  &open_cell},
+                  "a wall must name the cell that it bounds, and the adjacent cell, if any", &unknown_cell},
+      Rule<Input>{
+          &cells_close, "cells, walls",
+          "a cell must have walls, and its walls or those of adjacent cells must have the outside on their other side",
+          &open_cell},
       Rule<Input>{&no_islands, "cells, walls", "cells lie side by side", &island},
       Rule<Input>{&outlines_apart, "cells", "the outlines of cells neither cross nor cover one another",
                   &covered_twice},
-      Rule<Input>{&areas_fit, "cells, walls", "a cell is no larger than a circle that its walls go around",
+      Rule<Input>{&areas_fit, "cells, walls", "a cell must not be larger than a circle of the same perimeter",
                   &too_much_area},
       Rule<Input>{&outlines_fit, "cells, walls", "the walls of a cell are not as long as its outline by points",
                   nullptr, true},
@@ -159,8 +160,7 @@ theta_adm = "0.5 deg/m"
       Mode<Input>{"warping", "restrained warping stress", &unseen<Input>},
       Mode<Input>{"distortion", "cross-section distortion", &unseen<Input>},
       Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
-      Mode<Input>{"fatigue", "fatigue (welds, corners)",
-                  [](const Input& in) { return shown_by(in.K_A > 1.0); }}
+      Mode<Input>{"fatigue", "fatigue (welds, corners)", [](const Input& in) { return shown_by(in.K_A > 1.0); }}
           .in_service()
           .left_to("fatigue.cycle", "cycle.fatigue")};
 

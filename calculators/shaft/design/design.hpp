@@ -213,26 +213,24 @@ r_T = 0
       Rule<Input>{&bearings_sit, "supports, pieces", "bearings sit on cylinders", &slips},
       Rule<Input>{&turn_is_known, "seats", "loads over a turn are known at all of its positions", &open_turn},
       Rule<Input>{&torques_close, "seats", "what drives the shaft and what it drives take the same torque", &open_sum},
-      Rule<Input>{&thrust_is_held, "seats, supports",
-                  "one bearing alone takes forces along the shaft: holds = \"both\""},
+      Rule<Input>{&thrust_is_held, "seats, supports", "only one bearing takes axial forces: holds = \"both\""},
       Rule<Input>{&speeds_agree, "n, seats", "all that sits on one shaft turns at one speed, which is not zero"},
       Rule<Input>{&notches_fit, "notches, pieces, r_T, group", "the notches fit the shaft", &misfit},
       Rule<Input>{&connections_match, "seats, pieces", "connections are made for the shaft that they sit on",
                   &other_diameter},
-      Rule<Input>{&notches_apart, "notches, pieces", "notches stand apart", &crowd, true},
+      Rule<Input>{&notches_apart, "notches, pieces", "notches must have different positions", &crowd, true},
       Rule<Input>{&steps_are_notched, "notches, pieces, S_D", "fatigue begins where the diameter changes", &bare_step},
       Rule<Input>{&slopes_of_all, "supports, seats",
                   "give beta_adm of every bearing or of none, and likewise of the seats"},
       Rule<Input>{&forces_make_torques, "seats",
                   "F_y at the distance x_w makes the torque T: the three belong together"},
       Rule<Input>{&forces_turn_alike, "seats",
-                  "what drives the shaft turns it one way, and what it drives holds it back: F_y x_w of a seat has the "
-                  "wrong sign; of gears say which way they turn, turns = \"cw\""},
-      Rule<Input>{
-          &turn_alike, "seats",
-          "what sits on the shaft turns one way in one step and the other way in another: turns = \"cw\" of the "
-          "gears makes their forces fit",
-          nullptr, true},
+                  "driving and driven components give opposite torques: F_y x_w of a mounted component has the wrong "
+                  "sign; give the direction of rotation of gears, turns = \"cw\""},
+      Rule<Input>{&turn_alike, "seats",
+                  "mounted components rotate in opposite directions in two steps: turns = \"cw\" of the gears reverses "
+                  "their forces",
+                  nullptr, true},
       yields_before_it_breaks<Input>(),
       lasts_below_tensile<&Input::sigma_W, Input>("sigma_W, R_m"),
       Rule<Input>{&discs_are_bodies, "seats", "what turns as a disc is a body of revolution", &no_body},
@@ -261,7 +259,7 @@ r_T = 0
       Rule<Input>{[](const Input& in) { return is_set(in.E) && is_set(in.G); }, "E, G",
                   "bending needs the moduli E and G, or a material"},
       Rule<Input>{&stiff_enough, "supports, pieces, E, G",
-                  "the bearings are so soft beside the shaft that they do not hold it"},
+                  "the bearings are too soft compared with the shaft to support it"},
       Rule<Input>{[](const Input& in) { return !is_set(in.g_angle) || is_set(in.rho); }, "g_angle, rho",
                   "its weight needs the density rho, or a material"}};
 

@@ -140,7 +140,7 @@ Section section_at(const Input& in, const Place& place, const Felt& felt, double
   if (is_set(psi)) trace.angle("psi", psi, "where in the turn it bears most");
   stress(in, felt, there.notch, p, trace);
   if (there.notch != nullptr && is_set(there.notch->h)) {
-    const Length h = trace.value("h", there.notch->h, "asked for, by what is set against the shoulder");
+    const Length h = trace.value("h", there.notch->h, "required by the abutting part");
     const Length high = trace.value("high", (sides.larger() - sides.thinner().d) / 2.0, "of the shoulder");
     STEP_TO(p, u_h, h / high, "what is set against it finds its face");
   }

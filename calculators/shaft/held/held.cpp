@@ -26,7 +26,7 @@ void react(const Input& in, Yielding F, double phi_0, Result& r, Tracer& trace) 
   if (in.end_1 == End::free) {
     r.R_1 = trace.value("R_1", 0.0 * N_m, "a free end");
     STEP_TO(r, R_2, -Q, "equilibrium");
-    STEP_TO(r, phi_2, -R_2 * f_b, "the support gives way");
+    STEP_TO(r, phi_2, -R_2 * f_b, "elastic support");
     STEP_TO(r, phi_1, phi_2 - phi_0, "from there along the bar");
     return;
   }
@@ -34,14 +34,14 @@ void react(const Input& in, Yielding F, double phi_0, Result& r, Tracer& trace) 
     r.R_2 = trace.value("R_2", 0.0 * N_m, "a free end");
     r.R_1 = NAMED_STEP("R_1", -Q, "equilibrium");
     const Moment R_1 = r.R_1;
-    STEP_TO(r, phi_1, -R_1 * f_a, "the support gives way");
+    STEP_TO(r, phi_1, -R_1 * f_a, "elastic support");
     STEP_TO(r, phi_2, phi_1 + phi_0 - R_1 * F, "along the bar");
     return;
   }
   STEP_TO(r, R_1, (phi_0 - Q * f_b) / (f_a + F + f_b), "the rotations of bar and supports make up for one another");
   STEP_TO(r, R_2, -Q - R_1, "equilibrium");
-  STEP_TO(r, phi_1, -R_1 * f_a, "the support gives way");
-  STEP_TO(r, phi_2, -R_2 * f_b, "the support gives way");
+  STEP_TO(r, phi_1, -R_1 * f_a, "elastic support");
+  STEP_TO(r, phi_2, -R_2 * f_b, "elastic support");
 }
 
 struct StretchEnd {
@@ -145,7 +145,7 @@ void judge_member(const Input& in, const Slices& slices, const Part& part, std::
   Held::Member member;
   member.name = part.sleeve != nullptr ? part.sleeve->name : in.segments[segment].name;
   member.x = trace.value("x", s.x + x, "where its stress is the largest");
-  const Moment M = trace.value("M", r.stretches[worst.slice].M_1 - s.m * x, "moment of the whole section there");
+  const Moment M = trace.value("M", r.stretches[worst.slice].M_1 - s.m * x, "torque of the full section there");
   const auto C = trace.value("C", stiffness_at(in, s, x), "sum of G I_p there over the members, which twist alike");
   const Stress G = trace.value("G", part.G, "its shear modulus");
   const Length d = member.d = trace.value("d", ring.d, "its outer diameter");
@@ -230,7 +230,7 @@ void judge(const Input& in, const Slices& slices, Result& r, Tracer& trace) {
     STEP_TO(r, u_theta, theta_max / in.theta_adm, "stiffness condition, [B19] (8)");
   }
   largest_rotation(in, slices, r);
-  const double phi_max = trace.angle("phi_max", r.phi_max, "largest of the bar, either way");
+  const double phi_max = trace.angle("phi_max", r.phi_max, "maximum of the bar, in either direction");
   if (is_set(in.phi_adm)) {
     STEP_TO(r, u_phi, phi_max / in.phi_adm, "stiffness condition");
   }
@@ -269,7 +269,7 @@ Held::Result Held::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const Slices slices = slices_of(in);
   const Yielded whole = give_way(in, slices, trace);
-  trace.value("F", whole.F, "rotation over the whole bar by a moment of 1: the sum over the stretches");
+  trace.value("F", whole.F, "rotation over the full bar under a unit moment: sum over the intervals");
   trace.angle("phi_0", whole.phi_0, "rotation of its second end against its first by the loads, without R_1");
   react(in, whole.F, whole.phi_0, r, trace);
   along(slices, whole.yields, r, trace);

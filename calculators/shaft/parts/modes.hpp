@@ -35,25 +35,20 @@ Applies thin_wall(const Input& in) {
 /// Where a shaft breaks first that turns, or whose load varies.
 template <class Input>
 constexpr Mode<Input> fatigue_of_shaft() {
-  return Mode<Input>{"fatigue", "fatigue (shoulders, keyways, press fits)", &load_varies<Input>}
-      .in_service();
+  return Mode<Input>{"fatigue", "fatigue (shoulders, keyways, press fits)", &load_varies<Input>}.in_service();
 }
 
 /// What the calculator judges, and what concerns every shaft.
 template <class Input, std::size_t judged>
 constexpr auto with_modes_of_shafts(const std::array<Mode<Input>, judged>& own) {
   const std::array common{
-      Mode<Input>{"other_loads", "load components not included",
-                  &unseen<Input>}
-          .by_companions()
-          .assessed_in("shaft.design"),
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions().assessed_in(
+          "shaft.design"),
       Mode<Input>{"critical_bending", "lateral critical speed (whirling)", &unseen<Input>}.in_service().assessed_in(
           "shaft.design"),
       Mode<Input>{"critical_torsion", "torsional critical speed", &unseen<Input>}.in_service().assessed_in(
           "shaft.design"),
-      Mode<Input>{"deflection", "deflection and slope", &unseen<Input>}
-          .of_service()
-          .assessed_in("shaft.design"),
+      Mode<Input>{"deflection", "deflection and slope", &unseen<Input>}.of_service().assessed_in("shaft.design"),
       Mode<Input>{"keyway", "yielding at keyways and notches", &unseen<Input>}.assessed_in("shaft.design"),
       Mode<Input>{"hub", "slip of shaft-hub connections", &unseen<Input>}.assessed_beside(
           "shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw"),

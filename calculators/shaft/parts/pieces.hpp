@@ -113,8 +113,8 @@ struct Seat {
           .at_least(0)
           .may_be_missing(),
       Field{&Seat::I_p, "I_p", kg_m2,
-            "moment of inertia of the component alone about the axis, with I_d or b, for the lateral "
-            "critical speed"}
+            "moment of inertia of the component without shaft about the axis, with I_d or b, for the lateral critical "
+            "speed"}
           .at_least(0)
           .may_be_missing(),
       Field{&Seat::I_d, "I_d", kg_m2,

@@ -38,7 +38,7 @@ FieldFault Torsion::torque_off_shaft(const Input& in) {
   const std::string number = std::to_string(off - in.torques.begin() + 1);
   const std::string name = off->name.empty() ? number : "'" + std::string(off->name.view()) + "'";
   return {off->name.empty() ? "torques[" + number + "].x" : "torques." + std::string(off->name.view()) + ".x",
-          say("torque {1} stands at {2}, {3} beyond the end of the shaft at {4}", name,
+          say("torque {1} is at {2}, {3} beyond the end of the shaft at {4}", name,
               format_quantity(in_si(off->x), mm.symbol), format_quantity(in_si(off->x - total_length(in)), mm.symbol),
               format_quantity(in_si(total_length(in)), mm.symbol)),
           in.segments.empty() ? say("x counts from the left end: correct it, or the length l")

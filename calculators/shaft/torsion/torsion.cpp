@@ -52,7 +52,7 @@ void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   if (by_strength) trace.value("d_strength", r.d_strength, "largest of the shaft");
   if (is_set(in.theta_adm) && !by_strength) {
     trace.value("d_stiffness", r.d_stiffness, "largest of the shaft");
-    STEP_TO(r, d_min, r.d_stiffness, "by stiffness alone: no strength is given");
+    STEP_TO(r, d_min, r.d_stiffness, "by stiffness only: no strength is given");
     r.governs = Torsion::Governs::stiffness;
     return;
   }
@@ -147,7 +147,7 @@ std::vector<draw::Figure> Torsion::figures(const Input&, const Result& r) {
   diagram.x = {"x", "place along the shaft", "mm"};
   diagram.y = {"M", "internal moment", "N*m"};
   diagram.curves.push_back(std::move(moment));
-  return {{"shaft", "The shaft from the side", std::move(side)},
+  return {{"shaft", "Side view of the shaft", std::move(side)},
           {"torque-diagram", "Torque diagram", std::move(diagram)}};
 }
 

@@ -67,7 +67,7 @@ theta_adm = "0.004 rad/m"
   static constexpr auto inputs = join(
       Fields{
           RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
-          Field{&Input::T, "T", N_m, "torque through the whole shaft, in place of torques"}.load().may_be_missing(),
+          Field{&Input::T, "T", N_m, "torque along the full shaft, in place of torques"}.load().may_be_missing(),
           Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
           Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
           Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}
@@ -132,13 +132,12 @@ theta_adm = "0.004 rad/m"
                   },
                   "tau_adm, sigma_adm, R_e, S",
                   "give tau_adm, or S with the yield strength R_e (or a material), or sigma_adm with behaviour; or "
-                  "theta_adm alone, which leaves the strength open"},
+                  "only theta_adm, without assessment of the strength"},
       Rule<Input>{[](const Input& in) {
                     return is_set(in.sigma_adm) == (in.behaviour != Behaviour::unsaid) &&
                            !(is_set(in.sigma_adm) && (is_set(in.tau_adm) || is_set(in.S)));
                   },
-                  "sigma_adm, behaviour, tau_adm, S",
-                  "sigma_adm goes with behaviour, and stands in place of tau_adm and S"},
+                  "sigma_adm, behaviour, tau_adm, S", "sigma_adm needs behaviour, and replaces tau_adm and S"},
       Rule<Input>{[](const Input& in) { return !is_set(in.tau_adm) || !(is_set(in.S) || is_set(in.R_e)); },
                   "tau_adm, R_e, S", "tau_adm already holds the safety: give tau_adm, or R_e with S, never both",
                   &two_safeties},
@@ -149,7 +148,7 @@ theta_adm = "0.004 rad/m"
       Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; }, "d_bore, d",
                   "the bore must be smaller than the shaft"},
       Rule<Input>{[](const Input& in) { return in.fixed == Fixed::none || !in.torques.empty(); }, "fixed, torques",
-                  "a fixed end goes with torques; T alone runs through the whole shaft"},
+                  "a fixed end needs torques; T acts along the full shaft"},
       Rule<Input>{[](const Input& in) { return in.segments.empty() || !is_set(in.l); }, "l, segments",
                   "the length is the sum of the segments: give l or segments"},
       Rule<Input>{&torques_close, "torques, fixed", "the torques must sum to zero, or one end must be fixed",

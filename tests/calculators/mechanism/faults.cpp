@@ -52,12 +52,12 @@ TEST_SUITE("mechanism faults") {
   TEST_CASE("the press itself is sound") { CHECK(issues_of(press).empty()); }
 
   TEST_CASE("a link that does not exist") {
-    CHECK(with("[\"crank\", \"rod\"]", "[\"crank\", \"rdo\"]") == R"(a.toml:24:45: error: there is no link 'rdo'
+    CHECK(with("[\"crank\", \"rod\"]", "[\"crank\", \"rdo\"]") == R"(a.toml:24:45: error: unknown link 'rdo'
 24 | A = { type = "revolute", links = ["crank", "rdo"] }
    |                                             ^^^
    = help: did you mean 'rod'?
 )");
-    CHECK(with("link = \"slider\"", "link = \"hammer\"") == R"(a.toml:30:9: error: there is no link 'hammer'
+    CHECK(with("link = \"slider\"", "link = \"hammer\"") == R"(a.toml:30:9: error: unknown link 'hammer'
 30 | link = "hammer"
    |         ^^^^^^
    = help: there is: crank, rod, slider, ground
@@ -107,7 +107,7 @@ TEST_SUITE("mechanism faults") {
   }
 
   TEST_CASE("a drive of a joint that does not exist, or that cannot turn") {
-    CHECK(with("joint = \"O\"", "joint = \"Q\"") == R"(a.toml:3:20: error: there is no joint 'Q'
+    CHECK(with("joint = \"O\"", "joint = \"Q\"") == R"(a.toml:3:20: error: unknown joint 'Q'
 3 | crank = { joint = "Q", speed = "60 rpm", positions = 12 }
   |                    ^
   = help: there is: O, A, B, guide
@@ -157,19 +157,20 @@ TEST_SUITE("mechanism faults") {
 
   TEST_CASE("fields that the drive would leave idle") {
     CHECK(with("positions = 12", "positions = 12, at = \"30 deg\"") ==
-          R"(a.toml:3:54: error: 'crank.positions' is of a whole turn, and 'crank.at' gives the crank angles
+          R"(a.toml:3:54: error: 'crank.positions' belongs to a full revolution, but 'crank.at' gives crank angles
 3 | crank = { joint = "O", speed = "60 rpm", positions = 12, at = "30 deg" }
   |                                                      ^^
   = help: leave out one of the two
 )");
-    CHECK(with("positions = 12", "start = \"9 deg\", at = \"30 deg\"")
-              .starts_with(
-                  "a.toml:3:51: error: 'crank.start' is of a whole turn, and 'crank.at' gives the crank angles\n"));
+    CHECK(
+        with("positions = 12", "start = \"9 deg\", at = \"30 deg\"")
+            .starts_with(
+                "a.toml:3:51: error: 'crank.start' belongs to a full revolution, but 'crank.at' gives crank angles\n"));
     CHECK(with("[press.ground]", "positions = 12\n[press.ground]") ==
           R"(a.toml:5:13: error: 'positions' is of strokes of cylinders, and a crank drives
 5 | positions = 12
   |             ^^
-  = help: the positions of a turn stand in the crank: crank = { positions = 72 }
+  = help: give the number of positions in the crank: crank = { positions = 72 }
 )");
   }
 

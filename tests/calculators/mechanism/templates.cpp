@@ -366,8 +366,8 @@ TEST_SUITE("mechanism template faults") {
 
   TEST_CASE("a bar with a mass centre of its own needs its inertia") {
     CHECK(said(slider, "r = \"50", "links.rod = { mass = \"1 kg\", S = \"B\" }\nr = \"50") ==
-          "a.links.rod: 'links.rod.J' is missing: with a mass centre of its own 'rod' is no slender bar; write J = "
-          "\"... kg*m^2\", about the mass centre; 0 kg*m^2 where its mass is in that point");
+          "a.links.rod: 'links.rod.J' is missing: 'rod' has its own mass centre, so the slender-bar default does not "
+          "apply; write J = \"... kg*m^2\", about the mass centre; 0 kg*m^2 where its mass is in that point");
   }
 
   TEST_CASE("a crank that cannot turn round is told with the numbers") {

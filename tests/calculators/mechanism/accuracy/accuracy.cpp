@@ -129,7 +129,7 @@ TEST_SUITE("mechanism accuracy") {
     const account::Table* found = nullptr;
     for (const account::Block& block : project.steps[0]->account().blocks) {
       const auto* table = std::get_if<account::Table>(&block);
-      if (table != nullptr && table->caption.text() == "Errors by tolerances and play") found = table;
+      if (table != nullptr && table->caption.text() == "Errors due to tolerances and clearances") found = table;
     }
     REQUIRE(found != nullptr);
     REQUIRE(found->rows.size() == 1);
@@ -144,11 +144,11 @@ TEST_SUITE("mechanism accuracy") {
     const std::string good = crank_and_rod + of_piston;
     const std::array wrong{
         Wrong{crank_and_rod, "the tolerances have no effect: no output is named under 'accuracy'"},
-        Wrong{of_piston, "nothing has a tolerance or play, so no output has an error"},
+        Wrong{of_piston, "no tolerance or clearance given, so no output has an error"},
         Wrong{good + "tolerances.x = { link = \"rod\", point = \"A\", t = \"1 mm\" }\n",
               "the tolerance 'x' of length needs 'to'"},
         Wrong{good + "tolerances.x = { link = \"rdo\", point = \"A\", to = \"B\", t = \"1 mm\" }\n",
-              "there is no link 'rdo'"},
+              "unknown link 'rdo'"},
         Wrong{good + "tolerances.x = { link = \"rod\", point = \"A\", to = \"C\", t = \"1 mm\" }\n",
               "the link 'rod' has no point 'C'"},
         Wrong{good + "tolerances.x = { link = \"rod\", point = \"A\", to = \"A\", t = \"1 mm\" }\n",
@@ -156,7 +156,7 @@ TEST_SUITE("mechanism accuracy") {
         Wrong{good + "tolerances.x = { link = \"rod\", point = \"A\", to = \"B\" }\n",
               "the tolerance 'x' needs its half width 't'"},
         Wrong{good + "tolerances.x = { link = \"rod\", point = \"A\", to = \"B\", t_angle = \"1 deg\" }\n",
-              "'t_angle' is no half width of length"},
+              "'t_angle' is not a half width of length"},
         Wrong{good + "tolerances.x = { of = \"mass\", link = \"rod\", t_mass = \"1 g\", t_part = 0.1 }\n",
               "the tolerance 'x' has two half widths"},
         Wrong{good + "tolerances.x = { of = \"mass\", link = \"ground\", t_mass = \"1 g\" }\n",
@@ -166,11 +166,11 @@ TEST_SUITE("mechanism accuracy") {
         Wrong{good + "tolerances.x = { of = \"mu\", joint = \"A\", t_part = 0.1 }\n",
               "the joint 'A' of type revolute has no mu"},
         Wrong{good + "tolerances.x = { of = \"drive\", joint = \"A\", t = \"1 mm\" }\n", "the joint 'A' has no drive"},
-        Wrong{good + "tolerances.x = { of = \"rate\", spring = \"s\", t_part = 0.1 }\n", "there is no spring 's'"},
+        Wrong{good + "tolerances.x = { of = \"rate\", spring = \"s\", t_part = 0.1 }\n", "unknown spring 's'"},
         Wrong{good + "tolerances.x = { of = \"mass\", link = \"rod\", joint = \"A\", t_part = 0.1 }\n",
               "a tolerance of mass has no 'joint'"},
         Wrong{good + "accuracy.x = { of = \"x\" }\n", "the output 'x' of kind x needs 'point'"},
-        Wrong{good + "accuracy.x = { of = \"y\", point = \"Q\" }\n", "there is no moving point 'Q'"},
+        Wrong{good + "accuracy.x = { of = \"y\", point = \"Q\" }\n", "unknown moving point 'Q'"},
         Wrong{good + "accuracy.x = { of = \"y\", point = \"T\", link = \"rod\" }\n", "the link 'rod' has no point 'T'"},
         Wrong{good + "accuracy.x = { of = \"y\", point = \"O\", link = \"ground\" }\n",
               "a point of the ground does not move"},

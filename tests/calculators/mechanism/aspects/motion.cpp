@@ -60,7 +60,7 @@ TEST_SUITE("mechanism motion") {
 
   TEST_CASE("an assembly is chosen by the side of a dyad, and the report lists them all") {
     const auto stated = solved(rocker), other = solved(rocker + "sides = [\"B_right\"]\n");
-    const account::Table* table = table_of(stated, "Assemblies at the first position");
+    const account::Table* table = table_of(stated, "Assembly modes at the first position");
     REQUIRE(table != nullptr);
     REQUIRE(table->rows.size() == 2);
     CHECK(text_of(table->rows[0][0]) == "B_left");
@@ -100,7 +100,7 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
     CHECK(found->state == account::State::not_covered);
     CHECK(text_of(found->value) == "passed 2 times");
     CHECK(found->note.text() ==
-          "the drive alone does not tell which way the mechanism goes on: B at 180 deg, B at 360 deg");
+          "change point: direction of motion not determined by the drive: B at 180 deg, B at 360 deg");
     const account::Table* table = table_of(flat, "Mobility and conditioning");
     REQUIRE(table != nullptr);
     CHECK(text_of(table->rows[2][0]) == "positions that were followed in small steps; first at 171 deg");
@@ -118,7 +118,7 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
     REQUIRE(table != nullptr);
     REQUIRE(table->rows.size() == 1);
     CHECK(text_of(table->rows[0][0]) == "B");
-    CHECK(text_of(table->rows[0][1]) == "left: of the way from A to C");
+    CHECK(text_of(table->rows[0][1]) == "left: of the line from A to C");
     CHECK(number_of(table->rows[0][2]) == doctest::Approx(gamma));
     CHECK(text_of(table->rows[0][4]) == "–");
   }
@@ -246,8 +246,8 @@ A2 = { links = ["c2", "bar"] }
     }
     const auto& verdicts = project.steps[0]->account().verdicts;
     CHECK(verdicts[0].note.text() ==
-          "a change point at 180 deg, 360 deg: the drive does not hold it there; choose places beside it, crank = { "
-          "start = \"92.5 deg\" }");
+          "change point at 180 deg, 360 deg: position not determined by the drive; choose neighbouring positions, "
+          "crank = { start = \"92.5 deg\" }");
     const auto beside = solved(replaced(parallel, "90 deg\" }\ngravity", "92.5 deg\" }\ngravity"));
     CHECK(beside.steps[0]->account().verdicts[0].state == account::State::pass);
   }

@@ -78,7 +78,7 @@ TEST_SUITE("mechanism rest") {
     const account::Verdict& moves = verdict_of(jam, "moves");
     CHECK(moves.state == account::State::not_covered);
     CHECK(moves.note.text() ==
-          "at rest friction acts either way, and no effort of the drive starts it forward; state 'impending'");
+          "at rest friction acts in either direction, and no effort of the drive starts it forward; state 'impending'");
   }
 
   TEST_CASE("what pushes a block up a plane, what lets it down, and that steeper than arctan mu it slides back") {
@@ -94,13 +94,13 @@ TEST_SUITE("mechanism rest") {
       CHECK(value(project, "a.joints.G.F_max") == doctest::Approx(1000.0 * std::cos(a) * std::hypot(1.0, 0.3)));
       const account::Table* table = table_of(project, "At rest");
       REQUIRE(table != nullptr);
-      CHECK(text_of(*cell_of(*table, "stands without its drive")) == (down <= 0.0 ? "yes" : "no"));
+      CHECK(text_of(*cell_of(*table, "self-locking without the drive")) == (down <= 0.0 ? "yes" : "no"));
       const account::Cell* mu = cell_of(*table, "coefficient of friction then");
       REQUIRE((mu != nullptr) == (down <= 0.0));
       if (mu != nullptr) CHECK(std::get<account::Quantity>(*mu).si == doctest::Approx(std::tan(a)).epsilon(1e-7));
       const account::Verdict& moves = verdict_of(project, "moves");
       CHECK(moves.state == account::State::not_covered);
-      CHECK(moves.note.text().starts_with("at rest friction acts either way"));
+      CHECK(moves.note.text().starts_with("at rest friction acts in either direction"));
     }
   }
 
@@ -138,7 +138,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
         CHECK(least.si[k] == most.si[k]);
       }
     }
-    const account::Table* table = table_of(project, "Where joints rest");
+    const account::Table* table = table_of(project, "Joints at rest");
     REQUIRE(table != nullptr);
     CHECK(text_of(table->rows[0][0]) == "0 deg");
   }
@@ -165,7 +165,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
         replaced(gears, ", over = [[\"0 deg\", 1], [\"90 deg\", 1], [\"180 deg\", -1], [\"270 deg\", -1]]", "");
     lift = replaced(lift, "efficiency = 0.9", "efficiency = 0.4, efficiency_back = -0.5");
     const auto worm = solved(lift);
-    CHECK(text_of(*cell_of(*table_of(worm, "At rest"), "stands without its drive")) == "at every position");
+    CHECK(text_of(*cell_of(*table_of(worm, "At rest"), "self-locking without the drive")) == "at every position");
     // It stands everywhere as soon as 1 - efficiency_back, here 1.5, is 1: two thirds of its friction.
     const account::Cell* share = cell_of(*table_of(worm, "At rest"), "the same for every position");
     REQUIRE(share != nullptr);

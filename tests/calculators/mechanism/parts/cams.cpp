@@ -153,7 +153,7 @@ TEST_SUITE("mechanism cams") {
   }
 
   TEST_CASE("what is wrong with a cam is said at its place") {
-    CHECK(said("profile = \"lobe\"", "profile = \"lob\"") == "valve.joints.contact.profile: there is no profile 'lob'");
+    CHECK(said("profile = \"lobe\"", "profile = \"lob\"") == "valve.joints.contact.profile: unknown profile 'lob'");
     CHECK(said("profile = \"lobe\", ", "") == "valve.joints.contact: joint 'contact' of type cam needs 'profile'");
     CHECK(said("direction = \"90 deg\" }\ng", "direction = \"90 deg\", mu = 0.1 }\ng") ==
           "valve.joints.contact.mu: the roller of joint 'contact' rolls on its cam, and does not rub");
@@ -169,9 +169,9 @@ TEST_SUITE("mechanism cams") {
           "valve.profiles.lobe.segments[2]: a dwell has no 'lift'");
     CHECK(said(", lift = \"-12 mm\"", "") == "valve.profiles.lobe.segments[3]: segment 3 needs 'lift'");
     CHECK(said("lift = \"12 mm\"", "swing = \"12 deg\"") ==
-          "valve.profiles.lobe.segments[1].swing: a profile of the shape sliding is told by 'lift'");
+          "valve.profiles.lobe.segments[1].swing: a profile of shape sliding needs 'lift'");
     CHECK(said("angle = \"40 deg\"", "angle = \"50 deg\"") ==
-          "valve.profiles.lobe.segments: the segments take 370 deg of the cam, and must take a whole turn");
+          "valve.profiles.lobe.segments: the segments cover 370 deg of the cam, and must cover a full revolution");
     CHECK(said("\"-12 mm\"", "\"-10 mm\"") ==
           "valve.profiles.lobe.segments: after a turn the follower is 2 mm off where it was");
     CHECK(said("base = \"30 mm\"", "offset = \"45 mm\"\nbase = \"30 mm\"") ==

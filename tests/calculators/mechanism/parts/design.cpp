@@ -100,7 +100,7 @@ TEST_SUITE("mechanism design") {
 
   TEST_CASE("what is wrong with counterweights is told") {
     const std::string sound = press(rotating, "");
-    check_said(sound + "counterweights.w = { link = \"crnk\", at = \"O\" }\n", "there is no link 'crnk'");
+    check_said(sound + "counterweights.w = { link = \"crnk\", at = \"O\" }\n", "unknown link 'crnk'");
     check_said(sound + "counterweights.w = { link = \"crank\", at = \"B\" }\n", "the link 'crank' has no point 'B'");
     check_said(sound + "counterweights.w = { link = \"ground\", at = \"O\" }\n",
                "a counterweight on the ground does not move");
@@ -114,7 +114,7 @@ TEST_SUITE("mechanism design") {
     const std::string positions = "positions = 36";
     at.replace(at.find(positions), positions.size(), "at = [\"0 deg\", \"90 deg\"]");
     check_said(at + "counterweights.w = { link = \"crank\", at = \"O\" }\n",
-               "counterweights are found over a whole turn of a crank, and there is none");
+               "counterweights require a full revolution of a crank, and none is given");
   }
 
   TEST_CASE("a rod reduced to two masses is one with their moment of inertia; to three it stays as it is") {
@@ -263,7 +263,7 @@ loads = [{ link = "large", M = "-20 N*m" }]
     const auto named = solved(press("", "", load) + "hodographs = [\"guide\"]\n");
     CHECK(figure_of(named, "hodograph-guide") != nullptr);
     CHECK(figure_of(named, "hodograph-A") == nullptr);
-    check_said(press("", "", load) + "hodographs = [\"gide\"]\n", "there is no joint 'gide'");
+    check_said(press("", "", load) + "hodographs = [\"gide\"]\n", "unknown joint 'gide'");
     check_said(press("", "", load) + "hodographs = [\"A\", \"A\"]\n", "the joint 'A' is named twice");
   }
 
@@ -280,10 +280,10 @@ loads = [{ link = "large", M = "-20 N*m" }]
   TEST_CASE("what is not a cycle is not called one") {
     const std::string load = "loads = [{ link = \"slider\", at = \"B\", F_x = \"-1 kN\", F_y = \"0 N\" }]\n";
     const auto turned = solved(press("", "", load));
-    CHECK(table_of(turned, "Extremes over the cycle") != nullptr);
+    CHECK(table_of(turned, "Extreme values over the cycle") != nullptr);
     const auto given =
         solved(replaced(press("", "", load), "positions = 36", "at = [\"30 deg\", \"40 deg\", \"60 deg\"]"));
-    CHECK(table_of(given, "Extremes over the cycle") == nullptr);
+    CHECK(table_of(given, "Extreme values over the cycle") == nullptr);
     CHECK(table_of(given, "Extremes over the positions") != nullptr);
     CHECK(figure_of(given, "reactions")->caption == "Forces in the joints over the positions");
   }

@@ -66,10 +66,9 @@ TEST_SUITE("mechanism faults") {
   TEST_CASE("a train that is not back after its turns has no cycle; with crank angles none is asked for") {
     const auto once = solved(press);
     CHECK(verdict_of(once, "returns").state == account::State::fail);
-    CHECK(
-        verdict_of(once, "returns").note.text() ==
-        "give the turns of the crank that make a cycle, crank = { turns = ... }; where these are too many, give crank "
-        "angles in place of a cycle, crank = { at = [...] }, and there are no means");
+    CHECK(verdict_of(once, "returns").note.text() ==
+          "give the revolutions of the crank per cycle, crank = { turns = ... }; if these are too many, give crank "
+          "angles in place of a cycle, crank = { at = [...] }, without mean values");
     CHECK(find_verdict(solved(replaced(press, "positions = 72", "positions = 72, turns = 5")), "returns") == nullptr);
     const auto given = solved(replaced(press, "positions = 72", "at = [\"10 deg\", \"20 deg\", \"40 deg\"]"));
     CHECK(find_verdict(given, "returns") == nullptr);
@@ -103,7 +102,7 @@ TEST_SUITE("mechanism faults") {
     CHECK(message_of("k = \"2 N/mm\", free = \"100 mm\"", "free = \"100 mm\"") ==
           "'back' has neither a rate nor a damping");
     CHECK(message_of("k = \"2 N/mm\"", "k_turn = \"2 N*m/rad\", k = \"2 N/mm\"") ==
-          "'back' has fields of a spring that pulls and of one that turns");
+          "'back' has fields of a tension spring and of a torsion spring");
     CHECK(message_of("points = [\"B\", \"O\"], k", "k") == "'back' needs the points of its ends");
     CHECK(message_of("points = [\"B\", \"O\"], k", "points = [\"B\", \"Q\"], k") ==
           "the link 'ground' has no point 'Q'");
@@ -132,7 +131,7 @@ TEST_SUITE("mechanism faults") {
   TEST_CASE("a link that is said to be a uniform bar") {
     CHECK(message_of("angle = \"-10 deg\"",
                      "angle = \"-10 deg\"\nmass = \"2 kg\"\nS = \"A\"\nJ = \"0 kg*m^2\"\nmass_line = \"uniform\"") ==
-          "link 'rod' is no uniform bar of 150 mm: that has its mass centre in the middle and J = 0.00375 kg·m²");
+          "link 'rod' is not a uniform bar of 150 mm: that has its mass centre in the middle and J = 0.00375 kg·m²");
   }
 }
 

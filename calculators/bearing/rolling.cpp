@@ -191,7 +191,7 @@ void axial(const Input& in, double k, Force F_rX, Force F_aX, Result& r, Tracer&
   const Force F_a0 = is_set(in.F_a0) ? in.F_a0 : none, F_r0 = is_set(in.F_r0) ? in.F_r0 : none;
   const Force over_0 = bears_on_ribs(in.kind) ? refused(in.kind, 2.0 * abs(F_a0), F_a0) : refused(in.kind, F_r0, F_a0);
   r.F_ao = trace.value("F_ao", std::max(refused(in.kind, F_rX, k * in.K_A * in.F_a), over_0),
-                       "the wrong way, or without ribs; on ribs beyond half the radial load, [SKF-rolling]");
+                       "wrong direction, or no ribs; on ribs more than half the radial load, [SKF-rolling]");
   r.F_ro = trace.value("F_ro", takes_axial_alone(in.kind) ? std::max(F_rX, F_r0) : none, "on a thrust bearing");
   if (Rolling::has_axial_bound(in) == Applies::yes && (is_set(in.F_a_adm) || is_set(in.C_0))) {
     if (bears_on_ribs(in.kind) && !is_set(in.F_a_adm)) return;

@@ -133,7 +133,7 @@ Course::Result Course::evaluate(const Input& in, Tracer& trace) {
     const std::size_t moving = moving_one(in);
     const double way = shift_of(in, circles).way.value_or(unset<double>);
     move(circles[moving], way, in.pulleys[moving].along);
-    r.s = trace.value("s", way * m, "shortest way of the pulley that moves to a belt of the length L, by bisection");
+    r.s = trace.value("s", way * m, "shortest travel of the moving pulley to a belt of length L, by bisection");
   }
   const Loop loop = lay_loop(circles, turn_of(in));
   if (loop.flaw != Flaw::none) return r;

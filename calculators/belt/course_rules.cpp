@@ -101,8 +101,8 @@ FieldFault Course::flaw_of(const Input& in) {
   if (is_set(in.L)) return length_fault(in, circles);
   const Loop loop = lay_loop(circles, turn_of(in));
   if (lay_loop(circles, -turn_of(in)).flaw == Flaw::none)
-    return {"turns", say("the pulleys are listed against the way the belt runs"),
-            say("turn the first one the other way: turns = \"{1}\"", in.turns == Turns::ccw ? "cw" : "ccw")};
+    return {"turns", say("the pulleys are listed against the direction of the belt"),
+            say("reverse the first one: turns = \"{1}\"", in.turns == Turns::ccw ? "cw" : "ccw")};
   const std::string at = path_of(in, loop.at), other = path_of(in, loop.other);
   switch (loop.flaw) {
     case Flaw::touching:

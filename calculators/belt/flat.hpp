@@ -5,6 +5,7 @@
 // Tensions: S_1 tight, S_2 slack; the mean of the two stays that of standstill on fixed centres, while a tensioner that
 // pulls with a constant force lets it rise by the centrifugal part.
 // Not covered: rollers on the belt (belt.course), crowning, fatigue life of the belt, shafts that are not parallel.
+// The linked shaft load is the larger pull, in operation or at standstill.
 #pragma once
 
 #include "calculators/belt/driven.hpp"

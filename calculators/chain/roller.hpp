@@ -129,7 +129,7 @@ P_R = "5.5 kW"
           .at_least(0)
           .may_be_missing(),
       Field{&Input::K_A, "K_A", ratio,
-            "service factor: shocks of driver and driven machine (1 if the load includes it)"}
+            "service factor for shocks of driving and driven machine (1 if the load includes it)"}
           .at_least(1)
           .usually(1, 2)
           .factor(),
@@ -210,7 +210,7 @@ P_R = "5.5 kW"
       Field{&Result::u_F, "u_F", ratio, "breakage: maximum pull / breaking load (of a chain, or F_uM, F_u94)"}.check(
           "P, T_1"),
       Field{&Result::u_S, "u_S", ratio,
-            "breakage: required / dynamic safety factor (not sufficient alone as design criterion)"}
+            "breakage: required / dynamic safety factor (not sufficient as the only design criterion)"}
           .check("S_min"),
       Field{&Result::u_P, "u_P", ratio, "rating: corrected / rated power"}.check("P_R")};
 

@@ -65,7 +65,7 @@ std::vector<draw::Figure> Buckling::figures(const Input& in, const Result& r) {
   shapes.y = {"w", "deflection over its largest", "-"};
   for (const auto axis : {AxisName::y, AxisName::z}) add_shape(in, axis, shapes);
   if (auto bar = bar_figure(in, r)) figures.insert(figures.begin(), std::move(*bar));
-  if (!shapes.curves.empty()) figures.push_back({"buckled-shape", "The buckled bar", std::move(shapes)});
+  if (!shapes.curves.empty()) figures.push_back({"buckled-shape", "Buckling mode shape", std::move(shapes)});
   return figures;
 }
 

@@ -102,7 +102,7 @@ std::vector<draw::Figure> EffectiveLength::figures(const Input& in, const Result
   plot.x = {"x", "place along the bar", "mm"};
   plot.y = {"w", "deflection over its largest", "-"};
   plot.curves.push_back({"w", std::move(shape.x), std::move(shape.w), false});
-  return {{"buckled-shape", "The buckled bar", std::move(plot)}};
+  return {{"buckled-shape", "Buckling mode shape", std::move(plot)}};
 }
 
 }  // namespace loadpath::column

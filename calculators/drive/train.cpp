@@ -19,7 +19,7 @@ double turn_of(const Stage& s) {
 
 template <class Tracer>
 double ratio_of(const Stage& s, Tracer& trace) {
-  const double turn = trace.value("turn", turn_of(s), "-1 where the second shaft turns the other way");
+  const double turn = trace.value("turn", turn_of(s), "-1 if the second shaft rotates in the opposite direction");
   if (is_set(s.i)) {
     const double i_given = trace.value("i_given", s.i, "as given");
     return NAMED_STEP("i", turn * i_given, "ratio of the speeds as given");
@@ -61,7 +61,7 @@ template <class Tracer>
 void bound(const Stage& s, Train::StageResult& r, Tracer& trace) {
   if (s.kind != StageKind::worm) return;
   const auto eta = trace.value("eta", r.eta, "of the worm"), eta_high = trace.value("eta_high", r.eta_high, "usual");
-  STEP_TO(r, x_eta, eta / eta_high, "the losses of a worm gear are no smaller than usual");
+  STEP_TO(r, x_eta, eta / eta_high, "losses of a worm gear within the usual range");
 }
 
 /// Reference diameters of the wheels of a stage, as far as they are known.

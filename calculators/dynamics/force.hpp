@@ -55,7 +55,7 @@ t_2 = "1.9 s"
       FormulaField{&Input::x, "x", "coordinate as a formula of the time t: \"3 m*sin(pi*t/(1 s))\""},
       FormulaField{&Input::y, "y", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
       FormulaField{&Input::z, "z", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
-      Field{&Input::t, "t", sec, "time that the force is worked out for"},
+      Field{&Input::t, "t", sec, "time at which the force is calculated"},
       Field{&Input::F_x, "F_x", N, "known forces along x: weight, loads"}.load(),
       Field{&Input::F_y, "F_y", N, "known forces along y"}.load(),
       Field{&Input::F_z, "F_z", N, "known forces along z"}.load(),

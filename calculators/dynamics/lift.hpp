@@ -129,7 +129,7 @@ wheels = [
       Field{&Result::F_d, "F_d", N, "driving moments reduced to the path s"},
       Field{&Result::F_f, "F_f", N, "friction reduced to the path s"},
       Field{&Result::F, "F", N, "force that accelerates, friction taken off"},
-      Choice{&Result::moves, "moves", "which way the lift moves"},
+      Choice{&Result::moves, "moves", "direction of motion of the lift"},
       Field{&Result::a, "a", m_per_s2, "acceleration of the coordinate"},
       Field{&Result::v, "v", m_per_s, "speed of the coordinate at the end, negative backwards"},
       Field{&Result::t, "t", sec, "time for the path"},
@@ -184,7 +184,7 @@ wheels = [
 constexpr auto choices_of(Lift::Moves) {
   using M = Lift::Moves;
   return std::array{ChoiceName<M>{M::forwards, "forwards", "along s"},
-                    ChoiceName<M>{M::backwards, "backwards", "against s: the weights pull the other way"},
+                    ChoiceName<M>{M::backwards, "backwards", "against s: the weights drive in the opposite direction"},
                     ChoiceName<M>{M::stands, "stands", "friction holds it at rest"}};
 }
 

@@ -99,7 +99,7 @@ bodies = [
   static constexpr std::array rules{
       Rule<Input>{&some_are_open, "bodies", "leave out v_2 of the body that is to be found: all are given"},
       Rule<Input>{&impact_is_of_two, "e, bodies", "e is of the impact of two bodies, whose v_2 are both to be found"},
-      Rule<Input>{&bodies_meet, "e, bodies", "two bodies of the same velocity do not meet: there is no impact"}};
+      Rule<Input>{&bodies_meet, "e, bodies", "two bodies of the same velocity do not meet: no impact"}};
 
   static constexpr std::array<Mode<Input>, 0> modes{};
 

@@ -6,6 +6,7 @@
 // stress; and yielding at the first cycle. All stand side by side. Normal and shear stresses rise and fall together,
 // of ductile metals; stresses are nominal, as sigma_D and tau_D are.
 // Not covered: stresses out of phase, brittle metals, finite life, two normal stresses.
+// From memory, source not seen: psi from R_m.
 #pragma once
 
 #include "calculators/fatigue/mean_stress.hpp"

@@ -18,7 +18,7 @@ Objection of_stresses(const Given& g) {
   }
   NoTrace off;
   const Extremes e = from_stresses(g, off);
-  if (e.sigma_max == zero && e.sigma_min == zero) return {"both stresses are zero: there is no cycle", ""};
+  if (e.sigma_max == zero && e.sigma_min == zero) return {"both stresses are zero: no cycle", ""};
   return {};
 }
 

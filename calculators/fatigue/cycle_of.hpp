@@ -90,13 +90,13 @@ Extremes from_stresses(const Given& g, Tracer& trace) {
     const Stress sigma_max = trace.value("sigma_max", g.sigma_max, "as given");
     if (given_min) return {sigma_max, trace.value("sigma_min", g.sigma_min, "as given")};
     if (given_m)
-      return {sigma_max, NAMED_STEP("sigma_min", 2.0 * g.sigma_m - g.sigma_max, "the mean lies half-way, [B20]")};
+      return {sigma_max, NAMED_STEP("sigma_min", 2.0 * g.sigma_m - g.sigma_max, "mean of maximum and minimum, [B20]")};
     return {sigma_max, NAMED_STEP("sigma_min", g.sigma_max - 2.0 * g.sigma_a, "two amplitudes lower, [B20]")};
   }
   if (given_min) {
     const Stress sigma_min = trace.value("sigma_min", g.sigma_min, "as given");
     if (given_m)
-      return {NAMED_STEP("sigma_max", 2.0 * g.sigma_m - g.sigma_min, "the mean lies half-way, [B20]"), sigma_min};
+      return {NAMED_STEP("sigma_max", 2.0 * g.sigma_m - g.sigma_min, "mean of maximum and minimum, [B20]"), sigma_min};
     return {NAMED_STEP("sigma_max", g.sigma_min + 2.0 * g.sigma_a, "two amplitudes higher, [B20]"), sigma_min};
   }
   STEP(sigma_max, g.sigma_m + g.sigma_a, "[B20]");
@@ -109,7 +109,8 @@ template <class Tracer>
 Extremes from_infinite_ratio(const Given& g, Tracer& trace) {
   const Stress sigma_max = trace.value("sigma_max", 0.0 * MPa, "zero, for r is infinite, [B20]");
   if (is_set(g.sigma_min)) return {sigma_max, trace.value("sigma_min", g.sigma_min, "as given")};
-  if (is_set(g.sigma_m)) return {sigma_max, NAMED_STEP("sigma_min", 2.0 * g.sigma_m, "the mean lies half-way, [B20]")};
+  if (is_set(g.sigma_m))
+    return {sigma_max, NAMED_STEP("sigma_min", 2.0 * g.sigma_m, "mean of maximum and minimum, [B20]")};
   return {sigma_max, NAMED_STEP("sigma_min", -2.0 * g.sigma_a, "two amplitudes below zero, [B20]")};
 }
 

@@ -8,6 +8,8 @@
 // Without size or roughness it is a specimen's limit still, and not judged as a part's; of what is as small and as
 // smooth say epsilon = 1, beta_F = 1.
 // Not covered: mean stress, life (fatigue.life), histories, safety, corrosion, press fits.
+// From memory, source not seen: Peterson's notch sensitivity, that of cast iron, the surface factors of the 11th
+// edition except for ground surfaces.
 #pragma once
 
 #include "calculators/fatigue/endurance_types.hpp"

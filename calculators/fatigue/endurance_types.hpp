@@ -116,8 +116,9 @@ constexpr auto choices_of(EnduranceTypes::Finish) {
 
 constexpr auto choices_of(EnduranceTypes::Edition) {
   using E = EnduranceTypes::Edition;
-  return std::array{ChoiceName<E>{E::ninth, "9th", "Shigley, 9th edition"},
-                    ChoiceName<E>{E::eleventh, "11th", "Shigley, 11th edition; but for ground surfaces recalled"}};
+  return std::array{
+      ChoiceName<E>{E::ninth, "9th", "Shigley, 9th edition"},
+      ChoiceName<E>{E::eleventh, "11th", "Shigley, 11th edition; from memory except for ground surfaces"}};
 }
 
 constexpr auto choices_of(EnduranceTypes::Turning) {
@@ -129,8 +130,8 @@ constexpr auto choices_of(EnduranceTypes::Turning) {
 constexpr auto choices_of(EnduranceTypes::Sensitivity) {
   using S = EnduranceTypes::Sensitivity;
   return std::array{ChoiceName<S>{S::neuber, "neuber", "Neuber's constant; steels"},
-                    ChoiceName<S>{S::peterson, "peterson", "Peterson's constant; steels from 560 MPa; recalled"},
-                    ChoiceName<S>{S::cast_iron, "cast-iron", "0.2, of all grades of cast iron; recalled"}};
+                    ChoiceName<S>{S::peterson, "peterson", "Peterson's constant; steels from 560 MPa; from memory"},
+                    ChoiceName<S>{S::cast_iron, "cast-iron", "0.2, for all grades of cast iron; from memory"}};
 }
 
 }  // namespace loadpath::fatigue

@@ -7,6 +7,7 @@
 // over reversals 2 N, or with a slope k. Compression is no help. Below 1e3 cycles, of low cycles, nothing is said.
 // Safety and life are those of the share of parts that sigma_D holds for: one half, but where P_s is in it.
 // Not covered: histories (one cycle alone), shear beside normal stresses (fatigue.combined), creep, corrosion.
+// From memory, source not seen: the fit of f, of gamma, and of psi.
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"
@@ -257,7 +258,7 @@ S_F = 1.5
       Rule<Input>{[](const Input& in) { return in.compression == Compression::ignored || in.rule == MeanRule::fkm; },
                   "compression, rule", "compression is considered only by rule = \"fkm\""},
       Rule<Input>{[](const Input& in) { return in.group != Group::grey_iron || is_set(in.K_m); }, "K_m, group",
-                  "grey iron does not yield at a notch: give K_m, its K_f, or 1 where there is no notch"},
+                  "grey iron does not yield at a notch: give K_m, its K_f, or 1 without a notch"},
       Rule<Input>{[](const Input& in) {
                     return !is_set(in.S_F) || is_set(in.R_e) || (in.group == Group::grey_iron && is_set(in.R_m));
                   },

@@ -113,7 +113,8 @@ void knee(const Input& in, Result& r, Tracer& trace) {
   } else if (S_r > 0.0 * MPa) {
     trace.value("S_r", S_r, "highest stress with a run-out");
     trace.value("S_f", S_f, "lowest stress with a failure");
-    STEP_TO(r, S_D, (S_r + S_f) / 2.0, "half-way: a first estimate of the asymptote of [B20], no staircase statistics");
+    STEP_TO(r, S_D, (S_r + S_f) / 2.0,
+            "mean of the two: a first estimate of the asymptote of [B20], no staircase statistics");
   } else {
     return;
   }

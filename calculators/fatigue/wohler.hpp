@@ -98,7 +98,7 @@ S = "350 MPa"
       Field{&Result::T_N, "T_N", ratio, "scatter of life: N at 10 % over N at 90 % survival, above 1"},
       Field{&Result::T_S, "T_S", ratio, "scatter of strength: S at 10 % over S at 90 % survival, above 1"},
       Field{&Result::A_P, "A_P", ratio, "lg N at S = 1 MPa on the line of survival P_s"},
-      Field{&Result::S_D, "S_D", MPa, "fatigue limit: given, or half-way between run-outs and failures"},
+      Field{&Result::S_D, "S_D", MPa, "fatigue limit: given, or midway between run-outs and failures"},
       Field{&Result::N_D, "N_D", ratio, "cycles of the knee, where the line meets the fatigue limit"},
       Field{&Result::N_50, "N_50", ratio, "life at S, 50 % survival; none at and below the fatigue limit"},
       Field{&Result::N_P, "N_P", ratio, "life at S, survival P_s with 50 % confidence: z s, no tolerance factor"},

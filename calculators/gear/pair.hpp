@@ -184,7 +184,7 @@ sigma_adm_2 = "200 MPa"
       Rule<Input>{&bases_meet, "a_w, z_1, z_2, m_n, alpha_n, beta",
                   "the base circles of the wheels do not let them mesh at this centre distance", &bases_apart},
       Rule<Input>{&working_angle_exists, "x_1, x_2, z_1, z_2",
-                  "with these profile shifts there is no working pressure angle", &no_working_angle},
+                  "no working pressure angle exists for these profile shifts", &no_working_angle},
       Rule<Input>{[](const Input& in) { return !(is_set(in.b) && is_set(in.psi_m)); }, "b, psi_m",
                   "give the face width as b or as psi_m, never both"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.T_1) && is_set(in.P)); }, "T_1, P",

@@ -151,7 +151,7 @@ S = 1.5
       std::array{
           Rule<Input>{&force_given, "N, P", "give the normal force N, positive in tension, or P in compression"},
           Rule<Input>{[](const Input& in) { return is_set(in.R_e); }, "R_e",
-                      "a link with bending is judged by its yield strength: give R_e, or a material"},
+                      "a link with bending is assessed by its yield strength: give R_e, or a material"},
           Rule<Input>{[](const Input& in) { return in.method != column::Method::secant; }, "method",
                       "the moment goes by the secant formula in any case: choose the method of buckling without it"},
           Rule<Input>{&ends_in_plane, "ends_y, ends, beta_y, supports_y",

@@ -127,8 +127,8 @@ void take_inertia(const Input& in, Result& r, Tracer& trace) {
     return;
   }
   STEP_TO(r, delta_is, r.Delta_E / (J_is * in.omega * in.omega), "unevenness, [Khurmi-16]");
-  STEP_TO(r, n_max, in.omega * (1.0 + 0.5 * delta_is), "mean speed half way between the largest and the least");
-  STEP_TO(r, n_min, in.omega * (1.0 - 0.5 * delta_is), "mean speed half way between the largest and the least");
+  STEP_TO(r, n_max, in.omega * (1.0 + 0.5 * delta_is), "mean of maximum and minimum speed");
+  STEP_TO(r, n_min, in.omega * (1.0 - 0.5 * delta_is), "mean of maximum and minimum speed");
   STEP_TO(r, u_delta, delta_is / in.delta, "unevenness over the allowed one");
 }
 
@@ -137,9 +137,9 @@ void take_power(const Input& in, Result& r, Tracer& trace) {
   if (r.work == Flywheel::Work::none) return;
   STEP_TO(r, P_m, abs(r.M_m) * in.omega, "mean power");
   if (r.work == Flywheel::Work::absorbed) {
-    STEP_TO(r, P, P_m / in.eta, "losses on the way from the motor");
+    STEP_TO(r, P, P_m / in.eta, "losses between the motor and this shaft");
   } else {
-    STEP_TO(r, P, P_m * in.eta, "losses on the way to what is driven");
+    STEP_TO(r, P, P_m * in.eta, "losses between this shaft and the driven machine");
   }
   if (!is_set(in.P_n)) return;
   STEP_TO(r, u_P, r.P / in.P_n, "mean power over the rated power");

@@ -135,7 +135,7 @@ delta = 0.01
       Field{&Result::delta_is, "delta_is", ratio, "unevenness with the given flywheel, or with J_F"},
       Field{&Result::n_max, "n_max", rpm, "largest speed"},
       Field{&Result::n_min, "n_min", rpm, "least speed"},
-      Field{&Result::P_m, "P_m", W, "mean power at the shaft; none where the machine does no work"},
+      Field{&Result::P_m, "P_m", W, "mean power at the shaft; none without net work"},
       Field{&Result::P, "P", W, "mean power of the motor, or of what is driven"},
       Field{&Result::m_rim, "m_rim", kg, "mass of a rim of that inertia"},
       Field{&Result::v_rim, "v_rim", m_per_s, "speed of the rim"},
@@ -160,7 +160,7 @@ delta = 0.01
       Rule<Input>{[](const Input& in) { return is_set(in.delta) || is_set(in.inertia); }, "delta, J",
                   "give the unevenness delta that is allowed, or the inertia J of the flywheel, or both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.inertia) || is_set(in.delta); }, "J, delta",
-                  "a given flywheel is judged by the unevenness delta that is allowed: give it too"},
+                  "a given flywheel is assessed by the permissible speed fluctuation delta: give it too"},
       Rule<Input>{[](const Input& in) { return !is_set(in.v_adm) || is_set(in.D); }, "v_adm, D",
                   "the speed of the rim needs its diameter D"}};
 
@@ -182,14 +182,14 @@ delta = 0.01
 
 constexpr auto choices_of(Flywheel::Source) {
   using S = Flywheel::Source;
-  return std::array{ChoiceName<S>{S::load, "load", "what the machine asks its motor for; the motor's own is constant"},
+  return std::array{ChoiceName<S>{S::load, "load", "moment required from the motor; the motor moment is constant"},
                     ChoiceName<S>{S::drive, "drive", "what an engine brings; its load is constant"}};
 }
 constexpr auto choices_of(Flywheel::Work) {
   using Word = Flywheel::Work;
   return std::array{ChoiceName<Word>{Word::absorbed, "absorbed", "the shaft has to be driven"},
                     ChoiceName<Word>{Word::delivered, "delivered", "the shaft drives"},
-                    ChoiceName<Word>{Word::none, "none", "no work over the period: there is no mean power"}};
+                    ChoiceName<Word>{Word::none, "none", "no net work over the period: no mean power"}};
 }
 
 }  // namespace loadpath::machine

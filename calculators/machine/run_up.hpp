@@ -91,7 +91,7 @@ n_2 = "1400 rpm"
       Field{&Result::J_red, "J_red", kg_m2, "moment of inertia reduced to the motor's shaft"},
       Field{&Result::M_start, "M_start", N_m, "accelerating moment at the start, signed"},
       Field{&Result::M_end, "M_end", N_m, "accelerating moment at the end, signed"},
-      Field{&Result::M_least, "M_least", N_m, "least moment towards the end speed on the way"},
+      Field{&Result::M_least, "M_least", N_m, "minimum accelerating moment up to the final speed"},
       Field{&Result::epsilon_1, "epsilon_1", rad_per_s2, "angular acceleration at the start"},
       Field{&Result::t, "t", sec, "time of the run"},
       Field{&Result::turns, "turns", ratio, "turns of the motor meanwhile"},

@@ -64,8 +64,8 @@ t_2 = "2 s"
       FormulaField{&Input::x, "x", "coordinate as a formula of the time t: \"3 m*sin(pi*t/(1 s))\""},
       FormulaField{&Input::y, "y", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
       FormulaField{&Input::z, "z", "coordinate as a formula of the time t; stays 0 where missing"}.may_be_missing(),
-      Field{&Input::t, "t", sec, "time that the state is worked out for"},
-      Field{&Input::t_1, "t_1", sec, "start of the range that path and way are for, with t_2"}.may_be_missing(),
+      Field{&Input::t, "t", sec, "time at which the state is calculated"},
+      Field{&Input::t_1, "t_1", sec, "start of the time range for path and distance, with t_2"}.may_be_missing(),
       Field{&Input::t_2, "t_2", sec, "end of the range, after t_1"}.may_be_missing(),
       Count{&Input::rows, "rows", 2, static_cast<int>(most_states), "states of the range in the table, ends included"}
           .may_be_missing(),
@@ -125,7 +125,7 @@ t_2 = "2 s"
       Field{&Result::L, "L", m, "way along the path from t_1 to t_2"},
       Field{&Result::Delta_r, "Delta_r", m, "displacement from t_1 to t_2, end from start"},
       Field{&Result::v_m, "v_m", m_per_s, "mean velocity from t_1 to t_2, the displacement over the time"},
-      Field{&Result::v_L, "v_L", m_per_s, "mean speed from t_1 to t_2, the way over the time"},
+      Field{&Result::v_L, "v_L", m_per_s, "mean speed from t_1 to t_2, distance / time"},
       Field{&Result::v_max, "v_max", m_per_s, "largest speed from t_1 to t_2, at 257 times"},
       Field{&Result::a_max, "a_max", m_per_s2, "largest acceleration from t_1 to t_2, at 257 times"},
       ListField{&Result::states, "states", "states at the given times, or evenly over the range"}};

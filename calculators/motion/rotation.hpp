@@ -53,7 +53,7 @@ t_2 = "2 s"
   };
   static constexpr Fields inputs{
       FormulaField{&Input::phi, "phi", "angle as a formula of the time t: \"90 deg*(t/(1 s))^2\""},
-      Field{&Input::t, "t", sec, "time that the state is worked out for"},
+      Field{&Input::t, "t", sec, "time at which the state is calculated"},
       Field{&Input::R, "R", mm, "distance of the point from the axis"}.at_least(0).usually(0.1, 1e5).may_be_missing(),
       Field{&Input::phi_M, "phi_M", deg, "direction from the axis to the point at phi = 0, from x"},
       Field{&Input::t_1, "t_1", sec, "start of the range that turns are counted in, with t_2"}.may_be_missing(),

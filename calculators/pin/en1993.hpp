@@ -171,7 +171,7 @@ e_c2 = "35 mm"
                   "gamma_M6, replaceable", "gamma_M6 belongs to a pin that can be replaced: replaceable = \"yes\""}};
 
   static constexpr std::array modes{
-      Mode<Input>{"shear", "shear of the pin: design force / resistance", &loaded}.judged_by("u_v"),
+      Mode<Input>{"shear", "shear resistance of the pin", &loaded}.judged_by("u_v"),
       Mode<Input>{"bending", "bending resistance of the pin, with shear", &loaded}.judged_by("u_m, u_vm"),
       Mode<Input>{"bearing_1", "bearing resistance, middle plate", &loaded}.judged_by("u_b1"),
       Mode<Input>{"bearing_2", "bearing resistance, outer plates", &loaded}.judged_by("u_b2"),

@@ -72,7 +72,7 @@ void strength(const Input& in, Result& r, Tracer& trace) {
   const Stress sigma_a = allowed_stress("sigma_a", in.sigma_adm, in.R_m, shares.bending,
                                         "share of R_m in bending, by the loading, [RM-9]", trace);
   const Stress tau_a = allowed_stress("tau_a", in.tau_adm, in.R_m, shares.shear,
-                                      "share of R_m in shear, by the loading, [RM-9] as recalled", trace);
+                                      "share of R_m in shear, by the loading, [RM-9], from memory", trace);
   if (is_set(sigma_a)) {
     STEP_TO(r, u_b, sigma_b / sigma_a, "bending");
     STEP_TO(r, u_v, sigma_v / sigma_a, "equivalent stress");

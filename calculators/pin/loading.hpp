@@ -12,11 +12,10 @@ namespace loadpath::pin {
 enum class Loading { unsaid, steady, pulsating, alternating };
 
 constexpr auto choices_of(Loading) {
-  return std::array{
-      ChoiceName<Loading>{Loading::unsaid, "", "not stated"},
-      ChoiceName<Loading>{Loading::steady, "steady", "it stays as it is"},
-      ChoiceName<Loading>{Loading::pulsating, "pulsating", "it comes and goes from one side"},
-      ChoiceName<Loading>{Loading::alternating, "alternating", "it changes its sense, or turns around the pin"}};
+  return std::array{ChoiceName<Loading>{Loading::unsaid, "", "not stated"},
+                    ChoiceName<Loading>{Loading::steady, "steady", "it stays as it is"},
+                    ChoiceName<Loading>{Loading::pulsating, "pulsating", "it comes and goes from one side"},
+                    ChoiceName<Loading>{Loading::alternating, "alternating", "reversing, or rotating around the pin"}};
 }
 
 /// Of R_m; unset where the loading is not said.

@@ -44,7 +44,8 @@ Lug::Result Lug::evaluate(const Input& in, Tracer& trace) {
   strength(in, r, trace);
   STEP_TO(r, x_b, in.b / in.d, "proportions of table 3.9, [EN1993-1-8]");
   STEP_TO(r, x_a, (in.b - in.d) / (2.0 * in.a), "a crown as thick as the sides, or thicker");
-  STEP_TO(r, K_t, 2.0 + pow<3>(1.0 - in.d / in.b), "open hole in a strip, Heywood, recalled; a loaded pin gives more");
+  STEP_TO(r, K_t, 2.0 + pow<3>(1.0 - in.d / in.b),
+          "open hole in a strip, Heywood, from memory; a loaded pin gives more");
   r.cycle = {Stresses::normal, r.sigma_n};
   return r;
 }

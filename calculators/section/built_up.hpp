@@ -4,6 +4,8 @@
 // put to y, z. The parts act as one: their connection is not checked. Parts that overlap are refused, for what both
 // cover would count twice; one that stands apart is told. Not covered: torsion of closed cells that parts form,
 // warping, the shear centre.
+// Each part has the origin of its own calculator: a channel the middle of its back, an angle its corner, a T the middle
+// of its upper face, the others their centre.
 #pragma once
 
 #include "calculators/section/built_up_types.hpp"
@@ -54,7 +56,7 @@ parts = [
   static constexpr std::array rules{
       Rule<Input>{&parts_are_whole, "parts", "a part lacks what its shape needs", &incomplete},
       Rule<Input>{&is_full, "parts",
-                  "the holes leave no section: more is cut out than there is, or beside the material"},
+                  "the holes leave no section: they remove more than the material, or lie outside of it"},
       Rule<Input>{&none_overlap, "parts", "parts overlap: what both cover would count twice", &overlapping},
       Rule<Input>{&all_touch, "parts", "a part is separate from the others", &apart, true}};
 

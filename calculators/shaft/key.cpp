@@ -18,8 +18,8 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
   torque_that_counts(in, r, trace);
   const Moment T_eq = r.T_eq;
   STEP_TO(r, F_t, 2.0 * T_eq / in.d, "at the surface of the shaft");
-  STEP_TO(r, p_1, F_t / (in.t_1 * l_tr * in.i * phi), "on what stands in the shaft");
-  STEP_TO(r, p_2, F_t / ((in.h - in.t_1) * l_tr * in.i * phi), "on what stands out of it, method C of [DIN6892]");
+  STEP_TO(r, p_1, F_t / (in.t_1 * l_tr * in.i * phi), "on the height in the shaft keyway");
+  STEP_TO(r, p_2, F_t / ((in.h - in.t_1) * l_tr * in.i * phi), "on the height above the shaft, method C of [DIN6892]");
   STEP_TO(r, tau, F_t / (in.b * l_tr * in.i * phi), "across its width, round ends not counted");
 }
 

@@ -80,7 +80,7 @@ Length rings(const Input& in, Stress sigma_all, Tracer& trace) {
   if (is_set(in.A_r)) return NAMED_STEP("a_r", in.A_r / in.l_r, "section of the rings per length");
   const Stress p_0 = trace.value("p_0", bottom_pressure(in), "pressure of the liquid at the lowest place");
   return NAMED_STEP("a_r", (in.p + p_0) * in.R / sigma_all,
-                    "rings that could take the whole hoop force, as [B24] assumes");
+                    "rings that could take the full hoop force, as [B24] assumes");
 }
 
 /// The thicknesses of the book: each stress by itself.

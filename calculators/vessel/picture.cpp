@@ -8,7 +8,7 @@ namespace {
 
 draw::Figure stresses_along(const std::vector<Sample>& along) {
   draw::Plot plot;
-  plot.x = {"s", "way along the meridian", "mm"};
+  plot.x = {"s", "distance along the meridian", "mm"};
   plot.y = {"sigma", "membrane stress", "MPa"};
   draw::Curve hoop{"sigma_o", {}, {}}, meridional{"sigma_M", {}, {}};
   double s = 0.0;

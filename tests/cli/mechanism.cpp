@@ -37,8 +37,8 @@ TEST_SUITE("cli mechanism") {
     CHECK(o.error.empty());
     CHECK(o.out.starts_with("PASS ("));
     CHECK(contains(o.out,
-                   ")\nPress\n\npress: Planar mechanism (kinematics, kinetostatics) (mechanism.planar)\n  Extremes "
-                   "over the cycle\n"));
+                   ")\nPress\n\npress: Planar mechanism (kinematics, kinetostatics) (mechanism.planar)\n  Extreme "
+                   "values over the cycle\n"));
     CHECK(contains(o.out, "    rod, slider  A, B, guide  class II, order 2, RRP  6 = 2 · 3 + 0\n"));
     CHECK(contains(o.out, "    mobility by rank of the constraints "));
     CHECK(contains(o.out, "  12 of 12  "));

@@ -122,7 +122,7 @@ a_set = "600 mm"
       Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},
       Rule<Input>{&class_fits, "belt_class, basis", "the class of the belt goes with the basis iso", &wrong_class},
       Rule<Input>{&service_is_given, "K_A, duty, motor, h_day",
-                  "give K_A; on the basis optibelt duty, motor and h_day may stand in its place, never both"},
+                  "give K_A; on the basis optibelt duty, motor and h_day may replace it, never both"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.d_1_min) && is_set(in.d_max)) || in.d_1_min <= in.d_max; },
                   "d_1_min, d_max", "the smallest driving pulley must not be larger than the largest pulley"}};
 

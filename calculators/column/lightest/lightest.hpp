@@ -6,6 +6,7 @@
 // up to the section found, which is on the safe side for the others.
 // Not covered: what column.buckling does not cover, and so torsional buckling, which can decide for channels and
 // angles.
+// Sections thicker than the material is given for are not assessed.
 #pragma once
 
 #include "calculators/column/bounds.hpp"
@@ -96,20 +97,19 @@ gamma_F = 1
   static Outline outline_of(const Input& in);
 
   static constexpr auto rules = join(
-      std::array{
-          Rule<Input>{&families_known, "families", "there is no such family in the section tables", &unknown_family},
-          Rule<Input>{&families_once, "families", "a family is named twice", &family_twice},
-          Rule<Input>{&room_for_one, "h_max, b_max, families", "there is room for no section of these families",
-                      &no_room},
-          Rule<Input>{&kind_fits, "kind, families", "round tubes are hot_hollow or cold_hollow", &kind_of_tubes},
-          Rule<Input>{&fibres_known, "e_y, e_z, families", "the extreme fibre of these sections is not known",
-                      &no_fibre},
-          Rule<Input>{&strengths_rise, "strengths", "the thicknesses of the strengths must rise"},
-          Rule<Input>{&one_strength, "strengths, R_e", "give R_e, or strengths by thickness, never both"},
-          Rule<Input>{&strength_in_tension, "N, R_e",
-                      "a bar in tension is judged by its yield strength: give R_e, or a material"},
-          Rule<Input>{[](const Input& in) { return is_set(in.N) || is_set(in.P); }, "N, P",
-                      "give the force that the bar shall carry: N, positive in tension, or P"}},
+      std::array{Rule<Input>{&families_known, "families", "unknown family: not in the section tables", &unknown_family},
+                 Rule<Input>{&families_once, "families", "a family is named twice", &family_twice},
+                 Rule<Input>{&room_for_one, "h_max, b_max, families", "there is room for no section of these families",
+                             &no_room},
+                 Rule<Input>{&kind_fits, "kind, families", "round tubes are hot_hollow or cold_hollow", &kind_of_tubes},
+                 Rule<Input>{&fibres_known, "e_y, e_z, families", "the extreme fibre of these sections is not known",
+                             &no_fibre},
+                 Rule<Input>{&strengths_rise, "strengths", "the thicknesses of the strengths must rise"},
+                 Rule<Input>{&one_strength, "strengths, R_e", "give R_e, or strengths by thickness, never both"},
+                 Rule<Input>{&strength_in_tension, "N, R_e",
+                             "a bar in tension is assessed by its yield strength: give R_e, or a material"},
+                 Rule<Input>{[](const Input& in) { return is_set(in.N) || is_set(in.P); }, "N, P",
+                             "give the force that the bar shall carry: N, positive in tension, or P"}},
       held_rules<Input>(),
       std::array{Rule<Input>{&needs_of_method, "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F",
                              "something is missing that the method needs", &missing_for_method}},

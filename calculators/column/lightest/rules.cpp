@@ -94,7 +94,7 @@ FieldFault Lightest::unknown_family(const Input& in) {
   const Family* const unknown = stranger(in);
   const auto known = families();
   return {"families[" + std::to_string(unknown - &in.families[0] + 1) + "].family",
-          say("there is no family '{1}' in the section tables", unknown->family.view()),
+          say("unknown family '{1}' in the section tables", unknown->family.view()),
           did_you_mean(unknown->family.view(), known, there_is(known))};
 }
 
@@ -135,7 +135,7 @@ bool Lightest::fibres_known(const Input& in) { return fibreless(in) == nullptr; 
 FieldFault Lightest::no_fibre(const Input& in) {
   return {
       in.e_y > 0.0 * mm ? "e_y" : "e_z",
-      say("the extreme fibre of {1} is not half its side, so the secant formula is not worked out for these sections",
+      say("the extreme fibre of {1} is not at half the side, so the secant formula is not available for these sections",
           fibreless(in)->name()),
       say("leave out e_y, e_z and take another method, or give column.buckling the section with c_y or c_z")};
 }

@@ -93,7 +93,7 @@ template <class Result>
 constexpr auto stress_results() {
   return Fields{
       Field<Result, Stress>{&Result::sigma_E, "sigma_E", MPa,
-                            "stress at the elastic critical force, without slenderness limit"},
+                            "stress at the elastic critical force, at any slenderness"},
       Field<Result, double>{&Result::lambda_T, "lambda_T", ratio, "upper slenderness limit of Tetmajer's formula"},
       Field<Result, double>{&Result::gap, "gap", ratio,
                             "relative difference of Tetmajer to Euler at the published lambda_1"},

@@ -87,7 +87,7 @@ f_max = 1.8
       Meaning{"M_tm, tau_tm, F_zdm", paired_middle}, Meaning{"M_ta, tau_ta, F_zda", paired_amplitude}};
   static constexpr auto bounds = notch_bounds<Input>();
   static constexpr std::array modes{
-      Mode<Input>{"fatigue", "fatigue strength, constant amplitude", &any_varies<Input>}.judged_by(
+      Mode<Input>{"fatigue", "fatigue fracture, constant amplitude", &any_varies<Input>}.judged_by(
           "u_D, x_m, x_small, x_eff, x_Rz, x_r, x_D, x_alpha, x_t, x_hole, x_bore, x_E"),
       Mode<Input>{"yield", "static strength at peak load", &always<Input>}.judged_by("u_F, x_E").wanting("f_max"),
       Mode<Input>{"layer", "cracking of the hardened layer",

@@ -31,9 +31,9 @@ constexpr auto fkm_steel() {
                           2000),
       fkm_strength<Input>(&Input::R_eN, "R_eN", "yield strength of the standard, at its reference diameter", 150, 1800),
       fkm_size_slope<Input>(&Input::a_dm, "a_dm", "slope of the size factor of R_mN, in place of the group's"),
-      fkm_size_slope<Input>(&Input::a_dp, "a_dp", "the same of R_eN; the group's is recalled"),
+      fkm_size_slope<Input>(&Input::a_dp, "a_dp", "size constant of R_eN; default of the group from memory"),
       fkm_reference<Input>(&Input::d_Nm, "d_Nm", "diameter that R_mN belongs to, in place of the group's"),
-      fkm_reference<Input>(&Input::d_Np, "d_Np", "diameter that R_eN belongs to; the group's is recalled"),
+      fkm_reference<Input>(&Input::d_Np, "d_Np", "reference diameter of R_eN; default of the group from memory"),
       Field<Input, Stress>{&Input::R_m, "R_m", MPa, "tensile strength in a part of this size, in place of R_mN"}
           .positive()
           .below(3000)
@@ -75,12 +75,13 @@ constexpr auto fkm_service() {
           .at_least(1)
           .usually(1e4, 1e9)
           .may_be_missing(),
-      fkm_demand<Input>(&Input::j_D, "j_D",
-                        "safety against fatigue: 1.5, with inspections 1.35, of small consequence 1.3, 1.2, recalled"),
+      fkm_demand<Input>(
+          &Input::j_D, "j_D",
+          "required fatigue safety factor: 1.5, with inspections 1.35, at minor consequence 1.3, 1.2, from memory"),
       fkm_demand<Input>(&Input::j_m, "j_m", "safety against fracture: 2.0 to 1.6 by consequence and by load"),
       fkm_demand<Input>(&Input::j_p, "j_p", "safety against yielding: 1.5 to 1.2 by consequence and by load"),
       Field<Input, Stress>{&Input::R_pmax, "R_pmax", MPa,
-                           "E times the strain that is allowed: 1050 MPa are 0.5 % of steel, recalled"}
+                           "E x allowable strain: 1050 MPa is 0.5 % for steel, from memory"}
           .positive()
           .usually(500, 11000),
       fkm_gradient<Input>(&Input::G_zd, "G_zd", "gradient over stress of alpha_zd; without it no support"),

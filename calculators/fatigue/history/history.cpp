@@ -147,8 +147,9 @@ void all_rules(const Input& in, const std::vector<Cycle>& cycles, const OnCurve&
   r.D_original = trace.value("D_original", by(MinerRule::original), "sum of n / N above the limit, [Miner]");
   r.D_elementary = trace.value("D_elementary", by(MinerRule::elementary), "the slope k for all cycles");
   r.D_modified = trace.value("D_modified", by(MinerRule::modified), "2 k - 1 below the limit, [Haibach]");
-  r.D_consistent = trace.value("D_consistent", by(MinerRule::consistent), "the limit falls, [Haibach], recalled");
-  r.D_LZ = trace.value("D_LZ", by(MinerRule::liu_zenner), "slope (k + 3.6)/2, Liu and Zenner, recalled");
+  r.D_consistent =
+      trace.value("D_consistent", by(MinerRule::consistent), "decreasing fatigue limit, [Haibach], from memory");
+  r.D_LZ = trace.value("D_LZ", by(MinerRule::liu_zenner), "slope (k + 3.6)/2, Liu and Zenner, from memory");
   r.D = in.miner == MinerRule::original     ? NAMED_STEP("D", r.D_original, "the original rule decides")
         : in.miner == MinerRule::elementary ? NAMED_STEP("D", r.D_elementary, "the elementary rule decides")
         : in.miner == MinerRule::consistent ? NAMED_STEP("D", r.D_consistent, "the consistent rule decides")

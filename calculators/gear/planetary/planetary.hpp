@@ -158,11 +158,12 @@ h_ar = 0.9
       Rule<Input>{&speeds_determined, "fixed, n_s, n_c, n_r",
                   "with a member held one speed of the others is given; with none held, two", &wrong_speeds},
       Rule<Input>{[](const Input& in) { return in.N_p <= in.z_s + ring_teeth(in); }, "N_p, z_s, z_r",
-                  "there are no more places for planets than teeth of sun and ring together"},
+                  "N_p must not exceed z_s + z_r"},
       Rule<Input>{[](const Input& in) { return is_set(in.T_s) + is_set(in.T_c) + is_set(in.T_r) <= 1; },
                   "T_s, T_c, T_r", "one torque sets the others: give one of T_s, T_c, T_r"},
       Rule<Input>{&evenly_spaced, "z_s, z_r, N_p",
-                  "(z_s + z_r)/N_p is not whole: the planets can be put in, but not spaced evenly", nullptr, true},
+                  "(z_s + z_r)/N_p is not an integer: the planets can be assembled, but not evenly spaced", nullptr,
+                  true},
       Rule<Input>{[](const Input& in) {
                     const double gap = ring_teeth(in) - in.z_s - 2 * in.z_p;
                     return gap == 0 || std::abs(gap) > most_shifted;  // a limit tells of more

@@ -62,7 +62,7 @@ constexpr auto choices_of(PlanetaryTypes::Member) {
 constexpr auto choices_of(PlanetaryTypes::Spacing) {
   using Spacing = PlanetaryTypes::Spacing;
   return std::array{ChoiceName<Spacing>{Spacing::even, "even", "evenly"},
-                    ChoiceName<Spacing>{Spacing::uneven, "uneven", "not evenly: (z_s + z_r)/N_p is not whole"}};
+                    ChoiceName<Spacing>{Spacing::uneven, "uneven", "uneven: (z_s + z_r)/N_p is not an integer"}};
 }
 constexpr auto choices_of(PlanetaryTypes::Coaxial) {
   using Coaxial = PlanetaryTypes::Coaxial;

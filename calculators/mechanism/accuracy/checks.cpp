@@ -184,7 +184,7 @@ void check_point(const planar::Accuracy& wanted, const std::string& path, NameFa
   std::vector<std::string> names;
   for (const TracedPoint& p : traced_points(faults.input())) names.push_back(p.name);
   if (std::find(names.begin(), names.end(), wanted.point.view()) != names.end()) return;
-  faults.add(path + ".point", say("there is no moving point '{1}'", wanted.point.view()),
+  faults.add(path + ".point", say("unknown moving point '{1}'", wanted.point.view()),
              did_you_mean(wanted.point.view(), names, there_is(names)));
 }
 

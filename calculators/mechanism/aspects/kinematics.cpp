@@ -85,7 +85,7 @@ constexpr Declaration gamma =
             "the inner joint of a dyad with two assemblies", {.kind = Kind::transmission_angle});
 constexpr Declaration swing = declare("links.NAME.swing", "angle between the extreme positions of the cycle", deg,
                                       "with one drive, over a cycle", {.detail = true});
-constexpr Declaration stroke = declare("joints.NAME.stroke", "way between the extreme places of the cycle", mm,
+constexpr Declaration stroke = declare("joints.NAME.stroke", "distance between the extreme positions of the cycle", mm,
                                        "slots and slides with one drive, over a cycle");
 
 void add_transmission(const mechanism::Model& model, std::vector<Output>& out) {

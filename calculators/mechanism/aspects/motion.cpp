@@ -48,7 +48,7 @@ void add_assemblies(const mechanism::Model& model, std::vector<account::Block>& 
 Message side_meaning(const mechanism::Model& model, const mechanism::DyadClosing& dyad) {
   using Kind = mechanism::DyadClosing::Kind;
   const auto name = [&](std::size_t joint) { return model.joints[joint].name; };
-  if (dyad.kind == Kind::two_arms) return say("left: of the way from {1} to {2}", name(dyad.first), name(dyad.second));
+  if (dyad.kind == Kind::two_arms) return say("left: of the line from {1} to {2}", name(dyad.first), name(dyad.second));
   if (dyad.kind == Kind::arm_and_line) return say("ahead: of {1} along {2}", name(dyad.first), name(dyad.line));
   return dyad.first == dyad.joint ? say("ahead: of {1} along the slot", name(dyad.second))
                                   : say("ahead: {1} of {2} along the guide", name(dyad.first), name(dyad.second));

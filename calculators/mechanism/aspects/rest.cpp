@@ -67,22 +67,22 @@ Band band_at(const Cycle& cycle, std::size_t k, Read read) {
 
 Output::Values with_reason(std::vector<double> values) {
   const bool open = std::any_of(values.begin(), values.end(), [](double x) { return std::isnan(x); });
-  return {std::move(values), open ? say("friction lets no effort move it that way") : Message{}};
+  return {std::move(values), open ? say("friction prevents motion in that direction at any effort") : Message{}};
 }
 
 constexpr Declaration drive_least =
-    declare("drive.M_min", "least moment of the drive, friction of what rests either way", N_m,
+    declare("drive.M_min", "minimum moment of the drive, friction of joints at rest in either direction", N_m,
             "with friction and a crank", {.is_load = true, .loads_crank = true});
 constexpr Declaration drive_most = declare("drive.M_max", "largest moment of the drive so", N_m,
                                            "with friction and a crank", {.is_load = true, .loads_crank = true});
 constexpr Declaration cylinder_least =
-    declare("cylinders.NAME.F_min", "least force of the drive, friction of what rests either way", N, "with friction",
-            {.is_load = true});
+    declare("cylinders.NAME.F_min", "minimum force of the drive, friction of joints at rest in either direction", N,
+            "with friction", {.is_load = true});
 constexpr Declaration cylinder_most =
     declare("cylinders.NAME.F_max", "largest force of the drive so", N, "with friction", {.is_load = true});
 constexpr Declaration joint_most =
-    declare("joints.NAME.F_max", "largest magnitude of the joint's force, friction of what rests either way", N,
-            "with friction", {.tabled = Tabled::at_one_position, .is_load = true});
+    declare("joints.NAME.F_max", "maximum magnitude of the joint force, friction of joints at rest in either direction",
+            N, "with friction", {.tabled = Tabled::at_one_position, .is_load = true});
 
 template <class Read>
 void add_end(const Declaration& what, const std::string& name, double Band::*end, Read read, std::vector<Output>& out) {
@@ -252,7 +252,8 @@ std::optional<Table> standing_table(const mechanism::Model& model, const Cycle& 
 /// The positions where joints rest while others move, with the forces that their friction may make.
 std::optional<Table> dead_point_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis) {
   constexpr int most_positions = 6;
-  Table table{say("Where joints rest, friction either way"), {say("at"), say("quantity"), say("from"), say("to")}, {}};
+  Table table{
+      say("Joints at rest, friction in either direction"), {say("at"), say("quantity"), say("from"), say("to")}, {}};
   int resting = 0;
   for (std::size_t k = 0; k < cycle.either_way.size(); ++k) {
     if (cycle.either_way[k].empty() || ++resting > most_positions) continue;

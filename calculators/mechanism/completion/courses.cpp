@@ -104,7 +104,7 @@ class CourseCheck {
   void check_axis(const Course& course) {
     const bool crank = !in_.crank.joint.empty();
     if (!course.share_of_phi.empty() && !crank)
-      add(course, "share_of_phi", say("'share_of_phi' goes by the crank angle, and there is no crank"),
+      add(course, "share_of_phi", say("'share_of_phi' depends on the crank angle, and no crank is given"),
           say("take over_stroke or over_time"));
     const double speed = crank ? in_si(in_.crank.speed) : in_.cylinders.empty() ? 0.0 : in_si(in_.cylinders[0].speed);
     if (by_time(course) && !has_law(in_) && speed == 0.0)

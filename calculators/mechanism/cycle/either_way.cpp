@@ -145,7 +145,7 @@ std::vector<FieldFault> check_rest(const Mechanism::Input& in, const mechanism::
   if (has_law(in) || !all_rest || open <= most || !has_dry_friction(model)) return {};
   return {
       {"cylinders",
-       say("friction of {1} drives at rest is not covered: each may be about to move either way", std::to_string(open)),
+       say("friction with {1} drives at rest is not covered: each may start in either direction", std::to_string(open)),
        say("state 'impending' of all but {1}, or give them their speeds", std::to_string(most))}};
 }
 

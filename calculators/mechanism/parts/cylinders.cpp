@@ -48,7 +48,7 @@ constexpr std::array ram_rows{row<Ram>("cylinders.NAME.s", "length between its t
                                        [](const Ram&, const Ram::State& now) { return now.F * now.v; })};
 
 constexpr Declaration stroke =
-    declare("cylinders.NAME.stroke", "way between its shortest and its longest length", mm, "more than one position");
+    declare("cylinders.NAME.stroke", "stroke between minimum and maximum length", mm, "more than one position");
 
 Output::Values stroke_of(const Ram& ram, const Solved& solved) {
   double least = std::numeric_limits<double>::infinity(), most = -least;

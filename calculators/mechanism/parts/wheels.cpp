@@ -40,7 +40,7 @@ struct Contact {
 
 constexpr std::array contact_rows{
     row<Contact>(
-        "joints.NAME.F_t", "circumferential force on the first link's wheel; its sign tells the loaded flank", N,
+        "joints.NAME.F_t", "circumferential force on the first link's wheel; its sign indicates the loaded flank", N,
         {.kind = Kind::tooth_force, .tabled = Tabled::always, .is_load = true},
         [](const Contact& c, const Position& p) { return c.forces(p).T; }, &Contact::meshes, "gears and racks"),
     row<Contact>(

@@ -77,8 +77,8 @@ account::Verdict no_return(const std::string& step, const Mechanism::Input& in) 
           .value = say("elsewhere"),
           .bound = say("after {1} turns", std::to_string(static_cast<int>(in.crank.turns))),
           .state = account::State::fail,
-          .note = say("give the turns of the crank that make a cycle, crank = { turns = ... }; where these are too "
-                      "many, give crank angles in place of a cycle, crank = { at = [...] }, and there are no means")};
+          .note = say("give the revolutions of the crank per cycle, crank = { turns = ... }; if these are too many, "
+                      "give crank angles in place of a cycle, crank = { at = [...] }, without mean values")};
 }
 
 /// Whether no drive moves nor says which way it is about to: then friction could act either way.
@@ -138,14 +138,14 @@ void add_jamming(const std::string& step, const Mechanism::Input& in, const mech
     const bool nowhere = std::find(held.begin(), held.end(), true) == held.end();
     v.state = account::State::not_covered;
     const bool one_drive = !cycle.standing.empty();
-    v.note =
-        nowhere ? say("at rest friction acts either way: the results are without it, and the effort lies between "
-                      "M_min and M_max, F_min and F_max; state 'impending' for one way")
-        : one_drive && holds_against(cycle, 1.0)
-            ? say("at rest friction acts either way, and no effort of the drive starts it forward; state 'impending'")
-        : one_drive && holds_against(cycle, -1.0)
-            ? say("at rest friction acts either way, and no effort of the drive starts it backward; state 'impending'")
-            : say("at rest friction acts either way, and one way no effort starts it; state 'impending'");
+    v.note = nowhere ? say("at rest friction acts in either direction: the results exclude it, and the effort lies "
+                           "between M_min and M_max, F_min and F_max; state 'impending' for one direction")
+             : one_drive && holds_against(cycle, 1.0)  ? say("at rest friction acts in either direction, and no effort "
+                                                              "of the drive starts it forward; state 'impending'")
+             : one_drive && holds_against(cycle, -1.0) ? say("at rest friction acts in either direction, and no effort "
+                                                             "of the drive starts it backward; state 'impending'")
+                                                       : say("at rest friction acts in either direction, and in one "
+                                                             "direction no effort starts it; state 'impending'");
   }
   verdicts.push_back(std::move(v));
 }

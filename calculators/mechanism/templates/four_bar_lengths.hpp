@@ -21,7 +21,7 @@ struct FourBarLengths {
       Field{&FourBarLengths::b, "b", mm, "length of the coupler AB"}.positive(),
       Field{&FourBarLengths::c, "c", mm, "length of the rocker CB"}.positive(),
       Field{&FourBarLengths::d, "d", mm, "distance of the fixed pins O and C, on the x axis"}.positive(),
-      Choice{&FourBarLengths::assembly, "assembly", "B is left of the way from A to C: open, or right of it: crossed"}
+      Choice{&FourBarLengths::assembly, "assembly", "B is left of the line from A to C: open, or right of it: crossed"}
           .may_be_missing()};
 
   struct Pins {

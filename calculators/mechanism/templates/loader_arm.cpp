@@ -51,9 +51,9 @@ loads = [{ link = "bucket", at = "M", F_x = "0 kN", F_y = "-5 kN" }]
       Field{&LoaderArm::x_G, "x_G", mm, "pin G of the tilt cylinder on the bucket"},
       Field{&LoaderArm::y_G, "y_G", mm, "pin G of the tilt cylinder on the bucket"},
       Field{&LoaderArm::s_2, "s_2", mm, "length of the tilt cylinder EG in the stated position"}.positive(),
-      Choice{&LoaderArm::assembly, "assembly", "A is left of the way from B to O: open, or right of it: crossed"}
+      Choice{&LoaderArm::assembly, "assembly", "A is left of the line from B to O: open, or right of it: crossed"}
           .may_be_missing(),
-      Choice{&LoaderArm::assembly_2, "assembly_2", "G is left of the way from E to H: open, or right of it: crossed"}
+      Choice{&LoaderArm::assembly_2, "assembly_2", "G is left of the line from E to H: open, or right of it: crossed"}
           .may_be_missing()};
 
   void draw(Sketch& sketch) const {

@@ -11,15 +11,15 @@ struct SixBar : FourBarLengths {
   double gamma = 0.0;
   Length f = unset<Length>, h = unset<Length>, x_F = unset<Length>, y_F = unset<Length>;
   Assembly assembly_2 = Assembly::open;
-  static constexpr auto fields =
-      join(FourBarLengths::fields,
-           Fields{Field{&SixBar::g, "g", mm, "distance of D from the first pin of its link"}.positive(),
-                  Field{&SixBar::gamma, "gamma", deg, "direction of D there, from the way to B, counter-clockwise"},
-                  Field{&SixBar::f, "f", mm, "length of the second coupler DE"}.positive(),
-                  Field{&SixBar::h, "h", mm, "length of the second rocker FE"}.positive(),
-                  Field{&SixBar::x_F, "x_F", mm, "fixed pin F"}, Field{&SixBar::y_F, "y_F", mm, "fixed pin F"},
-                  Choice{&SixBar::assembly_2, "assembly_2", "E is left of the way from D to F: open, or right: crossed"}
-                      .may_be_missing()});
+  static constexpr auto fields = join(
+      FourBarLengths::fields,
+      Fields{Field{&SixBar::g, "g", mm, "distance of D from the first pin of its link"}.positive(),
+             Field{&SixBar::gamma, "gamma", deg, "direction of D there, from the line to B, counter-clockwise"},
+             Field{&SixBar::f, "f", mm, "length of the second coupler DE"}.positive(),
+             Field{&SixBar::h, "h", mm, "length of the second rocker FE"}.positive(),
+             Field{&SixBar::x_F, "x_F", mm, "fixed pin F"}, Field{&SixBar::y_F, "y_F", mm, "fixed pin F"},
+             Choice{&SixBar::assembly_2, "assembly_2", "E is left of the line from D to F: open, or right: crossed"}
+                 .may_be_missing()});
 
   /// D in the axes of its link, and on paper where that link runs from `first` to B.
   [[nodiscard]] Pin pin_D() const { return {"D", polar(g, gamma)}; }

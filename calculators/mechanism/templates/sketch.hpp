@@ -110,8 +110,8 @@ class Sketch {
 void put_zeros(Mechanism::Input& in);
 
 constexpr auto choices_of(Assembly) {
-  return std::array{ChoiceName<Assembly>{Assembly::open, "open", "the usual way"},
-                    ChoiceName<Assembly>{Assembly::crossed, "crossed", "the other way, mirrored"}};
+  return std::array{ChoiceName<Assembly>{Assembly::open, "open", "usual assembly"},
+                    ChoiceName<Assembly>{Assembly::crossed, "crossed", "mirrored assembly"}};
 }
 
 }  // namespace loadpath::planar::templates

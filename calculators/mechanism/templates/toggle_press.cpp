@@ -33,7 +33,7 @@ loads = [{ link = "ram", at = "D", F_x = "0 N", F_y = "8 kN" }]
       Field{&TogglePress::f, "f", mm, "length of the lower lever BD"}.positive(),
       Field{&TogglePress::x_C, "x_C", mm, "fixed pin C"},
       Field{&TogglePress::y_C, "y_C", mm, "fixed pin C"},
-      Choice{&TogglePress::assembly, "assembly", "B is right of the way from A to C: open, or left of it: crossed"}
+      Choice{&TogglePress::assembly, "assembly", "B is right of the line from A to C: open, or left of it: crossed"}
           .may_be_missing(),
       Choice{&TogglePress::ram, "ram", "open: the ram is below B, crossed: above it"}.may_be_missing()};
 

@@ -75,8 +75,8 @@ struct CamProfile {
       Choice{&CamProfile::sense, "sense", "by lift: how the cam turns as the segments follow each other"}
           .may_be_missing(),
       ListField{&CamProfile::segments, "segments",
-                "by lift: rises, dwells and falls over a turn; the first begins where the guide, or the way to the "
-                "pivot, is the profile's x axis"}
+                "by lift: rises, dwells and falls over a revolution; the first begins where the guide, or the line to "
+                "the pivot, is the profile's x axis"}
           .may_be_missing(),
       Field{&CamProfile::r, "r", mm, "circle: its radius"}.positive().may_be_missing(),
       Group{&CamProfile::centre, "centre", "circle: its centre, from the cam's axis"}.as_array().may_be_missing(),

@@ -74,7 +74,7 @@ class NameCheck {
     if (find_profile(in_, joint.profile) == nullptr) {
       const auto names = names_in(in_.profiles);
       faults_.add(
-          path_of("joints", joint.name, "profile"), say("there is no profile '{1}'", joint.profile.view()),
+          path_of("joints", joint.name, "profile"), say("unknown profile '{1}'", joint.profile.view()),
           did_you_mean(joint.profile.view(), names,
                        say("add it: profiles.{1} = { shape = \"circle\", r = \"40 mm\" }", joint.profile.view())));
     }

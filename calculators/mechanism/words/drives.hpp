@@ -58,7 +58,7 @@ struct Crank {
       Field{&Crank::duration, "duration", sec, "time for which the formula holds, from t = 0 s"}
           .positive()
           .may_be_missing(),
-      Choice{&Crank::impending, "impending", "which way a crank at rest is about to turn: the sense of friction"}
+      Choice{&Crank::impending, "impending", "direction of impending rotation at rest (sets the friction direction)"}
           .may_be_missing()};
 };
 
@@ -109,15 +109,15 @@ struct Cylinder {
       Field{&Cylinder::duration, "duration", sec, "time for which the formula holds, from t = 0 s"}
           .positive()
           .may_be_missing(),
-      Choice{&Cylinder::impending, "impending", "which way a drive at rest is about to move: the sense of friction"}
+      Choice{&Cylinder::impending, "impending", "direction of impending motion at rest (sets the friction direction)"}
           .may_be_missing()};
 };
 
 constexpr auto choices_of(Impending) {
   using T = Impending;
-  return std::array{ChoiceName<T>{T::either, "either", "not stated: the effort is a band, from one way to the other"},
-                    ChoiceName<T>{T::forward, "forward", "in the positive sense of the drive"},
-                    ChoiceName<T>{T::backward, "backward", "in the negative sense"}};
+  return std::array{ChoiceName<T>{T::either, "either", "not stated: the effort is a band between both directions"},
+                    ChoiceName<T>{T::forward, "forward", "in the positive direction of the drive"},
+                    ChoiceName<T>{T::backward, "backward", "in the negative direction of the drive"}};
 }
 constexpr auto choices_of(LawShape) {
   using T = LawShape;

@@ -76,7 +76,7 @@ class LawCheck {
     if (drive.law.empty() && drive.law_shape != planar::LawShape::spline)
       add(path + ".law_shape", say("'law_shape' is of a law by points, and there is none"), say("leave it out"));
     if (formula_of(drive).empty() && is_set(drive.duration))
-      add(path + ".duration", say("'duration' is of a formula, and there is no '{1}'", formula_key(drive)),
+      add(path + ".duration", say("'duration' belongs to a formula, and '{1}' is missing", formula_key(drive)),
           say("leave it out, or add the formula"));
     if (follows_law(drive) && drive.impending != planar::Impending::either)
       add(path + ".impending", say("'impending' is of a drive that rests, and this one follows a law"),

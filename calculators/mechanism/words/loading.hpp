@@ -74,8 +74,7 @@ constexpr auto choices_of(Axes) {
 }
 constexpr auto choices_of(Useful) {
   using T = Useful;
-  return std::array{ChoiceName<T>{T::no, "no", "not counted as useful"},
-                    ChoiceName<T>{T::yes, "yes", "the machine is there to work against it"}};
+  return std::array{ChoiceName<T>{T::no, "no", "not counted as useful"}, ChoiceName<T>{T::yes, "yes", "useful load"}};
 }
 
 }  // namespace loadpath::planar

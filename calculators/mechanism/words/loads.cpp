@@ -98,7 +98,8 @@ std::vector<FieldFault> check_shares(const Mechanism::Input& in) {
     const auto& over = in.loads[k].over;
     if (over.empty()) continue;
     if (in.crank.joint.empty())
-      faults.push_back({path_of(in.loads[k], k) + ".over", say("'over' goes by the crank angle, and there is no crank"),
+      faults.push_back({path_of(in.loads[k], k) + ".over",
+                        say("'over' depends on the crank angle, and no crank is given"),
                         say("leave it out, or drive by a crank")});
     for (std::size_t n = 1; n < over.size(); ++n) {
       if (over[n].angle > over[n - 1].angle) continue;

@@ -12,10 +12,10 @@ std::string path_of(const char* list, std::string_view name, std::string_view fi
 bool NameFaults::require(bool found, const Name& name, const std::string& path, std::string_view kind,
                          const std::vector<std::string>& names) {
   if (found) return true;
-  const Message message = kind == "link"     ? say("there is no link '{1}'", name.view())
-                          : kind == "joint"  ? say("there is no joint '{1}'", name.view())
-                          : kind == "spring" ? say("there is no spring '{1}'", name.view())
-                                             : say("there is no course '{1}'", name.view());
+  const Message message = kind == "link"     ? say("unknown link '{1}'", name.view())
+                          : kind == "joint"  ? say("unknown joint '{1}'", name.view())
+                          : kind == "spring" ? say("unknown spring '{1}'", name.view())
+                                             : say("unknown load curve '{1}'", name.view());
   add(path, message, did_you_mean(name.view(), names, there_is(names)));
   return false;
 }

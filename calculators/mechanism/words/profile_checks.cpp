@@ -176,7 +176,8 @@ class ValueCheck {
     const double angle = without_lift.base_angle() + largest_swing();
     if (angle < pi) return;
     add("segments",
-        say("the arm swings past the line from the cam's axis through its pivot: to {1} from the way back",
+        say("the arm swings past the line from the cam axis through its pivot: to {1} from the direction towards that "
+            "axis",
             format_quantity(angle, "deg", 5)),
         say("make the swing smaller, or the arm longer"));
   }

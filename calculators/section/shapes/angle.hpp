@@ -1,4 +1,5 @@
 // An angle, equal or unequal, with root fillet and rounded toes. Exact; torsion of thin open walls.
+// The moduli about y and z are those of tables; an angle that is free to bend does so about its principal axes.
 #pragma once
 
 #include "calculators/section/properties/shape_calculator.hpp"

@@ -1,4 +1,6 @@
 // A hollow rectangle of one wall thickness, corners sharp or rounded. Exact; torsion by EN 10210-2.
+// Corner radii: hot finished sections of EN 10210-2 have r_o = 1.5 t and r_i = t, cold formed ones of EN 10219-2 up to
+// 6 mm wall r_o = 2 t and r_i = t.
 #pragma once
 
 #include "calculators/section/properties/shape_calculator.hpp"

@@ -1,4 +1,5 @@
 // A doubly symmetric I or H with parallel flanges and fillets. Exact; torsion by the formula of SCI P385.
+// SCI P385 counts the T-junctions of web and flanges.
 #pragma once
 
 #include "calculators/section/properties/shape_calculator.hpp"

@@ -140,7 +140,7 @@ theta_adm = "0.5 deg/m"
       Rule<Input>{&no_islands, "cells, walls", "cells lie side by side", &island},
       Rule<Input>{&outlines_apart, "cells", "the outlines of cells neither cross nor cover one another",
                   &covered_twice},
-      Rule<Input>{&areas_fit, "cells, walls", "a cell is no larger than a circle that its walls go around",
+      Rule<Input>{&areas_fit, "cells, walls", "a cell must not be larger than a circle of the same perimeter",
                   &too_much_area},
       Rule<Input>{&outlines_fit, "cells, walls", "the walls of a cell are not as long as its outline by points",
                   nullptr, true},

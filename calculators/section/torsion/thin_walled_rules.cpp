@@ -139,7 +139,7 @@ FieldFault ThinWalled::unknown_cell(const Input& in) {
   if (wall->beside == wall->cell) return {path + ".beside", say("the wall has one cell on both sides"), {}};
   const bool first = cell_of(in, wall->cell) == in.cells.size();
   return {path + (first ? ".cell" : ".beside"),
-          say("there is no cell '{1}'", std::string((first ? wall->cell : wall->beside).view())),
+          say("unknown cell '{1}'", std::string((first ? wall->cell : wall->beside).view())),
           {}};
 }
 
@@ -155,7 +155,7 @@ FieldFault ThinWalled::open_cell(const Input& in) {
   return {"cells[" + std::to_string(i + 1) + "]",
           say("cell '{1}' has no wall to the outside, nor has a cell that it is joined to",
               std::string(in.cells[i].name.view())),
-          say("give all walls around a cell: cell = its name; beside = the cell on the other side, if any")};
+          say("give all walls around a cell: cell = its name; 'beside' = the cell on the other side, if any")};
 }
 
 /// The one cell that is beside another along all of its walls; none where there is no such.

@@ -38,7 +38,7 @@ struct ThinWalledTypes {
     Stress G = unset<Stress>, tau_adm = unset<Stress>;
     static constexpr Fields fields{
         NameField{&Wall::name, "name", "name of the wall"}.may_be_missing(),
-        NameField{&Wall::cell, "cell", "cell that it bounds; none: it stands free"}.may_be_missing(),
+        NameField{&Wall::cell, "cell", "cell that it bounds; none: open branch"}.may_be_missing(),
         NameField{&Wall::beside, "beside", "cell on its other side; none: the outside"}.may_be_missing(),
         Field{&Wall::l, "l", mm, "length of its middle line"}.positive().may_be_missing(),
         ListField{&Wall::points, "points", "corners of its middle line, in place of l"}.as_arrays().may_be_missing(),

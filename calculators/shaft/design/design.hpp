@@ -226,13 +226,12 @@ r_T = 0
       Rule<Input>{&forces_make_torques, "seats",
                   "F_y at the distance x_w makes the torque T: the three belong together"},
       Rule<Input>{&forces_turn_alike, "seats",
-                  "what drives the shaft turns it one way, and what it drives holds it back: F_y x_w of a seat has the "
-                  "wrong sign; of gears say which way they turn, turns = \"cw\""},
-      Rule<Input>{
-          &turn_alike, "seats",
-          "what sits on the shaft turns one way in one step and the other way in another: turns = \"cw\" of the "
-          "gears makes their forces fit",
-          nullptr, true},
+                  "driving and driven components give opposite torques: F_y x_w of a mounted component has the wrong "
+                  "sign; give the direction of rotation of gears, turns = \"cw\""},
+      Rule<Input>{&turn_alike, "seats",
+                  "mounted components rotate in opposite directions in two steps: turns = \"cw\" of the gears reverses "
+                  "their forces",
+                  nullptr, true},
       yields_before_it_breaks<Input>(),
       lasts_below_tensile<&Input::sigma_W, Input>("sigma_W, R_m"),
       Rule<Input>{&discs_are_bodies, "seats", "what turns as a disc is a body of revolution", &no_body},

@@ -165,8 +165,9 @@ FieldFault Design::open_sum(const Input& in) {
                                  [](const Seat& s) { return s.way == Way::balances && is_set(s.T); });
   const double sum = in_si(balance(in));
   if (!typed)
-    return {"seats", say("of the torques {1} are left over", format_quantity(sum, N_m.symbol)),
-            say("say what drives the shaft, way = \"drives\", or let a coupling take the rest, way = \"balances\"")};
+    return {
+        "seats", say("of the torques {1} are left over", format_quantity(sum, N_m.symbol)),
+        say("state the driving component, way = \"drives\", or let a coupling balance the torque, way = \"balances\"")};
   return {"seats", say("what balances has no torque of its own"), say("leave out its T")};
 }
 

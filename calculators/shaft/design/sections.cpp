@@ -111,7 +111,7 @@ void stress(const Input& in, const Felt& felt, const Notched* notch, Section& p,
   const auto [A, W, W_t] = moduli_of(p, notch, trace);
   STEP_TO(p, sigma_b, M / W, "extreme fibre");
   STEP_TO(p, sigma_n, p.N / A, "even over the section");
-  STEP_TO(p, tau, abs(p.T) / W_t, "surface finish");
+  STEP_TO(p, tau, abs(p.T) / W_t, "at the surface");
   STEP(kappa, 4.0 / 3.0 * (p.d * p.d + p.d * p.d_bore + p.d_bore * p.d_bore) / (p.d * p.d + p.d_bore * p.d_bore),
        "shear at the neutral axis over the mean shear, from Q S / (I b) of a ring");
   STEP(sigma_f, sqrt(pow<2>(sigma_b + abs(sigma_n)) + 3.0 * tau * tau), "extreme fibre, [Mises]");

@@ -46,7 +46,7 @@ Harmonic harmonic_of(const Input& in, const beam::Swing& swing, const Order& ord
   const AngularSpeed above = count == 1 ? r.n_T : from_si<AngularSpeed>(swing.natural(count));
   o.n_above = trace.speed("n_above", above / order.h, "the next natural frequency above, over h");
   o.n_below = trace.speed("n_below", from_si<AngularSpeed>(swing.natural(count - 1)) / order.h,
-                          "the one below, over h; turning as a whole is at 0");
+                          "the next lower one / h; rigid-body rotation is at 0");
   STEP(q_above, o.n_above / n, "distance from the one above");
   if (count < 2) {
     STEP_TO(o, u_h, in.k_n / q_above, "below the lowest natural frequency, with its margin");

@@ -26,7 +26,7 @@ void react(const Input& in, Yielding F, double phi_0, Result& r, Tracer& trace) 
   if (in.end_1 == End::free) {
     r.R_1 = trace.value("R_1", 0.0 * N_m, "a free end");
     STEP_TO(r, R_2, -Q, "equilibrium");
-    STEP_TO(r, phi_2, -R_2 * f_b, "the support gives way");
+    STEP_TO(r, phi_2, -R_2 * f_b, "elastic support");
     STEP_TO(r, phi_1, phi_2 - phi_0, "from there along the bar");
     return;
   }
@@ -34,14 +34,14 @@ void react(const Input& in, Yielding F, double phi_0, Result& r, Tracer& trace) 
     r.R_2 = trace.value("R_2", 0.0 * N_m, "a free end");
     r.R_1 = NAMED_STEP("R_1", -Q, "equilibrium");
     const Moment R_1 = r.R_1;
-    STEP_TO(r, phi_1, -R_1 * f_a, "the support gives way");
+    STEP_TO(r, phi_1, -R_1 * f_a, "elastic support");
     STEP_TO(r, phi_2, phi_1 + phi_0 - R_1 * F, "along the bar");
     return;
   }
   STEP_TO(r, R_1, (phi_0 - Q * f_b) / (f_a + F + f_b), "the rotations of bar and supports make up for one another");
   STEP_TO(r, R_2, -Q - R_1, "equilibrium");
-  STEP_TO(r, phi_1, -R_1 * f_a, "the support gives way");
-  STEP_TO(r, phi_2, -R_2 * f_b, "the support gives way");
+  STEP_TO(r, phi_1, -R_1 * f_a, "elastic support");
+  STEP_TO(r, phi_2, -R_2 * f_b, "elastic support");
 }
 
 struct StretchEnd {
@@ -230,7 +230,7 @@ void judge(const Input& in, const Slices& slices, Result& r, Tracer& trace) {
     STEP_TO(r, u_theta, theta_max / in.theta_adm, "stiffness condition, [B19] (8)");
   }
   largest_rotation(in, slices, r);
-  const double phi_max = trace.angle("phi_max", r.phi_max, "largest of the bar, either way");
+  const double phi_max = trace.angle("phi_max", r.phi_max, "maximum of the bar, in either direction");
   if (is_set(in.phi_adm)) {
     STEP_TO(r, u_phi, phi_max / in.phi_adm, "stiffness condition");
   }

@@ -64,8 +64,8 @@ void add_missing_load(const Evaluation& evaluation, const Results& results,
   mode.step = evaluation.step().name();
   mode.subject = account::Subject::input;
   mode.id = "load";
-  mode.title = say("a load that is not zero");
-  mode.note = say("every load is zero: nothing is judged that a load could break");
+  mode.title = say("non-zero load");
+  mode.note = say("all loads are zero: no strength assessment");
   modes.push_back(std::move(mode));
 }
 

@@ -185,7 +185,7 @@ TEST_SUITE("belt course") {
     CHECK(BeltStep(with(text, "L", "\"2200 mm\"")).says("it gives belts from 2295.4"));
     CHECK(BeltStep(text).issues.empty());
     const BeltStep backwards("calculator = \"belt.course\"\nturns = \"cw\"\npulleys = [" + a + b + c + "]\n");
-    CHECK(backwards.says("turn the first one the other way: turns = \"ccw\""));
+    CHECK(backwards.says("reverse the first one: turns = \"ccw\""));
     CHECK(BeltStep(with(text, "mu", "")).says("the tensions need the friction mu, or the tension S_0"));
     CHECK(BeltStep(replaced(text, "P = \"4 kW\"", "P = \"-4 kW\"")).says("give more power than they take"));
     CHECK(BeltStep(replaced(text, "d = \"160 mm\"", "d = \"160 mm\", P = \"1 kW\"")).says("the first pulley drives"));

@@ -55,7 +55,7 @@ TEST_SUITE("column buckling faults") {
          "the method 'sp16' needs the kind of section");
   }
 
-  TEST_CASE("supports stand between the ends, in order") {
+  TEST_CASE("supports must lie between the ends, in order") {
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nsupports_z = [[\"900 mm\"]]\n",
          "bar.supports_z[1].x: supports lie between the ends of the bar, 0 and 900 mm, in order");
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nsupports_y = [[\"500 mm\"], [\"400 mm\"]]\n",

@@ -295,9 +295,9 @@ TEST_SUITE("fatigue.din743") {
     const std::string shoulder = "notch = \"shoulder\"\nd = \"40 mm\"\nmean = \"proportional\"\nM_ba = \"9 N*m\"\n";
     const std::string load = "M_ba = \"100 N*m\"\n";
     CHECK(says(steel + bar, "give what acts"));
-    CHECK(says(steel + bar + "M_bm = \"100 N*m\"\n", "how much does it vary?"));
+    CHECK(says(steel + bar + "M_bm = \"100 N*m\"\n", "amplitude missing"));
     CHECK(says(steel + bar + load + "sigma_ba = \"10 MPa\"\n", "never both"));
-    CHECK(says(steel + bar + load + "M_bmax = \"99 N*m\"\n", "no smaller than mean and amplitude"));
+    CHECK(says(steel + bar + load + "M_bmax = \"99 N*m\"\n", "at least mean plus amplitude"));
     CHECK(says(steel + bar + "M_ba = \"-1 N*m\"\n", "must be"));
     CHECK(says(bar + load, "give the tensile strength"));
     CHECK(says(steel + load + "d = \"40 mm\"\nR_z = \"6.3 um\"\n", "say what is cut into the section"));

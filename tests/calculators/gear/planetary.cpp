@@ -150,6 +150,6 @@ TEST_SUITE("gear planetary") {
     says("fixed = \"none\"\nn_s = \"100 rpm\"\n", "with none held, two");
     says("n_s = \"100 rpm\"\nT_s = \"1 N*m\"\nT_c = \"1 N*m\"\n", "one torque sets the others");
     says("n_s = \"100 rpm\"\nN_p = 0\n", "N_p");
-    says("n_s = \"100 rpm\"\nN_p = 5\n", "not spaced evenly");
+    says("n_s = \"100 rpm\"\nN_p = 5\n", "not evenly spaced");
   }
 }

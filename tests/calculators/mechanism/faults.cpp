@@ -52,12 +52,12 @@ TEST_SUITE("mechanism faults") {
   TEST_CASE("the press itself is sound") { CHECK(issues_of(press).empty()); }
 
   TEST_CASE("a link that does not exist") {
-    CHECK(with("[\"crank\", \"rod\"]", "[\"crank\", \"rdo\"]") == R"(a.toml:24:45: error: there is no link 'rdo'
+    CHECK(with("[\"crank\", \"rod\"]", "[\"crank\", \"rdo\"]") == R"(a.toml:24:45: error: unknown link 'rdo'
 24 | A = { type = "revolute", links = ["crank", "rdo"] }
    |                                             ^^^
    = help: did you mean 'rod'?
 )");
-    CHECK(with("link = \"slider\"", "link = \"hammer\"") == R"(a.toml:30:9: error: there is no link 'hammer'
+    CHECK(with("link = \"slider\"", "link = \"hammer\"") == R"(a.toml:30:9: error: unknown link 'hammer'
 30 | link = "hammer"
    |         ^^^^^^
    = help: there is: crank, rod, slider, ground
@@ -107,7 +107,7 @@ TEST_SUITE("mechanism faults") {
   }
 
   TEST_CASE("a drive of a joint that does not exist, or that cannot turn") {
-    CHECK(with("joint = \"O\"", "joint = \"Q\"") == R"(a.toml:3:20: error: there is no joint 'Q'
+    CHECK(with("joint = \"O\"", "joint = \"Q\"") == R"(a.toml:3:20: error: unknown joint 'Q'
 3 | crank = { joint = "Q", speed = "60 rpm", positions = 12 }
   |                    ^
   = help: there is: O, A, B, guide

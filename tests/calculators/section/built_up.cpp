@@ -152,10 +152,10 @@ TEST_SUITE("section built up") {
     Part hole = plate(2, 2, 0, 0);
     hole.as = section::BuiltUp::As::hole;
     CHECK(fault(of({plate(1, 1, 0, 0), hole})).message.text() ==
-          "the holes leave no section: more is cut out than there is, or beside the material");
+          "the holes leave no section: they remove more than the material, or lie outside of it");
     Part slit = plate(1, 900, 0, 0);
     slit.as = section::BuiltUp::As::hole;
     CHECK(fault(of({plate(100, 10, 0, 0), slit})).message.text() ==
-          "the holes leave no section: more is cut out than there is, or beside the material");
+          "the holes leave no section: they remove more than the material, or lie outside of it");
   }
 }

@@ -209,6 +209,6 @@ TEST_SUITE("vessel.ellipsoid") {
 
   TEST_CASE("what a user gets wrong is said") {
     const std::string step = "calculator = \"vessel.ellipsoid\"\nsigma_adm = \"140 MPa\"\np = \"1 MPa\"\n";
-    CHECK(says(step + "a = \"1 m\"\nb = \"0.1 m\"\n", "between 1/5 and 5"));
+    CHECK(says(step + "a = \"1 m\"\nb = \"0.1 m\"\n", "1/5 to 5"));
   }
 }

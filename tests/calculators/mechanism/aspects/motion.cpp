@@ -100,7 +100,7 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
     CHECK(found->state == account::State::not_covered);
     CHECK(text_of(found->value) == "passed 2 times");
     CHECK(found->note.text() ==
-          "the drive alone does not tell which way the mechanism goes on: B at 180 deg, B at 360 deg");
+          "change point: direction of motion not determined by the drive: B at 180 deg, B at 360 deg");
     const account::Table* table = table_of(flat, "Mobility and conditioning");
     REQUIRE(table != nullptr);
     CHECK(text_of(table->rows[2][0]) == "positions that were followed in small steps; first at 171 deg");
@@ -118,7 +118,7 @@ joints.C = { type = "revolute", links = ["ground", "rocker"] }
     REQUIRE(table != nullptr);
     REQUIRE(table->rows.size() == 1);
     CHECK(text_of(table->rows[0][0]) == "B");
-    CHECK(text_of(table->rows[0][1]) == "left: of the way from A to C");
+    CHECK(text_of(table->rows[0][1]) == "left: of the line from A to C");
     CHECK(number_of(table->rows[0][2]) == doctest::Approx(gamma));
     CHECK(text_of(table->rows[0][4]) == "–");
   }

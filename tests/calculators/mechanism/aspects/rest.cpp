@@ -78,7 +78,7 @@ TEST_SUITE("mechanism rest") {
     const account::Verdict& moves = verdict_of(jam, "moves");
     CHECK(moves.state == account::State::not_covered);
     CHECK(moves.note.text() ==
-          "at rest friction acts either way, and no effort of the drive starts it forward; state 'impending'");
+          "at rest friction acts in either direction, and no effort of the drive starts it forward; state 'impending'");
   }
 
   TEST_CASE("what pushes a block up a plane, what lets it down, and that steeper than arctan mu it slides back") {
@@ -100,7 +100,7 @@ TEST_SUITE("mechanism rest") {
       if (mu != nullptr) CHECK(std::get<account::Quantity>(*mu).si == doctest::Approx(std::tan(a)).epsilon(1e-7));
       const account::Verdict& moves = verdict_of(project, "moves");
       CHECK(moves.state == account::State::not_covered);
-      CHECK(moves.note.text().starts_with("at rest friction acts either way"));
+      CHECK(moves.note.text().starts_with("at rest friction acts in either direction"));
     }
   }
 
@@ -138,7 +138,7 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
         CHECK(least.si[k] == most.si[k]);
       }
     }
-    const account::Table* table = table_of(project, "Where joints rest");
+    const account::Table* table = table_of(project, "Joints at rest");
     REQUIRE(table != nullptr);
     CHECK(text_of(table->rows[0][0]) == "0 deg");
   }

@@ -153,7 +153,7 @@ TEST_SUITE("mechanism cams") {
   }
 
   TEST_CASE("what is wrong with a cam is said at its place") {
-    CHECK(said("profile = \"lobe\"", "profile = \"lob\"") == "valve.joints.contact.profile: there is no profile 'lob'");
+    CHECK(said("profile = \"lobe\"", "profile = \"lob\"") == "valve.joints.contact.profile: unknown profile 'lob'");
     CHECK(said("profile = \"lobe\", ", "") == "valve.joints.contact: joint 'contact' of type cam needs 'profile'");
     CHECK(said("direction = \"90 deg\" }\ng", "direction = \"90 deg\", mu = 0.1 }\ng") ==
           "valve.joints.contact.mu: the roller of joint 'contact' rolls on its cam, and does not rub");

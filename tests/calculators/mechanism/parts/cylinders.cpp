@@ -87,7 +87,7 @@ cylinders.ram = { joint = "bore", from = "1 m", to = "1.2 m", speed = "50 mm/s" 
     CHECK(with("speed = \"1 mm/s\"") == "'ram' names neither the links that it lies between nor a joint");
     CHECK(with("joint = \"O\", " + between) == "'joint' and 'links' both say what 'ram' moves");
     CHECK(with("links = [\"ground\", \"boom\"]") == "a cylinder between two points needs 'links' and 'points'");
-    CHECK(with("links = [\"ground\", \"bom\"], points = [\"C\", \"P\"]") == "there is no link 'bom'");
+    CHECK(with("links = [\"ground\", \"bom\"], points = [\"C\", \"P\"]") == "unknown link 'bom'");
     CHECK(with("links = [\"ground\", \"boom\"], points = [\"C\", \"Q\"]") == "the link 'boom' has no point 'Q'");
     CHECK(with("links = [\"boom\", \"boom\"], points = [\"T\", \"P\"]") ==
           "a cylinder lies between two links, or a link and the ground");

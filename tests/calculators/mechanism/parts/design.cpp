@@ -100,7 +100,7 @@ TEST_SUITE("mechanism design") {
 
   TEST_CASE("what is wrong with counterweights is told") {
     const std::string sound = press(rotating, "");
-    check_said(sound + "counterweights.w = { link = \"crnk\", at = \"O\" }\n", "there is no link 'crnk'");
+    check_said(sound + "counterweights.w = { link = \"crnk\", at = \"O\" }\n", "unknown link 'crnk'");
     check_said(sound + "counterweights.w = { link = \"crank\", at = \"B\" }\n", "the link 'crank' has no point 'B'");
     check_said(sound + "counterweights.w = { link = \"ground\", at = \"O\" }\n",
                "a counterweight on the ground does not move");
@@ -263,7 +263,7 @@ loads = [{ link = "large", M = "-20 N*m" }]
     const auto named = solved(press("", "", load) + "hodographs = [\"guide\"]\n");
     CHECK(figure_of(named, "hodograph-guide") != nullptr);
     CHECK(figure_of(named, "hodograph-A") == nullptr);
-    check_said(press("", "", load) + "hodographs = [\"gide\"]\n", "there is no joint 'gide'");
+    check_said(press("", "", load) + "hodographs = [\"gide\"]\n", "unknown joint 'gide'");
     check_said(press("", "", load) + "hodographs = [\"A\", \"A\"]\n", "the joint 'A' is named twice");
   }
 

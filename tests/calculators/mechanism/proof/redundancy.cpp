@@ -77,8 +77,8 @@ TEST_SUITE("mechanism held too much in a project") {
     const account::Verdict& said = verdict_of(project, "determinate");
     CHECK(said.state == account::State::not_covered);
     CHECK(said.note.text() ==
-          "the joints 'A', 'B', 'C', 'D', 'E', 'F' together hold one freedom too many: what they share depends on play "
-          "and elasticity");
+          "the joints 'A', 'B', 'C', 'D', 'E', 'F' together hold one freedom too many: their load sharing depends on "
+          "clearance and elasticity");
     for (const account::Verdict& v : project.steps[0]->account().verdicts) {
       CAPTURE(v.symbol);
       CHECK((v.state == account::State::pass || v.symbol == "determinate"));

@@ -97,7 +97,7 @@ TEST_SUITE("mechanism law") {
                "error: the law has no place, speed or acceleration at t = 0 s"));
     CHECK(says(crank("angle_of_t = \"30 deg/s*t\""), "error: a law by a formula needs the time for which it holds"));
     CHECK(says(crank("duration = \"1 s\", speed = \"1 rad/s\""),
-               "error: 'duration' is of a formula, and there is no 'angle_of_t'"));
+               "error: 'duration' belongs to a formula, and 'angle_of_t' is missing"));
     CHECK(says(crank("angle_of_t = \"30 deg/s*t\", duration = \"1 s\", speed = \"1 rad/s\""),
                "error: 'crank.speed' and 'crank.angle_of_t' both say how the crank moves"));
     CHECK(says(crank("angle_of_t = \"30 deg/s*t\", duration = \"1 s\", impending = \"forward\""),

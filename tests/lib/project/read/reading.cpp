@@ -277,13 +277,13 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
   = help: add the torque of -30 N·m that is missing, or hold an end: fixed = "left" or fixed = "right"
 )");
     CHECK(issues_of(torques + "{ x = \"1.2 m\", T = \"-90 N*m\" }]\nl = \"1 m\"\n") ==
-          R"(a.toml:4:48: error: torque 2 stands at 1200 mm, 200 mm beyond the end of the shaft at 1000 mm
+          R"(a.toml:4:48: error: torque 2 is at 1200 mm, 200 mm beyond the end of the shaft at 1000 mm
 4 | torques = [{ x = "0 m", T = "90 N*m" }, { x = "1.2 m", T = "-90 N*m" }]
   |                                                ^^^^^
   = help: x counts from the left end: correct it, or the length l
 )");
     CHECK(issues_of(torques + "{ name = \"gear\", x = \"1.2 m\", T = \"-90 N*m\" }]\nsegments = [{ l = \"1 m\" }]\n") ==
-          R"(a.toml:4:63: error: torque 'gear' stands at 1200 mm, 200 mm beyond the end of the shaft at 1000 mm
+          R"(a.toml:4:63: error: torque 'gear' is at 1200 mm, 200 mm beyond the end of the shaft at 1000 mm
 4 | torques = [{ x = "0 m", T = "90 N*m" }, { name = "gear", x = "1.2 m", T = "-90 N*m" }]
   |                                                               ^^^^^
   = help: x counts from the left end: correct it, or the lengths of the segments

@@ -24,7 +24,7 @@ struct Sought {
 struct Sizing {
   const char* list = "";  // "pieces"; empty: it has no such list
   /// Before the search: sets stocks, notes, and groups of equal size, in one of the possible arrangements; false if
-  /// there are no more. All arrangements have the same stocks, and equal sizes have equal stocks.
+  /// there are no more. All arrangements have the same stocks, and the same groups.
   bool (*arrange)(const void* input, std::span<Sought> sought, std::size_t way) = nullptr;
   /// Raises each no further than the others and what is given ask; false if no size is large enough.
   bool (*raise)(const void* input, std::span<Sought> sought) = nullptr;

@@ -1,9 +1,9 @@
 // The small language in which STEP texts are written: C++ expressions over symbols, read back for the report.
 //
-// + - * ?: comparisons && || unary - parentheses, calls (sqrt cbrt pow<n> root<n> pow(x, y) abs sin cos tan asin acos
-// atan exp log min max is_set), numbers, unit names (`d mm`, `10.0 * mm`), and names that are symbols: d, without or
-// with the object that it is read from: in.d of the input, r.F_c of the result, pulley.d of an element of a list. A
-// choice is compared with one of its words: in.kind == Kind::wide.
+//   + - * / ?: comparisons && || unary - parentheses, calls (sqrt cbrt pow<n> root<n> pow(x, y) abs sin cos tan asin
+//   acos atan exp log min max is_set), numbers, unit names (`d / mm`, `10.0 * mm`), and names that are symbols: d,
+//   without or with the object that it is read from: in.d of the input, r.F_c of the result, pulley.d of an element
+//   of a list. A choice is compared with one of its words: in.kind == Kind::wide.
 #pragma once
 
 #include <functional>

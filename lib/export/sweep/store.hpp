@@ -1,9 +1,9 @@
 // A sweep in a folder: its columns, its progress, and its results so far, so that an interrupted sweep can be
 // resumed, and shards merged.
 //
-// manifest.json   description of the contents, for people and other programs
-// columns/        one file for each input and result, doubles in SI as numpy reads them
-// state           the data for resuming a sweep; independent of the division into shards
+//   manifest.json   description of the contents, for people and other programs
+//   columns/        one file for each input and result, doubles in SI as numpy reads them
+//   state           the data for resuming a sweep; independent of the division into shards
 //
 // The state replaces the previous one atomically, after the columns that it describes are on the disk. One process
 // writes at a time.

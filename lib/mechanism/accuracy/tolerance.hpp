@@ -49,7 +49,7 @@ struct Tolerance {
 
 /// Diametral clearance of a revolute joint. It acts like a massless link of half that length between the two centres:
 /// - `along_reaction`: directed along the reaction, so that the output shifts by one amount, the same in worst case
-/// and statistics; where the joint transmits no force, it is as `any_direction`;
+///   and statistics; where the joint transmits no force, it is as `any_direction`;
 /// - `any_direction`: in any direction; it adds its largest effect to the worst case.
 /// Contributions of the rotation of that link to velocities, and so to inertia forces, are neglected.
 struct Clearance {

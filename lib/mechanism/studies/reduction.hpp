@@ -21,7 +21,7 @@ struct Reduced {
   double derivative = 0.0;  // derivative of the inertia, by the drive's coordinate: kg m^2/rad or kg/m
   double moment = 0.0;      // N m or N, positive with the coordinate: of loads, weights and springs
   double induced = 0.0;     // likewise: of friction and what else the position's reactions bring with them
-  /// The effort of the drive if only it moves: J epsilon + dJ/dphi omega^2 2 - M.
+  /// The effort of the drive if only it moves: J epsilon + dJ/dphi omega^2 / 2 - M.
   [[nodiscard]] double effort(const Drive& drive) const {
     return inertia * drive.acceleration + 0.5 * derivative * drive.speed * drive.speed - moment - induced;
   }

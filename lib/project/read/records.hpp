@@ -1,6 +1,6 @@
 // Several complete records that an input takes in turn, written in place of one record:
-// crank = { each = [{ n = "1200 rpm", ... }, { n = "1500 rpm", ... }] }
-// crank = { each = { slow = { ... }, fast = { ... } } }    which gives them names
+//   crank = { each = [{ n = "1200 rpm", ... }, { n = "1500 rpm", ... }] }
+//   crank = { each = { slow = { ... }, fast = { ... } } }    which gives them names
 // Every number in which they differ becomes one of the values of one input.
 #pragma once
 

@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Counts words in comments that make them hard to read, per 1,000 words of comment.
+"""Counts words per 1,000 words of comment that make comments hard to read: WORDS, HEADLESS and SWEPT below.
 
 Usage: python3 scripts/count_words.py [--max N] [--list] [PATH...]
 
-Counted are C++ comments and Python `#` comments of the files that git tracks below the paths (default: api, calculators, cli, lib,
-python, tests). Strings, code, paths, names in backquotes and quoted text do not count. Prints one line per folder (two levels) and the
-total; `--list` prints each comment with a counted word as FILE:LINE: WORDS: TEXT. `--max N` exits 1 if the total exceeds N per
-1,000 words.
+Reads the C++ comments and Python `#` comments of the files that git tracks below the paths (default: api, calculators,
+cli, lib, python, tests). Strings, code, paths, names in backquotes and quoted text do not count. Prints one line per
+folder (two levels) and the total; `--list` prints each comment with a counted word as FILE:LINE: WORDS: TEXT. `--max N`
+exits 1 if the total exceeds N per 1,000 words.
 """
 
 import argparse
@@ -40,9 +40,9 @@ WORDS = [
     r"anew",
 ]
 FORBIDDEN = re.compile(r"\b(?:" + "|".join(WORDS) + r")\b", re.IGNORECASE)
-# A sentence that begins with a relative clause without a head, or with the genitive of one.
+# Sentences that begin with a relative clause without a head, or with a genitive; a question may.
 HEADLESS = re.compile(r"(?:^|(?<=[.!?:] ))(?:What|Of)\b(?![^.:]*\?)|^(?:what|of)\b")
-# A point of a sweep is called a point or a design; elsewhere a machine is a computer or a machine element.
+# A point of a sweep is a point or a design, not a machine; counted in files with "sweep" in their path.
 SWEPT = re.compile(r"\bmachines?(?!-)\b", re.IGNORECASE)
 WORD = re.compile(r"[A-Za-z]+(?:['-][A-Za-z]+)*")
 
@@ -72,7 +72,7 @@ def python_comments(text):
 
 
 def comments(path):
-    """Yields (line, text) of each comment: one behind code goes on in lines that do not begin with a capital."""
+    """Yields (line, text) of each comment. After code, a comment continues in lines that do not begin with a capital."""
     text = path.read_text(encoding="utf-8")
     start, last, parts, behind = 0, 0, [], False
     for line, trails, part in python_comments(text) if path.suffix == ".py" else cpp_comments(text):
@@ -100,6 +100,10 @@ def found(path, comment):
     return hits
 
 
+def rate(count, of):
+    return 1000 * count / of if of else 0.0
+
+
 def main():
     arguments = argparse.ArgumentParser(description="Counts forbidden words per 1,000 words of comment.")
     arguments.add_argument("--max", type=float, metavar="N", help="exit 1 if the total exceeds N per 1,000 words")
@@ -124,7 +128,6 @@ def main():
             if bad and options.list:
                 print(f"{name}:{line}: {', '.join(bad)}: {comment}")
 
-    rate = lambda count, of: 1000 * count / of if of else 0.0
     for folder in sorted(words):
         print(f"{folder:30} {hits[folder]:5} of {words[folder]:6} words: {rate(hits[folder], words[folder]):5.1f} per 1,000")
     total = rate(sum(hits.values()), sum(words.values()))

@@ -3,10 +3,10 @@
 
 Usage: python3 scripts/count_words.py [--max N] [--list] [PATH...]
 
-Reads the C++ comments and Python `#` comments of the files that git tracks below the paths (default: api, calculators,
-cli, lib, python, tests). Strings, code, paths, names in backquotes and quoted text do not count. Prints one line per
-folder (two levels) and the total; `--list` prints each comment with a counted word as FILE:LINE: WORDS: TEXT. `--max N`
-exits 1 if the total exceeds N per 1,000 words.
+Reads the C++ comments and Python `#` comments of the files that git tracks below the paths (default: api,
+calculators, cli, lib, python, tests). Strings, code, paths, names in backquotes and quoted text do not count.
+Prints one line per folder (two levels) and the total; `--list` prints each comment with a counted word as
+FILE:LINE: WORDS: TEXT. `--max N` exits 1 if the total exceeds N per 1,000 words.
 """
 
 import argparse
@@ -72,7 +72,7 @@ def python_comments(text):
 
 
 def comments(path):
-    """Yields (line, text) of each comment. After code, a comment continues in lines that do not begin with a capital."""
+    """Yields (line, text) of each comment. After code, it continues in lines that do not begin with a capital."""
     text = path.read_text(encoding="utf-8")
     start, last, parts, behind = 0, 0, [], False
     for line, trails, part in python_comments(text) if path.suffix == ".py" else cpp_comments(text):
@@ -104,6 +104,10 @@ def rate(count, of):
     return 1000 * count / of if of else 0.0
 
 
+def show(name, count, of):
+    print(f"{name:30} {count:5} of {of:6} words: {rate(count, of):5.1f} per 1,000")
+
+
 def main():
     arguments = argparse.ArgumentParser(description="Counts forbidden words per 1,000 words of comment.")
     arguments.add_argument("--max", type=float, metavar="N", help="exit 1 if the total exceeds N per 1,000 words")
@@ -129,9 +133,9 @@ def main():
                 print(f"{name}:{line}: {', '.join(bad)}: {comment}")
 
     for folder in sorted(words):
-        print(f"{folder:30} {hits[folder]:5} of {words[folder]:6} words: {rate(hits[folder], words[folder]):5.1f} per 1,000")
+        show(folder, hits[folder], words[folder])
+    show("total", sum(hits.values()), sum(words.values()))
     total = rate(sum(hits.values()), sum(words.values()))
-    print(f"{'total':30} {sum(hits.values()):5} of {sum(words.values()):6} words: {total:5.1f} per 1,000")
     if options.max is not None and total > options.max:
         print(f"error: more than {options.max:g} per 1,000 words", file=sys.stderr)
         return 1

@@ -53,7 +53,7 @@ struct Account {
   std::vector<Verdict> verdicts;      // states of checks and limits
   Modes modes;                        // the verdict on the part that follows from them
   std::vector<Message> warnings;      // customs that the input breaks
-  Message governing;                  // which position the derivation is for; empty if there is one value
+  Message governing;                  // position of the derivation; empty if there is one value
   std::vector<Derived> derivation;    // if formulas are requested
   std::set<std::string> scopes;       // subjects of its lines: "", "methods[2]"; known without it
   std::vector<Block> input_blocks;    // if the step shows its inputs itself, not in a list; if pictures are requested

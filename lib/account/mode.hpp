@@ -30,7 +30,7 @@ struct Mode {
   bool is_assessable = true;  // by some calculator of the catalogue
   std::string judge;          // the calculator that it is left to
   std::string use, add;       // calculators that assess it: as a replacement of this one, or in addition
-  std::string wants;          // inputs that would let it be assessed: "sigma_adm_1"
+  std::string wants;          // inputs that permit an assessment: "sigma_adm_1"
   Message note;               // for the governing mode, the reason for acceptance; may be empty
 };
 using Modes = std::vector<Mode>;
@@ -41,13 +41,13 @@ State worst(const Modes& modes);
 State overall(const Modes& modes);
 /// Whether the part passes: every mode passes, is accepted, or was not considered.
 bool passes(const Modes& modes);
-/// The modes where nothing may be left open: what is open counts as not assessed.
+/// The modes in strict mode: modes not considered count as not assessed.
 Modes strictly(Modes modes);
-/// Failures first, then what is not assessed, then by utilisation; what is open comes last.
+/// Failures first, then modes not assessed, then by utilisation; modes not considered come last.
 Modes in_order(Modes modes);
 /// "fail", "not assessed", "outside the scope".
 Message shown(const Mode& mode);
-/// "fail: rod.buckling; not assessed: rod.bending; pass: rod.section": never a pass without what it covers.
+/// "fail: rod.buckling; not assessed: rod.bending; pass: rod.section": never a pass without its modes.
 Message scope(const Modes& modes);
 /// The same below a list of all modes: of many that pass, or are open, their number.
 Message brief_scope(const Modes& modes);

@@ -1,4 +1,4 @@
-// A calculator without its C++ types: what the program's commands, readers, searches, sweeps and reports know of it.
+// A calculator without its C++ types, for the program's commands, readers, searches, sweeps and reports.
 #pragma once
 
 #include "lib/calculator/bound.hpp"

@@ -25,7 +25,7 @@ struct Described {
   bool is_load = false;             // a load on this part, or on another part by it; not a capacity
   bool is_beside = false;           // a result that is shown, and never part of a verdict
   const char* same_as_source = "";  // an input: see same_as_that_of_source
-  bool is_chosen = false;           // a result that is what the step decides on: a section, a drive
+  bool is_chosen = false;           // a result that is a choice of the step: a section, a drive
   bool is_of_body = false;          // an input that belongs to a load of the same record when that is taken singly
 
   [[nodiscard]] constexpr Self as(Role r) const {
@@ -38,8 +38,7 @@ struct Described {
     s.optional = true;
     return s;
   }
-  /// Force, moment, power, pressure: of an input what the part has to carry, of a result what a part has to carry that
-  /// takes it.
+  /// Force, moment, power, pressure: as an input a load on the part, as a result a load on a part that takes it.
   [[nodiscard]] constexpr Self load() const {
     Self s = self();
     s.is_load = true;

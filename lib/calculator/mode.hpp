@@ -24,7 +24,7 @@ struct ModeInfo {
   const char* title = "";  // "tooth root of gear 1 in bending"
   ModeKind kind = ModeKind::strength;
   const char* checks = "";  // the checks and limits that assess it, all of them: "u_F1, v_share", "segments.u_tau"
-  const char* judge = "";   // the calculator that assesses it, or what its checks leave; without both nothing does
+  const char* judge = "";   // the calculator that assesses it, or the rest of its checks; without both nothing does
   const char* taken = "";   // how that assesses it: modes of it, by the record that it takes, "sun_mesh.root_1"
   const char* wants = "";   // inputs needed to assess it, if its checks do not show them
   const char* advice = "";  // other remedy if no input is missing
@@ -52,8 +52,8 @@ struct Mode : ModeInfo {
     mode.checks = all;
     return mode;
   }
-  /// Judged by steps of another calculator that take records of this part: all of `modes`, each behind the record,
-  /// "sun_mesh.root_2, ring_mesh.root_1". Where checks of its own assess it too, what they leave is left to these.
+  /// Assessed by steps of another calculator that take records of this part: all of `modes`, each after the record,
+  /// "sun_mesh.root_2, ring_mesh.root_1". If checks of its own assess it too, the rest is left to these.
   [[nodiscard]] constexpr Mode left_to(const char* calculator, const char* modes) const {
     Mode mode = *this;
     mode.judge = calculator;

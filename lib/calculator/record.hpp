@@ -1,5 +1,5 @@
-// Fields without their C++ types: what every reader, writer, search and test walks over. Made from the lists of
-// fields by lib/calculator/record_of.hpp, once per calculator; everything that uses it is ordinary code.
+// Fields without their C++ types, for every reader, writer, search and test. Made from the lists of fields by
+// lib/calculator/record_of.hpp, once per calculator; everything that uses it is ordinary code.
 #pragma once
 
 #include "lib/calculator/field.hpp"

@@ -72,7 +72,7 @@ void write_verdicts(const std::vector<account::Verdict>& list, JsonWriter& out) 
   out.close_array();
 }
 
-/// The verdict on a part or a machine: its worst mode, what it covers, and every mode.
+/// The verdict on a part or a project: its worst mode, its coverage, and every mode.
 void write_modes(const project::Project& project, JsonWriter& out) {
   const account::Modes modes = project::modes(project);
   out.key("verdict").open_object();

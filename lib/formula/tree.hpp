@@ -22,8 +22,8 @@ struct Node {
   std::vector<Node> kids;
 };
 
-/// The tree of a formula, or nothing if the text is not in the language. A name keeps what it is read from ("in.d");
-/// a word of a choice takes it from its choice: in.kind == Kind::wide compares "in.kind" with "in.kind::wide".
+/// The tree of a formula, or nothing if the text is not in the language. A name keeps its object ("in.d"); a word of a
+/// choice takes it from its choice: in.kind == Kind::wide compares "in.kind" with "in.kind::wide".
 std::optional<Node> parse(std::string_view cpp);
 
 /// The names of a tree, each once, as written.

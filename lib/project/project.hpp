@@ -27,7 +27,7 @@ struct Project {
   std::string file;
   std::string title;
   std::vector<std::pair<std::string, std::string>> meta;  // number, revision, author, checker, date, note: as typed
-  std::string paper = "A4";                               // that reports are printed on; or "letter"
+  std::string paper = "A4";                               // paper of reports; or "letter"
   Values values;
   std::vector<std::unique_ptr<Step>> steps;     // in the order of the file
   std::set<std::string> unread;                 // names of steps that have an error instead of a calculator
@@ -36,7 +36,7 @@ struct Project {
   std::vector<std::string> references;          // references between the steps: full paths
   std::shared_ptr<const table::Tables> tables;  // the project's own before the built-in ones
   std::vector<NamedFile> files;                 // further files that were read
-  std::map<std::string, Value> table_values;    // that expressions name: "tables.materials.S355.E"
+  std::map<std::string, Value> table_values;    // values named in expressions: "tables.materials.S355.E"
   std::map<std::string, Value> beforehand;      // inputs that others take before their steps are solved
   std::vector<Expectation> expectations;
   SweepSettings sweep;

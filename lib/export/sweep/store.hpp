@@ -25,7 +25,7 @@ using project::Found;
 using project::SweepPlan;
 using project::SweptPart;
 
-/// A sweep that is kept, and by what it is known again.
+/// A sweep that is kept, and its identification.
 struct StoredSweep {
   std::string program;   // "loadpath 0.1.0"
   std::string file;      // file of the project
@@ -57,7 +57,7 @@ class SweepStore {
 
   /// Takes the next part. A Message where a file cannot be written.
   Message take(const SweptPart& part);
-  /// Puts on the disk what has been taken.
+  /// Writes the results taken so far to the disk.
   Message save();
 
   [[nodiscard]] const Found& found() const { return found_; }

@@ -29,8 +29,8 @@ struct Output {
   [[nodiscard]] double change(const Position& at, const Position& by) const;
 };
 
-/// A dimension that is within +-`half_width` of what it is in the model, which is `sigmas` standard deviations. One
-/// dimension of a drawing may move several numbers of the model: a point of a link those of all joints that lie there.
+/// A dimension within +-`half_width` of its value in the model, which is `sigmas` standard deviations. One dimension
+/// of a drawing may change several numbers of the model: a point of a link those of all joints at it.
 struct Tolerance {
   struct Term {
     Parameter parameter;

@@ -1,5 +1,5 @@
-// A planar mechanism in SI units: links, joints, drivers and loads. Angles in rad, moments positive counter-clockwise.
-// Templates on the scalar, so that what is computed from a model can be differentiated with respect to its numbers.
+// A planar mechanism in SI units: links, joints, drivers and loads. Angles in rad, moments positive
+// counter-clockwise. Templates on the scalar: results can be differentiated by the numbers of a model.
 #pragma once
 
 #include "lib/mechanism/model/profile.hpp"
@@ -115,9 +115,9 @@ using Joint = BasicJoint<double>;
 
 enum class DriverKind { rotary, linear };
 
-/// Rotary: coordinate = phi_i - phi_j + offset. Linear, on a prismatic or slot joint: coordinate = distance of point_i
-/// from point_j along the line, + offset. The effort (moment or force) is what the drive does to link i; it does the
-/// opposite to link j. Power = effort * speed.
+/// Rotary: coordinate = phi_i - phi_j + offset. Linear, on a prismatic or slot joint: coordinate = distance of
+/// point_i from point_j along the line, + offset. The effort (moment or force) acts on link i, and its opposite on
+/// link j. Power = effort * speed.
 template <class Scalar>
 struct BasicDriver {
   using Kind = DriverKind;

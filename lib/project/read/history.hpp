@@ -25,7 +25,7 @@ struct History {
 enum class Kept { turns, all };
 
 struct HistoryFault {
-  const char* key = "file";  // that it is about
+  const char* key = "file";  // key that it is about
   Fault fault;
 };
 /// False, and a fault, where the file or a key of the table is wrong. The path of the file is taken from the folder of

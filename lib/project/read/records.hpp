@@ -13,7 +13,7 @@ namespace loadpath::project {
 /// A table as one record.
 using ReadOne = std::function<Reading(const toml::Tree& table, std::vector<Issue>& issues)>;
 
-/// The table with the first of the records in each place, and what the others change.
+/// The table with the first of the records in each place, and the changes by the others.
 Reading read_in_turn(const toml::Tree& table, const std::string& prefix, const ReadOne& read,
                      std::vector<Issue>& issues);
 

@@ -1,7 +1,7 @@
 // A list of a project whose rows are in a separate file: over_time = { file = "pressure.csv" }.
 //
-// The first line names the fields, with their units in brackets: t [s], share. Cells are parted by commas, semicolons
-// or tabs; what follows a # is left out.
+// The first line names the fields, with their units in brackets: t [s], share. Cells are separated by commas,
+// semicolons or tabs; text after a # is ignored.
 #pragma once
 
 #include "lib/calculator/record.hpp"

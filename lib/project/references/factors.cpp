@@ -47,7 +47,7 @@ Factors factors_of_shared(const Project& project, const std::string& path) {
   return {};
 }
 
-/// Whether a value of a step holds what the step's loads do: a load, and the power that it is of.
+/// Whether a value of a step includes the factors of its loads: a load, and the corresponding power.
 bool carries(const FieldInfo& field) {
   return field.is_load || *field.factors != '\0' || field.dimension == Dimension::of(2, 1, -3);
 }

@@ -47,8 +47,8 @@ double largest_in_row(const table::Entry& row, std::string_view column) {
   return most;
 }
 
-/// Whether a typed value may be above what a row has at one size and below it at another: not where the row has more
-/// at every size.
+/// Whether a typed value may be above the value of a row at one size and below it at another: not if the row is
+/// larger at every size.
 bool hangs_on_size(const table::Entry& row, std::string_view column, double part, double typed) {
   double least = std::numeric_limits<double>::infinity();
   for (const table::SizedProperty& at : table::values_by_size(row, column)) least = std::fmin(least, at.value.si);

@@ -102,7 +102,7 @@ std::optional<double> number_of(std::string_view text) {
   return std::isfinite(x) ? std::optional(x) : std::nullopt;
 }
 
-/// A text for a message: short, and without what a terminal would obey.
+/// A text for a message: short, and without control characters for a terminal.
 std::string shown(std::string_view text) {
   constexpr std::size_t longest = 40;
   std::string out(text.substr(0, longest));

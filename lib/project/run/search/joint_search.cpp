@@ -107,13 +107,13 @@ bool JointSearch::elements_pass(std::size_t first) const {
   return true;
 }
 
-/// The sizes one after the other, ascending: the least of the rest bound the cost, and what is assessed at places whose
-/// sizes are all set excludes most of what follows.
+/// The sizes one after the other, ascending: the minimum of the rest bounds the cost, and the checks at places whose
+/// sizes are all set exclude most of the following candidates.
 struct JointSearch::Branching {
   SizeIndices firsts;  // first candidates of equal sizes
   SizeIndices least, best;
   double lowest;
-  int trials;  // that are left
+  int trials;  // remaining ones
 };
 
 void JointSearch::branch(Branching& b, std::size_t depth) {
@@ -145,7 +145,7 @@ void JointSearch::branch(Branching& b, std::size_t depth) {
   }
 }
 
-/// From what a first search has found, if anything; true if there is a cheaper part.
+/// From the result of a first search, if any; true if there is a cheaper part.
 bool JointSearch::find_cheaper(double lowest, SizeIndices& least) {
   constexpr int most_trials = 20000;
   Branching b{sizes_.firsts(), least, {}, lowest, most_trials};

@@ -206,7 +206,7 @@ void SizeSearch::refuse_all(std::vector<Issue>& issues) {
   issues.push_back(std::move(issue));
 }
 
-/// The input that was searched for, and what a row would have given, have no value.
+/// The searched input, and the values of its row, are not available.
 void SizeSearch::leave_open(Message why) {
   Inputs& inputs = evaluation_.inputs();
   if (wanted_.leaf)
@@ -217,8 +217,8 @@ void SizeSearch::leave_open(Message why) {
   inputs.set_unavailable(std::move(why), account::Subject::search);
 }
 
-/// Rows before the one that was found for which the step cannot be calculated: they are no failures, and may be what
-/// the user would rather have.
+/// Rows before the result for which the step cannot be calculated: they are not failures, and the user may prefer
+/// them.
 void SizeSearch::warn_of_passed_over(std::size_t found, std::vector<Issue>& issues) {
   std::size_t count = 0;
   Issue first;

@@ -30,7 +30,7 @@ struct Drawing {
     bool filled = false;  // a body: a pulley, a wheel
   };
   /// A closed outline: a cut face, hatched or, for a thin wall, filled; and, without a line, a body seen from the
-  /// side, a liquid, the corrosion allowance of a wall.
+  /// side, a liquid, the allowances of a wall.
   enum class Kind { cut, body, liquid, lost };
   struct Area {
     std::vector<Point> outline;

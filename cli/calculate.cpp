@@ -121,14 +121,14 @@ void put_reasons(Tree& step, const std::string& key, const std::vector<std::stri
 void put_flags(Tree& step, const CalculateOptions& options, std::vector<Issue>& issues) {
   for (const auto& [key, text] : options.values) {
     if (key != "positions")
-      put(step, flag_entry(key, text, find_field(options.calculator->input->fields, key), issues));
+      put(step, flag_entry(key, text, find_input(options.calculator->input->fields, key), issues));
   }
   for (const auto& [key, text] : options.values) {
     if (key != "positions") continue;
     Tree* const crank = crank_of(step);
     if (crank != nullptr) take(*crank, "at");
     put(crank == nullptr ? step : *crank,
-        flag_entry(key, text, find_field(options.calculator->input->fields, key), issues));
+        flag_entry(key, text, find_input(options.calculator->input->fields, key), issues));
   }
   if (!options.at.empty()) put_angles(step, options.at, issues);
   put_reasons(step, "accept", options.accepted);

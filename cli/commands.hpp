@@ -80,15 +80,18 @@ struct CalculateOptions {
 int calculate(const CalculateOptions& options);
 
 struct ListOptions {
-  std::string element;  // empty: all
+  std::string word;  // an element, or words that are searched for; empty: all
+  bool all = false;  // those found by failure mode or scope as well
   bool json = false;
 };
 int list(const ListOptions& options);
 
 struct DescribeOptions {
   std::string id;
-  std::string name;  // second word after an element: shaft torsion; else a section of the description: loads, modes
+  std::string name;  // behind an element: shaft torsion; else a field or a failure mode, or a part: modes
   std::string part;  // behind both
+  bool full = false;
+  bool toml = false;  // the example only, as a project file
   bool json = false;
 };
 int describe(const DescribeOptions& options);

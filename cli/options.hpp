@@ -11,6 +11,7 @@ namespace loadpath::cli {
 /// The output options of every solving command.
 struct OutputOptions {
   std::vector<std::string> reports;  // .html, .md, .tex, .pdf
+  bool report_of_project = false;    // where none is named, the one that the project names
   bool json = false;
   std::string csv;                  // folder, or a .csv file for the one step that has series
   std::string svg;                  // folder for every figure, or an .svg file for the leading one
@@ -19,6 +20,8 @@ struct OutputOptions {
   std::string detail;               // brief, normal, full; empty: as the command has it
   bool quiet = false;
   bool strict = false;  // modes not considered count as not assessed
+  bool full = false;    // with every table that the terminal has
+  bool modes = false;   // every failure mode
 };
 
 /// The points of a sweep, for projects that do not define them.

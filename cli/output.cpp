@@ -50,14 +50,15 @@ bool can_stream(const OutputOptions& options) {
   for (const std::string& report : options.reports) {
     if (report == "-" || (report.ends_with(":-") && report != html_out)) {
       std::cerr << "loadpath: '--report " << report
-                << "' is no report: on standard output it is HTML\n  = help: write --report html:-, or name a file\n";
+                << "' cannot be written to standard output: a report there is HTML\n  = help: write --report html:-, "
+                   "or name a file\n";
       return false;
     }
   }
   if (options.json) all.push_back("--json");
   if (all.size() < 2 || (options.json && all.size() == 1)) return true;
   std::cerr << "loadpath: '" << all[0] << "' and '" << all[1]
-            << "' both ask for standard output\n  = help: name a file for one of them\n";
+            << "' both write to standard output\n  = help: name a file for one of them\n";
   return false;
 }
 
@@ -154,7 +155,7 @@ bool add_drawings(const project::Project& project, const std::string& path, std:
   return true;
 }
 
-bool refuse(const fs::path& path, const char* why) {
+bool refuse_output(const fs::path& path, const char* why) {
   std::cerr << "loadpath: '" << path.string() << "' " << why << ": nothing is written\n  = help: name another file\n";
   return true;
 }
@@ -166,10 +167,11 @@ bool overwrites(const std::vector<fs::path>& outputs, const project::Project& pr
   for (const fs::path& path : outputs) {
     std::error_code error;
     const auto is_path = [&](const project::NamedFile& read) { return same_file(path, read.name); };
-    if (same_file(path, project.file)) return refuse(path, "is the project itself");
-    if (std::any_of(project.files.begin(), project.files.end(), is_path)) return refuse(path, "is read by the project");
+    if (same_file(path, project.file)) return refuse_output(path, "is the project itself");
+    if (std::any_of(project.files.begin(), project.files.end(), is_path))
+      return refuse_output(path, "is read by the project");
     if (!fs::is_other(path, error) && !seen.insert(fs::weakly_canonical(path, error)).second)
-      return refuse(path, "is named for two outputs");
+      return refuse_output(path, "is named for two outputs");
   }
   return false;
 }

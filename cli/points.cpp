@@ -62,7 +62,7 @@ void take_point(project::Project& project, std::uint64_t point, std::vector<Issu
 
 Outcome<project::BlockRange> read_share(const std::string& text, const project::SweepPlan& plan) {
   const auto wrong = [&](Message hint) {
-    return Fault{0, 1, say("'{1}' is no share of a sweep", text), std::move(hint)};
+    return Fault{0, 1, say("'{1}' is not a shard of a sweep", text), std::move(hint)};
   };
   std::uint64_t a = 0, b = 0;
   const char between = parted(text, a, b);

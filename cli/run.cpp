@@ -22,7 +22,8 @@ int refuse(const std::string& message, const std::string& hint = {}) {
   return wrong_input;
 }
 
-int run_one(const std::string& file, const RunOptions& options, const OutputOptions& output) {
+int run_one(const std::string& file, const RunOptions& options, OutputOptions output) {
+  output.report_of_project = true;
   std::string text;
   if (!toml::read_file(file, text)) return refuse("cannot read '" + file + "'");
   const std::string name = file == "-" ? "standard input" : file;

@@ -10,6 +10,7 @@
 #include "lib/project/verify.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 
 namespace loadpath::cli {
@@ -25,7 +26,7 @@ void tell(const std::vector<Issue>& issues, const std::vector<terminal::SourceTe
 
 /// Content for viewing is made only if it is viewed: the terminal shows the extremes of every series.
 project::Wanted wanted_by(const OutputOptions& output, report::Detail detail) {
-  const bool in_full = detail == report::Detail::full;
+  const bool in_full = detail == report::Detail::full;  // or in short, with the formulas of one check
   const bool shown = !output.json && !output.quiet && !takes_standard_output(output);
   const bool drawn = !output.reports.empty() || !output.svg.empty() || !output.dxf.empty();
   return {.pictures = drawn || (shown && in_full),
@@ -50,13 +51,32 @@ std::string input_of(const std::vector<terminal::SourceText>& sources) {
   return all;
 }
 
-/// Reports values that differ from the project's expectations, which are not part of its verdict.
+/// With the report that the project names, relative to its file, where the shell names none.
+OutputOptions with_report_of(const project::Project& project, OutputOptions output) {
+  if (!output.report_of_project || !output.reports.empty() || project.report.empty()) return output;
+  const std::filesystem::path folder = std::filesystem::path(project.file).parent_path();
+  output.reports.push_back((folder / project.report).string());
+  return output;
+}
+
+/// That values which the project expects are others: no part of its verdict.
 void tell_misses(const project::Project& project) {
   const auto all = project::compare(project);
   const auto misses = std::count_if(all.begin(), all.end(), [](const project::Comparison& c) { return !c.holds; });
   if (misses == 0) return;
   std::cerr << misses << " of " << all.size() << (all.size() == 1 ? " expectation misses" : " expectations miss")
             << ": `loadpath verify " << (project.file == "standard input" ? "-" : project.file) << "` tells\n";
+}
+
+/// Whether the tables of the parts are shown, and not the short answer.
+bool shows_tables(const OutputOptions& output) {
+  return output.full || output.detail == "normal" || output.detail == "full";
+}
+
+void show(const project::Project& project, const OutputOptions& output, report::Detail detail, bool is_calculation) {
+  if (output.modes) return terminal::show_modes(project);
+  if (shows_tables(output)) return terminal::show_project(project, detail);
+  is_calculation ? terminal::show_calculation(project) : terminal::show_short(project);
 }
 
 }  // namespace
@@ -79,10 +99,12 @@ int exit_for(const account::Modes& modes) {
 }
 
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
-                   const OutputOptions& output, report::Detail usual) {
-  const report::Detail detail = detail_of(output, usual);
+                   const OutputOptions& asked, report::Detail usual) {
+  const report::Detail detail = detail_of(asked, usual);
   std::vector<Issue> issues;
   project::Project project = read(issues);
+  const OutputOptions output = with_report_of(project, asked);
+  if (output.reports != asked.reports && !has_errors(issues) && !can_write(output)) return wrong_input;
   project.strict = output.strict;
   if (!has_errors(issues)) project::solve(project, issues, wanted_by(output, detail));
   if (!has_errors(issues)) check_series(project, output, issues);
@@ -91,8 +113,10 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
   if (!write(project, output, input_of(sources))) return wrong_input;
   if (output.json) {
     std::cout << exports::json_of(project, program(), project::SeriesChoice(output.series));
-  } else if (!output.quiet && !takes_standard_output(output)) {
-    terminal::show_project(project, detail);
+  } else if (output.quiet) {
+    if (!takes_standard_output(output)) terminal::show_unless_passed(project);
+  } else if (!takes_standard_output(output)) {
+    show(project, output, detail, usual == report::Detail::full);
   }
   if (!output.quiet) tell_misses(project);
   return exit_for(project::modes(project));

@@ -27,8 +27,8 @@ template <class Tracer>
 void find_factors(const Input& in, Force F_aK, Equivalent& q, Tracer& trace) {
   q.e = in.e, q.Y = in.Y;
   if (!is_set(in.f_0)) {
-    trace.value("e", q.e, "of the maker's table");
-    trace.value("Y", q.Y, "of the maker's table");
+    trace.value("e", q.e, "manufacturer's value");
+    trace.value("Y", q.Y, "manufacturer's value");
     return;
   }
   STEP_TO(q, x_f, in.f_0 * F_aK / in.C_0, "what e and Y of a deep groove ball bearing depend on, [ISO281]");
@@ -42,19 +42,19 @@ template <class Tracer>
 Equivalent equivalent(const Input& in, Force F_rK, Force F_aK, Tracer& trace) {
   Equivalent q;
   if (takes_axial_alone(in.kind)) {
-    STEP_TO(q, P, F_aK, "a thrust bearing takes axial load alone, [ISO281]");
+    STEP_TO(q, P, F_aK, "a thrust bearing takes axial load only, [ISO281]");
     return q;
   }
   if (takes_radial_alone(in.kind) || F_aK == none) {
-    STEP_TO(q, P, F_rK, "radial load alone, [ISO281]");
+    STEP_TO(q, P, F_rK, "radial load only, [ISO281]");
     return q;
   }
   find_factors(in, F_aK, q, trace);
   const double e = q.e, Y = q.Y;
   const double X = trace.value("X", is_set(in.X) ? in.X : radial_factor(in.kind),
-                               is_set(in.X) ? "of the maker's table" : "of the kind, [ISO281]");
+                               is_set(in.X) ? "manufacturer's value" : "of the kind, [ISO281]");
   const double Y_1 = trace.value("Y_1", has_two_rows(in.kind) ? in.Y_1 : 0.0,
-                                 has_two_rows(in.kind) ? "of the maker's table" : "one row: none up to e");
+                                 has_two_rows(in.kind) ? "manufacturer's value" : "one row: none up to e");
   STEP_TO(q, P, F_aK > e * F_rK ? X * F_rK + Y * F_aK : F_rK + Y_1 * F_aK, "equivalent dynamic load, [ISO281]");
   return q;
 }
@@ -117,7 +117,7 @@ template <class Tracer>
 void life(const Input& in, const Stages& all, Result& r, Tracer& trace) {
   const Force P_max = trace.value("P_max", largest(all), "largest load in running");
   STEP(P_lim, is_set(in.C_0) ? min(0.5 * in.C, in.C_0) : 0.5 * in.C, "beyond, bodies and raceways yield, [ISO281]");
-  STEP_TO(r, x_P, P_max / P_lim, "within what the rating life holds for");
+  STEP_TO(r, x_P, P_max / P_lim, "within the validity of the rating life");
   const Force P_m = r.P_m;
   const double p = r.p;
   const AngularSpeed n_m = r.n_m;
@@ -142,11 +142,11 @@ void running(const Input& in, Stages& all, Result& r, Tracer& trace) {
   const Force P_low = trace.value("P_low", smallest(all), "smallest load in running");
   const double c = trace.value("c", has_balls(in.kind) ? 0.01 : 0.02, has_balls(in.kind) ? "balls" : "rollers");
   STEP(P_need, is_set(in.P_min) ? in.P_min : c * in.C,
-       is_set(in.P_min) ? "of the maker" : "rule of thumb, [SKF-rolling]");
+       is_set(in.P_min) ? "manufacturer's value" : "rule of thumb, [SKF-rolling]");
   STEP_TO(r, x_min, P_low / P_need, "rolls, and does not skid");
   if (!is_set(in.n_max) || !is_set(Rolling::highest_speed(in))) return;
   const AngularSpeed n_top = trace.speed("n_top", Rolling::highest_speed(in), "highest speed");
-  STEP_TO(r, u_n, n_top / in.n_max, "against that of the maker's table");
+  STEP_TO(r, u_n, n_top / in.n_max, "compared with the manufacturer's value");
 }
 
 /// The largest load at rest, in running or in a shock.
@@ -155,7 +155,7 @@ void at_rest(const Input& in, Force F_rX, Force F_aX, Result& r, Tracer& trace) 
   STEP(F_r00, is_set(in.F_r0) ? in.F_r0 : 0.0 * N, "radial, at rest or in a shock");
   STEP(F_a00, is_set(in.F_a0) ? abs(in.F_a0) : 0.0 * N, "axial at the same time");
   if (takes_axial_alone(in.kind)) {
-    STEP_TO(r, P_0, max(F_aX, F_a00), "a thrust bearing takes axial load alone, [ISO76]");
+    STEP_TO(r, P_0, max(F_aX, F_a00), "a thrust bearing takes axial load only, [ISO76]");
   } else {
     const bool axial = Rolling::has_axial(in);
     const double X_0 = trace.value("X_0", static_radial_factor(in.kind), "of the kind, [ISO76]");
@@ -164,7 +164,7 @@ void at_rest(const Input& in, Force F_rX, Force F_aX, Result& r, Tracer& trace) 
                                    is_set(in.Y_0) ? in.Y_0
                                    : !axial       ? 0.0
                                                   : Y_k,
-                                   is_set(in.Y_0) ? "of the maker's table"
+                                   is_set(in.Y_0) ? "manufacturer's value"
                                    : axial        ? "of the kind, [ISO76]"
                                                   : "without an axial load");
     if (!is_set(Y_0)) return;
@@ -196,7 +196,7 @@ void axial(const Input& in, double k, Force F_rX, Force F_aX, Result& r, Tracer&
   if (Rolling::has_axial_bound(in) == Applies::yes && (is_set(in.F_a_adm) || is_set(in.C_0))) {
     if (bears_on_ribs(in.kind) && !is_set(in.F_a_adm)) return;
     STEP(F_aa, is_set(in.F_a_adm) ? in.F_a_adm : 0.5 * in.C_0,
-         is_set(in.F_a_adm) ? "of the maker" : "of a deep groove ball bearing, [SKF-rolling]");
+         is_set(in.F_a_adm) ? "manufacturer's value" : "of a deep groove ball bearing, [SKF-rolling]");
     const Force F_a_all = trace.value("F_a_all", std::max(F_aX, abs(F_a0)), "largest axial load");
     STEP_TO(r, u_a, F_a_all / F_aa, "against the allowed one");
   }
@@ -205,7 +205,7 @@ void axial(const Input& in, double k, Force F_rX, Force F_aX, Result& r, Tracer&
 template <class Tracer>
 void by_itself(const Input& in, Force F_rK, Force F_aK, Result& r, Tracer& trace) {
   if (!at_an_angle(in.kind) || !(F_rK > 1e-9 * in.C)) return;
-  STEP_TO(r, F_i, F_rK / (2.0 * in.Y), "half of the rollers bear, [LYC-bearings]");
+  STEP_TO(r, F_i, F_rK / (2.0 * in.Y), "half of the rollers carry the load, [LYC-bearings]");
   const Force F_a_way = trace.value("F_a_way", in.F_a > none ? F_aK : none, "axial load that presses into it");
   STEP_TO(r, x_i, F_a_way / F_i, "the mating bearing holds against it, so that it is never less");
 }

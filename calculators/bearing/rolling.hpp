@@ -27,10 +27,17 @@ struct Rolling {
   static constexpr auto id = "bearing.rolling";
   static constexpr auto title = "Rolling bearing";
   static constexpr auto scope =
-      "Basic rating life with its reliability, for one load or blocks of load and speed; static safety, least load, "
-      "speed, and the axial load that the kind can take. Lubricant and dirt (a_ISO), swinging and tilt are not "
-      "covered.";
+      "Basic rating life with reliability for one load or blocks of load and speed, static safety factor, "
+      "minimum load, speed and axial load limits of a rolling bearing; lubrication and contamination (a_ISO), "
+      "oscillation and misalignment are not covered.";
   static constexpr auto source = "[ISO281], [ISO76]";
+  static constexpr auto headline = "C = {C}";
+  static constexpr auto synonyms =
+      "rolling bearing, ball bearing, roller bearing, deep groove ball bearing, angular contact, tapered roller, "
+      "basic rating life, L10, ISO 281, ISO 76, static safety, equivalent load, Wälzlager, Kugellager, "
+      "Rillenkugellager, Lagerlebensdauer, Lebensdauer, bearing life, L10h, tapered roller bearing, "
+      "cylindrical roller bearing, Rollenlager, подшипник качения, шариковый подшипник, долговечность, "
+      "динамическая грузоподъёмность, подшипник";
   static constexpr bool takes_series = false;  // one life for all loads
   static constexpr auto example = R"([project]
 title = "Bearing 6208 of a gear shaft"
@@ -55,9 +62,9 @@ s_0 = 2
     AngularSpeed n = unset<AngularSpeed>;
     static constexpr Fields fields{
         NameField{&Block::name, "name", "name of the block"}.may_be_missing(),
-        Field{&Block::q, "q", ratio, "share of the time; all shares sum to 1"}.within(0, 1).positive(),
-        Field{&Block::k, "k", ratio, "its loads over F_r and F_a"}.at_least(0).usually(0, 10),
-        Field{&Block::n, "n", rpm, "its speed; that of the step where missing"}.at_least(0).may_be_missing()};
+        Field{&Block::q, "q", ratio, "share of time; all shares sum to 1"}.within(0, 1).positive(),
+        Field{&Block::k, "k", ratio, "loads of the block / F_r and F_a"}.at_least(0).usually(0, 10),
+        Field{&Block::n, "n", rpm, "speed of the block; omitted: n"}.at_least(0).may_be_missing()};
   };
   static constexpr std::size_t most_blocks = 32;
 
@@ -91,75 +98,82 @@ s_0 = 2
   static Applies runs_at_an_angle(const Input& in);
   static Applies has_axial_bound(const Input& in);
   static constexpr Fields inputs{
-      RecordField<Input>{"load", "a bearing of a shaft, whole: load = \"=shaft.bearings.left\""},
-      Choice{&Input::kind, "kind", "kind of the bearing; must be stated"},
-      Field{&Input::C, "C", kN, "basic dynamic load rating, of the maker's table"}.positive().usually(0.05, 1e5),
+      RecordField<Input>{"load", "loads of a shaft bearing: load = \"=shaft.bearings.left\""},
+      Choice{&Input::kind, "kind", "bearing type (required)"},
+      Field{&Input::C, "C", kN, "basic dynamic load rating, manufacturer's value"}.positive().usually(0.05, 1e5),
       Field{&Input::C_0, "C_0", kN, "basic static load rating"}.positive().usually(0.02, 2e5).may_be_missing(),
       Field{&Input::F_r, "F_r", kN, "radial load on the bearing"}.load().at_least(0),
       Field{&Input::F_a, "F_a", kN,
-            "axial load on the bearing; of a kind that takes it one way positive that way, with what F_r itself makes"}
+            "axial load on the bearing; single-direction types: positive in the load-carrying "
+            "direction, induced axial force included"}
           .load(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on F_r and F_a: what they do not contain, once"}
+      Field{&Input::K_A, "K_A", ratio, "application factor K_A on F_r and F_a (1 if they include it)"}
           .at_least(1)
           .usually(1, 4)
           .factor(),
-      Field{&Input::n, "n", rpm, "speed of one ring against the other; 0 at standstill"}
+      Field{&Input::n, "n", rpm, "relative speed of the rings; 0 at standstill"}
           .at_least_that_of_source("n, shafts[#].n")
           .at_least(0)
           .may_be_missing(),
-      Field{&Input::n_max, "n_max", rpm, "highest speed of the maker's table for this lubrication"}
+      Field{&Input::n_max, "n_max", rpm, "limiting speed for this lubrication, manufacturer's value"}
           .positive()
           .may_be_missing(),
-      Field{&Input::f_0, "f_0", ratio, "factor of the maker's table that gives e and Y of a deep groove ball bearing"}
+      Field{&Input::f_0, "f_0", ratio,
+            "calculation factor f_0 of a deep groove ball bearing for e and Y, manufacturer's value"}
           .positive()
           .usually(8, 18)
           .may_be_missing(),
-      Field{&Input::e, "e", ratio, "F_a/F_r beyond which X and Y count, of the maker's table"}
+      Field{&Input::e, "e", ratio, "limiting ratio F_a/F_r above which X and Y apply, manufacturer's value"}
           .within(0.01, 3)
           .usually(0.1, 2)
           .may_be_missing(),
-      Field{&Input::X, "X", ratio, "radial factor beyond e; that of the kind where missing"}
+      Field{&Input::X, "X", ratio, "radial load factor above e; omitted: that of the type"}
           .at_least(0)
           .usually(0.3, 1)
           .may_be_missing(),
-      Field{&Input::Y, "Y", ratio, "axial factor beyond e; Y_2 of two rows"}
+      Field{&Input::Y, "Y", ratio, "axial load factor above e (double-row: Y_2)"}
           .positive()
           .usually(0.2, 7)
           .may_be_missing(),
-      Field{&Input::Y_1, "Y_1", ratio, "axial factor up to e, of two rows"}
+      Field{&Input::Y_1, "Y_1", ratio, "axial load factor up to e (double-row)"}
           .at_least(0)
           .usually(0.3, 5)
           .may_be_missing(),
-      Field{&Input::Y_0, "Y_0", ratio, "axial factor of the static load"}.at_least(0).usually(0.2, 5).may_be_missing(),
-      Field{&Input::L_h, "L_h", hour, "life that is asked for"}.at_least(1).usually(100, 3e5).may_be_missing(),
-      Field{&Input::L_m, "L_m", ratio, "required life in millions of revolutions, in place of hours"}
+      Field{&Input::Y_0, "Y_0", ratio, "axial factor of the equivalent static load"}
+          .at_least(0)
+          .usually(0.2, 5)
+          .may_be_missing(),
+      Field{&Input::L_h, "L_h", hour, "required life"}.at_least(1).usually(100, 3e5).may_be_missing(),
+      Field{&Input::L_m, "L_m", ratio, "required life in millions of revolutions, replaces hours"}
           .positive()
           .usually(1, 1e5)
           .may_be_missing(),
       Field{&Input::a_1, "a_1", ratio,
-            "reliability: 1 for 90 %, 0.64 for 95, 0.55 for 96, 0.47 for 97, 0.37 for 98, 0.25 for 99 %"}
+            "life modification factor for reliability: 1 for 90 %, 0.64 for 95, 0.55 for 96, 0.47 for "
+            "97, 0.37 for 98, 0.25 for 99 %"}
           .within(0.01, 1)
           .factor(),
       Field{&Input::s_0, "s_0", ratio,
-            "least static safety: at rest 0.5 of balls and 1 of rollers, running 1 to 2 and 1.5 to 3.5, under shocks "
-            "more"}
+            "required static safety factor: at rest 0.5 (balls) and 1 (rollers), running 1 to 2 and "
+            "1.5 to 3.5, higher under shock loads"}
           .at_least(0.4)
           .usually(0.5, 10)
           .may_be_missing()
           .factor(),
-      Field{&Input::P_min, "P_min", kN, "least load that it needs, of the maker; 0.01 C of balls, 0.02 C of rollers"}
+      Field{&Input::P_min, "P_min", kN, "minimum load, manufacturer's value; 0.01 C (balls), 0.02 C (rollers)"}
           .positive()
           .may_be_missing(),
       Field{&Input::F_a_adm, "F_a_adm", kN,
-            "axial load that the maker allows; 0.5 C_0 of a deep groove ball bearing: type 0.25 C_0 of a light one"}
+            "allowable axial load, manufacturer's value; deep groove ball bearing: 0.5 C_0 (enter 0.25 "
+            "C_0 for a light series)"}
           .positive()
           .may_be_missing(),
-      Field{&Input::F_r0, "F_r0", kN, "largest radial load at rest or in a shock, where it is more than in running"}
+      Field{&Input::F_r0, "F_r0", kN, "peak radial load at rest or under shock, if larger than in operation"}
           .load()
           .at_least(0)
           .may_be_missing(),
-      Field{&Input::F_a0, "F_a0", kN, "axial load at the same time"}.load().may_be_missing(),
-      ListField{&Input::blocks, "blocks", "blocks of load and speed with their shares of the time; else all is one"}
+      Field{&Input::F_a0, "F_a0", kN, "simultaneous axial load"}.load().may_be_missing(),
+      ListField{&Input::blocks, "blocks", "load and speed blocks with their shares of time; omitted: one block"}
           .may_be_missing()};
 
   struct Stage {
@@ -169,13 +183,14 @@ s_0 = 2
     double e = unset<double>, Y = unset<double>;
     Force P = unset<Force>;
     double D = unset<double>;
-    static constexpr Fields fields{NameField{&Stage::name, "name", "name of the block"},
-                                   Field{&Stage::q, "q", ratio, "share of the time"},
-                                   Field{&Stage::n, "n", rpm, "speed"},
-                                   Field{&Stage::e, "e", ratio, "F_a/F_r beyond which the axial load counts"},
-                                   Field{&Stage::Y, "Y", ratio, "axial factor"},
-                                   Field{&Stage::P, "P", kN, "equivalent dynamic load"}.holding("K_A"),
-                                   Field{&Stage::D, "D", ratio, "its share of the fatigue"}};
+    static constexpr Fields fields{
+        NameField{&Stage::name, "name", "name of the block"},
+        Field{&Stage::q, "q", ratio, "share of time"},
+        Field{&Stage::n, "n", rpm, "speed"},
+        Field{&Stage::e, "e", ratio, "limiting ratio F_a/F_r above which the axial load is included"},
+        Field{&Stage::Y, "Y", ratio, "axial load factor"},
+        Field{&Stage::P, "P", kN, "equivalent dynamic load"}.holding("K_A"),
+        Field{&Stage::D, "D", ratio, "share of the fatigue damage"}};
   };
 
   struct Result {
@@ -190,39 +205,37 @@ s_0 = 2
     List<Stage, most_blocks> blocks;
   };
   static constexpr Fields results{
-      Field{&Result::p, "p", ratio, "life exponent: 3 of balls, 10/3 of rollers"},
-      Field{&Result::x_f, "x_f", ratio, "f_0 F_a/C_0, up to the end of the table of e and Y"}
+      Field{&Result::p, "p", ratio, "life exponent: 3 (balls), 10/3 (rollers)"},
+      Field{&Result::x_f, "x_f", ratio, "f_0 F_a/C_0 (range of the table of e and Y)"}
           .limit(0, 6.89 * (1.0 + 1e-9), "f_0")
           .where_it_applies(),
-      Field{&Result::e, "e", ratio, "F_a/F_r beyond which the axial load counts"},
-      Field{&Result::Y, "Y", ratio, "axial factor beyond it"},
+      Field{&Result::e, "e", ratio, "limiting ratio F_a/F_r above which the axial load is included"},
+      Field{&Result::Y, "Y", ratio, "axial load factor above e"},
       Field{&Result::P, "P", kN, "equivalent dynamic load of F_r and F_a"}.holding("K_A"),
       Field{&Result::P_m, "P_m", kN, "equivalent dynamic load of all blocks"}.holding("K_A"),
       Field{&Result::n_m, "n_m", rpm, "mean speed"},
       Field{&Result::L_10, "L_10", ratio, "basic rating life in millions of revolutions, 90 %"},
       Field{&Result::L_10h, "L_10h", hour, "basic rating life, 90 %"},
       Field{&Result::L_nh, "L_nh", hour, "life with the reliability of a_1"},
-      Field{&Result::C_req, "C_req", kN, "dynamic load rating that the life asks for"}.holding("K_A"),
-      Field{&Result::P_0, "P_0", kN, "equivalent static load, the largest"}.holding("K_A"),
-      Field{&Result::F_i, "F_i", kN, "axial load that its radial load makes, on the mating bearing: F_r/(2 Y)"}
-          .load()
-          .holding("K_A"),
-      Field{&Result::F_ao, "F_ao", N, "axial load that its kind cannot take"}.limit(0, 1e-3).criterion(),
-      Field{&Result::F_ro, "F_ro", N, "radial load that its kind cannot take"}.limit(0, 1e-3).criterion(),
-      Field{&Result::u_L, "u_L", ratio, "life: required load rating over C"}.check("L_h, L_m").where_it_applies(),
-      Field{&Result::x_P, "x_P", ratio, "largest P over the smaller of C/2 and C_0: beyond, no rating life"}
+      Field{&Result::C_req, "C_req", kN, "required dynamic load rating"}.holding("K_A"),
+      Field{&Result::P_0, "P_0", kN, "equivalent static load, maximum"}.holding("K_A"),
+      Field{&Result::F_i, "F_i", kN, "induced axial force on the mating bearing: F_r/(2 Y)"}.load().holding("K_A"),
+      Field{&Result::F_ao, "F_ao", N, "axial load not carried by the bearing type"}.limit(0, 1e-3).criterion(),
+      Field{&Result::F_ro, "F_ro", N, "radial load not carried by the bearing type"}.limit(0, 1e-3).criterion(),
+      Field{&Result::u_L, "u_L", ratio, "rating life: required dynamic load rating / C"}
+          .check("L_h, L_m")
+          .where_it_applies(),
+      Field{&Result::x_P, "x_P", ratio, "maximum P / min(C/2, C_0) (validity of the rating life)"}
           .limit(0, 1)
           .where_it_applies(),
-      Field{&Result::u_0, "u_0", ratio, "static: safety asked for, times P_0 over C_0"}.check("s_0"),
-      Field{&Result::x_min, "x_min", ratio, "smallest P in running over the least load; below it the bearing skids"}
+      Field{&Result::u_0, "u_0", ratio, "static: s_0 x P_0 / C_0"}.check("s_0"),
+      Field{&Result::x_min, "x_min", ratio, "minimum P in operation / minimum load (skidding below 1)"}
           .limit(1 - 1e-9, unbounded)
           .criterion()
           .where_it_applies(),
-      Field{&Result::u_n, "u_n", ratio, "highest speed over that of the maker's table"}
-          .check("n_max")
-          .where_it_applies(),
-      Field{&Result::u_a, "u_a", ratio, "axial load over the allowed one"}.check("F_a_adm, C_0").where_it_applies(),
-      Field{&Result::x_i, "x_i", ratio, "axial load over what the radial load makes, F_i: it is never less"}
+      Field{&Result::u_n, "u_n", ratio, "maximum speed / limiting speed"}.check("n_max").where_it_applies(),
+      Field{&Result::u_a, "u_a", ratio, "axial load / allowable axial load"}.check("F_a_adm, C_0").where_it_applies(),
+      Field{&Result::x_i, "x_i", ratio, "axial load / induced axial force F_i"}
           .limit(1 - 1e-6, unbounded)
           .where_it_applies(),
       ListField{&Result::blocks, "blocks", "the blocks"}};
@@ -237,9 +250,9 @@ s_0 = 2
       Rule<Input>{[](const Input& in) { return !is_set(in.s_0) || is_set(in.C_0); }, "s_0, C_0",
                   "the static safety needs the static load rating C_0"},
       Rule<Input>{&static_factors_given, "Y_0, s_0, F_a, F_a0, kind",
-                  "the static safety under an axial load needs Y_0 of the maker's table"},
+                  "the static safety factor under an axial load needs Y_0 of the manufacturer"},
       Rule<Input>{[](const Input& in) { return !is_set(in.F_a0) || is_set(in.F_r0); }, "F_a0, F_r0",
-                  "give the radial load F_r0 beside F_a0, be it zero"},
+                  "give the radial load F_r0 with F_a0, even if it is zero"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.L_h) && is_set(in.L_m)); }, "L_h, L_m",
                   "give the life either in hours or in revolutions"},
       Rule<Input>{[](const Input& in) { return is_set(in.n) || is_set(in.L_m) || !in.blocks.empty(); },
@@ -253,7 +266,7 @@ s_0 = 2
       Rule<Input>{[](const Input& in) { return !is_set(in.L_m) || !is_set(in.n) || in.n > 0.0 * rpm; }, "L_m, n",
                   "a bearing at standstill has no life in revolutions: leave out L_m, or n"},
       Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || runs(in) == Applies::yes; }, "L_h, n, blocks",
-                  "a bearing that stands has no life in hours: leave out L_h, or give the speed"},
+                  "a bearing at rest has no life in hours: leave out L_h, or give the speed"},
       Rule<Input>{[](const Input& in) { return in.blocks.empty() || is_set(highest_speed(in)); }, "n, blocks",
                   "blocks are shares of the time: give the speed n, or that of each block"},
       Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}};
@@ -261,26 +274,21 @@ s_0 = 2
   static constexpr bool turns = true;
   static constexpr auto bounds = factor_bounds<Input>();
   static constexpr std::array modes{
-      Mode<Input>{"fatigue", "fatigue of the raceways: rating life", &runs}.judged_by("u_L, x_P, x_f"),
-      Mode<Input>{"static", "dents by the largest load, at rest or in a shock", &always<Input>}.judged_by("u_0"),
-      Mode<Input>{"skidding", "skidding under too small a load", &runs}.judged_by("x_min").of_shape(),
-      Mode<Input>{"speed", "speed above that of the maker's table", &runs_fast}.judged_by("u_n"),
-      Mode<Input>{"axial", "an axial load that the kind cannot take", &always<Input>}.judged_by("F_ao").of_shape(),
-      Mode<Input>{"radial", "a radial load that the kind cannot take", &always<Input>}.judged_by("F_ro").of_shape(),
-      Mode<Input>{"ribs", "ribs, or edges of the groove, under the axial load", &has_axial_bound}
-          .judged_by("u_a")
-          .wanting("F_a_adm"),
-      Mode<Input>{"mate", "less axial load than its own radial load makes", &runs_at_an_angle}
-          .judged_by("x_i")
-          .of_shape(),
-      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"film", "wear and fatigue where the film is thin or the oil dirty: a_ISO", &unseen<Input>}.special(),
-      Mode<Input>{"heat", "heat, and the life of the grease", &unseen<Input>}.special(),
-      Mode<Input>{"tilt", "tilt of its rings: slope of the shaft, alignment of the seats", &unseen<Input>}
-          .special()
-          .assessed_beside("shaft.design"),
-      Mode<Input>{"seats", "rings that creep on their seats: fits, circlips, shoulders", &unseen<Input>}.special(),
-      Mode<Input>{"standstill", "marks by vibration at standstill, current, rust", &unseen<Input>}.special()};
+      Mode<Input>{"fatigue", "rating life (raceway fatigue)", &runs}.judged_by("u_L, x_P, x_f"),
+      Mode<Input>{"static", "static safety factor (permanent indentation)", &always<Input>}.judged_by("u_0"),
+      Mode<Input>{"skidding", "minimum load (skidding)", &runs}.judged_by("x_min").of_shape(),
+      Mode<Input>{"speed", "limiting speed", &runs_fast}.judged_by("u_n"),
+      Mode<Input>{"axial", "axial load capability of the type", &always<Input>}.judged_by("F_ao").of_shape(),
+      Mode<Input>{"radial", "radial load capability of the type", &always<Input>}.judged_by("F_ro").of_shape(),
+      Mode<Input>{"ribs", "axial load limit (ribs, groove edges)", &has_axial_bound}.judged_by("u_a").wanting(
+          "F_a_adm"),
+      Mode<Input>{"mate", "induced axial force", &runs_at_an_angle}.judged_by("x_i").of_shape(),
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"film", "lubrication and contamination (a_ISO)", &unseen<Input>}.special(),
+      Mode<Input>{"heat", "operating temperature and grease life", &unseen<Input>}.special(),
+      Mode<Input>{"tilt", "misalignment of the rings", &unseen<Input>}.special().assessed_beside("shaft.design"),
+      Mode<Input>{"seats", "ring creep on the seats", &unseen<Input>}.special(),
+      Mode<Input>{"standstill", "false brinelling, electrical erosion, corrosion", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

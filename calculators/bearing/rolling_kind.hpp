@@ -46,9 +46,9 @@ constexpr auto choices_of(Kind) {
       ChoiceName<Kind>{Kind::tapered_pair, "tapered_pair",
                        "two rows of tapered rollers, face to face or back to back; C and C_0 of both"},
       ChoiceName<Kind>{Kind::spherical_roller, "spherical_roller", "spherical roller bearing, two rows"},
-      ChoiceName<Kind>{Kind::thrust_ball, "thrust_ball", "thrust ball bearing: axial load alone, one way"},
+      ChoiceName<Kind>{Kind::thrust_ball, "thrust_ball", "thrust ball bearing: axial load only, one direction"},
       ChoiceName<Kind>{Kind::thrust_roller, "thrust_roller",
-                       "thrust bearing with cylindrical or needle rollers: axial load alone, one way"}};
+                       "thrust bearing with cylindrical or needle rollers: axial load only, one direction"}};
 }
 
 constexpr bool has_balls(Kind kind) {

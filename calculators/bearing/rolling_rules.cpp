@@ -59,7 +59,7 @@ FieldFault Rolling::missing_factors(const Input& in) {
   if (by_f_0(in)) return {"C_0", say("f_0 gives e and Y by f_0 F_a/C_0"), say("give the static load rating C_0")};
   if (in.kind == Kind::deep_groove_ball)
     return {"F_a", say("an axial load on a deep groove ball bearing needs e and Y"),
-            say("give f_0 and C_0 of the maker's table; or e and Y")};
+            say("give f_0 and C_0 of the manufacturer's table, or e and Y")};
   std::string wanted;
   const auto want = [&](double value, const char* key) {
     if (!is_set(value)) wanted += (wanted.empty() ? "" : ", ") + std::string(key);
@@ -70,7 +70,7 @@ FieldFault Rolling::missing_factors(const Input& in) {
   want(in.Y, has_two_rows(in.kind) ? "Y (Y_2 of the table)" : "Y");
   return {"kind",
           at_an_angle(in.kind) ? say("in a bearing at an angle any load is axial too")
-                               : say("an axial load on this bearing counts by the factors of the maker's table"),
+                               : say("an axial load on this bearing needs the factors of the manufacturer's table"),
           say("give {1}", wanted)};
 }
 
@@ -91,7 +91,7 @@ FieldFault Rolling::odd_ratings(const Input& in) {
   return {"C_0",
           say("C_0 is {1} times C; for a bearing of this type and size {2} to {3} is possible",
               format_number(in.C_0 / in.C, 3), format_number(usual.least, 3), format_number(usual.most, 3)),
-          say("take both from the same row of the maker's table")};
+          say("take both from the same row of the manufacturer's table")};
 }
 
 bool Rolling::shares_close(const Input& in) {

@@ -62,7 +62,7 @@ void turn(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.n_1)) return;
   const auto d_1 = trace.value("d_1", in.pulleys[0].d, "diameter of the first pulley");
   const double N_p = trace.value("N_p", static_cast<double>(in.pulleys.size()), "number of pulleys");
-  STEP_TO(r, v, in.n_1 * d_1 / 2.0, "speed of the belt");
+  STEP_TO(r, v, in.n_1 * d_1 / 2.0, "belt speed");
   STEP_TO(r, f_B, N_p * v / r.L, "every pulley bends the belt in each round");
   for (std::size_t k = 0; k < r.pulleys.size(); ++k)
     r.pulleys[k].n = sense_of(in, in.pulleys[k]) * 2.0 * v / in.pulleys[k].d;
@@ -94,7 +94,7 @@ void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
     const auto N_0 = least_pressing(in, loop, taken);
     trace.value("N_0", N_0,
                 "least slack tension with N_large / N_small = e^(mu alpha) nowhere exceeded, mu of each pulley, [B40]");
-    STEP_TO(r, S_0_min, N_0 + F_c, "least tension of the slack span");
+    STEP_TO(r, S_0_min, N_0 + F_c, "minimum slack side tension");
   }
   if (!is_set(in.S_0) && !is_set(r.S_0_min)) return;
   STEP_TO(r, S_0, is_set(in.S_0) ? in.S_0 : r.S_0_min, is_set(in.S_0) ? "as given" : "the least one");

@@ -23,13 +23,17 @@ namespace loadpath::belt {
 
 struct Course : CourseTypes {
   static constexpr auto id = "belt.course";
-  static constexpr auto title = "Belt around any pulleys";
+  static constexpr auto title = "Multi-pulley belt layout";
   static constexpr auto scope =
-      "Wraps, spans and exact length of a belt around any number of pulleys and rollers, inside and outside of it, or "
-      "the "
-      "place of a tensioner for a given length; tensions of all spans, friction and shaft loads where the powers are "
-      "known. Crossed belts, losses and slip are not covered.";
+      "Wrap angles, spans and exact length of a belt around any number of inside and outside pulleys and "
+      "idlers, or the tensioner position for a given length, with span tensions, friction and shaft loads at "
+      "known powers; crossed belts, losses and slip are not covered.";
   static constexpr auto source = "[B40], [Shigley-17]";
+  static constexpr auto headline = "L = {L}";
+  static constexpr auto synonyms =
+      "serpentine belt, multi-pulley drive, belt layout, belt length, idler, tensioner, wrap angle, span, "
+      "Mehrscheibentrieb, Spannrolle, Umlenkrolle, Riemenlänge, belt, Riemen, многошкивная передача, "
+      "натяжной ролик, длина ремня";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Fan and pump on one belt, with a tensioner"
@@ -51,42 +55,40 @@ pulleys = [
 )";
 
   static constexpr Fields inputs{
-      ListField{&Input::pulleys, "pulleys", "pulleys in the order in which the belt runs; the first one drives"},
-      Choice{&Input::turns, "turns", "sense of rotation of the first pulley"}.may_be_missing(),
-      Field{&Input::L, "L", mm, "length of the belt, where one pulley moves"}.positive().may_be_missing(),
+      ListField{&Input::pulleys, "pulleys", "pulleys in running order of the belt; the first is the driver"},
+      Choice{&Input::turns, "turns", "direction of rotation of the first pulley"}.may_be_missing(),
+      Field{&Input::L, "L", mm, "belt length, if one pulley is adjustable"}.positive().may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the first pulley"}.positive().may_be_missing(),
       Field{&Input::mu, "mu", ratio,
-            "coefficient of friction in the pulleys that give none; in a groove of the angle phi mu / sin(phi/2)"}
+            "coefficient of friction of pulleys without their own; groove of angle phi: mu / sin(phi/2)"}
           .within(0.01, 10)
           .usually(0.1, 2)
           .may_be_missing(),
-      Field{&Input::q, "q", kg_per_m, "mass of the belt per length"}.at_least(0).usually(0.005, 20),
-      Field{&Input::S_0, "S_0", N, "tension of the slack span, behind the first pulley; the least one where missing"}
+      Field{&Input::q, "q", kg_per_m, "belt mass per length"}.at_least(0).usually(0.005, 20),
+      Field{&Input::S_0, "S_0", N, "slack side tension, after the first pulley; omitted: the minimum"}
           .positive()
           .may_be_missing(),
-      Field{&Input::S_adm, "S_adm", N, "allowable tension of the belt, its safety included"}
-          .positive()
-          .may_be_missing()};
+      Field{&Input::S_adm, "S_adm", N, "allowable belt tension (safety factor included)"}.positive().may_be_missing()};
 
   static constexpr Fields results{
-      Field{&Result::L, "L", mm, "length of the belt"},
-      Field{&Result::s, "s", mm, "way of the pulley that moves, positive in its direction"},
-      Field{&Result::v, "v", m_per_s, "speed of the belt"},
-      Field{&Result::f_B, "f_B", Hz, "bendings of the belt per second"},
+      Field{&Result::L, "L", mm, "belt length"},
+      Field{&Result::s, "s", mm, "displacement of the adjustable pulley, positive in its direction"},
+      Field{&Result::v, "v", m_per_s, "belt speed"},
+      Field{&Result::f_B, "f_B", Hz, "flexing frequency of the belt"},
       Field{&Result::P_1, "P_1", kW, "power of the driving pulley"},
-      Field{&Result::F_c, "F_c", N, "centrifugal part of the tension"},
-      Field{&Result::S_0_min, "S_0_min", N, "least tension of the slack span"},
-      Field{&Result::S_0, "S_0", N, "tension of the slack span"},
-      Field{&Result::S_max, "S_max", N, "largest tension"},
-      ListField{&Result::pulleys, "pulleys", "pulleys, in the order in which the belt runs"},
-      Field{&Result::u_S, "u_S", ratio, "friction: least tension of the slack span over its tension"}
+      Field{&Result::F_c, "F_c", N, "centrifugal tension"},
+      Field{&Result::S_0_min, "S_0_min", N, "minimum slack side tension"},
+      Field{&Result::S_0, "S_0", N, "slack side tension"},
+      Field{&Result::S_max, "S_max", N, "maximum belt tension"},
+      ListField{&Result::pulleys, "pulleys", "pulleys in running order of the belt"},
+      Field{&Result::u_S, "u_S", ratio, "friction: required / actual slack side tension"}
           .check("mu")
           .where_it_applies(),
-      Field{&Result::N_min, "N_min", N, "least tension that presses a pulley, without the centrifugal part"}
+      Field{&Result::N_min, "N_min", N, "minimum tension acting on a pulley, without centrifugal tension"}
           .limit(1e-9, 1e9, "S_0, mu")
           .criterion()
           .where_it_applies(),
-      Field{&Result::u_T, "u_T", ratio, "strength: largest tension over the allowable one"}
+      Field{&Result::u_T, "u_T", ratio, "strength: maximum / allowable belt tension"}
           .check("S_adm")
           .where_it_applies()};
 
@@ -115,15 +117,15 @@ pulleys = [
   static Applies loaded(const Input& in) { return where(carries(in)); }
   static bool runs_fast(const Input& in);
   static constexpr std::array modes{
-      Mode<Input>{"centrifugal", "centrifugal force of the belt, above 10 m/s",
+      Mode<Input>{"centrifugal", "centrifugal tension above 10 m/s",
                   [](const Input& in) { return where(carries(in) && runs_fast(in) && !(in.q > 0.0 * kg_per_m.one)); }}
           .wanting("q"),
-      Mode<Input>{"grip", "slip on a pulley", &loaded}.judged_by("u_S"),
-      Mode<Input>{"lifting", "belt lifts off a pulley", &loaded}.judged_by("N_min"),
-      Mode<Input>{"strength", "strength of the belt under its largest tension", &loaded}.judged_by("u_T"),
-      Mode<Input>{"bending", "least pulley, and bendings per second", &unseen<Input>}.special(),
-      Mode<Input>{"speed", "speed of belt and rims", &unseen<Input>}.special(),
-      Mode<Input>{"radial_load", "radial load that the motor bears", &unseen<Input>}.special()};
+      Mode<Input>{"grip", "belt slip on pulleys", &loaded}.judged_by("u_S"),
+      Mode<Input>{"lifting", "belt lift-off from pulleys", &loaded}.judged_by("N_min"),
+      Mode<Input>{"strength", "tensile strength at maximum tension", &loaded}.judged_by("u_T"),
+      Mode<Input>{"bending", "pulley diameter and flexing frequency", &unseen<Input>}.special(),
+      Mode<Input>{"speed", "belt and rim speed", &unseen<Input>}.special(),
+      Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

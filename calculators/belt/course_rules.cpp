@@ -51,7 +51,7 @@ FieldFault Course::wrong_tensioner(const Input& in) {
   if (moving == in.pulleys.size())
     return {"L", say("the length of the belt is given, and no pulley moves"),
             say("give one pulley the direction in which it tightens the belt, as in along = \"90 deg\"")};
-  return {"pulleys", say("several pulleys move, and one length does not tell where each of them is"),
+  return {"pulleys", say("several pulleys can move, and one length does not determine their positions"),
           say("leave out along of all but one")};
 }
 

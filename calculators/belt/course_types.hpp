@@ -21,21 +21,19 @@ struct CourseTypes {
     double along = unset<double>, mu = unset<double>;
     static constexpr Fields fields{
         NameField{&Pulley::name, "name", "name of the pulley"}.may_be_missing(),
-        Field{&Pulley::x, "x", mm, "place of its axis"},
-        Field{&Pulley::y, "y", mm, "place of its axis"},
-        Field{&Pulley::d, "d", mm, "diameter at the middle of the belt, or at its datum line"}.positive().usually(10,
-                                                                                                                  3000),
-        Choice{&Pulley::side, "side", "which side of the loop it is on"}.may_be_missing(),
-        Field{&Pulley::P, "P", kW, "power that it takes out of the belt; negative where it drives too"}
-            .load()
-            .may_be_missing(),
+        Field{&Pulley::x, "x", mm, "position of its axis"},
+        Field{&Pulley::y, "y", mm, "position of its axis"},
+        Field{&Pulley::d, "d", mm, "diameter at the belt centre line, or at the datum line"}.positive().usually(10,
+                                                                                                                3000),
+        Choice{&Pulley::side, "side", "side of the belt: inside or outside"}.may_be_missing(),
+        Field{&Pulley::P, "P", kW, "power taken from the belt; negative: driving"}.load().may_be_missing(),
         Field{&Pulley::mu, "mu", ratio,
-              "coefficient of friction on this pulley: a flat pulley of a V-belt, the belt's back; that of all if "
-              "missing"}
+              "coefficient of friction on this pulley (flat pulley of a V-belt, belt back); omitted: the "
+              "common value"}
             .within(0.01, 10)
             .usually(0.1, 2)
             .may_be_missing(),
-        Field{&Pulley::along, "along", deg, "direction in which this pulley moves until the belt has the length L"}
+        Field{&Pulley::along, "along", deg, "adjustment direction of this pulley for the belt length L"}
             .may_be_missing()};
   };
 
@@ -60,18 +58,18 @@ struct CourseTypes {
     double mu_req = unset<double>;
     static constexpr Fields fields{
         NameField{&PulleyResult::name, "name", "pulley"},
-        Field{&PulleyResult::x, "x", mm, "place of its axis"},
-        Field{&PulleyResult::y, "y", mm, "place of its axis"},
+        Field{&PulleyResult::x, "x", mm, "position of its axis"},
+        Field{&PulleyResult::y, "y", mm, "position of its axis"},
         Field{&PulleyResult::alpha, "alpha", deg, "wrap"},
-        Field{&PulleyResult::l_s, "l_s", mm, "span behind it, between the points of contact"},
+        Field{&PulleyResult::l_s, "l_s", mm, "free span length after the pulley"},
         Field{&PulleyResult::n, "n", rpm, "speed, counter-clockwise positive"},
-        Field{&PulleyResult::T, "T", N_m, "torque of the belt on it, counter-clockwise positive"}.load().with(
+        Field{&PulleyResult::T, "T", N_m, "torque of the belt on the pulley, counter-clockwise positive"}.load().with(
             "R|R_x|R_y"),
-        Field{&PulleyResult::S, "S", N, "tension of the span behind it"},
-        Field{&PulleyResult::R_x, "R_x", N, "load of its shaft, along x"}.load().with("T, R_y"),
-        Field{&PulleyResult::R_y, "R_y", N, "load of its shaft, along y"}.load().with("T, R_x"),
-        Field{&PulleyResult::R, "R", N, "load of its shaft"}.load().with("T"),
-        Field{&PulleyResult::mu_req, "mu_req", ratio, "coefficient of friction that is used"}};
+        Field{&PulleyResult::S, "S", N, "tension of the span after the pulley"},
+        Field{&PulleyResult::R_x, "R_x", N, "shaft load, along x"}.load().with("T, R_y"),
+        Field{&PulleyResult::R_y, "R_y", N, "shaft load, along y"}.load().with("T, R_x"),
+        Field{&PulleyResult::R, "R", N, "shaft load"}.load().with("T"),
+        Field{&PulleyResult::mu_req, "mu_req", ratio, "utilised coefficient of friction"}};
   };
   struct Result {
     Length L = unset<Length>, s = unset<Length>;

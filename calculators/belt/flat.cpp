@@ -3,6 +3,8 @@
 #include "calculators/belt/figures.hpp"
 #include "calculators/belt/shaft_load.hpp"
 #include "lib/calculator/calculator_of.hpp"
+#include "lib/table/library.hpp"
+#include "lib/table/table.hpp"
 
 namespace loadpath::belt {
 
@@ -10,13 +12,27 @@ namespace {
 
 using Tensioning = Flat::Tensioning;
 
-Pulleys pulleys_of(const Flat::Input& in) { return {in.d_1, in.d_2, in.a, in.L, in.arrangement}; }
+/// Standard diameters of flat pulleys, which are preferred numbers.
+std::span<const Length> flat_pulleys() {
+  static const auto pulleys = [] {
+    std::vector<Length> all;
+    if (const auto series = table::find_series("R20")) {
+      for (const double d : table::members_in_si(**series)) all.push_back(from_si<Length>(d));
+    }
+    return all;
+  }();
+  return pulleys;
+}
+
+Pulleys pulleys_of(const Flat::Input& in) {
+  return {in.d_1, with_driven_pulley(in, flat_pulleys()).d_2, in.a, in.L, in.arrangement};
+}
 
 template <class Tracer>
 void move(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, i, in.d_2 / in.d_1 / (1.0 - in.epsilon), "transmission ratio with slip, [B40]");
   STEP_TO(r, n_2, in.n_1 / i, "speed of the driven pulley");
-  STEP_TO(r, v, in.n_1 * in.d_1 / 2.0, "speed of the belt");
+  STEP_TO(r, v, in.n_1 * in.d_1 / 2.0, "belt speed");
 }
 
 template <class Tracer>
@@ -34,11 +50,11 @@ void pull(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
 template <class Tracer>
 void size(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, sigma_b, is_set(in.E_b) ? in.E_b * in.delta / min(in.d_1, in.d_2) : 0.0 * MPa,
-          is_set(in.E_b) ? "bending around the smaller pulley" : "the allowable stress holds for the given pulleys");
+          is_set(in.E_b) ? "bending around the smaller pulley" : "the allowable stress applies to the given pulleys");
   STEP_TO(r, sigma_c, in.rho * r.v * r.v, "centrifugal stress");
   STEP_TO(r, sigma_N, in.sigma_adm - sigma_b - sigma_c, "left for pulling");
   if (is_set(in.E_b)) {
-    STEP_TO(r, u_b, sigma_b / in.sigma_adm, "bending alone");
+    STEP_TO(r, u_b, sigma_b / in.sigma_adm, "bending only");
   }
   if (!(sigma_N > from_si<Stress>(0.0))) return;
   STEP_TO(r, v_opt, sqrt((in.sigma_adm - sigma_b) / (3.0 * in.rho)), "largest power where F_t v has its maximum");
@@ -99,13 +115,22 @@ void limit_speed(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
 }  // namespace
 
 bool Flat::clear_of_each_other(const Input& in) {
-  return is_set(in.a) == is_set(in.L) || stand_clear(pulleys_of(in));  // the other rule speaks of a and L
+  const bool open = !is_set(in.d_2) && !is_set(in.n_2_set) && !is_set(in.i_set);
+  return open || is_set(in.a) == is_set(in.L) || stand_clear(pulleys_of(in));  // other rules speak of d_2, a and L
+}
+bool Flat::is_thin(const Input& in) {
+  const Length d_2 = pulleys_of(in).d_2;
+  return in.delta < 0.5 * (is_set(d_2) ? min(in.d_1, d_2) : in.d_1);
 }
 FieldFault Flat::touching(const Input& in) { return overlap(pulleys_of(in)); }
 
+namespace {
+
+/// Of a drive whose pulleys are known.
 template <class Tracer>
-Flat::Result Flat::evaluate(const Input& in, Tracer& trace) {
-  Result r;
+Flat::Result drive(const Flat::Input& in, Tracer& trace) {
+  Flat::Result r;
+  r.d_2 = in.d_2;
   move(in, r, trace);
   lay(pulleys_of(in), r, trace);
   limit_speed(in, r, trace);
@@ -118,12 +143,23 @@ Flat::Result Flat::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
+}  // namespace
+
+template <class Tracer>
+Flat::Result Flat::evaluate(const Input& in, Tracer& trace) {
+  if (is_set(in.d_2)) return drive(in, trace);
+  const Input whole = with_driven_pulley(in, flat_pulleys(), trace);
+  Result r = drive(whole, trace);
+  compare_ratio(in, r, trace);
+  return r;
+}
+
 template Flat::Result Flat::evaluate(const Input&, NoTrace&);
 template Flat::Result Flat::evaluate(const Input&, Trace&);
 
 std::vector<draw::Figure> Flat::figures(const Input& in, const Result& r) {
   TwoWheels w;
-  w.d_1 = in_si(in.d_1), w.d_2 = in_si(in.d_2), w.a = in_si(r.a);
+  w.d_1 = in_si(in.d_1), w.d_2 = in_si(r.d_2), w.a = in_si(r.a);
   w.crossed = in.arrangement == Arrangement::crossed;
   w.alpha_1 = r.alpha_1, w.alpha_2 = r.alpha_2;
   w.n_1 = in_si(in.n_1), w.n_2 = in_si(r.n_2);

@@ -7,6 +7,7 @@
 // Not covered: rollers on the belt (belt.course), crowning, fatigue life of the belt, shafts that are not parallel.
 #pragma once
 
+#include "calculators/belt/driven.hpp"
 #include "calculators/belt/geometry.hpp"
 #include "calculators/belt/shaft_load.hpp"
 #include "lib/calculator/field.hpp"
@@ -25,11 +26,15 @@ struct Flat {
   static constexpr auto id = "belt.flat";
   static constexpr auto title = "Flat belt drive";
   static constexpr auto scope =
-      "Length or centre distance, wraps, speeds with slip, tensions by Euler's condition with the centrifugal part, "
-      "width of the belt, initial tension and shaft load of a flat belt, open or crossed. Speeds of 5 to 30 m/s, of "
-      "synthetic belts to 100 m/s. What shafts take whole is the larger pull, in running or at standstill. Rollers on "
-      "the belt: belt.course. The life of the belt is not covered.";
+      "Length or centre distance, wrap angles, speeds with slip, tensions by the Euler-Eytelwein equation with "
+      "centrifugal tension, belt width, initial tension and shaft load of an open or crossed flat belt drive "
+      "at 5 to 30 m/s (synthetic belts to 100 m/s); belt life and idlers are not covered (idlers: belt.course).";
   static constexpr auto source = "[B40], [Shigley-17]";
+  static constexpr auto headline = "b = {b}";
+  static constexpr auto synonyms =
+      "flat belt, belt drive, Euler-Eytelwein, capstan equation, wrap angle, initial tension, crossed belt, "
+      "open belt, Flachriemen, Riementrieb, Umschlingungswinkel, Vorspannung, belt, плоскоремённая передача, "
+      "ремень, формула Эйлера";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Fan drive with a flat belt"
@@ -57,7 +62,8 @@ E_b = "40 MPa"
     Power P = unset<Power>;
     Moment T_1 = unset<Moment>;
     double K_A = 1.0;
-    AngularSpeed n_1 = unset<AngularSpeed>;
+    AngularSpeed n_1 = unset<AngularSpeed>, n_2_set = unset<AngularSpeed>;
+    double i_set = unset<double>;
     Length d_1 = unset<Length>, d_2 = unset<Length>, a = unset<Length>, L = unset<Length>;
     Arrangement arrangement = Arrangement::open;
     double epsilon = 0.01;
@@ -69,60 +75,63 @@ E_b = "40 MPa"
     Force S_0 = unset<Force>;
     Tensioning tensioning = Tensioning::fixed;
   };
-  static constexpr Fields inputs{
-      Field{&Input::P, "P", kW, "power at the driving pulley, the mean over the cycle"}
-          .at_least_that_of_source("shafts[#].P")
-          .load()
-          .positive()
-          .usually(0.01, 3000)
-          .may_be_missing(),
-      Field{&Input::T_1, "T_1", N_m, "torque at the driving pulley, in place of P"}
-          .load()
-          .at_least_that_of_source("shafts[#].T")
-          .positive()
-          .may_be_missing(),
-      Field{&Input::K_A, "K_A", ratio, "service factor: what the power does not contain, once"}
-          .at_least(1)
-          .usually(1, 3)
-          .factor(),
-      Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}
-          .positive()
-          .at_least_that_of_source("shafts[#].n")
-          .usually(10, 2e4),
-      Field{&Input::d_1, "d_1", mm, "diameter of the driving pulley"}
-          .positive()
-          .same_as_that_of_source("stages[#].d_1")
-          .usually(10, 5000),
-      Field{&Input::d_2, "d_2", mm, "diameter of the driven pulley"}
-          .positive()
-          .same_as_that_of_source("stages[#].d_2")
-          .usually(10, 5000),
-      Field{&Input::a, "a", mm, "centre distance"}.positive().usually(10, 5e4).may_be_missing(),
-      Field{&Input::L, "L", mm, "length of the belt along its inner side, in place of a"}
-          .positive()
-          .usually(50, 1e5)
-          .may_be_missing(),
-      Choice{&Input::arrangement, "arrangement", "course of the belt"}.may_be_missing(),
-      Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.05),
-      Field{&Input::mu, "mu", ratio, "coefficient of friction of the belt on the pulleys"}.within(0.01, 1.5).usually(
-          0.1, 1),
-      Choice{&Input::kind, "kind", "of the belt: decides the largest speed"}.may_be_missing(),
-      Field{&Input::delta, "delta", mm, "thickness of the belt"}.positive().usually(0.3, 20),
-      Field{&Input::b, "b", mm, "width of the belt"}.positive().usually(5, 2000).searched("R20").may_be_missing(),
-      Field{&Input::rho, "rho", kg_per_m3, "density of the belt"}.positive().usually(500, 2500),
-      Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress of the belt, without a further safety factor"}
-          .positive()
-          .usually(0.5, 100),
-      Field{&Input::E_b, "E_b", MPa, "bending modulus of the belt; given: bending around the smaller pulley counts"}
-          .positive()
-          .usually(5, 5000)
-          .may_be_missing(),
-      Field{&Input::S_0, "S_0", N, "initial tension of a span at standstill; the least one where missing"}
-          .positive()
-          .may_be_missing(),
-      Choice{&Input::tensioning, "tensioning", "what keeps the tension"}.may_be_missing()};
+  static constexpr auto inputs = join(
+      Fields{Field{&Input::P, "P", kW, "power at the driving pulley, mean over the cycle"}
+                 .at_least_that_of_source("shafts[#].P")
+                 .load()
+                 .positive()
+                 .usually(0.01, 3000)
+                 .may_be_missing(),
+             Field{&Input::T_1, "T_1", N_m, "torque at the driving pulley, replaces P"}
+                 .load()
+                 .at_least_that_of_source("shafts[#].T")
+                 .positive()
+                 .may_be_missing(),
+             Field{&Input::K_A, "K_A", ratio, "service factor (1 if the power includes it)"}
+                 .at_least(1)
+                 .usually(1, 3)
+                 .factor(),
+             Field{&Input::n_1, "n_1", rpm, "speed of the driving pulley"}
+                 .positive()
+                 .near_that_of_source("shafts[#].n")
+                 .usually(10, 2e4),
+             Field{&Input::d_1, "d_1", mm, "diameter of the driving pulley"}
+                 .positive()
+                 .same_as_that_of_source("stages[#].d_1")
+                 .usually(10, 5000),
+             Field{&Input::d_2, "d_2", mm, "diameter of the driven pulley"}
+                 .positive()
+                 .same_as_that_of_source("stages[#].d_2")
+                 .usually(10, 5000)
+                 .may_be_missing()},
+      driven_inputs<Input>(),
+      Fields{Field{&Input::a, "a", mm, "centre distance"}.positive().usually(10, 5e4).may_be_missing(),
+             Field{&Input::L, "L", mm, "inside belt length, replaces a"}.positive().usually(50, 1e5).may_be_missing(),
+             Choice{&Input::arrangement, "arrangement", "belt arrangement: open or crossed"}.may_be_missing(),
+             Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.05),
+             Field{&Input::mu, "mu", ratio, "coefficient of friction of the belt on the pulleys"}
+                 .within(0.01, 1.5)
+                 .usually(0.1, 1),
+             Choice{&Input::kind, "kind", "belt type, for the maximum speed"}.may_be_missing(),
+             Field{&Input::delta, "delta", mm, "belt thickness"}.positive().usually(0.3, 20),
+             Field{&Input::b, "b", mm, "belt width"}.positive().usually(5, 2000).searched("R20").may_be_missing(),
+             Field{&Input::rho, "rho", kg_per_m3, "belt density"}.positive().usually(500, 2500),
+             Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable belt stress (safety factor included)"}
+                 .positive()
+                 .usually(0.5, 30),
+             Field{&Input::E_b, "E_b", MPa,
+                   "bending modulus of the belt; if given, bending at the smaller pulley is included"}
+                 .positive()
+                 .usually(5, 5000)
+                 .may_be_missing(),
+             Field{&Input::S_0, "S_0", N, "initial tension of a span at standstill; omitted: the minimum"}
+                 .positive()
+                 .may_be_missing(),
+             Choice{&Input::tensioning, "tensioning", "tensioning method"}.may_be_missing()});
 
   struct Result {
+    Length d_2 = unset<Length>;
+    double i_w = unset<double>, dev_i = unset<double>;
     double i = unset<double>;
     AngularSpeed n_2 = unset<AngularSpeed>;
     Speed v = unset<Speed>;
@@ -144,84 +153,92 @@ E_b = "40 MPa"
     Length g_x = unset<Length>;
     Speed v_range = unset<Speed>;
   };
-  static constexpr Fields results{
-      Field{&Result::i, "i", ratio, "transmission ratio n_1/n_2 with slip"},
-      Field{&Result::n_2, "n_2", rpm, "speed of the driven pulley"},
-      Field{&Result::v, "v", m_per_s, "speed of the belt"},
-      Field{&Result::a, "a", mm, "centre distance"},
-      Field{&Result::L, "L", mm, "length of the belt along its inner side, on the faces of the pulleys"},
-      Field{&Result::l_s, "l_s", mm, "span between the points of contact"},
-      Field{&Result::gamma, "gamma", deg, "inclination of the spans to the line of centres"},
-      Field{&Result::alpha_1, "alpha_1", deg, "wrap of the driving pulley"},
-      Field{&Result::alpha_2, "alpha_2", deg, "wrap of the driven pulley"},
-      Field{&Result::F_t, "F_t", N, "force that the belt carries over, with K_A"}.holding("K_A"),
-      Field{&Result::m_e, "m_e", ratio, "largest ratio of the tensions that press the pulleys"},
-      Field{&Result::sigma_b, "sigma_b", MPa, "bending stress around the smaller pulley"},
-      Field{&Result::sigma_c, "sigma_c", MPa, "centrifugal stress"},
-      Field{&Result::v_opt, "v_opt", m_per_s, "speed at which the belt would carry the largest power"},
-      Field{&Result::b_min, "b_min", mm, "least width: stress and friction both at their limit"},
-      Field{&Result::b, "b", mm, "width of the belt"},
-      Field{&Result::F_c, "F_c", N, "centrifugal part of the tension"},
-      Field{&Result::S_0_min, "S_0_min", N, "least initial tension of a span at standstill"},
-      Field{&Result::S_0, "S_0", N, "initial tension of a span at standstill"},
-      Field{&Result::S_1, "S_1", N, "tension of the tight span"},
-      Field{&Result::S_2, "S_2", N, "tension of the slack span"},
-      Field{&Result::mu_req, "mu_req", ratio, "coefficient of friction that is used"},
-      Field{&Result::sigma_max, "sigma_max", MPa, "largest stress: tight span at the smaller pulley"},
-      pull(&Result::R_0, "R_0", "shaft load at standstill, along the line of centres"),
-      pull(&Result::R_x, "R_x", "shaft load in running, toward the other pulley", "R_y, shaft_1.T|shaft_2.T"),
-      pull(&Result::R_y, "R_y", "shaft load in running, to the side of the tight span", "R_x, shaft_1.T|shaft_2.T"),
-      pull(&Result::R, "R", "shaft load in running"),
-      Field{&Result::theta_R, "theta_R", deg, "its direction against the line of centres"},
-      Group{&Result::shaft_1, "shaft_1", "most that the belt does to the driving shaft, running or not: load"}
-          .handed_over(),
-      Group{&Result::shaft_2, "shaft_2", "most that the belt does to the driven shaft, running or not: load"}
-          .handed_over(),
-      Field{&Result::f_B, "f_B", Hz, "bendings of the belt per second"},
-      Field{&Result::u_S, "u_S", ratio, "friction: least initial tension over the initial tension"}.check(),
-      Field{&Result::u_sigma, "u_sigma", ratio, "strength: largest stress over the allowable one"}.check(),
-      Field{&Result::sigma_N, "sigma_N", MPa, "stress left for pulling, without bending and centrifugal stress"}
-          .limit(0, 1e6)
-          .criterion(),
-      Field{&Result::u_b, "u_b", ratio, "bending around the smaller pulley: its stress over the allowable one"}.check(
-          "E_b"),
-      Field{&Result::g_x, "g_x", mm, "room between the pulleys that the crossing spans leave"}
-          .limit(0, 1e6)
-          .criterion()
-          .where_it_applies(),
-      Field{&Result::x_b, "x_b", ratio, "width over the diameter of the smaller pulley: none is much wider, own bound"}
-          .limit(0, 1.5),
-      Field{&Result::v_range, "v_range", m_per_s, "speed, against the range of flat belts"}.limit(5, 100).sizeless(),
-      Field{&Result::x_v, "x_v", ratio, "speed over the largest one of its kind: 30 m/s, synthetic 100 m/s"}
-          .limit(0, 1)
-          .sizeless()};
+  static constexpr auto results = join(
+      driven_results<Result>("diameter of the driven pulley found, of R20"),
+      Fields{
+          Field{&Result::i, "i", ratio, "speed ratio n_1/n_2 with slip"},
+          Field{&Result::n_2, "n_2", rpm, "speed of the driven pulley"},
+          Field{&Result::v, "v", m_per_s, "belt speed"},
+          Field{&Result::a, "a", mm, "centre distance"},
+          Field{&Result::L, "L", mm, "inside belt length"},
+          Field{&Result::l_s, "l_s", mm, "free span length"},
+          Field{&Result::gamma, "gamma", deg, "span angle to the line of centres"},
+          Field{&Result::alpha_1, "alpha_1", deg, "wrap angle, driving pulley"},
+          Field{&Result::alpha_2, "alpha_2", deg, "wrap angle, driven pulley"},
+          Field{&Result::F_t, "F_t", N, "effective pull (circumferential force), with K_A"}.holding("K_A"),
+          Field{&Result::m_e, "m_e", ratio, "maximum tension ratio, without centrifugal tension"},
+          Field{&Result::sigma_b, "sigma_b", MPa, "bending stress at the smaller pulley"},
+          Field{&Result::sigma_c, "sigma_c", MPa, "centrifugal stress"},
+          Field{&Result::v_opt, "v_opt", m_per_s, "optimum belt speed (maximum power)"},
+          Field{&Result::b_min, "b_min", mm, "minimum belt width: stress and friction at their limits"},
+          Field{&Result::b, "b", mm, "belt width"},
+          Field{&Result::F_c, "F_c", N, "centrifugal tension"},
+          Field{&Result::S_0_min, "S_0_min", N, "minimum initial tension of a span at standstill"},
+          Field{&Result::S_0, "S_0", N, "initial tension of a span at standstill"},
+          Field{&Result::S_1, "S_1", N, "tight side tension"},
+          Field{&Result::S_2, "S_2", N, "slack side tension"},
+          Field{&Result::mu_req, "mu_req", ratio, "utilised coefficient of friction"},
+          Field{&Result::sigma_max, "sigma_max", MPa, "maximum stress: tight side at the smaller pulley"},
+          pull(&Result::R_0, "R_0", "shaft load at standstill, along the line of centres"),
+          pull(&Result::R_x, "R_x", "shaft load in running, toward the other pulley", "R_y, shaft_1.T|shaft_2.T"),
+          pull(&Result::R_y, "R_y", "shaft load in running, to the side of the tight span", "R_x, shaft_1.T|shaft_2.T"),
+          pull(&Result::R, "R", "shaft load in operation"),
+          Field{&Result::theta_R, "theta_R", deg, "direction of the shaft load to the line of centres"},
+          Group{&Result::shaft_1, "shaft_1",
+                "maximum shaft load on the driving shaft, in operation or at standstill, for load"}
+              .handed_over(),
+          Group{&Result::shaft_2, "shaft_2",
+                "maximum shaft load on the driven shaft, in operation or at standstill, for load"}
+              .handed_over(),
+          Field{&Result::f_B, "f_B", Hz, "flexing frequency of the belt"},
+          Field{&Result::u_S, "u_S", ratio, "friction: required / actual initial tension"}.check(),
+          Field{&Result::u_sigma, "u_sigma", ratio, "strength: maximum / allowable stress"}.check(),
+          Field{&Result::sigma_N, "sigma_N", MPa,
+                "stress available for the effective pull, without bending and centrifugal stress"}
+              .limit(0, 1e6)
+              .criterion(),
+          Field{&Result::u_b, "u_b", ratio, "bending at the smaller pulley: bending stress / allowable stress"}.check(
+              "E_b"),
+          Field{&Result::g_x, "g_x", mm, "clearance between the pulleys at crossed spans"}
+              .limit(0, 1e6)
+              .criterion()
+              .where_it_applies(),
+          Field{&Result::x_b, "x_b", ratio, "belt width / diameter of the smaller pulley (limit set by loadpath)"}
+              .limit(0, 1.5),
+          Field{&Result::v_range, "v_range", m_per_s, "belt speed (range of flat belts)"}.limit(5, 100).sizeless(),
+          Field{&Result::x_v, "x_v", ratio, "belt speed / maximum speed of the type: 30 m/s, synthetic 100 m/s"}
+              .limit(0, 1)
+              .sizeless()});
 
   static bool clear_of_each_other(const Input& in);
   static FieldFault touching(const Input& in);
-  static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return is_set(in.P) != is_set(in.T_1); }, "P, T_1", "give either P or T_1"},
-      Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
-                  "give either the centre distance a or the length of the belt L"},
-      Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must stand clear of each other", &touching},
-      Rule<Input>{[](const Input& in) { return in.delta < 0.5 * min(in.d_1, in.d_2); }, "delta, d_1, d_2",
-                  "the belt must be thinner than half of the smaller pulley"}};
+  static bool is_thin(const Input& in);
+  static constexpr auto rules = join(
+      driven_rules<Input>(),
+      std::array{
+          Rule<Input>{[](const Input& in) { return is_set(in.P) != is_set(in.T_1); }, "P, T_1", "give either P or T_1"},
+          Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
+                      "give either the centre distance a or the length of the belt L"},
+          Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching},
+          Rule<Input>{&is_thin, "delta, d_1, d_2, n_2_set, i_set",
+                      "the belt must be thinner than half of the smaller pulley"}});
 
   static constexpr bool turns = true;
   static Applies crossed(const Input& in) { return where(in.arrangement == Arrangement::crossed); }
   static constexpr std::array meanings{Meaning{"P", "mean"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"grip", "slip of the belt", &always<Input>}.judged_by("u_S"),
-      Mode<Input>{"strength", "strength of the belt in the tight span", &always<Input>}.judged_by("u_sigma, sigma_N"),
-      Mode<Input>{"bending", "bending of the belt around the smaller pulley", &always<Input>}.judged_by("u_b"),
-      Mode<Input>{"width", "a belt wider than its pulleys", &always<Input>}.judged_by("x_b").of_shape(),
-      Mode<Input>{"speed", "speed of flat belts", &always<Input>}.judged_by("v_range, x_v"),
-      Mode<Input>{"room", "room for the crossing spans between the pulleys", &crossed}.judged_by("g_x").of_shape(),
-      Mode<Input>{"twist", "spans twist and rub where they cross",
+      Mode<Input>{"grip", "belt slip", &always<Input>}.judged_by("u_S"),
+      Mode<Input>{"strength", "tensile strength, tight span", &always<Input>}.judged_by("u_sigma, sigma_N"),
+      Mode<Input>{"bending", "bending at the smaller pulley", &always<Input>}.judged_by("u_b"),
+      Mode<Input>{"width", "belt width within the pulleys", &always<Input>}.judged_by("x_b").of_shape(),
+      Mode<Input>{"speed", "belt speed range", &always<Input>}.judged_by("v_range, x_v"),
+      Mode<Input>{"room", "clearance for crossed spans", &crossed}.judged_by("g_x").of_shape(),
+      Mode<Input>{"twist", "twisting and rubbing of crossed spans",
                   [](const Input& in) { return crossed(in) == Applies::yes ? Applies::unseen : Applies::no; }},
-      Mode<Input>{"fatigue", "life of the belt: bendings per second", &unseen<Input>}.special(),
-      Mode<Input>{"rim", "bursting of the rims", &unseen<Input>}.special(),
-      Mode<Input>{"radial_load", "radial load that the motor bears", &unseen<Input>}.special()};
+      Mode<Input>{"fatigue", "belt fatigue life (flexing frequency)", &unseen<Input>}.special(),
+      Mode<Input>{"rim", "bursting of pulley rims", &unseen<Input>}.special(),
+      Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
@@ -240,7 +257,7 @@ constexpr auto choices_of(Flat::Tensioning) {
   return std::array{
       ChoiceName<Flat::Tensioning>{Flat::Tensioning::fixed, "fixed", "centres that are fixed when running"},
       ChoiceName<Flat::Tensioning>{Flat::Tensioning::constant_force, "constant_force",
-                                   "a weight or spring that pulls the pulleys apart with the same force always"}};
+                                   "weight or spring that tensions the pulleys with constant force"}};
 }
 
 }  // namespace loadpath::belt

@@ -44,16 +44,15 @@ void lay(const Pulleys& pulleys, Result& r, Tracer& trace) {
             "inclination of the spans to the line of centres, crossed belt");
     STEP_TO(r, alpha_1, pi + 2.0 * gamma, "wrap of the driving pulley, and of the driven one");
     r.alpha_2 = alpha_1;
-    STEP_TO(r, l_s, sqrt(r.a * r.a - pow<2>((pulleys.d_1 + pulleys.d_2) / 2.0)), "span between the points of contact");
+    STEP_TO(r, l_s, sqrt(r.a * r.a - pow<2>((pulleys.d_1 + pulleys.d_2) / 2.0)), "free span length");
     if (!is_set(r.L)) {
       STEP_TO(r, L, 2.0 * l_s + alpha_1 * (pulleys.d_1 + pulleys.d_2) / 2.0, "two spans and the arcs, exact");
     }
   } else {
-    STEP_TO(r, gamma, asin((pulleys.d_2 - pulleys.d_1) / (2.0 * r.a)),
-            "inclination of the spans to the line of centres");
-    STEP_TO(r, alpha_1, pi - 2.0 * gamma, "wrap of the driving pulley");
-    STEP_TO(r, alpha_2, pi + 2.0 * gamma, "wrap of the driven pulley");
-    STEP_TO(r, l_s, sqrt(r.a * r.a - pow<2>((pulleys.d_2 - pulleys.d_1) / 2.0)), "span between the points of contact");
+    STEP_TO(r, gamma, asin((pulleys.d_2 - pulleys.d_1) / (2.0 * r.a)), "span angle to the line of centres");
+    STEP_TO(r, alpha_1, pi - 2.0 * gamma, "wrap angle, driving pulley");
+    STEP_TO(r, alpha_2, pi + 2.0 * gamma, "wrap angle, driven pulley");
+    STEP_TO(r, l_s, sqrt(r.a * r.a - pow<2>((pulleys.d_2 - pulleys.d_1) / 2.0)), "free span length");
     if (!is_set(r.L)) {
       STEP_TO(r, L, 2.0 * l_s + (pulleys.d_1 * alpha_1 + pulleys.d_2 * alpha_2) / 2.0, "two spans and the arcs, exact");
     }

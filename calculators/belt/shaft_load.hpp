@@ -23,7 +23,7 @@ void load_shaft(Force N_1, Force N_2, double psi, Result& r, Tracer& trace) {
   STEP_TO(r, R_x, (N_1 + N_2) * cos(psi), "shaft load in running along the line of centres");
   STEP_TO(r, R_y, (N_1 - N_2) * sin(psi), "across it, positive to the side of the tight span");
   STEP_TO(r, R, sqrt(R_x * R_x + R_y * R_y), "shaft load in running; on the driven shaft as large, reversed");
-  STEP_TO(r, theta_R, atan(R_y / R_x), "its direction against the line of centres");
+  STEP_TO(r, theta_R, atan(R_y / R_x), "direction of the shaft load to the line of centres");
 }
 
 /// The largest pull on each shaft: R in running, or one along the line of centres at standstill (R_0, of new belts

@@ -32,7 +32,7 @@ void links(const Input& in, Result& r, Tracer& trace) {
     trace.value("X_0", r.X_0, "links at the wanted centre distance, exact for circles of z pitches, [ISO10823]");
   }
   r.X = trace.value("X", in.X > 0 ? in.X : even(r.X_0), in.X > 0 ? "as given" : "the nearest even number");
-  STEP_TO(r, L, r.X * in.p, "length of the chain");
+  STEP_TO(r, L, r.X * in.p, "chain length");
   r.a_p = pitches_of(r.X, in.z_1, in.z_2);
   trace.value("a_p", r.a_p, "centre distance in pitches that belongs to the links, exact, [ISO10823]");
   STEP_TO(r, a, r.a_p * in.p, "taut; 0.2 to 0.4 % less gives the slack strand its sag");
@@ -47,14 +47,14 @@ void sprockets(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, alpha_1, pi - 2.0 * asin((d_2 - d_1) / (2.0 * r.a)), "wrap, [Strokeforge]");
   STEP_TO(r, alpha_2, 2.0 * pi - alpha_1, "wrap of the other sprocket");
   STEP_TO(r, delta_1, 1.0 - cos(pi / in.z_1), "chain speed between the corners of the polygon, [Strokeforge]");
-  STEP_TO(r, delta_2, 1.0 - cos(pi / in.z_2), "the same at the driven sprocket");
+  STEP_TO(r, delta_2, 1.0 - cos(pi / in.z_2), "chordal action, driven sprocket");
   r.z_min = std::min(in.z_1, in.z_2);
 }
 
 template <class Tracer>
 void speeds(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, n_2, in.n_1 / r.i, "mean speed");
-  STEP_TO(r, v, in.z_1 * in.p * in.n_1 / (2.0 * pi), "mean speed of the chain");
+  STEP_TO(r, v, in.z_1 * in.p * in.n_1 / (2.0 * pi), "mean chain speed");
   if (in.lubrication == Roller::Lubrication::grease) {
     STEP_TO(r, v_share, v / (6.0 * m_per_s), "up to 6 m/s, [B40]");
   } else {
@@ -83,7 +83,7 @@ void pulls(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(r.v)) trace.value("v", v, "at rest: no speed is given");
   STEP_TO(r, F_c, in.strands * q * v * v, "centrifugal force, [Chain-laws]");
   STEP_TO(r, F_f, in.K_f * in.strands * q * g * r.a, "pull by the sag of the slack strand, [Vunivere]");
-  STEP_TO(r, F, in.K_A * F_t + F_c + F_f, "largest pull; the service factor stands here once");
+  STEP_TO(r, F, in.K_A * F_t + F_c + F_f, "maximum pull; service factor included");
   STEP_TO(r, F_W, in.K_A * F_t + 2.0 * F_f,
           "both strands pull, [Vunivere]; the centrifugal force does not reach the shafts");
   const Force none = 0.0 * N.one;
@@ -99,7 +99,7 @@ void joints(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.A)) return;
   STEP_TO(r, p_r, in.K_A * r.F_t / (in.strands * in.A), "pressure of the pin in the bush, [Vunivere]");
   if (!is_set(in.p_adm)) return;
-  STEP_TO(r, u_p, p_r / in.p_adm, "pressure in the joints");
+  STEP_TO(r, u_p, p_r / in.p_adm, "joint bearing pressure");
 }
 
 template <class Tracer>
@@ -108,11 +108,11 @@ void breaking(const Input& in, Result& r, Tracer& trace) {
   const bool maker = in.edition == Edition::maker;
   if (!is_set(maker ? in.F_uM : in.F_u94) || !is_set(r.F)) return;
   STEP(F_1, in.edition == Edition::maker ? in.F_uM : in.F_u94,
-       maker ? "one strand, of the maker's list" : "one strand, ISO 606:1994");
+       maker ? "one strand, manufacturer's value" : "one strand, ISO 606:1994");
   STEP_TO(r, F_u, in.strands * F_1, "breaking load of all strands");
-  STEP_TO(r, u_F, r.F / F_u, "the largest pull may not break the chain, whatever safety is asked for");
+  STEP_TO(r, u_F, r.F / F_u, "the maximum pull must not break the chain, independent of the required safety factor");
   if (!(r.F > 0.0 * N)) return;
-  STEP_TO(r, S_stat, F_u / (r.F_t + r.F_c + r.F_f), "no design criterion alone: wear and fatigue decide");
+  STEP_TO(r, S_stat, F_u / (r.F_t + r.F_c + r.F_f), "not a design criterion by itself: wear and fatigue govern");
   STEP_TO(r, S_dyn, F_u / r.F, "with the service factor");
   if (!is_set(in.S_min)) return;
   STEP_TO(r, u_S, in.S_min / S_dyn, "safety against breaking");

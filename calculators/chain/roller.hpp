@@ -27,10 +27,14 @@ struct Roller {
   static constexpr auto id = "chain.roller";
   static constexpr auto title = "Roller chain drive";
   static constexpr auto scope =
-      "Links and centre distance of a drive with two sprockets, speed limits by lubrication, polygon effect, chain "
-      "pull, "
-      "pressure in the joints, static safety against breaking, load of the shafts. Life is not covered.";
+      "Chain length and centre distance of a two-sprocket drive, speed limits by lubrication, chordal action, "
+      "chain pull, bearing pressure in the joints, static safety factor against breakage and shaft loads; "
+      "service life is not covered.";
   static constexpr auto source = "[ASME-B29], [B40], [ISO10823]";
+  static constexpr auto headline = "z {z_1}/{z_2}, p {p}";
+  static constexpr auto synonyms =
+      "roller chain, chain drive, sprocket, ISO 606, ISO 10823, chain pull, chordal action, polygon effect, "
+      "Rollenkette, Kettentrieb, Kettenrad, Polygoneffekt, chain, Kette, цепная передача, роликовая цепь, звёздочка";
   static constexpr auto example = R"([project]
 title = "Chain from a gear motor to a conveyor"
 
@@ -83,13 +87,13 @@ P_R = "5.5 kW"
   }
   static constexpr Fields inputs{
       Field{&Input::p, "p", mm, "pitch of the chain"}.positive().usually(4, 120).from("chain", "p"),
-      Field{&Input::p_t, "p_t", mm, "distance of two strands"}.positive().from("chain", "p_t"),
-      Field{&Input::A, "A", mm2, "bearing area of a joint: pin diameter times width of the inner link, one strand"}
+      Field{&Input::p_t, "p_t", mm, "transverse pitch (distance of two strands)"}.positive().from("chain", "p_t"),
+      Field{&Input::A, "A", mm2, "joint bearing area: pin diameter x inner link width, one strand"}
           .positive()
           .usually(5, 5000)
           .from("chain", "A"),
-      Choice{&Input::edition, "edition", "list that the breaking load is taken from"}.may_be_missing(),
-      Field{&Input::F_uM, "F_uM", kN, "breaking load of one strand, of a maker"}
+      Choice{&Input::edition, "edition", "edition of the breaking load list"}.may_be_missing(),
+      Field{&Input::F_uM, "F_uM", kN, "breaking load of one strand, manufacturer's value"}
           .positive()
           .usually(1, 1500)
           .from("chain", "F_uM")
@@ -103,38 +107,43 @@ P_R = "5.5 kW"
           .usually(0.05, 100)
           .from("chain", "q")
           .where_it_has(),
-      Count{&Input::strands, "strands", 1, 6, "strands side by side"}.may_be_missing(),
-      Count{&Input::z_1, "z_1", 7, 150, "teeth of the driving sprocket"}.same_as_that_of_source("stages[#].z_1"),
-      Count{&Input::z_2, "z_2", 7, 150, "teeth of the driven sprocket"}.same_as_that_of_source("stages[#].z_2"),
-      Field{&Input::a, "a", mm, "centre distance that is wanted; the links make it exact"}.positive().may_be_missing(),
-      Count{&Input::X, "X", 0, 2000, "links, in place of a; 0: the even number nearest to a"}.may_be_missing(),
+      Count{&Input::strands, "strands", 1, 6, "number of strands"}.may_be_missing(),
+      Count{&Input::z_1, "z_1", 7, 150, "number of teeth, driving sprocket"}.same_as_that_of_source("stages[#].z_1"),
+      Count{&Input::z_2, "z_2", 7, 150, "number of teeth, driven sprocket"}.same_as_that_of_source("stages[#].z_2"),
+      Field{&Input::a, "a", mm, "required centre distance, adjusted to the number of links"}
+          .positive()
+          .may_be_missing(),
+      Count{&Input::X, "X", 0, 2000, "number of links, replaces a; 0: the even number nearest to a"}.may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the driving sprocket"}
           .positive()
-          .at_least_that_of_source("shafts[#].n")
+          .near_that_of_source("shafts[#].n")
           .may_be_missing(),
       Field{&Input::P, "P", kW, "nominal power, with n_1"}
           .load()
           .at_least(0)
           .at_least_that_of_source("shafts[#].P")
           .may_be_missing(),
-      Field{&Input::T_1, "T_1", N_m, "nominal torque of the driving sprocket, in place of P"}
+      Field{&Input::T_1, "T_1", N_m, "nominal torque of the driving sprocket, replaces P"}
           .load()
           .at_least_that_of_source("shafts[#].T")
           .at_least(0)
           .may_be_missing(),
-      Field{&Input::K_A, "K_A", ratio, "service factor: shocks of motor and machine, once"}
+      Field{&Input::K_A, "K_A", ratio,
+            "service factor: shocks of driver and driven machine (1 if the load includes it)"}
           .at_least(1)
           .usually(1, 2)
           .factor(),
       Field{&Input::K_f, "K_f", ratio, "sag factor: 6 for a horizontal drive, 3 at 40 deg, 1 for a vertical drive"}
           .within(0, 10)
           .usually(1, 6),
-      Choice{&Input::lubrication, "lubrication", "how the chain is lubricated"}.may_be_missing(),
-      Field{&Input::p_adm, "p_adm", MPa, "allowable pressure in the joint"}.positive().usually(5, 60).may_be_missing(),
-      Field{&Input::S_min, "S_min", ratio, "least safety against breaking"}.at_least(1).usually(5, 20).may_be_missing(),
+      Choice{&Input::lubrication, "lubrication", "lubrication type"}.may_be_missing(),
+      Field{&Input::p_adm, "p_adm", MPa, "allowable joint bearing pressure"}.positive().usually(5, 60).may_be_missing(),
+      Field{&Input::S_min, "S_min", ratio, "required safety factor against breakage"}
+          .at_least(1)
+          .usually(5, 20)
+          .may_be_missing(),
       Field{&Input::P_R, "P_R", kW,
-            "rated power of the chain with 19 teeth at the speed of the smaller sprocket, all strands; of this chain "
-            "alone"}
+            "rated power of this chain for 19 teeth at the speed of the smaller sprocket, all strands"}
           .positive()
           .from("chain", "P_R")
           .where_it_has()};
@@ -162,45 +171,48 @@ P_R = "5.5 kW"
     double u_p = unset<double>, u_S = unset<double>, u_P = unset<double>;
   };
   static constexpr Fields results{
-      Field{&Result::i, "i", ratio, "ratio n_1/n_2: the text allows 7, at most 10"}.limit(0.1, 10),
+      Field{&Result::i, "i", ratio, "speed ratio n_1/n_2 (up to 7, at most 10)"}.limit(0.1, 10),
       Field{&Result::n_2, "n_2", rpm, "mean speed of the driven sprocket"},
-      Field{&Result::d_1, "d_1", mm, "pitch circle of the driving sprocket"},
-      Field{&Result::d_2, "d_2", mm, "pitch circle of the driven sprocket"},
-      Field{&Result::z_min, "z_min", ratio, "teeth of the smaller sprocket; below 17 the chain runs rough"},
-      Field{&Result::X_0, "X_0", ratio, "links for the wanted centre distance"},
-      Field{&Result::X, "X", ratio, "links of the chain"},
-      Field{&Result::odd, "odd", ratio, "odd number of links: needs a cranked link, which is weaker; 0 is even"},
+      Field{&Result::d_1, "d_1", mm, "pitch diameter, driving sprocket"},
+      Field{&Result::d_2, "d_2", mm, "pitch diameter, driven sprocket"},
+      Field{&Result::z_min, "z_min", ratio, "number of teeth of the smaller sprocket (below 17: rough running)"},
+      Field{&Result::X_0, "X_0", ratio, "number of links for the required centre distance, not rounded"},
+      Field{&Result::X, "X", ratio, "number of links"},
+      Field{&Result::odd, "odd", ratio, "odd number of links (weaker cranked link required); 0: even"},
       Field{&Result::a, "a", mm, "centre distance of the taut chain"},
       Field{&Result::a_p, "a_p", ratio, "centre distance in pitches; 30 to 50 is usual"},
-      Field{&Result::L, "L", mm, "length of the chain"},
-      Field{&Result::alpha_1, "alpha_1", deg, "wrap of the driving sprocket, at least 120 deg"}.limit(120, 360),
-      Field{&Result::alpha_2, "alpha_2", deg, "wrap of the driven sprocket, at least 120 deg"}.limit(120, 360),
-      Field{&Result::v, "v", m_per_s, "mean speed of the chain"},
-      Field{&Result::v_share, "v_share", ratio, "speed over the highest for this lubrication"}.limit(0, 1, "n_1"),
-      Field{&Result::delta_1, "delta_1", ratio, "polygon effect: drop of the chain speed below its largest"},
-      Field{&Result::delta_2, "delta_2", ratio, "the same at the driven sprocket"},
+      Field{&Result::L, "L", mm, "chain length"},
+      Field{&Result::alpha_1, "alpha_1", deg, "wrap angle, driving sprocket (at least 120 deg)"}.limit(120, 360),
+      Field{&Result::alpha_2, "alpha_2", deg, "wrap angle, driven sprocket (at least 120 deg)"}.limit(120, 360),
+      Field{&Result::v, "v", m_per_s, "mean chain speed"},
+      Field{&Result::v_share, "v_share", ratio, "chain speed / maximum speed for the lubrication type"}.limit(0, 1,
+                                                                                                              "n_1"),
+      Field{&Result::delta_1, "delta_1", ratio,
+            "chordal action, driving sprocket: drop of the chain speed below its maximum"},
+      Field{&Result::delta_2, "delta_2", ratio, "chordal action, driven sprocket"},
       Field{&Result::T_1, "T_1", N_m, "torque of the driving sprocket, nominal"}.load().with("F_W"),
       Field{&Result::T_2, "T_2", N_m, "torque of the driven sprocket, nominal, without losses"}.load().with("F_W"),
-      Field{&Result::F_t, "F_t", N, "pull of the chain, nominal"}.load(),
+      Field{&Result::F_t, "F_t", N, "chain pull, nominal"}.load(),
       Field{&Result::F_c, "F_c", N, "centrifugal force"},
-      Field{&Result::F_f, "F_f", N, "pull by sag"},
-      Field{&Result::F, "F", N, "largest pull: with the service factor, centrifugal force and sag"}.holding("K_A"),
+      Field{&Result::F_f, "F_f", N, "chain pull by sag"},
+      Field{&Result::F, "F", N, "maximum chain pull: with service factor, centrifugal force and sag"}.holding("K_A"),
       Field{&Result::F_W, "F_W", N, "force on each shaft, along the line of centres"}.load().with("T_1|T_2").holding(
           "K_A"),
-      Group{&Result::shaft_1, "shaft_1", "what the chain does to the driving shaft, for a shaft: load"}.handed_over(),
-      Group{&Result::shaft_2, "shaft_2", "what the chain does to the driven shaft, for a shaft: load"}.handed_over(),
-      Field{&Result::p_r, "p_r", MPa, "pressure in the joints"},
+      Group{&Result::shaft_1, "shaft_1", "shaft load on the driving shaft, for load"}.handed_over(),
+      Group{&Result::shaft_2, "shaft_2", "shaft load on the driven shaft, for load"}.handed_over(),
+      Field{&Result::p_r, "p_r", MPa, "joint bearing pressure"},
       Field{&Result::F_u, "F_u", kN, "breaking load of all strands"},
-      Field{&Result::S_stat, "S_stat", ratio, "static safety against breaking: without the service factor"},
-      Field{&Result::S_dyn, "S_dyn", ratio, "dynamic safety against breaking: with the service factor"},
+      Field{&Result::S_stat, "S_stat", ratio, "static safety factor against breakage, without service factor"},
+      Field{&Result::S_dyn, "S_dyn", ratio, "dynamic safety factor against breakage, with service factor"},
       Field{&Result::f_2, "f_2", ratio, "tooth factor"},
-      Field{&Result::P_c, "P_c", kW, "power to compare with a rating for 19 teeth"},
-      Field{&Result::u_p, "u_p", ratio, "joints: pressure over the allowable one"}.check("p_adm"),
-      Field{&Result::u_F, "u_F", ratio, "breaking: largest pull over the breaking load (of a chain, or F_uM, F_u94)"}
-          .check("P, T_1"),
-      Field{&Result::u_S, "u_S", ratio, "breaking: least safety over the dynamic one; no design criterion alone"}.check(
-          "S_min"),
-      Field{&Result::u_P, "u_P", ratio, "rating: corrected power over the rated one"}.check("P_R")};
+      Field{&Result::P_c, "P_c", kW, "corrected power, for the rating for 19 teeth"},
+      Field{&Result::u_p, "u_p", ratio, "joints: bearing pressure / allowable pressure"}.check("p_adm"),
+      Field{&Result::u_F, "u_F", ratio, "breakage: maximum pull / breaking load (of a chain, or F_uM, F_u94)"}.check(
+          "P, T_1"),
+      Field{&Result::u_S, "u_S", ratio,
+            "breakage: required / dynamic safety factor (not sufficient alone as design criterion)"}
+          .check("S_min"),
+      Field{&Result::u_P, "u_P", ratio, "rating: corrected / rated power"}.check("P_R")};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.p); }, "p", "give the pitch p, or a chain: chain = \"16B\""},
@@ -236,22 +248,19 @@ P_R = "5.5 kW"
 
   static constexpr bool turns = true;
   static constexpr std::array modes{
-      Mode<Input>{"joints", "wear of the joints: pressure of the pins", &loaded}.judged_by("u_p"),
-      Mode<Input>{"breaking", "breaking of the link plates", &loaded}.judged_by("u_S, u_F"),
-      Mode<Input>{"plates", "fatigue of the link plates", &runs_loaded}.judged_by("u_P").in_service(),
-      Mode<Input>{"rollers", "impact fatigue of rollers and bushes", &runs_loaded}.judged_by("u_P").in_service(),
-      Mode<Input>{"speed", "speed for this lubrication", [](const Input& in) { return where(is_set(in.n_1)); }}
+      Mode<Input>{"joints", "joint wear (bearing pressure)", &loaded}.judged_by("u_p"),
+      Mode<Input>{"breaking", "static breaking strength of the chain", &loaded}.judged_by("u_S, u_F"),
+      Mode<Input>{"plates", "link plate fatigue", &runs_loaded}.judged_by("u_P").in_service(),
+      Mode<Input>{"rollers", "roller and bush impact fatigue", &runs_loaded}.judged_by("u_P").in_service(),
+      Mode<Input>{"speed", "chain speed for the lubrication type",
+                  [](const Input& in) { return where(is_set(in.n_1)); }}
           .judged_by("v_share"),
-      Mode<Input>{"wrap_1", "teeth in mesh of the driving sprocket: wrap", &always<Input>}
-          .judged_by("alpha_1")
-          .of_shape(),
-      Mode<Input>{"wrap_2", "teeth in mesh of the driven sprocket: wrap", &always<Input>}
-          .judged_by("alpha_2")
-          .of_shape(),
-      Mode<Input>{"ratio", "ratio for one stage", &always<Input>}.judged_by("i").of_shape(),
+      Mode<Input>{"wrap_1", "wrap angle, driving sprocket", &always<Input>}.judged_by("alpha_1").of_shape(),
+      Mode<Input>{"wrap_2", "wrap angle, driven sprocket", &always<Input>}.judged_by("alpha_2").of_shape(),
+      Mode<Input>{"ratio", "speed ratio per stage", &always<Input>}.judged_by("i").of_shape(),
       Mode<Input>{"galling", "galling of pins and bushes", &unseen<Input>}.judged_by("u_P").special(),
-      Mode<Input>{"sprockets", "wear of the teeth", &unseen<Input>}.special(),
-      Mode<Input>{"vibration", "vibration of the strands by the polygon effect", &unseen<Input>}.special()};
+      Mode<Input>{"sprockets", "sprocket tooth wear", &unseen<Input>}.special(),
+      Mode<Input>{"vibration", "strand vibration by chordal action", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
@@ -260,7 +269,7 @@ P_R = "5.5 kW"
 
 constexpr auto choices_of(Roller::Edition) {
   using Edition = Roller::Edition;
-  return std::array{ChoiceName<Edition>{Edition::maker, "maker", "a maker's current list (Donghua 2020)"},
+  return std::array{ChoiceName<Edition>{Edition::maker, "maker", "current list of a manufacturer (Donghua 2020)"},
                     ChoiceName<Edition>{Edition::iso606_1994, "iso606_1994", "ISO 606:1994"}};
 }
 constexpr auto choices_of(Roller::Lubrication) {

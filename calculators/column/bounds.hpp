@@ -57,7 +57,7 @@ constexpr auto held_bounds() {
 template <class Input, AxisName axis>
 double curve_of_table(const Input& in) {
   const Curve typed = axis == AxisName::y ? in.curve_y : in.curve_z;
-  if (in.method != Method::ec3 || typed == Curve::by_kind) return unset<double>;
+  if (method_of(in) != Method::ec3 || typed == Curve::by_kind) return unset<double>;
   Plates plates = plates_of(in);
   if (plates.kind == Profile::unsaid) plates.kind = is_solid(in) ? Profile::solid : Profile::hot_hollow;
   const Curve own = buckling_curve(plates, axis);

@@ -45,6 +45,14 @@ void take_section(const Input& in, Result& r, Tracer& trace) {
   r.t = is_set(in.d_bore) ? 0.5 * (in.d - d_bore) : in.d;
 }
 
+template <class Tracer>
+double tension_safety(const Input& in, Tracer& trace) {
+  if (method_of(in) != Method::ec3) return NAMED_STEP("n", in.n_t, "safety in tension");
+  const double gamma_F =
+      partial_factor("gamma_F", in.gamma_F, in.method == Method::unsaid, "assumed: the force is a design value", trace);
+  return NAMED_STEP("n", gamma_F * in.n_t, "partial factors on the load and on the resistance");
+}
+
 /// What holds a bar in tension: its plain stress alone.
 template <class Tracer>
 void take_tension(const Input& in, Result& r, Tracer& trace) {
@@ -58,8 +66,7 @@ void take_tension(const Input& in, Result& r, Tracer& trace) {
   STEP(sigma_t, in.N / r.A, "plain stress of the bar in tension");
   STEP_TO(r, x_t, sigma_t / in.R_e, "over the yield strength");
   if (!is_set(in.n_t)) return;
-  STEP(n, in.method == Method::ec3 ? in.gamma_F * in.n_t : in.n_t,
-       in.method == Method::ec3 ? "partial factors on the load and on the resistance" : "safety in tension");
+  const double n = tension_safety(in, trace);
   STEP_TO(r, u_t, n * x_t, "over the yield strength with its safety");
 }
 
@@ -102,12 +109,14 @@ void slenderness(const Input& in, AxisName axis, Result& r, Tracer& trace) {
   const double beta = a.beta = factor_of_length(in, axis, trace);
   STEP_TO(a, s, beta * in.l, "effective length, [B25]");
   STEP_TO(a, lambda, s / i, "slenderness, [B25]");
-  STEP_TO(a, N_cr, pow<2>(pi) * in.E * r.A / pow<2>(lambda), "critical force of the elastic bar, [B25]");
+  if (is_set(in.E)) {
+    STEP_TO(a, N_cr, pow<2>(pi) * in.E * r.A / pow<2>(lambda), "critical force of the elastic bar, [B25]");
+  }
   r.axes.push_back(a);
 }
 
 template <class Tracer>
-void take_limits(const Input& in, const Material& material, Result& r, Tracer& trace) {
+void take_limits(const Input& in, const Material& material, Method by, Result& r, Tracer& trace) {
   const auto lambda_T = r.lambda_T = material.lambda_T;
   if (is_set(in.a_T)) {
     if (!is_set(in.c_T)) trace.value("c_T", material.c_T, "a line");
@@ -128,14 +137,14 @@ void take_limits(const Input& in, const Material& material, Result& r, Tracer& t
     STEP_TO(r, lambda_lim, lambda_T, "no proportional limit is given: from here Euler's hyperbola holds");
   }
   if (r.loading == Loading::tension) {  // no formula of buckling ends where nothing buckles
-    if (in.method == Method::euler) r.r_1 = 0.0;
-    if (in.method == Method::tetmajer && !is_set(in.R_e)) r.r_0 = 0.0;
+    if (by == Method::euler) r.r_1 = 0.0;
+    if (by == Method::tetmajer && !is_set(in.R_e)) r.r_0 = 0.0;
     return;
   }
-  if (in.method == Method::euler) {
+  if (by == Method::euler) {
     STEP_TO(r, r_1, r.lambda_lim / r.lambda, "Euler's formula holds above the limit slenderness, [B25]");
   }
-  if (in.method == Method::tetmajer && !is_set(in.R_e)) {
+  if (by == Method::tetmajer && !is_set(in.R_e)) {
     STEP_TO(r, r_0, material.lambda_0 / r.lambda, "below lambda_0 the bar yields first");
   }
 }
@@ -163,6 +172,14 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
        "extreme fibre, secant formula, [Gere]");
 }
 
+/// Where the critical stress of the bar comes from.
+const char* source_of(const Input& in, Method by) {
+  if (in.method != Method::unsaid) return "of the method that decides";
+  if (by == Method::ec3) return "by EN 1993-1-1, as no method is named";
+  if (by == Method::johnson) return "by Johnson's parabola up to lambda_J, by Euler above, as no method is named";
+  return "by the method that the constants given belong to, as none is named";
+}
+
 /// The limits of class 3 are those of steel: of another material nothing is known of its walls. In tension none of them
 /// buckles.
 template <class Tracer>
@@ -181,7 +198,7 @@ void judge_class(const Input& in, bool is_pressed, Result& r, Tracer& trace) {
   if (!has_modulus_of_steel(in)) return;
   if (in.method == Method::aisc) {
     r.r_class = trace.value("r_class", slender_ratio(plates_of(in), in.E, in.R_e, r.sigma_cr),
-                            "AISC 360, E7: up to 1 the whole area counts under this critical stress, [AISC360]");
+                            "AISC 360, E7: up to 1 the full area is effective at this critical stress, [AISC360]");
     return;
   }
   r.r_class =
@@ -189,8 +206,9 @@ void judge_class(const Input& in, bool is_pressed, Result& r, Tracer& trace) {
 }
 
 template <class Tracer>
-void conclude(const Input& in, bool is_bent, Result& r, Tracer& trace) {
-  r.spread = trace.value("spread", spread_of(r), "largest critical stress over the least, less 1");
+void conclude(const Input& in, Method by, bool is_bent, Result& r, Tracer& trace) {
+  if (!r.methods.empty())
+    r.spread = trace.value("spread", spread_of(r), "largest critical stress over the least, less 1");
   const bool is_pulled = r.loading == Loading::tension;
   if (is_pulled) {
     r.r_lambda = 0.0;
@@ -203,7 +221,7 @@ void conclude(const Input& in, bool is_bent, Result& r, Tracer& trace) {
     return;
   }
   if (!is_set(r.sigma_cr)) return;
-  trace.value("sigma_cr", r.sigma_cr, "of the method that decides");
+  trace.value("sigma_cr", r.sigma_cr, source_of(in, by));
   if (!is_set(r.u)) return;
   trace.value("P_all", r.P_all, "of the method that decides");
   STEP_TO(r, u, r.F / r.P_all, "force over the allowable force, which holds the safety");
@@ -234,11 +252,14 @@ Result Buckling::judge(const Input& in, bool is_bent, Tracer& trace) {
   r.axis = r.axes[1].lambda >= r.axes[0].lambda ? AxisName::z : AxisName::y;
   const double lambda = r.lambda = std::max(r.axes[0].lambda, r.axes[1].lambda);
   trace.value("lambda", lambda, "the larger of both axes governs, [B25]");
-  STEP_TO(r, sigma_E, pow<2>(pi) * in.E / pow<2>(lambda), "Euler's stress, whether it holds or not");
-  STEP_TO(r, N_cr, sigma_E * r.A, "least critical force of the elastic bar");
-  take_limits(in, material, r, trace);
-  add_methods(in, material, r, trace, std::make_index_sequence<most_methods>{});
-  conclude(in, is_bent, r, trace);
+  if (is_set(in.E)) {
+    STEP_TO(r, sigma_E, pow<2>(pi) * in.E / pow<2>(lambda), "Euler stress, also outside its validity");
+    STEP_TO(r, N_cr, sigma_E * r.A, "least critical force of the elastic bar");
+  }
+  const Method by = method_of(in);
+  take_limits(in, material, by, r, trace);
+  add_methods(in, material, by, r, trace, std::make_index_sequence<most_methods>{});
+  conclude(in, by, is_bent, r, trace);
   return r;
 }
 

@@ -26,14 +26,20 @@ namespace loadpath::column {
 
 struct Buckling {
   static constexpr auto id = "column.buckling";
-  static constexpr auto title = "Compressed bar";
+  static constexpr auto title = "Column buckling";
   static constexpr auto scope =
-      "Slenderness of a uniform bar about both axes, its critical stress by Euler, Tetmajer-Yasinsky, Johnson, "
-      "Rankine, the "
-      "secant formula, EN 1993-1-1, AISC 360 and SP 16 side by side, the allowable load of each with its own safety. "
-      "Flexural buckling; a bar in tension is judged by its plain stress N/A alone, without holes; torsional buckling, "
-      "thin-walled sections of class 4 and transverse loads are not covered.";
+      "Slenderness of a uniform bar about both axes, critical stress by Euler, Tetmajer-Yasinsky, Johnson, "
+      "Rankine, secant formula, EN 1993-1-1, AISC 360 and SP 16, and the allowable load of each with its own "
+      "safety factor; tension is assessed by N/A on the gross section; torsional buckling, class 4 sections "
+      "and transverse loads are not covered.";
   static constexpr auto source = "[B25], [Johnson], [Rankine], [Gere], [EN1993-1-1-buckling], [AISC360], [SP16]";
+  static constexpr auto headline = "{section}|d = {d}|A = {A}";
+  static constexpr auto subject = "buckling";
+  static constexpr auto synonyms =
+      "column, strut, buckling, Euler, Johnson, Tetmajer, Yasinsky, Rankine, secant formula, slenderness, "
+      "effective length, EN 1993-1-1, AISC 360, SP 16, compression member, Knickung, Knickstab, Knicklänge, "
+      "Schlankheit, Stabilität, flexural buckling, critical load, Euler load, Eulerlast, устойчивость, "
+      "продольный изгиб, сжатый стержень, гибкость, Эйлер, Ясинский";
   static constexpr auto example = R"([project]
 title = "Piston rod"
 
@@ -63,6 +69,7 @@ n_st = 3
   static bool extreme_fibre_known(const Input& in);
   static FieldFault section_missing(const Input& in);
   static FieldFault missing_for_method(const Input& in);
+  static bool factors_given(const Input& in);
   static Outline outline_of(const Input& in);
 
   static constexpr auto rules = join(
@@ -73,9 +80,9 @@ n_st = 3
                       "e_z; of a channel about z, a tee about y and an angle c itself, as it is not half the side"},
           Rule<Input>{&needs_of_method,
                       "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, "
-                      "h, b, t_f",
+                      "A, h, b, t_f",
                       "something is missing that the method needs", &missing_for_method}},
-      method_rules<Input>(), eccentricity_rules<Input>());
+      method_rules<Input>(), assumption_rules<Input, &factors_given>(), eccentricity_rules<Input>());
   static constexpr std::array meanings = member_meanings;
   static constexpr auto bounds = join(held_bounds<Input>(), curve_bounds<Input>());
   static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0", "R_e, kind, h, b, t_f, t_w");

@@ -59,7 +59,7 @@ void add_shape(const Buckling::Input& in, AxisName axis, draw::Plot& plot) {
 
 std::vector<draw::Figure> Buckling::figures(const Input& in, const Result& r) {
   std::vector<draw::Figure> figures{
-      {"critical-stress", "Critical stress over slenderness, without safety", chart(in, r)}};
+      {"critical-stress", "Critical stress against slenderness (no safety factor)", chart(in, r)}};
   draw::Plot shapes;
   shapes.x = {"x", "place along the bar", "mm"};
   shapes.y = {"w", "deflection over its largest", "-"};

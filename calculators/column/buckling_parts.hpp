@@ -52,6 +52,16 @@ bool fibre_known(const BucklingInput& in);
 /// About an axis: as given, else by the kind of section.
 Curve curve_of(const BucklingInput& in, AxisName axis);
 
+/// Whether it is a section of structural steelwork with a buckling curve of EN 1993-1-1: no solid bar.
+inline bool is_structural(const BucklingInput& in) {
+  if (!is_set(in.A) || in.kind == Profile::solid) return false;
+  return curve_of(in, AxisName::y) != Curve::by_kind && curve_of(in, AxisName::z) != Curve::by_kind;
+}
+/// The method that decides: as named, else by what is given.
+inline Method method_of(const BucklingInput& in) {
+  return in.method != Method::unsaid ? in.method : default_method(in, is_structural(in));
+}
+
 /// The bar as it buckles about each axis whose ends are known, beside its section; nothing where none is.
 std::optional<draw::Figure> bar_figure(const BucklingInput& in, const MemberResult& r);
 

@@ -20,7 +20,7 @@ bool fits(const Input& in, SecondMoment I, Length i) {
 
 /// Whether the section has a buckling curve of the code that decides.
 bool has_curves(const Input& in) {
-  if (in.method == Method::sp16) return is_set(sp16_type(in.kind).alpha);
+  if (method_of(in) == Method::sp16) return is_set(sp16_type(in.kind).alpha);
   const auto has = [&](AxisName axis) { return curve_of(in, axis) != Curve::by_kind; };
   return has(AxisName::y) && has(AxisName::z);
 }
@@ -38,7 +38,7 @@ bool Buckling::section_given(const Input& in) {
 FieldFault Buckling::section_missing(const Input& in) {
   if (is_set(in.A)) {
     return {"A", say("with the area A both axes need I or i"),
-            say("give I_y and I_z, or i_y and i_z; of a round bar d alone")};
+            say("give I_y and I_z, or i_y and i_z; for a round bar only d")};
   }
   if (axis_given(in.I_y, in.i_y) || axis_given(in.I_z, in.i_z))
     return {"", say("I or i is given, but not the area A"), say("give A too, or a round bar d, or a rectangle b, h")};
@@ -50,9 +50,14 @@ FieldFault Buckling::section_missing(const Input& in) {
 
 bool Buckling::radii_fit(const Input& in) { return fits(in, in.I_y, in.i_y) && fits(in, in.I_z, in.i_z); }
 
-bool Buckling::needs_of_method(const Input& in) { return lack(in, has_curves(in)).empty(); }
+bool Buckling::needs_of_method(const Input& in) { return lack(in, method_of(in), has_curves(in)).empty(); }
 
-FieldFault Buckling::missing_for_method(const Input& in) { return column::missing_for_method(in, has_curves(in)); }
+FieldFault Buckling::missing_for_method(const Input& in) {
+  const bool curves = in.method == Method::unsaid ? is_structural(in) : has_curves(in);
+  return column::missing_for_method(in, method_of(in), curves);
+}
+
+bool Buckling::factors_given(const Input& in) { return column::factors_given(in, method_of(in)); }
 
 bool Buckling::extreme_fibre_known(const Input& in) { return fibre_known(in); }
 

@@ -23,10 +23,14 @@ struct EffectiveLength {
   static constexpr auto id = "column.effective_length";
   static constexpr auto title = "Effective length of a column";
   static constexpr auto scope =
-      "Effective length factor of a uniform bar from the stiffness of its ends and the supports between them, as the "
-      "smallest root of its characteristic equation; braced and sway frames by the stiffness ratios of their joints. "
-      "Bars of changing section or force are not covered.";
+      "Effective length factor of a uniform column from end stiffnesses and intermediate supports, as the "
+      "smallest root of the characteristic equation, or of braced and sway frames from joint stiffness ratios; "
+      "columns of variable section or force are not covered.";
   static constexpr auto source = "[B25], [Wittrick], [AISC-alignment]";
+  static constexpr auto headline = "beta = {beta}";
+  static constexpr auto synonyms =
+      "effective length, effective length factor, buckling length, K factor, alignment chart, braced frame, "
+      "sway frame, elastic restraint, Knicklänge, Knicklängenbeiwert, расчётная длина, коэффициент приведения длины";
   static constexpr auto example = R"([project]
 title = "Rod in a flexible bracket"
 
@@ -45,7 +49,7 @@ end_2 = "pinned"
 
   struct Support {
     Length x = unset<Length>;
-    static constexpr Fields fields{Field{&Support::x, "x", mm, "place from the first end"}.positive()};
+    static constexpr Fields fields{Field{&Support::x, "x", mm, "position from the first end"}.positive()};
   };
 
   struct Input {
@@ -61,33 +65,36 @@ end_2 = "pinned"
   };
   static constexpr Fields inputs{
       Field{&Input::l, "l", mm, "length between the ends"}.positive().usually(10, 1e5),
-      Field{&Input::E, "E", GPa, "modulus of elasticity, with springs"}.positive().usually(1, 500).from("material",
-                                                                                                        "E"),
-      Field{&Input::I, "I", mm4, "second moment of area for this bending, with springs"}.positive().may_be_missing(),
-      Choice{&Input::end_1, "end_1", "how the first end is held"}.may_be_missing(),
-      Choice{&Input::end_2, "end_2", "how the second end is held"}.may_be_missing(),
-      Field{&Input::c_1, "c_1", N_m_per_rad, "stiffness of the first end against turning; 0 where missing"}
+      Field{&Input::E, "E", GPa, "modulus of elasticity, for elastic ends"}.positive().usually(1, 500).from("material",
+                                                                                                            "E"),
+      Field{&Input::I, "I", mm4, "second moment of area about the buckling axis, for elastic ends"}
+          .positive()
+          .may_be_missing(),
+      Choice{&Input::end_1, "end_1", "condition of the first end"}.may_be_missing(),
+      Choice{&Input::end_2, "end_2", "condition of the second end"}.may_be_missing(),
+      Field{&Input::c_1, "c_1", N_m_per_rad, "rotational stiffness of the first end; omitted: 0"}
           .at_least(0)
           .may_be_missing(),
-      Field{&Input::c_2, "c_2", N_m_per_rad, "stiffness of the second end against turning; 0 where missing"}
+      Field{&Input::c_2, "c_2", N_m_per_rad, "rotational stiffness of the second end; omitted: 0"}
           .at_least(0)
           .may_be_missing(),
-      Field{&Input::k_1, "k_1", N_per_mm, "stiffness of the first end across the bar; held where missing"}
+      Field{&Input::k_1, "k_1", N_per_mm, "lateral stiffness of the first end; omitted: rigid"}
           .at_least(0)
           .may_be_missing(),
-      Field{&Input::k_2, "k_2", N_per_mm, "stiffness of the second end across the bar; held where missing"}
+      Field{&Input::k_2, "k_2", N_per_mm, "lateral stiffness of the second end; omitted: rigid"}
           .at_least(0)
           .may_be_missing(),
-      Field{&Input::G_1, "G_1", ratio, "first joint of a frame: sum of E I/L of its columns over that of its beams"}
+      Field{&Input::G_1, "G_1", ratio,
+            "stiffness ratio at the first joint of a frame: sum of E I/L of the columns / of the beams"}
           .at_least(0)
           .usually(0.1, 100)
           .may_be_missing(),
-      Field{&Input::G_2, "G_2", ratio, "second joint of a frame, likewise; a hinge is infinite, taken as 10"}
+      Field{&Input::G_2, "G_2", ratio, "stiffness ratio at the second joint of a frame; hinge: infinite, use 10"}
           .at_least(0)
           .usually(0.1, 100)
           .may_be_missing(),
-      Choice{&Input::frame, "frame", "whether the frame of the joints is held against sway"}.may_be_missing(),
-      ListField{&Input::supports, "supports", "rigid supports between the ends"}.as_arrays().may_be_missing()};
+      Choice{&Input::frame, "frame", "frame type: braced or sway"}.may_be_missing(),
+      ListField{&Input::supports, "supports", "rigid intermediate supports"}.as_arrays().may_be_missing()};
 
   struct Result {
     double kappa_1 = unset<double>, kappa_2 = unset<double>, mu_1 = unset<double>, mu_2 = unset<double>;
@@ -96,14 +103,18 @@ end_2 = "pinned"
     Force N_cr = unset<Force>;
   };
   static constexpr Fields results{
-      Field{&Result::kappa_1, "kappa_1", ratio, "spring against turning over E I/l, first end"}.where_it_applies(),
-      Field{&Result::kappa_2, "kappa_2", ratio, "spring against turning over E I/l, second end"}.where_it_applies(),
-      Field{&Result::mu_1, "mu_1", ratio, "spring across the bar over E I/l^3, first end"}.where_it_applies(),
-      Field{&Result::mu_2, "mu_2", ratio, "spring across the bar over E I/l^3, second end"}.where_it_applies(),
-      Field{&Result::u, "u", ratio, "l sqrt(N_cr/(E I)); none where the bar moves without a load"}.limit(1e-3, 1e3),
+      Field{&Result::kappa_1, "kappa_1", ratio, "relative rotational stiffness of the first end: c_1/(E I/l)"}
+          .where_it_applies(),
+      Field{&Result::kappa_2, "kappa_2", ratio, "relative rotational stiffness of the second end: c_2/(E I/l)"}
+          .where_it_applies(),
+      Field{&Result::mu_1, "mu_1", ratio, "relative lateral stiffness of the first end: k_1/(E I/l^3)"}
+          .where_it_applies(),
+      Field{&Result::mu_2, "mu_2", ratio, "relative lateral stiffness of the second end: k_2/(E I/l^3)"}
+          .where_it_applies(),
+      Field{&Result::u, "u", ratio, "l sqrt(N_cr/(E I)); none for a kinematically unstable bar"}.limit(1e-3, 1e3),
       Field{&Result::beta, "beta", ratio, "effective length factor"},
       Field{&Result::s, "s", mm, "effective length"},
-      Field{&Result::N_cr, "N_cr", kN, "critical force of the elastic bar"}.where_it_applies()};
+      Field{&Result::N_cr, "N_cr", kN, "elastic critical force"}.where_it_applies()};
 
   static bool ends_or_frame(const Input& in);
   static bool springs_fit_ends(const Input& in);
@@ -121,9 +132,9 @@ end_2 = "pinned"
                     return !elastic || (is_set(in.E) && is_set(in.I));
                   },
                   "end_1, end_2, E, I", "springs are compared with the bar: give E (or a material) and I"},
-      Rule<Input>{&supports_inside, "supports, l", "supports stand between the ends, in order along the bar"}};
+      Rule<Input>{&supports_inside, "supports, l", "supports lie between the ends, in order along the bar"}};
   static constexpr std::array modes{
-      Mode<Input>{"held", "a bar that moves without a load", &always<Input>}.judged_by("u").of_shape()};
+      Mode<Input>{"held", "kinematic stability of the supports", &always<Input>}.judged_by("u").of_shape()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
@@ -132,15 +143,17 @@ end_2 = "pinned"
 
 constexpr auto choices_of(EffectiveLength::End) {
   using E = EffectiveLength::End;
-  return std::array{
-      ChoiceName<E>{E::unsaid, "", "not said"},     ChoiceName<E>{E::pinned, "pinned", "hinged"},
-      ChoiceName<E>{E::fixed, "fixed", "built in"}, ChoiceName<E>{E::guided, "guided", "moves across, does not turn"},
-      ChoiceName<E>{E::free, "free", "free"},       ChoiceName<E>{E::elastic, "elastic", "held by springs"}};
+  return std::array{ChoiceName<E>{E::unsaid, "", "not said"},
+                    ChoiceName<E>{E::pinned, "pinned", "pinned (hinged)"},
+                    ChoiceName<E>{E::fixed, "fixed", "fixed (built in)"},
+                    ChoiceName<E>{E::guided, "guided", "guided: free to translate, fixed against rotation"},
+                    ChoiceName<E>{E::free, "free", "free"},
+                    ChoiceName<E>{E::elastic, "elastic", "elastic (springs)"}};
 }
 
 constexpr auto choices_of(EffectiveLength::Frame) {
   using F = EffectiveLength::Frame;
-  return std::array{ChoiceName<F>{F::braced, "braced", "held against sway"},
+  return std::array{ChoiceName<F>{F::braced, "braced", "braced against sway"},
                     ChoiceName<F>{F::sway, "sway", "free to sway"}};
 }
 

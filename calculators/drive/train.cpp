@@ -26,7 +26,7 @@ double ratio_of(const Stage& s, Tracer& trace) {
   }
   if (s.has_teeth()) {
     trace.value("z_1", s.z_1, "teeth on the first shaft");
-    trace.value("z_2", s.z_2, "teeth on the second shaft");
+    trace.value("z_2", s.z_2, "number of teeth on the second shaft");
     return NAMED_STEP("i", turn * s.z_2 / s.z_1, "ratio from the teeth");
   }
   trace.value("slip", s.slip, "of a belt");
@@ -92,14 +92,14 @@ void drive(const Train::Shaft& before, Train::StageResult& stage, Train::Shaft& 
   STEP_TO(stage, T_h, T - T_before, "equilibrium of the housing");
   if (is_set(after.n)) {
     STEP_TO(after, P, T * after.n, "power behind the stage");
-    STEP_TO(stage, P_loss, T_before * n_before * (1.0 - stage.eta), "power that is lost");
+    STEP_TO(stage, P_loss, T_before * n_before * (1.0 - stage.eta), "power loss");
   }
 }
 
 template <class Tracer>
 void first_shaft(const Train::Input& in, Train::Result& r, Tracer& trace) {
   r.T_1 = in.T_1;
-  if (is_set(in.P)) r.T_1 = NAMED_STEP("T_1", in.P / in.n_1, "torque that enters");
+  if (is_set(in.P)) r.T_1 = NAMED_STEP("T_1", in.P / in.n_1, "input torque");
   Train::Shaft shaft;
   shaft.n = in.n_1, shaft.T = r.T_1;
   if (is_set(in.n_1) && is_set(r.T_1)) shaft.P = r.T_1 * in.n_1;

@@ -23,11 +23,16 @@ namespace loadpath::drive {
 
 struct Train : TrainTypes {
   static constexpr auto id = "drive.train";
-  static constexpr auto title = "Train of drives";
+  static constexpr auto title = "Drive train";
   static constexpr auto scope =
-      "Ratio, speeds, torques, powers and efficiencies through any chain of stages: gears, belts with slip, chains, "
-      "worms, planetary sets; what every shaft carries. Branched trains are not covered.";
+      "Speed ratio, speeds, torques, powers and efficiency along a series of stages: gears, belts with slip, "
+      "chains, worm gears and planetary sets, with the torque of every shaft; branched trains are not covered.";
   static constexpr auto source = "[B40]";
+  static constexpr auto headline = "i = {i}";
+  static constexpr auto synonyms =
+      "drive train, gear train, gearbox, transmission, speed ratio, efficiency, worm gear, stages, reducer, "
+      "Getriebe, Antriebsstrang, Übersetzung, Wirkungsgrad, Schneckengetriebe, power flow, привод, редуктор, "
+      "передаточное отношение, КПД";
   static constexpr auto example = R"([project]
 title = "Drive of a conveyor"
 
@@ -51,22 +56,22 @@ stages = [
   static bool members_differ(const Input& in);
   static FieldFault same_member(const Input& in);
   static constexpr Fields inputs{
-      Field{&Input::P, "P", kW, "power that enters, with n_1"}.load().positive().may_be_missing(),
-      Field{&Input::T_1, "T_1", N_m, "torque that enters, in place of P"}.load().positive().may_be_missing(),
+      Field{&Input::P, "P", kW, "input power, with n_1"}.load().positive().may_be_missing(),
+      Field{&Input::T_1, "T_1", N_m, "input torque, replaces P"}.load().positive().may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of the first shaft"}.positive().may_be_missing(),
-      ListField{&Input::stages, "stages", "stages from the motor to the machine"}};
+      ListField{&Input::stages, "stages", "stages from the motor to the driven machine"}};
 
   static constexpr Fields results{
-      Field{&Result::i, "i", ratio, "ratio of the train, negative where the last shaft turns the other way"},
-      Field{&Result::eta, "eta", ratio, "efficiency of the train"},
-      Choice{&Result::works, "works", "what the train does to the speed"},
-      Field{&Result::T_1, "T_1", N_m, "torque that enters"}.load(),
-      Field{&Result::n_out, "n_out", rpm, "speed of the last shaft, signed"},
-      Field{&Result::T_out, "T_out", N_m, "torque that leaves, signed"}.load(),
-      Field{&Result::P_out, "P_out", kW, "power that leaves"},
-      Field{&Result::P_loss, "P_loss", kW, "power that is lost"},
+      Field{&Result::i, "i", ratio, "overall ratio, negative for opposite direction of rotation"},
+      Field{&Result::eta, "eta", ratio, "overall efficiency"},
+      Choice{&Result::works, "works", "effect on the speed: reducing or increasing"},
+      Field{&Result::T_1, "T_1", N_m, "input torque"}.load(),
+      Field{&Result::n_out, "n_out", rpm, "output speed, signed"},
+      Field{&Result::T_out, "T_out", N_m, "output torque, signed"}.load(),
+      Field{&Result::P_out, "P_out", kW, "output power"},
+      Field{&Result::P_loss, "P_loss", kW, "power loss"},
       ListField{&Result::stages, "stages", "stages"},
-      ListField{&Result::shafts, "shafts", "shafts, the first to the last"}};
+      ListField{&Result::shafts, "shafts", "shafts, from first to last"}};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !in.stages.empty(); }, "stages", "give at least one stage"},
@@ -80,17 +85,18 @@ stages = [
       Rule<Input>{&members_differ, "stages", "in and out of a planetary set are two members", &same_member}};
 
   static constexpr bool turns = true;
+  static constexpr bool is_one_drive = true;
   static bool drives_a_worm(const Input& in);
   static Applies loads_a_worm(const Input& in);
   static constexpr std::array modes{
-      Mode<Input>{"self_locking", "a worm that its wheel cannot drive",
+      Mode<Input>{"self_locking", "self-locking of back-driven worm stages",
                   [](const Input& in) { return where(drives_a_worm(in)); }}
           .of_shape(),
-      Mode<Input>{"efficiency", "losses of the worm gear", &loads_a_worm}.judged_by("stages.x_eta"),
-      Mode<Input>{"strength", "strength of the stages that no step takes",
+      Mode<Input>{"efficiency", "efficiency of the worm gear", &loads_a_worm}.judged_by("stages.x_eta"),
+      Mode<Input>{"strength", "strength of unchecked stages",
                   [](const Input& in) { return is_set(in.P) || is_set(in.T_1) ? Applies::unseen : Applies::no; }}
           .assessed_beside("gear.pair, gear.planetary, chain.roller, belt.v, belt.flat"),
-      Mode<Input>{"heat", "heat", &unseen<Input>}.special()};
+      Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -57,7 +57,7 @@ bool Train::ratios_single(const Input& in) { return std::all_of(in.stages.begin(
 FieldFault Train::double_ratio(const Input& in) {
   return fault_of(in, is_single,
                   say("the ratio of this stage is given more than once, or by what its kind does not have"),
-                  say("give i, or teeth, or diameters; z_s and z_r belong to kind = \"planetary\" alone"));
+                  say("give i, or teeth, or diameters; z_s and z_r only with kind = \"planetary\""));
 }
 
 bool Train::slips_fit(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), slip_fits); }

@@ -35,30 +35,29 @@ struct TrainTypes {
 
     static constexpr Fields fields{
         NameField{&Stage::name, "name", "name of the stage"}.may_be_missing(),
-        Choice{&Stage::kind, "kind", "kind of drive"},
-        Field{&Stage::i, "i", ratio,
-              "ratio of speeds, first over second shaft, slip included; in place of teeth or diameters"}
+        Choice{&Stage::kind, "kind", "drive type"},
+        Field{&Stage::i, "i", ratio, "speed ratio, first / second shaft, slip included; replaces teeth or diameters"}
             .positive()
             .usually(0.05, 100)
             .may_be_missing(),
-        Count{&Stage::z_1, "z_1", 0, 5000, "teeth on the first shaft, or threads of the worm"}.may_be_missing(),
-        Count{&Stage::z_2, "z_2", 0, 5000, "teeth on the second shaft"}.may_be_missing(),
+        Count{&Stage::z_1, "z_1", 0, 5000, "number of teeth on the first shaft, or of worm threads"}.may_be_missing(),
+        Count{&Stage::z_2, "z_2", 0, 5000, "number of teeth on the second shaft"}.may_be_missing(),
         Field{&Stage::d_1, "d_1", mm, "diameter on the first shaft"}.positive().may_be_missing(),
         Field{&Stage::d_2, "d_2", mm, "diameter on the second shaft"}.positive().may_be_missing(),
         Field{&Stage::slip, "slip", ratio, "slip of a belt; 0.01 to 0.02 is usual"}.within(0, 0.1).usually(0, 0.03),
-        Field{&Stage::m_n, "m_n", mm, "normal module of gears, for their force"}.positive().may_be_missing(),
-        Field{&Stage::p, "p", mm, "pitch of a chain, for its pull"}.positive().may_be_missing(),
-        Field{&Stage::beta, "beta", deg, "helix angle of gears, for their force"}.within(0, 45),
-        Count{&Stage::z_s, "z_s", 0, 5000, "teeth of the sun"}.may_be_missing(),
-        Count{&Stage::z_r, "z_r", 0, 5000, "teeth of the ring"}.may_be_missing(),
+        Field{&Stage::m_n, "m_n", mm, "normal module of gears, for the tooth force"}.positive().may_be_missing(),
+        Field{&Stage::p, "p", mm, "chain pitch, for the chain pull"}.positive().may_be_missing(),
+        Field{&Stage::beta, "beta", deg, "helix angle of gears, for the tooth force"}.within(0, 45),
+        Count{&Stage::z_s, "z_s", 0, 5000, "number of teeth of the sun"}.may_be_missing(),
+        Count{&Stage::z_r, "z_r", 0, 5000, "number of teeth of the ring gear"}.may_be_missing(),
         Choice{&Stage::in, "in", "member of the planetary set on the first shaft"}.may_be_missing(),
-        Choice{&Stage::out, "out", "member of the planetary set on the second shaft; the third is held"}
+        Choice{&Stage::out, "out", "member of the planetary set on the second shaft; the third is fixed"}
             .may_be_missing(),
         Field{&Stage::eta, "eta", ratio,
-              "efficiency; of a planetary set the basic one, carrier at rest; missing: no losses"}
+              "efficiency (planetary set: basic efficiency, carrier at rest); omitted: no losses"}
             .within(0.01, 1)
             .may_be_missing(),
-        Choice{&Stage::sense, "sense", "sense of rotation of the second shaft"}.may_be_missing()};
+        Choice{&Stage::sense, "sense", "direction of rotation of the second shaft"}.may_be_missing()};
   };
 
   struct Input {
@@ -75,14 +74,14 @@ struct TrainTypes {
     Power P_loss = unset<Power>;
     double x_eta = unset<double>;
     static constexpr Fields fields{
-        Field{&StageResult::i, "i", ratio, "ratio, negative where the sense of rotation changes"},
+        Field{&StageResult::i, "i", ratio, "ratio, negative for opposite direction of rotation"},
         Field{&StageResult::eta, "eta", ratio, "efficiency"},
         Field{&StageResult::eta_low, "eta_low", ratio, "lowest usual efficiency of such a stage"},
         Field{&StageResult::eta_high, "eta_high", ratio, "highest usual efficiency of such a stage"},
         Choice{&StageResult::range, "range", "the efficiency against the usual range"},
-        Field{&StageResult::T_h, "T_h", N_m, "torque of the housing on the foundation"}.load(),
-        Field{&StageResult::P_loss, "P_loss", kW, "power that is lost"},
-        Field{&StageResult::x_eta, "x_eta", ratio, "efficiency of a worm over the highest usual one; missing, it is 1"}
+        Field{&StageResult::T_h, "T_h", N_m, "reaction torque of the housing on the foundation"}.load(),
+        Field{&StageResult::P_loss, "P_loss", kW, "power loss"},
+        Field{&StageResult::x_eta, "x_eta", ratio, "worm efficiency / maximum usual efficiency (1 if omitted)"}
             .limit(0, 1)
             .where_it_applies()};
   };
@@ -93,10 +92,10 @@ struct TrainTypes {
     Force F_in = unset<Force>, F_out = unset<Force>;
     static constexpr Fields fields{
         Field{&Shaft::n, "n", rpm, "speed, signed"},
-        Field{&Shaft::T, "T", N_m, "torque that it carries, signed"}.load().with("F_in, F_out"),
+        Field{&Shaft::T, "T", N_m, "transmitted torque, signed"}.load().with("F_in, F_out"),
         Field{&Shaft::P, "P", kW, "power"},
-        Field{&Shaft::F_in, "F_in", N, "tangential force on its driven wheel"}.load().with("T, F_out"),
-        Field{&Shaft::F_out, "F_out", N, "tangential force on its driving wheel"}.load().with("T, F_in")};
+        Field{&Shaft::F_in, "F_in", N, "tangential force on the driven wheel of the shaft"}.load().with("T, F_out"),
+        Field{&Shaft::F_out, "F_out", N, "tangential force on the driving wheel of the shaft"}.load().with("T, F_in")};
   };
   struct Result {
     double i = unset<double>, eta = unset<double>;

@@ -18,9 +18,13 @@ struct AngularMomentumChange {
   static constexpr auto id = "dynamics.angular_momentum";
   static constexpr auto title = "Angular momentum about an axis";
   static constexpr auto scope =
-      "Angular speed after parts on one axis change their inertia, are coupled, driven or braked by a constant moment, "
-      "or the time that this takes; energy that comes from inside or is lost.";
+      "Angular velocity after a change of inertia, a coupling, or driving or braking by a constant moment of "
+      "parts on one axis, or the time required, with the energy lost or released.";
   static constexpr auto source = "[B33], [B36]";
+  static constexpr auto headline = "omega_2 = {omega_2}";
+  static constexpr auto synonyms =
+      "angular momentum, moment of momentum, coupling of shafts, clutch engagement, spin-up, Drehimpuls, Drall, "
+      "Drallsatz, Kupplungsvorgang, кинетический момент, момент количества движения";
   static constexpr auto example = R"toml([project]
 title = "A ball on a thread"
 
@@ -39,9 +43,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
         NameField{&Part::name, "name", "name of the part"}.may_be_missing(),
         Field{&Part::J_1, "J_1", kg_m2, "moment of inertia before"}.positive().may_be_missing(),
         Field{&Part::J_2, "J_2", kg_m2, "moment of inertia after; as before where missing"}.positive().may_be_missing(),
-        Field{&Part::mass, called("m"), kg, "mass of a part that is small beside its radius, in place of J_1"}
-            .positive()
-            .may_be_missing(),
+        Field{&Part::mass, called("m"), kg, "point mass, replaces J_1"}.positive().may_be_missing(),
         Field{&Part::R_1, "R_1", mm, "its distance from the axis before"}.positive().may_be_missing(),
         Field{&Part::R_2, "R_2", mm, "its distance from the axis after; as before where missing"}
             .positive()

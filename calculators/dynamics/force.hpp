@@ -21,11 +21,15 @@ namespace loadpath::dynamics {
 
 struct ForceOfMotion {
   static constexpr auto id = "dynamics.force";
-  static constexpr auto title = "Force that a motion asks for";
+  static constexpr auto title = "Force from a prescribed motion (inverse dynamics)";
   static constexpr auto scope =
-      "Resultant force on a mass that moves by the law x(t), y(t), z(t), its parts along the path, the inertia force, "
-      "and the force that is missing beside known ones. Laws must be smooth.";
+      "Resultant force on a mass with smooth laws of motion x(t), y(t), z(t), its components along the path, "
+      "the inertia force, and the unknown force in addition to known ones.";
   static constexpr auto source = "[B32]";
+  static constexpr auto headline = "R_max = {R_max}|R = {R}";
+  static constexpr auto synonyms =
+      "inverse dynamics, Newton second law, inertia force, D'Alembert, force from motion, equation of motion, "
+      "Newtonsches Grundgesetz, Trägheitskraft, сила инерции, второй закон Ньютона, принцип Даламбера";
   static constexpr auto example = R"toml([project]
 title = "A point on an ellipse"
 

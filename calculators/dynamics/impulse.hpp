@@ -21,9 +21,13 @@ struct Impulse {
   static constexpr auto id = "dynamics.impulse";
   static constexpr auto title = "Impulse of a force";
   static constexpr auto scope =
-      "Impulse of a force F(t), mean force, and the velocity of a mass after it, by the theorem of momentum. The force "
-      "is a smooth law of time over the range.";
+      "Impulse and mean value of a force F(t) that is smooth over the range, and the resulting velocity of a "
+      "mass by the impulse-momentum theorem.";
   static constexpr auto source = "[B33]";
+  static constexpr auto headline = "I = {I}|v_2 = {v_2}";
+  static constexpr auto synonyms =
+      "impulse, momentum, mean force, impulse-momentum theorem, Kraftstoß, Impulssatz, импульс силы, "
+      "теорема об изменении количества движения";
   static constexpr auto example = R"toml([project]
 title = "A blow"
 

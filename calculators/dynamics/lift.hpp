@@ -20,11 +20,17 @@ namespace loadpath::dynamics {
 
 struct Lift {
   static constexpr auto id = "dynamics.lift";
-  static constexpr auto title = "Lift of weights, drums and pulleys";
+  static constexpr auto title = "Hoist and rope systems";
   static constexpr auto scope =
-      "Acceleration, speed and time over a path of a system of one freedom: weights on threads and tracks, drums and "
-      "pulleys with bearing friction and driving moments; whether it starts, which way, and whether it gets there.";
+      "Acceleration, speed and time over a path of a one-degree-of-freedom system of weights on ropes and "
+      "tracks, drums and pulleys with bearing friction and driving moments, with start, direction and "
+      "completion of the motion.";
   static constexpr auto source = "[B37]";
+  static constexpr auto headline = "a = {a}";
+  static constexpr auto synonyms =
+      "hoist, lift, elevator, winch, drum, pulley, block and tackle, rope, counterweight, inclined track, "
+      "Atwood machine, Hubwerk, Seiltrommel, Winde, Aufzug, Flaschenzug, Seilrolle, лебёдка, подъёмник, барабан, "
+      "блок, полиспаст, лифт";
   static constexpr auto example = R"toml([project]
 title = "Three bodies and a thread"
 
@@ -159,17 +165,17 @@ wheels = [
 
   static constexpr bool turns = true;
   static constexpr std::array modes{
-      Mode<Input>{"reach", "it stops before the end of the path", &always<Input>}.judged_by("u_s"),
-      Mode<Input>{"slack", "threads of what hangs go slack",
+      Mode<Input>{"reach", "travel to the path end", &always<Input>}.judged_by("u_s"),
+      Mode<Input>{"slack", "rope tension, suspended bodies",
                   [](const Input& in) { return where(has_track(in, &hangs)); }}
           .judged_by("T_hang"),
-      Mode<Input>{"slack_slope", "threads of what is on a slope go slack",
+      Mode<Input>{"slack_slope", "rope tension, bodies on inclines",
                   [](const Input& in) { return where(has_track(in, &slopes)); }}
           .judged_by("T_slope"),
-      Mode<Input>{"slack_level", "threads of what is on a level track go slack",
+      Mode<Input>{"slack_level", "rope tension, bodies on level tracks",
                   [](const Input& in) { return has_track(in, &is_level) ? Applies::unseen : Applies::no; }},
-      Mode<Input>{"threads", "strength of the threads", &unseen<Input>},
-      Mode<Input>{"slip", "threads slip on their drums", &unseen<Input>}};
+      Mode<Input>{"threads", "rope strength", &unseen<Input>},
+      Mode<Input>{"slip", "rope slip on drums", &unseen<Input>}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -18,9 +18,13 @@ struct MassCentre {
   static constexpr auto id = "dynamics.mass_centre";
   static constexpr auto title = "Centre of mass of a system";
   static constexpr auto scope =
-      "Centre of mass of bodies, and the displacement of a carrier that is free to move along x when bodies move on "
-      "it, starting from rest. Resistance along x is not covered.";
+      "Centre of mass of a system of bodies, and the displacement of a carrier free to move along x when "
+      "bodies move on it from rest; resistance along x is not covered.";
   static constexpr auto source = "[B35]";
+  static constexpr auto headline = "M = {M}";
+  static constexpr auto synonyms =
+      "centre of mass, center of gravity, centroid, mass centre motion, Schwerpunkt, Massenmittelpunkt, "
+      "Schwerpunktsatz, центр масс, центр тяжести";
   static constexpr auto example = R"toml([project]
 title = "A man in a boat"
 

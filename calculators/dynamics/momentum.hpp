@@ -15,11 +15,15 @@ namespace loadpath::dynamics {
 
 struct SystemMomentum {
   static constexpr auto id = "dynamics.momentum";
-  static constexpr auto title = "Momentum of a system of bodies";
+  static constexpr auto title = "Momentum and direct impact of bodies";
   static constexpr auto scope =
-      "Velocity that follows from the momentum of bodies on one line: recoil, separation, coupling, and the straight "
-      "impact of two bodies with a coefficient of restitution; energy that is lost or comes from inside.";
+      "Velocities from conservation of momentum of bodies on one line: recoil, separation, coupling, and "
+      "direct impact of two bodies with a coefficient of restitution, with the energy lost or released.";
   static constexpr auto source = "[B35]";
+  static constexpr auto headline = "V_1 = {V_1}";
+  static constexpr auto synonyms =
+      "momentum, conservation of momentum, collision, impact, coefficient of restitution, recoil, Impulserhaltung, "
+      "Stoß, Stoßzahl, количество движения, удар, коэффициент восстановления";
   static constexpr auto example = R"toml([project]
 title = "A cart and a ball"
 

@@ -17,11 +17,15 @@ namespace loadpath::dynamics {
 
 struct Throw {
   static constexpr auto id = "dynamics.throw";
-  static constexpr auto title = "Throw at an angle";
+  static constexpr auto title = "Projectile motion";
   static constexpr auto scope =
-      "Height, range, times and speeds of a body that is thrown at an angle and lands higher, level or lower; angles "
-      "that reach a given distance. The resistance of the air is not covered.";
+      "Height, range, flight times and velocities of a projectile that lands above, at or below launch level, "
+      "and the launch angles for a given range; air resistance is not covered.";
   static constexpr auto source = "[B32]";
+  static constexpr auto headline = "L = {L}, H = {H}";
+  static constexpr auto synonyms =
+      "projectile, projectile motion, trajectory, range, launch angle, ballistics, oblique throw, schiefer Wurf, "
+      "Wurfparabel, Wurfweite, бросок под углом, движение снаряда, дальность полёта";
   static constexpr auto example = R"toml([project]
 title = "A throw"
 
@@ -83,8 +87,9 @@ theta = "30 deg"
                   "a body that is thrown level or downwards does not land higher: raise theta, or give h >= 0"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"landing", "it does not come up to the height of the landing", &always<Input>}.judged_by("u_h"),
-      Mode<Input>{"reach", "it falls short", [](const Input& in) { return where(is_set(in.L_req)); }}.judged_by("u_L")};
+      Mode<Input>{"landing", "height of the landing point", &always<Input>}.judged_by("u_h"),
+      Mode<Input>{"reach", "horizontal range", [](const Input& in) { return where(is_set(in.L_req)); }}.judged_by(
+          "u_L")};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -17,11 +17,15 @@ namespace loadpath::dynamics {
 
 struct WorkAndEnergy {
   static constexpr auto id = "dynamics.work";
-  static constexpr auto title = "Work and kinetic energy of a sliding body";
+  static constexpr auto title = "Work and energy of a sliding body";
   static constexpr auto scope =
-      "Works of weight, friction, a constant force and a spring over a straight path, the speed at its end, time and "
-      "power; whether the body gets there, and how far it would. Dry friction by a constant coefficient.";
+      "Work of weight, dry friction, a constant force and a spring over a straight path, the final speed, time "
+      "and power, and the attainable distance; dry friction with a constant coefficient.";
   static constexpr auto source = "[B34]";
+  static constexpr auto headline = "v_2 = {v_2}|A = {A}";
+  static constexpr auto synonyms =
+      "work, energy, work-energy theorem, kinetic energy, power, sliding friction, spring, inclined plane, Arbeit, "
+      "Arbeitssatz, kinetische Energie, schiefe Ebene, работа, кинетическая энергия, трение скольжения";
   static constexpr auto example = R"toml([project]
 title = "A body that slides down"
 
@@ -90,8 +94,7 @@ mu = 0.1
       Rule<Input>{[](const Input& in) { return is_set(in.c) || !(is_set(in.z_1) || is_set(in.z_2)); }, "z_1, z_2, c",
                   "a deformation needs the stiffness c of the spring"}};
 
-  static constexpr std::array modes{
-      Mode<Input>{"reach", "it stops before the end of the path", &always<Input>}.judged_by("u_s")};
+  static constexpr std::array modes{Mode<Input>{"reach", "travel to the path end", &always<Input>}.judged_by("u_s")};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -117,7 +117,7 @@ Combined::Result Combined::evaluate(const Input& in, Tracer& trace) {
   first_cycle(in, r, trace);
   if (!varies(in)) return r;
   compare_cycles(in, r, trace);
-  STEP(sigma_t, max(in.sigma_m, 0.0 * MPa), "compression is no help");
+  STEP(sigma_t, max(in.sigma_m, 0.0 * MPa), "compression has no benefit");
   STEP(tau_t, abs(in.tau_m), "shear of either sense");
   serensen(in, sigma_t, tau_t, r, trace);
   gough(in, sigma_t, tau_t, r, trace);

@@ -23,12 +23,18 @@ namespace loadpath::fatigue {
 
 struct Combined {
   static constexpr auto id = "fatigue.combined";
-  static constexpr auto title = "Normal and shear stresses that vary together";
+  static constexpr auto title = "Fatigue under proportional normal and shear stress";
   static constexpr auto scope =
-      "Safety without end where normal and shear stresses vary together and in phase: Serensen, von Mises by four mean "
-      "stress rules, Gough and Pollard, side by side; yielding at the first cycle. Not covered: stresses out of phase, "
-      "brittle metals, finite life. Recalled: psi by R_m.";
+      "Infinite-life safety factor for in-phase normal and shear stresses by Serensen, von Mises with four "
+      "mean stress rules, and Gough-Pollard, with first-cycle yielding; out-of-phase stresses, brittle metals "
+      "and finite life are not covered.";
   static constexpr auto source = "[GOST25504], [Gough], [Shigley6]";
+  static constexpr auto headline = "n = {n}";
+  static constexpr auto subject = "fatigue";
+  static constexpr auto synonyms =
+      "combined stress, multiaxial fatigue, proportional, in phase, bending and torsion fatigue, Gough-Pollard, "
+      "von Mises, Serensen, zusammengesetzte Beanspruchung, Biegung und Torsion, сложное напряжённое состояние, "
+      "Гаф-Поллард, запас прочности";
   static constexpr auto example = R"([project]
 title = "Shoulder of a shaft that turns and drives"
 
@@ -76,7 +82,7 @@ S_F = 1.5
               .usually(3, 1000)
               .may_be_missing(),
           Field{&Input::K_sigma, "K_sigma", ratio,
-                "K_D of sigma_D, which the mean stress does not feel; 1 is on the safe side"}
+                "K_D of sigma_D, not applied to the mean stress; 1 is on the safe side"}
               .within(1, 50)
               .usually(1, 6),
           Field{&Input::K_tau, "K_tau", ratio, "K_D of tau_D"}.within(1, 50).usually(1, 6),
@@ -94,11 +100,11 @@ S_F = 1.5
           modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
           diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
           Choice{&Input::rule, "rule", "rule that decides"}.may_be_missing(),
-          Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
+          Field{&Input::S_D, "S_D", ratio, "required fatigue safety factor, on the load"}
               .at_least(1)
               .usually(1.2, 6)
               .factor(),
-          Field{&Input::S_F, "S_F", ratio, "safety against yielding"}
+          Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)
               .usually(1, 6)
               .may_be_missing()
@@ -154,14 +160,14 @@ S_F = 1.5
                                        Meaning{"sigma_a, tau_a", "amplitude"}, Meaning{"sigma_m, tau_m", steady_part}};
 
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
-      Mode<Input>{"fatigue", "fatigue, without end, stresses in phase",
+      Mode<Input>{"yield", "first-cycle yielding", &always<Input>}.judged_by("u_y, u_F"),
+      Mode<Input>{"fatigue", "infinite-life fatigue, proportional stresses",
                   [](const Input& in) { return where(varies(in)); }}
           .judged_by("u_D, x_v, x_B, x_E"),
       fatigue_of_metal<&varies, Input>(),
-      Mode<Input>{"phase", "stresses that rise and fall apart, other cycles beside these", &unseen<Input>},
-      Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
-      Mode<Input>{"surroundings", "corrosion, heat, fretting under press fits", &unseen<Input>}.special()};
+      Mode<Input>{"phase", "non-proportional and variable-amplitude stresses", &unseen<Input>},
+      Mode<Input>{"notch", "local yielding at the notch root", &unseen<Input>},
+      Mode<Input>{"surroundings", "corrosion, heat and fretting", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

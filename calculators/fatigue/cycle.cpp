@@ -86,7 +86,7 @@ draw::Figure in_the_plane(const Input& in, const Result& r) {
   }
   const double reach = 1.2 * longest;
   plot.curves.push_back({"similar cycles", {0.0, reach * in_si(r.sigma_m)}, {0.0, reach * in_si(r.sigma_a)}});
-  return {"amplitude-mean", "Amplitude and mean stress; similar cycles lie on a ray", std::move(plot)};
+  return {"amplitude-mean", "Amplitude and mean stress; cycles of one stress ratio on a ray", std::move(plot)};
 }
 
 /// The limit is that of symmetric cycles: tension lowers it, and so does shear of either sense.

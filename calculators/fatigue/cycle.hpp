@@ -26,10 +26,16 @@ struct Cycle {
   static constexpr auto id = "fatigue.cycle";
   static constexpr auto title = "Stress cycle";
   static constexpr auto scope =
-      "Largest, least and mean stress, amplitude, ratio and kind of a stress cycle from any two of these; similar "
-      "cycles; normal and shear stresses alike. The largest stress against yielding, the amplitude against a fatigue "
-      "limit of r = -1 where the mean stress is no tension. Mean stress and life: fatigue.life.";
+      "Maximum, minimum and mean stress, amplitude, stress ratio and type of a cycle from any two of them, for "
+      "normal or shear stress, with yielding by the maximum stress and, where no tensile mean stress acts, the "
+      "amplitude against a fatigue limit at r = -1; mean stress and life: fatigue.life.";
   static constexpr auto source = "[B20]";
+  static constexpr auto headline = "sigma_a = {sigma_a}";
+  static constexpr auto subject = "the stress cycle";
+  static constexpr auto synonyms =
+      "stress cycle, amplitude, mean stress, stress ratio, R ratio, alternating stress, pulsating stress, fatigue, "
+      "Spannungsamplitude, Mittelspannung, Spannungsverhältnis, Schwellbeanspruchung, Wechselbeanspruchung, "
+      "цикл напряжений, амплитуда, коэффициент асимметрии";
   static constexpr auto example = R"([project]
 title = "Cycle of a connecting rod"
 
@@ -63,16 +69,15 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static FieldFault objectionable(const Input& in);
   static Applies varies(const Input& in);
   static constexpr Fields inputs = join(
-      Fields{RecordField<Input>{"cycle", "the largest stress of a part, whole: cycle = \"=shaft.cycle\""}},
-      given_fields<Input>(),
-      Fields{Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
+      Fields{RecordField<Input>{"cycle", "maximum stress of a part: cycle = \"=shaft.cycle\""}}, given_fields<Input>(),
+      Fields{Choice<Input, Stresses>{&Input::stress, "stress", "stress component: normal or shear"}.may_be_missing(),
              Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, to check the largest stress"}
                  .positive()
                  .usually(50, 2500)
                  .from("material", "R_e", "d_h"),
              modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
              diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
-             Field<Input, double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
+             Field<Input, double>{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
                  .at_least(1)
                  .usually(1, 6)
                  .may_be_missing()
@@ -118,7 +123,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
               .limit(0, same, "sigma_D")
               .where_it_applies(),
           cycles_over_told<Result>(&Result::x_N),
-          Group<Result, WholeCycle>{&Result::cycle, "cycle", "the whole cycle, for fatigue.life: cycle"}.handed_over(),
+          Group<Result, WholeCycle>{&Result::cycle, "cycle", "the full cycle, for fatigue.life: cycle"}.handed_over(),
           ListField<Result, List<Compared, most_others>>{&Result::others, "others", "the compared cycles"}});
 
   static constexpr bool turns = true;
@@ -138,16 +143,15 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                                        Meaning{"sigma_m", steady_part}};
 
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}
+      Mode<Input>{"yield", "first-cycle yielding", &always<Input>}
           .judged_by("u_y, u_F")
           .left_to("fatigue.life", "cycle.yield"),
-      Mode<Input>{"fatigue", "fatigue, with an amplitude above the fatigue limit", &varies}
+      Mode<Input>{"fatigue", "infinite-life fatigue", &varies}
           .judged_by("u_D, x_m")
           .left_to("fatigue.life", "cycle.fatigue"),
       fatigue_of_metal<&varies, Input>(),
-      Mode<Input>{"life", "life of what is loaded above its fatigue limit", &unseen<Input>}.left_to("fatigue.life",
-                                                                                                    "cycle.fatigue"),
-      Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>}};
+      Mode<Input>{"life", "finite-life fatigue", &unseen<Input>}.left_to("fatigue.life", "cycle.fatigue"),
+      Mode<Input>{"notch", "local yielding at the notch root", &unseen<Input>}};
 
   static constexpr std::array forms{Form{"sigma_max, sigma_min, R_e"}};
 

@@ -37,7 +37,7 @@ Objection of_min(Stress sigma_min, double r) {
     return {"where r = 0 sigma_min is zero and says nothing about the size of the cycle",
             "give sigma_max, sigma_m or sigma_a with r"};
   }
-  if (sigma_min == zero) return {"sigma_min = 0 belongs to r = 0 alone", "give sigma_max in place of r"};
+  if (sigma_min == zero) return {"sigma_min = 0 occurs only at r = 0", "give sigma_max in place of r"};
   const bool tension = sigma_min > zero;
   if (tension && !(r > 0.0 && r <= 1.0)) return {"a positive sigma_min needs 0 < r <= 1: sigma_max is larger", ""};
   if (!tension && r > 0.0 && r < 1.0) return {"a negative sigma_min needs r < 0 or r >= 1, or an infinite r", ""};
@@ -49,7 +49,7 @@ Objection of_mean(Stress sigma_m, double r) {
     return {"a symmetric cycle, r = -1, has no mean stress: sigma_m says nothing about its size",
             "give sigma_max, sigma_min or sigma_a with r"};
   }
-  if (sigma_m == zero) return {"a mean stress of zero belongs to r = -1 alone", "give sigma_a in place of sigma_m"};
+  if (sigma_m == zero) return {"a mean stress of zero occurs only at r = -1", "give sigma_a in place of sigma_m"};
   if (sigma_m > zero && !(r > -1.0 && r <= 1.0)) return {"a positive mean stress needs -1 < r <= 1", ""};
   if (sigma_m < zero && r > -1.0 && r < 1.0)
     return {"a negative mean stress needs r < -1 or r >= 1, or an infinite r", ""};
@@ -61,7 +61,7 @@ Objection of_amplitude(Stress sigma_a, double r) {
     return {"a static stress, r = 1, has no amplitude: sigma_a says nothing about its size",
             "give sigma_max or sigma_m with r"};
   }
-  if (sigma_a == zero) return {"an amplitude of zero belongs to r = 1 alone", "give sigma_m in place of sigma_a"};
+  if (sigma_a == zero) return {"an amplitude of zero occurs only at r = 1", "give sigma_m in place of sigma_a"};
   return {};
 }
 

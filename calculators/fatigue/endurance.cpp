@@ -52,7 +52,7 @@ double sensitivity(const Input& in, Result& r, Tracer& trace) {
     return NAMED_STEP("q", 1.0 / (1.0 + a_P / in.r_n), "notch sensitivity, Peterson, recalled");
   }
   if (!is_set(in.r_n))
-    return NAMED_STEP("q", is_set(in.q) ? in.q : 1.0, is_set(in.q) ? "as given" : "of no account: there is no notch");
+    return NAMED_STEP("q", is_set(in.q) ? in.q : 1.0, is_set(in.q) ? "as given" : "no effect: there is no notch");
   STEP_TO(r, x_r, 0.1 * mm / in.r_n, "sharper notches count as cracks, own bound");
   const Length a_N = neuber_length(in, r, trace);
   return NAMED_STEP("q", 1.0 / (1.0 + sqrt(a_N / in.r_n)), "notch sensitivity, Neuber, [Shigley6] (6-34)");
@@ -119,10 +119,10 @@ bool Endurance::rule_fits(const Input& in) { return is_set(in.sigma_W) || covers
 FieldFault Endurance::misfit(const Input& in) {
   switch (in.rule) {
     case RuleOf::textbook:
-      return {
-          "rule",
-          say("the textbook gives fatigue limits in bending alone, of carbon steel, cast iron and non-ferrous metals"),
-          say("take rule = \"din743\" for steels, \"fkm\" for tension and torsion, or give sigma_W")};
+      return {"rule",
+              say("the textbook gives fatigue limits in bending only, for carbon steel, cast iron and "
+                  "non-ferrous metals"),
+              say("take rule = \"din743\" for steels, \"fkm\" for tension and torsion, or give sigma_W")};
     case RuleOf::din743:
       return {"rule", say("DIN 743 is for steels"), say("take rule = \"fkm\", or give sigma_W")};
     case RuleOf::fkm:

@@ -27,13 +27,18 @@ namespace loadpath::fatigue {
 
 struct Endurance : EnduranceTypes {
   static constexpr auto id = "fatigue.endurance";
-  static constexpr auto title = "Fatigue limit of a material and of a part";
+  static constexpr auto title = "Fatigue limit of material and part";
   static constexpr auto scope =
-      "Fatigue limit in symmetric cycles of a smooth specimen, measured or estimated, and of a part with its shape, "
-      "size and surface, by Marin at a temperature and a reliability. Mean stress and life: fatigue.life. Corrosion is "
-      "not covered. Recalled: Peterson's notch sensitivity, that of cast iron, the 11th edition but for ground "
-      "surfaces.";
+      "Fully reversed fatigue limit of a smooth specimen, measured or estimated, and of a part with its stress "
+      "concentration, size and surface by Serensen or Marin, the latter with temperature and reliability "
+      "factors; mean stress and life: fatigue.life; corrosion is not covered.";
   static constexpr auto source = "[B20], [DIN743], [FKM], [GOST25504], [Shigley6]";
+  static constexpr auto headline = "sigma_D = {sigma_D}";
+  static constexpr auto synonyms =
+      "fatigue limit, endurance limit, Marin factors, surface factor, size factor, notch sensitivity, "
+      "fatigue notch factor, stress concentration, reliability factor, Dauerfestigkeit, Wechselfestigkeit, "
+      "Kerbwirkungszahl, Größenfaktor, Oberflächenfaktor, предел выносливости, коэффициент концентрации, "
+      "масштабный фактор, Серенсен";
   static constexpr auto example = R"([project]
 title = "Shoulder of a shaft"
 
@@ -94,11 +99,9 @@ R_z = "6.3 um"
       Choice{&Input::finish, "finish", "surface, for Marin's school"}.may_be_missing(),
       Choice{&Input::sensitivity, "sensitivity", "how the notch sensitivity follows"}.may_be_missing(),
       Choice{&Input::edition, "edition", "edition of the surface factors of Marin's school"}.may_be_missing(),
-      Choice{&Input::turning, "turning", "whether the part turns under its bending, for the size of Marin's school"}
+      Choice{&Input::turning, "turning", "rotating or non-rotating part, for the size factor of Marin"}
           .may_be_missing(),
-      Field{&Input::h, "h", mm, "height of a rectangular section that stands, in place of d"}
-          .positive()
-          .may_be_missing(),
+      Field{&Input::h, "h", mm, "height of a non-rotating rectangular section, replaces d"}.positive().may_be_missing(),
       Field{&Input::b, "b", mm, "width of that section"}.positive().may_be_missing(),
       Field{&Input::k_a, "k_a", ratio, "surface factor of Marin's school, in place of one from finish"}
           .within(0.1, 1)
@@ -115,7 +118,7 @@ R_z = "6.3 um"
       Field{&Input::T, "T", scale_of_heat, "temperature of the part, where R_m is that of room temperature"}
           .positive()
           .may_be_missing(),
-      Field{&Input::P_s, "P_s", ratio, "reliability: share of parts that bear the limit, else one half"}
+      Field{&Input::P_s, "P_s", ratio, "reliability: share of parts that survive the limit; omitted: 0.5"}
           .within(0.5, 0.999999)
           .may_be_missing()};
 
@@ -123,7 +126,7 @@ R_z = "6.3 um"
       Field{&Result::sigma_m1, "sigma_m1", MPa, "fatigue limit of the smooth specimen; shear in torsion"},
       Field{&Result::sigma_low, "sigma_low", MPa, "lower end of the rule's band"},
       Field{&Result::sigma_high, "sigma_high", MPa, "upper end of the rule's band"},
-      Field{&Result::N_0, "N_0", ratio, "cycles that the limit stands for: of non-ferrous metals conventional"},
+      Field{&Result::N_0, "N_0", ratio, "number of cycles of the limit (conventional for non-ferrous metals)"},
       Field{&Result::K_f, "K_f", ratio, "fatigue notch factor"},
       Field{&Result::epsilon, "epsilon", ratio, "size factor of Serensen's school"},
       Field{&Result::beta_F, "beta_F", ratio, "surface factor of Serensen's school"},
@@ -203,7 +206,8 @@ R_z = "6.3 um"
                     return !is_set(in.h) || (in.turning == Turning::standing && in.loading != Loading::torsion);
                   },
                   "h, b, turning, loading",
-                  "the size of a rectangle is told of bending and tension of what stands: turning = \"standing\""},
+                  "the size factor of a rectangle applies to bending and tension of a non-rotating part: "
+                  "turning = \"standing\""},
       Rule<Input>{[](const Input& in) { return !is_set(in.T) || in.group <= Group::cast_steel; }, "T, group",
                   "the temperature factor is that of steels: give R_m at the temperature of the part in place of T"},
       Rule<Input>{[](const Input& in) { return !is_set(in.k_c) || is_set(in.sigma_W); }, "k_c, sigma_W",
@@ -236,27 +240,22 @@ R_z = "6.3 um"
   static constexpr std::array notch_claims{NotchClaim{"sigma_D", "K_f", "K_t"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"size", "a part larger than specimens, by a size factor that was measured", &has_size}
-          .judged_by("x_d")
-          .wanting("d, epsilon")
-          .of_shape(),
-      Mode<Input>{"surface", "a part rougher than specimens, which are polished", &has_surface}
+      Mode<Input>{"size", "validity: size factor", &has_size}.judged_by("x_d").wanting("d, epsilon").of_shape(),
+      Mode<Input>{"surface", "validity: surface factor", &has_surface}
           .judged_by("x_Rz")
           .wanting("R_z, beta_F")
           .of_shape(),
-      Mode<Input>{"notch", "a strength or a radius for which no notch sensitivity was measured",
-                  [](const Input& in) { return where(is_set(in.r_n)); }}
+      Mode<Input>{"notch", "validity: notch sensitivity data", [](const Input& in) { return where(is_set(in.r_n)); }}
           .judged_by("x_n, x_r")
           .of_shape(),
-      Mode<Input>{"metal", "another metal than its group of steels",
+      Mode<Input>{"metal", "validity: modulus of steel",
                   [](const Input& in) { return where(is_set(in.E) && is_steel(in.group)); }}
           .judged_by("x_E")
           .of_shape(),
-      Mode<Input>{"temperature", "a temperature for which no strength was measured",
-                  [](const Input& in) { return where(is_set(in.T)); }}
+      Mode<Input>{"temperature", "validity: temperature factor", [](const Input& in) { return where(is_set(in.T)); }}
           .judged_by("x_T")
           .of_shape(),
-      Mode<Input>{"surroundings", "corrosion, heat, fretting under press fits", &unseen<Input>}.special()};
+      Mode<Input>{"surroundings", "corrosion, heat and fretting", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

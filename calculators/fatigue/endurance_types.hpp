@@ -123,7 +123,7 @@ constexpr auto choices_of(EnduranceTypes::Edition) {
 constexpr auto choices_of(EnduranceTypes::Turning) {
   using T = EnduranceTypes::Turning;
   return std::array{ChoiceName<T>{T::rotating, "rotating", "it turns: all of its rim is stressed"},
-                    ChoiceName<T>{T::standing, "standing", "it stands: two sides of its rim are stressed"}};
+                    ChoiceName<T>{T::standing, "standing", "non-rotating: two sides of the rim are stressed"}};
 }
 
 constexpr auto choices_of(EnduranceTypes::Sensitivity) {

@@ -70,7 +70,7 @@ void sensitivities(const Input& in, Haigh& h, Tracer& trace) {
   }
   if (is_set(h.psi_D)) {
     const double psi = h.psi_D, K_D = trace.value("K_D", is_set(in.K_D) ? in.K_D : 1.0, "specimen over part");
-    h.psi_D = NAMED_STEP("psi_D", psi / K_D, "the mean stress feels no notch, size or surface, [GOST25504]");
+    h.psi_D = NAMED_STEP("psi_D", psi / K_D, "notch, size and surface do not apply to the mean stress, [GOST25504]");
   }
   if (is_set(in.M)) h.M = in.M;
   const FkmRow* const row = fkm_row(in.group);
@@ -114,7 +114,7 @@ double fraction(const Input& in, Tracer& trace) {
 template <class Tracer>
 void draw_line(const Input& in, const Haigh& h, Result& r, Tracer& trace) {
   using std::pow;
-  const double N_D = trace.value("N_D", cycles_of_limit(in), "cycles that the fatigue limit stands for");
+  const double N_D = trace.value("N_D", cycles_of_limit(in), "number of cycles of the fatigue limit");
   if (in.line == Line::basquin) {
     STEP_TO(r, b_N, in.b, "Basquin");
     STEP_TO(r, a_N, in.sigma_f * pow(2.0, in.b) / in.K_D, "a cycle is two reversals, [Dowling9] (9.22); over K_D");
@@ -170,7 +170,7 @@ double life_at(const Input& in, const Result& r, Stress sigma_ar, Tracer& trace)
   if (!is_set(sigma_ar)) return unset<double>;
   if (is_set(in.sigma_D) && sigma_ar <= in.sigma_D) {
     return Life::is_ferrous(in) ? trace.value("N", std::numeric_limits<double>::infinity(), "below the fatigue limit")
-                                : trace.value("N", N_D, "as far as the fatigue limit is told, N_D");
+                                : trace.value("N", N_D, "as far as the fatigue limit is given, N_D");
   }
   NoTrace quiet;
   const bool breaks = sigma_ar > tensile(in, quiet);
@@ -186,7 +186,7 @@ Stress counted_mean(const Input& in, const Result& r, MeanRule rule, Tracer& tra
   if (in.compression == Life::Compression::counted && rule == MeanRule::fkm && !in_shear(in))
     return trace.value("sigma_m", r.sigma_m, "compression counts, in the fields of FKM");
   const Stress sigma_t = in_shear(in) ? abs(r.sigma_m) : max(r.sigma_m, 0.0 * MPa);
-  trace.value("sigma_t", sigma_t, in_shear(in) ? "shear of either sense" : "compression is no help");
+  trace.value("sigma_t", sigma_t, in_shear(in) ? "shear of either sense" : "compression has no benefit");
   const bool raised = is_set(in.K_m) && rule <= MeanRule::morrow;
   const double K_m = trace.value("K_m", raised ? in.K_m : 1.0, "what a notch adds to the mean stress");
   return NAMED_STEP("sigma_m", K_m * sigma_t, "as the rule counts it");
@@ -225,7 +225,7 @@ Stress required(const Input& in, const Haigh& h, const Result& r, const Row& row
 template <class Tracer>
 void decide(const Input& in, const Haigh& h, const Row& row, Result& r, Tracer& trace) {
   r.sigma_ar = row.sigma_ar, r.n_m = row.n_m, r.N_f = row.N;
-  r.n = trace.value("n", row.n, "of the rule that decides: factor on the whole load");
+  r.n = trace.value("n", row.n, "governing rule: factor on the total load");
   const Stress sigma_A = trace.value("sigma_A", row.sigma_A, "of the rule that decides: the mean stress stays");
   r.S_req = required(in, h, r, row);
   if (is_set(r.S_req)) trace.value("S_req", r.S_req, "sigma_ar of S_D times the load, by the rule");
@@ -284,7 +284,7 @@ draw::Figure haigh_diagram(const Input& in, const Haigh& h, const Result& r) {
     plot.curves.push_back({"load", {m, m}, {0.0, left * a}});
   }
   plot.marks.push_back({m, a, "cycle"});
-  return {"haigh", "Haigh diagram: the cycle, how its load grows, and what the rules bear", std::move(plot)};
+  return {"haigh", "Haigh diagram: stress cycle, load line, limit curves of the mean stress rules", std::move(plot)};
 }
 
 draw::Figure wohler_diagram(const Input& in, const Result& r) {
@@ -315,7 +315,7 @@ bool Life::rule_has_all(const Input& in) { return lacking(in).path.empty(); }
 FieldFault Life::lacking(const Input& in) {
   NoTrace quiet;
   if (in_shear(in) && (in.rule == MeanRule::morrow || in.rule == MeanRule::swt || in.rule == MeanRule::walker))
-    return lacks("rule", "this rule is told of normal stresses", "take goodman, gerber, elliptic, fkm or serensen");
+    return lacks("rule", "this rule is given for normal stresses", "take goodman, gerber, elliptic, fkm or serensen");
   if (knows(strengths(in, Result{}, quiet), in.rule)) return {};
   switch (in.rule) {
     case MeanRule::soderberg:

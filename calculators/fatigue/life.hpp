@@ -26,14 +26,19 @@ namespace loadpath::fatigue {
 
 struct Life {
   static constexpr auto id = "fatigue.life";
-  static constexpr auto title = "Safety and life in a stress cycle";
+  static constexpr auto title = "Constant-amplitude fatigue (safety factor and life)";
   static constexpr auto scope =
-      "Safety and life of a part in one stress cycle with mean stress: Goodman, Soderberg, Gerber, ASME ellipse, "
-      "Morrow, Smith-Watson-Topper, Walker, FKM and Serensen side by side, of which one decides; yielding at the first "
-      "cycle; the amplitude that is allowed, for the share of parts that the fatigue limit holds for. Not covered: "
-      "histories, low cycles below 1e3, shear beside normal stresses, creep, corrosion. Recalled: the fit of f, of "
-      "gamma, and of psi.";
+      "Safety factor and life in one stress cycle with mean stress by Goodman, Soderberg, Gerber, ASME "
+      "ellipse, Morrow, Smith-Watson-Topper, Walker, FKM and Serensen, one of which decides, with first-cycle "
+      "yielding and the allowable amplitude; load histories, fewer than 1e3 cycles, combined shear, creep and "
+      "corrosion are not covered.";
   static constexpr auto source = "[Dowling9], [FKM], [GOST25504], [Shigley6]";
+  static constexpr auto headline = "n = {n}|N_f = {N_f}";
+  static constexpr auto subject = "fatigue";
+  static constexpr auto synonyms =
+      "fatigue life, Goodman, modified Goodman, Soderberg, Gerber, ASME elliptic, Morrow, SWT, Walker, "
+      "Haigh diagram, mean stress, S-N curve, Basquin, infinite life, finite life, Haigh-Diagramm, Smith-Diagramm, "
+      "Dauerfestigkeit, Zeitfestigkeit, Lebensdauer, запас выносливости, долговечность, диаграмма Хея";
   static constexpr auto example = R"([project]
 title = "Rod that is pulled"
 
@@ -85,10 +90,10 @@ S_F = 1.5
   template <class Quantity>
   using F = Field<Input, Quantity>;
   static constexpr Fields inputs = join(
-      Fields{RecordField<Input>{"cycle", "the cycle of a part, whole: cycle = \"=rod.cycle\" of a fatigue.cycle"}},
+      Fields{RecordField<Input>{"cycle", "stress cycle of a fatigue.cycle step: cycle = \"=rod.cycle\""}},
       given_fields<Input>(),
       Fields{
-          Choice<Input, Stresses>{&Input::stress, "stress", "what varies"}.may_be_missing(),
+          Choice<Input, Stresses>{&Input::stress, "stress", "stress component: normal or shear"}.may_be_missing(),
           F<Stress>{&Input::sigma_D, "sigma_D", MPa,
                     "fatigue limit of the part, r = -1, as nominal stress: of fatigue.endurance"}
               .positive()
@@ -102,11 +107,11 @@ S_F = 1.5
           modulus_of_material(&Input::E),
           density_of_material(&Input::rho),
           diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
-          F<double>{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the load"}
+          F<double>{&Input::S_D, "S_D", ratio, "required fatigue safety factor, on the load"}
               .at_least(1)
               .usually(1.2, 6)
               .factor(),
-          F<double>{&Input::S_F, "S_F", ratio, "safety against yielding"}
+          F<double>{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)
               .usually(1, 6)
               .may_be_missing()
@@ -164,7 +169,7 @@ S_F = 1.5
               .within(2, 40)
               .usually(3, 20)
               .may_be_missing(),
-          F<double>{&Input::N_D, "N_D", ratio, "cycles that sigma_D stands for, else 1e6, of non-ferrous metals 1e8"}
+          F<double>{&Input::N_D, "N_D", ratio, "number of cycles of sigma_D; omitted: 1e6, non-ferrous metals 1e8"}
               .within(1e4, 1e10)
               .usually(5e5, 1e9)
               .may_be_missing()});
@@ -178,7 +183,7 @@ S_F = 1.5
         Field{&Row::sigma_m, "sigma_m", MPa, "mean stress, as the rule counts it"},
         Field{&Row::sigma_ar, "sigma_ar", MPa, "amplitude of symmetric cycles that does the same"},
         Field{&Row::sigma_A, "sigma_A", MPa, "amplitude that is left where the mean stress stays"},
-        Field{&Row::n, "n", ratio, "safety: factor on the whole load"},
+        Field{&Row::n, "n", ratio, "safety factor on the total load"},
         Field{&Row::n_m, "n_m", ratio, "safety: factor on the amplitude, the mean stress stays"},
         Field{&Row::N, "N", ratio, "life in cycles; none below 1e3"}.may_be_infinite()};
   };
@@ -207,7 +212,7 @@ S_F = 1.5
               .where_it_applies(),
           Field{&Result::S_e, "S_e", MPa, "strength in symmetric cycles for this life"},
           Field{&Result::sigma_ar, "sigma_ar", MPa, "amplitude of symmetric cycles that does the same, by the rule"},
-          Field{&Result::n, "n", ratio, "safety by the rule: factor on the whole load"},
+          Field{&Result::n, "n", ratio, "safety factor by the rule: factor on the total load"},
           Field{&Result::n_m, "n_m", ratio, "safety by the rule: factor on the amplitude, the mean stress stays"},
           Field{&Result::N_f, "N_f", ratio, "life in cycles at this load; none below 1e3, N_D where it lasts longer"}
               .may_be_infinite(),
@@ -225,7 +230,7 @@ S_F = 1.5
               .limit(0, 1, "R_m")
               .criterion(),
           Field{&Result::x_N, "x_N", ratio, "1e3 cycles over N: below, lives are those of strains"}.limit(0, 1, "N"),
-          Field{&Result::x_D, "x_D", ratio, "N over N_D, where nothing is told beyond"}
+          Field{&Result::x_D, "x_D", ratio, "N / N_D; the curve is not given beyond N_D"}
               .limit(0, 1 + 1e-9, "N")
               .where_it_applies(),
           Field{&Result::x_f, "x_f", ratio, "R_m over the highest of the fit of f"}.limit(0, 1, "N").where_it_applies(),
@@ -242,7 +247,7 @@ S_F = 1.5
       Rule<Input>{&line_has_all, "line, N, sigma_D, R_m, f, sigma_f, b, k, K_D", "the line of finite life needs more",
                   &lacking_of_line},
       Rule<Input>{[](const Input& in) { return is_set(in.sigma_D) || (in.line == Line::basquin && is_set(in.N)); },
-                  "sigma_D", "give the fatigue limit of the part sigma_D; a life N by Basquin's line alone needs none"},
+                  "sigma_D", "give the fatigue limit of the part sigma_D; a life N by Basquin's line needs none"},
       Rule<Input>{[](const Input& in) { return is_ferrous(in) || is_set(in.N); }, "group, N",
                   "non-ferrous metals have no limit without end: give the group of another metal, or the cycles N that "
                   "it must last"},
@@ -250,7 +255,7 @@ S_F = 1.5
       lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
       yields_before_it_breaks<Input>(),
       Rule<Input>{[](const Input& in) { return in.compression == Compression::ignored || in.rule == MeanRule::fkm; },
-                  "compression, rule", "compression is counted by rule = \"fkm\" alone"},
+                  "compression, rule", "compression is considered only by rule = \"fkm\""},
       Rule<Input>{[](const Input& in) { return in.group != Group::grey_iron || is_set(in.K_m); }, "K_m, group",
                   "grey iron does not yield at a notch: give K_m, its K_f, or 1 where there is no notch"},
       Rule<Input>{[](const Input& in) {
@@ -272,14 +277,12 @@ S_F = 1.5
                                        Meaning{"sigma_m", steady_part}};
 
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),
-      Mode<Input>{"fatigue", "fatigue, in this cycle alone", &varies}.judged_by("u_D, x_m, x_B, x_N, x_D, x_f, x_E"),
-      Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
-      Mode<Input>{"multiaxial", "shear beside normal stresses: a fatigue.combined", &unseen<Input>}.assessed_in(
-          "fatigue.combined"),
-      Mode<Input>{"history", "larger and smaller cycles beside this one", &unseen<Input>}.assessed_in(
-          "fatigue.history"),
-      Mode<Input>{"surroundings", "corrosion, creep, fretting under press fits", &unseen<Input>}.special()};
+      Mode<Input>{"yield", "first-cycle yielding", &always<Input>}.judged_by("u_y, u_F").wanting("R_e, S_F"),
+      Mode<Input>{"fatigue", "constant-amplitude fatigue", &varies}.judged_by("u_D, x_m, x_B, x_N, x_D, x_f, x_E"),
+      Mode<Input>{"notch", "local yielding at the notch root", &unseen<Input>},
+      Mode<Input>{"multiaxial", "combined normal and shear stresses", &unseen<Input>}.assessed_in("fatigue.combined"),
+      Mode<Input>{"history", "variable-amplitude loading", &unseen<Input>}.assessed_in("fatigue.history"),
+      Mode<Input>{"surroundings", "corrosion, creep and fretting", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

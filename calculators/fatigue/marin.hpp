@@ -62,9 +62,9 @@ double marin_surface(const EnduranceTypes::Input& in, Tracer& trace) {
 template <class Tracer>
 Length marin_diameter(const EnduranceTypes::Input& in, Tracer& trace) {
   const bool bends = in.loading == EnduranceTypes::Loading::bending;
-  if (is_set(in.h)) return NAMED_STEP("d_e", 0.808 * sqrt(in.h * in.b), "rectangle that stands, [Shigley6] table 6-3");
+  if (is_set(in.h)) return NAMED_STEP("d_e", 0.808 * sqrt(in.h * in.b), "non-rotating rectangle, [Shigley6] table 6-3");
   if (in.turning == EnduranceTypes::Turning::standing && bends)
-    return NAMED_STEP("d_e", 0.370 * in.d, "round bar that stands, [Shigley6] (6-24)");
+    return NAMED_STEP("d_e", 0.370 * in.d, "non-rotating round bar, [Shigley6] (6-24)");
   return in.d;
 }
 

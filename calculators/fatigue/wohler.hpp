@@ -20,12 +20,17 @@ namespace loadpath::fatigue {
 
 struct Wohler {
   static constexpr auto id = "fatigue.wohler";
-  static constexpr auto title = "Wöhler curve from test points";
+  static constexpr auto title = "S-N (Wöhler) curve from tests";
   static constexpr auto scope =
-      "Line of finite life through fatigue tests, its scatter and confidence, survival lines, knee and fatigue limit "
-      "or "
-      "conventional strength. Staircase statistics and extrapolation beyond the tests are not covered.";
+      "Finite-life line through fatigue test results with its scatter and confidence interval, survival lines, "
+      "knee, and fatigue limit or conventional fatigue strength; staircase statistics and extrapolation beyond "
+      "the tests are not covered.";
   static constexpr auto source = "[B20], [E739], [ISO12107]";
+  static constexpr auto headline = "k = {k}, S_D = {S_D}";
+  static constexpr auto synonyms =
+      "S-N curve, Wöhler curve, SN curve, Basquin, fatigue tests, regression, scatter, run-out, "
+      "survival probability, Wöhlerlinie, Wöhlerversuch, Zeitfestigkeit, Durchläufer, кривая усталости, "
+      "кривая Вёлера";
   static constexpr auto example = R"([project]
 title = "Rotating bending of smooth bars"
 
@@ -68,7 +73,7 @@ S = "350 MPa"
       Field{&Input::P_s, "P_s", ratio, "probability of survival of the line for design, with 50 % confidence"}.within(
           0.5, 0.999),
       Field{&Input::C, "C", ratio, "confidence of the interval of the slope"}.within(0.5, 0.999),
-      Field{&Input::S, "S", MPa, "stress at which the life is asked for"}.load().positive().may_be_missing(),
+      Field{&Input::S, "S", MPa, "stress at which the life is required"}.load().positive().may_be_missing(),
       Field{&Input::S_D, "S_D", MPa, "fatigue limit, where it is known from other tests"}.positive().may_be_missing(),
       Field{&Input::N_0, "N_0", ratio, "cycles of the conventional fatigue limit: of non-ferrous metals 1e8"}
           .at_least(1)
@@ -120,14 +125,14 @@ S = "350 MPa"
                   "bars have failed below this fatigue limit: it is at most the lowest stress of the line"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"stress", "S outside of the tested stresses", [](const Input& in) { return where(is_set(in.S)); }}
+      Mode<Input>{"stress", "stress within the tested range", [](const Input& in) { return where(is_set(in.S)); }}
           .judged_by("x_S")
           .of_shape(),
-      Mode<Input>{"cycles", "N_0 outside of the tested lives", [](const Input& in) { return where(is_set(in.N_0)); }}
+      Mode<Input>{"cycles", "cycles within the tested range", [](const Input& in) { return where(is_set(in.N_0)); }}
           .judged_by("x_N, x_0")
           .of_shape(),
-      Mode<Input>{"knee", "a knee outside of the tested lives", &has_knee}.judged_by("x_D").of_shape(),
-      Mode<Input>{"survival", "a survival of which so few tests do not tell", &always<Input>}
+      Mode<Input>{"knee", "knee within the tested range", &has_knee}.judged_by("x_D").of_shape(),
+      Mode<Input>{"survival", "survival probability supported by the sample", &always<Input>}
           .judged_by("P_f")
           .of_shape()};
 

@@ -27,13 +27,18 @@ namespace loadpath::gear {
 
 struct Pair {
   static constexpr auto id = "gear.pair";
-  static constexpr auto title = "Pair of cylindrical gears";
+  static constexpr auto title = "Cylindrical gear pair";
   static constexpr auto scope =
-      "Spur and helical gears with profile shift, external, internal or with a rack: centre distance, diameters, "
-      "contact "
-      "ratios, tooth thickness and base-tangent length, tooth forces with their directions, bending by Lewis as a "
-      "static first estimate. Pitting and the rating of ISO 6336 are not covered.";
+      "Geometry, contact ratio, tooth thickness, base tangent length and tooth forces of spur and helical "
+      "gears with profile shift, external, internal or with a rack, and static bending stress by Lewis as a "
+      "first estimate; pitting and the rating of ISO 6336 are not covered.";
   static constexpr auto source = "[ISO21771], [Lewis]";
+  static constexpr auto headline = "z {z_1}/{z_2}, m {m_n}";
+  static constexpr auto synonyms =
+      "gear, spur gear, helical gear, internal gear, rack and pinion, pinion, profile shift, addendum modification, "
+      "contact ratio, base tangent length, Lewis, tooth force, ISO 21771, Stirnrad, Stirnradpaar, Zahnrad, "
+      "Profilverschiebung, Verzahnung, cylindrical gear, centre distance, tooth root stress, Zahnfußspannung, "
+      "Achsabstand, зубчатая передача, цилиндрическая передача, зубчатое колесо, шестерня, модуль";
   static constexpr auto example = R"([project]
 title = "First stage of a reducer"
 
@@ -68,12 +73,12 @@ sigma_adm_2 = "200 MPa"
     return is_set(in.b) ? in.b > widest * in.m_n : is_set(in.psi_m) && in.psi_m > widest;
   }
   static constexpr Fields inputs{
-      RecordField<Input>{"pair", "a mesh of a planetary set, whole: pair = \"=set.sun_mesh\""},
-      Choice{&Input::mesh, "mesh", "what gear 1 meshes with"}.may_be_missing(),
-      Count{&Input::z_1, "z_1", 5, 2000, "teeth of gear 1, the wheel or pinion"}.same_as_that_of_source(
-          "stages[#].z_1"),
-      Count{&Input::z_2, "z_2", 5, 2000, "teeth of gear 2; none for a rack"}.may_be_missing().same_as_that_of_source(
-          "stages[#].z_2"),
+      RecordField<Input>{"pair", "mesh of a planetary set: pair = \"=set.sun_mesh\""},
+      Choice{&Input::mesh, "mesh", "type of mesh: external gear, ring gear or rack"}.may_be_missing(),
+      Count{&Input::z_1, "z_1", 5, 2000, "number of teeth, gear 1"}.same_as_that_of_source("stages[#].z_1"),
+      Count{&Input::z_2, "z_2", 5, 2000, "number of teeth, gear 2; none for a rack"}
+          .may_be_missing()
+          .same_as_that_of_source("stages[#].z_2"),
       Field{&Input::m_n, "m_n", mm, "normal module"}
           .positive()
           .usually(0.2, 50)
@@ -81,32 +86,32 @@ sigma_adm_2 = "200 MPa"
           .may_be_missing()
           .same_as_that_of_source("stages[#].m_n"),
       Field{&Input::alpha_n, "alpha_n", deg, "normal pressure angle"}.within(10, 35).usually(14.5, 25),
-      Field{&Input::beta, "beta", deg, "helix angle at the reference cylinder"}.within(0, 45).usually(0, 35),
-      Choice{&Input::hand, "hand", "hand of the helix of gear 1"}.may_be_missing(),
-      Field{&Input::x_1, "x_1", ratio, "profile shift of gear 1 in normal modules"}
+      Field{&Input::beta, "beta", deg, "helix angle at the reference diameter"}.within(0, 45).usually(0, 35),
+      Choice{&Input::hand, "hand", "hand of helix, gear 1"}.may_be_missing(),
+      Field{&Input::x_1, "x_1", ratio, "profile shift coefficient, gear 1"}
           .within(-most_shift, most_shift)
           .usually(-0.8, 1.2),
       Field{&Input::x_2, "x_2", ratio,
-            "profile shift of gear 2, positive thickens its tooth; missing: from a_w, without it zero"}
+            "profile shift coefficient, gear 2, positive for a thicker tooth; omitted: from a_w, else zero"}
           .within(-most_shift, most_shift)
           .usually(-0.8, 1.2)
           .may_be_missing(),
-      Field{&Input::a_w, "a_w", mm, "working centre distance; of a rack, from the axis to its reference line"}
+      Field{&Input::a_w, "a_w", mm, "working centre distance (rack: from the axis to its reference line)"}
           .positive()
           .may_be_missing(),
-      Field{&Input::h_aP, "h_aP", ratio, "addendum of the basic rack in modules"}.within(0.3, 2).usually(0.8, 1.2),
-      Field{&Input::h_fP, "h_fP", ratio, "dedendum of the basic rack in modules"}.within(0.4, 2.5).usually(1, 1.4),
-      Field{&Input::rho_fP, "rho_fP", ratio, "root radius of the basic rack in modules"}.within(0, 0.6),
-      Choice{&Input::shortening, "shortening", "tips of a pair with profile shift"}.may_be_missing(),
-      Field{&Input::d_a2, "d_a2", mm, "tip diameter of gear 2, in place of that by h_aP; of a ring the inner one"}
+      Field{&Input::h_aP, "h_aP", ratio, "addendum of the basic rack, in modules"}.within(0.3, 2).usually(0.8, 1.2),
+      Field{&Input::h_fP, "h_fP", ratio, "dedendum of the basic rack, in modules"}.within(0.4, 2.5).usually(1, 1.4),
+      Field{&Input::rho_fP, "rho_fP", ratio, "root fillet radius of the basic rack, in modules"}.within(0, 0.6),
+      Choice{&Input::shortening, "shortening", "tip shortening of a pair with profile shift"}.may_be_missing(),
+      Field{&Input::d_a2, "d_a2", mm, "tip diameter of gear 2, replaces that by h_aP (ring gear: inner diameter)"}
           .positive()
           .may_be_missing(),
-      Field{&Input::A_s1, "A_s1", mm, "allowance of the tooth thickness of gear 1, thinner is negative"}.within(-5, 0),
-      Field{&Input::A_s2, "A_s2", mm, "allowance of the tooth thickness of gear 2, thinner is negative"}.within(-5, 0),
-      Count{&Input::k_W1, "k_W1", 0, 2000, "teeth spanned on gear 1; 0: chosen"}.may_be_missing(),
-      Count{&Input::k_W2, "k_W2", 0, 2000, "teeth spanned on gear 2; 0: chosen"}.may_be_missing(),
+      Field{&Input::A_s1, "A_s1", mm, "tooth thickness allowance, gear 1 (negative: thinner)"}.within(-5, 0),
+      Field{&Input::A_s2, "A_s2", mm, "tooth thickness allowance, gear 2 (negative: thinner)"}.within(-5, 0),
+      Count{&Input::k_W1, "k_W1", 0, 2000, "number of teeth spanned, gear 1; 0: selected"}.may_be_missing(),
+      Count{&Input::k_W2, "k_W2", 0, 2000, "number of teeth spanned, gear 2; 0: selected"}.may_be_missing(),
       Field{&Input::b, "b", mm, "common face width"}.positive().may_be_missing(),
-      Field{&Input::psi_m, "psi_m", ratio, "face width in normal modules, in place of b"}
+      Field{&Input::psi_m, "psi_m", ratio, "face width in normal modules, replaces b"}
           .positive()
           .usually(5, widest)
           .may_be_missing(),
@@ -116,46 +121,46 @@ sigma_adm_2 = "200 MPa"
           .at_least_that_of_source("shafts[#].T")
           .with("F_x1, F_y1, F_z1")
           .may_be_missing(),
-      Field{&Input::P, "P", kW, "nominal power that gear 1 takes in, in place of T_1, with n_1"}
+      Field{&Input::P, "P", kW, "nominal power input of gear 1, with n_1, replaces T_1"}
           .load()
           .at_least_that_of_source("shafts[#].P")
           .may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed of gear 1; a negative value reverses the direction in turns"}
-          .at_least_that_of_source("shafts[#].n")
+          .near_that_of_source("shafts[#].n")
           .may_be_missing(),
-      Choice{&Input::turns, "turns", "sense of rotation of gear 1, seen against the z axis"}.may_be_missing(),
-      Field{&Input::K_A, "K_A", ratio, "application factor: what the nominal load does not contain, once"}
+      Choice{&Input::turns, "turns", "direction of rotation of gear 1, seen against the z axis"}.may_be_missing(),
+      Field{&Input::K_A, "K_A", ratio, "application factor K_A (1 if the load includes it)"}
           .at_least(1)
           .usually(1, 2.5)
           .factor(),
-      Field{&Input::K_f, "K_f", ratio, "stress concentration at the fillet; 1: Lewis' static stress"}
+      Field{&Input::K_f, "K_f", ratio, "stress concentration factor at the root fillet; 1: static Lewis stress"}
           .at_least(1)
           .usually(1, 2.5)
           .factor(),
-      Choice{&Input::cutting, "cutting", "how the teeth are made, for the velocity factor"}.may_be_missing(),
-      Choice{&Input::idler, "idler", "gear whose teeth bend both ways in a turn"}.may_be_missing(),
-      Field{&Input::Y_1, "Y_1", ratio, "Lewis' factor of gear 1; missing: from the form of its tooth"}
+      Choice{&Input::cutting, "cutting", "manufacturing method of the teeth, for the velocity factor"}.may_be_missing(),
+      Choice{&Input::idler, "idler", "idler gear (reversed tooth bending)"}.may_be_missing(),
+      Field{&Input::Y_1, "Y_1", ratio, "Lewis form factor, gear 1; omitted: from the tooth form"}
           .within(0.01, 1)
           .usually(0.15, 0.8)
           .may_be_missing(),
-      Field{&Input::Y_2, "Y_2", ratio, "Lewis' factor of gear 2; missing: from the form of its tooth"}
+      Field{&Input::Y_2, "Y_2", ratio, "Lewis form factor, gear 2; omitted: from the tooth form"}
           .within(0.01, 1)
           .usually(0.15, 0.8)
           .may_be_missing(),
       Field{&Input::sigma_adm_1, "sigma_adm_1", MPa,
-            "allowable bending stress of gear 1, pulsating, its safety included"}
+            "allowable tooth root bending stress, gear 1, pulsating (safety factor included)"}
           .positive()
           .usually(10, 1000)
           .may_be_missing(),
       Field{&Input::sigma_adm_2, "sigma_adm_2", MPa,
-            "allowable bending stress of gear 2, pulsating, its safety included"}
+            "allowable tooth root bending stress, gear 2, pulsating (safety factor included)"}
           .positive()
           .usually(10, 1000)
           .may_be_missing(),
-      Field{&Input::bore_1, "bore_1", mm, "bore of gear 1, for the rim under its teeth"}.positive().may_be_missing(),
-      Field{&Input::bore_2, "bore_2", mm, "bore of gear 2"}.positive().may_be_missing(),
-      Field{&Input::t_k1, "t_k1", mm, "depth of the keyway in the hub of gear 1"}.at_least(0).usually(0, 50),
-      Field{&Input::t_k2, "t_k2", mm, "depth of the keyway in the hub of gear 2"}.at_least(0).usually(0, 50)};
+      Field{&Input::bore_1, "bore_1", mm, "bore diameter of gear 1, for the rim"}.positive().may_be_missing(),
+      Field{&Input::bore_2, "bore_2", mm, "bore diameter of gear 2, for the rim"}.positive().may_be_missing(),
+      Field{&Input::t_k1, "t_k1", mm, "keyway depth in the hub, gear 1"}.at_least(0).usually(0, 50),
+      Field{&Input::t_k2, "t_k2", mm, "keyway depth in the hub, gear 2"}.at_least(0).usually(0, 50)};
   static constexpr auto results = pair_results;
 
   static constexpr std::array rules{
@@ -209,51 +214,44 @@ sigma_adm_2 = "200 MPa"
   static constexpr bool turns = true;
   static constexpr std::array senses{SenseClaim{"T_1, P", "idler", "none, gear_1, gear_2", "both"}};
   static constexpr std::array modes{
-      Mode<Input>{"dynamic", "dynamic load of running teeth",
+      Mode<Input>{"dynamic", "dynamic tooth load",
                   [](const Input& in) {
                     return carries(in) && in.cutting == Cutting::none ? shown_by(is_set(in.n_1)) : Applies::no;
                   }}
           .wanting("n_1, cutting")
           .in_service(),
-      Mode<Input>{"root_1", "tooth root of gear 1 in bending, by Lewis",
-                  [](const Input& in) { return where(carries(in)); }}
+      Mode<Input>{"root_1", "tooth root bending, gear 1 (Lewis)", [](const Input& in) { return where(carries(in)); }}
           .judged_by("u_F1, v_share"),
-      Mode<Input>{"root_2", "tooth root of gear 2 in bending, by Lewis",
+      Mode<Input>{"root_2", "tooth root bending, gear 2 (Lewis)",
                   [](const Input& in) { return where(carries(in) && in.mesh == Mesh::external); }}
           .judged_by("u_F2, v_share"),
-      Mode<Input>{"root_mate", "tooth root of the ring or rack in bending",
+      Mode<Input>{"root_mate", "tooth root bending, ring or rack",
                   [](const Input& in) { return where(carries(in) && in.mesh != Mesh::external); }},
-      Mode<Input>{"fillet", "stress concentration at the fillet, which Lewis leaves out",
+      Mode<Input>{"fillet", "stress concentration at the root fillet",
                   [](const Input& in) { return carries(in) && in.K_f == 1.0 ? shown_by(is_set(in.n_1)) : Applies::no; }}
           .wanting("K_f"),
-      Mode<Input>{"pitting_1", "pitting of gear 1", [](const Input& in) { return where(carries(in)); }},
-      Mode<Input>{"pitting_2", "pitting of its mate", [](const Input& in) { return where(carries(in)); }},
-      Mode<Input>{"contact", "a pair of teeth in contact at every instant", &always<Input>}
-          .judged_by("eps_gamma")
-          .of_shape(),
-      Mode<Input>{"flanks", "flanks of the teeth are involutes", &always<Input>}.judged_by("q_a, x_2").of_shape(),
+      Mode<Input>{"pitting_1", "pitting, gear 1", [](const Input& in) { return where(carries(in)); }},
+      Mode<Input>{"pitting_2", "pitting, gear 2", [](const Input& in) { return where(carries(in)); }},
+      Mode<Input>{"contact", "contact ratio", &always<Input>}.judged_by("eps_gamma").of_shape(),
+      Mode<Input>{"flanks", "involute form of the flanks", &always<Input>}.judged_by("q_a, x_2").of_shape(),
       Mode<Input>{"undercut", "undercut", &always<Input>}.judged_by("x_free").of_shape(),
-      Mode<Input>{"pointed", "pointed teeth", &always<Input>}.judged_by("s_a").of_shape(),
-      Mode<Input>{"interference", "interference of tips and fillets", &always<Input>}.judged_by("f_int").of_shape(),
-      Mode<Input>{"clearance_1", "tip of gear 1 in the root of its mate", &always<Input>}.judged_by("c_1").of_shape(),
-      Mode<Input>{"clearance_2", "tip of the mate in the root of gear 1", &always<Input>}.judged_by("c_2").of_shape(),
-      Mode<Input>{"backlash", "jamming for want of backlash", &always<Input>}.judged_by("j_bn").of_shape(),
-      Mode<Input>{"trimming", "a wheel put into its ring sideways",
+      Mode<Input>{"pointed", "tip thickness", &always<Input>}.judged_by("s_a").of_shape(),
+      Mode<Input>{"interference", "tip and fillet interference", &always<Input>}.judged_by("f_int").of_shape(),
+      Mode<Input>{"clearance_1", "tip clearance, gear 1", &always<Input>}.judged_by("c_1").of_shape(),
+      Mode<Input>{"clearance_2", "tip clearance, gear 2", &always<Input>}.judged_by("c_2").of_shape(),
+      Mode<Input>{"backlash", "backlash", &always<Input>}.judged_by("j_bn").of_shape(),
+      Mode<Input>{"trimming", "trimming interference at radial assembly",
                   [](const Input& in) { return in.mesh == Mesh::internal ? Applies::unseen : Applies::no; }}
           .special(),
-      Mode<Input>{"width", "uneven load over a wide face", [](const Input& in) { return shown_by(is_wide(in)); }}
-          .special(),
-      Mode<Input>{"overload", "overload of the teeth by a peak", &unseen<Input>}.special(),
+      Mode<Input>{"width", "face load distribution", [](const Input& in) { return shown_by(is_wide(in)); }}.special(),
+      Mode<Input>{"overload", "tooth overload at peak torque", &unseen<Input>}.special(),
       Mode<Input>{"scuffing", "scuffing", &unseen<Input>}.special(),
       Mode<Input>{"micropitting", "micropitting", &unseen<Input>}.special(),
-      Mode<Input>{"wear", "wear of the flanks", &unseen<Input>}.special(),
-      Mode<Input>{"case_crushing", "crushing below a hardened case", &unseen<Input>}.special(),
-      Mode<Input>{"heat", "heat", &unseen<Input>}.special(),
-      Mode<Input>{"rim_1", "thin rim of gear 1 between root and bore, over its keyway", &unseen<Input>}
-          .judged_by("m_R1")
-          .wanting("bore_1")
-          .special(),
-      Mode<Input>{"rim_2", "thin rim of gear 2", &unseen<Input>}.judged_by("m_R2").wanting("bore_2").special()};
+      Mode<Input>{"wear", "wear of the tooth flanks", &unseen<Input>}.special(),
+      Mode<Input>{"case_crushing", "case crushing", &unseen<Input>}.special(),
+      Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special(),
+      Mode<Input>{"rim_1", "rim thickness, gear 1", &unseen<Input>}.judged_by("m_R1").wanting("bore_1").special(),
+      Mode<Input>{"rim_2", "rim thickness, gear 2", &unseen<Input>}.judged_by("m_R2").wanting("bore_2").special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

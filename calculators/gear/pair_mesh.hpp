@@ -27,7 +27,7 @@ void path_of_contact(const PairInput& in, PairResult& r, Tracer& trace) {
     STEP(rho_a2, sqrt(r.d_a2 * r.d_a2 - r.d_b2 * r.d_b2) / 2.0, "radius of the flank at the tip of gear 2");
     STEP_TO(r, g_f, g * (rho_a2 - r.d_w2 / 2.0 * sin(r.alpha_wt)), "approach, from the tip of gear 2");
   }
-  STEP_TO(r, g_alpha, r.g_f + g_a, "path of contact");
+  STEP_TO(r, g_alpha, r.g_f + g_a, "length of path of contact");
   STEP_TO(r, eps_alpha, g_alpha / p_et, "transverse contact ratio, [ISO21771]");
 }
 

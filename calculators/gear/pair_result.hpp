@@ -49,8 +49,8 @@ inline constexpr Fields pair_results{
     Field{&PairResult::a, "a", mm, "reference centre distance"},
     Field{&PairResult::a_w, "a_w", mm, "working centre distance"},
     Field{&PairResult::alpha_wt, "alpha_wt", deg, "working pressure angle, transverse"},
-    Field{&PairResult::x_0, "x_0", ratio, "sum of the profile shifts that meshes without backlash"},
-    Field{&PairResult::x_2, "x_2", ratio, "profile shift of gear 2, given or from a_w"}
+    Field{&PairResult::x_0, "x_0", ratio, "sum of profile shift coefficients for zero backlash"},
+    Field{&PairResult::x_2, "x_2", ratio, "profile shift coefficient, gear 2, given or from a_w"}
         .limit(-most_shift, most_shift)
         .where_it_applies(),
     Field{&PairResult::d_1, "d_1", mm, "reference diameter of gear 1"},
@@ -61,25 +61,24 @@ inline constexpr Fields pair_results{
     Field{&PairResult::d_w2, "d_w2", mm, "working pitch diameter of gear 2"},
     Field{&PairResult::k, "k", ratio, "tip shortening in normal modules"},
     Field{&PairResult::d_a1, "d_a1", mm, "tip diameter of gear 1"},
-    Field{&PairResult::d_a2, "d_a2", mm, "tip diameter of gear 2; of a ring the inner one"},
+    Field{&PairResult::d_a2, "d_a2", mm, "tip diameter of gear 2 (ring gear: inner diameter)"},
     Field{&PairResult::d_f1, "d_f1", mm, "root diameter of gear 1"},
-    Field{&PairResult::d_f2, "d_f2", mm, "root diameter of gear 2; of a ring the outer one"},
-    Field{&PairResult::c_1, "c_1", mm, "clearance of the tip of gear 1"}.limit(-1e-6, 1e4).criterion(),
-    Field{&PairResult::c_2, "c_2", mm, "clearance of the tip of gear 2"}.limit(-1e-6, 1e4).criterion(),
+    Field{&PairResult::d_f2, "d_f2", mm, "root diameter of gear 2 (ring gear: outer diameter)"},
+    Field{&PairResult::c_1, "c_1", mm, "tip clearance, gear 1"}.limit(-1e-6, 1e4).criterion(),
+    Field{&PairResult::c_2, "c_2", mm, "tip clearance, gear 2"}.limit(-1e-6, 1e4).criterion(),
     Field{&PairResult::d_clear, "d_clear", mm,
-          "least tip diameter of the ring that stays clear of the fillet of gear 1"},
+          "minimum tip diameter of the ring gear without interference with the fillet of gear 1"},
     Field{&PairResult::p_et, "p_et", mm, "transverse base pitch"},
-    Field{&PairResult::g_f, "g_f", mm, "path of contact from the tip of gear 2 to the pitch point"},
-    Field{&PairResult::g_a, "g_a", mm, "path of contact from the pitch point to the tip of gear 1"},
-    Field{&PairResult::g_alpha, "g_alpha", mm, "path of contact"},
+    Field{&PairResult::g_f, "g_f", mm, "path of approach (from the tip of gear 2 to the pitch point)"},
+    Field{&PairResult::g_a, "g_a", mm, "path of recess (from the pitch point to the tip of gear 1)"},
+    Field{&PairResult::g_alpha, "g_alpha", mm, "length of path of contact"},
     Field{&PairResult::eps_alpha, "eps_alpha", ratio, "transverse contact ratio"},
     Field{&PairResult::eps_beta, "eps_beta", ratio, "overlap ratio"},
-    Field{&PairResult::eps_gamma, "eps_gamma", ratio, "contact: total contact ratio, at least 1"}
-        .limit(1, 100)
-        .criterion(),
-    Field{&PairResult::x_min1, "x_min1", ratio, "profile shift below which gear 1 is undercut"},
-    Field{&PairResult::x_min2, "x_min2", ratio, "profile shift below which gear 2 is undercut"},
-    Field{&PairResult::x_free, "x_free", ratio, "undercut: least profile shift above its beginning; -0.02 is harmless"}
+    Field{&PairResult::eps_gamma, "eps_gamma", ratio, "total contact ratio (at least 1)"}.limit(1, 100).criterion(),
+    Field{&PairResult::x_min1, "x_min1", ratio, "profile shift coefficient at the undercut limit, gear 1"},
+    Field{&PairResult::x_min2, "x_min2", ratio, "profile shift coefficient at the undercut limit, gear 2"},
+    Field{&PairResult::x_free, "x_free", ratio,
+          "undercut: minimum margin of profile shift to the undercut limit (-0.02 is harmless)"}
         .limit(-0.02, 100)
         .criterion(),
     Field{&PairResult::s_n1, "s_n1", mm, "normal tooth thickness of gear 1 at the reference circle"},
@@ -87,37 +86,35 @@ inline constexpr Fields pair_results{
     Field{&PairResult::s_an1, "s_an1", mm, "normal tip thickness of gear 1"},
     Field{&PairResult::s_an2, "s_an2", mm, "normal tip thickness of gear 2"},
     Field{&PairResult::q_a, "q_a", ratio,
-          "flanks: least tip circle over base circle; inside of it there is no involute"}
+          "flanks: minimum tip diameter / base diameter (no involute inside the base circle)"}
         .limit(1, 1e4)
         .criterion(),
-    Field{&PairResult::s_a, "s_a", ratio, "pointed tip: least tip thickness in modules; 0.2, hardened 0.4"}
+    Field{&PairResult::s_a, "s_a", ratio, "tip thickness: minimum in modules (0.2; case-hardened 0.4)"}
         .limit(0.2, 100)
         .criterion(),
     Field{&PairResult::f_int, "f_int", ratio,
-          "interference: least free length between tips and fillets, or tips of wheel and ring, in modules; d_a2 "
-          "from d_clear on mends a ring"}
+          "interference: minimum clearance between tips and fillets, or tips of pinion and ring "
+          "gear, in modules (ring gear: clear from d_a2 = d_clear on)"}
         .limit(-0.01, 1e4)
         .criterion(),
-    Field{&PairResult::j_bn, "j_bn", mm, "backlash along the normal; below zero the teeth jam"}
-        .limit(-1e-6, 1e3)
-        .criterion(),
-    Field{&PairResult::k_W1, "k_W1", ratio, "teeth of gear 1 spanned by W_1"},
-    Field{&PairResult::W_1, "W_1", mm, "base-tangent length of gear 1; none where b is too small to measure it"},
-    Field{&PairResult::k_W2, "k_W2", ratio, "teeth of gear 2 spanned by W_2"},
-    Field{&PairResult::W_2, "W_2", mm, "base-tangent length of gear 2; none where b is too small to measure it"},
+    Field{&PairResult::j_bn, "j_bn", mm, "normal backlash (negative: jamming)"}.limit(-1e-6, 1e3).criterion(),
+    Field{&PairResult::k_W1, "k_W1", ratio, "number of teeth of gear 1 spanned by W_1"},
+    Field{&PairResult::W_1, "W_1", mm, "base tangent length, gear 1; none if b is too small for the measurement"},
+    Field{&PairResult::k_W2, "k_W2", ratio, "number of teeth of gear 2 spanned by W_2"},
+    Field{&PairResult::W_2, "W_2", mm, "base tangent length, gear 2; none if b is too small for the measurement"},
     Field{&PairResult::b, "b", mm, "common face width"},
-    Field{&PairResult::n_2, "n_2", rpm, "speed of gear 2, negative where it turns against gear 1"},
+    Field{&PairResult::n_2, "n_2", rpm, "speed of gear 2, negative if opposite to gear 1"},
     Field{&PairResult::v, "v", m_per_s, "pitch line velocity; of a rack its speed"},
     Field{&PairResult::T_2, "T_2", N_m, "torque of gear 2 on its shaft, without losses"}.load().with(
         "F_x2, F_y2, F_z2"),
-    Field{&PairResult::F_t, "F_t", N, "tangential force at the reference circle, nominal, for strength"}.load().with(
+    Field{&PairResult::F_t, "F_t", N, "nominal tangential force at the reference circle, for strength"}.load().with(
         "F_rw, F_a, T_1|T_2|gear_1.T|gear_2.T"),
     Field{&PairResult::F_tw, "F_tw", N, "tangential force at the working circle, for the bearings"}.load().with(
         "F_rw, F_a, T_1|T_2|gear_1.T|gear_2.T"),
     Field{&PairResult::F_rw, "F_rw", N, "radial force at the working circle"}.load().with(
         "F_tw, F_a, T_1|T_2|gear_1.T|gear_2.T"),
     Field{&PairResult::F_a, "F_a", N, "axial force"}.load().with("F_tw, F_rw, T_1|T_2|gear_1.T|gear_2.T"),
-    Field{&PairResult::F_bn, "F_bn", N, "force along the normal of the tooth"}.load().with("T_1|T_2|gear_1.T|gear_2.T"),
+    Field{&PairResult::F_bn, "F_bn", N, "normal tooth force"}.load().with("T_1|T_2|gear_1.T|gear_2.T"),
     Field{&PairResult::F_x1, "F_x1", N, "force on gear 1 along x, from axis 1 to the pitch point"}.load().with(
         "F_y1, F_z1, T_1|gear_1.T"),
     Field{&PairResult::F_y1, "F_y1", N, "force on gear 1 along y, in the frame of F_x1"}.load().with(
@@ -129,30 +126,29 @@ inline constexpr Fields pair_results{
         "F_x2, F_z2, T_2|gear_2.T"),
     Field{&PairResult::F_z2, "F_z2", N, "force on gear 2 along z, in the frame of F_x1"}.load().with(
         "F_x2, F_y2, T_2|gear_2.T"),
-    Group{&PairResult::gear_1, "gear_1", "what gear 1 does to its shaft, in the frame of that shaft: load"}
-        .handed_over(),
-    Group{&PairResult::gear_2, "gear_2", "what gear 2 does to its shaft, in the frame of that shaft: load"}
-        .handed_over(),
-    Field{&PairResult::K_v, "K_v", ratio, "velocity factor, raises the load; 1 without cutting"},
+    Group{&PairResult::gear_1, "gear_1", "shaft load of gear 1, in the frame of its shaft, for load"}.handed_over(),
+    Group{&PairResult::gear_2, "gear_2", "shaft load of gear 2, in the frame of its shaft, for load"}.handed_over(),
+    Field{&PairResult::K_v, "K_v", ratio, "velocity factor on the load; 1 without cutting"},
     Field{&PairResult::v_share, "v_share", ratio,
-          "velocity factor: speed over the highest that it is used for; a strength needs cutting"}
+          "velocity factor: pitch line velocity / upper limit of its formula (a strength check needs "
+          "cutting)"}
         .limit(0, 1, "n_1")
         .where_it_applies(),
-    Field{&PairResult::Y_1, "Y_1", ratio, "Lewis' factor of gear 1, load at the tip"},
-    Field{&PairResult::Y_2, "Y_2", ratio, "Lewis' factor of gear 2, load at the tip"},
-    Field{&PairResult::sigma_F1, "sigma_F1", MPa, "bending stress of gear 1 by Lewis"},
-    Field{&PairResult::sigma_F2, "sigma_F2", MPa, "bending stress of gear 2 by Lewis"},
-    Field{&PairResult::u_F1, "u_F1", ratio, "bending of gear 1 by Lewis: stress over the allowable one"}.check(
+    Field{&PairResult::Y_1, "Y_1", ratio, "Lewis form factor, gear 1, load at the tip"},
+    Field{&PairResult::Y_2, "Y_2", ratio, "Lewis form factor, gear 2, load at the tip"},
+    Field{&PairResult::sigma_F1, "sigma_F1", MPa, "Lewis bending stress, gear 1"},
+    Field{&PairResult::sigma_F2, "sigma_F2", MPa, "Lewis bending stress, gear 2"},
+    Field{&PairResult::u_F1, "u_F1", ratio, "tooth root bending, gear 1 (Lewis): stress / allowable stress"}.check(
         "sigma_adm_1"),
-    Field{&PairResult::u_F2, "u_F2", ratio, "bending of gear 2 by Lewis: stress over the allowable one"}.check(
+    Field{&PairResult::u_F2, "u_F2", ratio, "tooth root bending, gear 2 (Lewis): stress / allowable stress"}.check(
         "sigma_adm_2"),
-    Field{&PairResult::s_R1, "s_R1", mm, "rim of gear 1 over its keyway"},
+    Field{&PairResult::s_R1, "s_R1", mm, "rim thickness of gear 1 above the keyway"},
     Field{&PairResult::m_R1, "m_R1", ratio,
-          "rim of gear 1 over the height of its teeth: the formulas of roots hold from 1.2"}
+          "backup ratio of gear 1: rim thickness / tooth height (tooth root formulas apply from 1.2)"}
         .limit(1.2 * (1 - 1e-9), 1e6)
         .where_it_applies(),
-    Field{&PairResult::s_R2, "s_R2", mm, "rim of gear 2 over its keyway"},
-    Field{&PairResult::m_R2, "m_R2", ratio, "rim of gear 2 over the height of its teeth"}
+    Field{&PairResult::s_R2, "s_R2", mm, "rim thickness of gear 2 above the keyway"},
+    Field{&PairResult::m_R2, "m_R2", ratio, "backup ratio of gear 2: rim thickness / tooth height"}
         .limit(1.2 * (1 - 1e-9), 1e6)
         .where_it_applies()};
 

@@ -110,7 +110,7 @@ void measure_teeth(const PairInput& in, PairResult& r, Tracer& trace) {
     }
   }
   if (!both_shifts_given) {
-    STEP_TO(r, j_bn, -cos(in.alpha_n) * (in.A_s1 + in.A_s2), "backlash from the allowances alone");
+    STEP_TO(r, j_bn, -cos(in.alpha_n) * (in.A_s1 + in.A_s2), "backlash from the allowances only");
     return;
   }
   STEP(x_sum, in.mesh == Mesh::rack ? in.x_1 : in.x_1 + r.x_2, "sum of the profile shifts");

@@ -50,8 +50,8 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, sigma_N, N / A, "even over the section");
   STEP(sigma_b, in.M_b / W_y, "extreme fibre, with the sign of the moment");
   STEP_TO(r, sigma_M, abs(sigma_b), "its size");
-  STEP_TO(r, sigma_o, sigma_N + sigma_b, "fibre that a positive moment pulls");
-  STEP_TO(r, sigma_u, sigma_N - sigma_b, "fibre that it presses");
+  STEP_TO(r, sigma_o, sigma_N + sigma_b, "stress at the fibre in tension under a positive moment");
+  STEP_TO(r, sigma_u, sigma_N - sigma_b, "stress at the fibre in compression under a positive moment");
   r.tau = shear_stress(in, A, trace);
   r.cycle = {Stresses::normal, abs(r.sigma_N) + r.sigma_M, in.E};
 }
@@ -75,7 +75,7 @@ double moment_safety(const Input& in, double n, Tracer& trace) {
 template <class Tracer>
 void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
   if (r.loading == column::Loading::tension) r.u_p = r.u_i = 0.0, r.k = 1.0;
-  const double n = column::safety(in, in.method, trace);
+  const double n = column::safety(in, column::method_of(in), true, trace);
   if (!is_set(n)) return;
   r.u_p = r.u_i = 0.0, r.k = 1.0;
   if (!(r.F > 0.0 * kN)) return;
@@ -99,7 +99,7 @@ void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void tilting(const Input& in, Result& r, Tracer& trace) {
   if (!Member::stands_on_edge(in)) return;
-  const double n = column::safety(in, in.method, trace);
+  const double n = column::safety(in, column::method_of(in), true, trace);
   if (!is_set(in.S) && !is_set(n)) return;
   const auto sigma_M = r.sigma_M;
   const double c_t = trace.value("c_t", section::rectangle_factors(in.h / in.b).k_1, "of h/b, in torsion");

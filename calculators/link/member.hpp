@@ -22,20 +22,25 @@ struct LinkCycle {
   Stress sigma_max = unset<Stress>, E = unset<Stress>;
 
   static constexpr Fields fields{
-      Choice{&LinkCycle::stress, "stress", "what varies"},
-      Field{&LinkCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, by its size"}.load(),
-      Field{&LinkCycle::E, "E", GPa, "modulus of elasticity, which tells its metal"}};
+      Choice{&LinkCycle::stress, "stress", "stress component: normal or shear"},
+      Field{&LinkCycle::sigma_max, "sigma_max", MPa, "maximum nominal stress, magnitude"}.load(),
+      Field{&LinkCycle::E, "E", GPa, "modulus of elasticity, identifies the metal"}};
 };
 
 struct Member {
   static constexpr auto id = "link.member";
-  static constexpr auto title = "Link under normal force, shear and bending";
+  static constexpr auto title = "Link under axial force, shear and bending";
   static constexpr auto scope =
-      "Yield of a uniform link under N, V and M_b of a mechanism, its buckling about both axes by the method that is "
-      "chosen, and with bending by the secant formula in the plane of motion and by a sum across it. Holes, curved "
-      "links "
-      "and bending out of the plane are not covered.";
+      "Yielding of a uniform link under N, V and M_b from a mechanism, flexural buckling about both axes by "
+      "the chosen method, and buckling with bending by the secant formula in the plane of motion and by "
+      "summation out of it; holes, curved links and out-of-plane bending are not covered.";
   static constexpr auto source = "[Gere], [Mises], [B25], [EN1993-1-1-LTB], [Narrow-beam]";
+  static constexpr auto headline = "{section}|d = {d}|A = {A}";
+  static constexpr auto subject = "strength and buckling";
+  static constexpr auto synonyms =
+      "link, connecting rod, rod, rocker, beam-column, combined bending and compression, buckling, internal forces, "
+      "two-force member, Pleuel, Koppel, Stab, Biegung mit Druck, Knicken, звено, шатун, коромысло, "
+      "сжато-изогнутый стержень";
   static constexpr auto example = R"([project]
 title = "Connecting rod"
 
@@ -65,18 +70,17 @@ S = 1.5
   };
   static constexpr auto inputs = join(
       column::held_inputs<Input>(),
-      Fields{Field<Input, Force>{&Input::V, "V", kN, "shear force, in the plane of motion; its size counts"}.load(),
-             Field<Input, Moment>{&Input::M_b, "M_b", N_m,
-                                  "bending moment about y, in the plane of motion; its size counts"}
+      Fields{Field<Input, Force>{&Input::V, "V", kN, "shear force in the plane of motion, magnitude"}.load(),
+             Field<Input, Moment>{&Input::M_b, "M_b", N_m, "bending moment about y, in the plane of motion, magnitude"}
                  .load()},
       column::section_inputs<Input>(),
-      Fields{Field<Input, Area>{&Input::A_v, "A_v", mm2,
-                                "area that carries the shear evenly; of a round bar, a tube or a rectangle known"}
-                 .positive()
-                 .may_be_missing()},
+      Fields{
+          Field<Input, Area>{&Input::A_v, "A_v", mm2, "effective shear area; known for a round bar, tube or rectangle"}
+              .positive()
+              .may_be_missing()},
       column::strength_inputs<Input>(), column::tetmajer_inputs<Input>(), column::derived_section_inputs<Input>(),
       column::method_choice<Input>(), column::code_inputs<Input>(),
-      Fields{Field<Input, double>{&Input::S, "S", ratio, "safety against yield under N, V and M_b"}
+      Fields{Field<Input, double>{&Input::S, "S", ratio, "required safety factor against yielding under N, V and M_b"}
                  .at_least(1)
                  .usually(1.1, 6)
                  .may_be_missing()
@@ -90,35 +94,40 @@ S = 1.5
     LinkCycle cycle;
   };
   static constexpr auto results = join(
-      Fields{Field<Result, Stress>{&Result::sigma_N, "sigma_N", MPa, "stress of the normal force, tension positive"},
-             Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "stress of the moment at the extreme fibre"},
-             Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "fibre that a positive moment pulls"},
-             Field<Result, Stress>{&Result::sigma_u, "sigma_u", MPa, "fibre that it presses"},
-             Field<Result, Stress>{&Result::tau, "tau", MPa, "largest shear stress"},
-             Field<Result, double>{&Result::k, "k", ratio, "how much compression raises the moment at its safety"}},
+      Fields{Field<Result, Stress>{&Result::sigma_N, "sigma_N", MPa, "axial stress, tension positive"},
+             Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "bending stress at the extreme fibre"},
+             Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa,
+                                   "stress at the fibre in tension under a positive moment"},
+             Field<Result, Stress>{&Result::sigma_u, "sigma_u", MPa,
+                                   "stress at the fibre in compression under a positive moment"},
+             Field<Result, Stress>{&Result::tau, "tau", MPa, "maximum shear stress"},
+             Field<Result, double>{&Result::k, "k", ratio,
+                                   "amplification factor of the moment by the compression at its safety factor"}},
       column::slenderness_results<Result>(), column::stress_results<Result>(),
-      Fields{
-          Field<Result, double>{&Result::u_y, "u_y", ratio, "yield of the extreme fibre, with its safety"}.check("S"),
-          Field<Result, double>{&Result::u_Q, "u_Q", ratio, "yield in the neutral axis, with its safety"}
-              .check("S")
-              .where_it_applies()},
+      Fields{Field<Result, double>{&Result::u_y, "u_y", ratio,
+                                   "yielding of the extreme fibre: S x stress / yield strength"}
+                 .check("S"),
+             Field<Result, double>{&Result::u_Q, "u_Q", ratio,
+                                   "yielding at the neutral axis: S x equivalent stress / yield strength"}
+                 .check("S")
+                 .where_it_applies()},
       column::buckling_check<Result>(),
-      Fields{Field<Result, double>{&Result::u_p, "u_p", ratio,
-                                   "buckling with bending in the plane: force over the one that the secant formula "
-                                   "allows; 0 in tension"}
+      Fields{Field<Result, double>{
+                 &Result::u_p, "u_p", ratio,
+                 "buckling with bending in plane: force / allowable force of the secant formula; 0 in tension"}
                  .check("n_st, gamma_M1, Omega_c"),
              Field<Result, double>{&Result::u_i, "u_i", ratio,
-                                   "buckling about the weaker axis and bending, summed; 0 in tension"}
+                                   "sum of weak-axis buckling and bending utilisations; 0 in tension"}
                  .check("n_st, gamma_M1, Omega_c"),
              Field<Result, double>{&Result::chi_t, "chi_t", ratio,
-                                   "what tilting sideways leaves of the moment, of a rectangle on edge"},
+                                   "lateral-torsional buckling reduction factor of the moment, rectangle on edge"},
              Field<Result, double>{&Result::u_t, "u_t", ratio,
-                                   "lateral-torsional buckling of a rectangle on edge, with buckling"}
+                                   "lateral-torsional buckling of a rectangle on edge, combined with flexural buckling"}
                  .check("S, n_st, gamma_M1, Omega_c")
                  .where_it_applies()},
       column::slenderness_limits<Result>(), column::wall_limits<Result>(),
       Fields{Group<Result, LinkCycle>{&Result::cycle, "cycle",
-                                      "largest nominal stress of the link, for fatigue.cycle: cycle"}
+                                      "maximum nominal stress of the link, for fatigue.cycle: cycle"}
                  .handed_over()},
       column::side_by_side<Result>());
 
@@ -151,35 +160,34 @@ S = 1.5
           Rule<Input>{&fibre_known, "c_y, h, d, kind",
                       "bending needs the distance of the extreme fibre c_y, or h; of a tee or an angle c_y itself"},
           Rule<Input>{&column::of<Input, &column::Buckling::needs_of_method>,
-                      "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, h, b, t_f",
+                      "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, A, h, b, t_f",
                       "something is missing that the method needs",
                       &column::of<Input, &column::Buckling::missing_for_method>}},
       std::array{Rule<Input>{&shear_inside, "A_v, A, d, d_bore, h, b", "the shear area cannot exceed the area"}},
-      column::method_rules<Input>());
+      column::method_rules<Input>(),
+      column::assumption_rules<Input, &column::of<Input, &column::Buckling::factors_given>>());
   static constexpr auto bounds =
       join(column::held_bounds<Input>(), column::curve_bounds<Input>(),
            std::array{Bound<Input>{"A_v", "the section, EN 1993-1-1 6.2.6", &most_shear_area}});
 
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield of the extreme fibre under N and M_b", &loaded}.judged_by("u_y"),
-      Mode<Input>{"shear", "yield in the neutral axis under N and V", &sheared}.judged_by("u_Q").wanting("S, A_v"),
-      Mode<Input>{"buckling", "flexural buckling, about y and about z", &column::compressed<Input>}.judged_by("u, r_1"),
-      Mode<Input>{"bent", "buckling with bending", &compressed_and_bent}.judged_by("u_p, u_i"),
-      Mode<Input>{"slenderness", "slenderness", &column::compressed<Input>}.judged_by("r_lambda"),
-      Mode<Input>{"local", "local buckling of the walls", &walls_pressed}
+      Mode<Input>{"yield", "yielding under N and M_b", &loaded}.judged_by("u_y"),
+      Mode<Input>{"shear", "shear yielding under N and V", &sheared}.judged_by("u_Q").wanting("S, A_v"),
+      Mode<Input>{"buckling", "flexural buckling about y and z", &column::compressed<Input>}.judged_by("u, r_1"),
+      Mode<Input>{"bent", "bending and axial compression", &compressed_and_bent}.judged_by("u_p, u_i"),
+      Mode<Input>{"slenderness", "slenderness limit", &column::compressed<Input>}.judged_by("r_lambda"),
+      Mode<Input>{"local", "local buckling (class 3 limit)", &walls_pressed}
           .judged_by("r_class, x_E")
           .wanting("kind, h, b, t_f, t_w"),
-      Mode<Input>{"torsional", "torsional and torsional-flexural buckling of an open section",
+      Mode<Input>{"torsional", "torsional and torsional-flexural buckling",
                   &column::twisting<Input, &column::Buckling::outline_of>},
-      Mode<Input>{"lateral_torsional", "lateral-torsional buckling by the moment", &twisting_when_bent}
-          .judged_by("u_t")
-          .wanting("S"),
-      Mode<Input>{"net_section", "net section at holes and pins: pin.lug", &unseen<Input>}.assessed_beside("pin.lug"),
-      Mode<Input>{"fatigue", "fatigue, at holes and changes of section first", &unseen<Input>}
+      Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &twisting_when_bent}.judged_by("u_t").wanting("S"),
+      Mode<Input>{"net_section", "net section rupture (holes, pins)", &unseen<Input>}.assessed_beside("pin.lug"),
+      Mode<Input>{"fatigue", "fatigue (holes, section changes)", &unseen<Input>}
           .left_to("fatigue.cycle", "cycle.fatigue")
           .in_service(),
-      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"weight", "bending by its own weight, where the mechanism has none", &unseen<Input>}.special()};
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"weight", "bending by self-weight", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -36,16 +36,17 @@ struct Connection {
   static constexpr Fields fields{
       Choice{&Connection::fastening, "fastening", "what it is"},
       Field{&Connection::T_c, "T_c", N_m, "torque that the connection is assessed for"}.holding("K_A"),
-      Field{&Connection::T_peak, "T_peak", N_m, "the same of a start or a jam"}.holding("K_A"),
-      Field{&Connection::F_c, "F_c", N, "force along the shaft that it is assessed for"}.holding("K_A"),
-      Field{&Connection::d_c, "d_c", mm, "diameter of the shaft that it is made for"},
-      Field{&Connection::b_c, "b_c", mm, "bore of the shaft that it is calculated with"},
-      Field{&Connection::l_c, "l_c", mm, "its length along the shaft"},
-      Field{&Connection::t_c, "t_c", mm, "depth of the keyway in the hub"},
+      Field{&Connection::T_peak, "T_peak", N_m, "peak torque (start, jam) that the connection is assessed for"}.holding(
+          "K_A"),
+      Field{&Connection::F_c, "F_c", N, "axial force that the connection is assessed for"}.holding("K_A"),
+      Field{&Connection::d_c, "d_c", mm, "shaft diameter of the connection"},
+      Field{&Connection::b_c, "b_c", mm, "bore of the shaft in the calculation"},
+      Field{&Connection::l_c, "l_c", mm, "axial length of the connection"},
+      Field{&Connection::t_c, "t_c", mm, "keyway depth in the hub"},
       Field{&Connection::D_c, "D_c", mm, "outer diameter of the hub in that calculation"},
       Field{&Connection::n_c, "n_c", rpm, "speed up to which the interference fit is assessed"},
-      Field{&Connection::r_c, "r_c", ratio, "least over largest torque that it is assessed for"},
-      Field{&Connection::R_c, "R_c", MPa, "yield strength of the shaft that it is calculated with"}};
+      Field{&Connection::r_c, "r_c", ratio, "torque ratio T_min/T_max that the connection is assessed for"},
+      Field{&Connection::R_c, "R_c", MPa, "yield strength of the shaft in the calculation"}};
 };
 
 /// Of a torque with the service factor, which may be of zero: that fastens nothing.

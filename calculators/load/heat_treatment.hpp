@@ -8,9 +8,7 @@ namespace loadpath {
 
 template <class Input>
 constexpr auto diameter_at_heat_treatment(Length Input::*at) {
-  return Field<Input, Length>{at, "d_h", mm,
-                              "diameter at heat treatment, which the strength of the material belongs to: not the "
-                              "finished one"}
+  return Field<Input, Length>{at, "d_h", mm, "heat treatment diameter, basis of the material strength"}
       .positive()
       .usually(1, 2000)
       .may_be_missing();

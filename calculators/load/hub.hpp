@@ -45,7 +45,7 @@ Applies beyond_rim(const Input& in) {
 }
 template <class Input>
 constexpr auto overhang() {
-  return Mode<Input>{"overhang", "connection longer than the rim", &beyond_rim<Input>}.advising(
+  return Mode<Input>{"overhang", "connection length within the rim", &beyond_rim<Input>}.advising(
       "reduce l to b_r or less, or confirm a hub longer than the rim: accept.overhang = \"...\"");
 }
 
@@ -74,7 +74,7 @@ template <class Input, class Result, class Tracer>
 Length wall_under_root(const Input& in, Length d, Length cut, Result& r, Tracer& trace) {
   const Length d_N = trace.value("d_N", d, "shaft diameter in the hub");
   const Length t_N = trace.value("t_N", cut, "cut into the hub");
-  STEP(s_N, (in.d_f - d_N) / 2.0 - t_N, "wall of the hub under the root circle");
+  STEP(s_N, (in.d_f - d_N) / 2.0 - t_N, "hub wall under the root circle");
   if (is_set(in.h_t)) {
     STEP_TO(r, m_R, s_N / in.h_t, "rim thickness over tooth height, as in gear.pair");
   }

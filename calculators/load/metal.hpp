@@ -11,7 +11,7 @@ namespace loadpath {
 
 template <class Input>
 constexpr auto density_of_material(Density Input::*at) {
-  return Field<Input, Density>{at, "rho", kg_per_m3, "density, which with the modulus tells an iron or a steel"}
+  return Field<Input, Density>{at, "rho", kg_per_m3, "density, identifies iron or steel together with the modulus"}
       .positive()
       .usually(500, 20000)
       .from("material", "rho")
@@ -33,19 +33,18 @@ bool lacks_fatigue_limit(const Input& in) {
 /// The cycles that a part of such a metal must last, and those that its fatigue strength was measured at.
 template <class Input>
 constexpr auto cycles_of_metal() {
-  return Fields{
-      Field<Input, double>{&Input::N, "N", ratio, "cycles that it must last, of a metal without a fatigue limit"}
-          .at_least(1)
-          .may_be_missing(),
-      Field<Input, double>{&Input::N_D, "N_D", ratio, "cycles that the fatigue limit stands for, the same"}
-          .within(1e4, 1e10)
-          .may_be_missing()};
+  return Fields{Field<Input, double>{&Input::N, "N", ratio, "required life in cycles (metal without fatigue limit)"}
+                    .at_least(1)
+                    .may_be_missing(),
+                Field<Input, double>{&Input::N_D, "N_D", ratio,
+                                     "cycles at which sigma_D was determined (metal without fatigue limit)"}
+                    .within(1e4, 1e10)
+                    .may_be_missing()};
 }
 template <class Result>
 constexpr auto cycles_over_told(double Result::*at) {
   return Field<Result, double>{at, "x_N", ratio,
-                               "metal without a fatigue limit: cycles that it must last over those that the limit "
-                               "stands for"}
+                               "metal without fatigue limit: required cycles / cycles of the fatigue limit"}
       .limit(0, 1 + 1e-9)
       .where_it_applies();
 }
@@ -58,7 +57,7 @@ void compare_cycles(const Input& in, Result& r, Tracer& trace) {
 template <auto varies, class Input>
 constexpr Mode<Input> fatigue_of_metal() {
   return Mode<Input>{
-      "cycles", "fatigue of a metal without a fatigue limit: by N and N_D, or by a fatigue.life with its cycles N",
+      "cycles", "fatigue without a fatigue limit (N and N_D, or fatigue.life)",
       [](const Input& in) { return where(lacks_fatigue_limit(in) && varies(in) > decltype(varies(in)){}); }}
       .judged_by("x_N")
       .wanting("N, N_D");

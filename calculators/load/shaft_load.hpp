@@ -24,9 +24,12 @@ struct ShaftLoad {
   Mounted kind = Mounted::unsaid;
 
   static constexpr Fields fields{
-      Field{&ShaftLoad::T, "T", N_m, "torque, with the service factor"}.load().with("F|F_x|F_y, F_z").holding("K_A"),
+      Field{&ShaftLoad::T, "T", N_m, "torque, with the application factor (belts, chains: service factor)"}
+          .load()
+          .with("F|F_x|F_y, F_z")
+          .holding("K_A"),
       Field{&ShaftLoad::F, "F", N, "transverse force: F_x with F_y"}.load().with("T, F_z").holding("K_A"),
-      Field{&ShaftLoad::F_x, "F_x", N, "force along x: positive draws the shaft to its mate"}
+      Field{&ShaftLoad::F_x, "F_x", N, "force along x, positive toward the mating part"}
           .load()
           .with("T, F_y, F_z")
           .holding("K_A"),
@@ -34,12 +37,12 @@ struct ShaftLoad {
           .load()
           .with("T, F_x, F_z")
           .holding("K_A"),
-      Field{&ShaftLoad::F_z, "F_z", N, "force along the shaft; bends it by F_z d_w/2"}
+      Field{&ShaftLoad::F_z, "F_z", N, "axial force; bends the shaft by F_z d_w/2"}
           .load()
           .with("T, F|F_x|F_y")
           .holding("K_A"),
-      Field{&ShaftLoad::d_w, "d_w", mm, "diameter that the forces act at"},
-      Field{&ShaftLoad::x_w, "x_w", mm, "from the axis to the point where the forces act, along x"},
+      Field{&ShaftLoad::d_w, "d_w", mm, "diameter at which the forces act"},
+      Field{&ShaftLoad::x_w, "x_w", mm, "distance from the axis to the point of action, along x"},
       Field{&ShaftLoad::n, "n", rpm, "speed of the shaft; of gears counter-clockwise positive"},
       Field{&ShaftLoad::d_f, "d_f", mm,
             "root diameter of an external gear or a sprocket, groove bottom diameter of a V-belt pulley; otherwise the "

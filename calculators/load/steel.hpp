@@ -10,7 +10,7 @@ namespace loadpath {
 
 template <class Input>
 constexpr auto modulus_of_material(Stress Input::*at) {
-  return Field<Input, Stress>{at, "E", GPa, "modulus of elasticity, which tells a steel"}
+  return Field<Input, Stress>{at, "E", GPa, "modulus of elasticity (identifies steel)"}
       .positive()
       .usually(1, 500)
       .from("material", "E")

@@ -22,8 +22,8 @@ struct StressCycle {
   Stress sigma_max = unset<Stress>;
 
   static constexpr Fields fields{
-      Choice{&StressCycle::stress, "stress", "what varies"},
-      Field{&StressCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, with the service factor"}
+      Choice{&StressCycle::stress, "stress", "stress component: normal or shear"},
+      Field{&StressCycle::sigma_max, "sigma_max", MPa, "maximum nominal stress, with the application factor"}
           .load()
           .holding("K_A")};
 };
@@ -34,9 +34,9 @@ struct WholeCycle {
   Stress sigma_max = unset<Stress>, sigma_min = unset<Stress>;
 
   static constexpr Fields fields{
-      Choice{&WholeCycle::stress, "stress", "what varies"},
-      Field{&WholeCycle::sigma_max, "sigma_max", MPa, "largest nominal stress, signed"}.load(),
-      Field{&WholeCycle::sigma_min, "sigma_min", MPa, "least nominal stress, signed"}.load()};
+      Choice{&WholeCycle::stress, "stress", "stress component: normal or shear"},
+      Field{&WholeCycle::sigma_max, "sigma_max", MPa, "maximum nominal stress, signed"}.load(),
+      Field{&WholeCycle::sigma_min, "sigma_min", MPa, "minimum nominal stress, signed"}.load()};
 };
 
 }  // namespace loadpath

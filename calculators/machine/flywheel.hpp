@@ -23,12 +23,18 @@ namespace loadpath::machine {
 
 struct Flywheel {
   static constexpr auto id = "machine.flywheel";
-  static constexpr auto title = "Flywheel and motor power";
+  static constexpr auto title = "Flywheel sizing and motor power";
   static constexpr auto scope =
-      "Moment of inertia of a flywheel for a given unevenness from the driving moment over a cycle, the unevenness of "
-      "a "
-      "given flywheel, the speeds that it swings between, and the mean power of the motor. Periodic motion.";
+      "Moment of inertia of a flywheel for a required coefficient of speed fluctuation from the driving moment "
+      "over a cycle, the fluctuation of a given flywheel, its speed limits and the mean motor power; periodic "
+      "motion.";
   static constexpr auto source = "[Khurmi-16], [B36]";
+  static constexpr auto headline = "J = {J}|J = {J_F}";
+  static constexpr auto subject = "speed fluctuation";
+  static constexpr auto synonyms =
+      "flywheel, speed fluctuation, coefficient of fluctuation, degree of irregularity, cyclic irregularity, "
+      "motor power, Schwungrad, Ungleichförmigkeitsgrad, Massenträgheitsmoment, маховик, "
+      "коэффициент неравномерности хода";
   static constexpr auto example = R"toml([project]
 title = "Flywheel of an engine"
 
@@ -118,14 +124,14 @@ delta = 0.01
       Field{&Result::M_m, "M_m", N_m, "mean moment over the angle"},
       Field{&Result::M_peak, "M_peak", N_m, "largest magnitude of the moment; of a series, of its positions"}.load(),
       Field{&Result::A, "A", J, "work over the period"},
-      Choice{&Result::work, "work", "whether the machine does work over the period"},
+      Choice{&Result::work, "work", "sign of the work over the period"},
       Field{&Result::E_low, "E_low", J, "least work of the moment beyond its mean, from the start"},
       Field{&Result::E_high, "E_high", J, "largest work of the moment beyond its mean"},
       Field{&Result::Delta_E, "Delta_E", J, "energy that the flywheel takes up and gives back"},
       Field{&Result::phi_fast, "phi_fast", deg, "angle of the largest speed"},
       Field{&Result::phi_slow, "phi_slow", deg, "angle of the least speed"},
-      Field{&Result::J_F, "J_F", kg_m2, "moment of inertia that delta asks for, on this shaft"},
-      Field{&Result::J_add, "J_add", kg_m2, "of the flywheel itself, beside J_0; none is needed where J_0 suffices"},
+      Field{&Result::J_F, "J_F", kg_m2, "moment of inertia required for delta, on this shaft"},
+      Field{&Result::J_add, "J_add", kg_m2, "of the flywheel itself, in addition to J_0; zero if J_0 suffices"},
       Field{&Result::delta_is, "delta_is", ratio, "unevenness with the given flywheel, or with J_F"},
       Field{&Result::n_max, "n_max", rpm, "largest speed"},
       Field{&Result::n_min, "n_min", rpm, "least speed"},
@@ -162,12 +168,12 @@ delta = 0.01
   static constexpr std::array meanings{Meaning{"M_m", "mean"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"unevenness", "the machine runs unevenly", &always<Input>}.of_service().judged_by("u_delta"),
-      Mode<Input>{"motor", "the motor is too weak", &always<Input>}.of_service().judged_by("u_P"),
-      Mode<Input>{"bursting", "the rim bursts by its speed", [](const Input& in) { return shown_by(is_set(in.D)); }}
+      Mode<Input>{"unevenness", "speed fluctuation", &always<Input>}.of_service().judged_by("u_delta"),
+      Mode<Input>{"motor", "motor power rating", &always<Input>}.of_service().judged_by("u_P"),
+      Mode<Input>{"bursting", "rim bursting", [](const Input& in) { return shown_by(is_set(in.D)); }}
           .judged_by("u_v")
           .wanting("D, v_adm"),
-      Mode<Input>{"overspeed", "the rim bursts when the load is lost", &unseen<Input>}.special()};
+      Mode<Input>{"overspeed", "rim bursting at load rejection", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

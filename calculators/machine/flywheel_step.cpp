@@ -25,7 +25,7 @@ void FlywheelStep::take_series(const project::Declared& declared, std::vector<Is
                                   [](const project::Operand& operand) { return operand.path == "M"; });
   if (found == reading.operands.end()) {
     if (is_set(data_of(own()).M))
-      issues.push_back(project::issue_at(input(), "M", say("one value is no moment over a cycle"), hint));
+      issues.push_back(project::issue_at(input(), "M", say("a single value is not a moment over a cycle"), hint));
     return;
   }
   project::Reading alone;
@@ -58,7 +58,7 @@ bool FlywheelStep::fill(const Value& series, const project::Known& known, std::v
     return false;
   };
   if (!series.is_series() || !series.signature.axis->cyclic())
-    return refuse(say("the moment is not over a closed cycle"), say("let the crank make whole turns"));
+    return refuse(say("the moment is not over a closed cycle"), say("let the crank make full revolutions"));
   const Axis& axis = *series.signature.axis;
   if (series.si.size() > Flywheel::most_samples)
     return refuse(say("the cycle has {1} positions, and at most {2} are taken", std::to_string(series.si.size()),

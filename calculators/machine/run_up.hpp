@@ -23,9 +23,15 @@ struct RunUp {
   static constexpr auto id = "machine.run_up";
   static constexpr auto title = "Run-up and braking of a machine";
   static constexpr auto scope =
-      "Time, turns and energies of a run from one speed to another along the moment lines of motor or brake and load; "
-      "whether the motor gets there at all. Rigid shafts, moments that depend on the speed only.";
+      "Time, revolutions and energies of a change of speed along the torque curves of motor or brake and load, "
+      "and whether the target speed is reached; rigid shafts, torques dependent on speed only.";
   static constexpr auto source = "[B36], [B37]";
+  static constexpr auto headline = "t = {t}";
+  static constexpr auto subject = "run-up";
+  static constexpr auto synonyms =
+      "run-up, start-up, starting time, acceleration time, braking time, torque-speed curve, motor start, stalling, "
+      "Anlauf, Hochlauf, Hochlaufzeit, Bremszeit, Drehmomentkennlinie, разгон, торможение, время пуска, "
+      "механическая характеристика";
   static constexpr auto example = R"toml([project]
 title = "A fan that runs up"
 
@@ -65,7 +71,7 @@ n_2 = "1400 rpm"
       ListField{&Input::parts, "parts", "what is accelerated, with its speed over that of the motor"},
       ListField{&Input::motor, "motor", "moment of the motor over the speed, of a brake negative: [[n, M], ...]"}
           .as_arrays(),
-      ListField{&Input::load, "load", "moment that the load asks for over the speed: [[n, M], ...]; none where missing"}
+      ListField{&Input::load, "load", "load torque over speed: [[n, M], ...]; omitted: none"}
           .as_arrays()
           .may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed at the start"}.at_least(0),
@@ -112,9 +118,9 @@ n_2 = "1400 rpm"
 
   static constexpr bool turns = true;
   static constexpr std::array modes{
-      Mode<Input>{"stall", "it stands before it gets to its speed", &always<Input>}.judged_by("u_M"),
-      Mode<Input>{"time", "the run takes too long", &always<Input>}.of_service().judged_by("u_t"),
-      Mode<Input>{"heat", "motor or brake get too hot", &unseen<Input>}.special()};
+      Mode<Input>{"stall", "accelerating torque", &always<Input>}.judged_by("u_M"),
+      Mode<Input>{"time", "run-up or braking time", &always<Input>}.of_service().judged_by("u_t"),
+      Mode<Input>{"heat", "thermal load, motor and brake", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -36,8 +36,7 @@ void MechanismStep::prepare(const project::Declared& declared, const project::Co
   for (const project::Taken& taken : input().reading.taken) {
     issues.push_back({taken.place, name() + "." + taken.path,
                       say("'{1}' of a mechanism is written out: its parts hang on it", taken.path),
-                      say("what many steps share can stand in [values]: \"=values.{1}\"", taken.path),
-                      Severity::error});
+                      say("share values of several steps in [values]: \"=values.{1}\"", taken.path), Severity::error});
   }
   if (input().from != nullptr) add_faults(check_overrides(*input().from, input().reading), issues);
   add_faults(faults_whatever_comes(issues), issues);
@@ -347,9 +346,11 @@ const Calculator& erased<planar::Mechanism>() {
     c.id = planar::Mechanism::id;
     c.title = planar::Mechanism::title;
     c.scope = planar::Mechanism::scope;
+    c.synonyms = planar::Mechanism::synonyms;
     c.source = planar::Mechanism::source;
     c.used_sources = &planar::occasional_sources;
     c.example = planar::Mechanism::example;
+    c.headline = planar::Mechanism::headline;
     c.input = &record_type<planar::Mechanism::Input, planar::Mechanism::inputs>;
     c.patterns = &planar::result_patterns;
     c.templates = planar::templates::all();

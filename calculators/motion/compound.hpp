@@ -18,11 +18,16 @@ namespace loadpath::motion {
 
 struct Compound {
   static constexpr auto id = "motion.compound";
-  static constexpr auto title = "Compound motion of a point";
+  static constexpr auto title = "Relative (compound) motion of a point";
   static constexpr auto scope =
-      "Absolute velocity and acceleration of a point that moves in a frame which moves and turns itself: relative, "
-      "transport and Coriolis parts. One instant; the frame turns about an axis of fixed direction.";
+      "Absolute velocity and acceleration of a point in a moving and rotating frame at one instant, by "
+      "relative, transport and Coriolis components; the frame rotates about an axis of fixed direction.";
   static constexpr auto source = "[B31]";
+  static constexpr auto headline = "v = {v}, a = {a}";
+  static constexpr auto synonyms =
+      "relative motion, compound motion, Coriolis acceleration, rotating frame, transport velocity, "
+      "Relativbewegung, Coriolisbeschleunigung, Führungsgeschwindigkeit, сложное движение точки, "
+      "ускорение Кориолиса, переносное движение";
   static constexpr auto example = R"toml([project]
 title = "A collar on a turning rod"
 
@@ -85,7 +90,7 @@ phi = "60 deg"
       Field{&Result::a_e, "a_e", m_per_s2, "transport acceleration"},
       Field{&Result::a_c, "a_c", m_per_s2, "Coriolis acceleration"},
       Field{&Result::a, "a", m_per_s2, "absolute acceleration"},
-      Choice{&Result::sense, "sense", "Coriolis acceleration beside the normal transport acceleration"},
+      Choice{&Result::sense, "sense", "Coriolis acceleration next to the normal transport acceleration"},
       Field{&Result::v_exi, "v_exi", m_per_s, "transport velocity along xi"},
       Field{&Result::v_eeta, "v_eeta", m_per_s, "transport velocity along eta"},
       Field{&Result::v_axi, "v_axi", m_per_s, "absolute velocity along xi"},

@@ -21,12 +21,16 @@ namespace loadpath::motion {
 
 struct Plane : PlaneTypes {
   static constexpr auto id = "motion.plane";
-  static constexpr auto title = "Plane motion of a body";
+  static constexpr auto title = "Plane motion of a rigid body";
   static constexpr auto scope =
-      "Angular speed and pole of velocities of a body in plane motion, from its angular speed or from the velocities "
-      "of "
-      "two of its points; velocities of further points, and accelerations where that of A is given. One instant.";
+      "Angular velocity and instantaneous centre of velocity of a body in plane motion at one instant, from "
+      "its angular velocity or the velocities of two points, with velocities of further points and, for a "
+      "known acceleration of A, their accelerations.";
   static constexpr auto source = "[B29], [B28]";
+  static constexpr auto headline = "omega = {omega}|v_B = {v_B}";
+  static constexpr auto synonyms =
+      "plane motion, rigid body kinematics, instantaneous centre, instant centre of rotation, relative velocity, "
+      "ebene Bewegung, Momentanpol, плоское движение, мгновенный центр скоростей, плоскопараллельное движение";
   static constexpr auto example = R"toml([project]
 title = "A rod that slides down a wall"
 
@@ -45,7 +49,7 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
       Group{&Input::B, "B", "place of B: [x, y]"}.as_array().may_be_missing(),
       Field{&Input::v_A, "v_A", m_per_s, "velocity of A along alpha_A, signed"},
       Field{&Input::alpha_A, "alpha_A", deg, "direction of the velocity of A, from x"},
-      Field{&Input::omega, "omega", rad_per_s, "angular speed, counter-clockwise positive; else B tells"}
+      Field{&Input::omega, "omega", rad_per_s, "angular velocity, counter-clockwise positive; omitted: from B"}
           .may_be_missing(),
       Field{&Input::v_B, "v_B", m_per_s,
             "velocity of B along alpha_B, signed; needed where both velocities are "
@@ -99,7 +103,7 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
       Rule<Input>{[](const Input& in) { return !(is_set(in.epsilon) && is_set(in.alpha_aB)); }, "epsilon, alpha_aB",
                   "the angular acceleration is epsilon, or follows from alpha_aB: give one of the two"},
       Rule<Input>{[](const Input& in) { return !is_set(in.a_A) || is_set(in.epsilon) || is_set(in.alpha_aB); },
-                  "a_A, epsilon, alpha_aB", "accelerations need epsilon, or alpha_aB, beside a_A"},
+                  "a_A, epsilon, alpha_aB", "accelerations need epsilon, or alpha_aB, in addition to a_A"},
       Rule<Input>{[](const Input& in) { return is_set(in.a_A) || !(is_set(in.epsilon) || is_set(in.alpha_aB)); },
                   "a_A, epsilon, alpha_aB", "accelerations need that of A: give a_A (\"0 m/s^2\" where it has none)"},
       Rule<Input>{&guide_is_oblique, "alpha_aB, A, B",

@@ -23,11 +23,16 @@ namespace loadpath::motion {
 
 struct Point {
   static constexpr auto id = "motion.point";
-  static constexpr auto title = "Motion of a point";
+  static constexpr auto title = "Kinematics of a point";
   static constexpr auto scope =
-      "Path, velocity and acceleration of a point from its law of motion x(t), y(t), z(t), with the parts along the "
-      "tangent and the normal, the radius of curvature and the way over a range of time. Laws must be smooth.";
+      "Path, velocity, acceleration with tangential and normal components, radius of curvature and distance "
+      "travelled of a point from smooth laws of motion x(t), y(t), z(t).";
   static constexpr auto source = "[B26], [B28]";
+  static constexpr auto headline = "v_max = {v_max}|v = {v}";
+  static constexpr auto synonyms =
+      "kinematics, particle, velocity, acceleration, trajectory, tangential acceleration, normal acceleration, "
+      "radius of curvature, Kinematik des Punktes, Bahnkurve, Normalbeschleunigung, кинематика точки, траектория, "
+      "ускорение";
   static constexpr auto example = R"toml([project]
 title = "A point on an ellipse"
 
@@ -116,7 +121,7 @@ t_2 = "2 s"
       Field{&Result::kappa, "kappa", per_m, "curvature of the path"},
       Field{&Result::rho, "rho", m, "radius of curvature; none where the path is straight"},
       Field{&Result::gamma, "gamma", deg, "direction of the velocity in the plane xy, from x"},
-      Choice{&Result::change, "change", "whether the point gets faster"},
+      Choice{&Result::change, "change", "the point accelerates or decelerates"},
       Field{&Result::L, "L", m, "way along the path from t_1 to t_2"},
       Field{&Result::Delta_r, "Delta_r", m, "displacement from t_1 to t_2, end from start"},
       Field{&Result::v_m, "v_m", m_per_s, "mean velocity from t_1 to t_2, the displacement over the time"},

@@ -21,11 +21,15 @@ namespace loadpath::motion {
 
 struct Rotation {
   static constexpr auto id = "motion.rotation";
-  static constexpr auto title = "Rotation of a body about a fixed axis";
+  static constexpr auto title = "Rotation about a fixed axis";
   static constexpr auto scope =
-      "Angular speed and acceleration from the law of rotation phi(t); speed and acceleration of a point of the body; "
-      "turns over a range of time. Laws must be smooth.";
+      "Angular velocity and acceleration of a body from a smooth law phi(t), velocity and acceleration of one "
+      "of its points, and revolutions over a time range.";
   static constexpr auto source = "[B28]";
+  static constexpr auto headline = "omega = {omega}";
+  static constexpr auto synonyms =
+      "rotation, angular velocity, angular acceleration, revolutions, fixed axis, Drehung um feste Achse, "
+      "Winkelgeschwindigkeit, Winkelbeschleunigung, вращение вокруг неподвижной оси, угловая скорость";
   static constexpr auto example = R"toml([project]
 title = "A shaft that runs up"
 
@@ -74,7 +78,7 @@ t_2 = "2 s"
       Field{&Result::omega, "omega", rad_per_s, "angular speed, signed"},
       Field{&Result::n, "n", rpm, "angular speed in turns per minute, signed"},
       Field{&Result::epsilon, "epsilon", rad_per_s2, "angular acceleration, signed"},
-      Choice{&Result::change, "change", "whether the body gets faster"},
+      Choice{&Result::change, "change", "the body accelerates or decelerates"},
       Field{&Result::Delta_phi, "Delta_phi", deg, "angle turned from t_1 to t_2, signed"},
       Field{&Result::turns, "turns", ratio, "turns from t_1 to t_2, signed"},
       Field{&Result::omega_m, "omega_m", rad_per_s, "mean angular speed from t_1 to t_2"},
@@ -109,7 +113,7 @@ t_2 = "2 s"
 
 constexpr auto choices_of(Rotation::Change) {
   using C = Rotation::Change;
-  return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the body stands at this time"},
+  return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the body is at rest at this time"},
                     ChoiceName<C>{C::steady, "steady", "the angular speed does not change at this time"},
                     ChoiceName<C>{C::faster, "faster", "the body gets faster"},
                     ChoiceName<C>{C::slower, "slower", "the body gets slower"}};

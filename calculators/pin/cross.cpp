@@ -15,7 +15,7 @@ void strength(const Input& in, Result& r, Tracer& trace) {
   const Stress tau_a = allowed_stress("tau_a", in.tau_adm, in.R_m, shares_of(in.loading).shear,
                                       "share of R_m in shear, by the loading, [RM-9] as recalled", trace);
   if (is_set(tau_a)) {
-    STEP_TO(r, u_tau, tau / tau_a, "shear of the pin");
+    STEP_TO(r, u_tau, tau / tau_a, "shear of the pin: design force / resistance");
   }
   if (is_set(in.p_adm_1)) {
     STEP_TO(r, u_1, p_1 / in.p_adm_1, "against what the shaft allows");
@@ -43,7 +43,7 @@ Applies Cross::shaft_varies(const Input& in) { return varies(in) == Applies::yes
 template <class Tracer>
 Cross::Result Cross::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  STEP_TO(r, T_d, in.K_A * abs(in.T), "with the service factor");
+  STEP_TO(r, T_d, in.K_A * abs(in.T), "with the application factor");
   STEP_TO(r, tau, 4.0 * T_d / (pi * pow<2>(in.d) * in.d_w), "two sections at the surface of the shaft, [RM-9]");
   STEP_TO(r, p_1, 6.0 * T_d / (in.d * pow<2>(in.d_w)), "growing from the axis of the shaft as in bending, [RM-9]");
   STEP(s, (in.D - in.d_w) / 2.0, "wall of the hub");

@@ -24,11 +24,17 @@ namespace loadpath::pin {
 
 struct Cross {
   static constexpr auto id = "pin.cross";
-  static constexpr auto title = "Pin across shaft and hub";
+  static constexpr auto title = "Cross pin (shaft-hub)";
   static constexpr auto scope =
-      "Shear of a pin that goes across a solid shaft and its hub and carries the torque, pressure in shaft and hub, "
-      "torsion of the shaft beside its hole. Static; the notch of the hole and the hub are not covered.";
+      "Shear of a pin through a solid shaft and its hub that transmits the torque, bearing pressure in shaft "
+      "and hub, and torsion of the shaft at the hole; static; the stress concentration of the hole and the hub "
+      "are not covered.";
   static constexpr auto source = "[RM-9], [Inggo-31], [DIN743]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "cross pin";
+  static constexpr auto synonyms =
+      "cross pin, transverse pin, taper pin, dowel pin, shear pin, shaft-hub connection, Querstift, "
+      "Stiftverbindung, Scherstift, Kegelstift, штифт, поперечный штифт, штифтовое соединение";
   static constexpr auto example = R"([project]
 title = "Lever on its shaft"
 
@@ -60,43 +66,40 @@ tau_adm_1 = "40 MPa"
   static Applies shaft_varies(const Input& in);
   static constexpr auto inputs = join(
       hub_inputs<Input>(),
-      Fields{RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-             Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
-             Field{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
-                 .at_least(1)
-                 .usually(1, 4)
-                 .factor(),
-             Choice{&Input::loading, "loading", "how the torque varies"}.may_be_missing(),
-             Field{&Input::d, "d", mm, "diameter of the pin; of a taper pin the mean one"}.positive().usually(1, 100),
-             Field{&Input::d_w, "d_w", mm, "diameter of the shaft"}
-                 .own()
-                 .positive()
-                 .usually(4, 500)
-                 .at_most_that_of_source("d, d_max"),
-             Field{&Input::D, "D", mm, "outer diameter of the hub"}.positive().usually(6, 1000),
-             Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
-                 .positive()
-                 .usually(200, 2500)
-                 .from("material", "R_m", "d")
-                 .where_it_has(),
-             modulus_of_material(&Input::E),
-             Field{&Input::tau_adm, "tau_adm", MPa,
-                   "allowable shear stress of the pin under this loading, in place of R_m"}
-                 .positive()
-                 .usually(5, 1000)
-                 .may_be_missing(),
-             Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure in the shaft"}
-                 .positive()
-                 .usually(5, 1000)
-                 .may_be_missing(),
-             Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable pressure in the hub"}
-                 .positive()
-                 .usually(5, 1000)
-                 .may_be_missing(),
-             Field{&Input::tau_adm_1, "tau_adm_1", MPa, "allowable torsional stress of the shaft at the hole"}
-                 .positive()
-                 .usually(5, 1000)
-                 .may_be_missing()});
+      Fields{
+          RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
+          Field{&Input::T, "T", N_m, "torque, magnitude"}.load(),
+          Field{&Input::K_A, "K_A", ratio, "application factor K_A on T (1 if T includes it)"}
+              .at_least(1)
+              .usually(1, 4)
+              .factor(),
+          Choice{&Input::loading, "loading", "loading: steady, pulsating or alternating"}.may_be_missing(),
+          Field{&Input::d, "d", mm, "pin diameter (taper pin: mean diameter)"}.positive().usually(1, 100),
+          Field{&Input::d_w, "d_w", mm, "shaft diameter"}.own().positive().usually(4, 500).at_most_that_of_source(
+              "d, d_max"),
+          Field{&Input::D, "D", mm, "outer diameter of the hub"}.positive().usually(6, 1000),
+          Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
+              .positive()
+              .usually(200, 2500)
+              .from("material", "R_m", "d")
+              .where_it_has(),
+          modulus_of_material(&Input::E),
+          Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress of the pin under this loading, replaces R_m"}
+              .positive()
+              .usually(5, 1000)
+              .may_be_missing(),
+          Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure in the shaft"}
+              .positive()
+              .usually(5, 1000)
+              .may_be_missing(),
+          Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable bearing pressure in the hub"}
+              .positive()
+              .usually(5, 1000)
+              .may_be_missing(),
+          Field{&Input::tau_adm_1, "tau_adm_1", MPa, "allowable torsional stress of the shaft at the hole"}
+              .positive()
+              .usually(5, 1000)
+              .may_be_missing()});
 
   struct Result {
     Moment T_d = unset<Moment>;
@@ -106,17 +109,16 @@ tau_adm_1 = "40 MPa"
     Connection connection;
   };
   static constexpr Fields results{
-      Field{&Result::T_d, "T_d", N_m, "torque that counts: with the service factor"}.holding("K_A"),
+      Field{&Result::T_d, "T_d", N_m, "design torque: with the application factor"}.holding("K_A"),
       Field{&Result::tau, "tau", MPa, "mean shear stress of the pin"}.holding("K_A"),
-      Field{&Result::p_1, "p_1", MPa, "largest pressure in the shaft, at its surface"}.holding("K_A"),
-      Field{&Result::p_2, "p_2", MPa, "pressure in the hub"}.holding("K_A"),
-      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft beside the hole"}.holding("K_A"),
-      Field{&Result::u_tau, "u_tau", ratio, "shear of the pin over the allowable stress"}.check("tau_adm, R_m"),
-      Field{&Result::u_1, "u_1", ratio, "pressure in the shaft over the allowable one"}.check("p_adm_1"),
-      Field{&Result::u_2, "u_2", ratio, "pressure in the hub over the allowable one"}.check("p_adm_2"),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft over the allowable stress"}.check("tau_adm_1"),
-      Field{&Result::x_d, "x_d", ratio, "pin over shaft: thicker pins leave no shaft to calculate with"}.limit(
-          0, 0.3 + 1e-9),
+      Field{&Result::p_1, "p_1", MPa, "maximum bearing pressure in the shaft, at its surface"}.holding("K_A"),
+      Field{&Result::p_2, "p_2", MPa, "bearing pressure in the hub"}.holding("K_A"),
+      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft at the hole"}.holding("K_A"),
+      Field{&Result::u_tau, "u_tau", ratio, "shear of the pin: shear stress / allowable stress"}.check("tau_adm, R_m"),
+      Field{&Result::u_1, "u_1", ratio, "shaft: bearing pressure / allowable pressure"}.check("p_adm_1"),
+      Field{&Result::u_2, "u_2", ratio, "hub: bearing pressure / allowable pressure"}.check("p_adm_2"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: torsional stress / allowable stress"}.check("tau_adm_1"),
+      Field{&Result::x_d, "x_d", ratio, "pin diameter / shaft diameter (validity limit)"}.limit(0, 0.3 + 1e-9),
       modulus_over_steel<Result>(&Result::x_E),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
@@ -136,19 +138,18 @@ tau_adm_1 = "40 MPa"
   static constexpr std::array senses{SenseClaim{"T", "loading", "steady, pulsating", "alternating"}};
   static constexpr std::array meanings{Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
-      Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau, x_E"),
-      Mode<Input>{"shaft_bore", "bore of the shaft crushed", &loaded}.judged_by("u_1"),
-      Mode<Input>{"hub_bore", "bores of the hub crushed", &loaded}.judged_by("u_2"),
-      Mode<Input>{"shaft", "shaft twisted off beside its hole", &loaded}.judged_by("u_t, x_d"),
-      Mode<Input>{"fatigue", "fatigue of the pin, by what the loading allows", &varies}.judged_by("u_tau"),
-      Mode<Input>{"variation", "fatigue of a pin whose loading is not said to vary", &may_vary}.in_service().wanting(
+      Mode<Input>{"shear", "shear of the pin: design force / resistance", &loaded}.judged_by("u_tau, x_E"),
+      Mode<Input>{"shaft_bore", "bearing pressure, shaft", &loaded}.judged_by("u_1"),
+      Mode<Input>{"hub_bore", "bearing pressure, hub", &loaded}.judged_by("u_2"),
+      Mode<Input>{"shaft", "torsion of the shaft at the hole", &loaded}.judged_by("u_t, x_d"),
+      Mode<Input>{"fatigue", "pin, allowable stress for stated loading", &varies}.judged_by("u_tau"),
+      Mode<Input>{"variation", "pin fatigue, loading type unstated", &may_vary}.in_service().wanting(
           "loading = pulsating"),
-      Mode<Input>{"shaft_fatigue", "fatigue of the shaft at the edge of the hole", &shaft_varies}
-          .in_service()
-          .assessed_beside("shaft.design"),
-      Mode<Input>{"wall", "the wall of the hub beside the pin", &unseen<Input>},
-      Mode<Input>{"other_loads", "what comes along with the torque: forces on the hub", &unseen<Input>}.by_companions(),
-      Mode<Input>{"fretting", "a hub that is loose on its shaft and beats the pin out", &unseen<Input>}.special()};
+      Mode<Input>{"shaft_fatigue", "shaft fatigue at the cross hole", &shaft_varies}.in_service().assessed_beside(
+          "shaft.design"),
+      Mode<Input>{"wall", "hub wall strength at the pin", &unseen<Input>},
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"fretting", "loosening of hub and pin", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -20,13 +20,17 @@ namespace loadpath::pin {
 
 struct En1993 {
   static constexpr auto id = "pin.en1993";
-  static constexpr auto title = "Pin connection by EN 1993-1-8";
+  static constexpr auto title = "Pin connection to EN 1993-1-8";
   static constexpr auto scope =
-      "Resistance of a solid pin in shear and bending, of its plates in bearing, their least edge distances, and what "
-      "a "
-      "pin that can be replaced needs besides, by EN 1993-1-8:2005, 3.13, with partial factors. Fatigue and bored pins "
-      "are not covered.";
+      "Shear, bending and bearing resistance of a solid pin and its plates, minimum end and edge distances, "
+      "and the additional requirements for replaceable pins, to EN 1993-1-8:2005, 3.13, with partial factors; "
+      "fatigue and hollow pins are not covered.";
   static constexpr auto source = "[EN1993-1-8]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "pin connection";
+  static constexpr auto synonyms =
+      "EN 1993-1-8, Eurocode 3, pinned connection, pin plate, bearing resistance, replaceable pin, "
+      "Bolzenverbindung, Augenblech, шарнирное соединение, еврокод 3";
   static constexpr auto example = R"([project]
 title = "Pin of a tie"
 
@@ -66,28 +70,28 @@ e_c2 = "35 mm"
   static Applies loaded(const Input& in);
   static Applies replaced(const Input& in);
   static constexpr Fields inputs{
-      RecordField<Input>{"load", "the joint of a mechanism, whole: load = \"=press.joints.B\""},
-      Field{&Input::F, "F", kN, "characteristic force of the middle plate on the pin; its size counts"}.load(),
-      Field{&Input::gamma_F, "gamma_F", ratio, "from F to the design force; 1 where it is one already"}
+      RecordField<Input>{"load", "loads of a mechanism joint: load = \"=press.joints.B\""},
+      Field{&Input::F, "F", kN, "characteristic force of the middle plate on the pin, magnitude"}.load(),
+      Field{&Input::gamma_F, "gamma_F", ratio, "partial factor of actions; 1 if F is a design force"}
           .at_least(1)
           .usually(1, 1.6)
           .factor(),
-      Field{&Input::gamma_M0, "gamma_M0", ratio, "partial factor of yielding, of the national annex"}
+      Field{&Input::gamma_M0, "gamma_M0", ratio, "partial factor of yielding (national annex)"}
           .at_least(1)
           .usually(1, 1.25)
           .factor(),
-      Field{&Input::gamma_M2, "gamma_M2", ratio, "partial factor of the pin in shear, of the national annex"}
+      Field{&Input::gamma_M2, "gamma_M2", ratio, "partial factor of the pin in shear (national annex)"}
           .at_least(1)
           .usually(1.1, 1.5)
           .factor(),
-      Field{&Input::gamma_M6, "gamma_M6", ratio, "partial factor of a pin that can be replaced, in service"}
+      Field{&Input::gamma_M6, "gamma_M6", ratio, "partial factor of a replaceable pin, serviceability"}
           .at_least(1)
           .usually(1, 1.25)
           .may_be_missing()
           .factor(),
-      Choice{&Input::replaceable, "replaceable", "whether the pin is to be replaced in service"}.may_be_missing(),
+      Choice{&Input::replaceable, "replaceable", "replaceable pin (additional serviceability checks)"}.may_be_missing(),
       Field{&Input::d, "d", mm, "diameter of the pin"}.positive().usually(5, 500).findable("R40"),
-      Field{&Input::d_0, "d_0", mm, "diameter of the bores"}.positive().usually(5, 500),
+      Field{&Input::d_0, "d_0", mm, "hole diameter"}.positive().usually(5, 500),
       Field{&Input::t_1, "t_1", mm, "thickness of the middle plate"}.positive().usually(2, 500),
       Field{&Input::t_2, "t_2", mm, "thickness of each outer plate"}.positive().usually(2, 500),
       Field{&Input::c, "c", mm, "gap between the middle plate and an outer one"}.at_least(0).usually(0, 50),
@@ -97,16 +101,16 @@ e_c2 = "35 mm"
       Field{&Input::f_y_2, "f_y_2", MPa, "yield strength of the outer plates"}.positive().usually(200, 1000),
       Field{&Input::E, "E", GPa, "modulus of elasticity of pin and plates, for the contact stress"}.positive().usually(
           180, 220),
-      Field{&Input::e_a1, "e_a1", mm, "middle plate: from the edge of the bore to the end, along the force"}
+      Field{&Input::e_a1, "e_a1", mm, "middle plate: end distance from the hole edge, along the force"}
           .positive()
           .may_be_missing(),
-      Field{&Input::e_c1, "e_c1", mm, "middle plate: from the edge of the bore to the side, across the force"}
+      Field{&Input::e_c1, "e_c1", mm, "middle plate: edge distance from the hole edge, transverse to the force"}
           .positive()
           .may_be_missing(),
-      Field{&Input::e_a2, "e_a2", mm, "outer plates: from the edge of the bore to the end, along the force"}
+      Field{&Input::e_a2, "e_a2", mm, "outer plates: end distance from the hole edge, along the force"}
           .positive()
           .may_be_missing(),
-      Field{&Input::e_c2, "e_c2", mm, "outer plates: from the edge of the bore to the side, across the force"}
+      Field{&Input::e_c2, "e_c2", mm, "outer plates: edge distance from the hole edge, transverse to the force"}
           .positive()
           .may_be_missing()};
 
@@ -122,26 +126,26 @@ e_c2 = "35 mm"
   static constexpr Fields results{
       Field{&Result::F_Ed, "F_Ed", kN, "design force"}.holding("gamma_F"),
       Field{&Result::M_Ed, "M_Ed", N_m, "design moment of the pin"}.holding("gamma_F"),
-      Field{&Result::F_vRd, "F_vRd", kN, "shear resistance of the pin, of one section"},
+      Field{&Result::F_vRd, "F_vRd", kN, "shear resistance of the pin, per shear plane"},
       Field{&Result::M_Rd, "M_Rd", N_m, "bending resistance of the pin"},
-      Field{&Result::M_Rdser, "M_Rdser", N_m, "bending resistance in service of a pin that can be replaced"},
+      Field{&Result::M_Rdser, "M_Rdser", N_m, "serviceability bending resistance of a replaceable pin"},
       Field{&Result::F_bRd1, "F_bRd1", kN, "bearing resistance of the middle plate and the pin"},
       Field{&Result::F_bRd2, "F_bRd2", kN, "bearing resistance of an outer plate and the pin"},
-      Field{&Result::a_1, "a_1", mm, "middle plate: least distance along the force"},
-      Field{&Result::c_1, "c_1", mm, "middle plate: least distance across it"},
-      Field{&Result::a_2, "a_2", mm, "outer plates: least distance along the force"},
-      Field{&Result::c_2, "c_2", mm, "outer plates: least distance across it"},
+      Field{&Result::a_1, "a_1", mm, "middle plate: minimum end distance"},
+      Field{&Result::c_1, "c_1", mm, "middle plate: minimum edge distance"},
+      Field{&Result::a_2, "a_2", mm, "outer plates: minimum end distance"},
+      Field{&Result::c_2, "c_2", mm, "outer plates: minimum edge distance"},
       Field{&Result::sigma_h1, "sigma_h1", MPa, "contact stress in the middle plate, in service"},
       Field{&Result::sigma_h2, "sigma_h2", MPa, "contact stress in an outer plate, in service"},
-      Field{&Result::u_v, "u_v", ratio, "shear of the pin"}.check(),
-      Field{&Result::u_m, "u_m", ratio, "bending of the pin"}.check(),
-      Field{&Result::u_vm, "u_vm", ratio, "shear and bending of the pin: force over the one that both allow"}.check(),
-      Field{&Result::u_b1, "u_b1", ratio, "bearing of the middle plate"}.check(),
-      Field{&Result::u_b2, "u_b2", ratio, "bearing of the outer plates"}.check(),
-      Field{&Result::u_a1, "u_a1", ratio, "middle plate, end: least distance over the distance"}.check("e_a1"),
-      Field{&Result::u_c1, "u_c1", ratio, "middle plate, side: least distance over the distance"}.check("e_c1"),
-      Field{&Result::u_a2, "u_a2", ratio, "outer plates, end: least distance over the distance"}.check("e_a2"),
-      Field{&Result::u_c2, "u_c2", ratio, "outer plates, side: least distance over the distance"}.check("e_c2"),
+      Field{&Result::u_v, "u_v", ratio, "shear of the pin: design force / resistance"}.check(),
+      Field{&Result::u_m, "u_m", ratio, "bending of the pin: design moment / resistance"}.check(),
+      Field{&Result::u_vm, "u_vm", ratio, "combined shear and bending of the pin: force / allowable force"}.check(),
+      Field{&Result::u_b1, "u_b1", ratio, "bearing of the middle plate: design force / resistance"}.check(),
+      Field{&Result::u_b2, "u_b2", ratio, "bearing of the outer plates: design force / resistance"}.check(),
+      Field{&Result::u_a1, "u_a1", ratio, "middle plate: required / actual end distance"}.check("e_a1"),
+      Field{&Result::u_c1, "u_c1", ratio, "middle plate: required / actual edge distance"}.check("e_c1"),
+      Field{&Result::u_a2, "u_a2", ratio, "outer plates: required / actual end distance"}.check("e_a2"),
+      Field{&Result::u_c2, "u_c2", ratio, "outer plates: required / actual edge distance"}.check("e_c2"),
       Field{&Result::u_ms, "u_ms", ratio, "in service: bending of the pin"}.check("gamma_M6").where_it_applies(),
       Field{&Result::u_s1, "u_s1", ratio, "in service: bearing of the middle plate"}
           .check("gamma_M6")
@@ -167,17 +171,17 @@ e_c2 = "35 mm"
                   "gamma_M6, replaceable", "gamma_M6 belongs to a pin that can be replaced: replaceable = \"yes\""}};
 
   static constexpr std::array modes{
-      Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_v"),
-      Mode<Input>{"bending", "pin bent, with its shear", &loaded}.judged_by("u_m, u_vm"),
-      Mode<Input>{"bearing_1", "bore of the middle plate crushed", &loaded}.judged_by("u_b1"),
-      Mode<Input>{"bearing_2", "bores of the outer plates crushed", &loaded}.judged_by("u_b2"),
-      Mode<Input>{"plate_1", "middle plate torn or sheared out at the bore", &loaded}.judged_by("u_a1, u_c1"),
-      Mode<Input>{"plate_2", "outer plates torn or sheared out at the bore", &loaded}.judged_by("u_a2, u_c2"),
-      Mode<Input>{"replacing", "a pin that cannot be drawn any more", &replaced}.judged_by(
+      Mode<Input>{"shear", "shear of the pin: design force / resistance", &loaded}.judged_by("u_v"),
+      Mode<Input>{"bending", "bending resistance of the pin, with shear", &loaded}.judged_by("u_m, u_vm"),
+      Mode<Input>{"bearing_1", "bearing resistance, middle plate", &loaded}.judged_by("u_b1"),
+      Mode<Input>{"bearing_2", "bearing resistance, outer plates", &loaded}.judged_by("u_b2"),
+      Mode<Input>{"plate_1", "end and edge distance, middle plate", &loaded}.judged_by("u_a1, u_c1"),
+      Mode<Input>{"plate_2", "end and edge distance, outer plates", &loaded}.judged_by("u_a2, u_c2"),
+      Mode<Input>{"replacing", "serviceability of a replaceable pin", &replaced}.judged_by(
           "u_ms, u_s1, u_s2, u_h1, u_h2"),
       Mode<Input>{"fatigue", "fatigue of pin and plates", &unseen<Input>}.in_service().assessed_beside("fatigue.life"),
-      Mode<Input>{"other_loads", "what comes along with the force, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"wear", "wear of pin and bores where they turn", &unseen<Input>}.special()};
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"wear", "wear of pin and bores", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

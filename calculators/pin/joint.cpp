@@ -37,7 +37,7 @@ Moment largest_moment(const Input& in, Force F_d, Tracer& trace) {
 template <class Tracer>
 void stresses(const Input& in, Result& r, Tracer& trace) {
   const Length d_i = trace.value("d_i", is_set(in.d_i) ? in.d_i : 0.0 * mm, "bore");
-  STEP_TO(r, F_d, in.K_A * abs(in.F), "with the service factor");
+  STEP_TO(r, F_d, in.K_A * abs(in.F), "with the application factor");
   r.M_b = largest_moment(in, F_d, trace);
   const Moment M_b = r.M_b;
   STEP(W, pi / 32.0 * (pow<4>(in.d) - pow<4>(d_i)) / in.d, "section modulus of the ring");

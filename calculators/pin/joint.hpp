@@ -29,18 +29,24 @@ struct LugLoad {
   Length d = unset<Length>, t = unset<Length>;
 
   static constexpr Fields fields{
-      Field{&LugLoad::F, "F", N, "force of the pin on it, with the service factor"}.load().holding("K_A"),
+      Field{&LugLoad::F, "F", N, "force of the pin on it, with the application factor"}.load().holding("K_A"),
       Field{&LugLoad::d, "d", mm, "diameter of the pin"}, Field{&LugLoad::t, "t", mm, "thickness"}};
 };
 
 struct Joint {
   static constexpr auto id = "pin.joint";
-  static constexpr auto title = "Pin in a fork or a wall";
+  static constexpr auto title = "Clevis pin or cantilever pin joint";
   static constexpr auto scope =
-      "Bending and shear of a pin, solid or bored, in a fork and an eye or held on one side; pressure in eye and fork; "
-      "pressure times speed where it turns. The walls of eye and fork are left to pin.lug; a bored pin that turns oval "
-      "is not covered.";
+      "Bending and shear of a solid or hollow pin in a clevis and eye, or cantilevered from a wall, bearing "
+      "pressure in eye and clevis, and the pv value where it turns; eye and clevis walls are assessed by "
+      "pin.lug; ovalisation of a hollow pin is not covered.";
   static constexpr auto source = "[RM-9], [Bhandari-4], [Mises]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "pin and eyes";
+  static constexpr auto synonyms =
+      "clevis pin, pin joint, fork pin, gudgeon pin, wrist pin, hinge pin, knuckle joint, bearing pressure, "
+      "pv value, Bolzenverbindung, Gabel, Gelenkbolzen, Flächenpressung, clevis, Bolzen, Gelenk, палец, "
+      "шарнирный палец, ось шарнира, вилка, проушина";
   static constexpr auto example = R"([project]
 title = "Pin of a fork"
 
@@ -84,22 +90,23 @@ p_adm_2 = "100 MPa"
   static Applies forked(const Input& in);
   static Applies in_wall(const Input& in);
   static constexpr Fields inputs{
-      RecordField<Input>{"load", "the joint of a mechanism, whole: load = \"=press.joints.B\""},
-      Field{&Input::F, "F", N, "force on the pin, across it; its size counts"}.load(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on F: what it does not contain, once"}
+      RecordField<Input>{"load", "loads of a mechanism joint: load = \"=press.joints.B\""},
+      Field{&Input::F, "F", N, "transverse force on the pin, magnitude"}.load(),
+      Field{&Input::K_A, "K_A", ratio, "application factor K_A on F (1 if F includes it)"}
           .at_least(1)
           .usually(1, 4)
           .factor(),
-      Choice{&Input::held, "held", "how the pin is held"}.may_be_missing(),
-      Choice{&Input::loading, "loading", "how the force varies on a point of the pin"}.may_be_missing(),
-      Choice{&Input::spread, "spread", "how the force spreads over the cheeks of a loose pin"}.may_be_missing(),
+      Choice{&Input::held, "held", "support of the pin: loose, fixed in the clevis or in the eye, or cantilevered"}
+          .may_be_missing(),
+      Choice{&Input::loading, "loading", "loading of a point of the pin: steady, pulsating or alternating"}
+          .may_be_missing(),
+      Choice{&Input::spread, "spread", "load distribution over the clevis cheeks (loose pin)"}.may_be_missing(),
       Field{&Input::d, "d", mm, "diameter of the pin"}.positive().usually(2, 500).findable("R40"),
-      Field{&Input::d_i, "d_i", mm, "bore of the pin; solid where missing"}.at_least(0).may_be_missing(),
+      Field{&Input::d_i, "d_i", mm, "bore of the pin; omitted: solid"}.at_least(0).may_be_missing(),
       Field{&Input::t_1, "t_1", mm, "thickness of the eye"}.positive().usually(1, 1000),
-      Field{&Input::t_2, "t_2", mm, "thickness of one cheek of the fork; of a pin held on one side that of its wall"}
-          .positive()
-          .usually(1, 1000),
-      Field{&Input::c, "c", mm, "gap between the eye and a cheek, on either side"}.at_least(0).usually(0, 100),
+      Field{&Input::t_2, "t_2", mm, "thickness of one clevis cheek (cantilevered pin: of the wall)"}.positive().usually(
+          1, 1000),
+      Field{&Input::c, "c", mm, "gap between eye and clevis cheek, each side"}.at_least(0).usually(0, 100),
       Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
           .positive()
           .usually(200, 2500)
@@ -107,29 +114,27 @@ p_adm_2 = "100 MPa"
           .where_it_has(),
       modulus_of_material(&Input::E),
       diameter_at_heat_treatment(&Input::d_h),
-      Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable bending stress under this loading, in place of R_m"}
+      Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable bending stress under this loading, replaces R_m"}
           .positive()
           .usually(10, 1500)
           .may_be_missing(),
-      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress under this loading, in place of R_m"}
+      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress under this loading, replaces R_m"}
           .positive()
           .usually(5, 1000)
           .may_be_missing(),
-      Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure in the eye; where it turns, that of sliding"}
+      Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure in the eye (sliding value if the joint turns)"}
           .positive()
           .usually(1, 1000)
           .may_be_missing(),
-      Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable pressure in fork or wall; where it turns, that of sliding"}
+      Field{&Input::p_adm_2, "p_adm_2", MPa,
+            "allowable bearing pressure in clevis or wall (sliding value if the joint turns)"}
           .positive()
           .usually(1, 1000)
           .may_be_missing(),
-      Field{&Input::n, "n", rpm, "speed of turning of the pin in its loose seat, either way"}
+      Field{&Input::n, "n", rpm, "speed of relative rotation in the loose fit, either direction"}
           .usually(-3000, 3000)
           .may_be_missing(),
-      Field{&Input::pv_adm, "pv_adm", MPa_m_per_s, "allowable pressure times speed"}
-          .positive()
-          .usually(0.01, 20)
-          .may_be_missing()};
+      Field{&Input::pv_adm, "pv_adm", MPa_m_per_s, "allowable pv value"}.positive().usually(0.01, 20).may_be_missing()};
 
   struct Result {
     Force F_d = unset<Force>;
@@ -143,28 +148,26 @@ p_adm_2 = "100 MPa"
     LugLoad eye, cheek;
   };
   static constexpr Fields results{
-      Field{&Result::F_d, "F_d", N, "force that counts: with the service factor"}.holding("K_A"),
-      Field{&Result::M_b, "M_b", N_m, "largest bending moment of the pin"}.holding("K_A"),
+      Field{&Result::F_d, "F_d", N, "design force: with the application factor"}.holding("K_A"),
+      Field{&Result::M_b, "M_b", N_m, "maximum bending moment of the pin"}.holding("K_A"),
       Field{&Result::sigma_b, "sigma_b", MPa, "bending stress"}.holding("K_A"),
       Field{&Result::tau_m, "tau_m", MPa, "mean shear stress"}.holding("K_A"),
-      Field{&Result::tau, "tau", MPa, "shear stress in the neutral axis, which is checked"}.holding("K_A"),
-      Field{&Result::sigma_v, "sigma_v", MPa, "largest equivalent stress: of the extreme fibre or of the neutral axis"}
+      Field{&Result::tau, "tau", MPa, "shear stress at the neutral axis (checked)"}.holding("K_A"),
+      Field{&Result::sigma_v, "sigma_v", MPa, "maximum equivalent stress: at the extreme fibre or at the neutral axis"}
           .holding("K_A"),
-      Field{&Result::p_1, "p_1", MPa, "pressure in the eye"}.holding("K_A"),
-      Field{&Result::p_2, "p_2", MPa, "pressure in the fork; in a wall the largest"}.holding("K_A"),
-      Field{&Result::v, "v", m_per_s, "speed of sliding"},
-      Field{&Result::pv, "pv", MPa_m_per_s, "pressure times speed in the seat that slides"},
-      Field{&Result::u_b, "u_b", ratio, "bending over the allowable stress"}.check("sigma_adm, R_m"),
-      Field{&Result::u_v, "u_v", ratio, "equivalent stress over the allowable bending stress"}.check("sigma_adm, R_m"),
-      Field{&Result::u_tau, "u_tau", ratio, "shear over the allowable stress"}.check("tau_adm, R_m"),
-      Field{&Result::u_1, "u_1", ratio, "pressure in the eye over the allowable one"}.check("p_adm_1"),
-      Field{&Result::u_2, "u_2", ratio, "pressure in fork or wall over the allowable one"}.check("p_adm_2"),
-      Field{&Result::u_pv, "u_pv", ratio, "pressure times speed over the allowable one"}
-          .check("pv_adm")
-          .where_it_applies(),
+      Field{&Result::p_1, "p_1", MPa, "bearing pressure in the eye"}.holding("K_A"),
+      Field{&Result::p_2, "p_2", MPa, "bearing pressure in the clevis (wall: maximum)"}.holding("K_A"),
+      Field{&Result::v, "v", m_per_s, "sliding speed"},
+      Field{&Result::pv, "pv", MPa_m_per_s, "pv value of the sliding fit"},
+      Field{&Result::u_b, "u_b", ratio, "bending: bending stress / allowable stress"}.check("sigma_adm, R_m"),
+      Field{&Result::u_v, "u_v", ratio, "equivalent stress / allowable bending stress"}.check("sigma_adm, R_m"),
+      Field{&Result::u_tau, "u_tau", ratio, "shear: shear stress / allowable stress"}.check("tau_adm, R_m"),
+      Field{&Result::u_1, "u_1", ratio, "eye: bearing pressure / allowable pressure"}.check("p_adm_1"),
+      Field{&Result::u_2, "u_2", ratio, "clevis or wall: bearing pressure / allowable pressure"}.check("p_adm_2"),
+      Field{&Result::u_pv, "u_pv", ratio, "pv value / allowable pv value"}.check("pv_adm").where_it_applies(),
       modulus_over_steel<Result>(&Result::x_E),
-      Group{&Result::eye, "eye", "what the eye carries, for pin.lug: load"}.handed_over(),
-      Group{&Result::cheek, "cheek", "what one cheek of the fork carries, for pin.lug: load"}.handed_over()};
+      Group{&Result::eye, "eye", "load of the eye, for pin.lug: load"}.handed_over(),
+      Group{&Result::cheek, "cheek", "load of one clevis cheek, for pin.lug: load"}.handed_over()};
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.held != Held::unsaid; }, "held",
@@ -172,7 +175,7 @@ p_adm_2 = "100 MPa"
       Rule<Input>{[](const Input& in) { return !is_set(in.d_i) || !is_set(in.d) || in.d_i < in.d; }, "d_i, d",
                   "the bore must be smaller than the pin"},
       Rule<Input>{[](const Input& in) { return in.spread == Spread::even || in.held == Held::loose; }, "spread, held",
-                  "the force falls over the cheeks of a loose pin alone: held = \"loose\""},
+                  "a falling force distribution needs a loose pin: held = \"loose\""},
       Rule<Input>{[](const Input& in) {
                     const bool typed = is_set(in.sigma_adm) && is_set(in.tau_adm);
                     return !is_set(in.R_m) || typed || in.loading != Loading::unsaid;
@@ -185,25 +188,25 @@ p_adm_2 = "100 MPa"
   static constexpr std::array meanings{Meaning{"sigma_adm", allowable_in_normal},
                                        Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
-      Mode<Input>{"bending", "pin bent", &loaded}.judged_by("u_b, u_v, x_E"),
-      Mode<Input>{"shear", "pin sheared off", &loaded}.judged_by("u_tau, x_E"),
-      Mode<Input>{"eye", "pin or bore of the eye crushed", &loaded}.judged_by("u_1"),
-      Mode<Input>{"fork", "pin or bore of fork or wall crushed", &loaded}.judged_by("u_2"),
-      Mode<Input>{"fatigue", "fatigue of the pin, by what the loading allows", &varies}.judged_by("u_b, u_tau"),
-      Mode<Input>{"variation", "fatigue of a pin whose loading is not said to vary", &may_vary}.in_service().wanting(
+      Mode<Input>{"bending", "bending of the pin: design moment / resistance", &loaded}.judged_by("u_b, u_v, x_E"),
+      Mode<Input>{"shear", "shear of the pin: design force / resistance", &loaded}.judged_by("u_tau, x_E"),
+      Mode<Input>{"eye", "bearing pressure, eye", &loaded}.judged_by("u_1"),
+      Mode<Input>{"fork", "bearing pressure, clevis or wall", &loaded}.judged_by("u_2"),
+      Mode<Input>{"fatigue", "pin, allowable stress for stated loading", &varies}.judged_by("u_b, u_tau"),
+      Mode<Input>{"variation", "pin fatigue, loading type unstated", &may_vary}.in_service().wanting(
           "loading = pulsating"),
-      Mode<Input>{"wear", "wear and heat of the seat that slides", &turns_in_seat}
+      Mode<Input>{"wear", "wear and heating (pv value)", &turns_in_seat}
           .judged_by("u_pv")
           .wanting("n, pv_adm")
           .special()
           .in_service(),
-      Mode<Input>{"eye_wall", "eye torn or sheared out", &loaded}.left_to("pin.lug", "eye.net, eye.shear_out"),
-      Mode<Input>{"fork_wall", "cheek of the fork torn or sheared out", &forked}.left_to("pin.lug",
-                                                                                         "cheek.net, cheek.shear_out"),
-      Mode<Input>{"wall", "wall that holds the pin on one side broken", &in_wall},
-      Mode<Input>{"oval", "a bored pin that turns oval", &bored},
-      Mode<Input>{"other_loads", "what comes along with the force, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"locking", "a pin that creeps out of its seat", &unseen<Input>}.special()};
+      Mode<Input>{"eye_wall", "net section and shear-out, eye", &loaded}.left_to("pin.lug", "eye.net, eye.shear_out"),
+      Mode<Input>{"fork_wall", "net section and shear-out, clevis", &forked}.left_to("pin.lug",
+                                                                                     "cheek.net, cheek.shear_out"),
+      Mode<Input>{"wall", "strength of the supporting wall", &in_wall},
+      Mode<Input>{"oval", "ovalisation of a hollow pin", &bored},
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"locking", "axial retention of the pin", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
@@ -211,17 +214,18 @@ p_adm_2 = "100 MPa"
 
 constexpr auto choices_of(Joint::Held) {
   using Held = Joint::Held;
-  return std::array{ChoiceName<Held>{Held::unsaid, "", "not said"},
-                    ChoiceName<Held>{Held::loose, "loose", "loose in fork and eye"},
-                    ChoiceName<Held>{Held::in_fork, "in_fork", "fixed in the fork, loose in the eye"},
-                    ChoiceName<Held>{Held::in_eye, "in_eye", "fixed in the eye, loose in the fork"},
-                    ChoiceName<Held>{Held::one_side, "one_side", "fixed in one wall, the eye on its free end"}};
+  return std::array{
+      ChoiceName<Held>{Held::unsaid, "", "not stated"},
+      ChoiceName<Held>{Held::loose, "loose", "loose in clevis and eye"},
+      ChoiceName<Held>{Held::in_fork, "in_fork", "fixed in the clevis, loose in the eye"},
+      ChoiceName<Held>{Held::in_eye, "in_eye", "fixed in the eye, loose in the clevis"},
+      ChoiceName<Held>{Held::one_side, "one_side", "cantilevered from one wall, the eye on its free end"}};
 }
 constexpr auto choices_of(Joint::Spread) {
   using Spread = Joint::Spread;
-  return std::array{ChoiceName<Spread>{Spread::even, "even", "evenly over cheeks and eye"},
+  return std::array{ChoiceName<Spread>{Spread::even, "even", "uniform over cheeks and eye"},
                     ChoiceName<Spread>{Spread::falling, "falling",
-                                       "evenly over the eye, falling to zero at the outside of the cheeks"}};
+                                       "uniform over the eye, falling to zero at the outside of the cheeks"}};
 }
 
 }  // namespace loadpath::pin

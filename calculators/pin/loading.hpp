@@ -13,7 +13,7 @@ enum class Loading { unsaid, steady, pulsating, alternating };
 
 constexpr auto choices_of(Loading) {
   return std::array{
-      ChoiceName<Loading>{Loading::unsaid, "", "not said"},
+      ChoiceName<Loading>{Loading::unsaid, "", "not stated"},
       ChoiceName<Loading>{Loading::steady, "steady", "it stays as it is"},
       ChoiceName<Loading>{Loading::pulsating, "pulsating", "it comes and goes from one side"},
       ChoiceName<Loading>{Loading::alternating, "alternating", "it changes its sense, or turns around the pin"}};

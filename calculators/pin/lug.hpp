@@ -22,11 +22,17 @@ namespace loadpath::pin {
 
 struct Lug {
   static constexpr auto id = "pin.lug";
-  static constexpr auto title = "Eye around a pin";
+  static constexpr auto title = "Lug (eye) of a pin joint";
   static constexpr auto scope =
-      "Net section, shear-out and bearing of an eye or of one cheek of a fork, by nominal stresses, along its axis. "
-      "Eyes of another shape than a round head, forces across the axis and the notch of the bore are not covered.";
+      "Nominal net section, shear-out and bearing stresses of an eye or one clevis cheek loaded along its "
+      "axis; eyes other than round heads, transverse forces and the stress concentration of the bore are not "
+      "covered.";
   static constexpr auto source = "[Bhandari-4], [EN1993-1-8], [Mises]";
+  static constexpr auto headline = "d = {d}, t = {t}";
+  static constexpr auto subject = "lug at rest";
+  static constexpr auto synonyms =
+      "lug, eye, eye bar, clevis cheek, net section, shear-out, tear-out, bearing stress, Augenstab, Lasche, Auge, "
+      "Gabel, проушина, ушко";
   static constexpr auto example = R"([project]
 title = "Eye of a rod"
 
@@ -52,18 +58,18 @@ p_adm = "80 MPa"
   static Applies loaded(const Input& in);
   static Applies varies(const Input& in);
   static constexpr Fields inputs{
-      RecordField<Input>{"load", "eye or cheek of a pin, whole: load = \"=pin.eye\""},
-      Field{&Input::F, "F", N, "force of the pin on the eye, along its axis; its size counts"}.load(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on F: what it does not contain, once"}
+      RecordField<Input>{"load", "eye or clevis cheek of a pin joint: load = \"=pin.eye\""},
+      Field{&Input::F, "F", N, "force of the pin on the eye, along its axis, magnitude"}.load(),
+      Field{&Input::K_A, "K_A", ratio, "application factor K_A on F (1 if F includes it)"}
           .at_least(1)
           .usually(1, 4)
           .factor(),
-      Field{&Input::d, "d", mm, "diameter of the bore"}.positive().usually(2, 500),
-      Field{&Input::b, "b", mm, "width of the eye across the force, bore included"}
+      Field{&Input::d, "d", mm, "bore diameter"}.positive().usually(2, 500),
+      Field{&Input::b, "b", mm, "width of the eye transverse to the force, bore included"}
           .positive()
           .usually(4, 2000)
           .findable("R40"),
-      Field{&Input::a, "a", mm, "crown: from the edge of the bore to the end of the eye, along the force"}
+      Field{&Input::a, "a", mm, "crown thickness: from the bore edge to the end of the eye, along the force"}
           .positive()
           .usually(1, 1000),
       Field{&Input::t, "t", mm, "thickness of the eye, or of one cheek"}
@@ -71,21 +77,28 @@ p_adm = "80 MPa"
           .positive()
           .usually(1, 1000)
           .findable("R40"),
-      Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress of the net section, in place of R_e"}
+      Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress of the net section, replaces R_e"}
           .positive()
           .usually(5, 1500)
           .may_be_missing(),
-      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress, in place of R_e"}
+      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress, replaces R_e"}
           .positive()
           .usually(5, 1000)
           .may_be_missing(),
-      Field{&Input::p_adm, "p_adm", MPa, "allowable pressure in the bore"}.positive().usually(1, 1500).may_be_missing(),
+      Field{&Input::p_adm, "p_adm", MPa, "allowable bearing pressure in the bore"}
+          .positive()
+          .usually(1, 1500)
+          .may_be_missing(),
       Field{&Input::R_e, "R_e", MPa, "yield strength of the eye"}
           .positive()
           .usually(50, 2500)
           .from("material", "R_e", "t")
           .where_it_has(),
-      Field{&Input::S, "S", ratio, "safety against R_e"}.at_least(1).usually(1.2, 10).may_be_missing().factor()};
+      Field{&Input::S, "S", ratio, "required safety factor on R_e"}
+          .at_least(1)
+          .usually(1.2, 10)
+          .may_be_missing()
+          .factor()};
 
   struct Result {
     Force F_d = unset<Force>;
@@ -95,18 +108,17 @@ p_adm = "80 MPa"
     StressCycle cycle;
   };
   static constexpr Fields results{
-      Field{&Result::F_d, "F_d", N, "force that counts: with the service factor"}.holding("K_A"),
-      Field{&Result::sigma_n, "sigma_n", MPa, "nominal stress of the net section beside the bore"}.holding("K_A"),
-      Field{&Result::tau_s, "tau_s", MPa, "shear stress of the two planes from bore to crown"}.holding("K_A"),
-      Field{&Result::p, "p", MPa, "pressure in the bore"}.holding("K_A"),
+      Field{&Result::F_d, "F_d", N, "design force: with the application factor"}.holding("K_A"),
+      Field{&Result::sigma_n, "sigma_n", MPa, "nominal stress of the net section at the bore"}.holding("K_A"),
+      Field{&Result::tau_s, "tau_s", MPa, "shear stress in the two shear-out planes"}.holding("K_A"),
+      Field{&Result::p, "p", MPa, "bearing pressure in the bore"}.holding("K_A"),
       Field{&Result::K_t, "K_t", ratio,
             "stress concentration factor of the bore on the net section, at least that of an open hole"},
-      Field{&Result::u_n, "u_n", ratio, "net section over the allowable stress"}.check("sigma_adm, S"),
-      Field{&Result::u_s, "u_s", ratio, "shear-out over the allowable stress"}.check("tau_adm, S"),
-      Field{&Result::u_p, "u_p", ratio, "pressure over the allowable one"}.check("p_adm"),
-      Field{&Result::x_b, "x_b", ratio, "width over bore: of wider eyes the outside carries little"}.limit(1,
-                                                                                                           2.5 + 1e-9),
-      Field{&Result::x_a, "x_a", ratio, "side of the eye over its crown: thinner crowns bend"}.limit(0, 1 + 1e-9),
+      Field{&Result::u_n, "u_n", ratio, "net section: nominal stress / allowable stress"}.check("sigma_adm, S"),
+      Field{&Result::u_s, "u_s", ratio, "shear-out: shear stress / allowable stress"}.check("tau_adm, S"),
+      Field{&Result::u_p, "u_p", ratio, "bearing: pressure / allowable pressure"}.check("p_adm"),
+      Field{&Result::x_b, "x_b", ratio, "width / bore diameter (validity: up to 2.5)"}.limit(1, 2.5 + 1e-9),
+      Field{&Result::x_a, "x_a", ratio, "side width / crown thickness of the eye"}.limit(0, 1 + 1e-9),
       Group{&Result::cycle, "cycle", "nominal stress of the net section, for fatigue.cycle: cycle"}.handed_over()};
 
   static constexpr std::array rules{
@@ -120,15 +132,14 @@ p_adm = "80 MPa"
                                        Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array notch_claims{NotchClaim{"sigma_n, cycle.sigma_max", "K_t"}};
   static constexpr std::array modes{
-      Mode<Input>{"net", "eye torn beside the bore", &loaded}.judged_by("u_n, x_b").wanting("sigma_adm"),
-      Mode<Input>{"shear_out", "eye sheared out to its crown", &loaded}.judged_by("u_s").wanting("tau_adm"),
-      Mode<Input>{"crown", "eye split or bent at its crown", &loaded}.judged_by("x_a").of_shape(),
-      Mode<Input>{"bearing", "bore crushed", &loaded}.judged_by("u_p"),
-      Mode<Input>{"fatigue", "fatigue at the edge of the bore", &varies}
+      Mode<Input>{"net", "net section tension", &loaded}.judged_by("u_n, x_b").wanting("sigma_adm"),
+      Mode<Input>{"shear_out", "shear-out", &loaded}.judged_by("u_s").wanting("tau_adm"),
+      Mode<Input>{"crown", "end distance of the lug", &loaded}.judged_by("x_a").of_shape(),
+      Mode<Input>{"bearing", "bearing pressure in the bore", &loaded}.judged_by("u_p"),
+      Mode<Input>{"fatigue", "fatigue at the bore edge", &varies}
           .left_to("fatigue.cycle", "cycle.fatigue")
           .in_service(),
-      Mode<Input>{"across", "what comes along with the force across the axis of the eye", &unseen<Input>}
-          .by_companions()};
+      Mode<Input>{"across", "transverse loads on the lug", &unseen<Input>}.by_companions()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -18,16 +18,16 @@ namespace loadpath::section {
 
 struct BuiltUp : BuiltUpTypes {
   static constexpr auto id = "section.built_up";
-  static constexpr auto title = "Section: built up from parts";
+  static constexpr auto title = "Built-up section";
   static constexpr auto scope =
-      "Area, centroid, second moments, principal axes and moduli of a section that is put together from at most 20 "
-      "parts: circles, rings, rectangles, I, channels, angles, T, hollow rectangles, and rows of the section tables; "
-      "or "
-      "cut from them. Each part has the origin of its own calculator (a channel the middle of its back, an angle its "
-      "corner, a T the middle of its upper face, others their centre). The parts act as one. I_t is the sum of the "
-      "parts' own, a lower bound: closed cells that the parts form would add to it. Connection is not "
-      "checked; warping is not covered.";
+      "Area, centroid, second moments of area, principal axes and section moduli of a section assembled from, "
+      "or cut out of, up to 20 shapes or tabulated sections acting compositely; the torsion constant is the "
+      "lower-bound sum of the parts; connection between parts and warping are not covered.";
   static constexpr auto source = "[Garrison], [ME102]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
+  static constexpr auto synonyms =
+      "built-up section, composite section, compound section, plate girder, welded section, parallel axis theorem, "
+      "Steiner, zusammengesetzter Querschnitt, Steinerscher Satz, составное сечение, теорема Штейнера";
   static constexpr auto example = R"([project]
 title = "Two channels, toes outwards, with a plate below"
 
@@ -56,11 +56,11 @@ parts = [
       Rule<Input>{&is_full, "parts",
                   "the holes leave no section: more is cut out than there is, or beside the material"},
       Rule<Input>{&none_overlap, "parts", "parts overlap: what both cover would count twice", &overlapping},
-      Rule<Input>{&all_touch, "parts", "a part stands apart from the others", &apart, true}};
+      Rule<Input>{&all_touch, "parts", "a part is separate from the others", &apart, true}};
 
-  static constexpr std::array modes{
-      Mode<Input>{"joined", "parts that are not joined, and do not act as one",
-                  [](const Input& in) { return in.parts.size() < 2 ? Applies::no : shown_by(!all_touch(in)); }}};
+  static constexpr std::array modes{Mode<Input>{"joined", "shear connection of the parts", [](const Input& in) {
+                                                  return in.parts.size() < 2 ? Applies::no : shown_by(!all_touch(in));
+                                                }}};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -14,13 +14,16 @@ namespace loadpath::section {
 
 struct Polygon {
   static constexpr auto id = "section.polygon";
-  static constexpr auto title = "Section: polygon with holes";
+  static constexpr auto title = "Polygonal section with holes";
   static constexpr auto scope =
-      "Area, centroid, second moments, principal axes and moduli of a section that is given by the corners of its "
-      "contour and of its holes, in order around each; at most 64 corners, 8 holes of at most 32. Origin of the "
-      "sketch: as the corners are given. The moduli about y and z alone hold where these are principal axes. Its "
-      "torsion constant is given by section.solid_torsion.";
+      "Area, centroid, second moments of area, principal axes and section moduli of a polygon with up to 64 "
+      "corners and 8 holes; moduli about y and z apply only where these are principal axes; torsion constant: "
+      "section.solid_torsion.";
   static constexpr auto source = "[Garrison], [ME102]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
+  static constexpr auto synonyms =
+      "polygon, arbitrary section, section with holes, section properties, principal axes, product of inertia, "
+      "Polygonquerschnitt, beliebiger Querschnitt, многоугольник, произвольное сечение";
   static constexpr auto example = R"([project]
 title = "Frame with a window"
 

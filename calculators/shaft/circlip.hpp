@@ -19,11 +19,17 @@ namespace loadpath::shaft {
 
 struct Circlip {
   static constexpr auto id = "shaft.circlip";
-  static constexpr auto title = "Retaining ring on a shaft";
+  static constexpr auto title = "Retaining ring (circlip) and groove";
   static constexpr auto scope =
-      "What the groove of a retaining ring, its shoulder and the ring itself bear along the shaft, and the speed at "
-      "which the ring opens. Impact and assembly are not covered, the shaft's fatigue at the groove is shaft.design's.";
+      "Axial load capacity of groove, shoulder and ring of a retaining ring on a shaft, and the detaching "
+      "speed of the ring; impact and assembly are not covered; shaft fatigue at the groove is assessed by "
+      "shaft.design.";
   static constexpr auto source = "[DIN471]";
+  static constexpr auto headline = "d = {d_1}";
+  static constexpr auto subject = "ring and groove";
+  static constexpr auto synonyms =
+      "circlip, retaining ring, snap ring, groove, axial retention, detaching speed, DIN 471, Sicherungsring, "
+      "Seegerring, Ringnut, Ablösedrehzahl, стопорное кольцо, пружинное кольцо, канавка";
   static constexpr auto example = R"([project]
 title = "Ring beside a bearing on a shaft of 18 mm"
 
@@ -53,47 +59,47 @@ n = "1500 rpm"
   static Applies turns_round(const Input& in);
   static Applies varies(const Input& in);
   static constexpr Fields inputs{
-      Field{&Input::F_a, "F_a", N, "force along the shaft against the ring; its size counts"}.load(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on F_a: what it does not contain, once"}
+      Field{&Input::F_a, "F_a", N, "axial force on the ring, magnitude"}.load(),
+      Field{&Input::K_A, "K_A", ratio, "application factor K_A on F_a (1 if F_a includes it)"}
           .at_least(1)
           .usually(1, 4)
           .factor(),
-      Field{&Input::S, "S", ratio, "safety that is asked for; neither F_N nor F_R holds one"}
+      Field{&Input::S, "S", ratio, "required safety factor (F_N and F_R include none)"}
           .at_least(1)
           .usually(1, 5)
           .factor(),
-      Field{&Input::d_1, "d_1", mm, "diameter of the shaft"}
+      Field{&Input::d_1, "d_1", mm, "shaft diameter"}
           .at_most_that_of_source("d, d_max")
           .positive()
           .usually(3, 300)
           .from("circlip", "d_1"),
-      Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
-      Field{&Input::d_2, "d_2", mm, "diameter of the groove"}.positive().from("circlip", "d_2"),
-      Field{&Input::m, "m", mm, "width of the groove"}.positive().from("circlip", "m").where_it_has(),
-      Field{&Input::r, "r", mm, "radius at the edges of the groove's ground, for the shaft's notch"}
+      Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0),
+      Field{&Input::d_2, "d_2", mm, "groove diameter"}.positive().from("circlip", "d_2"),
+      Field{&Input::m, "m", mm, "groove width"}.positive().from("circlip", "m").where_it_has(),
+      Field{&Input::r, "r", mm, "fillet radius at the groove bottom, for the notch of the shaft"}
           .positive()
           .may_be_missing(),
-      Field{&Input::w, "w", mm, "width of the shoulder from the groove to the shaft's end"}.positive(),
-      Field{&Input::q, "q", ratio, "load factor of a shoulder shorter than three depths, in place of 1.2"}
+      Field{&Input::w, "w", mm, "shoulder width from the groove to the shaft end"}.positive(),
+      Field{&Input::q, "q", ratio, "load factor of a shoulder shorter than 3 groove depths, replaces 1.2"}
           .within(1.2, 20)
           .may_be_missing()
           .factor(),
       Field{&Input::R_e, "R_e", MPa, "yield strength of the shaft"}.positive().usually(150, 2000).from("material",
                                                                                                        "R_e", "d_1"),
-      Field{&Input::c, "c", mm, "chamfer, radius or play of the part that the ring holds; 0 of a sharp edge"}
+      Field{&Input::c, "c", mm, "chamfer, radius or clearance of the retained part; 0: sharp edge"}
           .at_least(0)
           .may_be_missing(),
-      Field{&Input::g, "g", mm, "chamfer that F_Rg is for"}.positive().from("circlip", "g").where_it_has(),
-      Field{&Input::F_R, "F_R", N, "what the ring bears against a sharp edge"}
+      Field{&Input::g, "g", mm, "chamfer for which F_Rg is rated"}.positive().from("circlip", "g").where_it_has(),
+      Field{&Input::F_R, "F_R", N, "load capacity of the ring against a sharp edge"}
           .positive()
           .from("circlip", "F_R")
           .where_it_has(),
-      Field{&Input::F_Rg, "F_Rg", N, "what the ring bears against a part with the chamfer g"}
+      Field{&Input::F_Rg, "F_Rg", N, "load capacity of the ring against a part with chamfer g"}
           .positive()
           .from("circlip", "F_Rg")
           .where_it_has(),
       Field{&Input::n, "n", rpm, "speed of the shaft"}.at_least(0).may_be_missing(),
-      Field{&Input::n_abl, "n_abl", rpm, "speed at which the ring opens"}
+      Field{&Input::n_abl, "n_abl", rpm, "detaching speed of the ring"}
           .positive()
           .from("circlip", "n_abl")
           .where_it_has()};
@@ -106,20 +112,19 @@ n = "1500 rpm"
     RingNotch notch;
   };
   static constexpr Fields results{
-      Field{&Result::F_d, "F_d", N, "force that counts: with the service factor"}.holding("K_A"),
-      Field{&Result::t, "t", mm, "depth of the groove"},
-      Field{&Result::F_N, "F_N", N, "what the groove bears until it yields"},
-      Field{&Result::F_ring, "F_ring", N, "what the ring bears against the edge that it holds"},
-      Field{&Result::u_N, "u_N", ratio, "groove: force with its safety over F_N"}.check(),
-      Field{&Result::u_R, "u_R", ratio, "ring: force with its safety over F_ring"}.check("c").where_it_applies(),
-      Field{&Result::u_n, "u_n", ratio, "speed over that at which the ring opens"}.check("n").where_it_applies(),
-      Field{&Result::x_w, "x_w", ratio, "width of the shoulder over the groove's depth: shorter ones need a q"}
+      Field{&Result::F_d, "F_d", N, "design force: with the application factor"}.holding("K_A"),
+      Field{&Result::t, "t", mm, "groove depth"},
+      Field{&Result::F_N, "F_N", N, "load capacity of the groove at yielding"},
+      Field{&Result::F_ring, "F_ring", N, "load capacity of the ring against the edge of the retained part"},
+      Field{&Result::u_N, "u_N", ratio, "groove: S x axial force / load capacity F_N"}.check(),
+      Field{&Result::u_R, "u_R", ratio, "ring: S x axial force / load capacity F_ring"}.check("c").where_it_applies(),
+      Field{&Result::u_n, "u_n", ratio, "speed / detaching speed of the ring"}.check("n").where_it_applies(),
+      Field{&Result::x_w, "x_w", ratio, "shoulder width / groove depth (below 3: give q)"}
           .limit(3 - 1e-9, 1e6)
           .where_it_applies(),
-      Field{&Result::x_t, "x_t", ratio,
-            "depth over the shaft's diameter: the standard's grooves have up to 0.034, own bound"}
+      Field{&Result::x_t, "x_t", ratio, "groove depth / shaft diameter (DIN 471: up to 0.034; limit set by loadpath)"}
           .limit(0, 0.04),
-      Field{&Result::x_b, "x_b", ratio, "depth of the groove over the wall that it leaves of a hollow shaft, own bound"}
+      Field{&Result::x_b, "x_b", ratio, "groove depth / remaining wall of a hollow shaft (limit set by loadpath)"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
       Group{&Result::notch, "notch", "the groove, for a notch of shaft.design: part"}.handed_over()};
@@ -132,23 +137,21 @@ n = "1500 rpm"
                                                 "F_Rg, g", "F_Rg is for a chamfer g: give both"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"groove", "side of the groove crushed, or its shoulder sheared off", &loaded}.judged_by(
-          "u_N, x_w, x_t"),
-      Mode<Input>{"bore", "the wall of a hollow shaft under the groove",
-                  [](const Input& in) { return where(in.d_bore > 0.0 * mm); }}
+      Mode<Input>{"groove", "groove yielding and shoulder shear", &loaded}.judged_by("u_N, x_w, x_t"),
+      Mode<Input>{"bore", "shaft wall under the groove", [](const Input& in) { return where(in.d_bore > 0.0 * mm); }}
           .judged_by("x_b")
           .of_shape(),
-      Mode<Input>{"ring", "ring dished or pushed out", &loaded}.judged_by("u_R").wanting("c, F_R"),
-      Mode<Input>{"opening", "a ring that opens at speed", &turns_round}
+      Mode<Input>{"ring", "ring dishing and push-out", &loaded}.judged_by("u_R").wanting("c, F_R"),
+      Mode<Input>{"opening", "detaching speed of the ring", &turns_round}
           .judged_by("u_n")
           .wanting("n, n_abl")
           .in_service(),
-      Mode<Input>{"fatigue", "fatigue of the shaft at the groove", &varies}
+      Mode<Input>{"fatigue", "shaft fatigue at the groove", &varies}
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),
-      Mode<Input>{"other_loads", "what comes along with the force, and no ring bears", &unseen<Input>}.by_companions(),
-      Mode<Input>{"impact", "a part that strikes the ring", &unseen<Input>}.special(),
-      Mode<Input>{"assembly", "a ring that is stretched too far when it is put on", &unseen<Input>}.special()};
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"impact", "impact on the ring", &unseen<Input>}.special(),
+      Mode<Input>{"assembly", "ring stress at assembly", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

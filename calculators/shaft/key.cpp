@@ -14,7 +14,7 @@ template <class Tracer>
 void stresses(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, l_tr, in.form == Key::Form::A ? in.l - in.b : in.l,
           in.form == Key::Form::A ? "between the round ends" : "up to the straight ends");
-  STEP_TO(r, phi, in.i > 1 ? 0.75 : 1.0, "two keys do not bear alike, method C of [DIN6892]");
+  STEP_TO(r, phi, in.i > 1 ? 0.75 : 1.0, "two keys do not share the load equally, method C of [DIN6892]");
   torque_that_counts(in, r, trace);
   const Moment T_eq = r.T_eq;
   STEP_TO(r, F_t, 2.0 * T_eq / in.d, "at the surface of the shaft");
@@ -75,7 +75,7 @@ void wall_of(const Input& in, Result& r, Tracer& trace) {
 /// What fits: shaft, hub, seats.
 template <class Tracer>
 void fits(const Input& in, Result& r, Tracer& trace) {
-  STEP_TO(r, x_l, r.l_tr / in.d, "up to 1.3 it bears evenly, [DIN6892]");
+  STEP_TO(r, x_l, r.l_tr / in.d, "uniform pressure up to 1.3, [DIN6892]");
   if (is_set(in.l_n)) {
     STEP_TO(r, u_n, in.l / in.l_n, "inside of the hub");
   }
@@ -89,7 +89,7 @@ void fits(const Input& in, Result& r, Tracer& trace) {
     STEP_TO(r, x_w, in.t_1 / ((in.d - in.d_bore) / 2.0 - in.t_1), "a wall as thick as the seat is deep is left");
   }
   if (!is_set(in.t_2)) return;
-  STEP_TO(r, x_h, in.h / (in.t_1 + in.t_2), "with play above the key");
+  STEP_TO(r, x_h, in.h / (in.t_1 + in.t_2), "with clearance above the key");
 }
 
 }  // namespace

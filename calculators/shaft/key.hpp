@@ -26,10 +26,16 @@ struct Key {
   static constexpr auto id = "shaft.key";
   static constexpr auto title = "Parallel key";
   static constexpr auto scope =
-      "Pressure on the sides of one key or two in shaft and hub, on the key itself, its shear; whether the key belongs "
-      "to the shaft, and bears in the hub; the wall of the hub under the root circle of a gear, sprocket or pulley. "
-      "The shaft at the end of its seat and fretting are not covered.";
+      "Bearing pressure of one or two parallel keys on shaft, hub and key, shear of the key, the fit of the "
+      "key to shaft diameter, keyways and hub length, and the hub wall under the root circle of a gear, "
+      "sprocket or pulley; shaft fatigue at the keyway end and fretting are not covered.";
   static constexpr auto source = "[DIN6892], [Mises]";
+  static constexpr auto headline = "{b#}x{h#}x{l}";
+  static constexpr auto subject = "key connection";
+  static constexpr auto synonyms =
+      "key, parallel key, feather key, keyway, keyseat, shaft-hub connection, bearing pressure, DIN 6892, DIN 6885, "
+      "Passfeder, Passfedernut, Welle-Nabe-Verbindung, Flächenpressung, шпонка, призматическая шпонка, "
+      "шпоночный паз, шпоночное соединение, смятие";
   static constexpr auto example = R"([project]
 title = "Wheel on a shaft of 50 mm"
 
@@ -70,32 +76,37 @@ R_e_k = "420 MPa"
   static constexpr Fields inputs = join(
       torque_inputs<Input>(), hub_inputs<Input>(),
       Fields{
-          Field{&Input::d, "d", mm, "diameter of the shaft"}.positive().usually(6, 500).at_most_that_of_source(
+          Field{&Input::d, "d", mm, "shaft diameter"}.positive().usually(6, 500).findable("R40").at_most_that_of_source(
               "d, d_max"),
-          Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
-          Field{&Input::b, "b", mm, "width of the key"}.positive().from("key", "b"),
-          Field{&Input::h, "h", mm, "height of the key"}.positive().from("key", "h"),
-          Field{&Input::t_1, "t_1", mm, "depth of the seat in the shaft"}.positive().from("key", "t_1"),
-          Field{&Input::t_2, "t_2", mm, "depth of the seat in the hub"}.positive().from("key", "t_2"),
-          Field{&Input::d_over, "d_over", mm, "shafts that the key belongs to: above"}.positive().from("key", "d_over"),
-          Field{&Input::d_to, "d_to", mm, "shafts that the key belongs to: up to"}.positive().from("key", "d_to"),
-          Field{&Input::l_min, "l_min", mm, "shortest key of this section"}
+          Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0),
+          Field{&Input::b, "b", mm, "key width"}.positive().from("key", "b"),
+          Field{&Input::h, "h", mm, "key height"}.positive().from("key", "h"),
+          Field{&Input::t_1, "t_1", mm, "keyway depth in the shaft"}.positive().from("key", "t_1"),
+          Field{&Input::t_2, "t_2", mm, "keyway depth in the hub"}.positive().from("key", "t_2"),
+          Field{&Input::d_over, "d_over", mm, "shaft diameter range of the key section: lower limit, exclusive"}
+              .positive()
+              .from("key", "d_over"),
+          Field{&Input::d_to, "d_to", mm, "shaft diameter range of the key section: upper limit, inclusive"}
+              .positive()
+              .from("key", "d_to"),
+          Field{&Input::l_min, "l_min", mm, "minimum standard key length of this section"}
               .positive()
               .from("key", "l_min")
               .where_it_has(),
-          Field{&Input::l_max, "l_max", mm, "longest key of this section"}
+          Field{&Input::l_max, "l_max", mm, "maximum standard key length of this section"}
               .positive()
               .from("key", "l_max")
               .where_it_has(),
-          Choice{&Input::form, "form", "ends of the key"}.may_be_missing(),
-          Field{&Input::l, "l", mm, "length of the key"}.positive().usually(6, 400).findable("key"),
-          Field{&Input::l_n, "l_n", mm, "length of the hub"}.positive().usually(5, 1000).may_be_missing(),
-          Count{&Input::i, "i", 1, 2, "keys around the shaft"}.may_be_missing(),
+          Choice{&Input::form, "form", "key form: round ends (A) or straight ends (B)"}.may_be_missing(),
+          Field{&Input::l, "l", mm, "key length"}.positive().usually(6, 400).findable("key"),
+          Field{&Input::l_n, "l_n", mm, "hub length"}.positive().usually(5, 1000).may_be_missing(),
+          Count{&Input::i, "i", 1, 2, "number of keys"}.may_be_missing(),
           Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}
               .positive()
+              .at_most_that_of_source("R_e")
               .usually(150, 2000)
               .may_be_missing(),
-          Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none of a brittle one"}
+          Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none for a brittle hub"}
               .positive()
               .usually(100, 2000)
               .may_be_missing(),
@@ -103,26 +114,26 @@ R_e_k = "420 MPa"
               .positive()
               .usually(150, 2000)
               .may_be_missing(),
-          Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure in the shaft, in place of R_e_1"}
+          Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure in the shaft, replaces R_e_1"}
               .positive()
               .usually(20, 1500)
               .may_be_missing(),
           Field{&Input::p_adm_2, "p_adm_2", MPa,
-                "allowable pressure in the hub, in place of R_e_2: of cast iron always"}
+                "allowable bearing pressure in the hub, replaces R_e_2 (required for cast iron)"}
               .positive()
               .usually(20, 1500)
               .may_be_missing(),
-          Field{&Input::p_adm_k, "p_adm_k", MPa, "allowable pressure on the key, in place of R_e_k"}
+          Field{&Input::p_adm_k, "p_adm_k", MPa, "allowable bearing pressure on the key, replaces R_e_k"}
               .positive()
               .usually(20, 1500)
               .may_be_missing(),
           Field{&Input::tau_adm, "tau_adm", MPa,
-                "allowable shear stress of the key; by Mises from its pressure if missing"}
+                "allowable shear stress of the key; by von Mises from its allowable pressure if omitted"}
               .positive()
               .usually(10, 1000)
               .may_be_missing(),
           Field{&Input::f_W, "f_W", ratio,
-                "factor of a torque that changes its sense, of method B; lowers what is allowed"}
+                "load direction factor f_W of method B for a reversing torque, reduces the allowable pressure"}
               .within(0.1, 1)
               .may_be_missing()
               .factor()});
@@ -142,48 +153,47 @@ R_e_k = "420 MPa"
     Connection connection;
   };
   static constexpr Fields results{
-      Field{&Result::T_eq, "T_eq", N_m, "torque that counts: with the service factor, or that of the shock"}.holding(
+      Field{&Result::T_eq, "T_eq", N_m, "equivalent torque: with the application factor, or the peak torque"}.holding(
           "K_A"),
-      Field{&Result::F_t, "F_t", N, "force at the surface of the shaft"}.holding("K_A"),
-      Field{&Result::l_tr, "l_tr", mm, "length that bears"},
-      Field{&Result::phi, "phi", ratio, "share that each of the keys bears"},
-      Field{&Result::p_1, "p_1", MPa, "pressure in the seat of the shaft"},
-      Field{&Result::p_2, "p_2", MPa, "pressure in the seat of the hub"},
+      Field{&Result::F_t, "F_t", N, "circumferential force at the shaft surface"}.holding("K_A"),
+      Field{&Result::l_tr, "l_tr", mm, "effective key length"},
+      Field{&Result::phi, "phi", ratio, "load distribution factor phi"},
+      Field{&Result::p_1, "p_1", MPa, "bearing pressure in the shaft keyway"},
+      Field{&Result::p_2, "p_2", MPa, "bearing pressure in the hub keyway"},
       Field{&Result::tau, "tau", MPa, "shear stress of the key"},
-      Field{&Result::u_1, "u_1", ratio, "shaft: pressure over the allowable one"}.check("p_adm_1, R_e_1"),
-      Field{&Result::u_2, "u_2", ratio, "hub: pressure over the allowable one"}.check("p_adm_2, R_e_2"),
-      Field{&Result::u_k, "u_k", ratio, "key: the larger pressure over the allowable one"}.check("p_adm_k, R_e_k"),
-      Field{&Result::u_tau, "u_tau", ratio, "shear of the key over the allowable one"}.check("tau_adm, p_adm_k, R_e_k"),
-      Field{&Result::u_W, "u_W", ratio, "sides under a torque that changes its sense: the worst of them over f_W"}
+      Field{&Result::u_1, "u_1", ratio, "shaft keyway: bearing pressure / allowable pressure"}.check("p_adm_1, R_e_1"),
+      Field{&Result::u_2, "u_2", ratio, "hub keyway: bearing pressure / allowable pressure"}.check("p_adm_2, R_e_2"),
+      Field{&Result::u_k, "u_k", ratio, "key: larger bearing pressure / allowable pressure"}.check("p_adm_k, R_e_k"),
+      Field{&Result::u_tau, "u_tau", ratio, "shear of the key: shear stress / allowable shear stress"}.check(
+          "tau_adm, p_adm_k, R_e_k"),
+      Field{&Result::u_W, "u_W", ratio, "reversing torque: largest utilisation of the key sides / f_W"}
           .check("f_W")
           .where_it_applies(),
-      Field{&Result::u_n, "u_n", ratio, "length of the key over that of the hub"}.check("l_n"),
-      Field{&Result::x_l, "x_l", ratio, "length that bears over d: longer ones do not bear evenly"}.limit(0,
-                                                                                                          1.3 + 1e-9),
-      Field{&Result::x_d, "x_d", ratio, "d within the shafts of the key: above 0, up to 1"}
+      Field{&Result::u_n, "u_n", ratio, "key length / hub length"}.check("l_n"),
+      Field{&Result::x_l, "x_l", ratio, "effective key length / shaft diameter (uniform pressure up to 1.3)"}.limit(
+          0, 1.3 + 1e-9),
+      Field{&Result::x_d, "x_d", ratio, "position of d in the diameter range of the key section: above 0, up to 1"}
           .limit(1e-9, 1 + 1e-9)
           .criterion()
           .where_it_applies(),
-      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the round that the seats leave of the shaft"}.holding(
-          "K_A"),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: equivalent stress over its yield strength"}.check(
-          "R_e_1"),
-      Field{&Result::x_b, "x_b", ratio, "width of a key of no standard over d: those of DIN 6885 have up to 0.42"}
+      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft core inside the keyways"}.holding("K_A"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft core: equivalent stress / yield strength"}.check("R_e_1"),
+      Field{&Result::x_b, "x_b", ratio, "width of a non-standard key / d (DIN 6885: up to 0.42)"}
           .limit(0, 0.42)
           .where_it_applies(),
-      Field{&Result::x_t, "x_t", ratio, "depth of its seat over d: those of DIN 6885 have up to 0.25"}
+      Field{&Result::x_t, "x_t", ratio, "keyway depth of a non-standard key / d (DIN 6885: up to 0.25)"}
           .limit(0, 0.25 * (1 + 1e-9))
           .where_it_applies(),
-      Field{&Result::x_h, "x_h", ratio, "height of the key over both depths: it must go in"}
+      Field{&Result::x_h, "x_h", ratio, "key height / sum of the keyway depths"}
           .limit(0, 1)
           .criterion()
           .where_it_applies(),
-      Field{&Result::x_w, "x_w", ratio, "depth of the seat over the wall that it leaves of a hollow shaft, own bound"}
+      Field{&Result::x_w, "x_w", ratio, "keyway depth / remaining wall of a hollow shaft (limit set by loadpath)"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
       rim_of_gear<Result>(),
       wall_of_hub<Result>("keyway depth / remaining wall of the hub under the root circle, own bound"),
-      Group{&Result::notch, "notch", "the end of its seat, for a notch of shaft.design: part"}.handed_over(),
+      Group{&Result::notch, "notch", "keyway end, for a notch of shaft.design: part"}.handed_over(),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr auto rules = join(
@@ -213,40 +223,33 @@ R_e_k = "420 MPa"
 
   static constexpr std::array senses{SenseClaim{"T", "torque", "one_way", "reversing"}};
   static constexpr std::array modes{
-      Mode<Input>{"shaft", "side of the seat in the shaft crushed", &torque_loads<Input>}.judged_by("u_1"),
-      Mode<Input>{"hub", "side of the seat in the hub crushed", &torque_loads<Input>}.judged_by("u_2"),
-      Mode<Input>{"key", "side of the key crushed", &torque_loads<Input>}.judged_by("u_k"),
-      Mode<Input>{"shear", "key sheared off", &torque_loads<Input>}.judged_by("u_tau"),
-      Mode<Input>{"core", "shaft twisted off under its seat", &twisted}.judged_by("u_t").left_to("shaft.design",
-                                                                                                 "notch.yield"),
-      Mode<Input>{"reversal", "sides beaten out where the torque changes its sense", &torque_reverses<Input>}
+      Mode<Input>{"shaft", "bearing pressure, shaft keyway", &torque_loads<Input>}.judged_by("u_1"),
+      Mode<Input>{"hub", "bearing pressure, hub keyway", &torque_loads<Input>}.judged_by("u_2"),
+      Mode<Input>{"key", "bearing pressure, key", &torque_loads<Input>}.judged_by("u_k"),
+      Mode<Input>{"shear", "shear of the key", &torque_loads<Input>}.judged_by("u_tau"),
+      Mode<Input>{"core", "torsional yielding of the shaft", &twisted}.judged_by("u_t").left_to("shaft.design",
+                                                                                                "notch.yield"),
+      Mode<Input>{"reversal", "bearing pressure under reversing torque", &torque_reverses<Input>}
           .judged_by("u_W")
           .in_service(),
-      Mode<Input>{"length", "a key so long that its end does not bear", &torque_loads<Input>}
-          .judged_by("x_l")
-          .of_shape(),
-      Mode<Input>{"hub_length", "a key that sticks out of the hub", &always<Input>}.judged_by("u_n").of_shape(),
-      Mode<Input>{"fit", "a key that does not belong to the shaft", &always<Input>}
-          .judged_by("x_d, x_b, x_t")
-          .of_shape(),
-      Mode<Input>{"depth", "a key that is too high for its seats", &always<Input>}.judged_by("x_h").of_shape(),
-      Mode<Input>{"bore", "the wall of a hollow shaft under the seat",
-                  [](const Input& in) { return where(in.d_bore > 0.0 * mm); }}
+      Mode<Input>{"length", "effective key length", &torque_loads<Input>}.judged_by("x_l").of_shape(),
+      Mode<Input>{"hub_length", "key length within the hub", &always<Input>}.judged_by("u_n").of_shape(),
+      Mode<Input>{"fit", "key size for the shaft diameter", &always<Input>}.judged_by("x_d, x_b, x_t").of_shape(),
+      Mode<Input>{"depth", "key height within the keyways", &always<Input>}.judged_by("x_h").of_shape(),
+      Mode<Input>{"bore", "shaft wall under the keyway", [](const Input& in) { return where(in.d_bore > 0.0 * mm); }}
           .judged_by("x_w")
           .of_shape(),
-      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the seat", &torque_varies<Input>}
+      Mode<Input>{"fatigue", "shaft fatigue at the keyway end", &torque_varies<Input>}
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),
-      Mode<Input>{"seat", "a hub that shifts or tilts by the forces that come with the torque: no key holds it",
-                  &unseen<Input>}
-          .by_companions(),
-      Mode<Input>{"wall", "wall thickness of the hub above the keyway", &has_root<Input>}
+      Mode<Input>{"seat", "hub tilting and axial shift", &unseen<Input>}.by_companions(),
+      Mode<Input>{"wall", "hub wall strength at the keyway", &has_root<Input>}
           .judged_by("m_R, x_R")
           .wanting("d_f")
           .of_shape(),
       overhang<Input>(),
-      Mode<Input>{"fretting", "fretting of the seat", &unseen<Input>}.special(),
-      Mode<Input>{"balance", "imbalance by a single key at a high speed", &unseen<Input>}.special()};
+      Mode<Input>{"fretting", "fretting of the key connection", &unseen<Input>}.special(),
+      Mode<Input>{"balance", "unbalance of a single key", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
@@ -254,8 +257,8 @@ R_e_k = "420 MPa"
 
 constexpr auto choices_of(Key::Form) {
   using Form = Key::Form;
-  return std::array{ChoiceName<Form>{Form::A, "A", "round ends: l - b bears"},
-                    ChoiceName<Form>{Form::B, "B", "straight ends: all of l bears"}};
+  return std::array{ChoiceName<Form>{Form::A, "A", "round ends: effective length l - b"},
+                    ChoiceName<Form>{Form::B, "B", "straight ends: effective length l"}};
 }
 
 }  // namespace loadpath::shaft

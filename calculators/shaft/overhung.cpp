@@ -16,7 +16,7 @@ constexpr SizingReasons by_torsion{"torsion, [B19] (4)", "torsion of a ring, [B1
 
 template <class Tracer>
 Length size_by_torsion(Moment M_t, Stress tau_adm, const Bore& bore, Tracer& trace) {
-  STEP(W_t, M_t / tau_adm, "section modulus that torsion alone asks for, [B19] (3)");
+  STEP(W_t, M_t / tau_adm, "required section modulus for torsion only, [B19] (3)");
   return size_for_modulus("d_t", W_t, bore, by_torsion, trace);
 }
 
@@ -40,7 +40,7 @@ void check(const Overhung::Input& in, Overhung::Result& r, Tracer& trace) {
        mises ? "root of 3 for pure shear by von Mises" : "2 for pure shear by Tresca");
   STEP_TO(r, u_Q, k * tau_Q / in.sigma_adm, "pure shear at the neutral axis");
   if (!is_set(in.tau_adm)) return;
-  STEP_TO(r, u_tau, tau_t / in.tau_adm, "torsion alone");
+  STEP_TO(r, u_tau, tau_t / in.tau_adm, "torsion only");
 }
 
 }  // namespace
@@ -49,12 +49,13 @@ template <class Tracer>
 Overhung::Result Overhung::evaluate(const Input& in, Tracer& trace) {
   Result r;
   STEP_TO(r, M_b, in.K_A * abs(in.F) * in.a, "at the bearing");
-  STEP_TO(r, M_t, in.K_A * abs(in.T), "at the same time");
+  const Moment T = torque_of(in, trace);
+  STEP_TO(r, M_t, in.K_A * abs(T), "at the same time");
   STEP(c, in.hypothesis == Hypothesis::mises ? 0.75 : 1.0,
        in.hypothesis == Hypothesis::mises ? "weight of torsion by von Mises" : "weight of torsion by Tresca");
   STEP_TO(r, M_v, sqrt(M_b * M_b + c * M_t * M_t), "equivalent moment");
   const Bore bore{in.chi, in.d_bore};
-  STEP(W_t, 2.0 * M_v / in.sigma_adm, "modulus asked for by W = M_v/sigma_adm; in torsion it is twice W");
+  STEP(W_t, 2.0 * M_v / in.sigma_adm, "required modulus W = M_v/sigma_adm; in torsion twice W");
   r.d_min = r.d_v = size_for_modulus("d_v", W_t, bore, by_equivalent, trace);
   if (is_set(in.tau_adm)) {
     r.d_t = size_by_torsion(M_t, in.tau_adm, bore, trace);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "calculators/shaft/parts/modes.hpp"
+#include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/form.hpp"
 #include "lib/calculator/meaning.hpp"
@@ -21,11 +22,16 @@ struct Overhung {
   static constexpr auto id = "shaft.overhung";
   static constexpr auto title = "Overhung shaft end in bending and torsion";
   static constexpr auto scope =
-      "Least diameter of a round shaft at the bearing beside an overhang, from the transverse force and the torque "
-      "that "
-      "act at the same time; stresses at the chosen diameter. Static strength. Fatigue, notches and deflection are not "
-      "covered.";
+      "Minimum diameter of a circular shaft at the bearing next to an overhang, for simultaneous transverse "
+      "force and torque, with the static stresses at the chosen diameter; fatigue, notches and deflection are "
+      "not covered.";
   static constexpr auto source = "[B19], [Mises]";
+  static constexpr auto headline = "d = {d}";
+  static constexpr auto subject = "bending and torsion";
+  static constexpr auto synonyms =
+      "overhung shaft, cantilever shaft, shaft end, crankshaft end, bending and torsion, equivalent moment, "
+      "von Mises, Tresca, fliegende Lagerung, Wellenende, Biegung und Torsion, Vergleichsmoment, overhang, Welle, "
+      "консоль вала, изгиб с кручением, эквивалентный момент, вал";
   static constexpr auto example = R"([project]
 title = "Crank on an overhang"
 
@@ -45,6 +51,8 @@ tau_adm = "30 MPa"
     Force F = unset<Force>;
     Length a = unset<Length>;
     Moment T = unset<Moment>;
+    Power P = unset<Power>;
+    AngularSpeed n = unset<AngularSpeed>;
     double K_A = 1.0;
     Length d = unset<Length>;
     double chi = unset<double>;
@@ -54,28 +62,34 @@ tau_adm = "30 MPa"
     Hypothesis hypothesis = Hypothesis::mises;
   };
   static constexpr Applies loaded(const Input& in) {
-    return where(abs(in.F) > 0.0 * N.one || abs(in.T) > 0.0 * N_m.one);
+    return where(abs(in.F) > 0.0 * N.one || abs(in.T) > 0.0 * N_m.one || in.P > 0.0 * kW.one);
   }
-  static constexpr Fields inputs{
-      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-      Field{&Input::F, "F", N, "transverse force on the overhang"}.load(),
-      Field{&Input::a, "a", mm, "overhang: from the force to the middle of the bearing"}.at_least(0).usually(1, 1e4),
-      Field{&Input::T, "T", N_m, "torque at the same time"}.load(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on force and torque: what they do not contain, once"}
-          .at_least(1)
-          .usually(1, 4)
-          .factor(),
-      Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
-      Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}.at_least(0).below(0.99).may_be_missing(),
-      Field{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing().kept_in_search(),
-      Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable equivalent stress, without a further safety factor"}
-          .positive()
-          .usually(1, 2000),
-      Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress by torsion alone"}
-          .positive()
-          .usually(1, 1000)
-          .may_be_missing(),
-      Choice{&Input::hypothesis, "hypothesis", "strength hypothesis of the equivalent stress"}.may_be_missing()};
+  static constexpr auto inputs = join(
+      Fields{
+          RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
+          Field{&Input::F, "F", N, "transverse force on the overhang"}.load(),
+          Field{&Input::a, "a", mm, "overhang: distance from the force to the bearing centre"}.at_least(0).usually(1,
+                                                                                                                   1e4),
+          Field{&Input::T, "T", N_m, "simultaneous torque"}.load().may_be_missing()},
+      power_inputs<Input>(),
+      Fields{Field{&Input::K_A, "K_A", ratio, "application factor K_A on force and torque (1 if they include it)"}
+                 .at_least(1)
+                 .usually(1, 4)
+                 .factor(),
+             Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
+             Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}
+                 .at_least(0)
+                 .below(0.99)
+                 .may_be_missing(),
+             Field{&Input::d_bore, "d_bore", mm, "bore diameter"}.at_least(0).may_be_missing().kept_in_search(),
+             Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable equivalent stress (safety factor included)"}
+                 .positive()
+                 .usually(1, 2000),
+             Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress in pure torsion"}
+                 .positive()
+                 .usually(1, 1000)
+                 .may_be_missing(),
+             Choice{&Input::hypothesis, "hypothesis", "failure theory of the equivalent stress"}.may_be_missing()});
 
   struct Result {
     Moment M_b = unset<Moment>, M_t = unset<Moment>, M_v = unset<Moment>;
@@ -89,10 +103,11 @@ tau_adm = "30 MPa"
       Field{&Result::M_b, "M_b", N_m, "bending moment at the bearing"}.holding("K_A"),
       Field{&Result::M_t, "M_t", N_m, "design torque"}.holding("K_A"),
       Field{&Result::M_v, "M_v", N_m, "equivalent moment"}.holding("K_A"),
-      Field{&Result::d_v, "d_v", mm, "least diameter by the equivalent stress"},
-      Field{&Result::d_t, "d_t", mm, "least diameter by torsion alone"},
+      Field{&Result::d_v, "d_v", mm, "minimum diameter by the equivalent stress"},
+      Field{&Result::d_t, "d_t", mm, "minimum diameter by pure torsion"},
       Field{&Result::d_min, "d_min", mm,
-            "least diameter by bending with torsion and by torsion alone; the neutral axis is checked at d"},
+            "minimum diameter by combined bending and torsion and by pure torsion; the neutral axis is "
+            "checked at d"},
       Field{&Result::d, "d", mm, "outer diameter"},
       Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"},
       Field{&Result::sigma_b, "sigma_b", MPa, "bending stress"},
@@ -100,22 +115,25 @@ tau_adm = "30 MPa"
       Field{&Result::sigma_M, "sigma_M", MPa, "equivalent stress by von Mises, extreme fibre"},
       Field{&Result::sigma_T, "sigma_T", MPa, "equivalent stress by Tresca, extreme fibre"},
       Field{&Result::tau_Q, "tau_Q", MPa, "shear stress at the neutral axis, torsion and transverse shear"},
-      Field{&Result::u_v, "u_v", ratio, "bending with torsion: equivalent stress over the allowable one"}.check(),
-      Field{&Result::u_Q, "u_Q", ratio, "shear at the neutral axis: equivalent stress over the allowable one"}.check(),
-      Field{&Result::u_tau, "u_tau", ratio, "torsion alone: shear stress over the allowable one"}.check("tau_adm")};
+      Field{&Result::u_v, "u_v", ratio, "bending with torsion: equivalent / allowable stress"}.check(),
+      Field{&Result::u_Q, "u_Q", ratio, "shear at the neutral axis: equivalent / allowable stress"}.check(),
+      Field{&Result::u_tau, "u_tau", ratio, "pure torsion: shear stress / allowable shear stress"}.check("tau_adm")};
 
-  static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
-                  "give the bore as chi or as d_bore, never both"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; }, "d_bore, d",
-                  "the bore must be smaller than the shaft"}};
+  static constexpr auto rules = join(
+      std::array{Rule<Input>{[](const Input& in) { return is_set(in.T) || is_set(in.P); }, "T, P, n",
+                             "give the torque T, or the power P with the speed n"}},
+      power_rules<Input>(),
+      std::array{Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
+                             "give the bore as chi or as d_bore, never both"},
+                 Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; },
+                             "d_bore, d", "the bore must be smaller than the shaft"}});
 
   static constexpr std::array meanings{Meaning{"sigma_b, M_b", reverses_in_turns}};
   static constexpr auto modes = with_modes_of_shafts(std::array{
-      Mode<Input>{"yield", "yield beside the bearing, in bending with torsion", &loaded}.judged_by("u_v"),
-      Mode<Input>{"shear", "yield at the neutral axis, in shear", &loaded}.judged_by("u_Q"),
-      Mode<Input>{"torsion", "torsion alone", [](const Input& in) { return where(is_set(in.tau_adm)); }}.judged_by(
-          "u_tau"),
+      Mode<Input>{"yield", "yielding in bending and torsion", &loaded}.judged_by("u_v"),
+      Mode<Input>{"shear", "shear yielding at the neutral axis", &loaded}.judged_by("u_Q"),
+      Mode<Input>{"torsion", "yielding in pure torsion", [](const Input& in) { return where(is_set(in.tau_adm)); }}
+          .judged_by("u_tau"),
       fatigue_of_shaft<Input>().assessed_in("shaft.design")});
 
   static constexpr std::array forms{Form{"F, a, T, K_A, sigma_adm, tau_adm"},

@@ -27,12 +27,18 @@ namespace loadpath::shaft {
 
 struct PressFit {
   static constexpr auto id = "shaft.press_fit";
-  static constexpr auto title = "Press fit";
+  static constexpr auto title = "Interference fit (press or shrink fit)";
   static constexpr auto scope =
-      "Pressure between shaft and hub, elastic, from the smallest and from the largest interference; slip under torque "
-      "and axial force, yield of both rings, force to press it on or heat to shrink it, loss of "
-      "interference at speed. Fatigue at the edge of the hub is not covered.";
+      "Joint pressure at minimum and maximum interference of an elastic interference fit, slip under torque "
+      "and axial force, yielding of shaft and hub, press-in force, heating for assembly, and loss of "
+      "interference at speed; fatigue at the hub edge is not covered.";
   static constexpr auto source = "[Lame], [DIN7190]";
+  static constexpr auto headline = "d = {d}, l = {l}";
+  static constexpr auto subject = "interference fit";
+  static constexpr auto synonyms =
+      "interference fit, press fit, shrink fit, force fit, interference, oversize, Lamé, DIN 7190, slip, "
+      "pressing force, joining temperature, Pressverband, Presssitz, Querpressverband, Längspressverband, "
+      "Schrumpfverbindung, Übermaß, Fugendruck, посадка с натягом, прессовое соединение, натяг, соединение с натягом";
   static constexpr auto example = R"([project]
 title = "Gear shrunk on a hollow shaft"
 
@@ -89,29 +95,31 @@ dT_adm = "250 K"
   static constexpr auto inputs = join(
       hub_inputs<Input>(),
       Fields{
-          RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
-          Field{&Input::T, "T", N_m, "torque; without it pressures and stresses alone"}.load().may_be_missing(),
-          Field{&Input::F_z, "F_z", N, "force along the shaft at the same time"}.load().may_be_missing(),
-          Field{&Input::K_A, "K_A", ratio, "service factor on both: what they do not contain, once"}
+          RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
+          Field{&Input::T, "T", N_m, "torque; omitted: pressures and stresses only"}.load().may_be_missing(),
+          Field{&Input::F_z, "F_z", N, "simultaneous axial force"}.load().may_be_missing(),
+          Field{&Input::K_A, "K_A", ratio, "application factor K_A on torque and axial force (1 if they include it)"}
               .at_least(1)
               .usually(1, 4)
               .factor(),
-          Field{&Input::d, "d", mm, "diameter of the fit"}.positive().usually(3, 1000).at_most_that_of_source(
-              "d, d_max"),
-          Field{&Input::d_i, "d_i", mm, "bore of the shaft"}.at_least(0),
-          Field{&Input::D, "D", mm, "outer diameter of the hub; of a gear its root circle"}.positive().usually(5, 3000),
-          Field{&Input::l, "l", mm, "length of the fit"}.positive().usually(2, 2000).findable("R20"),
-          Field{&Input::U_min, "U_min", um, "smallest interference of the diameters, of the fit"}.positive().usually(
-              1, 1000),
-          Field{&Input::U_max, "U_max", um, "largest interference of the diameters, of the fit"}.positive().usually(
-              1, 2000),
-          Field{&Input::Rz_1, "Rz_1", um, "roughness of the shaft, which is pressed flat"}.at_least(0).usually(0.4, 40),
-          Field{&Input::Rz_2, "Rz_2", um, "roughness of the hub"}.at_least(0).usually(0.4, 40),
-          Field{&Input::mu, "mu", ratio, "friction against slip: dry steel on steel 0.12 to 0.2, oiled less"}
+          Field{&Input::d, "d", mm, "joint diameter"}.positive().usually(3, 1000).at_most_that_of_source("d, d_max"),
+          Field{&Input::d_i, "d_i", mm, "bore diameter of the shaft"}.at_least(0),
+          Field{&Input::D, "D", mm, "outer diameter of the hub (gear: root diameter)"}.positive().usually(5, 3000),
+          Field{&Input::l, "l", mm, "joint length"}.positive().usually(2, 2000).findable("R20"),
+          Field{&Input::U_min, "U_min", um, "minimum diametral interference of the fit"}.positive().usually(1, 1000),
+          Field{&Input::U_max, "U_max", um, "maximum diametral interference of the fit"}.positive().usually(1, 2000),
+          Field{&Input::Rz_1, "Rz_1", um, "roughness Rz of the shaft, for the smoothing"}.at_least(0).usually(0.4, 40),
+          Field{&Input::Rz_2, "Rz_2", um, "roughness Rz of the hub, for the smoothing"}.at_least(0).usually(0.4, 40),
+          Field{&Input::mu, "mu", ratio,
+                "coefficient of friction against slip: dry steel on steel 0.12 to 0.2, oiled less"}
               .within(0.001, 1)
               .usually(0.05, 0.25)
               .may_be_missing(),
-          Field{&Input::S_r, "S_r", ratio, "safety against slip"}.at_least(1).usually(1.2, 3).may_be_missing().factor(),
+          Field{&Input::S_r, "S_r", ratio, "required safety factor against slip"}
+              .at_least(1)
+              .usually(1.2, 3)
+              .may_be_missing()
+              .factor(),
           Field{&Input::n, "n", rpm, "speed of shaft and hub; the sign has no effect"}.of_body().may_be_missing(),
           Field{&Input::rho_1, "rho_1", kg_per_m3, "density of the shaft, for n"}
               .positive()
@@ -131,31 +139,39 @@ dT_adm = "250 K"
                                                                                                        "nu"),
           Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}
               .positive()
+              .at_most_that_of_source("R_e")
               .usually(50, 2500)
               .may_be_missing(),
           Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub; brittle hubs are not covered"}
               .positive()
               .usually(50, 2500)
               .may_be_missing(),
-          Field{&Input::S_F, "S_F", ratio, "safety against yield"}.at_least(1).usually(1, 3).may_be_missing().factor(),
-          Field{&Input::alpha_1, "alpha_1", per_kelvin, "expansion of the shaft"}.positive().from("material", "alpha"),
-          Field{&Input::alpha_2, "alpha_2", per_kelvin, "expansion of the hub"}.positive().from("material", "alpha"),
-          Field{&Input::dT_1, "dT_1", kelvin, "how much warmer the shaft gets in service"}
+          Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
+              .at_least(1)
+              .usually(1, 3)
+              .may_be_missing()
+              .factor(),
+          Field{&Input::alpha_1, "alpha_1", per_kelvin, "coefficient of thermal expansion of the shaft"}
+              .positive()
+              .from("material", "alpha"),
+          Field{&Input::alpha_2, "alpha_2", per_kelvin, "coefficient of thermal expansion of the hub"}.positive().from(
+              "material", "alpha"),
+          Field{&Input::dT_1, "dT_1", kelvin, "temperature rise of the shaft in service"}
               .usually(-200, 400)
               .may_be_missing(),
-          Field{&Input::dT_2, "dT_2", kelvin, "how much warmer the hub gets in service"}
+          Field{&Input::dT_2, "dT_2", kelvin, "temperature rise of the hub in service"}
               .usually(-200, 400)
               .may_be_missing(),
-          Field{&Input::mu_e, "mu_e", ratio, "friction while it is pressed on"}
+          Field{&Input::mu_e, "mu_e", ratio, "coefficient of friction at press-in"}
               .positive()
               .usually(0.03, 0.3)
               .may_be_missing(),
-          Field{&Input::F_adm, "F_adm", kN, "force of the press"}.positive().may_be_missing(),
-          Field{&Input::U_c, "U_c", um, "clearance that the warm hub is to have on the shaft; 0: it just goes on"}
+          Field{&Input::F_adm, "F_adm", kN, "available press-in force"}.positive().may_be_missing(),
+          Field{&Input::U_c, "U_c", um, "required assembly clearance of the heated hub; 0: sliding without clearance"}
               .at_least(0)
               .usually(5, 1000)
               .may_be_missing(),
-          Field{&Input::dT_adm, "dT_adm", kelvin, "heating of the hub that its strength allows"}
+          Field{&Input::dT_adm, "dT_adm", kelvin, "allowable heating of the hub, by its strength"}
               .positive()
               .usually(50, 400)
               .may_be_missing()});
@@ -176,42 +192,39 @@ dT_adm = "250 K"
   };
   static Applies twisted(const Input& in);
   static constexpr Fields results{
-      Field{&Result::Q_1, "Q_1", ratio, "bore of the shaft over the fit"},
-      Field{&Result::Q_2, "Q_2", ratio, "fit over the outer diameter of the hub"},
-      Field{&Result::U_T, "U_T", um, "interference that is lost in service; negative: gained"},
+      Field{&Result::Q_1, "Q_1", ratio, "diameter ratio of the shaft: bore / joint diameter"},
+      Field{&Result::Q_2, "Q_2", ratio, "diameter ratio of the hub: joint / outer diameter"},
+      Field{&Result::U_T, "U_T", um, "thermal loss of interference in service; negative: gain"},
       Field{&Result::U_n, "U_n", um, "interference lost at speed; negative: gained"},
-      Field{&Result::U_w_min, "U_w_min", um, "smallest usable interference, cold or in service"},
-      Field{&Result::U_w_max, "U_w_max", um, "largest usable interference, cold or in service"},
-      Field{&Result::p_min, "p_min", MPa, "smallest pressure"},
-      Field{&Result::p_max, "p_max", MPa, "largest pressure"},
+      Field{&Result::U_w_min, "U_w_min", um, "minimum effective interference, cold or in service"},
+      Field{&Result::U_w_max, "U_w_max", um, "maximum effective interference, cold or in service"},
+      Field{&Result::p_min, "p_min", MPa, "minimum joint pressure"},
+      Field{&Result::p_max, "p_max", MPa, "maximum joint pressure"},
       Field{&Result::p_n, "p_n", MPa, "largest pressure at speed"},
-      Field{&Result::F_res, "F_res", kN, "force to hold, around and along the shaft"}.holding("K_A"),
-      Field{&Result::F_slip, "F_slip", kN, "force that the smallest pressure holds, along the shaft or around it"},
-      Field{&Result::T_slip, "T_slip", N_m, "torque that the smallest pressure holds alone"},
-      Field{&Result::sigma_t2, "sigma_t2", MPa, "hoop stress at the bore of the hub, largest pressure"},
+      Field{&Result::F_res, "F_res", kN, "resultant of circumferential and axial force"}.holding("K_A"),
+      Field{&Result::F_slip, "F_slip", kN, "slip force at minimum pressure, axial or circumferential"},
+      Field{&Result::T_slip, "T_slip", N_m, "slip torque at minimum pressure, without axial force"},
+      Field{&Result::sigma_t2, "sigma_t2", MPa, "hoop stress at the hub bore, maximum pressure"},
       Field{&Result::sigma_1, "sigma_1", MPa, "equivalent stress of the shaft, largest pressure or speed"},
       Field{&Result::sigma_2, "sigma_2", MPa, "equivalent stress of the hub at its bore, likewise"},
-      Field{&Result::F_e, "F_e", kN, "force to press it on, at the end, largest pressure"},
-      Field{&Result::dT_A, "dT_A", kelvin, "heating of the hub to put it on"},
-      Field{&Result::u_s, "u_s", ratio, "slip: force to hold, with its safety, over what friction holds"}
+      Field{&Result::F_e, "F_e", kN, "press-in force at full engagement, maximum pressure"},
+      Field{&Result::dT_A, "dT_A", kelvin, "heating of the hub for assembly"},
+      Field{&Result::u_s, "u_s", ratio, "slip: S_r x resultant force / friction capacity"}
           .check("S_r")
           .where_it_applies(),
-      Field{&Result::u_1, "u_1", ratio, "shaft: equivalent stress with its safety over the yield strength"}.check(
-          "S_F"),
-      Field{&Result::u_2, "u_2", ratio, "hub: equivalent stress with its safety over the yield strength"}.check("S_F"),
+      Field{&Result::u_1, "u_1", ratio, "shaft: S_F x equivalent stress / yield strength"}.check("S_F"),
+      Field{&Result::u_2, "u_2", ratio, "hub: S_F x equivalent stress / yield strength"}.check("S_F"),
       Field{&Result::u_n, "u_n", ratio, "speed: interference lost / smallest usable interference at rest"}
           .check("n")
           .sizeless()
           .where_it_applies(),
       rim_of_gear<Result>(),
-      Field{&Result::u_F, "u_F", ratio, "force to press it on over that of the press"}.check("F_adm"),
-      Field{&Result::u_A, "u_A", ratio, "heating of the hub over what it allows"}.check("dT_adm"),
-      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft beside the hub"}.holding("K_A"),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: equivalent stress over its yield strength"}.check(
-          "R_e_1"),
-      Field{&Result::x_l, "x_l", ratio,
-            "length over diameter: the torque does not come through to the end of longer fits"}
-          .limit(0, 1.5 + 1e-9),
+      Field{&Result::u_F, "u_F", ratio, "press-in force / available press force"}.check("F_adm"),
+      Field{&Result::u_A, "u_A", ratio, "required / allowable heating of the hub"}.check("dT_adm"),
+      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft next to the hub"}.holding("K_A"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: equivalent stress / yield strength"}.check("R_e_1"),
+      Field{&Result::x_l, "x_l", ratio, "joint length / diameter (range of uniform torque transfer)"}.limit(0,
+                                                                                                            1.5 + 1e-9),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr std::array rules{
@@ -243,29 +256,28 @@ dT_adm = "250 K"
 
   static constexpr std::array meanings{Meaning{"R_e_1, R_e_2", yield_strength}};
   static constexpr std::array modes{
-      Mode<Input>{"slip", "slip of the hub", &loaded}.judged_by("u_s, x_l").wanting("T, mu, S_r"),
-      Mode<Input>{"shaft", "yield of the shaft under the hub", &always<Input>}.judged_by("u_1"),
-      Mode<Input>{"core", "shaft twisted off beside the hub", &twisted}.judged_by("u_t"),
-      Mode<Input>{"hub", "yield of the hub at its bore", &always<Input>}.judged_by("u_2"),
-      Mode<Input>{"pressing", "a hub that the press does not get on", &always<Input>}.judged_by("u_F").of_service(),
-      Mode<Input>{"shrinking", "a hub that heat does not get on", &always<Input>}.judged_by("u_A").of_service(),
-      Mode<Input>{"fatigue", "fatigue of the shaft under the edge of the hub, and fretting",
+      Mode<Input>{"slip", "slip of the interference fit", &loaded}.judged_by("u_s, x_l").wanting("T, mu, S_r"),
+      Mode<Input>{"shaft", "yielding of the shaft", &always<Input>}.judged_by("u_1"),
+      Mode<Input>{"core", "torsional yielding of the shaft", &twisted}.judged_by("u_t"),
+      Mode<Input>{"hub", "yielding of the hub bore", &always<Input>}.judged_by("u_2"),
+      Mode<Input>{"pressing", "press-in force", &always<Input>}.judged_by("u_F").of_service(),
+      Mode<Input>{"shrinking", "hub heating for shrink fitting", &always<Input>}.judged_by("u_A").of_service(),
+      Mode<Input>{"fatigue", "shaft fatigue and fretting, hub edge",
                   [](const Input& in) { return shown_by(in.K_A > 1.0); }}
           .in_service()
           .assessed_beside("shaft.design"),
-      Mode<Input>{"opening", "a hub that gapes or creeps by the forces that come with the torque", &unseen<Input>}
-          .by_companions(),
-      Mode<Input>{"speed", "loss of interference at speed",
+      Mode<Input>{"opening", "joint gaping under bending", &unseen<Input>}.by_companions(),
+      Mode<Input>{"speed", "centrifugal loss of interference",
                   [](const Input& in) { return is_set(in.n) ? where(abs(in.n) > 0.0 * rpm) : Applies::unseen; }}
           .judged_by("u_n")
           .wanting("rho_1, rho_2")
           .special(),
-      Mode<Input>{"wall", "rim of the gear over the fit", &has_root<Input>}.judged_by("m_R").wanting("d_f").of_shape(),
+      Mode<Input>{"wall", "gear rim over the fit", &has_root<Input>}.judged_by("m_R").wanting("d_f").of_shape(),
       overhang<Input>(),
-      Mode<Input>{"warmth", "interference that is lost where hub and shaft do not warm alike",
+      Mode<Input>{"warmth", "thermal loss of interference",
                   [](const Input& in) { return is_set(in.dT_1) || is_set(in.dT_2) ? Applies::no : Applies::unseen; }}
           .special(),
-      Mode<Input>{"brittle", "a brittle hub that bursts", &unseen<Input>}.special()};
+      Mode<Input>{"brittle", "brittle fracture of the hub", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

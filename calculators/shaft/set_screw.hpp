@@ -22,11 +22,17 @@ namespace loadpath::shaft {
 
 struct SetScrew {
   static constexpr auto id = "shaft.set_screw";
-  static constexpr auto title = "Set screws of a hub";
+  static constexpr auto title = "Set screw connection";
   static constexpr auto scope =
-      "Torque and force along the shaft that one set screw or two hold by their points, with the safety that tests of "
-      "makers ask for. Loosening by vibration and the dent in the shaft are not covered.";
+      "Torque and axial force that one or two set screws transmit by their points, against the safety factors "
+      "recommended by manufacturers from tests; self-loosening by vibration and the indentation of the shaft "
+      "are not covered.";
   static constexpr auto source = "[SPS]";
+  static constexpr auto headline = "{i} x d = {d_s}";
+  static constexpr auto subject = "holding of the screws";
+  static constexpr auto synonyms =
+      "set screw, grub screw, cup point, hub fastening, holding power, axial holding force, Gewindestift, "
+      "Stellschraube, Madenschraube, установочный винт, стопорный винт";
   static constexpr auto example = R"([project]
 title = "Pulley of a small fan"
 
@@ -62,36 +68,39 @@ S = 2
   static constexpr auto inputs = join(
       hub_inputs<Input>(),
       Fields{
-          RecordField<Input>{"load", "what belt, chain or drive sits on it, whole: load = \"=belts.shaft_2\""},
-          Field{&Input::T, "T", N_m, "torque; its size counts"}.load(),
-          Field{&Input::F_a, "F_a", N, "force along the shaft; its size counts"}.load(),
-          Field{&Input::K_A, "K_A", ratio, "service factor on both: what they do not contain, once"}
+          RecordField<Input>{"load", "shaft load of the mounted belt, chain or drive: load = \"=belts.shaft_2\""},
+          Field{&Input::T, "T", N_m, "torque, magnitude"}.load(),
+          Field{&Input::F_a, "F_a", N, "axial force, magnitude"}.load(),
+          Field{&Input::K_A, "K_A", ratio, "application factor K_A on torque and axial force (1 if they include it)"}
               .at_least(1)
               .usually(1, 4)
               .factor(),
-          Choice{&Input::load_case, "load_case", "how the loads come"}.may_be_missing(),
-          Field{&Input::d, "d", mm, "diameter of the shaft"}
-              .at_most_that_of_source("d, d_max")
+          Choice{&Input::load_case, "load_case", "load case: static or dynamic"}.may_be_missing(),
+          Field{&Input::d, "d", mm, "shaft diameter"}.at_most_that_of_source("d, d_max").positive().usually(1.5, 120),
+          Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0),
+          Field{&Input::d_s, "d_s", mm, "nominal diameter of a set screw"}
               .positive()
-              .usually(1.5, 120),
-          Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
-          Field{&Input::d_s, "d_s", mm, "diameter of a screw"}.positive().from("set_screw", "d_s").where_it_has(),
-          Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft, for its torsion"}
+              .from("set_screw", "d_s")
+              .where_it_has(),
+          Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft, for torsion"}
               .positive()
+              .at_most_that_of_source("R_e")
               .usually(150, 2000)
               .may_be_missing(),
-          Field{&Input::F_h, "F_h", N, "what one screw with a cup point holds at the surface of the shaft"}
-              .positive()
-              .from("set_screw", "F_h"),
-          Choice{&Input::point, "point", "point of the screw"}, Count{&Input::i, "i", 1, 2, "screws"}.may_be_missing(),
-          Field{&Input::phi, "phi", ratio, "what two screws hold over twice one: by the angle between them, of tests"}
+          Field{&Input::F_h, "F_h", N, "holding force of one cup point screw at the shaft surface"}.positive().from(
+              "set_screw", "F_h"),
+          Choice{&Input::point, "point", "point type of the screw"},
+          Count{&Input::i, "i", 1, 2, "number of screws"}.may_be_missing(),
+          Field{&Input::phi, "phi", ratio,
+                "holding force of two screws / twice that of one, by the angle between them, from tests"}
               .within(0.5, 1)
               .may_be_missing()
               .factor(),
-          Field{&Input::k_H, "k_H", ratio, "0.85 where the shaft is not 10 HRC softer than the screw"}
+          Field{&Input::k_H, "k_H", ratio,
+                "hardness factor: 0.85 if the shaft is not at least 10 HRC softer than the screw"}
               .within(0.5, 1)
               .factor(),
-          Field{&Input::S, "S", ratio, "safety that is asked for: 1.5 to 2 at rest, 4 to 8 of dynamic loads"}
+          Field{&Input::S, "S", ratio, "required safety factor: 1.5 to 2 for static loads, 4 to 8 for dynamic loads"}
               .at_least(1)
               .usually(1.5, 8)
               .factor()});
@@ -105,16 +114,15 @@ S = 2
     Connection connection;
   };
   static constexpr Fields results{
-      Field{&Result::F_t, "F_t", N, "force around the shaft at its surface"}.holding("K_A"),
-      Field{&Result::F, "F", N, "that and the force along the shaft together"}.holding("K_A"),
-      Field{&Result::F_zul, "F_zul", N, "what the screws hold"},
-      Field{&Result::T_h, "T_h", N_m, "torque that they hold alone"},
-      Field{&Result::u, "u", ratio, "force with its safety over what the screws hold"}.check(),
-      Field{&Result::u_S, "u_S", ratio, "least safety of this load case over that which is asked for"}.check(),
+      Field{&Result::F_t, "F_t", N, "circumferential force at the shaft surface"}.holding("K_A"),
+      Field{&Result::F, "F", N, "resultant of circumferential and axial force"}.holding("K_A"),
+      Field{&Result::F_zul, "F_zul", N, "holding force of the screws"},
+      Field{&Result::T_h, "T_h", N_m, "holding torque without axial force"},
+      Field{&Result::u, "u", ratio, "slip: S x resultant force / holding force"}.check(),
+      Field{&Result::u_S, "u_S", ratio, "minimum safety factor of the load case / required safety factor"}.check(),
       Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft"}.holding("K_A"),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: equivalent stress over its yield strength"}.check(
-          "R_e_1"),
-      Field{&Result::x_d, "x_d", ratio, "diameter of a screw over that of the shaft: its point must bear, own bound"}
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: equivalent stress / yield strength"}.check("R_e_1"),
+      Field{&Result::x_d, "x_d", ratio, "screw diameter / shaft diameter (limit set by loadpath)"}
           .limit(0, 0.5 * (1 + 1e-9))
           .where_it_applies(),
       Field{&Result::x_h, "x_h", ratio,
@@ -136,21 +144,20 @@ S = 2
                   "two screws hold less than twice one: give phi with i = 2, and with nothing else"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"slip", "hub that slips around or along the shaft", &loaded}.judged_by("u, x_d, x_h"),
-      Mode<Input>{"screw", "holding force of a set screw of unknown size",
-                  [](const Input& in) { return where(!is_set(in.d_s)); }}
+      Mode<Input>{"slip", "circumferential and axial slip", &loaded}.judged_by("u, x_d, x_h"),
+      Mode<Input>{"screw", "holding force, screw size unknown", [](const Input& in) { return where(!is_set(in.d_s)); }}
           .wanting("d_s"),
-      Mode<Input>{"wall", "thread length in the wall of the hub", &has_root<Input>}
+      Mode<Input>{"wall", "thread length in the hub wall", &has_root<Input>}
           .judged_by("m_R, x_R")
           .wanting("d_f")
           .of_shape(),
-      Mode<Input>{"safety", "a safety below that which tests of this load case ask for", &loaded}.judged_by("u_S"),
-      Mode<Input>{"bore", "the wall of a hollow shaft pushed in by the point",
+      Mode<Input>{"safety", "minimum safety factor for the load case", &loaded}.judged_by("u_S"),
+      Mode<Input>{"bore", "wall of a hollow shaft under the point",
                   [](const Input& in) { return where(in.d_bore > 0.0 * mm); }},
-      Mode<Input>{"core", "shaft twisted off", &twisted}.judged_by("u_t"),
-      Mode<Input>{"seat", "a hub that tilts by the forces that come with the torque", &unseen<Input>}.by_companions(),
-      Mode<Input>{"loosening", "screws that loosen by vibration", &unseen<Input>}.special(),
-      Mode<Input>{"shaft", "fatigue of the shaft at the dent of the point", &unseen<Input>}.in_service()};
+      Mode<Input>{"core", "torsional yielding of the shaft", &twisted}.judged_by("u_t"),
+      Mode<Input>{"seat", "hub tilting", &unseen<Input>}.by_companions(),
+      Mode<Input>{"loosening", "self-loosening by vibration", &unseen<Input>}.special(),
+      Mode<Input>{"shaft", "shaft fatigue at the point indentation", &unseen<Input>}.in_service()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

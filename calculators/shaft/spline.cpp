@@ -25,13 +25,13 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, h_w, (in.d_2 - in.d_1) / 2.0 - 2.0 * in.g, "of a flank, without its chamfers");
   const double share = r.share = bearing_share(in, trace);
   STEP_TO(r, F_t, 2.0 * T_eq / d_m, "at the middle of the flanks");
-  STEP(p_m, F_t / (in.z * h_w * in.l * share), "mean pressure on those that bear, [Bhandari-9]");
+  STEP(p_m, F_t / (in.z * h_w * in.l * share), "mean pressure on the load-carrying flanks, [Bhandari-9]");
   STEP_TO(r, p, is_set(in.k_l) ? in.k_l * p_m : p_m, "where it is largest along them");
   if (is_set(in.b)) {
     STEP_TO(r, tau, F_t / (in.z * in.b * in.l * share) * (is_set(in.k_l) ? in.k_l : 1.0), "across a tooth");
   }
   if (!is_set(in.k_l)) {
-    STEP_TO(r, x_l, in.l / d_m, "up to 1.3 it bears evenly, as keys do, [DIN6892]");
+    STEP_TO(r, x_l, in.l / d_m, "uniform pressure up to 1.3, as for keys, [DIN6892]");
   }
 }
 

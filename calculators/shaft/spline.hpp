@@ -25,11 +25,17 @@ namespace loadpath::shaft {
 
 struct Spline {
   static constexpr auto id = "shaft.spline";
-  static constexpr auto title = "Splined shaft and hub";
+  static constexpr auto title = "Spline connection";
   static constexpr auto scope =
-      "Mean pressure on the flanks of straight-sided or involute splines in shaft and hub, shear of the teeth, wear of "
-      "a hub that slides. Bending of teeth, the hub's wall and the shaft at the end of the splines are not covered.";
+      "Mean bearing pressure on the flanks of straight-sided or involute splines in shaft and hub, shear of "
+      "the teeth, wear of a sliding hub, and the hub wall under a root circle; tooth bending and shaft fatigue "
+      "at the spline end are not covered.";
   static constexpr auto source = "[Bhandari-9], [WelleNabe], [DIN6892], [Mises]";
+  static constexpr auto headline = "{z}x{d_1#}x{d_2}";
+  static constexpr auto subject = "spline connection";
+  static constexpr auto synonyms =
+      "spline, splined shaft, involute spline, straight-sided spline, ISO 14, DIN 5480, shaft-hub connection, "
+      "Keilwelle, Zahnwelle, Keilwellenverbindung, Flankenpressung, шлицы, шлицевое соединение, эвольвентные шлицы";
   static constexpr auto example = R"([project]
 title = "Gear of a lathe on its splined shaft"
 
@@ -69,71 +75,75 @@ R_e_2 = "300 MPa"
   static Applies low_factors(const Input& in);
   static constexpr Fields inputs = join(
       torque_inputs<Input>(), hub_inputs<Input>(),
-      Fields{
-          Field{&Input::z, "z", ratio, "teeth of the spline"}.within(3, 500).from("spline", "z"),
-          Field{&Input::d_1, "d_1", mm,
-                "inner diameter of the flanks that bear; of an involute one the hub's tip diameter"}
-              .at_most_that_of_source("d, d_max")
-              .positive()
-              .usually(5, 500)
-              .from("spline", "d_1"),
-          Field{&Input::d_2, "d_2", mm, "outer diameter of these flanks; of an involute one the shaft's tip diameter"}
-              .positive()
-              .usually(6, 500)
-              .from("spline", "d_2"),
-          Field{&Input::b, "b", mm, "thickness of a tooth, for its shear"}
-              .positive()
-              .from("spline", "b")
-              .where_it_has(),
-          Field{&Input::g, "g", mm, "chamfer of a flank, taken off at its top and at its root"}.at_least(0).usually(0,
-                                                                                                                    2),
-          Field{&Input::d_bore, "d_bore", mm, "bore of the shaft"}.at_least(0),
-          Field{&Input::l, "l", mm, "length that bears"}.positive().usually(5, 1000),
-          Choice{&Input::hub, "hub", "whether the hub slides on the shaft"}.may_be_missing(),
-          Choice{&Input::centring, "centring", "what centres the hub: how many flanks bear"},
-          Field{&Input::phi, "phi", ratio, "share of the flanks that bears, in place of that of the centring"}
-              .within(0.1, 1)
-              .may_be_missing()
-              .factor(),
-          Field{&Input::k_l, "k_l", ratio, "largest over mean pressure along the length; missing: even, up to 1.3 d_m"}
-              .within(1, 5)
-              .may_be_missing()
-              .factor(),
-          Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}
-              .positive()
-              .usually(150, 2000)
-              .may_be_missing(),
-          Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none of a brittle one"}
-              .positive()
-              .usually(100, 2000)
-              .may_be_missing(),
-          Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable pressure on the shaft, in place of R_e_1"}
-              .positive()
-              .usually(2, 1500)
-              .may_be_missing(),
-          Field{&Input::p_adm_2, "p_adm_2", MPa,
-                "allowable pressure on the hub, in place of R_e_2: of cast iron always"}
-              .positive()
-              .usually(2, 1500)
-              .may_be_missing(),
-          Field{&Input::p_adm_w, "p_adm_w", MPa, "allowable pressure of a hub that slides: few MPa under its torque"}
-              .positive()
-              .usually(1, 150)
-              .may_be_missing(),
-          Field{&Input::tau_adm, "tau_adm", MPa,
-                "allowable shear stress of a tooth; by Mises from its pressure if missing"}
-              .positive()
-              .usually(10, 1000)
-              .may_be_missing(),
-          Field{&Input::f_W, "f_W", ratio, "factor of a torque that changes its sense; lowers what is allowed"}
-              .within(0.1, 1)
-              .may_be_missing()
-              .factor(),
-          Field{&Input::beta_b, "beta_b", ratio,
-                "notch factor of the shaft at the end of the spline in bending, of tests"}
-              .within(1, 10)
-              .may_be_missing(),
-          Field{&Input::beta_t, "beta_t", ratio, "the same in torsion"}.within(1, 10).may_be_missing()});
+      Fields{Field{&Input::z, "z", ratio, "number of spline teeth"}.within(3, 500).from("spline", "z"),
+             Field{&Input::d_1, "d_1", mm,
+                   "inner diameter of the contact flanks (involute spline: tip diameter of the hub)"}
+                 .at_most_that_of_source("d, d_max")
+                 .positive()
+                 .usually(5, 500)
+                 .from("spline", "d_1"),
+             Field{&Input::d_2, "d_2", mm,
+                   "outer diameter of the contact flanks (involute spline: tip diameter of the shaft)"}
+                 .positive()
+                 .usually(6, 500)
+                 .from("spline", "d_2"),
+             Field{&Input::b, "b", mm, "tooth thickness, for shear"}.positive().from("spline", "b").where_it_has(),
+             Field{&Input::g, "g", mm, "flank chamfer, deducted at tip and root"}.at_least(0).usually(0, 2),
+             Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0),
+             Field{&Input::l, "l", mm, "effective spline length"}.positive().usually(5, 1000),
+             Choice{&Input::hub, "hub", "hub type: fixed or sliding"}.may_be_missing(),
+             Choice{&Input::centring, "centring", "centring of the hub, for the share of load-carrying flanks"},
+             Field{&Input::phi, "phi", ratio, "share of load-carrying flanks, replaces that of the centring"}
+                 .within(0.1, 1)
+                 .may_be_missing()
+                 .factor(),
+             Field{&Input::k_l, "k_l", ratio,
+                   "length load factor k_l: maximum / mean pressure along the length; omitted: uniform, up to "
+                   "1.3 d_m"}
+                 .within(1, 5)
+                 .may_be_missing()
+                 .factor(),
+             Field{&Input::R_e_1, "R_e_1", MPa, "yield strength of the shaft"}
+                 .positive()
+                 .at_most_that_of_source("R_e")
+                 .usually(150, 2000)
+                 .may_be_missing(),
+             Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none for a brittle hub"}
+                 .positive()
+                 .usually(100, 2000)
+                 .may_be_missing(),
+             Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure on the shaft, replaces R_e_1"}
+                 .positive()
+                 .usually(2, 1500)
+                 .may_be_missing(),
+             Field{&Input::p_adm_2, "p_adm_2", MPa,
+                   "allowable bearing pressure on the hub, replaces R_e_2 (required for cast iron)"}
+                 .positive()
+                 .usually(2, 1500)
+                 .may_be_missing(),
+             Field{&Input::p_adm_w, "p_adm_w", MPa,
+                   "allowable bearing pressure of a sliding hub (a few MPa if it slides under torque)"}
+                 .positive()
+                 .usually(1, 150)
+                 .may_be_missing(),
+             Field{&Input::tau_adm, "tau_adm", MPa,
+                   "allowable shear stress of a tooth; by von Mises from its allowable pressure if omitted"}
+                 .positive()
+                 .usually(10, 1000)
+                 .may_be_missing(),
+             Field{&Input::f_W, "f_W", ratio,
+                   "load direction factor f_W for a reversing torque, reduces the allowable pressure"}
+                 .within(0.1, 1)
+                 .may_be_missing()
+                 .factor(),
+             Field{&Input::beta_b, "beta_b", ratio,
+                   "fatigue notch factor of the shaft at the spline end in bending, from tests"}
+                 .within(1, 10)
+                 .may_be_missing(),
+             Field{&Input::beta_t, "beta_t", ratio,
+                   "fatigue notch factor of the shaft at the spline end in torsion, from tests"}
+                 .within(1, 10)
+                 .may_be_missing()});
 
   struct Result {
     Moment T_eq = unset<Moment>;
@@ -147,34 +157,33 @@ R_e_2 = "300 MPa"
     Connection connection;
   };
   static constexpr Fields results{
-      Field{&Result::T_eq, "T_eq", N_m, "torque that counts: with the service factor, or that of the shock"}.holding(
+      Field{&Result::T_eq, "T_eq", N_m, "equivalent torque: with the application factor, or the peak torque"}.holding(
           "K_A"),
       Field{&Result::d_m, "d_m", mm, "mean diameter of the flanks"},
-      Field{&Result::h_w, "h_w", mm, "height of a flank that bears"},
-      Field{&Result::share, "share", ratio, "share of the flanks that bears"},
-      Field{&Result::F_t, "F_t", N, "force at the mean diameter"}.holding("K_A"),
-      Field{&Result::p, "p", MPa, "largest pressure on the flanks"},
+      Field{&Result::h_w, "h_w", mm, "contact height of a flank"},
+      Field{&Result::share, "share", ratio, "share of load-carrying flanks"},
+      Field{&Result::F_t, "F_t", N, "circumferential force at the mean diameter"}.holding("K_A"),
+      Field{&Result::p, "p", MPa, "maximum bearing pressure on the flanks"},
       Field{&Result::tau, "tau", MPa, "shear stress of the teeth"},
-      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft inside of its teeth"}.holding("K_A"),
-      Field{&Result::u_1, "u_1", ratio, "shaft: pressure over the allowable one"}.check("p_adm_1, R_e_1"),
-      Field{&Result::u_2, "u_2", ratio, "hub: pressure over the allowable one"}.check("p_adm_2, R_e_2"),
-      Field{&Result::u_w, "u_w", ratio, "hub that slides: pressure over the allowable one"}.check("p_adm_w"),
-      Field{&Result::u_tau, "u_tau", ratio, "shear of the teeth over the allowable one"}
+      Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft core"}.holding("K_A"),
+      Field{&Result::u_1, "u_1", ratio, "shaft: bearing pressure / allowable pressure"}.check("p_adm_1, R_e_1"),
+      Field{&Result::u_2, "u_2", ratio, "hub: bearing pressure / allowable pressure"}.check("p_adm_2, R_e_2"),
+      Field{&Result::u_w, "u_w", ratio, "sliding hub: bearing pressure / allowable pressure"}.check("p_adm_w"),
+      Field{&Result::u_tau, "u_tau", ratio, "shear of the teeth: shear stress / allowable shear stress"}
           .check("tau_adm, p_adm_1, R_e_1")
           .where_it_applies(),
-      Field{&Result::u_W, "u_W", ratio, "sides under a torque that changes its sense: the worse of them over f_W"}
+      Field{&Result::u_W, "u_W", ratio, "reversing torque: larger utilisation of the flanks / f_W"}
           .check("f_W")
           .where_it_applies(),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: equivalent stress over its yield strength"}.check(
-          "R_e_1"),
-      Field{&Result::x_l, "x_l", ratio, "length over d_m: longer ones do not bear evenly"}
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft core: equivalent stress / yield strength"}.check("R_e_1"),
+      Field{&Result::x_l, "x_l", ratio, "effective length / d_m (uniform pressure up to 1.3)"}
           .limit(0, 1.3 + 1e-9)
           .where_it_applies(),
-      Field{&Result::x_s, "x_s", ratio, "d_2 over d_1: splines of ISO 14 and DIN 5480 have up to 1.5, own bound"}.limit(
-          0, 1.5),
+      Field{&Result::x_s, "x_s", ratio, "d_2/d_1 (ISO 14 and DIN 5480: up to 1.5; limit set by loadpath)"}.limit(0,
+                                                                                                                 1.5),
       rim_of_gear<Result>(),
       wall_of_hub<Result>("tooth height / wall of the hub under the root circle, own bound"),
-      Group{&Result::notch, "notch", "the end of the spline, for a notch of shaft.design: part"}.handed_over(),
+      Group{&Result::notch, "notch", "spline end, for a notch of shaft.design: part"}.handed_over(),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr auto rules = join(
@@ -186,7 +195,7 @@ R_e_2 = "300 MPa"
                              },
                              "bore, d_1, d_2", "the bore of the mounted component must equal d_1 or d_2"},
                  Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
-                             "a spline has a whole number of teeth"},
+                             "a spline has an integer number of teeth"},
                  Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be the larger"},
                  Rule<Input>{[](const Input& in) { return !(in.d_2 - in.d_1 <= 4.0 * in.g); }, "g, d_1, d_2",
                              "the chamfers leave nothing of the flank"},
@@ -201,30 +210,30 @@ R_e_2 = "300 MPa"
 
   static constexpr std::array senses{SenseClaim{"T", "torque", "one_way", "reversing"}};
   static constexpr std::array modes{
-      Mode<Input>{"shaft", "flanks of the shaft crushed", &torque_loads<Input>}.judged_by("u_1"),
-      Mode<Input>{"hub", "flanks of the hub crushed", &torque_loads<Input>}.judged_by("u_2"),
-      Mode<Input>{"teeth", "teeth sheared off", &torque_loads<Input>}.judged_by("u_tau").wanting("b"),
-      Mode<Input>{"core", "shaft twisted off inside of its teeth", &torque_loads<Input>}.judged_by("u_t").left_to(
+      Mode<Input>{"shaft", "bearing pressure, shaft spline", &torque_loads<Input>}.judged_by("u_1"),
+      Mode<Input>{"hub", "bearing pressure, hub spline", &torque_loads<Input>}.judged_by("u_2"),
+      Mode<Input>{"teeth", "shear of the spline teeth", &torque_loads<Input>}.judged_by("u_tau").wanting("b"),
+      Mode<Input>{"core", "torsional yielding of the shaft core", &torque_loads<Input>}.judged_by("u_t").left_to(
           "shaft.design", "notch.yield"),
-      Mode<Input>{"reversal", "sides beaten out where the torque changes its sense", &torque_reverses<Input>}
+      Mode<Input>{"reversal", "bearing pressure under reversing torque", &torque_reverses<Input>}
           .judged_by("u_W")
           .in_service(),
-      Mode<Input>{"wear", "wear of a hub that slides on the shaft", &slides}.judged_by("u_w"),
-      Mode<Input>{"form", "teeth higher than any spline's", &torque_loads<Input>}.judged_by("x_s").of_shape(),
-      Mode<Input>{"length", "splines so long that their end does not bear", &bears_evenly}.judged_by("x_l").of_shape(),
-      Mode<Input>{"fatigue", "fatigue of the shaft at the end of the splines", &torque_varies<Input>}
+      Mode<Input>{"wear", "flank wear of a sliding hub", &slides}.judged_by("u_w"),
+      Mode<Input>{"form", "spline tooth height", &torque_loads<Input>}.judged_by("x_s").of_shape(),
+      Mode<Input>{"length", "effective spline length", &bears_evenly}.judged_by("x_l").of_shape(),
+      Mode<Input>{"fatigue", "shaft fatigue at the spline end", &torque_varies<Input>}
           .left_to("shaft.design", "notch.fatigue")
           .in_service(),
-      Mode<Input>{"seat", "a hub that tilts by the forces that come with the torque", &unseen<Input>}.by_companions(),
-      Mode<Input>{"wall", "wall of the hub under the root circle", &has_root<Input>}
+      Mode<Input>{"seat", "hub tilting", &unseen<Input>}.by_companions(),
+      Mode<Input>{"wall", "hub wall under the root circle", &has_root<Input>}
           .judged_by("m_R, x_R")
           .wanting("d_f")
           .of_shape(),
       overhang<Input>(),
-      Mode<Input>{"notch_factors", "fatigue of the shaft with notch factors lower than those of splines", &low_factors}
-          .advising("give beta_b and beta_t of DIN 743, or their source: accept.notch_factors = \"...\""),
-      Mode<Input>{"burst", "the wall of the hub, which flanks at an angle press outwards", &unseen<Input>},
-      Mode<Input>{"fretting", "fretting of the flanks", &unseen<Input>}.special()};
+      Mode<Input>{"notch_factors", "notch factors of the splines, shaft fatigue", &low_factors}.advising(
+          "give beta_b and beta_t of DIN 743, or their source: accept.notch_factors = \"...\""),
+      Mode<Input>{"burst", "hub bursting by radial flank forces", &unseen<Input>},
+      Mode<Input>{"fretting", "fretting of the spline flanks", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
@@ -238,8 +247,8 @@ constexpr auto choices_of(Spline::Hub) {
 }
 constexpr auto choices_of(Spline::Centring) {
   using Centring = Spline::Centring;
-  return std::array{ChoiceName<Centring>{Centring::inner, "inner", "the inner diameter: 0.75 of the flanks bear"},
-                    ChoiceName<Centring>{Centring::flanks, "flanks", "the flanks: 0.9 of them bear"}};
+  return std::array{ChoiceName<Centring>{Centring::inner, "inner", "inner centring: 0.75 of the flanks carry load"},
+                    ChoiceName<Centring>{Centring::flanks, "flanks", "flank centring: 0.9 of the flanks carry load"}};
 }
 
 }  // namespace loadpath::shaft

@@ -19,10 +19,15 @@ struct Cone {
   static constexpr auto id = "vessel.cone";
   static constexpr auto title = "Thin-walled conical vessel";
   static constexpr auto scope =
-      "Wall of a cone under internal pressure of gas, or hanging point down with a liquid. Membrane stresses, static. "
-      "Bending at the junction with a cylinder, knuckles, weight of the wall, external pressure and fatigue are not "
-      "covered.";
+      "Static membrane stresses and wall thickness of a cone under internal gas pressure, or hanging apex down "
+      "and filled with liquid; bending at the junction with a cylinder, knuckles, self-weight, external "
+      "pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [ExpertsMind-cone], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
+  static constexpr auto synonyms =
+      "pressure vessel, cone, hopper, conical shell, reducer, Kegel, Trichter, Kegelschale, коническая оболочка, "
+      "конический сосуд, воронка";
   static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Hopper bottom"
@@ -61,7 +66,7 @@ sigma_adm = "120 MPa"
   static constexpr std::array rules = join(
       wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= in.R / std::tan(in.alpha); },
-                             "h_l, R, alpha", "the liquid stands above the large end of the cone"},
+                             "h_l, R, alpha", "the liquid level is above the large end of the cone"},
                  Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
                              "the wall is thicker than the radius leaves room for"}});
 

@@ -86,8 +86,8 @@ Length rings(const Input& in, Stress sigma_all, Tracer& trace) {
 /// The thicknesses of the book: each stress by itself.
 template <class Tracer>
 void by_the_book(const Input& in, Cylinder::Result& r, Tracer& trace) {
-  STEP_TO(r, delta_o, r.p_i * r.R_m / (in.z_l * r.sigma_all), "hoop stress alone, [B24] (10)");
-  STEP_TO(r, delta_M, r.sigma_M * r.delta_c / (in.z_c * r.sigma_all), "meridional stress alone, [B24] (11)");
+  STEP_TO(r, delta_o, r.p_i * r.R_m / (in.z_l * r.sigma_all), "hoop stress only, [B24] (10)");
+  STEP_TO(r, delta_M, r.sigma_M * r.delta_c / (in.z_c * r.sigma_all), "meridional stress only, [B24] (11)");
 }
 
 template <class Tracer>

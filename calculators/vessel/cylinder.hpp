@@ -19,10 +19,16 @@ struct Cylinder {
   static constexpr auto id = "vessel.cylinder";
   static constexpr auto title = "Thin-walled cylindrical vessel";
   static constexpr auto scope =
-      "Wall of a cylinder under internal pressure of gas and liquid: open pipe, closed vessel, vessel with rings. "
-      "Membrane stresses, static. Nozzles, junctions with the ends, weight of the wall, external pressure and fatigue "
-      "are not covered.";
+      "Static membrane stresses and wall thickness of a cylinder under internal gas and liquid pressure, as "
+      "open pipe, closed vessel or ring-reinforced vessel; nozzles, end junctions, self-weight, external "
+      "pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Lame], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
+  static constexpr auto synonyms =
+      "pressure vessel, cylinder, pipe, hoop stress, boiler formula, membrane stress, wall thickness, "
+      "weld efficiency, corrosion allowance, Druckbehälter, Kesselformel, Umfangsspannung, Wanddicke, "
+      "сосуд давления, цилиндрическая оболочка, котельная формула, толщина стенки";
   static constexpr auto example = R"([project]
 title = "Air receiver"
 
@@ -73,8 +79,8 @@ sigma_adm = "140 MPa"
   static constexpr Fields results = join(
       wall_results<Result>(),
       Fields{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
-             Field{&Result::delta_o, "delta_o", mm, "carrying thickness by the hoop stress alone, pR/sigma"},
-             Field{&Result::delta_M, "delta_M", mm, "carrying thickness by the meridional stress alone, pR/2sigma"},
+             Field{&Result::delta_o, "delta_o", mm, "analysis thickness from the hoop stress only, pR/sigma"},
+             Field{&Result::delta_M, "delta_M", mm, "analysis thickness from the meridional stress only, pR/2sigma"},
              Field{&Result::a_r, "a_r", mm, "section of the rings per length of the vessel"}},
       lame_results<Result>(),
       Fields{Field{&Result::sigma_e, "sigma_e", MPa, "bending stress of flat ends, in their middle"},
@@ -102,10 +108,10 @@ sigma_adm = "140 MPa"
   static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>(
       "u_v, t_R, w_r",
-      Mode<Input>{"ends", "bending of flat ends; dished ones: vessel.sphere, torus, ellipsoid", &has_ends}
+      Mode<Input>{"ends", "strength of the ends (dished: vessel.sphere, torus, ellipsoid)", &has_ends}
           .judged_by("u_e")
           .of_service(),
-      Mode<Input>{"rings", "rings too far apart to help the wall", &ringed}.judged_by("w_r").wanting("A_r, l_r"));
+      Mode<Input>{"rings", "spacing of reinforcing rings", &ringed}.judged_by("w_r").wanting("A_r, l_r"));
 
   static constexpr std::array forms{
       Form{"p, R, delta, sigma_adm", "sigma_o, sigma_M, sigma_v, t_R, delta_min, p_max, u_v, sigma_L, delta_L"}};
@@ -124,8 +130,8 @@ constexpr auto choices_of(Cylinder::Ends) {
 
 constexpr auto choices_of(Cylinder::Support) {
   using Support = Cylinder::Support;
-  return std::array{ChoiceName<Support>{Support::bottom, "bottom", "stands: the ground bears the liquid"},
-                    ChoiceName<Support>{Support::top, "top", "hangs: the wall bears the liquid"}};
+  return std::array{ChoiceName<Support>{Support::bottom, "bottom", "standing: the ground carries the liquid"},
+                    ChoiceName<Support>{Support::top, "top", "suspended: the wall carries the liquid"}};
 }
 
 }  // namespace loadpath::vessel

@@ -18,9 +18,15 @@ struct Ellipsoid {
   static constexpr auto id = "vessel.ellipsoid";
   static constexpr auto title = "Thin-walled ellipsoidal vessel or head";
   static constexpr auto scope =
-      "Wall of an ellipsoid of revolution or a half-ellipsoidal head under internal gas pressure. Membrane stresses, "
-      "static. Bending at the junction with a cylinder, nozzles, external pressure and fatigue are not covered.";
+      "Static membrane stresses and wall thickness of an ellipsoid of revolution or a semi-ellipsoidal head "
+      "under internal gas pressure; bending at the junction with a cylinder, nozzles, external pressure and "
+      "fatigue are not covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
+  static constexpr auto synonyms =
+      "ellipsoidal head, dished end, dished head, vessel head, knuckle, crown, pressure vessel, Ellipsoidboden, "
+      "gewölbter Boden, Krempe, эллиптическое днище, днище";
   static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Two to one head"
@@ -64,14 +70,14 @@ sigma_adm = "140 MPa"
   static constexpr std::array rules =
       join(wall_rules<Input>(), gas_rules<Input>(),
            std::array{Rule<Input>{[](const Input& in) { return in.a <= 5.0 * in.b && in.b <= 5.0 * in.a; }, "a, b",
-                                  "so flat or so slender an ellipsoid is no membrane: a/b must lie between 1/5 and 5"},
+                                  "a/b must be 1/5 to 5 (range of membrane theory)"},
                       Rule<Input>{[](const Input& in) { return leaves_room(in, min(in.a, in.b)); }, "a, b, delta",
                                   "the wall is thicker than the semi-axes leave room for"}});
 
   static constexpr Applies flat(const Input& in) { return where(in.a * in.a > 2.0 * in.b * in.b); }
   static constexpr std::array meanings = wall_meanings;
-  static constexpr std::array modes = wall_modes<Input>(
-      "u_v, t_R, x_s", Mode<Input>{"knuckle", "buckling of the knuckle in compression", &flat}.judged_by("w_b"));
+  static constexpr std::array modes =
+      wall_modes<Input>("u_v, t_R, x_s", Mode<Input>{"knuckle", "buckling of the knuckle", &flat}.judged_by("w_b"));
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -58,8 +58,8 @@ template <class Thick, class Tracer>
 Membrane thick_stresses(const Thick& thick, Stress p_i, Length R_i, Length R_a, const Strength& strength,
                         Tracer& trace) {
   const auto [sigma_t, sigma_z] = thick(p_i, R_i, R_a, trace);
-  STEP(s_o, sigma_t / strength.z_l, "hoop stress as longitudinal seams feel it");
-  STEP(s_M, sigma_z / strength.z_c, "meridional stress as circumferential seams feel it");
+  STEP(s_o, sigma_t / strength.z_l, "hoop stress for longitudinal welds");
+  STEP(s_M, sigma_z / strength.z_c, "meridional stress for circumferential welds");
   return {p_i, sigma_t, sigma_z, s_o, s_M};
 }
 

@@ -71,8 +71,8 @@ Membrane membrane(const Place& place, Stress p, Length delta_c, const Strength& 
   STEP(sigma_M, (p * place.q_M + place.n_M) / delta_c,
        "balance along the axis of what lies beyond the place, [B24] (11)");
   const Stress sigma_o = hoop(place, p_i, sigma_M, delta_c, trace);
-  STEP(s_o, sigma_o / strength.z_l, "hoop stress as longitudinal seams feel it");
-  STEP(s_M, sigma_M / strength.z_c, "meridional stress as circumferential seams feel it");
+  STEP(s_o, sigma_o / strength.z_l, "hoop stress for longitudinal welds");
+  STEP(s_M, sigma_M / strength.z_c, "meridional stress for circumferential welds");
   return {p_i, sigma_o, sigma_M, s_o, s_M};
 }
 

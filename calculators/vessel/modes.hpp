@@ -14,15 +14,15 @@ namespace loadpath::vessel {
 template <class Input, class... Own>
 constexpr auto wall_modes(const char* strength, Own... own) {
   using M = Mode<Input>;
-  return std::array{M{"strength", "yield of the wall", &always<Input>}.judged_by(strength),
+  return std::array{M{"strength", "membrane stress of the wall", &always<Input>}.judged_by(strength),
                     own...,
-                    M{"fatigue", "fatigue by cycles of the pressure", &unseen<Input>}.in_service(),
-                    M{"vacuum", "buckling under outside pressure or vacuum", &unseen<Input>}.special(),
-                    M{"nozzles", "openings and nozzles", &unseen<Input>}.special(),
-                    M{"supports", "bending at supports, junctions and edges", &unseen<Input>}.special(),
-                    M{"test_pressure", "yield under the pressure of the test", &unseen<Input>}.special(),
+                    M{"fatigue", "fatigue under pressure cycles", &unseen<Input>}.in_service(),
+                    M{"vacuum", "buckling under external pressure", &unseen<Input>}.special(),
+                    M{"nozzles", "reinforcement of openings and nozzles", &unseen<Input>}.special(),
+                    M{"supports", "local bending at supports, junctions, edges", &unseen<Input>}.special(),
+                    M{"test_pressure", "yielding at test pressure", &unseen<Input>}.special(),
                     M{"low_temperature", "brittle fracture at low temperature", &unseen<Input>}.special(),
-                    M{"creep", "creep at high temperature", &unseen<Input>}.special()};
+                    M{"creep", "creep at elevated temperature", &unseen<Input>}.special()};
 }
 
 /// Where a wall is pressed, in one direction or both. It follows from the balance alone, whatever the thickness.

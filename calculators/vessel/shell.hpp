@@ -21,13 +21,17 @@ namespace loadpath::vessel {
 
 struct Shell {
   static constexpr auto id = "vessel.shell";
-  static constexpr auto title = "Thin shell of revolution with any meridian";
+  static constexpr auto title = "Thin shell of revolution";
   static constexpr auto scope =
-      "Membrane stresses of a shell of revolution whose meridian is given by points, under internal pressure of gas "
-      "and "
-      "liquid; least thickness. Edges of the meridian, jumps of its curvature (a knuckle beside a crown: see "
-      "vessel.sphere and vessel.torus), weight of the wall, external pressure and fatigue are not covered.";
+      "Membrane stresses and minimum thickness of a shell of revolution with a point-defined meridian, under "
+      "internal gas and liquid pressure; meridian kinks, curvature jumps (knuckle at a crown), self-weight, "
+      "external pressure and fatigue are not covered.";
   static constexpr auto source = "[B24], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
+  static constexpr auto synonyms =
+      "shell of revolution, membrane theory, meridian, hoop stress, meridional stress, tank, Rotationsschale, "
+      "Membrantheorie, оболочка вращения, безмоментная теория, меридиан";
   static constexpr auto example = R"([project]
 title = "Bottom of a kettle"
 
@@ -92,7 +96,7 @@ sigma_adm = "120 MPa"
           Field{&Result::psi_max, "psi_max", deg, "edges: largest turn of the meridian from one chord to the next"}
               .limit(0, 15 * (1 + 1e-9)),
           Field{&Result::s_min, "s_min", ratio,
-                "flatness: widest radius over the largest radius of curvature rho_o; a flat place is no membrane"}
+                "flatness: largest radius / largest radius of curvature rho_o (validity of membrane theory)"}
               .limit(0.02, 1.0 + 1e-9),
           shallowness<Result>(),
           Field{&Result::w_kappa, "w_kappa", ratio,
@@ -107,7 +111,7 @@ sigma_adm = "120 MPa"
       wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{&long_enough, "points", "a meridian needs at least three points"},
                  Rule<Input>{&apart, "points", "two neighbouring points of the meridian are one and the same"},
-                 Rule<Input>{&is_loaded, "h_l, points", "nothing loads the wall: the liquid stands below all of it"},
+                 Rule<Input>{&is_loaded, "h_l, points", "the wall has no load: the liquid level is below it"},
                  Rule<Input>{&held_off_axis, "points",
                              "only the first point may lie on the axis, and the last must lie higher or lower than it: "
                              "split a shell that is closed at both ends where it is held"}});
@@ -115,10 +119,10 @@ sigma_adm = "120 MPa"
   static Applies knuckle_compressed(const Input& in);
   static Applies compressed(const Input& in);
   static constexpr std::array meanings = wall_meanings;
-  static constexpr std::array modes = wall_modes<Input>(
-      "u_v, t_R, psi_max, s_min, x_s, w_kappa",
-      Mode<Input>{"knuckle", "buckling of a knuckle in compression", &knuckle_compressed}.judged_by("w_b"),
-      Mode<Input>{"buckling", "buckling of the wall in compression", &compressed});
+  static constexpr std::array modes =
+      wall_modes<Input>("u_v, t_R, psi_max, s_min, x_s, w_kappa",
+                        Mode<Input>{"knuckle", "buckling of the knuckle", &knuckle_compressed}.judged_by("w_b"),
+                        Mode<Input>{"buckling", "compressive buckling of the wall", &compressed});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

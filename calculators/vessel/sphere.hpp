@@ -19,9 +19,15 @@ struct Sphere {
   static constexpr auto id = "vessel.sphere";
   static constexpr auto title = "Thin-walled spherical vessel";
   static constexpr auto scope =
-      "Wall of a sphere under internal pressure of gas and of a liquid that a ring holds. Membrane stresses, static. "
-      "Bending beside the ring, nozzles, weight of the wall, external pressure and fatigue are not covered.";
+      "Static membrane stresses and wall thickness of a sphere under internal gas pressure and the liquid "
+      "pressure of a ring-supported sphere; bending near the ring, nozzles, self-weight, external pressure and "
+      "fatigue are not covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Lame], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
+  static constexpr auto synonyms =
+      "pressure vessel, sphere, spherical tank, gas holder, membrane stress, Kugelbehälter, Kugel, Druckbehälter, "
+      "сферический резервуар, сферическая оболочка";
   static constexpr bool is_large = true;
   static constexpr auto example = R"([project]
 title = "Gas holder"
@@ -62,14 +68,14 @@ sigma_adm = "160 MPa"
   static constexpr std::array rules =
       join(wall_rules<Input>(), liquid_rules<Input>(),
            std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= 2.0 * in.R; }, "h_l, R",
-                                  "the liquid stands above the top of the sphere: give the pressure there as p"},
+                                  "the liquid level is above the top of the sphere: give the pressure there as p"},
                       Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
                                   "the wall is thicker than the radius leaves room for"}});
 
   static Applies compressed(const Input& in);
   static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes =
-      wall_modes<Input>("u_v, t_R", Mode<Input>{"buckling", "buckling of the wall in compression", &compressed});
+      wall_modes<Input>("u_v, t_R", Mode<Input>{"buckling", "compressive buckling of the wall", &compressed});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

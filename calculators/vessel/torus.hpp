@@ -17,11 +17,17 @@ namespace loadpath::vessel {
 
 struct Torus {
   static constexpr auto id = "vessel.torus";
-  static constexpr auto title = "Thin-walled torus";
+  static constexpr auto title = "Thin-walled toroidal vessel";
   static constexpr auto scope =
-      "Wall of a ring-shaped vessel of circular section under internal gas pressure; also a smooth pipe bend. Membrane "
-      "stresses, static. Ovality, bending at the crown, external pressure and fatigue are not covered.";
+      "Static membrane stresses and wall thickness of a torus of circular section, or a smooth pipe bend, "
+      "under internal gas pressure; ovality, bending at the crown, external pressure and fatigue are not "
+      "covered.";
   static constexpr auto source = "[B24], [Timoshenko], [Mises]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "membrane stresses";
+  static constexpr auto synonyms =
+      "torus, toroidal shell, pipe bend, elbow, membrane stress, Rohrbogen, Torusschale, тор, "
+      "тороидальная оболочка, отвод";
   static constexpr auto example = R"([project]
 title = "Ring main"
 

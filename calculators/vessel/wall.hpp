@@ -78,7 +78,7 @@ constexpr auto wall_inputs() {
                            "efficiency of circumferential seams, which carry meridional stress"}
           .within(0.3, 1)
           .factor(),
-      Field<Input, Stress>{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress, without a further safety factor"}
+      Field<Input, Stress>{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress (safety factor included)"}
           .positive()
           .usually(10, 1000)
           .may_be_missing(),
@@ -181,8 +181,7 @@ constexpr auto choices_of(Hypothesis) {
   return std::array{
       ChoiceName<Hypothesis>{Hypothesis::tresca, "tresca", "Tresca, with the radial stress -p at the inside"},
       ChoiceName<Hypothesis>{Hypothesis::mises, "mises", "von Mises, with the radial stress -p at the inside"},
-      ChoiceName<Hypothesis>{Hypothesis::membrane, "membrane",
-                             "the larger membrane stress alone, as the textbook has it"}};
+      ChoiceName<Hypothesis>{Hypothesis::membrane, "membrane", "the larger membrane stress only, as in the textbook"}};
 }
 
 }  // namespace loadpath::vessel

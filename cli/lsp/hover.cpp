@@ -59,9 +59,10 @@ std::string mode_text(const Target& target, const std::string& id) {
 }
 
 std::string reason_text(const Target& target, const std::string& key) {
-  const FieldInfo* const field = find_field(target.calculator->input->fields, key);
+  const FieldInfo* const field = find_input(target.calculator->input->fields, key);
   if (field == nullptr) return {};
-  return "**" + key + "**: " + field->doc + "\n\nthe text is the reason why it is better than what stands beside it";
+  return "**" + key + "**: " + field->doc +
+         "\n\nthe text is the reason why it is more favourable than the row or record";
 }
 
 std::string about(const Target& target, const Path& path) {

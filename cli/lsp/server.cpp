@@ -51,7 +51,7 @@ json::object capabilities() {
 void Server::receive(const std::string& body) {
   boost::system::error_code error;
   const json::value message = json::parse(body, error);
-  if (error) return send_error(nullptr, Fail::parse_error, "the message is no JSON");
+  if (error) return send_error(nullptr, Fail::parse_error, "the message is not JSON");
   if (!message.is_object()) return send_error(nullptr, Fail::invalid_request, "a message is an object");
   receive_object(message.get_object());
 }

@@ -43,7 +43,7 @@ class Walk {
   }
 
   bool top(const std::string& part) {
-    if (enter(find_field(target_.calculator->input->fields, part), target_.input.data.get())) return true;
+    if (enter(find_input(target_.calculator->input->fields, part), target_.input.data.get())) return true;
     return target_.from != nullptr &&
            enter(find_field(target_.from->parameters->fields, part), target_.parameters.data.get());
   }
@@ -125,7 +125,7 @@ std::vector<StepKey> keys_beside(const Calculator& calculator) {
   if (calculator.result != nullptr) keys.push_back({"display", "units of results"});
   if (!calculator.modes.empty()) keys.push_back({"accept", "modes of failure that you answer for, with the reason"});
   if (calculator.result != nullptr)
-    keys.push_back({"because", "why a typed value is better than the row or the record beside it"});
+    keys.push_back({"because", "reason why a typed value is more favourable than its row or record"});
   return keys;
 }
 

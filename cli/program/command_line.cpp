@@ -7,7 +7,7 @@ namespace {
 constexpr auto footer = R"(Examples:
   loadpath run examples/slotted-lever/project.toml --report report.html
   loadpath sweep examples/strut-sweep/project.toml --report sweep.html
-  loadpath why examples/press-link/project.toml lever
+  loadpath why examples/press-link/project.toml pin
   loadpath shaft torsion --T "2700 N*m" --tau_adm "30 MPa"
   loadpath mechanism planar --file examples/toggle-press/project.toml --svg press.svg
   loadpath convert "2700 lbf*in" "N*m"
@@ -19,8 +19,7 @@ Exit codes: 0 every failure mode that applies passes, or the user accepts it; 1 
 void setup_run(CLI::App& app, RunOptions& options, Action& action) {
   CLI::App* run_app = app.add_subcommand("run", "solve project files");
   run_app->add_option("file", options.files, "project files, and folders of them; - is standard input")->required();
-  run_app->add_option("--point", options.point, "the point of this number of the project's sweep, counted from 0")
-      ->type_name("N");
+  run_app->add_option("--point", options.point, "solve point N (from 0) of the project's sweep")->type_name("N");
   add_points(*run_app, options.points);
   add_settings(*run_app, options.settings);
   add_output(*run_app, options.output);
@@ -30,7 +29,7 @@ void setup_run(CLI::App& app, RunOptions& options, Action& action) {
 }
 
 void setup_why(CLI::App& app, WhyOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("why", "what decides over a step: what was chosen, what judges it, its formulas");
+  CLI::App* sub = app.add_subcommand("why", "governing checks, choices and formulas of a step");
   sub->add_option("file", options.file, "project file; - is standard input")->required();
   sub->add_option("of", options.of,
                   "step, or a result or mode of failure of one: rod, rod.u; every step where missing");
@@ -53,7 +52,7 @@ void setup_watch(CLI::App& app, WatchOptions& options, Action& action) {
 }
 
 void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("describe", "fields, sources, limits and an example of one calculator");
+  CLI::App* sub = app.add_subcommand("describe", "inputs, results, failure modes, sources and example of a calculator");
   sub->add_option("id", options.id, "calculator, for example shaft.torsion")->required();
   sub->add_option(
       "name", options.name,
@@ -65,14 +64,15 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
 }
 
 void setup_list(CLI::App& app, ListOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("list", "all calculators, or those of an element");
-  sub->add_option("element", options.element, "for example shaft");
+  CLI::App* sub = app.add_subcommand("list", "all calculators, those of an element, or those that words find");
+  sub->add_option("word", options.word, "an element, as in shaft; or what you look for: buckling, S-N, Passfeder");
+  sub->add_flag("--all", options.all, "those found by a failure mode or the scope, too");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return list(options); }; });
 }
 
 void setup_convert(CLI::App& app, ConvertOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("convert", "convert a quantity, or an expression that starts with =");
+  CLI::App* sub = app.add_subcommand("convert", "convert a quantity or evaluate an expression starting with =");
   sub->add_option("quantity", options.quantity, "for example \"2700 lbf*in\", \"2,5 kN·m\", \"=30 kW / (1500 rpm)\"")
       ->required();
   sub->add_option("unit", options.unit, "target unit; a readable one where missing");
@@ -84,14 +84,15 @@ What can be read in two ways is refused: 1,250 mm; N/m*s.)");
 }
 
 void setup_verify(CLI::App& app, VerifyOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("verify", "published reference cases: published value, ours, deviation, source");
+  CLI::App* sub =
+      app.add_subcommand("verify", "published reference cases: published and computed value, deviation, source");
   sub->add_option("file", options.files, "project files with [[expect]] entries; the built-in manual where missing");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return verify(options); }; });
 }
 
 void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("tables", "materials, preferred sizes and their sources");
+  CLI::App* sub = app.add_subcommand("tables", "materials, preferred sizes and sources");
   sub->add_option("table", options.table, "table, for example materials");
   sub->add_option("key", options.key, "row, for example C45E");
   sub->add_option("--where", options.where,
@@ -100,7 +101,7 @@ void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
       ->type_name("CONDITION");
   sub->add_option("--sort", options.sort, "column to sort by, as in mass or h; with - before it from the largest")
       ->type_name("COLUMN");
-  sub->add_flag("--audit", options.audit, "every value whose source was not seen");
+  sub->add_flag("--audit", options.audit, "all values from memory (source not seen)");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return tables(options); }; });
 }

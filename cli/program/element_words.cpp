@@ -60,16 +60,27 @@ void add_templates(const Calculator& calculator, const AddFlag& add) {
   }
 }
 
+/// "--n_2_set,--n_2": its key, and what it is called, too.
+std::string flags_of(const FieldInfo& field) {
+  std::string flags = std::string("--") + field.key;
+  for (const std::string& other : listed_keys(field.also_called)) flags += ",--" + other;
+  return flags;
+}
+
 /// Flags of one calculator: the top-level fields of its input, and the rows that its providers look up.
 void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& options) {
-  const auto add = [&](const std::string& key, const std::string& doc, const std::string& type) {
+  const auto add_named = [&](const std::string& key, const std::string& flags, const std::string& doc,
+                             const std::string& type) {
     app.add_option_function<std::string>(
-           "--" + key, [&options, key](const std::string& text) { options.values.emplace_back(key, text); }, doc)
+           flags, [&options, key](const std::string& text) { options.values.emplace_back(key, text); }, doc)
         ->type_name(type)
         ->expected(1)
         ->allow_extra_args(false);
   };
-  for (const FieldInfo& f : calculator.input->fields) add(f.key, f.doc, type_word(f));
+  const auto add = [&](const std::string& key, const std::string& doc, const std::string& type) {
+    add_named(key, "--" + key, doc, type);
+  };
+  for (const FieldInfo& f : calculator.input->fields) add_named(f.key, flags_of(f), f.doc, type_word(f));
   add_templates(calculator, add);
   for (const std::string& group : table_groups(calculator)) {
     add(group, "row of the " + group + " tables that fills what is missing", "NAME");
@@ -77,7 +88,7 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
   add("title", "title of the report", "TEXT");
   if (!calculator.modes.empty()) {
     app.add_option("--accept", options.accepted,
-                   "answer for a failure mode that is not assessed: --accept fatigue=\"stands still\"")
+                   "accept a failure mode that is not assessed: --accept fatigue=\"static use\"")
         ->type_name("MODE=REASON")
         ->expected(1)
         ->take_all()
@@ -85,8 +96,8 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
   }
   if (calculator.result != nullptr) {
     app.add_option("--because", options.because,
-                   "why a typed value is better than the row or the record beside it: --because R_e=\"certificate "
-                   "4711\"")
+                   "reason why a typed value is more favourable than its row or record: --because "
+                   "R_e=\"certificate 4711\"")
         ->type_name("KEY=REASON")
         ->expected(1)
         ->take_all()

@@ -1,7 +1,7 @@
 #include "cli/program/refusals.hpp"
 
 #include "cli/commands.hpp"
-#include "lib/text/issue.hpp"
+#include "lib/text/meant.hpp"
 
 #include <algorithm>
 #include <iostream>
@@ -23,20 +23,17 @@ std::string path_of(const CLI::App& command) {
 
 int unknown_option(const CLI::App& command, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
-  std::vector<std::string> options;
+  std::vector<Known> options;
   for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& long_name : option->get_lnames()) options.push_back("--" + long_name);
+    for (const std::string& long_name : option->get_lnames()) options.push_back({long_name, option->get_description()});
   }
   const auto has = [&](const std::string& option) {
-    return std::find(options.begin(), options.end(), option) != options.end();
+    return std::any_of(options.begin(), options.end(), [&](const Known& one) { return one.word == option; });
   };
-  if ((name == "--P" || name == "--n") && has("--T"))
+  if ((name == "--P" || name == "--n") && has("T"))
     return refuse("there is no option '" + name + "'", "a power and a speed are a torque: --T \"=15 kW/(1450 rpm)\"");
-  const auto longer = std::find_if(options.begin(), options.end(),
-                                   [&](const std::string& option) { return option.starts_with(name + "_"); });
-  if (longer != options.end()) return refuse("there is no option '" + name + "'", "did you mean '" + *longer + "'?");
   return refuse("there is no option '" + name + "'",
-                did_you_mean(name, options, say("`{1} --help` shows what there is", path_of(command))).text());
+                meant(name.substr(2), options, say("`{1} --help` shows what there is", path_of(command)), "--").text());
 }
 
 /// An option of the command that takes one value and was given several; null if there is none.

@@ -15,7 +15,7 @@ CLI::Validator whole_from(std::int64_t least) {
             const char* const end = text.data() + text.size();
             const auto read = std::from_chars(text.data(), end, number);
             const bool fits = read.ec == std::errc() && read.ptr == end && number >= least;
-            return fits ? std::string() : "'" + text + "' is no whole number of " + std::to_string(least) + " or more";
+            return fits ? std::string() : "'" + text + "' is not an integer of " + std::to_string(least) + " or more";
           },
           ""};
 }
@@ -30,8 +30,7 @@ void add_output(CLI::App& app, OutputOptions& output) {
       ->take_all()
       ->allow_extra_args(false);
   app.add_option("--detail", output.detail,
-                 "how much reports and the terminal tell: brief, the answer alone; normal; full, with every list and "
-                 "formula, and the input")
+                 "detail of reports: brief (answer only), normal, full (every list, formula and input)")
       ->type_name("WORD")
       ->check(CLI::IsMember({"brief", "normal", "full"}));
   app.add_flag("--json", output.json, "print the results as one JSON object, of several projects as a list");
@@ -51,7 +50,9 @@ void add_output(CLI::App& app, OutputOptions& output) {
   app.add_option("--dxf", output.dxf,
                  "write the drawing to scale for CAD (DXF R12, mm) as FILE.dxf; several into a folder")
       ->type_name("PATH");
-  app.add_flag("--quiet", output.quiet, "print errors only");
+  auto* const full = app.add_flag("--full", output.full, "print every part with its results and all failure modes");
+  app.add_flag("--modes", output.modes, "print every failure mode: state, utilisation, basis")->excludes(full);
+  app.add_flag("--quiet", output.quiet, "print errors, and the verdict line where it is not PASS");
   app.add_flag("--strict", output.strict, "count failure modes that were not considered as not assessed: exit code 4");
 }
 
@@ -67,9 +68,9 @@ void add_points(CLI::App& app, PointOptions& options) {
   app.add_option("--samples", options.samples, "samples of uncertain inputs, at each point of the ranges")
       ->type_name("N")
       ->check(whole_from(1));
-  app.add_option("--seed", options.seed, "another seed gives other samples")->type_name("N")->check(whole_from(0));
-  app.add_flag("--latin", options.latin, "samples of a Latin hypercube: spread evenly over each input");
-  app.add_option("--zip", options.zip, "inputs that run together: shaft.T,shaft.n")
+  app.add_option("--seed", options.seed, "seed of the random samples")->type_name("N")->check(whole_from(0));
+  app.add_flag("--latin", options.latin, "Latin hypercube sampling");
+  app.add_option("--zip", options.zip, "inputs varied in parallel, not crossed: shaft.T,shaft.n")
       ->type_name("INPUTS")
       ->expected(1)
       ->take_all()

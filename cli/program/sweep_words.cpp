@@ -16,12 +16,12 @@ void add_aims(CLI::App& app, SweepOptions& options) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  app.add_option("--quantile", options.quantile, "objective and demands with this probability over what is uncertain")
+  app.add_option("--quantile", options.quantile,
+                 "objective and constraints at this probability over the uncertain inputs")
       ->type_name("P")
       ->check(CLI::Range(0.5, 0.999999));
   app.add_option("--seek", options.seek, "where a result has a value: \"shaft.u_tau = 0.9\"")->type_name("GOAL");
-  app.add_flag("--influence", options.influence,
-               "which inputs the results hang on, and where their scatter comes from");
+  app.add_flag("--influence", options.influence, "sensitivity of results and sources of scatter");
   app.add_option("--sobol", options.sobol, "with it, Sobol indices from so many rows of samples")
       ->type_name("ROWS")
       ->check(CLI::Range(100, 100'000'000));
@@ -29,17 +29,16 @@ void add_aims(CLI::App& app, SweepOptions& options) {
 
 /// Adds the options for results kept on the disk.
 void add_folder(CLI::App& app, SweepOptions& options) {
-  app.add_option("--out", options.out, "keep the sweep in a folder: columns for numpy, and what it goes on from")
-      ->type_name("DIR");
+  app.add_option("--out", options.out, "store columns (numpy) and restart state in a folder")->type_name("DIR");
   app.add_flag("--no-columns", options.no_columns, "keep no columns in that folder");
-  app.add_flag("--resume", options.resume, "go on with the sweep in that folder");
+  app.add_flag("--resume", options.resume, "continue the stored sweep");
   app.add_option("--status", options.status, "how far the sweep in a folder is, and which points are missing")
       ->type_name("DIR");
   app.add_option("--save-every", options.save_every, "seconds between states on the disk; 2 where missing")
       ->type_name("S")
       ->check(CLI::NonNegativeNumber);
   app.add_option("--shard", options.shard, "solve the share K of N of the points, or FROM-TO")->type_name("K/N");
-  app.add_option("--merge", options.merge, "put the folders of shards together")->type_name("DIR")->expected(1, -1);
+  app.add_option("--merge", options.merge, "merge folders of shards")->type_name("DIR")->expected(1, -1);
 }
 
 }  // namespace
@@ -55,7 +54,7 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
       ->allow_extra_args(false);
   add_points(*sub, options.points);
   add_settings(*sub, options.settings);
-  sub->add_option("--worst", options.worst, "how many of the points with the largest utilisation are told")
+  sub->add_option("--worst", options.worst, "number of highest-utilisation points listed")
       ->type_name("N")
       ->check(CLI::Range(0, 1'000'000));
   sub->add_option("--pareto", options.pareto, "the points that no other beats in all of these: m:min,u:min")

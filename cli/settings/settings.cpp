@@ -92,7 +92,7 @@ Tree* holder_of(Tree& project, const Setting& setting, std::vector<Issue>& issue
     if (at == nullptr) return nullptr;
     if (at->type != Tree::Type::table && at->type != Tree::Type::array) {
       add(issues, part.place, say("'{1}' is {2}, and has no fields", part.key, toml::word_for(at->type)),
-          say("set it whole"));
+          say("give it as an integer"));
       return nullptr;
     }
   }
@@ -200,7 +200,7 @@ Tree value_of(const Setting& setting, bool is_word, std::vector<Issue>& issues) 
       issue.place.column = std::max(1, issue.place.column + shift);
       issues.push_back(std::move(issue));
     }
-    if (wrong.empty()) add(issues, setting.place, say("'{1}' is no one value", setting.text));
+    if (wrong.empty()) add(issues, setting.place, say("'{1}' is not a single value", setting.text));
     return value;
   }
   if (!written && tree.entries[0].value.type != Tree::Type::number) return value;
@@ -217,7 +217,7 @@ const Tree* find_set(Tree& project, const Setting& setting, std::vector<Issue>& 
   if (const Tree* const known = entry_of(*holder, last.key)) return known;
   std::vector<std::string> keys;
   for (const Tree::Entry& entry : holder->entries) keys.push_back(entry.key);
-  add(issues, last.place, say("'{1}' is no field here", last.key), did_you_mean(last.key, keys, there_is(keys)));
+  add(issues, last.place, say("'{1}' is not a valid key here", last.key), did_you_mean(last.key, keys, there_is(keys)));
   return nullptr;
 }
 

@@ -55,7 +55,7 @@ std::string contradiction(const SweepOptions& options) {
     return "'--status' is about a folder as it is: it takes neither a project file nor --out";
   const int aims = !options.minimise.empty() + !options.maximise.empty() + !options.seek.empty() +
                    (options.influence || options.sobol != 0);
-  if (aims > 1) return "'--minimise', '--maximise', '--seek' and '--influence' are asked for one at a time";
+  if (aims > 1) return "use one of '--minimise', '--maximise', '--seek' and '--influence' at a time";
   if (aims == 1 && (!options.out.empty() || !options.csv.empty() || !options.hdf5.empty() || !options.pareto.empty() ||
                     options.json))
     return "'--out', '--csv', '--hdf5', '--json' and '--pareto' are about a sweep over all points";
@@ -131,7 +131,7 @@ bool Sweeping::read_aims(std::vector<Issue>& issues) {
       issues.push_back({{"--pareto", 0, 0, 1},
                         "",
                         aim == "min" || aim == "max" ? say("'{1}' is none of the results", name)
-                                                     : say("'{1}' is no aim: min or max", aim),
+                                                     : say("'{1}' is not an objective: min or max", aim),
                         names.empty() ? say("read it off first: --results {1}", name) : there_is(names),
                         Severity::error});
       return false;

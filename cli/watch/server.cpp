@@ -121,8 +121,7 @@ class Session : public std::enable_shared_from_this<Session> {
   void answer() {
     const std::string_view target(request_.target().data(), request_.target().size());
     const std::string root = "/" + state_->word + "/";
-    if (!is_for_us())
-      return send(http::status::forbidden, "text/plain", "this address is answered on loopback alone\n");
+    if (!is_for_us()) return send(http::status::forbidden, "text/plain", "this address is served on loopback only\n");
     if (request_.method() != http::verb::get && request_.method() != http::verb::head)
       return send(http::status::method_not_allowed, "text/plain", "the page is only read\n");
     if (target == root) return send(http::status::ok, "text/html", live_page(state_->revision));

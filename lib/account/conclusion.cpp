@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace loadpath::account {
 
@@ -13,60 +16,102 @@ namespace {
 
 bool is_search(const Mode& mode) { return mode.subject == Subject::search; }
 
-/// "shaft: tooth root in bending, utilisation 1.07"
-Message told(const Mode& mode) {
-  const Message part = say("{1}: {2}", mode.step, mode.title);
-  return mode.utilisation ? say("{1}, utilisation {2}", part, format_number(*mode.utilisation, 4)) : part;
-}
+std::size_t size_of(const Message& message) { return message.text().size(); }
 
-Message of_failures(const Modes& sorted, std::size_t count) {
-  const Message first = told(sorted.front());
-  return count > 1 ? say("{1}; and {2} more", first, std::to_string(count - 1)) : first;
-}
-
-Message of_gaps(const Modes& sorted, const Conclusion& all) {
-  const std::size_t needs = all.count(Group::needs_input), outside = all.count(Group::outside_scope);
-  if (needs + outside == 0) {  // only an input check prevents the verdict
-    const auto check = std::ranges::find_if(sorted, [](const Mode& m) { return m.subject != Subject::mode; });
-    return check == sorted.end() ? Message{} : say("{1}: {2}", check->step, reason(*check));
+/// The first of several wordings that has room, else the last.
+Message first_in(std::size_t room, std::vector<Message> wordings) {
+  for (Message& wording : wordings) {
+    if (size_of(wording) <= room) return std::move(wording);
   }
-  const std::string total = std::to_string(all.modes());
-  if (needs == 0) return say("{1} of {2} failure modes outside the scope of loadpath", std::to_string(outside), total);
-  const Message needed = say("{1} of {2} failure modes need input or another step", std::to_string(needs), total);
-  return outside == 0 ? needed : say("{1}, {2} outside the scope", needed, std::to_string(outside));
+  return std::move(wordings.back());
 }
 
-/// "fatigue" of "fatigue, at shoulders, keyways and press fits first".
-std::string short_title(const Mode& mode) {
-  const std::string title = mode.title.text();
-  return title.substr(0, title.find_first_of(",:;("));
+/// "45.3 / 42.3 kN"
+Message compared_text(const Compared& both) {
+  return say("{1} / {2}", format_number(in_unit(both.demand.si, both.demand.unit), 3),
+             format_quantity(both.capacity.si, both.capacity.unit, 3));
 }
 
-/// The strength modes that were not considered, fatigue first: as many as one line has room for.
-std::string not_considered(const Modes& sorted) {
-  constexpr std::size_t room = 60;
-  std::vector<std::string> names;
+/// "shaft: tooth root in bending, utilisation 1.07 (277 / 260 MPa)"
+std::vector<Message> wordings_of(const Mode& mode, const std::string& subject) {
+  const std::string step = subject.empty() ? mode.step + ": " : "";
+  const Message part = say("{1}{2}", step, mode.title), brief = say("{1}{2}", step, short_title(mode));
+  if (!mode.utilisation) return {part, brief};
+  const std::string used = format_number(*mode.utilisation, 4);
+  const Message whole = say("{1}, utilisation {2}", part, used);
+  std::vector<Message> all{whole, say("{1}, utilisation {2}", brief, used), say("{1}{2}", step, used)};
+  if (mode.compared) all.insert(all.begin(), say("{1} ({2})", whole, compared_text(*mode.compared)));
+  return all;
+}
+
+Message of_failures(const Modes& sorted, std::size_t count, const Telling& telling) {
+  std::vector<Message> wordings = wordings_of(sorted.front(), telling.subject);
+  for (Message& wording : wordings) {
+    if (count > 1) wording = say("{1}; and {2} more", wording, std::to_string(count - 1));
+  }
+  return first_in(telling.room, std::move(wordings));
+}
+
+Message of_gaps(const Modes& sorted, const Conclusion& all, std::size_t room) {
+  const std::size_t needs = all.count(Group::needs_input), outside = all.count(Group::outside_scope);
+  if (needs + outside == 0) {  // what an input check alone holds back
+    const auto check = std::ranges::find_if(sorted, [](const Mode& m) { return m.subject != Subject::mode; });
+    if (check == sorted.end()) return {};
+    return first_in(room, {say("{1}: {2}", check->step, reason(*check)), say("{1}: {2}", check->step, check->title)});
+  }
+  const std::string total = std::to_string(all.modes() - all.count(Group::not_considered));
+  const std::string first = std::to_string(needs), second = std::to_string(outside);
+  if (needs == 0)
+    return first_in(room, {say("{1} of {2} failure modes are outside the scope of loadpath", second, total),
+                           say("{1} of {2} failure modes outside the scope", second, total)});
+  if (outside == 0)
+    return first_in(room, {say("{1} of {2} failure modes need input or another step", first, total),
+                           say("{1} of {2} failure modes need input", first, total)});
+  return first_in(room,
+                  {say("{1} of {2} failure modes need input or a step, {3} outside the scope", first, total, second),
+                   say("{1} of {2} need input or a step, {3} outside", first, total, second)});
+}
+
+/// The strength modes that were not considered: fatigue first, then what a calculator assesses; if there is no such,
+/// the rest.
+std::vector<std::string> strength_not_considered(const Modes& sorted) {
+  std::vector<std::string> assessable, rest;
   for (const Mode& mode : sorted) {
     if (mode.state != State::open || mode.kind != ModeKind::strength) continue;
     std::string name = short_title(mode);
+    std::vector<std::string>& names = mode.is_assessable ? assessable : rest;
     if (std::ranges::find(names, name) != names.end()) continue;
     names.insert(name == "fatigue" ? names.begin() : names.end(), std::move(name));
   }
-  std::string all;
-  std::size_t told = 0;
-  for (; told < names.size() && (told == 0 || all.size() + names[told].size() < room); ++told)
-    all += (told == 0 ? "" : ", ") + names[told];
-  return told == names.size() ? all : all + " and " + std::to_string(names.size() - told) + " more";
+  return assessable.empty() ? rest : assessable;
 }
 
-/// The coverage of a pass, and its exclusions.
-Message of_pass(const Modes& sorted, const Conclusion& all) {
+/// As many names as have room: "fatigue, bending and 2 more not considered".
+Message not_considered(const std::vector<std::string>& names, std::size_t room) {
+  for (std::size_t count = names.size(); count > 0; --count) {
+    std::string all;
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool is_last = i + 1 == names.size();
+      all += (i == 0 ? "" : is_last ? " and " : ", ") + names[i];
+    }
+    if (count < names.size()) all += " and " + std::to_string(names.size() - count) + " more";
+    const Message text = say("{1} not considered", all);
+    if (size_of(text) <= room) return text;
+  }
+  return say("{1} not considered", std::to_string(names.size()));
+}
+
+/// What a pass covers, and what it does not.
+Message of_pass(const Modes& sorted, const Conclusion& all, const Telling& telling) {
   if (all.modes() == all.count(Group::not_considered)) return say("no failure mode is assessed here");
-  const Message passed =
-      say("{1} of {2} failure modes assessed", std::to_string(all.count(Group::passes) + all.count(Group::accepted)),
-          std::to_string(all.modes()));
-  const std::string left = not_considered(sorted);
-  return left.empty() ? passed : say("{1}; not considered: {2}", passed, left);
+  const std::size_t passed = all.count(Group::passes) + all.count(Group::accepted);
+  const auto left = strength_not_considered(sorted);
+  const Message covered =
+      passed == 1 ? say("1 failure mode assessed") : say("{1} failure modes assessed", std::to_string(passed));
+  if (left.empty()) return covered;
+  const Message first = telling.subject.empty() ? covered : say("{1} only", telling.subject);
+  const std::size_t used = size_of(first) + 2;
+  return say("{1}; {2}", first, not_considered(left, telling.room > used ? telling.room - used : 0));
 }
 
 }  // namespace
@@ -118,22 +163,30 @@ Conclusion conclude(const Modes& modes) {
   return all;
 }
 
-Message explanation(const Modes& modes) {
+std::string short_title(const Mode& mode) {
+  const std::string title = mode.title.text();
+  std::string first = title.substr(0, title.find_first_of(",:;("));
+  first.resize(first.find_last_not_of(' ') + 1);
+  return first;
+}
+
+Message explanation(const Modes& modes, const Telling& telling) {
   const Conclusion all = conclude(modes);
   const Modes sorted = in_order(modes);
   switch (all.headline) {
     case Headline::fail:
-      return of_failures(sorted, all.count(Group::fails));
+      return of_failures(sorted, all.count(Group::fails), telling);
     case Headline::no_solution: {
       const Mode& search = *std::ranges::find_if(sorted, is_search);
-      return say("{1}: {2}", search.step, search.note);
+      return first_in(telling.room,
+                      {say("{1}: {2}", search.step, search.note), say("{1}: no size passes", search.step)});
     }
     case Headline::incomplete:
-      return of_gaps(sorted, all);
+      return of_gaps(sorted, all, telling.room);
     case Headline::pass:
       break;
   }
-  return of_pass(sorted, all);
+  return of_pass(sorted, all, telling);
 }
 
 }  // namespace loadpath::account

@@ -11,16 +11,23 @@
 
 namespace loadpath::account {
 
+/// What a check compares, in one unit: its utilisation is their ratio.
+struct Compared {
+  Quantity demand, capacity;
+};
+
 /// The writer draws a bar for a utilisation.
 struct Verdict {
   std::string step;    // "crankshaft"
   std::string symbol;  // "u_tau"
   Message meaning;
   std::optional<double> utilisation = {};  // none for a limit
-  Cell value = {};                         // compared quantity
+  Cell value = {};                         // what is compared
   Message bound;                           // "passes at 1 or less", "0 to 0.9"
   State state = State::not_available;
-  Message note = {};  // for the governing row, the reason why it is not covered; may be empty
+  Message note = {};                      // where it governs, why it is not covered; may be empty
+  std::optional<Compared> compared = {};  // of a check whose formula is one value over another
+  std::optional<Quantity> at = {};        // the position of a series where it governs
 };
 struct Verdicts {
   std::vector<Verdict> rows;

@@ -23,6 +23,7 @@ struct RuleInfo {
   const char* fields;
   const char* text;
   bool only_warns = false;
+  const char* modes = "";  // of failure, whose verdicts show what the rule warns of: an assumption
 };
 
 /// A result that depends on the model: "drive.M", or "joints.NAME.F", where NAME is a name from the input.
@@ -67,11 +68,16 @@ using Survey = void (*)(void* input, std::span<const InputColumn> in, std::span<
                         std::span<Applies* const> modes, std::size_t count, char* other);
 
 struct Calculator {
-  const char* id = "";       // "shaft.torsion"
-  const char* title = "";    // "Torsion of a shaft"
-  const char* scope = "";    // subject, assumptions, exclusions
+  const char* id = "";     // "shaft.torsion"
+  const char* title = "";  // "Torsion of a shaft"
+  const char* scope = "";  // what it decides, what it assumes, what it does not cover
+  const char* synonyms = "";  // what people search by, in English, German and Russian: "feather key, Passfeder, шпонка"
   const char* source = "";   // keys of tables/sources.toml: "[B19]"
   const char* example = "";  // a project file that runs
+  /// The size of its part in a phrase: "C = {C}", "{b#}x{h#}x{l}" where # leaves the unit out; several behind | where
+  /// the first has a value that is not known.
+  const char* headline = "";
+  const char* subject = "";  // what its modes cover: "torsion"; may be empty
   /// Keys that a step cites only where it uses them (account::Account::sources).
   std::vector<std::string> (*used_sources)() = [] { return std::vector<std::string>(); };
   const RecordType* input = nullptr;
@@ -108,6 +114,8 @@ struct Calculator {
   bool takes_series = true;
   /// Whether its part turns, or moves under loads that vary: those that it gives to others come again and again.
   bool turns = false;
+  /// Whether the parts that take its loads are those of one drive, which have one application factor.
+  bool is_one_drive = false;
 
   [[nodiscard]] std::string_view element() const {
     const std::string_view all = id;

@@ -1,16 +1,16 @@
 // Makes the erased Calculator of a calculator class. Included by the source of each calculator.
 //
 //   struct SolidShaft {
-//     static constexpr auto id = "...", title = "...", scope = "...", source = "...", example = "...";
-//     struct Input { ... };  struct Result { ... };
-//     static constexpr Fields inputs{Field{...}...}, results{Field{...}...};
+//     static constexpr auto id = "...", title = "...", scope = "...", source = "...", synonyms = "...", example =
+//     "..."; static constexpr auto headline = "C = {C}", subject = "rating life";  // the second may be left out struct
+//     Input { ... };  struct Result { ... }; static constexpr Fields inputs{Field{...}...}, results{Field{...}...};
 //     static constexpr std::array rules{Rule<Input>{...}...};
-//     static constexpr std::array modes{Mode<Input>{...}...};  // failure modes of its part
+//     static constexpr std::array modes{Mode<Input>{...}...};  // in which its part can fail
 //     template <class Tracer> static Result evaluate(const Input&, Tracer&);   // defined in the source
-//     static constexpr std::array forms{Form{"T, tau_adm"}};   // compiled for sweeps (form.hpp)
+//     static constexpr std::array forms{Form{"T, tau_adm"}};   // that sweeps are compiled for (form.hpp)
 //     static constexpr bool is_large = true;                   // sweeps do not inline evaluate: compile time
-//     static constexpr bool takes_series = false;              // if it makes one decision for all its loads
-//     static constexpr bool turns = true;                      // for a rotating part
+//     static constexpr bool takes_series = false;              // where it decides on one thing for all its loads
+//     static constexpr bool turns = true;                      // of a part that turns
 //     static constexpr auto sized = "pieces";                  // a list whose sizes are found together; with
 //                                                              // arrange, raise, cost, place, unsound (sizing.hpp)
 //     static constexpr std::array notch_claims{NotchClaim{...}...};  // stresses at a notch, limits for one
@@ -34,7 +34,7 @@ template <class C>
 inline constexpr auto rule_infos = [] {
   std::array<RuleInfo, C::rules.size()> infos{};
   for (std::size_t i = 0; i < infos.size(); ++i)
-    infos[i] = {C::rules[i].fields, C::rules[i].text, C::rules[i].only_warns};
+    infos[i] = {C::rules[i].fields, C::rules[i].text, C::rules[i].only_warns, C::rules[i].modes};
   return infos;
 }();
 
@@ -72,8 +72,11 @@ constexpr Calculator calculator_of() {
   c.id = C::id;
   c.title = C::title;
   c.scope = C::scope;
+  c.synonyms = C::synonyms;
   c.source = C::source;
   c.example = C::example;
+  if constexpr (requires { C::headline; }) c.headline = C::headline;
+  if constexpr (requires { C::subject; }) c.subject = C::subject;
   c.input = &record_type<Input, C::inputs>;
   c.result = &record_type<Result, C::results, Role::result>;
   c.rules = detail::rule_infos<C>;
@@ -113,6 +116,7 @@ constexpr Calculator calculator_of() {
   }
   if constexpr (requires { C::takes_series; }) c.takes_series = C::takes_series;
   if constexpr (requires { C::turns; }) c.turns = C::turns;
+  if constexpr (requires { C::is_one_drive; }) c.is_one_drive = C::is_one_drive;
   return c;
 }
 

@@ -1,6 +1,5 @@
-// The single list of fields that a calculator declares. The meaning of each member of its Input and Result, its unit,
-// its bounds and its part (input, result, check, limit) are stated here once; readers, reports and tests follow from
-// it.
+// The one list of fields that a calculator declares. What each member of its Input and Result means, its unit, its
+// bounds and its part (input, result, check, limit) is said here once; readers, reports and tests follow from it.
 //
 // All numbers given to a Field (bounds, plausible range) are in the field's own unit.
 #pragma once
@@ -32,16 +31,16 @@ struct Range {
   }
 };
 
-/// The key of a field whose member has another name because its symbol is in use in C++: a mass, which collides with
-/// the unit m. Any other difference between key and member is a mistake, and fails a test.
+/// The key of a field whose member bears another name, because its symbol is taken in C++: a mass, beside the unit m.
+/// Elsewhere a key that differs from its member is a slip, and fails a test.
 constexpr const char* called(const char* key) { return key; }
 
-/// The possible source of an input that the user does not type.
+/// Where the value of an input can come from when the user does not type it.
 struct Provider {
   enum class Kind { none, table, companion };
   Kind kind = Kind::none;
   const char* table = "";   // table: "material", also the key of the step that names the row
-  const char* column = "";  // table: "R_e"; companion: the input whose source also gives this value ("T")
+  const char* column = "";  // table: "R_e"; companion: the input whose source brings the value along ("T")
   const char* size = "";    // table: the result or input that the value depends on ("d")
   const char* unless = "";  // table: the value is not needed where this input is given
   bool may_lack = false;    // table: rows without the column leave the input as it is
@@ -55,7 +54,7 @@ struct ChoiceName {
   const char* doc;
 };
 
-/// The declared words of this value of a choice.
+/// What the words of a choice say of this value.
 template <class Enum>
 constexpr ChoiceName<Enum> choice_of(Enum value) {
   for (const auto& choice : choices_of(value)) {
@@ -69,7 +68,7 @@ constexpr const char* word_of(Enum value) {
   return choice_of(value).key;
 }
 
-/// A quantity or number of an Input or Result. A member of an Input may be Varying, which takes an entire series.
+/// A quantity or number of an Input or Result. Of an Input it may be a Varying one, which takes a series whole.
 template <class Owner, class Quantity, class Member = Quantity>
 struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   using Base = detail::Described<Field<Owner, Quantity, Member>>;
@@ -88,10 +87,12 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   bool is_own = false;               // input: no record fills it
   const char* most_of_source = "";   // input: see at_most_that_of_source
   const char* least_of_source = "";  // input: see at_least_that_of_source
+  const char* near_source = "";      // input: see near_that_of_source
+  const char* made_for = "";         // input: see made_for_same
   bool larger_is_better = false;     // input: "?" is the largest value that passes
   bool kept = false;                 // input: where missing in a search, the result of the same key of the sizing run
-  const char* companions = "";       // loads acting together with it on the same part: further keys, "F_t, F_r"
-  bool signed_load = false;          // input: its sign decides, so that a magnitude is not an acceptable value
+  const char* companions = "";       // what acts together with it on the same part: keys beside its own, "F_t, F_r"
+  bool signed_load = false;          // input: its sign decides, so that a magnitude is no value for it
   const char* factors = "";          // result: inputs that it holds already, so that none may apply them again: "K_A"
   bool is_factor = false;  // input: raises a load or lowers a strength; the report lists where each is applied
   bool is_peak = false;    // result: a load of a start or a jam, with k_max of its step
@@ -121,7 +122,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.provider.may_lack = true;
     return f;
   }
-  /// A load component of the source of another input: for a driving moment, the force on its joint.
+  /// What comes along with the source of another input: with a driving moment the force on its joint.
   [[nodiscard]] constexpr Field coming_with(const char* input) const {
     return provided({Provider::Kind::companion, "", input, "", "", false});
   }
@@ -135,7 +136,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.asked_by = input;
     return f;
   }
-  /// A limit that is itself the criterion: zero tip clearance is a failure, not a gap in the method.
+  /// A limit that is the criterion itself: no room between the tips is no gap in a method.
   [[nodiscard]] constexpr Field criterion() const {
     Field f = *this;
     f.is_criterion = true;
@@ -172,14 +173,14 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.searched_in = stock;
     return f;
   }
-  /// An input of this part only, even if a record has the same key: the diameter of the shaft under a gear.
+  /// Of the part alone, whatever a record has under the same key: the diameter of the shaft under a gear.
   [[nodiscard]] constexpr Field own() const {
     Field f = *this;
     f.is_own = true;
     return f;
   }
-  /// At most the largest of these dimensions of the step that values are taken from, "d, d_max"; a larger value needs
-  /// a justification.
+  /// Not larger than the largest of these dimensions of the step that values are taken from, "d, d_max"; a larger value
+  /// needs a justification.
   [[nodiscard]] constexpr Field at_most_that_of_source(const char* keys) const {
     Field f = *this;
     f.most_of_source = keys;
@@ -189,6 +190,19 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   [[nodiscard]] constexpr Field at_least_that_of_source(const char* keys) const {
     Field f = *this;
     f.least_of_source = keys;
+    return f;
+  }
+  /// That of the step that values are taken from: a value on the unsafe side, whichever that is, needs a justification.
+  [[nodiscard]] constexpr Field near_that_of_source(const char* keys) const {
+    Field f = *this;
+    f.near_source = keys;
+    return f;
+  }
+  /// A value that another step has calculated for a part with these inputs, "l, E, I_y: I" where that calls it
+  /// otherwise; those of this step may not be on the unsafe side without a justification.
+  [[nodiscard]] constexpr Field made_for_same(const char* keys) const {
+    Field f = *this;
+    f.made_for = keys;
     return f;
   }
   /// A length, a speed of which "?" is the largest value that passes.
@@ -202,8 +216,8 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.kept = true;
     return f;
   }
-  /// One component of the load on a part; `keys` are the others, which a step that takes only this one leaves
-  /// unassessed. "T_1|T_2": one of them, the torque of the shaft that takes it.
+  /// One component of what acts on a part; `keys` are the others: who takes it and not them has not looked at all.
+  /// "T_1|T_2": one of them, the torque of the shaft that takes it.
   [[nodiscard]] constexpr Field with(const char* keys) const {
     Field f = *this;
     f.companions = keys;
@@ -215,7 +229,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.signed_load = true;
     return f;
   }
-  /// A load that already includes these factors: a step that takes it must not apply them again.
+  /// A load that holds these factors already: who takes it may not apply them again.
   [[nodiscard]] constexpr Field holding(const char* keys) const {
     Field f = *this;
     f.factors = keys;
@@ -246,7 +260,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   }
 };
 
-/// An integer.
+/// A whole number.
 template <class Owner>
 struct Count : detail::Described<Count<Owner>> {
   Whole Owner::*at;
@@ -273,7 +287,7 @@ struct FormulaField : detail::Described<FormulaField<Owner, Text>> {
       : detail::Described<FormulaField<Owner, Text>>{k, d}, at{member} {}
 };
 
-/// A choice of a few words; `choices_of(Enum{})` is declared next to the enum class and gives an array of ChoiceName.
+/// One of a few words; `choices_of(Enum{})` is found beside the enum class and gives an array of ChoiceName.
 template <class Owner, class Enum>
 struct Choice : detail::Described<Choice<Owner, Enum>> {
   Enum Owner::*at;
@@ -281,7 +295,7 @@ struct Choice : detail::Described<Choice<Owner, Enum>> {
       : detail::Described<Choice<Owner, Enum>>{k, d}, at{member} {}
 };
 
-/// A record of another step, "=pick.best", that fills those of the neighbouring fields that are not typed.
+/// A record of another step, "=pick.best", that fills those of the fields beside it that are not typed.
 template <class Owner>
 struct RecordField : detail::Described<RecordField<Owner>> {
   constexpr RecordField(const char* k, const char* d)
@@ -293,7 +307,7 @@ template <class Owner, class Part>
 struct Group : detail::Described<Group<Owner, Part>> {
   Part Owner::*at;
   bool positional = false;
-  bool is_handed_over = false;  // result: for other steps to take as a record; shown there, not here
+  bool is_handed_over = false;  // result: for other steps to take whole; shown where they do, not here
   constexpr Group(Part Owner::*member, const char* k, const char* d)
       : detail::Described<Group<Owner, Part>>{k, d}, at{member} {}
   [[nodiscard]] constexpr Group as_array() const {
@@ -330,9 +344,10 @@ struct ListField : detail::Described<ListField<Owner, Items>> {
   }
 };
 
-/// A rule between fields: alternatives, order, sums, and customs, whose violation only warns. `fields` names them,
-/// separated by ", ". `particulars`, if any, adds the details of a violation that the text leaves open: element,
-/// amount, remedy. An empty path or message there means that of the rule.
+/// A rule between fields: alternatives, order, sums, and customs, whose breach only warns. `fields` names them,
+/// separated by ", ". `particulars`, where there are any, says of an input that breaks the rule what the text leaves
+/// open: which element, how much, what to do. An empty path or message there stands for the rule's own. A rule that
+/// only warns may name the modes of failure whose verdicts show it: what is assumed in place of an input.
 template <class Input>
 struct Rule {
   bool (*holds)(const Input&);
@@ -340,6 +355,7 @@ struct Rule {
   const char* text;
   FieldFault (*particulars)(const Input&) = nullptr;
   bool only_warns = false;
+  const char* modes = "";
 };
 
 }  // namespace loadpath

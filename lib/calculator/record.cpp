@@ -56,6 +56,17 @@ const FieldInfo* find_field(std::span<const FieldInfo> fields, std::string_view 
   return nullptr;
 }
 
+const FieldInfo* find_input(std::span<const FieldInfo> fields, std::string_view word) {
+  if (const FieldInfo* const own = find_field(fields, word)) return own;
+  for (const FieldInfo& field : fields) {
+    if (*field.also_called == '\0') continue;
+    for (const std::string& other : listed_keys(field.also_called)) {
+      if (other == word) return &field;
+    }
+  }
+  return nullptr;
+}
+
 Leaf find_member(std::span<const FieldInfo> fields, void* data, std::string_view path) {
   const std::size_t end = std::min(path.find_first_of(".["), path.size());
   const FieldInfo* field = find_field(fields, path.substr(0, end));

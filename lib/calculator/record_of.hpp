@@ -25,6 +25,7 @@ constexpr FieldInfo described(const detail::Described<Self>& field, FieldInfo::T
   info.type = type;
   info.key = field.key;
   info.doc = field.doc;
+  info.also_called = field.also_called;
   info.role = field.role.value_or(role_of_list);
   info.optional = field.optional;
   info.is_load = field.is_load;
@@ -72,6 +73,8 @@ constexpr FieldInfo info_of(const Field<Owner, Quantity, Member>& f) {
   info.is_own = f.is_own;
   info.most_of_source = f.most_of_source;
   info.least_of_source = f.least_of_source;
+  info.near_source = f.near_source;
+  info.made_for = f.made_for;
   info.larger_is_better = f.larger_is_better;
   info.kept = f.kept;
   info.companions = f.companions;

@@ -37,6 +37,22 @@ void write_series(const Entry& e, JsonWriter& out) {
   if (!complete) out.member("reason", e.missing.empty() ? "not available where null" : e.missing.text());
 }
 
+/// The candidate before the one that was found, and what it fails.
+void write_next(const account::NextSize& next, JsonWriter& out) {
+  out.key("sizing").open_object();
+  out.key("next").open_object();
+  out.member("name", next.name);
+  if (next.si) out.member("value", *next.si);
+  if (!next.mode.empty()) out.member("mode", next.mode);
+  if (!next.title.empty()) out.member("meaning", next.title.text());
+  if (!next.fails.empty()) out.member("fails", next.fails);
+  if (next.number) out.member("number", *next.number);
+  if (next.number) out.member("shown_in", next.unit);
+  out.member("reason", next.reason.text());
+  out.close_object();
+  out.close_object();
+}
+
 void write_entry(const Entry& e, JsonWriter& out) {
   out.key(e.path).open_object();
   if (!e.word.empty()) {
@@ -51,6 +67,7 @@ void write_entry(const Entry& e, JsonWriter& out) {
   out.member("meaning", e.doc);
   if (!e.origin.text.empty()) out.member("from", e.origin.text.text());
   if (e.origin.recalled) out.member("recalled", true);
+  if (e.origin.next) write_next(*e.origin.next, out);
   out.close_object();
 }
 
@@ -72,7 +89,50 @@ void write_verdicts(const std::vector<account::Verdict>& list, JsonWriter& out) 
   out.close_array();
 }
 
-/// The verdict on a part or a project: its worst mode, its coverage, and every mode.
+const char* kind_of(ModeKind kind) {
+  switch (kind) {
+    case ModeKind::service:
+      return "service";
+    case ModeKind::shape:
+      return "shape";
+    case ModeKind::special:
+      return "special";
+    case ModeKind::strength:
+      break;
+  }
+  return "strength";
+}
+
+void write_quantity(const char* key, const account::Quantity& quantity, JsonWriter& out) {
+  out.key(key).open_object();
+  out.member("value", quantity.si);
+  out.member("shown_in", quantity.unit);
+  out.close_object();
+}
+
+void write_list(const char* key, const std::string& list, JsonWriter& out) {
+  if (list.empty()) return;
+  out.key(key).open_array();
+  for (const std::string& item : listed_keys(list)) out.write(item);
+  out.close_array();
+}
+
+/// What the mode compares; where it is not assessed, what would let it be.
+void write_assessment(const account::Mode& mode, JsonWriter& out) {
+  if (mode.compared) write_quantity("demand", mode.compared->demand, out);
+  if (mode.compared) write_quantity("capacity", mode.compared->capacity, out);
+  if (mode.at) write_quantity("at", *mode.at, out);
+  const bool waits = mode.state == account::State::not_judged || mode.state == account::State::open;
+  if (!waits || (mode.wants.empty() && mode.use.empty() && mode.add.empty() && mode.judge.empty())) return;
+  out.key("fix").open_object();
+  write_list("inputs", mode.wants, out);
+  if (!mode.use.empty()) out.member("replace_by", mode.use);
+  write_list("add", mode.judge.empty() ? mode.add : mode.judge, out);
+  if (!mode.takes.empty()) out.member("takes", mode.takes);
+  out.close_object();
+}
+
+/// The verdict on a part or a machine: its worst mode, what it covers, and every mode.
 void write_modes(const project::Project& project, JsonWriter& out) {
   const account::Modes modes = project::modes(project);
   out.key("verdict").open_object();
@@ -89,6 +149,7 @@ void write_modes(const project::Project& project, JsonWriter& out) {
     out.member("step", mode.step);
     out.member("mode", mode.id);
     out.member("meaning", mode.title.text());
+    out.member("kind", kind_of(mode.kind));
     out.member("state", word_of(mode.state));
     if (mode.subject == account::Subject::mode) out.member("group", account::key(account::group_of(mode)));
     if (mode.utilisation) out.member("utilisation", *mode.utilisation);
@@ -97,6 +158,7 @@ void write_modes(const project::Project& project, JsonWriter& out) {
     if (!mode.use.empty()) out.member("use", mode.use);
     if (!mode.add.empty()) out.member("add", mode.add);
     if (!mode.wants.empty()) out.member("wants", mode.wants);
+    write_assessment(mode, out);
     out.member("reason", account::reason(mode).text());
     out.close_object();
   }

@@ -89,6 +89,12 @@ void write_type(const char* key, const RecordType* type, JsonWriter& out) {
   write_fields(type->fields, blank.data.get(), out);
 }
 
+void write_synonyms(const Calculator& calculator, JsonWriter& out) {
+  out.key("synonyms").open_array();
+  for (const std::string& synonym : listed_keys(calculator.synonyms)) out.write(std::string_view(synonym));
+  out.close_array();
+}
+
 void write_modes(const Calculator& calculator, JsonWriter& out) {
   out.key("modes").open_array();
   for (const ModeInfo& mode : calculator.modes) {
@@ -156,15 +162,28 @@ void write_row(const table::Entry& entry, JsonWriter& out) {
 
 }  // namespace
 
-std::string json_of(Calculators calculators) {
+std::string json_of(const std::vector<Listed>& list, const std::vector<Beyond>& beyond) {
   JsonWriter out;
   out.open_object();
   out.key("calculators").open_array();
-  for (const Calculator* c : calculators) {
+  for (const Listed& one : list) {
     out.open_object();
-    out.member("id", c->id);
-    out.member("title", c->title);
-    out.member("scope", c->scope);
+    out.member("id", one.id);
+    out.member("title", one.title);
+    out.member("scope", one.calculator->scope);
+    write_synonyms(*one.calculator, out);
+    out.member("found_by", one.found_by);
+    if (!one.found_in.empty()) out.member("found_in", one.found_in);
+    out.close_object();
+  }
+  out.close_array();
+  out.key("not_included").open_array();
+  for (const Beyond& one : beyond) {
+    out.open_object();
+    out.member("what", one.what);
+    out.key("nearest").open_array();
+    for (const std::string& id : one.nearest) out.write(std::string_view(id));
+    out.close_array();
     out.close_object();
   }
   out.close_array();
@@ -178,6 +197,7 @@ std::string json_of(const Calculator& calculator) {
   out.member("id", calculator.id);
   out.member("title", calculator.title);
   out.member("scope", calculator.scope);
+  write_synonyms(calculator, out);
   out.key("templates").open_array();
   for (const Template* t : calculator.templates) out.write(std::string_view(t->id));
   out.close_array();

@@ -74,7 +74,7 @@ json::object because_schema(const Calculator& calculator) {
   for (const FieldInfo& field : calculator.input->fields)
     reasons[field.key] = json::object{{"type", "string"}, {"minLength", 1}, {"description", field.doc}};
   return {{"type", "object"},
-          {"description", "inputs that are better than the row or the record beside them, each with the reason"},
+          {"description", "inputs that are more favourable than their row or record, each with the reason"},
           {"properties", std::move(reasons)},
           {"additionalProperties", text()}};
 }
@@ -118,6 +118,10 @@ json::object heading_schema() {
   json::object properties;
   for (const std::string& key : project::heading_keys()) properties[key] = text();
   properties["paper"] = {{"enum", json::array{"A4", "letter"}}, {"description", "what reports are printed on"}};
+  properties["report"] = {
+      {"type", "string"},
+      {"pattern", "\\.(html|md|tex|pdf)$"},
+      {"description", "report that `loadpath run` writes, relative to this file; --report takes its place"}};
   properties["tables"] = {{"type", "array"},
                           {"items", text()},
                           {"description", "files with rows of the project's own, relative to this one"}};

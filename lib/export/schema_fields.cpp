@@ -109,7 +109,7 @@ json::string description(const FieldInfo& field) {
 }
 
 bool is_needed(const FieldInfo& field, void* blank) {
-  if (field.optional) return false;
+  if (field.optional || *field.also_called != '\0') return false;  // another word may stand for it
   if (field.type != Type::group) return is_missing(field, blank);
   return std::any_of(field.fields.begin(), field.fields.end(),
                      [&](const FieldInfo& inner) { return is_needed(inner, field.element(blank, 0)); });
@@ -133,6 +133,7 @@ json::object object_of(std::span<const FieldInfo> fields, void* blank, Definitio
       required.emplace_back(field.key);
     json::object schema = schema_of(field, blank, definitions);
     schema["description"] = description(field);
+    for (const std::string& other : listed_keys(field.also_called)) properties[other] = schema;
     properties[field.key] = std::move(schema);
   }
   json::object all{{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};

@@ -18,7 +18,8 @@ std::vector<std::string> input_keys(const Calculator& calculator) {
 void read_justification(const Tree::Entry& entry, StepInput& input, std::vector<Issue>& issues) {
   const std::string key = input.name + ".because." + entry.key;
   const Calculator& calculator = *input.calculator;
-  if (find_field_at(calculator.input->fields, entry.key) == nullptr) {
+  const FieldInfo* const meant = find_input(calculator.input->fields, entry.key);
+  if (meant == nullptr && find_field_at(calculator.input->fields, entry.key) == nullptr) {
     issues.push_back(
         {entry.place, key, say("'{1}' has no input '{2}'", calculator.id, entry.key),
          did_you_mean(entry.key, input_keys(calculator), say("`loadpath describe {1}` lists them", calculator.id)),
@@ -27,7 +28,7 @@ void read_justification(const Tree::Entry& entry, StepInput& input, std::vector<
     issues.push_back({entry.value.place, key, say("a value is justified by a text of one line"),
                       say("write because.{1} = \"certificate 4711\"", entry.key), Severity::error});
   } else {
-    input.because[entry.key] = {entry.value.text, entry.place};
+    input.because[meant == nullptr ? entry.key : meant->key] = {entry.value.text, entry.place};
   }
 }
 

@@ -147,6 +147,8 @@ void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges
   mode.utilisation = utilisation_of(judges);
   mode.wants.clear();
   mode.governs.clear();
+  mode.compared = worst.compared;
+  mode.at = worst.at;
   mode.note = say("by {1}.{2}: {3}", worst.step, worst.id, reason(worst));
 }
 
@@ -256,7 +258,9 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
   mode.judge = info.judge;
   mode.use = info.use;
   mode.add = info.add;
-  if (mode.wants.empty() && *info.advice != '\0')
+  if (!mode.wants.empty() && *info.request != '\0')
+    mode.note = say(info.request);
+  else if (mode.wants.empty() && *info.advice != '\0')
     mode.note = say(info.advice);
   else if (mode.wants.empty() && *info.checks != '\0')
     mode.note = say("{1} has no value here", info.checks);
@@ -289,6 +293,8 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
 
 void explain_decided(const std::vector<const account::Verdict*>& rows, const Bolder& bolder, account::Mode& mode) {
   mode.governs = governing(rows).symbol;
+  mode.compared = governing(rows).compared;
+  mode.at = governing(rows).at;
   mode.note = governing(rows).note;
   if (!bolder.why.empty())
     mode.note = mode.note.empty() ? say("with {1}", bolder.why) : say("{1}, with {2}", mode.note, bolder.why);

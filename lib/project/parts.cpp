@@ -16,8 +16,8 @@ namespace {
 using toml::Tree;
 
 constexpr std::array reserved{"project", "values", "tables", "expect"};
-constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker",
-                                     "date",  "note",   "paper",    "tables", "sweep"};
+constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker", "date",
+                                     "note",  "paper",  "report",   "tables", "sweep"};
 constexpr std::array papers{"A4", "letter"};
 const std::vector<std::string> step_keys{"calculator", "template", "title",   "note",
                                          "display",    "accept",   "because", "body"};
@@ -118,7 +118,7 @@ void read_row(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issu
   const auto* stock = row.value.find("stock");
   for (const Tree::Entry& other : row.value.entries) {
     if (stock != nullptr && other.key != "stock")
-      add_error(issues, other.place, key, say("'{1}' is no field here", other.key), say("give the stock alone"));
+      add_error(issues, other.place, key, say("'{1}' is not a valid key here", other.key), say("give only the series"));
   }
   const Tree::Entry& named = stock == nullptr ? row : *stock;
   const std::string text = text_of(named, key, issues);
@@ -202,13 +202,13 @@ void read_display(const Tree& table, StepInput& input, std::vector<Issue>& issue
 
 bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
   if (!is_name(entry.key)) {
-    add_error(issues, entry.place, entry.key, say("'{1}' is no name for a step", entry.key),
+    add_error(issues, entry.place, entry.key, say("'{1}' is not a valid name of a step", entry.key),
               say("a name has Latin letters, digits and '_', and does not start with a digit"));
   } else if (is_reserved(entry.key)) {
     add_error(issues, entry.place, entry.key, say("'{1}' is a word of the program and cannot name a step", entry.key),
               say("call it '{1}_1' or by its part of the machine", entry.key));
   } else if (entry.value.type != Tree::Type::table) {
-    add_error(issues, entry.place, entry.key, say("'{1}' stands outside of a step", entry.key),
+    add_error(issues, entry.place, entry.key, say("'{1}' is outside of a step", entry.key),
               say("a project file consists of tables: [crankshaft]"));
   } else {
     return true;
@@ -241,7 +241,7 @@ void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>
   }
   for (const Tree::Entry& e : entry.value.entries) {
     if (std::find(keys_of_heading.begin(), keys_of_heading.end(), e.key) == keys_of_heading.end()) {
-      add_error(issues, e.place, "project." + e.key, say("'{1}' is no field here", e.key),
+      add_error(issues, e.place, "project." + e.key, say("'{1}' is not a valid key here", e.key),
                 did_you_mean(e.key, heading_keys()));
       continue;
     }
@@ -255,6 +255,8 @@ void read_heading(const Tree::Entry& entry, Project& project, std::vector<Issue>
       project.title = text;
     else if (e.key == "paper")
       read_paper(e, text, project, issues);
+    else if (e.key == "report")
+      project.report = text;
     else
       project.meta.emplace_back(e.key, text);
   }

@@ -138,7 +138,7 @@ FieldFault lost_sign(const Operand& operand, const Declared& declared) {
   if (part.find('.') != std::string_view::npos)
     return {operand.path,
             say("the sign of '{1}' decides, and that of '{2}' is not of tension and compression", operand.path, part),
-            say("take the N of a link, or say the sign: -{1} where it presses, 0 N + {1} where it pulls", part)};
+            say("refer to the N of a link, or give the sign: -{1} for compression, 0 N + {1} for tension", part)};
   return {operand.path, say("the sign of '{1}' decides, and '{2}' gives a magnitude", operand.path, part),
           say("take the series itself, its least value, min(...), or say the sign: -peak(...)")};
 }
@@ -228,8 +228,8 @@ std::optional<Issue> broken_count(const Operand& operand, const std::string& ste
     const double whole = std::round(n);
     if (std::abs(n - whole) > rounding * std::max(1.0, std::abs(n)))
       return Issue{place_in(operand.place, operand.text, 0, operand.text.size()), step + "." + operand.path,
-                   say("{1} = {2} is no whole number", operand.path, format_number(n)),
-                   say("a count is taken as it is; there is no rounding"), Severity::error};
+                   say("{1} = {2} is not an integer", operand.path, format_number(n)),
+                   say("a count is used as given, without rounding"), Severity::error};
     if (!std::isnan(n)) n = whole;
   }
   return std::nullopt;

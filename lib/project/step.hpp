@@ -100,6 +100,7 @@ struct LoadFacts {
   /// A factor that its loads lack, and that nothing gives here: "T comes without gears.K_A = 1.75: give K_A"; empty
   /// if there is none. Loads taken from this step lack it too. Known when it is solved.
   Message lacking_factor = {};
+  std::set<std::string> justified = {};  // factors that are lower here for a reason of the user's
   /// Loads that are less than the series that they come from, and that nobody answers for: no mode of strength is
   /// assessed by them, here and where the results go; known when it is solved.
   std::vector<ReducedLoad> reduced = {};

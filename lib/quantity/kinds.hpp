@@ -29,7 +29,7 @@ enum class Meant : std::uint8_t {
 /// A field or a result, by its declaration.
 struct Declaration {
   std::string_view symbol;   // "tau_max": the last name of its path
-  std::string_view meaning;  // "largest shear stress"
+  std::string_view meaning;  // "maximum shear stress"
   std::string_view unit;     // "MPa"
   Dimension dimension;
   Kind kind = Kind::plain;

@@ -168,9 +168,7 @@ std::set<std::string> deciding_inputs(const Account& account) {
 /// Factors that raise a load or lower a strength, each where it is applied: once. A factor that is neither given nor
 /// used by a verdict belongs to another method.
 void add_factors(const Project& project, std::vector<Block>& blocks) {
-  Table table{say("Factors, each applied once where it stands"),
-              {say("step"), say("factor"), say("meaning"), say("value")},
-              {}};
+  Table table{say("Load factors (each applied once)"), {say("step"), say("factor"), say("meaning"), say("value")}, {}};
   for (const auto& step : project.steps) {
     const auto& inputs = step->account().inputs;
     if (std::none_of(inputs.begin(), inputs.end(), [](const Entry& e) { return e.is_factor; })) continue;

@@ -28,7 +28,7 @@ std::vector<std::string> parts_of(std::string_view path) {
 Fault fault(Message message, Message hint) { return {0, 1, std::move(message), std::move(hint)}; }
 
 Fault no_path(std::string_view path) {
-  return fault(say("'{1}' is no value of a table", path),
+  return fault(say("'{1}' is not a value of a table", path),
                say("write table, row and column, a row's name in quotes: tables.sections.\"IPE 330\".I_y"));
 }
 

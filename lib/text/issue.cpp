@@ -154,20 +154,28 @@ std::string render(std::vector<Issue> issues, const std::function<std::string(co
   return text;
 }
 
-std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+std::vector<std::string> all_nearest(std::string_view word, const std::vector<std::string>& candidates) {
   const std::u32string exact = code_points(word), wanted = lower(exact);
   const std::size_t reach =
       std::min(std::max<std::size_t>(1, wanted.size() / 3), wanted.size() - (wanted.empty() ? 0 : 1));
   std::pair best{std::numeric_limits<std::size_t>::max(), std::numeric_limits<std::size_t>::max()};
-  const std::string* found = nullptr;
+  std::vector<std::string> found;
   for (const std::string& candidate : candidates) {
     const std::u32string points = code_points(candidate);
     const std::size_t longer = std::max(points.size(), wanted.size()), shorter = std::min(points.size(), wanted.size());
     if (longer - shorter > reach) continue;
     const std::pair pair{distance(wanted, lower(points)), distance(exact, points)};
-    if (pair.first <= reach && pair < best) best = pair, found = &candidate;
+    if (pair.first > reach || pair.first > best.first) continue;
+    if (pair.first < best.first) found.clear();
+    found.insert(pair < best ? found.begin() : found.end(), candidate);
+    best = std::min(best, pair);
   }
-  return found != nullptr ? *found : std::string();
+  return found;
+}
+
+std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  const auto all = all_nearest(word, candidates);
+  return all.empty() ? std::string() : all.front();
 }
 
 Message did_you_mean(std::string_view word, const std::vector<std::string>& candidates, Message otherwise,

@@ -111,6 +111,8 @@ std::string render(std::vector<Issue> issues, const std::function<std::string(co
 
 /// The candidate nearest to `word` (Damerau-Levenshtein, ignoring case first), or an empty string where none is near.
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates);
+/// All that are as near as the nearest one, this one first.
+std::vector<std::string> all_nearest(std::string_view word, const std::vector<std::string>& candidates);
 
 /// "did you mean '{1}'?" with the nearest candidate after `prefix`; `otherwise` if none is near.
 Message did_you_mean(std::string_view word, const std::vector<std::string>& candidates, Message otherwise = {},

@@ -96,6 +96,7 @@ std::string utf8(std::u32string_view points) {
 
 char32_t lower_case(char32_t point) {
   if ((point >= U'A' && point <= U'Z') || (point >= 0x410 && point <= 0x42F)) return point + 0x20;
+  if (point >= 0xC0 && point <= 0xDE && point != 0xD7) return point + 0x20;
   if (point >= 0x400 && point <= 0x40F) return point + 0x50;
   return point == 0x490 ? 0x491 : point;
 }

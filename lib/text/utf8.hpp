@@ -23,7 +23,7 @@ std::u32string code_points(std::string_view text);
 /// The text of code points.
 std::string utf8(std::u32string_view points);
 
-/// A Latin or Cyrillic capital as its small letter.
+/// A Latin (ASCII or Latin-1) or Cyrillic capital as its small letter.
 char32_t lower_case(char32_t point);
 
 }  // namespace loadpath

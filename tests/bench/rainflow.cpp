@@ -1,4 +1,4 @@
-// Counting and damage of ten million samples, as share of the time that adding them up takes in the same process: at
+// Counting and damage of ten million samples, as share of time that adding them up takes in the same process: at
 // least 0.30 with AVX2 (the first lines, where the machine has it), 0.09 without (portable); and the time to read as
 // many lines of text.
 #include "lib/rainflow/counter.hpp"

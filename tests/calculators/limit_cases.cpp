@@ -242,7 +242,7 @@ const Case fatigue[] = {
     // without a mean stress every rule has the plain ratio
     {"fatigue.life", reversed_cycle, "n", 1.9},
     {"fatigue.life", "mean = \"constant\"\nsigma_max = \"100 MPa\"\nsigma_min = \"-100 MPa\"", "u_D", 1.5 / 1.9},
-    {"fatigue.life", "sigma_max = \"0 MPa\"\nsigma_min = \"-200 MPa\"", "n", 1.9},  // compression is no help
+    {"fatigue.life", "sigma_max = \"0 MPa\"\nsigma_min = \"-200 MPa\"", "n", 1.9},  // compression has no benefit
     {"fatigue.life",
      "sigma_max = \"-1 MPa\"\nsigma_min = \"-201 MPa\"\nrule = \"fkm\"\ncompression = \"counted\"\nM = 0.2", "n",
      1.9 / 0.8},

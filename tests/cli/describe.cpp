@@ -68,7 +68,7 @@ TEST_SUITE("cli describe") {
     CHECK(contains(list, "shaft.torsion"));
     CHECK_FALSE(contains(list, "gear.pair"));
     CHECK(loadpath_with({"list", "shfat"}).error ==
-          "loadpath: there is no element 'shfat'\n  = help: did you mean 'shaft'?\n");
+          "loadpath: no calculator matches 'shfat'\n  = help: did you mean 'shaft'?\n");
   }
 
   TEST_CASE("a count that must be given, or may be left out, has no default") {

@@ -60,10 +60,10 @@ TEST_SUITE("cli help") {
   }
 
   TEST_CASE("an unknown option is told with the nearest one") {
-    CHECK(loadpath_with({"run", "--rport", "a.html", "a.toml"}).error ==
-          "loadpath: there is no option '--rport'\n  = help: did you mean '--report'?\n");
-    CHECK(loadpath_with({"--versoin"}).error ==
-          "loadpath: there is no option '--versoin'\n  = help: did you mean '--version'?\n");
+    CHECK(contains(loadpath_with({"run", "--rport", "a.html", "a.toml"}).error,
+                   "loadpath: there is no option '--rport'\n  = help: did you mean '--report' ("));
+    CHECK(contains(loadpath_with({"--versoin"}).error,
+                   "loadpath: there is no option '--versoin'\n  = help: did you mean '--version' ("));
     CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).error ==
           "loadpath: there is no option '--T'\n  = help: `loadpath shaft --help` shows what there is\n");
     CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).code == 2);

@@ -23,7 +23,7 @@ T = "=peak(press.drive.M) * 3 mm"
 )";
 
 Ran mechanism(const Desk& desk, std::vector<std::string> words) {
-  words.insert(words.begin(), {"mechanism", "planar", "--file", "-"});
+  words.insert(words.begin(), {"mechanism", "planar", "--file", "-", "--full"});
   return desk.run(words, project);
 }
 
@@ -35,7 +35,9 @@ TEST_SUITE("cli mechanism") {
     CHECK(o.code == 0);
     CHECK(o.error.empty());
     CHECK(o.out.starts_with("PASS ("));
-    CHECK(contains(o.out, ")\nPress\n\npress: Planar mechanism (mechanism.planar)\n  Extremes over the cycle\n"));
+    CHECK(contains(o.out,
+                   ")\nPress\n\npress: Planar mechanism (kinematics, kinetostatics) (mechanism.planar)\n  Extremes "
+                   "over the cycle\n"));
     CHECK(contains(o.out, "    rod, slider  A, B, guide  class II, order 2, RRP  6 = 2 · 3 + 0\n"));
     CHECK(contains(o.out, "    mobility by rank of the constraints "));
     CHECK(contains(o.out, "  12 of 12  "));
@@ -155,8 +157,8 @@ TEST_SUITE("cli mechanism") {
   }
 
   TEST_CASE("any calculator takes its steps from a file, and what they refer to") {
-    const Ran o = loadpath_with(
-        {"shaft", "torsion", "--file", LOADPATH_ROOT "/examples/slotted-lever/project.toml", "--tau_adm", "40 MPa"});
+    const Ran o = loadpath_with({"shaft", "torsion", "--file", LOADPATH_ROOT "/examples/slotted-lever/project.toml",
+                                 "--tau_adm", "40 MPa", "--full"});
     CHECK(o.code == 4);
     CHECK(contains(o.out, "d_strength = ∛(16 · W_t / π)"));
     CHECK(contains(o.out, "24.8497 mm"));

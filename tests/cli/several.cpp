@@ -132,7 +132,7 @@ TEST_SUITE("cli several projects") {
     CHECK(desk.run({"run", "press.toml", "--report", "md:-"}).code == 2);
     const Ran two = desk.run({"run", "press.toml", "--report", "html:-", "--json"});
     CHECK(two.code == 2);
-    CHECK(contains(two.error, "'--report html:-' and '--json' both ask for standard output"));
+    CHECK(contains(two.error, "'--report html:-' and '--json' both write to standard output"));
     CHECK(desk.run({"run", "press.toml", "--csv", "-", "--report", "html:-"}).code == 2);
     CHECK(contains(desk.run({"run", "-", "--csv", "-"}, press + press.substr(7).insert(0, "[other]")).error,
                    "is one file, and 2"));

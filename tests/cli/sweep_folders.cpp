@@ -249,7 +249,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
                                     "1-255", "0-254", "99999999999999999999/3", "0-"}) {
       CAPTURE(share);
       if (share.empty()) continue;
-      refused(sweep(desk, "x", {"--shard=" + share}), "'" + share + "' is no share of a sweep");
+      refused(sweep(desk, "x", {"--shard=" + share}), "'" + share + "' is not a shard of a sweep");
     }
     CHECK(!desk.has("x"));
   }

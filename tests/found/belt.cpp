@@ -41,7 +41,7 @@ Groove groove_of(belt::SectionWord section) {
 }  // namespace
 
 TEST_SUITE("found belt") {
-  TEST_CASE("A20: rims of 94 and 184 mm need 139 mm, and room to fit the belts beside") {
+  TEST_CASE("A20: rims of 94 and 184 mm need 139 mm, and clearance for belt installation beside") {
     CHECK(mode_with("belt.v", narrow + "a = \"136 mm\"", "room") == "fail");
     CHECK(mode_with("belt.v", narrow + "a = \"138.9 mm\"", "room") == "fail");
     CHECK(mode_with("belt.v", narrow + "a = \"139.1 mm\"", "room") == "pass");

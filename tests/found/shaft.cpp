@@ -68,7 +68,7 @@ TEST_SUITE("found key") {
     CHECK(mode_with("shaft.key", "R_e_2 = ", "hub") == "not-judged");
   }
 
-  TEST_CASE("a key that sticks out of the hub, or of another shaft, or too high, fails") {
+  TEST_CASE("key length within the hub, or of another shaft, or too high, fails") {
     CHECK(mode_with("shaft.key", "l_n = \"60 mm\"", "hub_length") == "fail");
     CHECK(mode_with("shaft.key", "l_n = ", "hub_length") == "not-judged");
     CHECK(mode_with("shaft.key", "d = \"44 mm\"", "fit") == "fail");

@@ -117,7 +117,7 @@ TEST_SUITE("found places on shafts") {
                   "l is the length of a key");
   }
 
-  TEST_CASE("the end of a hub that is pressed on lies beside what it carries, toward the torque") {
+  TEST_CASE("the end of a press-fitted hub lies beside what it carries, toward the torque") {
     refuses_shaft(keyed_shaft("x = \"150 mm\", kind = \"press-fit\""),
                   "no seat and no bearing is near a hub that ends at 150 mm");
     refuses_shaft(keyed_shaft("x = \"15 mm\", kind = \"press-fit\""), "the shaft carries no torque at 15 mm");

@@ -42,14 +42,14 @@ struct VRow {
                                  Field{&VRow::C_2, "C_2", ratio, "constant of the rated power"},
                                  Field{&VRow::C_3, "C_3", ratio, "constant of the rated power"},
                                  Field{&VRow::C_4, "C_4", ratio, "constant of the rated power"},
-                                 Field{&VRow::a_1, "a_1", ratio, "increment by the ratio"},
-                                 Field{&VRow::b_1, "b_1", ratio, "increment by the ratio"},
-                                 Field{&VRow::a_2, "a_2", ratio, "increment by the ratio"},
-                                 Field{&VRow::b_2, "b_2", ratio, "increment by the ratio"},
-                                 Field{&VRow::a_3, "a_3", ratio, "increment by the ratio"},
-                                 Field{&VRow::b_3, "b_3", ratio, "increment by the ratio"},
-                                 Field{&VRow::a_4, "a_4", ratio, "increment by the ratio"},
-                                 Field{&VRow::b_4, "b_4", ratio, "increment by the ratio"},
+                                 Field{&VRow::a_1, "a_1", ratio, "power increment for the speed ratio"},
+                                 Field{&VRow::b_1, "b_1", ratio, "power increment for the speed ratio"},
+                                 Field{&VRow::a_2, "a_2", ratio, "power increment for the speed ratio"},
+                                 Field{&VRow::b_2, "b_2", ratio, "power increment for the speed ratio"},
+                                 Field{&VRow::a_3, "a_3", ratio, "power increment for the speed ratio"},
+                                 Field{&VRow::b_3, "b_3", ratio, "power increment for the speed ratio"},
+                                 Field{&VRow::a_4, "a_4", ratio, "power increment for the speed ratio"},
+                                 Field{&VRow::b_4, "b_4", ratio, "power increment for the speed ratio"},
                                  Field{&VRow::d_low, "d_low", mm, "smallest rated diameter"},
                                  Field{&VRow::d_high, "d_high", mm, "largest rated diameter"},
                                  Field{&VRow::d_least, "d_least", mm, "smallest recommended diameter"},
@@ -67,7 +67,7 @@ struct VRow {
                                  Field{&VRow::v_max, "v_max", m_per_s, "largest speed"},
                                  Field{&VRow::f_B_max, "f_B_max", Hz, "largest bending frequency"},
                                  Field{&VRow::C_0, "C_0", N, "stiffness of the belt against the test force"},
-                                 Field{&VRow::L_h, "L_h", hour, "life that the rating holds for"}};
+                                 Field{&VRow::L_h, "L_h", hour, "life for which the rating is stated"}};
 };
 
 struct VLengthRow {

@@ -61,7 +61,7 @@ inline double life_factor(VTypes::Duty duty) {
 template <class Tracer>
 void live(const VSection& section, const VTypes::Input& in, VTypes::Result& r, Tracer& trace) {
   if (section.basis == Basis::optibelt) {
-    r.L_h = trace.value("L_h", section.row.L_h, "life that the ratings hold for, [Optibelt-V]");
+    r.L_h = trace.value("L_h", section.row.L_h, "life for which the ratings are stated, [Optibelt-V]");
     return;
   }
   if (in.duty == VTypes::Duty::unstated) return;
@@ -73,7 +73,7 @@ void live(const VSection& section, const VTypes::Input& in, VTypes::Result& r, T
 
 template <class Tracer>
 void turn_rims(const VTypes::Input& in, VTypes::Result& r, Tracer& trace) {
-  STEP_TO(r, v_rim, max(in.n_1 * r.d_a1, r.n_2 * r.d_a2) / 2.0, "larger speed of the two rims");
+  STEP_TO(r, v_rim, max(in.n_1 * r.d_a1, r.n_2 * r.d_a2) / 2.0, "larger rim speed of the two pulleys");
   STEP_TO(r, u_rim, v_rim / in.v_rim_adm, "rim condition");
 }
 
@@ -101,7 +101,7 @@ void build_pulleys(const VSection& section, const VTypes::Input& in, VTypes::Res
   if (r.z == 0) return;
   trace.value("e", row.e, "pitch of the grooves");
   trace.value("f", row.f, "from the last groove to the edge");
-  STEP_TO(r, B, (r.z - 1.0) * row.e + 2.0 * row.f, "width of the pulleys");
+  STEP_TO(r, B, (r.z - 1.0) * row.e + 2.0 * row.f, "pulley face width");
 }
 
 }  // namespace loadpath::belt

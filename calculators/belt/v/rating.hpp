@@ -79,14 +79,14 @@ inline Whole belts_needed(Basis basis, double z_0, bool high_end) {
 template <class Tracer>
 void count(const VTypes::Input& in, VTypes::Result& r, Tracer& trace) {
   if (!(r.P_N > from_si<Power>(0.0)) || !is_set(r.c_alpha) || !is_set(r.c_L)) return;
-  STEP_TO(r, z_0, r.P_B / (r.P_N * r.c_alpha * r.c_L), "number of belts before the count factor");
+  STEP_TO(r, z_0, r.P_B / (r.P_N * r.c_alpha * r.c_L), "number of belts before the belt number factor");
   const bool iso = in.basis == Basis::iso, high_end = in.C_K_end == VTypes::End::high;
   r.z = in.z > 0 ? in.z : belts_needed(in.basis, z_0, high_end);
   if (r.z == 0) return;
   trace.value("z", r.z, in.z > 0 ? "as given" : "the least number that carries the power");
   r.C_K = trace.value("C_K", iso ? v_count_factor(r.z, high_end) : 1.0,
                       iso ? "belts share unevenly, [GOST1284.3] 20" : "the basis has no count factor, [Optibelt-V]");
-  STEP_TO(r, P_all, r.z * r.C_K * r.P_N * r.c_alpha * r.c_L, "power that the belts can carry");
+  STEP_TO(r, P_all, r.z * r.C_K * r.P_N * r.c_alpha * r.c_L, "power rating of the belts");
   STEP_TO(r, u_P, r.P_B / P_all, "power condition");
 }
 

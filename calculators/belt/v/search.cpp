@@ -121,7 +121,9 @@ double measure_of(const Candidate& c, Rank rank) {
 void try_section(const VSection& section, const Input& in, Result& r, Nearest& nearest) {
   V::Input drive = drive_of(in);
   drive.section = section.name;
-  const double i_w = in_si(in.n_1 / in.n_2_set) * (1.0 - in.epsilon);  // d_2 over d_1
+  NoTrace quiet;
+  const double wanted_i = wanted_ratio(in, quiet), wanted_n = in_si(in.n_1) / wanted_i;
+  const double i_w = wanted_i * (1.0 - in.epsilon);  // d_2 over d_1
   const auto pulleys = v_pulleys(in.basis);
   for (const Length& small : pulleys) {
     if (small < section.row.d_least || small > section.row.d_high) continue;
@@ -131,7 +133,7 @@ void try_section(const VSection& section, const Input& in, Result& r, Nearest& n
       drive.d_1 = reduces ? small : large, drive.d_2 = reduces ? large : small;
       const double i = in_si(drive.d_2 / drive.d_1) / (1.0 - in.epsilon);
       if (large < small || large > 2.0 * wanted) continue;
-      if (share_off(in_si(in.n_1) / i, in_si(in.n_2_set)) > in.tol_n || !fits_room(in, drive)) continue;
+      if (share_off(in_si(in.n_1) / i, wanted_n) > in.tol_n || !fits_room(in, drive)) continue;
       try_pair(section, in, drive, r, nearest);
     }
   }

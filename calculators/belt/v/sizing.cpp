@@ -28,7 +28,8 @@ Name name_of(SectionWord word) { return choices_of(SectionWord{})[static_cast<st
 
 /// What a drive does better than the first, all the same.
 Merit merit_of(const Candidate& c, const Candidate& first, const Input& in) {
-  const double n = in_si(in.n_2_set), a = in_si(in.a_set);
+  NoTrace quiet;
+  const double n = in_si(in.n_1) / wanted_ratio(in, quiet), a = in_si(in.a_set);
   if (c.V < 0.99 * first.V) return Merit::pulleys;
   if (c.R_new < 0.99 * first.R_new) return Merit::shaft_load;
   if (c.B < 0.99 * first.B) return Merit::width;
@@ -66,7 +67,9 @@ void check(const Input& in, const V::Input& drive, const char* which, Result& r,
   r.B = found.B, r.u_P = found.u_P, r.u_grip = found.u_grip, r.u_rim = found.u_rim, r.u_B = found.u_B;
   r.best = {drive};
   r.best.z = r.z;
-  STEP_TO(r, dev_n, r.n_2 / in.n_2_set - 1.0, "speed against the wanted one");
+  r.i_w = wanted_ratio(in, trace);
+  r.i = found.i;
+  STEP_TO(r, dev_n, r.n_2 / (in.n_1 / r.i_w) - 1.0, "speed against the wanted one");
   STEP_TO(r, dev_a, r.a / in.a_set - 1.0, "centre distance against the wanted one");
 }
 
@@ -81,6 +84,7 @@ FieldFault VSizing::wrong_class(const Input& in) { return V::wrong_class(without
 template <class Tracer>
 VSizing::Result VSizing::evaluate(const Input& in, Tracer& trace) {
   Result r;
+  r.rating = in.basis;
   Nearest nearest;
   for (const VSection& section : v_sections()) {
     if (section.basis == in.basis && (in.section.empty() || in.section == section.name))

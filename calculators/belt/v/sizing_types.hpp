@@ -13,7 +13,7 @@ struct VSizingTypes {
   enum class Merit { none, best, pulleys, shaft_load, width, speed, centre };
 
   struct Input {
-    Basis basis = Basis::unstated;
+    Basis basis = Basis::optibelt;
     Name section;
     V::BeltClass belt_class = V::BeltClass::unstated;
     Power P = unset<Power>;
@@ -22,6 +22,7 @@ struct VSizingTypes {
     V::Motor motor = V::Motor::unstated;
     Time h_day = unset<Time>;
     AngularSpeed n_1 = unset<AngularSpeed>, n_2_set = unset<AngularSpeed>;
+    double i_set = unset<double>;
     double tol_n = 0.03;
     Length a_set = unset<Length>;
     double tol_a = 0.15;
@@ -45,19 +46,19 @@ struct VSizingTypes {
     double u_P = unset<double>, excess = unset<double>;
     Merit merit = Merit::none;
     static constexpr Fields fields{
-        Choice{&Candidate::section, "section", "section of the belts"},
+        Choice{&Candidate::section, "section", "belt section"},
         Field{&Candidate::d_1, "d_1", mm, "driving pulley"},
         Field{&Candidate::d_2, "d_2", mm, "driven pulley"},
         Field{&Candidate::L, "L", mm, "length of the belts"},
         Count{&Candidate::z, "z", 0, 100, "number of belts"},
         Field{&Candidate::a, "a", mm, "centre distance"},
         Field{&Candidate::n_2, "n_2", rpm, "speed of the driven pulley"},
-        Field{&Candidate::B, "B", mm, "width of the pulleys"},
+        Field{&Candidate::B, "B", mm, "pulley face width"},
         Field{&Candidate::V, "V", dm3, "volume of the two pulleys as full discs"},
         Field{&Candidate::R_new, "R_new", N, "shaft load at standstill, new belts"}.load(),
         Field{&Candidate::u_P, "u_P", ratio, "utilisation of the belts"},
-        Field{&Candidate::excess, "excess", ratio, "how much more than the first it takes of what is ranked by"},
-        Choice{&Candidate::merit, "merit", "what it does better than the first all the same"}};
+        Field{&Candidate::excess, "excess", ratio, "relative excess over the first candidate in the ranking criterion"},
+        Choice{&Candidate::merit, "merit", "advantage over the first candidate"}};
   };
   using Candidates = List<Candidate, 20>;
 
@@ -68,9 +69,11 @@ struct VSizingTypes {
 
   struct Result {
     double drives = 0.0, tried = 0.0, too_weak = 0.0, outside = 0.0;
+    Basis rating = Basis::optibelt;
     SectionWord section = SectionWord::none;
     Length d_1 = unset<Length>, d_2 = unset<Length>, L = unset<Length>, a = unset<Length>;
     Whole z = 0;
+    double i = unset<double>, i_w = unset<double>;
     AngularSpeed n_2 = unset<AngularSpeed>, n_k = unset<AngularSpeed>;
     Time L_h = unset<Time>;
     double dev_n = unset<double>, dev_a = unset<double>;

@@ -49,7 +49,7 @@ void tension(const VSection& section, const VTypes::Input& in, VTypes::Result& r
   const Force F_lost = trace.value(
       "F_lost", fixed ? F_c : 0.0 * F_c,
       fixed ? "on fixed centres the centrifugal part relieves the grooves" : "the tensioner makes up for it");
-  STEP_TO(r, F_0, N_0 + F_lost, "initial tension of a span of one belt, run in");
+  STEP_TO(r, F_0, N_0 + F_lost, "initial tension of one belt span, run-in");
   STEP_TO(r, F_0_new, 1.3 * F_0, "new belts lose tension when they run in, [Optibelt-V]");
   STEP_TO(r, S_1, N_0 + F_c + F_t / 2.0, "tight span of one belt");
   STEP_TO(r, S_2, S_1 - F_t, "slack span of one belt");

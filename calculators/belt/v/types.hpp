@@ -17,7 +17,7 @@ struct VTypes {
   enum class End { low, high };
 
   struct Input {
-    Basis basis = Basis::unstated;
+    Basis basis = Basis::optibelt;
     Name section;
     BeltClass belt_class = BeltClass::unstated;
     Power P = unset<Power>;
@@ -25,7 +25,8 @@ struct VTypes {
     Duty duty = Duty::unstated;
     Motor motor = Motor::unstated;
     Time h_day = unset<Time>;
-    AngularSpeed n_1 = unset<AngularSpeed>;
+    AngularSpeed n_1 = unset<AngularSpeed>, n_2_set = unset<AngularSpeed>;
+    double i_set = unset<double>;
     double epsilon = 0.01;
     Length d_1 = unset<Length>, d_2 = unset<Length>, a = unset<Length>, L = unset<Length>;
     Whole z = 0;
@@ -36,6 +37,9 @@ struct VTypes {
   };
 
   struct Result {
+    Basis rating = Basis::optibelt;
+    Length d_2 = unset<Length>;
+    double i_w = unset<double>, dev_i = unset<double>;
     double i = unset<double>;
     AngularSpeed n_2 = unset<AngularSpeed>, n_k = unset<AngularSpeed>;
     Speed v = unset<Speed>;
@@ -88,9 +92,9 @@ constexpr auto choices_of(VTypes::Motor) {
 }
 constexpr auto choices_of(VTypes::Tensioning) {
   using Tensioning = VTypes::Tensioning;
-  return std::array{ChoiceName<Tensioning>{Tensioning::fixed, "fixed", "centres that are fixed when running"},
-                    ChoiceName<Tensioning>{Tensioning::constant_force, "constant_force",
-                                           "a weight or spring that always pulls alike"}};
+  return std::array{
+      ChoiceName<Tensioning>{Tensioning::fixed, "fixed", "centres that are fixed when running"},
+      ChoiceName<Tensioning>{Tensioning::constant_force, "constant_force", "weight or spring with constant tension"}};
 }
 constexpr auto choices_of(VTypes::End) {
   return std::array{ChoiceName<VTypes::End>{VTypes::End::low, "low", "the low end: more belts"},

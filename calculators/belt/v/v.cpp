@@ -11,7 +11,9 @@ namespace loadpath::belt {
 
 namespace {
 
-Pulleys pulleys_of(const V::Input& in) { return {in.d_1, in.d_2, in.a, in.L, Arrangement::open}; }
+Pulleys pulleys_of(const V::Input& in) {
+  return {in.d_1, with_driven_pulley(in, v_pulleys(in.basis)).d_2, in.a, in.L, Arrangement::open};
+}
 
 bool duty_is_whole(const V::Input& in) {
   return in.duty != V::Duty::unstated && in.motor != V::Motor::unstated && is_set(in.h_day);
@@ -35,7 +37,7 @@ template <class Tracer>
 void move(const V::Input& in, V::Result& r, Tracer& trace) {
   STEP_TO(r, i, in.d_2 / in.d_1 / (1.0 - in.epsilon), "transmission ratio with slip, [B40]");
   STEP_TO(r, n_2, in.n_1 / i, "speed of the driven pulley");
-  STEP_TO(r, v, in.n_1 * in.d_1 / 2.0, "speed of the belt");
+  STEP_TO(r, v, in.n_1 * in.d_1 / 2.0, "belt speed");
   lay(pulleys_of(in), r, trace);
   STEP_TO(r, alpha, min(r.alpha_1, r.alpha_2), "the smaller wrap governs");
 }
@@ -79,7 +81,8 @@ bool V::class_fits(const Input& in) {
 }
 FieldFault V::wrong_class(const Input& in) {
   if (in.basis == Basis::optibelt) {
-    return {"belt_class", say("the class of the belt goes with the basis iso"), say("leave it out")};
+    return {"belt_class", say("the class of the belt goes with the basis iso"),
+            say("leave it out, or state basis = \"iso\"")};
   }
   if (in.belt_class == BeltClass::classes_0_II) {
     return {"belt_class", say("the ratings are those of classes III and IV; classes 0 to II carry about 20 % less"),
@@ -95,13 +98,18 @@ bool V::service_is_given(const Input& in) {
 }
 
 bool V::clear_of_each_other(const Input& in) {
-  return is_set(in.a) == is_set(in.L) || stand_clear(pulleys_of(in));  // the other rule speaks of a and L
+  const bool open = !is_set(in.d_2) && !is_set(in.n_2_set) && !is_set(in.i_set);
+  return open || is_set(in.a) == is_set(in.L) || stand_clear(pulleys_of(in));  // other rules speak of d_2, a and L
 }
 FieldFault V::touching(const Input& in) { return overlap(pulleys_of(in)); }
 
+namespace {
+
+/// Of a drive whose pulleys are known.
 template <class Tracer>
-V::Result V::evaluate(const Input& in, Tracer& trace) {
-  Result r;
+V::Result drive(const V::Input& in, Tracer& trace) {
+  V::Result r;
+  r.rating = in.basis, r.d_2 = in.d_2;
   const VSection* const section = find_v_section(in.basis, in.section);
   if (section == nullptr) return r;
   move(in, r, trace);
@@ -119,12 +127,23 @@ V::Result V::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
+}  // namespace
+
+template <class Tracer>
+V::Result V::evaluate(const Input& in, Tracer& trace) {
+  if (is_set(in.d_2)) return drive(in, trace);
+  const Input whole = with_driven_pulley(in, v_pulleys(in.basis), trace);
+  Result r = drive(whole, trace);
+  compare_ratio(in, r, trace);
+  return r;
+}
+
 template V::Result V::evaluate(const Input&, NoTrace&);
 template V::Result V::evaluate(const Input&, Trace&);
 
 std::vector<draw::Figure> V::figures(const Input& in, const Result& r) {
   TwoWheels w;
-  w.d_1 = in_si(in.d_1), w.d_2 = in_si(in.d_2), w.a = in_si(r.a);
+  w.d_1 = in_si(in.d_1), w.d_2 = in_si(r.d_2), w.a = in_si(r.a);
   w.d_a1 = in_si(r.d_a1), w.d_a2 = in_si(r.d_a2);
   w.alpha_1 = r.alpha_1, w.alpha_2 = r.alpha_2;
   w.n_1 = in_si(in.n_1), w.n_2 = in_si(r.n_2);

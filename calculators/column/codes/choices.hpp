@@ -32,7 +32,8 @@ constexpr auto choices_of(Basis) {
       ChoiceName<B>{B::recommended, "recommended", "for real ends, [AISC360]: 1, 2.1, 0.80, 0.65, 1.2, 2"}};
 }
 
-enum class Method { euler, tetmajer, johnson, rankine, secant, ec3, aisc, sp16 };
+/// The last stands for none: the input tells which it is (default_method).
+enum class Method { euler, tetmajer, johnson, rankine, secant, ec3, aisc, sp16, unsaid };
 
 constexpr auto choices_of(Method) {
   using M = Method;
@@ -43,7 +44,8 @@ constexpr auto choices_of(Method) {
                     ChoiceName<M>{M::secant, "secant", "secant formula, with an eccentricity"},
                     ChoiceName<M>{M::ec3, "ec3", "EN 1993-1-1:2005, 6.3.1, flexural buckling"},
                     ChoiceName<M>{M::aisc, "aisc", "AISC 360, E3, allowable strength"},
-                    ChoiceName<M>{M::sp16, "sp16", "SP 16.13330, 7.1.3, its coefficients recalled"}};
+                    ChoiceName<M>{M::sp16, "sp16", "SP 16.13330, 7.1.3, its coefficients recalled"},
+                    ChoiceName<M>{M::unsaid, "", "ec3 of a steel section of the tables, else johnson"}};
 }
 
 /// What the buckling curve of EN 1993-1-1 and the limits of local buckling follow from.
@@ -114,7 +116,7 @@ enum class Loading { none, compression, tension };
 
 constexpr auto choices_of(Loading) {
   using L = Loading;
-  return std::array{ChoiceName<L>{L::none, "none", "no load given: the allowable loads alone"},
+  return std::array{ChoiceName<L>{L::none, "none", "no load given: allowable loads only"},
                     ChoiceName<L>{L::compression, "compression", "compressed"},
                     ChoiceName<L>{L::tension, "tension", "no compression: a bar in tension does not buckle"}};
 }

@@ -133,6 +133,7 @@ Stress stress_of_slenderness(Method method, double lambda, const Material& mater
       return sp16_stress(lambda, material, trace);
     case Method::secant:
     case Method::ec3:
+    case Method::unsaid:
       break;
   }
   return unset<Stress>;

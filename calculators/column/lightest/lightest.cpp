@@ -114,7 +114,7 @@ template <class Tracer>
 Result Lightest::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const TableSection* const best = search_for(in, r).best;
-  trace.value("sections", r.sections, "sections of these families that there is room for");
+  trace.value("sections", r.sections, "sections of the families within the size limits");
   trace.value("carrying", r.carrying, "of them carry the bar");
   if (best == nullptr) return r;
   show(in, *best, trace);

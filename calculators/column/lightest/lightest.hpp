@@ -20,14 +20,18 @@ namespace loadpath::column {
 
 struct Lightest : LightestTypes {
   static constexpr auto id = "column.lightest";
-  static constexpr auto title = "Lightest section of a compressed bar";
+  static constexpr auto title = "Lightest column section";
   static constexpr auto scope =
-      "Ranked list of the sections of one family or several that carry a compressed bar, the lightest first, with the "
-      "reason why lighter ones fail; the best one with its whole calculation by column.buckling, and what that does "
-      "not cover: torsional buckling of channels and angles, sections of class 4, holes of a bar in tension. With a "
-      "material each section has the yield strength of its own thickness; those thicker than it is given for are not "
-      "judged.";
+      "Ranking of tabulated sections of the given families by mass per length for an axial force, with the "
+      "reason for the rejection of each lighter section and the complete column.buckling calculation of the "
+      "best one; torsional buckling of channels and angles, class 4 sections and holes in tension members are "
+      "not covered.";
   static constexpr auto source = Buckling::source;
+  static constexpr auto headline = "{section}";
+  static constexpr auto subject = "buckling";
+  static constexpr auto synonyms =
+      "column selection, section selection, lightest section, optimum column, IPE, HEA, RHS, CHS, strut selection, "
+      "Profilauswahl, Stützenbemessung, подбор сечения, колонна, стойка";
   static constexpr bool takes_series = false;  // one thing for all loads
   static constexpr auto example = R"([project]
 title = "Column of a platform"
@@ -45,30 +49,31 @@ gamma_F = 1
 )";
 
   static constexpr auto inputs = join(
-      Fields{ListField{&Input::families, "families", "families of the section tables to choose from"}.as_arrays()},
+      Fields{ListField{&Input::families, "families", "section families to select from"}.as_arrays()},
       held_inputs<Input>(),
-      Fields{Choice{&Input::kind, "kind", "kind of the sections whose table leaves it open: of round tubes"}
-                 .may_be_missing(),
-             Field{&Input::h_max, "h_max", mm, "largest height that there is room for"}.positive().may_be_missing(),
-             Field{&Input::b_max, "b_max", mm, "largest width that there is room for"}.positive().may_be_missing()},
+      Fields{
+          Choice{&Input::kind, "kind", "section type where the table does not give it (round tubes)"}.may_be_missing(),
+          Field{&Input::h_max, "h_max", mm, "maximum section height"}.positive().may_be_missing(),
+          Field{&Input::b_max, "b_max", mm, "maximum section width"}.positive().may_be_missing()},
       material_inputs<Input>(),
-      Fields{ListField{&Input::strengths, "strengths", "yield strengths by thickness, in place of R_e alone"}
+      Fields{ListField{&Input::strengths, "strengths", "yield strengths by thickness, replaces R_e"}
                  .as_arrays()
                  .from_sizes("material", "R_e", "R_e")},
       method_inputs<Input>());
 
   static constexpr auto results = join(
       Fields{NameField{&Result::section, "section",
-                       "lightest section; the strongest of those judged where none carries the bar"}
+                       "lightest adequate section; if none is adequate, the strongest assessed"}
                  .chosen(),
-             Field{&Result::q, "q", kg_per_m, "its mass per length"},
-             Field{&Result::mass, "mass", kg, "mass of the bar"},
-             Field{&Result::sections, "sections", ratio, "sections of these families that there is room for"}},
+             Field{&Result::q, "q", kg_per_m, "mass per length"}, Field{&Result::mass, "mass", kg, "mass of the bar"},
+             Field{&Result::sections, "sections", ratio, "sections of the families within the size limits"}},
       member_results<Result>(),
-      Fields{Field{&Result::lack, "lack", ratio, "part of the force that even the strongest judged does not carry"},
-             Field{&Result::carrying, "carrying", ratio, "sections that carry the bar"}.limit(1, 1e6).criterion(),
-             ListField{&Result::candidates, "candidates", "sections that carry the bar, lightest first"},
-             ListField{&Result::lighter, "lighter", "the next lighter ones and why they fail, heaviest first"}});
+      Fields{Field{&Result::lack, "lack", ratio,
+                   "share of the force beyond the capacity of the strongest section assessed"},
+             Field{&Result::carrying, "carrying", ratio, "number of adequate sections"}.limit(1, 1e6).criterion(),
+             ListField{&Result::candidates, "candidates", "adequate sections, lightest first"},
+             ListField{&Result::lighter, "lighter",
+                       "next lighter sections with the reason for rejection, heaviest first"}});
 
   static bool families_known(const Input& in);
   static FieldFault unknown_family(const Input& in);
@@ -85,6 +90,7 @@ gamma_F = 1
   static bool strength_in_tension(const Input& in);
   static bool needs_of_method(const Input& in);
   static FieldFault missing_for_method(const Input& in);
+  static bool factors_given(const Input& in);
   static bool one_carries(const Input& in);
   static FieldFault none_carries(const Input& in);
   static Outline outline_of(const Input& in);
@@ -107,7 +113,7 @@ gamma_F = 1
       held_rules<Input>(),
       std::array{Rule<Input>{&needs_of_method, "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F",
                              "something is missing that the method needs", &missing_for_method}},
-      method_rules<Input>(), eccentricity_rules<Input>(),
+      method_rules<Input>(), assumption_rules<Input, &factors_given>(), eccentricity_rules<Input>(),
       std::array{Rule<Input>{&one_carries, "families, N, P", "no section of these families carries the bar",
                              &none_carries, true}});
   static constexpr std::array meanings = member_meanings;

@@ -1,5 +1,7 @@
 #include "calculators/column/lightest/parts.hpp"
 
+#include "calculators/column/buckling_parts.hpp"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,7 +31,7 @@ constexpr std::array bounds{
 Failure reason_without_force(const Buckling::Input& bar, const MemberResult& r) {
   if (r.r_1 > 1.0 || r.r_0 > 1.0) return Failure::range;
   const bool tried = std::any_of(r.methods.begin(), r.methods.end(),
-                                 [&](const MethodResult& by) { return by.name.view() == word_of(bar.method); });
+                                 [&](const MethodResult& by) { return by.name.view() == word_of(method_of(bar)); });
   return tried ? Failure::beyond : is_set(bar.R_e) ? Failure::open : Failure::strength;
 }
 
@@ -53,6 +55,8 @@ Buckling::Input bar_of(const LightestTypes::Input& in, const TableSection& secti
   Buckling::Input bar{in, section};
   bar.R_e = strength_of(in, section.t_f);
   if (bar.kind == Profile::unsaid) bar.kind = in.kind;
+  const bool is_open = bar.method == Method::unsaid && bar.kind == Profile::unsaid;
+  if (is_open && default_method(bar, true) == Method::ec3) bar.method = Method::ec3;  // as all the others
   return bar;
 }
 

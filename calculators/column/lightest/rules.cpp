@@ -68,14 +68,17 @@ Message remedy_of(Failure failure) {
   if (failure == Failure::strength)
     return say("name a material that is given for thicker sections, or families with thinner walls");
   if (failure == Failure::beyond) return say("name families of larger sections, or hold the bar better");
-  if (failure == Failure::range)
-    return say("take a method that holds for stocky bars too: tetmajer, johnson, ec3, aisc");
+  if (failure == Failure::range) return say("use a method that covers stocky bars: tetmajer, johnson, ec3, aisc");
   return {};
 }
 
 Input with_a_strength(Input in) {
   if (!is_set(in.R_e) && !in.strengths.empty()) in.R_e = in.strengths.front().R_e;
   return in;
+}
+
+Method method_of(const Input& in) {
+  return in.method != Method::unsaid ? in.method : default_method(with_a_strength(in), true);
 }
 
 Result quick(const Input& in) {
@@ -153,10 +156,11 @@ bool Lightest::strength_in_tension(const Input& in) {
 }
 
 /// Which sections have a buckling curve, and a strength, is told of each.
-bool Lightest::needs_of_method(const Input& in) { return lack(with_a_strength(in), true).empty(); }
+bool Lightest::needs_of_method(const Input& in) { return lack(with_a_strength(in), method_of(in), true).empty(); }
 FieldFault Lightest::missing_for_method(const Input& in) {
-  return column::missing_for_method(with_a_strength(in), true);
+  return column::missing_for_method(with_a_strength(in), method_of(in), true);
 }
+bool Lightest::factors_given(const Input& in) { return column::factors_given(in, method_of(in)); }
 
 bool Lightest::one_carries(const Input& in) { return quick(in).carrying > 0.0; }
 

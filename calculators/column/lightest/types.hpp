@@ -16,14 +16,14 @@ struct LightestTypes {
   struct Family {
     Name family;
     static constexpr Fields fields{
-        NameField{&Family::family, "family", "letters that its sections' names begin with: IPE, HEA, RHS"}};
+        NameField{&Family::family, "family", "family prefix of the section names: IPE, HEA, RHS"}};
   };
   using Families = List<Family, 12>;
 
   struct Strength {
     Length t_max = unset<Length>;
     Stress R_e = unset<Stress>;
-    static constexpr Fields fields{Field{&Strength::t_max, "t_max", mm, "up to this thickness"}.positive(),
+    static constexpr Fields fields{Field{&Strength::t_max, "t_max", mm, "upper thickness limit"}.positive(),
                                    Field{&Strength::R_e, "R_e", MPa, "yield strength"}.positive()};
   };
   using Strengths = List<Strength, 12>;
@@ -47,15 +47,14 @@ struct LightestTypes {
     static constexpr Fields fields{
         NameField{&Candidate::name, "name", "section"},
         Field{&Candidate::q, "q", kg_per_m, "mass per length"},
-        Choice{&Candidate::axis, "axis", "axis of the largest slenderness"},
-        Field{&Candidate::lambda, "lambda", ratio, "largest slenderness"},
-        Field{&Candidate::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"},
+        Choice{&Candidate::axis, "axis", "axis of maximum slenderness"},
+        Field{&Candidate::lambda, "lambda", ratio, "maximum slenderness"},
+        Field{&Candidate::sigma_cr, "sigma_cr", MPa, "critical stress, without safety factor"},
         Field{&Candidate::P_all, "P_all", kN, "allowable force"},
-        Field{&Candidate::u, "u", ratio, "force over the allowable one"},
-        Field{&Candidate::demand, "demand", ratio,
-              "the largest of its checks and limits that are known: it carries the bar up to 1"},
-        Field{&Candidate::excess, "excess", ratio, "mass over that of the section found, less 1"},
-        Choice{&Candidate::failure, "failure", "why it does not carry the bar"}};
+        Field{&Candidate::u, "u", ratio, "force / allowable force"},
+        Field{&Candidate::demand, "demand", ratio, "maximum of all checks and limits assessed; adequate up to 1"},
+        Field{&Candidate::excess, "excess", ratio, "relative mass excess over the section found"},
+        Choice{&Candidate::failure, "failure", "reason for rejection"}};
   };
   using Candidates = List<Candidate, 12>;
 

@@ -16,7 +16,7 @@ namespace loadpath::column {
 struct Member {
   struct Support {
     Length x = unset<Length>;
-    static constexpr Fields fields{Field{&Support::x, "x", mm, "place from the start of the bar"}.positive()};
+    static constexpr Fields fields{Field{&Support::x, "x", mm, "position from the start of the bar"}.positive()};
   };
   using Supports = List<Support, most_supports>;
 
@@ -34,7 +34,7 @@ struct Member {
   double a_R = unset<double>;
   Length e_y = unset<Length>, e_z = unset<Length>;
   Grade grade = Grade::to_S420;
-  Method method = Method::tetmajer;
+  Method method = Method::unsaid;
   double n_st = unset<double>, n_t = unset<double>, gamma_M1 = unset<double>, gamma_F = unset<double>, Omega_c = 1.67;
   Class material_class = Class::unsaid;
   double lambda_max = 200.0;
@@ -44,33 +44,36 @@ struct Member {
 template <class Input>
 constexpr auto held_inputs() {
   return Fields{
-      RecordField<Input>{"load", "the link of a mechanism, whole: load = \"=press.links.rod\""},
-      Field<Input, Force>{&Input::N, "N", kN, "normal force, positive in tension"}.load().keeps_sign().may_be_missing(),
-      Field<Input, Force>{&Input::P, "P", kN, "compressive force, in place of N"}.load().at_least(0).may_be_missing(),
+      RecordField<Input>{"load", "loads of a mechanism link: load = \"=press.links.rod\""},
+      Field<Input, Force>{&Input::N, "N", kN, "axial force, positive in tension"}.load().keeps_sign().may_be_missing(),
+      Field<Input, Force>{&Input::P, "P", kN, "compressive force, replaces N"}.load().at_least(0).may_be_missing(),
       Field<Input, Length>{&Input::l, "l", mm, "length between the ends"}.of_body().positive().usually(10, 1e5).most(),
-      Choice<Input, Ends>{&Input::ends, "ends", "how the ends are held, about both axes"}.may_be_missing(),
-      Choice<Input, Ends>{&Input::ends_y, "ends_y",
-                          "how the ends are held where the bar bends about y, in place of ends"}
+      Choice<Input, Ends>{&Input::ends, "ends", "end conditions, about both axes"}.may_be_missing(),
+      Choice<Input, Ends>{&Input::ends_y, "ends_y", "end conditions for bending about y, replaces ends"}
           .may_be_missing(),
-      Choice<Input, Ends>{&Input::ends_z, "ends_z",
-                          "how the ends are held where the bar bends about z, in place of ends"}
+      Choice<Input, Ends>{&Input::ends_z, "ends_z", "end conditions for bending about z, replaces ends"}
           .may_be_missing(),
-      Choice<Input, Basis>{&Input::beta_basis, "beta_basis", "where the effective length factors of the ends come from"}
+      Choice<Input, Basis>{&Input::beta_basis, "beta_basis",
+                           "basis of the effective length factors: exact or design values"}
           .may_be_missing(),
-      Field<Input, double>{&Input::beta_y, "beta_y", ratio, "effective length factor about y, in place of the ends"}
+      Field<Input, double>{&Input::beta_y, "beta_y", ratio,
+                           "effective length factor about y, replaces the end conditions"}
           .positive()
+          .made_for_same("l, E, I_y: I")
           .usually(0.5, 5)
           .may_be_missing(),
-      Field<Input, double>{&Input::beta_z, "beta_z", ratio, "effective length factor about z, in place of the ends"}
+      Field<Input, double>{&Input::beta_z, "beta_z", ratio,
+                           "effective length factor about z, replaces the end conditions"}
           .positive()
+          .made_for_same("l, E, I_z: I")
           .usually(0.5, 5)
           .may_be_missing(),
-      ListField<Input, List<Member::Support, most_supports>>{
-          &Input::supports_y, "supports_y", "rigid supports between the ends that hinder bending about y"}
+      ListField<Input, List<Member::Support, most_supports>>{&Input::supports_y, "supports_y",
+                                                             "rigid intermediate supports against bending about y"}
           .as_arrays()
           .may_be_missing(),
-      ListField<Input, List<Member::Support, most_supports>>{
-          &Input::supports_z, "supports_z", "rigid supports between the ends that hinder bending about z"}
+      ListField<Input, List<Member::Support, most_supports>>{&Input::supports_z, "supports_z",
+                                                             "rigid intermediate supports against bending about z"}
           .as_arrays()
           .may_be_missing()};
 }
@@ -86,7 +89,7 @@ constexpr auto strength_inputs() {
           .usually(10, 2500)
           .from("material", "R_e", "t")
           .where_it_has(),
-      Field<Input, Stress>{&Input::sigma_P, "sigma_P", MPa, "proportional limit, below which Euler's formula holds"}
+      Field<Input, Stress>{&Input::sigma_P, "sigma_P", MPa, "proportional limit, upper limit of Euler's formula"}
           .positive()
           .usually(5, 2000)
           .may_be_missing()};
@@ -104,21 +107,21 @@ constexpr auto tetmajer_inputs() {
           "tetmajer", "b_T"),
       Field<Input, Stress>{&Input::c_T, "c_T", MPa, "constant of Tetmajer-Yasinsky, 0 for a line"}.at_least(0).from(
           "tetmajer", "c_T"),
-      Field<Input, Stress>{&Input::E_T, "E_T", GPa, "modulus that the set of Tetmajer-Yasinsky was given with"}
+      Field<Input, Stress>{&Input::E_T, "E_T", GPa, "modulus of elasticity of the Tetmajer-Yasinsky constants"}
           .positive()
           .usually(5, 240)
           .from("tetmajer", "E_T"),
       Field<Input, double>{&Input::lambda_0, "lambda_0", ratio,
-                           "slenderness from which the set of Tetmajer-Yasinsky holds"}
+                           "lower slenderness limit of the Tetmajer-Yasinsky constants"}
           .at_least(0)
           .usually(5, 120)
           .from("tetmajer", "lambda_0"),
-      Field<Input, double>{&Input::lambda_1, "lambda_1", ratio, "limit slenderness that was published with the set"}
+      Field<Input, double>{&Input::lambda_1, "lambda_1", ratio, "limiting slenderness published with the constants"}
           .positive()
           .usually(40, 200)
           .from("tetmajer", "lambda_1"),
       Choice<Input, Transition>{&Input::transition, "transition",
-                                "where Euler's hyperbola takes over from Tetmajer's formula"}
+                                "transition from Tetmajer's formula to Euler's hyperbola"}
           .may_be_missing()};
 }
 
@@ -127,18 +130,16 @@ template <class Input>
 constexpr auto rankine_and_secant_inputs() {
   return Fields{
       Field<Input, Stress>{&Input::sigma_c, "sigma_c", MPa,
-                           "crushing stress of Rankine's formula; the yield strength where missing"}
+                           "crushing stress of Rankine's formula; omitted: yield strength"}
           .positive()
           .usually(10, 1500)
           .may_be_missing(),
-      Field<Input, double>{&Input::a_R, "a_R", ratio, "constant of Rankine's formula; sigma_c/(pi^2 E) where missing"}
+      Field<Input, double>{&Input::a_R, "a_R", ratio, "constant of Rankine's formula; omitted: sigma_c/(pi^2 E)"}
           .positive()
           .usually(5e-5, 5e-3)
           .may_be_missing(),
-      Field<Input, Length>{&Input::e_y, "e_y", mm, "eccentricity that bends the bar about y"}
-          .at_least(0)
-          .may_be_missing(),
-      Field<Input, Length>{&Input::e_z, "e_z", mm, "eccentricity that bends the bar about z"}
+      Field<Input, Length>{&Input::e_y, "e_y", mm, "eccentricity causing bending about y"}.at_least(0).may_be_missing(),
+      Field<Input, Length>{&Input::e_z, "e_z", mm, "eccentricity causing bending about z"}
           .at_least(0)
           .may_be_missing()};
 }
@@ -156,9 +157,9 @@ constexpr auto material_inputs() {
 template <class Input>
 constexpr auto method_choice() {
   return Fields{Choice<Input, Grade>{&Input::grade, "grade", "steel grade, for the buckling curve"}.may_be_missing(),
-                Choice<Input, Method>{&Input::method, "method", "method that the check goes by"}.may_be_missing(),
+                Choice<Input, Method>{&Input::method, "method", "governing method"}.may_be_missing(),
                 Field<Input, double>{&Input::n_st, "n_st", ratio,
-                                     "safety against buckling of euler, tetmajer, johnson, rankine and secant"}
+                                     "required buckling safety factor (euler, tetmajer, johnson, rankine, secant)"}
                     .at_least(1)
                     .usually(1.5, 10)
                     .may_be_missing()
@@ -169,7 +170,8 @@ template <class Input>
 constexpr auto tension_inputs() {
   return Fields{
       Field<Input, double>{&Input::n_t, "n_t", ratio,
-                           "safety of a bar in tension against yielding; of ec3 gamma_M0, and gamma_F comes with it"}
+                           "required safety factor of a bar in tension against yielding (ec3: gamma_M0, gamma_F "
+                           "applied in addition)"}
           .at_least(1)
           .usually(1, 6)
           .may_be_missing()
@@ -186,7 +188,7 @@ constexpr auto code_inputs() {
           .may_be_missing()
           .factor(),
       Field<Input, double>{&Input::gamma_F, "gamma_F", ratio,
-                           "from the force to the design load of ec3; 1 where it is one already"}
+                           "partial factor of actions (ec3); 1 if the force is a design force"}
           .at_least(1)
           .usually(1, 1.6)
           .may_be_missing()
@@ -195,11 +197,10 @@ constexpr auto code_inputs() {
           .at_least(1)
           .usually(1.5, 2)
           .factor(),
-      Choice<Input, Class>{&Input::material_class, "material_class", "class of material, for the custom of n_st"}
+      Choice<Input, Class>{&Input::material_class, "material_class", "material class, for the customary n_st"}
           .may_be_missing(),
-      Field<Input, double>{&Input::lambda_max, "lambda_max", ratio, "largest slenderness that is allowed"}
-          .positive()
-          .usually(50, 400)};
+      Field<Input, double>{&Input::lambda_max, "lambda_max", ratio, "allowable slenderness"}.positive().usually(50,
+                                                                                                                400)};
 }
 
 /// How it is judged.

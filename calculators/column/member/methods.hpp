@@ -30,6 +30,8 @@ inline bool has_method(const Member& in, const Material& material, const MemberR
       return yields && is_steel(in);
     case Method::sp16:
       return yields && is_steel(in) && is_set(material.sp16.alpha);
+    case Method::unsaid:
+      break;
   }
   return false;
 }
@@ -46,11 +48,23 @@ Stress critical_stress(const Member& in, const Material& material, const MemberR
   return stress_of_slenderness(method, r.lambda, material, trace);
 }
 
+/// As given; 1 where EN 1993-1-1 decides though no method is named.
 template <class Tracer>
-double safety(const Member& in, Method method, Tracer& trace) {
+double partial_factor(const char* symbol, double given, bool is_assumed, const char* why, Tracer& trace) {
+  return is_set(given) || !is_assumed ? given : trace.value(symbol, 1.0, why);
+}
+
+/// `decides`: whether the check goes by this method.
+template <class Tracer>
+double safety(const Member& in, Method method, bool decides, Tracer& trace) {
   if (method == Method::ec3) {
-    if (!is_set(in.gamma_M1) || !is_set(in.gamma_F)) return unset<double>;
-    return NAMED_STEP("n", in.gamma_M1 * in.gamma_F, "partial factors on the resistance and on the load");
+    const bool is_assumed = decides && in.method == Method::unsaid;
+    const double gamma_M1 = partial_factor("gamma_M1", in.gamma_M1, is_assumed,
+                                           "assumed: the value that EN 1993-1-1, 6.1, recommends", trace);
+    const double gamma_F =
+        partial_factor("gamma_F", in.gamma_F, is_assumed, "assumed: the force is a design value", trace);
+    if (!is_set(gamma_M1) || !is_set(gamma_F)) return unset<double>;
+    return NAMED_STEP("n", gamma_M1 * gamma_F, "partial factors on the resistance and on the load");
   }
   const double n = method == Method::aisc ? in.Omega_c : in.n_st;
   if (is_set(n)) trace.value("n", n, method == Method::aisc ? "AISC 360, E1, [AISC360]" : "safety against buckling");
@@ -66,29 +80,30 @@ inline constexpr auto method_names = [] {
 
 /// One line of the methods side by side, and the results where it is the one that decides.
 template <class Tracer>
-void add_method(const Member& in, const Material& material, Method method, MemberResult& r, Tracer& trace) {
+void add_method(const Member& in, const Material& material, Method method, bool decides, MemberResult& r,
+                Tracer& trace) {
   [[maybe_unused]] const auto scope = trace.scope("methods", r.methods.size());
   MethodResult by{method_names[static_cast<std::size_t>(method)]};
   const Stress sigma_cr = by.sigma_cr = critical_stress(in, material, r, method, trace);
-  const double n = by.n = safety(in, method, trace);
+  const double n = by.n = safety(in, method, decides, trace);
   if (is_set(sigma_cr)) {
     STEP_TO(by, P_cr, sigma_cr * r.A, "critical force");
     if (is_set(n)) {
       STEP_TO(by, P_all, P_cr / n, "allowable force");
-      if (is_set(r.F)) by.u = NAMED_STEP("u", r.F / P_all, "force over the allowable one");
+      if (is_set(r.F)) by.u = NAMED_STEP("u", r.F / P_all, "force / allowable force");
     }
   }
   r.methods.push_back(by);
-  if (method == in.method) r.sigma_cr = by.sigma_cr, r.P_all = by.P_all, r.u = by.u;
+  if (decides) r.sigma_cr = by.sigma_cr, r.P_all = by.P_all, r.u = by.u;
 }
 
 /// Those that the input says enough for, in the order of their words; without a loop, so that the compiler of a sweep
 /// knows which of them there are.
 template <class Tracer, std::size_t... k>
-void add_methods(const Member& in, const Material& material, MemberResult& r, Tracer& trace,
+void add_methods(const Member& in, const Material& material, Method deciding, MemberResult& r, Tracer& trace,
                  std::index_sequence<k...>) {
   const auto add = [&](Method method) {
-    if (has_method(in, material, r, method)) add_method(in, material, method, r, trace);
+    if (has_method(in, material, r, method)) add_method(in, material, method, method == deciding, r, trace);
   };
   (add(choices_of(Method{})[k].value), ...);
 }

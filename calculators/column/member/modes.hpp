@@ -70,28 +70,25 @@ Applies twisting_when_bent(const Input& in) {
 template <class Input, auto outline_of>
 constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
   return std::array{
-      Mode<Input>{"buckling", "flexural buckling, about y and about z", &compressed<Input>}.judged_by(of_buckling),
-      Mode<Input>{"slenderness", "slenderness", &compressed<Input>}.judged_by("r_lambda"),
-      Mode<Input>{"local", "local buckling of the walls", &thin_walled<Input, outline_of>}
+      Mode<Input>{"buckling", "flexural buckling about y and z", &compressed<Input>}.judged_by(of_buckling),
+      Mode<Input>{"slenderness", "slenderness limit", &compressed<Input>}.judged_by("r_lambda"),
+      Mode<Input>{"local", "local buckling (class 3 limit)", &thin_walled<Input, outline_of>}
           .judged_by("r_class, x_E")
           .wanting(of_walls),
-      Mode<Input>{"torsional", "torsional and torsional-flexural buckling of an open section",
-                  &twisting<Input, outline_of>},
-      Mode<Input>{"eccentric", "bar and section under force and moment: by the secant formula alone", &bent<Input>}
-          .judged_by("u_e")
-          .wanting("method = secant"),
-      Mode<Input>{"lateral_torsional", "lateral-torsional buckling with bending",
-                  &twisting_when_bent<Input, outline_of>},
-      Mode<Input>{"lateral", "bending by loads across the bar, by its inertia, by moments", &unseen<Input>}
+      Mode<Input>{"torsional", "torsional and torsional-flexural buckling", &twisting<Input, outline_of>},
+      Mode<Input>{"eccentric", "eccentric compression (secant formula)", &bent<Input>}.judged_by("u_e").wanting(
+          "method = secant"),
+      Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &twisting_when_bent<Input, outline_of>},
+      Mode<Input>{"lateral", "bending by transverse, inertia and moment loads", &unseen<Input>}
           .in_service()
           .by_companions()
           .assessed_in("link.member"),
-      Mode<Input>{"tension", "yield in tension", &pulled<Input>}.judged_by("x_t, u_t"),
-      Mode<Input>{"tension_bent", "yield in tension with bending", &pulled_and_bent<Input>},
-      Mode<Input>{"net_section", "net section in tension, at holes and pins", &pulled_at_holes<Input>}.assessed_beside(
+      Mode<Input>{"tension", "yielding in tension", &pulled<Input>}.judged_by("x_t, u_t"),
+      Mode<Input>{"tension_bent", "yielding in tension and bending", &pulled_and_bent<Input>},
+      Mode<Input>{"net_section", "net section rupture (holes, pins)", &pulled_at_holes<Input>}.assessed_beside(
           "pin.lug"),
       Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_beside("fatigue.life, fatigue.history"),
-      Mode<Input>{"weight", "bending by its own weight", &unseen<Input>}.special()};
+      Mode<Input>{"weight", "bending by self-weight", &unseen<Input>}.special()};
 }
 
 }  // namespace loadpath::column

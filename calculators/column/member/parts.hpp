@@ -36,4 +36,13 @@ bool has_modulus_of_steel(const Member& in);
 /// Whether the codes for steel structures hold for the material.
 bool is_steel(const Member& in);
 
+/// Where no method is named: tetmajer with the constants of a set; ec3 of a steel section that has a buckling curve;
+/// Johnson's parabola, and Euler above it, of any other bar whose yield strength is known; Euler with a proportional
+/// limit alone.
+inline Method default_method(const Member& in, bool is_structural) {
+  if (is_set(in.a_T)) return Method::tetmajer;
+  if (is_set(in.R_e)) return is_structural && is_steel(in) ? Method::ec3 : Method::johnson;
+  return is_set(in.sigma_P) ? Method::euler : Method::unsaid;
+}
+
 }  // namespace loadpath::column

@@ -12,7 +12,7 @@ namespace loadpath::column {
 inline constexpr Stress steel_modulus = from_si<Stress>(210e9);
 inline constexpr double least_steel = 0.85, most_steel = 1.1;
 
-inline constexpr std::size_t most_methods = choices_of(Method{}).size();
+inline constexpr std::size_t most_methods = choices_of(Method{}).size() - 1;  // the last word is none
 
 struct AxisResult {
   Name name;
@@ -25,17 +25,17 @@ struct AxisResult {
   double eta = unset<double>;
   Stress sigma_s = unset<Stress>;
   static constexpr Fields fields{
-      NameField{&AxisResult::name, "name", "axis that the bar bends about"},
+      NameField{&AxisResult::name, "name", "buckling axis"},
       Field{&AxisResult::i, "i", mm, "radius of gyration"},
       Field{&AxisResult::beta, "beta", ratio, "effective length factor"},
       Field{&AxisResult::s, "s", mm, "effective length"},
       Field{&AxisResult::lambda, "lambda", ratio, "slenderness"},
-      Field{&AxisResult::N_cr, "N_cr", kN, "critical force of the elastic bar"},
+      Field{&AxisResult::N_cr, "N_cr", kN, "elastic critical force"},
       Field{&AxisResult::alpha, "alpha", ratio, "imperfection factor of EN 1993-1-1"},
-      Field{&AxisResult::lambda_bar, "lambda_bar", ratio, "slenderness of EN 1993-1-1"},
+      Field{&AxisResult::lambda_bar, "lambda_bar", ratio, "non-dimensional slenderness of EN 1993-1-1"},
       Field{&AxisResult::chi, "chi", ratio, "reduction factor of EN 1993-1-1"},
       Field{&AxisResult::eta, "eta", ratio, "eccentricity ratio e c/i^2"},
-      Field{&AxisResult::sigma_s, "sigma_s", MPa, "mean stress at which the extreme fibre yields"}};
+      Field{&AxisResult::sigma_s, "sigma_s", MPa, "mean stress at yielding of the extreme fibre"}};
 };
 
 struct MethodResult {
@@ -45,12 +45,13 @@ struct MethodResult {
   double n = unset<double>;
   Force P_all = unset<Force>;
   double u = unset<double>;
-  static constexpr Fields fields{NameField{&MethodResult::name, "name", "method"},
-                                 Field{&MethodResult::sigma_cr, "sigma_cr", MPa, "critical stress, without safety"},
-                                 Field{&MethodResult::P_cr, "P_cr", kN, "critical force, without safety"},
-                                 Field{&MethodResult::n, "n", ratio, "safety of the method"},
-                                 Field{&MethodResult::P_all, "P_all", kN, "allowable force"},
-                                 Field{&MethodResult::u, "u", ratio, "force over the allowable one"}};
+  static constexpr Fields fields{
+      NameField{&MethodResult::name, "name", "method"},
+      Field{&MethodResult::sigma_cr, "sigma_cr", MPa, "critical stress, without safety factor"},
+      Field{&MethodResult::P_cr, "P_cr", kN, "critical force, without safety factor"},
+      Field{&MethodResult::n, "n", ratio, "safety factor of the method"},
+      Field{&MethodResult::P_all, "P_all", kN, "allowable force"},
+      Field{&MethodResult::u, "u", ratio, "force / allowable force"}};
 };
 
 struct MemberResult {
@@ -77,41 +78,42 @@ struct MemberResult {
 template <class Result>
 constexpr auto slenderness_results() {
   return Fields{
-      Choice<Result, Loading>{&Result::loading, "loading", "what the force does to the bar"},
+      Choice<Result, Loading>{&Result::loading, "loading", "loading: compression or tension"},
       Field<Result, Force>{&Result::F, "F", kN, "compressive force"},
       Field<Result, Area>{&Result::A, "A", mm2, "area"},
       Field<Result, Length>{&Result::t, "t", mm,
-                            "thickness that the strength depends on; the least of the table where unknown"},
-      Choice<Result, AxisName>{&Result::axis, "axis", "axis of the largest slenderness"},
-      Field<Result, double>{&Result::lambda, "lambda", ratio, "largest slenderness"},
-      Field<Result, Force>{&Result::N_cr, "N_cr", kN, "least critical force of the elastic bar, however short it is"}};
+                            "thickness for the material strength; unknown: the minimum strength of the table"},
+      Choice<Result, AxisName>{&Result::axis, "axis", "axis of maximum slenderness"},
+      Field<Result, double>{&Result::lambda, "lambda", ratio, "maximum slenderness"},
+      Field<Result, Force>{&Result::N_cr, "N_cr", kN, "minimum elastic critical force, without slenderness limit"}};
 }
 
 /// Where the formulas end, and what the method that decides allows.
 template <class Result>
 constexpr auto stress_results() {
   return Fields{
-      Field<Result, Stress>{&Result::sigma_E, "sigma_E", MPa, "stress at that force, however short the bar is"},
-      Field<Result, double>{&Result::lambda_T, "lambda_T", ratio, "slenderness at which Tetmajer's formula ends"},
-      Field<Result, double>{&Result::gap, "gap", ratio, "at the published lambda_1, Tetmajer over Euler less 1"},
-      Field<Result, double>{&Result::lambda_lim, "lambda_lim", ratio, "limit slenderness of Euler's formula"},
-      Field<Result, Stress>{&Result::sigma_cr, "sigma_cr", MPa, "critical stress of the method that decides"},
-      Field<Result, Force>{&Result::P_all, "P_all", kN, "allowable force of the method that decides"},
-      Field<Result, double>{&Result::spread, "spread", ratio,
-                            "largest critical stress of the methods over the least, less 1"}
+      Field<Result, Stress>{&Result::sigma_E, "sigma_E", MPa,
+                            "stress at the elastic critical force, without slenderness limit"},
+      Field<Result, double>{&Result::lambda_T, "lambda_T", ratio, "upper slenderness limit of Tetmajer's formula"},
+      Field<Result, double>{&Result::gap, "gap", ratio,
+                            "relative difference of Tetmajer to Euler at the published lambda_1"},
+      Field<Result, double>{&Result::lambda_lim, "lambda_lim", ratio, "limiting slenderness of Euler's formula"},
+      Field<Result, Stress>{&Result::sigma_cr, "sigma_cr", MPa, "critical stress of the governing method"},
+      Field<Result, Force>{&Result::P_all, "P_all", kN, "allowable force of the governing method"},
+      Field<Result, double>{&Result::spread, "spread", ratio, "relative spread of the critical stresses of the methods"}
           .beside()};
 }
 
 /// Buckling by the method that decides.
 template <class Result>
 constexpr auto buckling_check() {
-  return Fields{Field<Result, double>{&Result::u, "u", ratio, "buckling: force over the allowable one"}.check("N, P")};
+  return Fields{Field<Result, double>{&Result::u, "u", ratio, "buckling: force / allowable force"}.check("N, P")};
 }
 
 template <class Result>
 constexpr auto eccentric_check() {
-  return Fields{Field<Result, double>{
-      &Result::u_e, "u_e", ratio, "eccentric load: force over the one that the secant formula allows, where it decides"}
+  return Fields{Field<Result, double>{&Result::u_e, "u_e", ratio,
+                                      "eccentric load: force / allowable force of the secant formula, if it governs"}
                     .check("N, P")
                     .where_it_applies()};
 }
@@ -119,10 +121,10 @@ constexpr auto eccentric_check() {
 template <class Result>
 constexpr auto tension_checks() {
   return Fields{
-      Field<Result, double>{&Result::u_t, "u_t", ratio, "tension, with its safety: 0 in compression"}
+      Field<Result, double>{&Result::u_t, "u_t", ratio, "tension: n_t x stress / yield strength; 0 in compression"}
           .check("n_t")
           .where_it_applies(),
-      Field<Result, double>{&Result::x_t, "x_t", ratio, "tension: stress N/A over the yield strength; 0 in compression"}
+      Field<Result, double>{&Result::x_t, "x_t", ratio, "tension: stress N/A / yield strength; 0 in compression"}
           .limit(0, 1, "N")
           .criterion()};
 }
@@ -131,10 +133,9 @@ constexpr auto tension_checks() {
 template <class Result>
 constexpr auto slenderness_limits() {
   return Fields{
-      Field<Result, double>{&Result::r_lambda, "r_lambda", ratio,
-                            "slenderness over the largest that is allowed; 0 in tension"}
+      Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness / allowable slenderness; 0 in tension"}
           .limit(0, 1),
-      Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limit slenderness over the slenderness; 0 in tension"}
+      Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limiting slenderness / slenderness; 0 in tension"}
           .limit(0, 1)
           .where_it_applies()};
 }
@@ -142,33 +143,30 @@ constexpr auto slenderness_limits() {
 template <class Result>
 constexpr auto tetmajer_limit() {
   return Fields{Field<Result, double>{&Result::r_0, "r_0", ratio,
-                                      "Tetmajer without a yield strength: lambda_0 over the slenderness; 0 in tension"}
+                                      "Tetmajer without yield strength: lambda_0 / slenderness; 0 in tension"}
                     .limit(0, 1)
                     .where_it_applies()};
 }
 
 template <class Result>
 constexpr auto wall_limits() {
-  return Fields{
-      Field<Result, double>{
-          &Result::r_class, "r_class", ratio,
-          "local buckling: thinness of the parts over the limit of class 3, of aisc over that of E7; 0 where nothing "
-          "presses them"}
-          .limit(0, 1)
-          .where_it_applies(),
-      Field<Result, double>{
-          &Result::x_E, "x_E", ratio,
-          "modulus over the 210 GPa of steel, whose limits of class 3 are; 1 where nothing presses them"}
-          .limit(least_steel, most_steel)
-          .where_it_applies()};
+  return Fields{Field<Result, double>{
+                    &Result::r_class, "r_class", ratio,
+                    "local buckling: plate slenderness / class 3 limit (aisc: limit of E7); 0 without compression"}
+                    .limit(0, 1)
+                    .where_it_applies(),
+                Field<Result, double>{&Result::x_E, "x_E", ratio,
+                                      "modulus / 210 GPa of steel (class 3 limits); 1 without compression"}
+                    .limit(least_steel, most_steel)
+                    .where_it_applies()};
 }
 
 /// The axes, and the methods side by side.
 template <class Result>
 constexpr auto side_by_side() {
   return Fields{
-      ListField<Result, List<AxisResult, 2>>{&Result::axes, "axes", "bending about y and about z"},
-      ListField<Result, List<MethodResult, most_methods>>{&Result::methods, "methods", "the methods side by side"}
+      ListField<Result, List<AxisResult, 2>>{&Result::axes, "axes", "buckling about y and about z"},
+      ListField<Result, List<MethodResult, most_methods>>{&Result::methods, "methods", "all methods in comparison"}
           .beside()};
 }
 

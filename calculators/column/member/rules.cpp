@@ -50,8 +50,7 @@ Custom custom_of(Class material) {
 bool is_loaded(const Member& in) { return is_set(in.N) || is_set(in.P); }
 
 /// What is missing for the critical stress.
-Message lack_of_stress(const Member& in, bool curves) {
-  const Method by = in.method;
+Message lack_of_stress(const Member& in, Method by, bool curves) {
   const bool yields = is_set(in.R_e);
   if (by == Method::euler) {
     if (is_set(in.sigma_P) || is_set(in.a_T)) return {};
@@ -75,9 +74,10 @@ Message lack_of_stress(const Member& in, bool curves) {
 }
 
 /// What is missing for the allowable force; AISC has its safety by itself.
-Message lack_of_safety(const Member& in) {
-  if (!is_loaded(in) || in.method == Method::aisc) return {};
-  if (in.method != Method::ec3) return is_set(in.n_st) ? Message{} : say("the safety against buckling n_st");
+Message lack_of_safety(const Member& in, Method by) {
+  if (!is_loaded(in) || by == Method::aisc) return {};
+  if (by == Method::ec3 && in.method == Method::unsaid) return {};  // assumed
+  if (by != Method::ec3) return is_set(in.n_st) ? Message{} : say("the safety against buckling n_st");
   const Message M1 =
       is_set(in.gamma_M1) ? Message{} : say("the partial factor gamma_M1 (1 or as the national annex says)");
   const Message F =
@@ -92,18 +92,19 @@ bool asks_for_no_method(const Member& in) {
   return !is_loaded(in) && !is_set(in.E);
 }
 
-/// What the usual methods would need: "aisc nothing more, ec3 gamma_M1 and gamma_F".
-Message needs_of_methods(const Member& in, bool curves) {
-  Message all;
-  for (const Method by : {Method::aisc, Method::johnson, Method::ec3, Method::euler}) {
-    Member other = in;
-    other.method = by;
-    const Message needs = lack(other, curves);
-    const Message here = needs.empty() ? say("{1}, which needs nothing more", word_of(by))
-                                       : say("{1}, which needs {2}", word_of(by), needs);
-    all = all.empty() ? here : say("{1}; or {2}", all, here);
+/// Of a bar whose method follows from what is given: what to give, and one alternative.
+FieldFault missing_by_default(const Member& in, bool curves) {
+  const bool is_open = !is_set(in.R_e) && !is_set(in.sigma_P) && !is_set(in.a_T);
+  if (is_open) {
+    const bool asks_safety = !curves && is_loaded(in) && !is_set(in.n_st);
+    return {"R_e",
+            asks_safety
+                ? say("give the yield strength R_e, or a material, and the required safety against buckling n_st")
+                : say("give the yield strength R_e, or a material"),
+            say("or a set of Tetmajer-Yasinsky in place of R_e: 'loadpath tables columns/tetmajer'")};
   }
-  return all;
+  return {"n_st", say("give the required safety against buckling n_st"),
+          is_set(in.R_e) && is_steel(in) ? say("or name a code that has its own: method = \"aisc\"") : Message{}};
 }
 
 SecondMoment second_moment(Area A, SecondMoment I, Length i) { return is_set(I) ? I : A * i * i; }
@@ -161,10 +162,9 @@ bool supports_inside(const Member& in) { return astray(in).place < 0; }
 FieldFault support_outside(const Member& in) {
   const Astray at = astray(in);
   const std::string path = std::string(at.list) + "[" + std::to_string(at.place + 1) + "].x";
-  return {
-      path,
-      say("supports stand between the ends of the bar, 0 and {1}, in order", format_quantity(in_si(in.l), mm.symbol)),
-      say("the ends are no supports of this list; sort the others by x")};
+  return {path,
+          say("supports lie between the ends of the bar, 0 and {1}, in order", format_quantity(in_si(in.l), mm.symbol)),
+          say("the ends are no supports of this list; sort the others by x")};
 }
 
 bool supports_need_ends(const Member& in) {
@@ -173,20 +173,31 @@ bool supports_need_ends(const Member& in) {
          !(is_set(in.beta_z) && !in.supports_z.empty());
 }
 
-Message lack(const Member& in, bool curves) {
-  if (asks_for_no_method(in)) return {};
-  const Message of_stress = lack_of_stress(in, curves), of_safety = lack_of_safety(in);
+Message lack(const Member& in, Method by, bool curves) {
+  if (asks_for_no_method(in) || (by == Method::unsaid && !is_loaded(in))) return {};
+  const Message of_stress = lack_of_stress(in, by, curves), of_safety = lack_of_safety(in, by);
   if (of_stress.empty()) return of_safety;
   return of_safety.empty() ? of_stress : say("{1}; {2}", of_stress, of_safety);
 }
 
-FieldFault missing_for_method(const Member& in, bool curves) {
-  if (in.method == Method::tetmajer && !is_set(in.a_T) && !is_set(in.b_T))
-    return {"method",
-            say("the method 'tetmajer' needs {1}; or name another: method = {2}", lack(in, curves),
-                needs_of_methods(in, curves)),
-            say("tetmajer is meant where none is named; its sets: 'loadpath tables columns/tetmajer'")};
-  return {"method", say("the method '{1}' needs {2}", word_of(in.method), lack(in, curves)), {}};
+FieldFault missing_for_method(const Member& in, Method by, bool curves) {
+  if (in.method == Method::unsaid) return missing_by_default(in, curves);
+  return {"method", say("the method '{1}' needs {2}", word_of(by), lack(in, by, curves)), {}};
+}
+
+bool factors_given(const Member& in, Method by) {
+  const bool is_pressed = in.P > 0.0 * kN.one || in.N < 0.0 * kN.one;
+  if (in.method != Method::unsaid || by != Method::ec3 || !is_pressed) return true;
+  return is_set(in.gamma_M1) && is_set(in.gamma_F);
+}
+
+FieldFault assumed_factors(const Member& in) {
+  const bool both = !is_set(in.gamma_M1) && !is_set(in.gamma_F);
+  return {"",
+          say("partial factors of EN 1993-1-1 assumed: {1}", both                 ? "gamma_M1 = 1.0, gamma_F = 1"
+                                                             : is_set(in.gamma_F) ? "gamma_M1 = 1.0"
+                                                                                  : "gamma_F = 1"),
+          say("give gamma_F where the force is no design value, gamma_M1 where 6.1 or the national annex has another")};
 }
 
 bool method_suits_class(const Member& in) {

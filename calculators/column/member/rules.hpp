@@ -26,9 +26,14 @@ bool method_suits_class(const Member& in);
 inline bool yields_as_graded(const Member& in) { return in.grade != Grade::S460 || !(in.R_e < 400.0 * MPa); }
 FieldFault method_of_steel(const Member& in);
 
-/// What the deciding method lacks; empty where it has all. `curves`: whether the buckling curves are known.
-Message lack(const Member& in, bool curves);
-FieldFault missing_for_method(const Member& in, bool curves);
+/// What the method that decides lacks; empty where it has all. `curves`: whether the buckling curves are known.
+Message lack(const Member& in, Method by, bool curves);
+FieldFault missing_for_method(const Member& in, Method by, bool curves);
+
+/// Whether the partial factors of a compressed bar are given, or need not be: where no method is named and ec3 decides,
+/// they are assumed.
+bool factors_given(const Member& in, Method by);
+FieldFault assumed_factors(const Member& in);
 
 /// A function of the bar as one of an input that derives from it.
 template <class Input, auto of_member>
@@ -57,7 +62,7 @@ constexpr auto held_rules() {
                   },
                   "ends_y, ends_z, beta_y, beta_z", "give the ends of an axis or its factor beta, never both"},
       Rule<Input>{&of<Input, &supports_inside>, "supports_y, supports_z, l",
-                  "supports stand between the ends, in order along the bar", &of<Input, &support_outside>},
+                  "supports lie between the ends, in order along the bar", &of<Input, &support_outside>},
       Rule<Input>{
           &of<Input, &supports_need_ends>, "supports_y, supports_z, beta_y, beta_z, beta_basis",
           "supports are computed from the ends exactly: leave out beta of that axis, and beta_basis = \"exact\""}};
@@ -67,7 +72,7 @@ constexpr auto held_rules() {
 template <class Input>
 constexpr auto method_rules() {
   return std::array{
-      Rule<Input>{&of<Input, &method_suits_class>, "method, material_class, E", "the method is for steel alone",
+      Rule<Input>{&of<Input, &method_suits_class>, "method, material_class, E", "the method covers steel only",
                   &of<Input, &method_of_steel>},
       Rule<Input>{&of<Input, &yields_as_graded>, "grade, R_e",
                   "grade S460 has a yield strength of at least 400 MPa; omit grade for another steel"},
@@ -87,6 +92,13 @@ constexpr auto method_rules() {
                   &of<Input, &modulus_of_set>, true},
       Rule<Input>{&of<Input, &usual_safety>, "n_st, material_class", "the safety factor is unusual",
                   &of<Input, &unusual_safety>, true}};
+}
+
+/// What is assumed where no method is named.
+template <class Input, auto factors_given>
+constexpr auto assumption_rules() {
+  return std::array{Rule<Input>{factors_given, "method, gamma_M1, gamma_F", "partial factors are assumed",
+                                &of<Input, &assumed_factors>, true, "buckling, bent"}};
 }
 
 /// Of a bar with eccentricities.

@@ -29,7 +29,7 @@ constexpr auto section_inputs() {
           .from("section", "d")
           .where_it_has()
           .findable("R40"),
-      Field<Input, Length>{&Input::d_bore, "d_bore", mm, "bore of a round bar"}.at_least(0).may_be_missing(),
+      Field<Input, Length>{&Input::d_bore, "d_bore", mm, "bore diameter of a round bar"}.at_least(0).may_be_missing(),
       Field<Input, Length>{&Input::h, "h", mm, "height of the section, along z"}
           .positive()
           .usually(1, 5000)
@@ -40,9 +40,8 @@ constexpr auto section_inputs() {
           .usually(1, 5000)
           .from("section", "b")
           .where_it_has(),
-      Field<Input, Area>{&Input::A, "A", mm2, "area; without it a round bar d or a rectangle b h is meant"}
-          .positive()
-          .from("section", "A"),
+      Field<Input, Area>{&Input::A, "A", mm2, "area; omitted: round bar d or rectangle b h"}.positive().from("section",
+                                                                                                             "A"),
       Field<Input, SecondMoment>{&Input::I_y, "I_y", mm4, "second moment of area about y"}
           .positive()
           .from("section", "I_y")
@@ -52,18 +51,18 @@ constexpr auto section_inputs() {
           .from("section", "I_z")
           .where_it_has(),
       Field<Input, SecondMoment>{&Input::I_min, "I_min", mm4,
-                                 "least second moment of a section whose principal axes are not y, z: an angle"}
+                                 "minimum second moment of area of a section with inclined principal axes (angle)"}
           .positive()
           .from("section", "I_min")
           .where_it_has(),
-      Field<Input, Length>{&Input::i_y, "i_y", mm, "radius of gyration about y, in place of I_y"}
+      Field<Input, Length>{&Input::i_y, "i_y", mm, "radius of gyration about y, replaces I_y"}
           .positive()
           .may_be_missing(),
-      Field<Input, Length>{&Input::i_z, "i_z", mm, "radius of gyration about z, in place of I_z"}
+      Field<Input, Length>{&Input::i_z, "i_z", mm, "radius of gyration about z, replaces I_z"}
           .positive()
           .may_be_missing(),
-      RowKind<Input, Profile>{&Input::kind, "kind", "kind of section, for the curves of EN 1993-1-1 and local buckling",
-                              "section"},
+      RowKind<Input, Profile>{&Input::kind, "kind",
+                              "section type, for the buckling curves of EN 1993-1-1 and local buckling", "section"},
       Field<Input, Length>{&Input::t_f, "t_f", mm, "thickness of the flange"}
           .positive()
           .from("section", "t_f")
@@ -80,11 +79,11 @@ template <class Input>
 constexpr auto derived_section_inputs() {
   return Fields{
       Field<Input, Length>{&Input::c_y, "c_y", mm,
-                           "distance of the extreme fibre from y; where missing half the height of a symmetric section"}
+                           "distance of the extreme fibre from y; omitted: half the height of a symmetric section"}
           .positive()
           .may_be_missing(),
       Field<Input, Length>{&Input::c_z, "c_z", mm,
-                           "distance of the extreme fibre from z; where missing half the width of a symmetric section"}
+                           "distance of the extreme fibre from z; omitted: half the width of a symmetric section"}
           .positive()
           .may_be_missing(),
       Choice<Input, Curve>{&Input::curve_y, "curve_y", "buckling curve of EN 1993-1-1 about y"}.may_be_missing(),

@@ -25,14 +25,19 @@ namespace loadpath::fatigue {
 
 struct Din743 {
   static constexpr auto id = "fatigue.din743";
-  static constexpr auto title = "Section of a shaft by DIN 743";
+  static constexpr auto title = "Shaft section to DIN 743";
   static constexpr auto scope =
-      "Safety of one section of a steel shaft against fatigue and yielding by DIN 743 parts 1 to 3, from -40 to 150 "
-      "degC: smooth, shoulder, grooves, keyways, press fit, cross hole, or notch factors that are typed. Not covered: "
-      "finite life and spectra (part 4), shear by transverse forces, welds, notch factors of hollow shafts, cracks of "
-      "a "
-      "hard surface layer. Recalled: 1.15 of two keyways in torsion.";
+      "Safety factors of one steel shaft section against fatigue fracture and yielding by DIN 743 parts 1 to "
+      "3, from -40 to 150 °C, for a smooth section, shoulder, groove, keyway, press fit, cross hole or given "
+      "notch factors; finite life and load spectra (part 4), transverse shear, welds, notch factors of hollow "
+      "shafts and cracking of hardened layers are not covered.";
   static constexpr auto source = "[DIN743]";
+  static constexpr auto headline = "S_D = {S_D}, S_F = {S_F}";
+  static constexpr auto subject = "fatigue and yielding";
+  static constexpr auto synonyms =
+      "DIN 743, shaft fatigue, safety factor, notch factor, keyway, shoulder, groove, press fit, "
+      "Tragfähigkeit von Wellen, Sicherheitsnachweis, Dauerfestigkeit, Kerbwirkungszahl, Welle, "
+      "расчёт вала на выносливость, запас прочности";
   static constexpr auto example = R"([project]
 title = "Shoulder of a gear shaft"
 
@@ -82,18 +87,14 @@ f_max = 1.8
       Meaning{"M_tm, tau_tm, F_zdm", paired_middle}, Meaning{"M_ta, tau_ta, F_zda", paired_amplitude}};
   static constexpr auto bounds = notch_bounds<Input>();
   static constexpr std::array modes{
-      Mode<Input>{"fatigue", "fatigue of the section, at constant amplitudes", &any_varies<Input>}.judged_by(
+      Mode<Input>{"fatigue", "fatigue strength, constant amplitude", &any_varies<Input>}.judged_by(
           "u_D, x_m, x_small, x_eff, x_Rz, x_r, x_D, x_alpha, x_t, x_hole, x_bore, x_E"),
-      Mode<Input>{"yield", "yield or fracture under the largest load", &always<Input>}
-          .judged_by("u_F, x_E")
-          .wanting("f_max"),
-      Mode<Input>{"layer", "cracks of a hard surface layer under the largest load",
+      Mode<Input>{"yield", "static strength at peak load", &always<Input>}.judged_by("u_F, x_E").wanting("f_max"),
+      Mode<Input>{"layer", "cracking of the hardened layer",
                   [](const Input& in) { return where(in.layer == Layer::hard); }},
-      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"shear", "shear by transverse forces in a short shaft, buckling", &unseen<Input>}.special(),
-      Mode<Input>{"surroundings", "corrosion, fretting under hubs that slip, below -40 or above 150 degC, welds",
-                  &unseen<Input>}
-          .special()};
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"shear", "transverse shear and buckling", &unseen<Input>}.special(),
+      Mode<Input>{"surroundings", "corrosion, fretting, temperature and welds", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

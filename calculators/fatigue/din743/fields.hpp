@@ -60,8 +60,8 @@ constexpr auto din743_section() {
           .at_most_that_of_source("d, d_max")
           .positive()
           .usually(5, 500),
-      Field<Input, Length>{&Input::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0),
-      Field<Input, Length>{&Input::D, "D", mm, "larger diameter, of a shoulder or beside a groove"}
+      Field<Input, Length>{&Input::d_bore, "d_bore", mm, "bore diameter"}.at_least(0),
+      Field<Input, Length>{&Input::D, "D", mm, "larger diameter of a shoulder, or outer diameter of a groove"}
           .positive()
           .usually(5, 600)
           .may_be_missing(),
@@ -168,8 +168,7 @@ constexpr auto din743_results() {
                  .check()
                  .where_it_applies(),
              din743_range<Result>(&Result::x_m, "x_m", "equivalent mean stress over the yield limit").criterion(),
-             din743_range<Result>(&Result::x_small, "x_small",
-                                  "7.5 mm over the diameter: K_2 and K_3 are told from there on"),
+             din743_range<Result>(&Result::x_small, "x_small", "7.5 mm / diameter: K_2 and K_3 are given from 7.5 mm"),
              din743_range<Result>(&Result::x_eff, "x_eff", "diameter at heat treatment over 500 mm, where K_1 ends"),
              din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound")},
       notch_ranges<Result>(),
@@ -179,25 +178,26 @@ constexpr auto din743_results() {
 
 constexpr auto choices_of(Notch) {
   using N = Notch;
-  return std::array{ChoiceName<N>{N::untold, "untold", "not told, which no section is rated by"},
-                    ChoiceName<N>{N::smooth, "smooth", "no notch"},
-                    ChoiceName<N>{N::shoulder, "shoulder", "shoulder from d to D with the radius r"},
-                    ChoiceName<N>{N::round_groove, "round-groove", "groove around, round with r, D beside it"},
-                    ChoiceName<N>{N::rectangular_groove, "rectangular-groove",
-                                  "groove around of the width w with r at its edges, D beside it: a retaining ring"},
-                    ChoiceName<N>{N::v_groove, "v-groove", "sharp V-groove around, r about 0.1 mm, D beside it"},
-                    ChoiceName<N>{N::keyway, "keyway", "one keyway with its hub"},
-                    ChoiceName<N>{N::two_keyways, "two-keyways", "two keyways with their hub"},
-                    ChoiceName<N>{N::press_fit, "press-fit", "hub pressed on, at its edge"},
-                    ChoiceName<N>{N::cross_hole, "cross-hole", "hole across with the radius r"},
-                    ChoiceName<N>{N::alpha, "alpha", "shape factors as typed"},
-                    ChoiceName<N>{N::beta, "beta", "notch factors as typed: splines, undercuts, tests"}};
+  return std::array{
+      ChoiceName<N>{N::untold, "untold", "not given, so that no section is rated by it"},
+      ChoiceName<N>{N::smooth, "smooth", "no notch"},
+      ChoiceName<N>{N::shoulder, "shoulder", "shoulder from d to D with the radius r"},
+      ChoiceName<N>{N::round_groove, "round-groove", "round groove with radius r, outer diameter D"},
+      ChoiceName<N>{N::rectangular_groove, "rectangular-groove",
+                    "rectangular groove of width w with corner radius r, outer diameter D: retaining ring"},
+      ChoiceName<N>{N::v_groove, "v-groove", "sharp V-groove, r about 0.1 mm, outer diameter D"},
+      ChoiceName<N>{N::keyway, "keyway", "one keyway with its hub"},
+      ChoiceName<N>{N::two_keyways, "two-keyways", "two keyways with their hub"},
+      ChoiceName<N>{N::press_fit, "press-fit", "hub pressed on, at its edge"},
+      ChoiceName<N>{N::cross_hole, "cross-hole", "hole across with the radius r"},
+      ChoiceName<N>{N::alpha, "alpha", "shape factors as typed"},
+      ChoiceName<N>{N::beta, "beta", "notch factors as typed: splines, undercuts, tests"}};
 }
 
 constexpr auto choices_of(SteelGroup) {
   using G = SteelGroup;
   return std::array{
-      ChoiceName<G>{G::none, "none", "not told: R_m and R_e are those of this size"},
+      ChoiceName<G>{G::none, "none", "not given: R_m and R_e are those of this size"},
       ChoiceName<G>{G::quenched_tempered, "quenched-tempered", "quenched and tempered, d_B 16 mm"},
       ChoiceName<G>{G::case_hardening_crnimo, "case-hardening-CrNiMo", "CrNiMo steel for case hardening, core, 16 mm"},
       ChoiceName<G>{G::case_hardening, "case-hardening", "other steel for case hardening, core, d_B 16 mm"},

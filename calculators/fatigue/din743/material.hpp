@@ -52,7 +52,7 @@ void strengths(const Din743Steel& s, Length d_eff, Din743Safety& r, Tracer& trac
     const double K_1B = r.K_1B, K_1S = r.K_1S;
     STEP_TO(r, sigma_Bd, K_1B * s.sigma_B, "tensile strength of this size, [DIN743] part 2 section 7");
     STEP_TO(r, sigma_Sd, K_1S * s.sigma_S, "yield strength of this size, [DIN743] part 1 section 5.2");
-    STEP_TO(r, x_eff, d_eff / (500.0 * mm), "K_1 is told up to 500 mm, [DIN743] part 2");
+    STEP_TO(r, x_eff, d_eff / (500.0 * mm), "K_1 is given up to 500 mm, [DIN743] part 2");
     return;
   }
   r.K_1B = trace.value("K_1B", 1.0, "R_m is that of this size");

@@ -124,12 +124,12 @@ constexpr auto din743_load_rules() {
                     return each_acting(acting_loads(in), [](const auto& a) { return is_set(a.amplitude); });
                   },
                   "F_zda, M_ba, M_ta, sigma_zda, sigma_ba, tau_ta",
-                  "how much does it vary? Give the amplitude beside mean or largest value, 0 where it stands still"},
+                  "amplitude missing; give one for each mean or maximum load (0 if static)"},
       Rule<Input>{[](const Input& in) {
                     return each_acting(acting_loads(in), [](const auto& a) { return holds_its_cycle(a); });
                   },
                   "F_zdmax, M_bmax, M_tmax, sigma_zdmax, sigma_bmax, tau_tmax",
-                  "the largest load is no smaller than mean and amplitude together"},
+                  "the maximum load must be at least mean plus amplitude"},
       Rule<Input>{&has_typed_factors<Input>, "alpha_zd, alpha_b, alpha_t, beta_zd, beta_b, beta_t, notch",
                   "type the factor of each stress that acts: alpha_... or beta_..., as notch says"}};
 }

@@ -125,7 +125,7 @@ Stress mean_as_one(const Safety& r, Stress Stresses::*at, const char* why, Trace
   const Stress sigma_zdm = trace.value("sigma_zdm", of_stress(r, "tension", at, none), "mean of tension");
   const Stress sigma_bm = trace.value("sigma_bm", of_stress(r, "bending", at, none), "mean of bending");
   const Stress tau_tm = trace.value("tau_tm", of_stress(r, "torsion", at, none), "mean of torsion");
-  STEP(sigma_n, sigma_zdm + sigma_bm, "where bending pulls");
+  STEP(sigma_n, sigma_zdm + sigma_bm, "on the tension side of bending");
   if (sigma_n >= none) return NAMED_STEP("sigma_mv", sqrt(pow<2>(sigma_n) + 3.0 * pow<2>(tau_tm)), why);
   if (3.0 * pow<2>(tau_tm) >= pow<2>(sigma_n))  // torsion outweighs the compression beside it
     return NAMED_STEP("sigma_mv", sqrt(3.0 * pow<2>(tau_tm) - pow<2>(sigma_n)), why);
@@ -257,7 +257,7 @@ Din743Safety din743(const Din743Steel& steel, const Din743Section& s, const Din7
   }
   safeties(loads, r, trace);
   hold_mean(r, trace);
-  STEP_TO(r, x_small, 7.5 * mm / s.d, "K_2 and K_3 are told from 7.5 mm, [DIN743] part 2 (16), (17)");
+  STEP_TO(r, x_small, 7.5 * mm / s.d, "K_2 and K_3 are given from 7.5 mm, [DIN743] part 2 (16), (17)");
   ranges(s, root.t, r, trace);
   return r;
 }

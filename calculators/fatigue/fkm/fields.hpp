@@ -84,8 +84,8 @@ constexpr auto fkm_service() {
           .positive()
           .usually(500, 11000),
       fkm_gradient<Input>(&Input::G_zd, "G_zd", "gradient over stress of alpha_zd; without it no support"),
-      fkm_gradient<Input>(&Input::G_b, "G_b", "gradient over stress of alpha_b, beside that over the diameter"),
-      fkm_gradient<Input>(&Input::G_t, "G_t", "gradient over stress of alpha_t, beside that over the diameter")};
+      fkm_gradient<Input>(&Input::G_b, "G_b", "stress gradient of alpha_b, in addition to that over the diameter"),
+      fkm_gradient<Input>(&Input::G_t, "G_t", "stress gradient of alpha_t, in addition to that over the diameter")};
 }
 
 /// Of what is an FkmSafety.
@@ -126,7 +126,7 @@ constexpr auto fkm_results() {
 constexpr auto choices_of(FkmSteelGroup) {
   using G = FkmSteelGroup;
   return std::array{
-      ChoiceName<G>{G::untold, "untold", "not told, which no section is rated by"},
+      ChoiceName<G>{G::untold, "untold", "not given, so that no section is rated by it"},
       ChoiceName<G>{G::structural, "structural", "structural steel, at 40 mm"},
       ChoiceName<G>{G::quenched_tempered, "quenched-tempered", "quenched and tempered, at 16 mm"},
       ChoiceName<G>{G::normalised, "normalised", "steel for quenching, normalised, at 16 mm"},

@@ -23,16 +23,19 @@ namespace loadpath::fatigue {
 
 struct Fkm {
   static constexpr auto id = "fatigue.fkm";
-  static constexpr auto title = "Section of a shaft or rod by FKM";
+  static constexpr auto title = "Shaft or rod section to FKM";
   static constexpr auto scope =
-      "Utilisation of one section of a steel shaft or rod in fatigue and under the largest load by the FKM guideline, "
-      "nominal stresses, not welded, factor by factor: smooth, shoulder, grooves, keyways, press fit, cross hole, or "
-      "typed factors; overload cases F1 to F4, finite life. Not covered: spectra, local stresses, castings, welds, "
-      "heat, shear by transverse forces, cracks of a hard layer. Recalled: size constants of the yield strength, one "
-      "mean stress for all, both supports in bending, slopes and knee of finite life, q, plastic support by strain, "
-      "250 "
-      "mm, 1050 MPa.";
+      "Static and fatigue utilisation of one non-welded steel shaft or rod section by the FKM guideline with "
+      "nominal stresses, overload cases F1 to F4 and finite life, for a smooth section, shoulder, groove, "
+      "keyway, press fit, cross hole or given factors; load spectra, local stresses, castings, welds, elevated "
+      "temperature, transverse shear and cracking of hardened layers are not covered.";
   static constexpr auto source = "[FKM], [PragTic], [4ming], [DIN743]";
+  static constexpr auto headline = "S_D = {S_D}";
+  static constexpr auto subject = "fatigue and yielding";
+  static constexpr auto synonyms =
+      "FKM, FKM guideline, nominal stress, static strength assessment, fatigue strength assessment, "
+      "degree of utilisation, FKM-Richtlinie, Auslastungsgrad, Nennspannung, Festigkeitsnachweis, запас прочности, "
+      "выносливость";
   static constexpr auto example = R"([project]
 title = "Shoulder of a gear shaft"
 
@@ -71,17 +74,14 @@ f_max = 1.8
                                        Meaning{"M_ta, tau_ta, F_zda", paired_amplitude}};
   static constexpr auto bounds = notch_bounds<Input>();
   static constexpr std::array modes{
-      Mode<Input>{"fatigue", "fatigue of the section, at constant amplitudes", &any_varies<Input>}.judged_by(
+      Mode<Input>{"fatigue", "fatigue strength, constant amplitude", &any_varies<Input>}.judged_by(
           "u_D, x_eff, x_G, x_Rz, x_N, x_small, x_r, x_D, x_alpha, x_t, x_hole, x_bore, x_E"),
-      Mode<Input>{"yield", "yield or fracture under the largest load", &always<Input>}
-          .judged_by("u_S, x_E")
-          .wanting("f_max"),
-      Mode<Input>{"layer", "cracks of a hard surface layer under the largest load",
+      Mode<Input>{"yield", "static strength at peak load", &always<Input>}.judged_by("u_S, x_E").wanting("f_max"),
+      Mode<Input>{"layer", "cracking of the hardened layer",
                   [](const Input& in) { return where(in.layer == Layer::hard); }},
-      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"shear", "shear by transverse forces in a short shaft, buckling", &unseen<Input>}.special(),
-      Mode<Input>{"surroundings", "corrosion, fretting under hubs that slip, heat or cold, welds", &unseen<Input>}
-          .special()};
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"shear", "transverse shear and buckling", &unseen<Input>}.special(),
+      Mode<Input>{"surroundings", "corrosion, fretting, temperature and welds", &unseen<Input>}.special()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -92,7 +92,7 @@ void fkm_strengths(const FkmSteel& s, FkmSafety& r, Tracer& trace) {
     r.K_dp = fkm_size_factor("K_dp", size.a_p, size.d_p, r.d_eff,
                              is_set(s.a_dp) ? own : "of the group of steels, [FKM], recalled", trace);
     const Length d_eff = r.d_eff;
-    STEP_TO(r, x_eff, d_eff / (250.0 * mm), "size factors are told up to 250 mm, recalled");
+    STEP_TO(r, x_eff, d_eff / (250.0 * mm), "size factors are given up to 250 mm, from memory");
   } else {
     r.K_dm = trace.value("K_dm", 1.0, "R_m is that of this size");
     r.K_dp = trace.value("K_dp", 1.0, "R_e is that of this size");

@@ -121,7 +121,7 @@ Twist fkm_design_factor(const Din743Section& s, FkmSteelGroup group, const FkmSe
     trace.value("sigma_Bd", root.din743.sigma_Bd, "R_md, which the tests belong to");
     trace.value("sigma_Sd", root.din743.sigma_Sd, "R_ed, which the tests belong to");
     by_tests(s, root.din743, kind, measured, trace);
-    k.K_f = trace.value("K_f", measured.beta, "beta of tests: no support of bending is counted beside it");
+    k.K_f = trace.value("K_f", measured.beta, "beta from tests: no support factor in bending in addition");
   } else {
     steep = fkm_by_shape(s, group, l, root, kind, k, trace);
   }

@@ -36,7 +36,7 @@ void hold_amplitude(const FkmService& l, Stressing kind, FkmStress& k, Tracer& t
   const double slope = slope_of_life(kind, trace), N_D = trace.value("N_D", fkm_knee, "knee, [FKM] 2.4, recalled");
   k.K_BK = is_set(l.N) && l.N < N_D ? pow(N_D / l.N, 1.0 / slope) : 1.0;
   const double K_BK = trace.value("K_BK", k.K_BK, "(N_D/N)^(1/k) up to the knee, [FKM] 2.4");
-  STEP_TO(k, sigma_BK, K_BK * sigma_AK, "for the life that is asked for, [FKM] 2.4");
+  STEP_TO(k, sigma_BK, K_BK * sigma_AK, "for the required life, [FKM] 2.4");
   const double j_D = l.j_D;
   STEP_TO(k, a, sigma_a * j_D / sigma_BK, "utilisation, [FKM] 2.6");
   const double over = j_D * sigma_a / sigma_AK;
@@ -155,12 +155,13 @@ template <class Tracer>
 void fkm_ranges(const Din743Section& s, const FkmService& l, const FkmRoot& root, FkmSafety& r, Tracer& trace) {
   ranges(s, root.din743.t, r, trace);
   if (is_measured(s.notch)) {
-    STEP_TO(r, x_small, 7.5 * mm / s.d, "the size of measured notches is told from 7.5 mm, [DIN743] part 2 (17)");
+    STEP_TO(r, x_small, 7.5 * mm / s.d,
+            "the size factor of measured notches is given from 7.5 mm, [DIN743] part 2 (17)");
   }
   const double notched = is_set(r.x_G) ? r.x_G : 0.0;
   const double x_notch = trace.value("x_notch", notched, "steepest gradient of a notch over 100/mm");
   STEP(x_d, 2.0 / s.d * (0.01 * mm), "gradient over the diameter over 100/mm");
-  STEP_TO(r, x_G, max(x_notch, x_d), "support is told up to 100/mm, [FKM] 2.3");
+  STEP_TO(r, x_G, max(x_notch, x_d), "the support factor is given up to 100/mm, [FKM] 2.3");
   if (is_set(l.N)) {
     const double N = l.N;
     STEP_TO(r, x_N, 1e4 / N, "below 1e4 cycles lives are those of strains, own bound");

@@ -85,9 +85,9 @@ struct FkmStress {
       Field<K, double>{&K::K_AK, "K_AK", ratio, "mean stress factor"},
       Field<K, Stress>{&K::sigma_AK, "sigma_AK", MPa, "amplitude that lasts at this mean stress"},
       Field<K, double>{&K::K_BK, "K_BK", ratio, "what a finite life adds"},
-      Field<K, Stress>{&K::sigma_BK, "sigma_BK", MPa, "amplitude for the life that is asked for"},
+      Field<K, Stress>{&K::sigma_BK, "sigma_BK", MPa, "amplitude for the required life"},
       Field<K, double>{&K::a, "a", ratio, "utilisation in fatigue, with its safety"},
-      Field<K, double>{&K::N_a, "N_a", ratio, "life under this stress alone, with its safety"}.may_be_infinite(),
+      Field<K, double>{&K::N_a, "N_a", ratio, "life under this stress only, with its safety factor"}.may_be_infinite(),
       Field<K, double>{&K::n_pl, "n_pl", ratio, "plastic support of the section"},
       Field<K, Stress>{&K::sigma_SK, "sigma_SK", MPa, "static strength of the section"},
       Field<K, double>{&K::a_S, "a_S", ratio, "static utilisation, with its safety"}};

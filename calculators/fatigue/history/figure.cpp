@@ -54,8 +54,7 @@ std::vector<draw::Figure> collective_figure(const std::vector<rainflow::Cycle>& 
   plot.y = {"S", meaning, "MPa", true};
   plot.curves.push_back(collective(cycles, stress, passages));
   plot.curves.push_back(lives(curve, plot.curves.front().x.back()));
-  return {
-      {"collective", "How many cycles are at least so large, and the curve they are held against", std::move(plot)}};
+  return {{"collective", "Cumulative load spectrum with S-N curve", std::move(plot)}};
 }
 
 }  // namespace loadpath::fatigue

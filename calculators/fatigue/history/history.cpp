@@ -35,14 +35,14 @@ template <class Tracer>
 Stress on_curve(const Input& in, const Haigh& haigh, const Cycle& cycle, Tracer& trace) {
   const Stress sigma_a0 = trace.value("sigma_a0", amplitude_of(cycle), "amplitude, as counted");
   const Stress sigma_m0 = trace.value("sigma_m0", mean_of(cycle), "mean stress, as counted");
-  STEP(sigma_a, in.K_A * sigma_a0, "with the service factor");
+  STEP(sigma_a, in.K_A * sigma_a0, "with the application factor");
   if (!History::is_of_part(in)) return NAMED_STEP("S_1", 2.0 * in.S_D * sigma_a, "range, with the safety on stress");
   if (!counts_means(in) || sigma_a == 0.0 * MPa)
     return NAMED_STEP("S_1", in.S_D * sigma_a, "with the safety on stress; its mean is not counted");
   STEP(sigma_s, in.stress == Stresses::shear ? in.K_A * abs(sigma_m0) : in.K_A * sigma_m0,
-       "with the service factor; of shear its magnitude");
+       "with the application factor; of shear its magnitude");
   STEP(sigma_m, in.mean == History::Means::fkm ? sigma_s : max(sigma_s, 0.0 * MPa),
-       "what compression gives is counted by FKM alone");
+       "the benefit of compression is considered by FKM only");
   if (in.stress == Stresses::shear && is_set(haigh.R_m)) trace.value("R_m", haigh.R_m, "of shear, [Shigley6] (6-54)");
   if (in.stress == Stresses::shear && is_set(haigh.R_e)) trace.value("R_e", haigh.R_e, "of shear, [Mises]");
   const Stress sigma_ar = equivalent(rule_of(in), haigh, {sigma_a, sigma_m}, trace);
@@ -172,8 +172,7 @@ void largest_cycle(const Input& in, const std::vector<Cycle>& cycles, const OnCu
   const rainflow::SnCurve curve = weighing_curve(in, on.largest);
   const auto N = curve.cycles(r.S_1 / MPa);
   r.N_S1 = N ? trace.value("N_S1", *N, "cycles on the curve, not reversals") : endless;
-  if (const auto least = curve.cycles(on.largest))
-    r.x_N = trace.value("x_N", *least, "life of the largest cycle alone");
+  if (const auto least = curve.cycles(on.largest)) r.x_N = trace.value("x_N", *least, "life at the largest cycle only");
 }
 
 /// What the gate leaves out, by the curve that one cycle is weighed with.
@@ -220,11 +219,11 @@ template <class Tracer>
 void yield(const Input& in, const Collective& all, Result& r, Tracer& trace) {
   const Stress sigma_1 = trace.value("sigma_1", from_si<Stress>(all.largest), "largest of the history");
   const Stress sigma_2 = trace.value("sigma_2", from_si<Stress>(all.least), "least of the history");
-  STEP_TO(r, sigma_max, in.K_A * sigma_1, "with the service factor");
-  STEP_TO(r, sigma_min, in.K_A * sigma_2, "with the service factor");
+  STEP_TO(r, sigma_max, in.K_A * sigma_1, "with the application factor");
+  STEP_TO(r, sigma_min, in.K_A * sigma_2, "with the application factor");
   if (!is_set(in.R_e)) return;
   STEP(sigma_y, in.stress == Stresses::shear ? in.R_e / sqrt(3.0) : in.R_e, "yield strength; of shear by [Mises]");
-  STEP_TO(r, u_y, max(abs(sigma_max), abs(sigma_min)) / sigma_y, "yield at the first cycle");
+  STEP_TO(r, u_y, max(abs(sigma_max), abs(sigma_min)) / sigma_y, "first-cycle yielding");
   if (is_set(in.S_F)) {
     STEP_TO(r, u_F, in.S_F * u_y, "with its safety");
   }

@@ -28,12 +28,19 @@ namespace loadpath::fatigue {
 
 struct History : HistoryTypes {
   static constexpr auto id = "fatigue.history";
-  static constexpr auto title = "Life under a history of stress";
+  static constexpr auto title = "Variable-amplitude fatigue (rainflow, Miner)";
   static constexpr auto scope =
-      "Rainflow counting of one turn of a mechanism or of a file of any length, or blocks; damage by Miner's rule with "
-      "the curve of a part or of a welded detail; how often the history can be borne; yield. One nominal stress. "
-      "Recalled: the consistent rule and that of Liu and Zenner.";
+      "Rainflow counting of a stress history (one mechanism cycle or a file) or of load blocks, Miner damage "
+      "with the S-N curve of a part or a welded detail, number of allowable repetitions, and yielding, for one "
+      "nominal stress component.";
   static constexpr auto source = "[E1049], [HCM], [Miner], [Haibach], [EN1993-1-9], [DNVC203], [FKM]";
+  static constexpr auto headline = "n = {n}|D = {D}";
+  static constexpr auto subject = "fatigue";
+  static constexpr auto synonyms =
+      "rainflow, cycle counting, Miner, Palmgren-Miner, damage sum, load spectrum, load history, "
+      "variable amplitude, blocks, Haibach, HCM, ASTM E1049, welded detail, FAT class, detail category, "
+      "EN 1993-1-9, DNV-RP-C203, Lastkollektiv, Betriebsfestigkeit, Schadenssumme, Rainflow-Zählung, "
+      "спектр нагрузок, линейное суммирование повреждений, метод дождя";
   static constexpr auto example = R"([project]
 title = "A bracket under three blocks of load"
 
@@ -66,12 +73,12 @@ n_req = 1
   }
   static constexpr Fields inputs{
       Field{&Input::sigma, "sigma", MPa,
-            "nominal stress over the history: a series, whole, or { file, column, unit }, or { values, unit }"}
+            "nominal stress over the history: a series, or { file, column, unit }, or { values, unit }"}
           .load()
           .may_be_missing(),
       ListField{&Input::blocks, "blocks", "cycles in blocks, in place of a series"}.may_be_missing(),
-      Choice{&Input::stress, "stress", "what varies"}.may_be_missing(),
-      Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
+      Choice{&Input::stress, "stress", "stress component: normal or shear"}.may_be_missing(),
+      Field{&Input::K_A, "K_A", ratio, "application factor K_A on the stresses (1 if they include it)"}
           .at_least(1)
           .usually(1, 4)
           .factor(),
@@ -129,12 +136,16 @@ n_req = 1
       Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
       modulus_of_material(&Input::E),
       density_of_material(&Input::rho),
-      Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor(),
+      Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
+          .at_least(1)
+          .usually(1, 6)
+          .may_be_missing()
+          .factor(),
       Field{&Input::D_adm, "D_adm", ratio, "allowable damage sum; of the relative rule below 1, as 0.3"}
           .within(0, 1)
           .positive()
           .usually(0.1, 1),
-      Field{&Input::n_req, "n_req", ratio, "how often the history has to be borne, once at least"}
+      Field{&Input::n_req, "n_req", ratio, "required repetitions of the history, at least 1"}
           .at_least(1)
           .may_be_missing(),
       Field{&Input::N_eq, "N_eq", ratio, "cycles of the equivalent stress of one size"}.positive().may_be_missing(),
@@ -145,8 +156,8 @@ n_req = 1
 
   static constexpr Fields results{
       Field{&Result::n, "n", ratio, "cycles of one passage, halves as 0.5"},
-      Field{&Result::sigma_max, "sigma_max", MPa, "largest stress, with the service factor"}.holding("K_A"),
-      Field{&Result::sigma_min, "sigma_min", MPa, "least stress, with the service factor"}.holding("K_A"),
+      Field{&Result::sigma_max, "sigma_max", MPa, "maximum stress, with the application factor"}.holding("K_A"),
+      Field{&Result::sigma_min, "sigma_min", MPa, "minimum stress, with the application factor"}.holding("K_A"),
       Field{&Result::sigma_a1, "sigma_a1", MPa, "amplitude of the cycle that does most damage"}.holding("K_A"),
       Field{&Result::sigma_m1, "sigma_m1", MPa, "its mean stress"}.holding("K_A"),
       Field{&Result::S_1, "S_1", MPa, "its stress on the curve, with S_D: amplitude at r = -1, or range of a detail"},
@@ -157,7 +168,7 @@ n_req = 1
       Field{&Result::D_consistent, "D_consistent", ratio, "the same, consistent: the fatigue limit falls"},
       Field{&Result::D_LZ, "D_LZ", ratio, "the same by Liu and Zenner"},
       Field{&Result::D, "D", ratio, "damage of one passage, by the rule that decides"},
-      Field{&Result::Z, "Z", ratio, "passages that are borne; endless if no cycle does any damage"}.may_be_infinite(),
+      Field{&Result::Z, "Z", ratio, "allowable repetitions; infinite if no cycle causes damage"}.may_be_infinite(),
       Field{&Result::L, "L", hour, "life"}.may_be_infinite(),
       Field{
           &Result::S_eq, "S_eq", MPa,
@@ -187,7 +198,7 @@ n_req = 1
           .limit(0, 0.01)
           .where_it_applies(),
       ListField{&Result::worst, "worst", "cycles that do most damage"},
-      ListField{&Result::matrix, "matrix", "rainflow matrix, where it is not empty: all with the service factor"},
+      ListField{&Result::matrix, "matrix", "rainflow matrix, non-empty classes, with the application factor"},
       ListField{&Result::range_pairs, "range_pairs", "range pairs, the largest first"},
       ListField{&Result::crossings, "crossings", "level crossings, the highest first, without the gate"}};
 
@@ -210,12 +221,13 @@ n_req = 1
   static constexpr std::array rules{
       Rule<Input>{&one_source, "sigma, blocks", "give the stress sigma as a series, or blocks, one of the two"},
       Rule<Input>{&is_history, "sigma",
-                  "one value is no history: take the series itself, without peak, max or mean, or give blocks"},
+                  "a single value is not a load history: refer to the series, without peak, max or mean, or "
+                  "give blocks"},
       Rule<Input>{&curve_given, "curve, sigma_D, N_D, k, sigma_C, detail, lg_a", "the curve lacks numbers",
                   &missing_of_curve},
       Rule<Input>{&curve_alone, "curve, sigma_D, N_D, k, sigma_C, detail, lg_a, m_1, m_2, N_1",
-                  "give the numbers of the curve that is chosen alone: sigma_D, N_D and k of a part; sigma_C of "
-                  "EN 1993-1-9; detail, or lg_a, of DNV-RP-C203"},
+                  "give only the numbers of the chosen curve: sigma_D, N_D and k of a part; sigma_C of EN "
+                  "1993-1-9; detail, or lg_a, of DNV-RP-C203"},
       Rule<Input>{[](const Input& in) { return in.detail == Detail::untold || !(is_set(in.lg_a) || is_set(in.m_1)); },
                   "detail, lg_a, m_1", "the detail has its own lg a and slope: give detail, or lg_a with m_1"},
       Rule<Input>{&slopes_fall, "m_1, m_2", "the second branch falls less than the first: m_2 is above m_1"},
@@ -241,7 +253,7 @@ n_req = 1
                   "HCM begins on a branch that closes nothing: repeat the history, or count by four points"},
       Rule<Input>{[](const Input& in) { return in.classes == 0 || in.sigma.is_series(); }, "classes, blocks",
                   "classes sort the cycles of a series; blocks are classes already"},
-      Rule<Input>{&varies, "sigma", "a stress that does not vary is no history"},
+      Rule<Input>{&varies, "sigma", "a constant stress is not a load history"},
       lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
       safety_has_its_yield<Input>(),
       yields_before_it_breaks<Input>()};
@@ -251,21 +263,17 @@ n_req = 1
                                        Meaning{"blocks.sigma_a", "amplitude"}, Meaning{"blocks.sigma_m", steady_part}};
 
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield at the first cycle", &always<Input>}.judged_by("u_y, u_F"),
-      Mode<Input>{"fatigue", "fatigue under the history", &always<Input>}
+      Mode<Input>{"yield", "first-cycle yielding", &always<Input>}.judged_by("u_y, u_F"),
+      Mode<Input>{"fatigue", "cumulative fatigue damage", &always<Input>}
           .judged_by("u_D, u_m, x_N, x_B, x_R, x_g, x_O")
           .wanting("n_req"),
-      Mode<Input>{"metal",
-                  "fatigue of a metal without a fatigue limit: on the curve of a part, by miner = \"modified\" or "
-                  "\"elementary\"",
-                  &lacks_limit},
-      Mode<Input>{"mean", "mean stresses in tension, which the curve of r = -1 does not hold", &has_tension}.wanting(
-          "mean"),
-      Mode<Input>{"residue", "cycles of the residue, which are left out", &leaves_residue},
-      Mode<Input>{"notch", "yield at the root of a notch, where no nominal stress counts", &unseen<Input>},
-      Mode<Input>{"multiaxial", "other stresses of the same place", &unseen<Input>}.by_companions().assessed_beside(
+      Mode<Input>{"metal", "fatigue without a fatigue limit (miner = modified or elementary)", &lacks_limit},
+      Mode<Input>{"mean", "mean stress effect", &has_tension}.wanting("mean"),
+      Mode<Input>{"residue", "damage of the rainflow residue", &leaves_residue},
+      Mode<Input>{"notch", "local yielding at the notch root", &unseen<Input>},
+      Mode<Input>{"multiaxial", "additional stress components", &unseen<Input>}.by_companions().assessed_beside(
           "fatigue.multiaxial"),
-      Mode<Input>{"surroundings", "corrosion, heat, fretting", &unseen<Input>}.special()};
+      Mode<Input>{"surroundings", "corrosion, heat and fretting", &unseen<Input>}.special()};
 
   static constexpr bool takes_series = false;
   template <class Tracer>

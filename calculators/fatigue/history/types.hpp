@@ -67,8 +67,8 @@ struct HistoryTypes {
     Stress sigma_a = unset<Stress>, sigma_m = unset<Stress>;
     double n = unset<double>, share = unset<double>, from = unset<double>, to = unset<double>;
     static constexpr Fields fields{
-        Field{&Worst::sigma_a, "sigma_a", MPa, "amplitude, with the service factor"},
-        Field{&Worst::sigma_m, "sigma_m", MPa, "mean stress, with the service factor"},
+        Field{&Worst::sigma_a, "sigma_a", MPa, "amplitude, with the application factor"},
+        Field{&Worst::sigma_m, "sigma_m", MPa, "mean stress, with the application factor"},
         Field{&Worst::n, "n", ratio, "how often, halves as 0.5"},
         Field{&Worst::share, "share", ratio, "of the damage"},
         Field{&Worst::from, "from", ratio, "where it begins: sample of a file, position of a turn, counted from 0"},
@@ -127,7 +127,7 @@ constexpr auto choices_of(HistoryTypes::Counting) {
 }
 constexpr auto choices_of(HistoryTypes::Residue) {
   using R = HistoryTypes::Residue;
-  return std::array{ChoiceName<R>{R::repeated, "repeated", "the history comes again: full cycles alone"},
+  return std::array{ChoiceName<R>{R::repeated, "repeated", "the history repeats: full cycles only"},
                     ChoiceName<R>{R::half_cycles, "half-cycles", "each range is half a cycle, of a history that ends"},
                     ChoiceName<R>{R::ignored, "ignored", "not counted: on the unsafe side"}};
 }

@@ -34,9 +34,9 @@ void yield(const Input& in, const StressPath& path, Result& r, Tracer& trace) {
   const Stress sigma_v1 =
       trace.value("sigma_v1", pascals(largest_mises(path)),
                   "largest root of sigma_x^2 + sigma_y^2 - sigma_x sigma_y + 3 tau_xy^2 along the path, [Mises]");
-  STEP_TO(r, sigma_v, in.K_A * sigma_v1, "with the service factor");
+  STEP_TO(r, sigma_v, in.K_A * sigma_v1, "with the application factor");
   if (!is_set(in.R_e)) return;
-  STEP_TO(r, u_y, sigma_v / in.R_e, "yield at the most stressed moment");
+  STEP_TO(r, u_y, sigma_v / in.R_e, "yielding at peak equivalent stress");
   r.n_y = trace.value("n_y", 1.0 / u_y, "safety against it");
   if (is_set(in.S_F)) {
     STEP_TO(r, u_F, in.S_F * u_y, "with its safety");
@@ -53,8 +53,8 @@ void findley(const Input& in, const StressPath& path, Result& r, Tracer& trace) 
   r.phi_F = trace.angle("phi_F", worst.plane.normal.phi, "the same, along the surface");
   const Stress tau_F1 = trace.value("tau_F1", pascals(worst.plane.tau_a), "radius of the smallest circle, on it");
   const Stress sigma_F1 = trace.value("sigma_F1", pascals(worst.plane.sigma_n), "largest normal stress on it, from 0");
-  STEP_TO(r, tau_F, in.K_A * tau_F1, "with the service factor");
-  STEP_TO(r, sigma_F, in.K_A * sigma_F1, "with the service factor");
+  STEP_TO(r, tau_F, in.K_A * tau_F1, "with the application factor");
+  STEP_TO(r, sigma_F, in.K_A * sigma_F1, "with the application factor");
   STEP_TO(r, sigma_eF, (tau_F + k * sigma_F) / f * in.sigma_D, "in symmetric tension the same, [Findley]");
   r.n_F = told_safety("n_F", in, sigma_eF, trace);
   r.e_p = worst.apart;
@@ -68,8 +68,8 @@ void matake(const Input& in, const StressPath& path, Result& r, Tracer& trace) {
   r.phi_M = trace.angle("phi_M", worst.plane.normal.phi, "the same, along the surface");
   const Stress tau_M1 = trace.value("tau_M1", pascals(worst.plane.tau_a), "radius of the smallest circle, on it");
   const Stress sigma_M1 = trace.value("sigma_M1", pascals(worst.plane.sigma_n), "largest normal stress on it, from 0");
-  STEP_TO(r, tau_M, in.K_A * tau_M1, "with the service factor");
-  STEP_TO(r, sigma_M, in.K_A * sigma_M1, "with the service factor");
+  STEP_TO(r, tau_M, in.K_A * tau_M1, "with the application factor");
+  STEP_TO(r, sigma_M, in.K_A * sigma_M1, "with the application factor");
   STEP_TO(r, sigma_eM, (tau_M + mu * sigma_M) / in.tau_D * in.sigma_D, "in symmetric tension the same, [Matake]");
   r.n_M = told_safety("n_M", in, sigma_eM, trace);
   r.e_p = trace.value("e_p", std::max(r.e_p, worst.apart), "the larger one of the two criteria of planes");
@@ -83,8 +83,8 @@ void crossland(const Input& in, const StressPath& path, const DeviatorBall& ball
   const Stress tau_C1 = trace.value("tau_C1", pascals(ball.radius), "radius of the smallest ball around the deviators");
   const Stress sigma_H1 =
       trace.value("sigma_H1", pascals(largest_hydrostatic(path)), "largest third of the sum, from 0");
-  STEP_TO(r, tau_C, in.K_A * tau_C1, "with the service factor");
-  STEP_TO(r, sigma_H, in.K_A * sigma_H1, "with the service factor");
+  STEP_TO(r, tau_C, in.K_A * tau_C1, "with the application factor");
+  STEP_TO(r, sigma_H, in.K_A * sigma_H1, "with the application factor");
   if (!crossland_holds(in)) return;
   STEP_TO(r, kappa, max(3.0 * in.tau_D / in.sigma_D - sqrt(3.0), 0.0), "both fatigue limits lie on it, [Crossland]");
   STEP_TO(r, sigma_eC, (tau_C + kappa * sigma_H) / in.tau_D * in.sigma_D, "in symmetric tension the same, [Crossland]");
@@ -96,7 +96,7 @@ void dang_van(const Input& in, const StressPath& path, const DeviatorBall& ball,
   STEP_TO(r, a, 3.0 * in.tau_D / in.sigma_D - 1.5, "both fatigue limits lie on the criterion, [DangVan]");
   const Stress tau_DV1 = trace.value("tau_DV1", pascals(largest_mesoscopic(path, ball, a)),
                                      "largest along the path: shear stress from the centre of the ball + a sigma_H");
-  STEP_TO(r, tau_DV, in.K_A * tau_DV1, "with the service factor");
+  STEP_TO(r, tau_DV, in.K_A * tau_DV1, "with the application factor");
   STEP_TO(r, sigma_eDV, tau_DV / in.tau_D * in.sigma_D, "in symmetric tension the same, [DangVan]");
   r.n_DV = told_safety("n_DV", in, sigma_eDV, trace);
 }
@@ -105,7 +105,7 @@ template <class Tracer>
 void in_phase(const Input& in, const StressPath& path, Result& r, Tracer& trace) {
   const Stress sigma_va1 = trace.value("sigma_va1", pascals(mises_in_phase(path)),
                                        "of the amplitudes of sigma_x, sigma_y, their difference and tau_xy, [Mises]");
-  STEP_TO(r, sigma_va, in.K_A * sigma_va1, "with the service factor");
+  STEP_TO(r, sigma_va, in.K_A * sigma_va1, "with the application factor");
   r.n_v = told_safety("n_v", in, sigma_va, trace);
 }
 

@@ -26,12 +26,19 @@ namespace loadpath::fatigue {
 
 struct Multiaxial {
   static constexpr auto id = "fatigue.multiaxial";
-  static constexpr auto title = "Plane stress out of phase";
+  static constexpr auto title = "Non-proportional multiaxial fatigue";
   static constexpr auto scope =
-      "Safety without end of a point whose stresses sigma_x, sigma_y and tau_xy vary apart: Findley, Matake, Crossland "
-      "and Dang Van side by side, von Mises in phase beside them; the plane, its amplitude by the smallest circle; "
-      "yielding. Not covered: finite life, brittle metals, stresses across the surface.";
+      "Infinite-life safety factor at a surface point in plane stress with independently varying sigma_x, "
+      "sigma_y and tau_xy by Findley, Matake, Crossland and Dang Van, with von Mises in phase for comparison, "
+      "the critical plane and yielding; finite life, brittle metals and stresses normal to the surface are not "
+      "covered.";
   static constexpr auto source = "[Findley], [Matake], [Crossland], [DangVan], [Mises]";
+  static constexpr auto headline = "n = {n}";
+  static constexpr auto subject = "fatigue";
+  static constexpr auto synonyms =
+      "multiaxial fatigue, non-proportional, out of phase, critical plane, Findley, Matake, Crossland, Dang Van, "
+      "mehrachsige Ermüdung, kritische Schnittebene, nichtproportional, многоосная усталость, "
+      "непропорциональное нагружение";
   static constexpr auto example = R"([project]
 title = "Hollow shaft, bending and torsion a quarter of a turn apart"
 
@@ -62,14 +69,14 @@ S_F = 1.5
   static constexpr Fields inputs = join(
       Fields{
           Field{&Input::sigma_x, "sigma_x", MPa,
-                "normal stress along x: a series, whole, or { file, column, unit }, or { values, unit }; or one value"}
+                "normal stress along x: a series, or { file, column, unit }, or { values, unit }; or one value"}
               .load()
               .may_be_missing(),
           Field{&Input::sigma_y, "sigma_y", MPa, "normal stress along y, the same, at the same moments"}
               .load()
               .may_be_missing(),
           Field{&Input::tau_xy, "tau_xy", MPa, "shear stress, the same, at the same moments"}.load().may_be_missing(),
-          Field{&Input::K_A, "K_A", ratio, "service factor on the stresses: what they do not contain, once"}
+          Field{&Input::K_A, "K_A", ratio, "application factor K_A on the stresses (1 if they include it)"}
               .at_least(1)
               .usually(1, 4)
               .factor(),
@@ -81,11 +88,11 @@ S_F = 1.5
           Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
           modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
           Choice{&Input::criterion, "criterion", "criterion that decides"}.may_be_missing(),
-          Field{&Input::S_D, "S_D", ratio, "safety against fatigue, a factor on the whole path"}
+          Field{&Input::S_D, "S_D", ratio, "safety factor against fatigue, on the full load path"}
               .at_least(1)
               .usually(1.2, 6)
               .factor(),
-          Field{&Input::S_F, "S_F", ratio, "safety against yielding"}
+          Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)
               .usually(1, 6)
               .may_be_missing()
@@ -165,7 +172,7 @@ S_F = 1.5
       Rule<Input>{&in_step, "sigma_x, sigma_y, tau_xy",
                   "the stresses are of the same moments: series of one mechanism, or as many samples of each"},
       Rule<Input>{&varies, "sigma_x, sigma_y, tau_xy",
-                  "a stress that does not vary is no history: one of the three is a series that does"},
+                  "a constant stress is not a load history: at least one of the three must vary"},
       Rule<Input>{
           &fine_enough, "sigma_x, sigma_y, tau_xy",
           "36 positions of a turn at least, and between them extremes no more than 1 % of the range larger: take more"},
@@ -176,12 +183,13 @@ S_F = 1.5
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear},
                                        Meaning{"sigma_x, sigma_y, tau_xy", steady_part}};
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield at the most stressed moment", &always<Input>}.judged_by("u_y, u_F"),
-      Mode<Input>{"fatigue", "fatigue, without end, stresses out of phase", &always<Input>}.judged_by("u_D, x_D, x_C"),
+      Mode<Input>{"yield", "yielding at peak equivalent stress", &always<Input>}.judged_by("u_y, u_F"),
+      Mode<Input>{"fatigue", "infinite-life fatigue, non-proportional stresses", &always<Input>}.judged_by(
+          "u_D, x_D, x_C"),
       fatigue_of_metal<&varies, Input>(),
-      Mode<Input>{"rest", "what else acts at the same place", &unseen<Input>}.by_companions(),
-      Mode<Input>{"across", "stresses across the surface: pressure, fretting, what lies beneath", &unseen<Input>},
-      Mode<Input>{"surroundings", "corrosion, heat", &unseen<Input>}.special()};
+      Mode<Input>{"rest", "additional stress components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"across", "surface-normal and subsurface stresses", &unseen<Input>},
+      Mode<Input>{"surroundings", "corrosion and heat", &unseen<Input>}.special()};
 
   static constexpr bool takes_series = false;
   template <class Tracer>
@@ -191,7 +199,7 @@ S_F = 1.5
 
 constexpr auto choices_of(Multiaxial::Criterion) {
   using C = Multiaxial::Criterion;
-  return std::array{ChoiceName<C>{C::worst, "worst", "the least safety of all that hold for tau_D/sigma_D"},
+  return std::array{ChoiceName<C>{C::worst, "worst", "the lowest safety factor of all rules valid for tau_D/sigma_D"},
                     ChoiceName<C>{C::findley, "findley", "the plane of the largest tau_a + k sigma_n"},
                     ChoiceName<C>{C::matake, "matake", "the plane of the largest tau_a, and its sigma_n"},
                     ChoiceName<C>{C::crossland, "crossland", "root of J_2 of the amplitude and hydrostatic stress"},

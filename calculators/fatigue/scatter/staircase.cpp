@@ -130,7 +130,7 @@ Staircase::Result Staircase::evaluate(const Input& in, Tracer& trace) {
   const double half =
       trace.value("half", end == End::failure ? -0.5 : 0.5, "failures lie above the mean, run-outs below");
   is_log(in) ? logarithmic(in, c, half, has_scatter, r, trace) : linear(in, c, half, has_scatter, r, trace);
-  STEP_TO(r, P_f, 1.0 - in.P_s, "few tests tell of no tail");
+  STEP_TO(r, P_f, 1.0 - in.P_s, "few tests do not support a tail");
   return r;
 }
 

@@ -23,12 +23,16 @@ namespace loadpath::fatigue {
 
 struct Staircase {
   static constexpr auto id = "fatigue.staircase";
-  static constexpr auto title = "Fatigue limit by a staircase test";
+  static constexpr auto title = "Staircase test evaluation (Dixon-Mood)";
   static constexpr auto scope =
-      "Mean and standard deviation of the fatigue strength from a staircase test by Dixon and Mood, with the range in "
-      "which its scatter can be told; scatter T_S, strength at a survival probability. Not covered: the confidence of "
-      "a small sample, maximum likelihood.";
+      "Mean and standard deviation of a fatigue limit from a staircase test by Dixon and Mood, scatter T_S, "
+      "and the strength at a survival probability; the confidence of a small sample and maximum likelihood are "
+      "not covered.";
   static constexpr auto source = "[DixonMood], [ISO12107]";
+  static constexpr auto headline = "S_50 = {S_50}";
+  static constexpr auto synonyms =
+      "staircase method, up-and-down method, Dixon-Mood, fatigue limit test, scatter, survival probability, "
+      "Treppenstufenverfahren, Dauerfestigkeitsversuch, метод лестницы";
   static constexpr auto example = R"([project]
 title = "Staircase of twenty bars"
 
@@ -92,7 +96,7 @@ P_s = 0.9
       Field{&Result::S_P, "S_P", MPa, "strength that the share P_s survives, with 50 % confidence; none below 0"},
       Field{&Result::x_s, "x_s", ratio, "D, from 0.3 on the formula of the standard deviation holds"}.limit(
           0.3 - 1e-9, std::numeric_limits<double>::infinity()),
-      Field{&Result::x_n, "x_n", ratio, "tests, at least 15 to tell a scatter"}.limit(15, most_tests),
+      Field{&Result::x_n, "x_n", ratio, "number of tests, at least 15 for a scatter"}.limit(15, most_tests),
       Field{&Result::P_f, "P_f", ratio,
             "failure probability of the strength for design: below 5 % few tests say nothing"}
           .limit(0.05 - 1e-12, 1)};
@@ -105,10 +109,8 @@ P_s = 0.9
 
   static constexpr std::array meanings{Meaning{"S_50", mean_strength}};
   static constexpr std::array modes{
-      Mode<Input>{"scatter", "a scatter of which so few tests, or so wide steps, do not tell", &always<Input>}
-          .judged_by("x_s, x_n")
-          .of_shape(),
-      Mode<Input>{"survival", "a survival of which so few tests do not tell", &always<Input>}
+      Mode<Input>{"scatter", "sample size and step size", &always<Input>}.judged_by("x_s, x_n").of_shape(),
+      Mode<Input>{"survival", "survival probability supported by the sample", &always<Input>}
           .judged_by("P_f")
           .of_shape()};
 

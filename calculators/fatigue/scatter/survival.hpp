@@ -17,11 +17,16 @@ namespace loadpath::fatigue {
 
 struct Survival {
   static constexpr auto id = "fatigue.survival";
-  static constexpr auto title = "Strength and life at a survival probability";
+  static constexpr auto title = "Conversion of survival probability";
   static constexpr auto scope =
-      "Shift of a fatigue strength, of a life and of the knee from one survival probability to another, log-normal, by "
-      "the scatter T_S or T_N. Not covered: the confidence of a scatter, tails beyond 0.1 %.";
+      "Conversion of a log-normally distributed fatigue strength, life and knee from one survival probability "
+      "to another by the scatter T_S or T_N; the confidence of the scatter and tails beyond 0.1 % are not "
+      "covered.";
   static constexpr auto source = "[ISO12107], [pylife-tests]";
+  static constexpr auto headline = "sigma_P = {sigma_P}|N_P = {N_P}";
+  static constexpr auto synonyms =
+      "survival probability, failure probability, reliability, scatter, T_S, T_N, log-normal, quantile, "
+      "Überlebenswahrscheinlichkeit, Streuung, вероятность неразрушения, рассеяние";
   static constexpr auto example = R"([project]
 title = "A fatigue limit of which one in forty fails"
 
@@ -60,7 +65,7 @@ P = 0.975
           .may_be_missing(),
       Field{&Input::k, "k", ratio, "slope of the line, N S^k = const"}.within(1, 32).usually(3, 20).may_be_missing(),
       Field{&Input::P_0, "P_0", ratio, "survival probability that they are known at"}.within(1e-6, 1 - 1e-6),
-      Field{&Input::P, "P", ratio, "survival probability that they are asked for"}.within(1e-6, 1 - 1e-6)};
+      Field{&Input::P, "P", ratio, "required survival probability"}.within(1e-6, 1 - 1e-6)};
 
   struct Result {
     double T_S = unset<double>, T_N = unset<double>, s_S = unset<double>, s_N = unset<double>, z = unset<double>;
@@ -88,7 +93,7 @@ P = 0.975
                   "a strength moves by T_S, a life by T_N; one gives the other with the slope k"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"tail", "a tail of which no tests tell", &always<Input>}.judged_by("x_P").of_shape()};
+      Mode<Input>{"tail", "validity: survival probability", &always<Input>}.judged_by("x_P").of_shape()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -20,20 +20,19 @@ struct MeshOfSet {
   Idler idler = Idler::gear_2;
 
   static constexpr Fields fields{
-      Choice{&MeshOfSet::mesh, "mesh", "what gear 1 meshes with"},
-      Field{&MeshOfSet::z_1, "z_1", ratio, "teeth of gear 1"},
-      Field{&MeshOfSet::z_2, "z_2", ratio, "teeth of gear 2"},
+      Choice{&MeshOfSet::mesh, "mesh", "type of mesh: external gear, ring gear or rack"},
+      Field{&MeshOfSet::z_1, "z_1", ratio, "number of teeth, gear 1"},
+      Field{&MeshOfSet::z_2, "z_2", ratio, "number of teeth, gear 2"},
       Field{&MeshOfSet::m_n, "m_n", mm, "normal module"},
       Field{&MeshOfSet::beta, "beta", deg, "helix angle"},
-      Field{&MeshOfSet::x_1, "x_1", ratio, "profile shift of gear 1"},
-      Field{&MeshOfSet::x_2, "x_2", ratio, "profile shift of gear 2"},
-      Field{&MeshOfSet::h_aP, "h_aP", ratio, "addendum of the basic rack in modules"},
-      Field{&MeshOfSet::d_a2, "d_a2", mm, "tip diameter of the ring, where its addendum is its own"},
-      Field{&MeshOfSet::T_1, "T_1", N_m, "torque on gear 1 from this mesh, positive where gear 1 drives"}
-          .load()
-          .holding("K_gamma"),
-      Field{&MeshOfSet::n_1, "n_1", rpm, "speed of gear 1 against the carrier"},
-      Choice{&MeshOfSet::idler, "idler", "the planet, whose teeth bend both ways in a turn"}};
+      Field{&MeshOfSet::x_1, "x_1", ratio, "profile shift coefficient, gear 1"},
+      Field{&MeshOfSet::x_2, "x_2", ratio, "profile shift coefficient, gear 2"},
+      Field{&MeshOfSet::h_aP, "h_aP", ratio, "addendum of the basic rack, in modules"},
+      Field{&MeshOfSet::d_a2, "d_a2", mm, "tip diameter of the ring gear, if it has its own addendum"},
+      Field{&MeshOfSet::T_1, "T_1", N_m, "torque on gear 1 from this mesh, positive if gear 1 drives"}.load().holding(
+          "K_gamma"),
+      Field{&MeshOfSet::n_1, "n_1", rpm, "speed of gear 1 relative to the carrier"},
+      Choice{&MeshOfSet::idler, "idler", "planet: reversed tooth bending"}};
 };
 
 }  // namespace loadpath::gear

@@ -76,7 +76,7 @@ void powers(Planetary::Result& r, Tracer& trace) {
   STEP_TO(r, P_c, r.T_c * r.n_c, "into the carrier");
   STEP_TO(r, P_r, r.T_r * r.n_r, "into the ring");
   STEP_TO(r, P_w, r.T_s * (r.n_s - r.n_c), "rolls in the teeth");
-  STEP_TO(r, P_in, max(P_s, 0.0 * W) + max(P_c, 0.0 * W) + max(P_r, 0.0 * W), "power that enters");
+  STEP_TO(r, P_in, max(P_s, 0.0 * W) + max(P_c, 0.0 * W) + max(P_r, 0.0 * W), "input power");
   STEP_TO(r, P_loss, P_s + P_c + P_r, "enters and does not come out");
   if (!(P_in > 0.0 * W)) return;
   STEP_TO(r, eta, 1.0 - P_loss / P_in, "efficiency");
@@ -97,9 +97,9 @@ Planetary::Coaxial coaxial_by(double z_gap) {
 /// Evenly spaced planets need a whole number of tooth steps of sun and ring together between them.
 template <class Tracer>
 void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
-  STEP_TO(r, q, (in.z_s + r.z_r) / in.N_p, "steps of assembly between two planets; whole for even spacing, [Assembly]");
+  STEP_TO(r, q, (in.z_s + r.z_r) / in.N_p, "assembly steps between two planets; integer for even spacing, [Assembly]");
   r.spacing = Planetary::evenly_spaced(in) ? Planetary::Spacing::even : Planetary::Spacing::uneven;
-  const double steps = trace.value("steps", std::round(q), "the nearest whole number of steps");
+  const double steps = trace.value("steps", std::round(q), "the nearest integer number of steps");
   STEP_TO(r, phi_2, 2.0 * pi * steps / (in.z_s + r.z_r), "where the second planet can be put in");
   STEP_TO(r, z_gap, r.z_r - in.z_s - 2.0 * in.z_p,
           "zero where sun, planet and ring come to one axis by their teeth, [Assembly]");
@@ -108,7 +108,7 @@ void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
     r.u_N = trace.value("u_N", 0.0, "a single planet has no neighbour");
     return;
   }
-  const double least = trace.value("least", std::floor(q), "whole steps between the planets that stand closest");
+  const double least = trace.value("least", std::floor(q), "integer steps between the closest planets");
   STEP(phi_min, 2.0 * pi * least / (in.z_s + r.z_r), "the smallest angle between two neighbours");
   STEP_TO(r, u_N, (in.z_p + 2.0 * (in.h_aP + in.x_p)) / ((in.z_s + in.z_p) * sin(phi_min / 2.0)),
           "tip circle of a planet over the distance to its neighbour, [Assembly]");

@@ -57,7 +57,7 @@ Measure measure_of(const Mechanism::Input& in, const planar::Accuracy& wanted) {
 }
 
 constexpr const char *worst_path = "accuracy.NAME.worst", *statistical_path = "accuracy.NAME.statistical";
-constexpr const char* worst_doc = "largest error when all tolerances and all play work together, worst case";
+constexpr const char* worst_doc = "maximum error with all tolerances and clearances, worst case";
 constexpr const char* statistical_doc = "error of three standard deviations, of independent dimensions";
 
 template <class Read>
@@ -148,7 +148,7 @@ Cell largest_part(const Errors& errors, const OutputError& error) {
 }
 
 Table largest_table(const Mechanism::Input& in, const Errors& errors, const Axis* axis) {
-  Table table{say("Errors by tolerances and play"), {say("output"), say("worst case, ±")}, {}};
+  Table table{say("Errors due to tolerances and clearance"), {say("output"), say("worst case, ±")}, {}};
   if (axis != nullptr) table.head.push_back(say("at"));
   table.head.push_back(say("statistical, ± 3 standard deviations"));
   if (axis != nullptr) table.head.push_back(say("at"));
@@ -172,7 +172,7 @@ Table largest_table(const Mechanism::Input& in, const Errors& errors, const Axis
 Table parts_table(const Mechanism::Input& in, const Errors& errors, const Axis* axis) {
   constexpr std::size_t most_columns = 6;
   const std::size_t columns = std::min<std::size_t>(in.accuracy.size(), most_columns);
-  Table table{say("What each tolerance and each play does, where the output has its worst case"), {say("of")}, {}};
+  Table table{say("Contribution of each tolerance and clearance at the worst case of the output"), {say("of")}, {}};
   std::vector<const OutputError*> at;
   for (std::size_t n = 0; n < columns; ++n) {
     table.head.push_back(say("{1}", in.accuracy[n].name.view()));
@@ -198,7 +198,7 @@ Errors errors_of(const Mechanism::Input& in, const mechanism::Model& model, cons
   const auto tolerances = tolerances_of(in, model);
   const auto clearances = clearances_of(in);
   for (const mechanism::Clearance& c : clearances)
-    errors.names.push_back(say("play in {1}", model.joints[c.joint].name));
+    errors.names.push_back(say("clearance in {1}", model.joints[c.joint].name));
   mechanism::ToleranceAnalysis analysis(model);
   const bool statics = in.analysis == Mechanism::Analysis::statics;
   for (const planar::Accuracy& wanted : in.accuracy) {
@@ -237,7 +237,7 @@ void list(std::vector<ResultPattern>& patterns) {
 /// What has which tolerance.
 void show_input(const Mechanism::Input& in, std::vector<account::Block>& blocks) {
   if (in.accuracy.empty()) return;
-  Table table{say("Tolerances and play"),
+  Table table{say("Tolerances and clearance"),
               {say("name"), say("what"), say("of"), say("half width, ±"), say("standard deviations")},
               {}};
   for (const planar::Tolerance& t : in.tolerances) {
@@ -250,7 +250,7 @@ void show_input(const Mechanism::Input& in, std::vector<account::Block>& blocks)
   }
   for (const planar::Joint& j : in.joints) {
     if (in_si(j.clearance) == 0.0) continue;
-    table.rows.push_back({say("play in {1}", text(j.name)), say("half the play in the diameter, in any direction"),
+    table.rows.push_back({say("clearance in {1}", text(j.name)), say("half the diametral clearance, in any direction"),
                           text(j.name), Quantity{0.5 * in_si(j.clearance), "mm"}, Quantity{3.0, "-"}});
   }
   blocks.emplace_back(std::move(table));

@@ -81,7 +81,7 @@ class ToleranceCheck {
       if (width.belongs)
         ++count;
       else
-        faults_.add(path_ + "." + width.key, say("'{1}' is no half width of {2}", width.key, word_of(t_.of)),
+        faults_.add(path_ + "." + width.key, say("'{1}' is not a valid tolerance of {2}", width.key, word_of(t_.of)),
                     say("write {1}", hint()));
     }
     if (count == 1) return;
@@ -246,9 +246,10 @@ void check_accuracy(NameFaults& faults) {
     faults.add("tolerances", say("the tolerances have no effect: no output is named under 'accuracy'"), hint);
   else if (in.accuracy.empty() && any)
     faults.add(path_of("joints", play->name, "clearance"),
-               say("the play in '{1}' has no effect: no output is named under 'accuracy'", play->name.view()), hint);
+               say("the clearance in '{1}' has no effect: no output is named under 'accuracy'", play->name.view()),
+               hint);
   if (!in.accuracy.empty() && !any)
-    faults.add("accuracy", say("nothing has a tolerance or play, so no output has an error"),
+    faults.add("accuracy", say("no tolerance or clearance is given, so outputs have no error"),
                say("add tolerances = { rod = { link = \"rod\", point = \"A\", to = \"B\", t = \"0.05 mm\" } }"));
   for (const planar::Tolerance& t : in.tolerances) ToleranceCheck(t, faults).run();
   for (const planar::Accuracy& wanted : in.accuracy) check_output(wanted, faults);

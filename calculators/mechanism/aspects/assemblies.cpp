@@ -54,7 +54,7 @@ std::vector<FieldFault> choose_assembly(const Mechanism::Input& in, const mechan
   if (in.sides.empty()) return {};
   if (!structure.redundant.empty())
     return {{"sides",
-             say("sides do not tell the assembly where joints hold too much: {1}",
+             say("assembly modes do not apply with redundant constraints: {1}",
                  names_of(model.joints, structure.redundant[0])),
              say("state the rough place and angle of the links, or draw them")}};
   const auto list = mechanism::assemblies(model).list;

@@ -149,7 +149,7 @@ Table weight_table(const Mechanism::Input& in, const Balanced& balanced) {
 Table shaking_table(const Mechanism::Input& in, const Balanced& balanced) {
   const bool rms = in.balance == planar::Balance::rms;
   Table table{rms ? say("Shaking force and moment: counterweights for the smallest root mean square of the force")
-                  : say("Shaking force and moment: counterweights for the smallest peak of the force"),
+                  : say("Shaking force and moment; counterweights for minimum peak force"),
               {say("quantity"), say("without"), say("with counterweights"), say("left")},
               {}};
   const auto add = [&](Message name, double ShakingCycle::*of, const char* unit, bool known) {
@@ -173,7 +173,7 @@ void check_names_of_balance(NameFaults& faults) {
     faults.add("counterweights", say("counterweights balance inertia, and the analysis is static"),
                say("leave out analysis = \"static\""));
   if (!is_whole_turn(in))
-    faults.add("counterweights", say("counterweights are found over a whole turn of a crank, and there is none"),
+    faults.add("counterweights", say("counterweights need a full revolution of a crank, and there is none"),
                say("drive by a crank, without 'at' and 'law'"));
   for (const planar::Counterweight& weight : in.counterweights) {
     const std::string path = path_of("counterweights", weight.name);

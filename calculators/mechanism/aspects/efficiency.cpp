@@ -43,7 +43,7 @@ Efficiency efficiency(double drive, double useful) {
 Efficiency efficiency_of(const Results& results) {
   const account::Entry *const drive = results.find(Kind::drive_power), *const use = results.find(Kind::useful_power);
   if (drive == nullptr || !drive->value.is_series() || !drive->value.signature.axis->cyclic())
-    return undefined(say("the positions are no whole turn of the crank"));
+    return undefined(say("the positions do not cover a full revolution of the crank"));
   if (results.find(Kind::cylinder_force) != nullptr) return undefined(say("several drives share the work"));
   if (use == nullptr) return undefined(say("no load is marked useful"));
   return efficiency(mean_of(drive), mean_of(use));

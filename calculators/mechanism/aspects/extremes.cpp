@@ -30,7 +30,7 @@ Cell value_cell(const account::Entry& e, double si) {
 
 /// What is not unique is told in a table of its own.
 Table extremes_table(const Results& results, const Cycle& cycle, const Axis& axis) {
-  Table table{axis.cyclic() ? say("Extremes over the cycle") : say("Extremes over the positions"),
+  Table table{axis.cyclic() ? say("Extreme values over the cycle") : say("Extremes over the positions"),
               {say("quantity"), say("largest"), say("at"), say("smallest"), say("at")},
               {}};
   if (axis.cyclic()) table.head.insert(table.head.end(), {say("mean"), say("rms")});
@@ -50,7 +50,7 @@ Table extremes_table(const Results& results, const Cycle& cycle, const Axis& axi
 
 /// What has no extremes.
 std::optional<Table> constant_table(const Results& results, const Axis& axis) {
-  Table table{axis.cyclic() ? say("Constant over the cycle") : say("Constant over the positions"),
+  Table table{axis.cyclic() ? say("Constants over the cycle") : say("Constant over the positions"),
               {say("quantity"), say("value"), say("meaning")},
               {}};
   for (const auto& [output, entry] : results) {

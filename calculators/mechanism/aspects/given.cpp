@@ -41,7 +41,7 @@ Table link_table(const Mechanism::Input& in) {
 }
 
 Table point_table(const Mechanism::Input& in) {
-  Table table{say("Points, in the axes of their link"), {say("point"), say("link"), say("x"), say("y")}, {}};
+  Table table{say("Points in link coordinates"), {say("point"), say("link"), say("x"), say("y")}, {}};
   const auto add = [&](const planar::Point& p, const std::string& link) {
     const mechanism::Vec v = vector_of(p);
     table.rows.push_back({text(p.name), link, Quantity{v.x, "mm"}, Quantity{v.y, "mm"}});

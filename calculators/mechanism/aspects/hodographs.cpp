@@ -83,8 +83,7 @@ class Drawing {
     }
     plans.panels.push_back(panel(say("{1}: {2} on {3}, in fixed axes", joint_.name, first, second), mechanism::ground));
     return {"hodograph-" + joint_.name,
-            axis_.cyclic() ? "The end of a joint's force over the cycle, seen from either part and in fixed axes; the "
-                             "arrow is its largest"
+            axis_.cyclic() ? "Hodograph of the joint force in link and fixed coordinates; arrow: maximum"
                            : "The end of a joint's force over the positions, seen from either part and in fixed axes; "
                              "the arrow is its largest",
             std::move(plans)};

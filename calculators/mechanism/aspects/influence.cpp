@@ -79,7 +79,7 @@ void add_causes(const mechanism::Model& model, const Position& at, bool statics,
   mechanism::CauseSplit split(model);
   if (!split.find(at, statics)) return;
   const std::vector<Column> columns = columns_of(model, at);
-  Table table{say("Causes of the forces at the governing position, along each force"), {say("cause")}, {}};
+  Table table{say("Contributions to the joint forces at the governing position"), {say("cause")}, {}};
   for (const Column& column : columns) table.head.push_back(say("{1}", column.title));
   for (std::size_t c = 0; c < split.causes().size(); ++c) {
     std::vector<Cell> row{name_of(split.causes()[c], model)};
@@ -208,7 +208,7 @@ std::vector<Change> changes_of(const mechanism::Model& model, const Position& at
 void add_changes(const mechanism::Model& model, const Position& at, bool statics, std::vector<Table>& tables) {
   if (model.drivers.empty() || at.effort[0] == 0.0) return;
   const bool rotary = model.drivers[0].kind == mechanism::Driver::Kind::rotary;
-  Table table{say("What changes the effort of the drive most, at the governing position (exact derivatives)"),
+  Table table{say("Sensitivity of the driving effort at the governing position (exact derivatives)"),
               {say("dimension, mass or load"), say("changed by"), say("changes the effort by"), say("part of it")},
               {}};
   for (const Change& change : changes_of(model, at, statics)) {

@@ -34,7 +34,7 @@ mechanism::Model at_position(mechanism::Model model, const mechanism::Position& 
 void add_assemblies(const mechanism::Model& model, std::vector<account::Block>& blocks) {
   const auto found = mechanism::assemblies(model);
   if (found.list.size() < 2) return;
-  Table table{found.complete ? say("Assemblies at the first position")
+  Table table{found.complete ? say("Assembly modes at the first position")
                              : say("Assemblies found at the first position; there may be more"),
               {say("assembly"), say("followed")},
               {}};
@@ -108,7 +108,7 @@ double settled(double x, double least) { return std::abs(x) <= least ? 0.0 : x; 
 
 void add_strokes(const mechanism::Model& model, const Kinematics& kinematics, const Axis* axis,
                  std::vector<account::Block>& blocks) {
-  Table table{say("Strokes; at its extremes a part cannot drive the mechanism"),
+  Table table{say("Strokes and dead centres"),
               {say("part"), say("extreme"), say("at"), say("extreme"), say("at"), say("stroke"), say("time ratio")},
               {}};
   const double step = axis->at.size() > 1 ? std::abs(axis->at[1] - axis->at[0]) : 0.0;

@@ -153,7 +153,7 @@ class StandingTable {
     add_jamming(say("no effort starts it forward"), &StandingEffort::forward);
     add_jamming(say("no effort starts it backward"), &StandingEffort::backward);
     const auto stands = [this](std::size_t k) { return cycle_.standing[k].stands(); };
-    add(say("stands without its drive"), where(stands));
+    add(say("at rest without its drive"), where(stands));
     add_threshold(say("least friction with which its load does not drive it back, as a part of what it has"),
                   cycle_.stands_somewhere);
     if (axis_ != nullptr) add_threshold(say("the same for every position"), cycle_.stands_everywhere);
@@ -207,7 +207,7 @@ class StandingTable {
   const Cycle& cycle_;
   const Axis* axis_;
   std::string unit_;
-  Table table_{say("At rest: what starts the mechanism, and where it stands without its drive"), {}, {}};
+  Table table_{say("At rest: breakaway effort and self-locking positions"), {}, {}};
 };
 
 /// Rows of what differs: how it is with the friction one way and the other.

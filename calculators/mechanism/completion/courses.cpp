@@ -89,7 +89,7 @@ class CourseCheck {
 
   template <class Points, class Read>
   void check_points(const Course& course, const char* field, const Points& points, Read x) {
-    if (points.size() == 1) return add(course, field, say("one point is no course"), say("add another"));
+    if (points.size() == 1) return add(course, field, say("one point is not a load curve"), say("add another"));
     const auto late = [&](const auto& a, const auto& b) { return !(x(b) > x(a)); };
     if (std::adjacent_find(points.begin(), points.end(), late) != points.end())
       add(course, field, say("the places of '{1}' must rise from each to the next", field));
@@ -108,7 +108,7 @@ class CourseCheck {
           say("take over_stroke or over_time"));
     const double speed = crank ? in_si(in_.crank.speed) : in_.cylinders.empty() ? 0.0 : in_si(in_.cylinders[0].speed);
     if (by_time(course) && !has_law(in_) && speed == 0.0)
-      add(course, "", say("'{1}' goes by the time, and nothing tells when the mechanism is where", course.name.view()),
+      add(course, "", say("'{1}' is a function of time, but the motion is not given over time", course.name.view()),
           say("give the drive its speed, or a law of motion"));
     const auto& at = in_.crank.at;
     if (by_time(course) && at.size() > 1 && in_si(at[1].angle - at[0].angle) * speed < 0.0)
@@ -129,7 +129,7 @@ class CourseCheck {
     if (course.stroke_of.empty())
       return add(course, "stroke_of", say("which stroke '{1}' goes by is not clear", course.name.view()),
                  there_is(names));
-    add(course, "stroke_of", say("'{1}' is no cylinder, prismatic joint or slot", course.stroke_of.view()),
+    add(course, "stroke_of", say("'{1}' is not a cylinder, prismatic joint or slot", course.stroke_of.view()),
         did_you_mean(course.stroke_of.view(), names, there_is(names)));
   }
 

@@ -49,7 +49,10 @@ FieldFault no_centre(const std::string& name) {
 
 FieldFault no_inertia(const std::string& name) {
   const std::string path = path_of("links", name);
-  return {path, say("'{1}.J' is missing: with a mass centre of its own '{2}' is no slender bar", path, name),
+  return {path,
+          say("'{1}.J' is missing: '{2}' has its own mass centre, so the slender-bar default does not "
+              "apply",
+              path, name),
           say("write J = \"... kg*m^2\", about the mass centre; 0 kg*m^2 where its mass is in that point")};
 }
 

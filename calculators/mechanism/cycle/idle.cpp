@@ -21,7 +21,7 @@ class IdleFields {
     const bool crank = !in_.crank.joint.empty();
     if (crank && typed_("positions"))
       add("positions", say("'positions' is of strokes of cylinders, and a crank drives"),
-          say("the positions of a turn stand in the crank: crank = { positions = 72 }"));
+          say("give the positions of a revolution in the crank: crank = { positions = 72 }"));
     for (const planar::Cylinder& cylinder : in_.cylinders) check_motion(cylinder);
     if (!crank && !has_law(in_)) check_strokes();
     return std::move(faults_);
@@ -35,7 +35,7 @@ class IdleFields {
   void check_turn() {
     for (const char* path : {"crank.start", "crank.positions"}) {
       if (!typed_("crank.at") || !typed_(path)) continue;
-      add(path, say("'{1}' is of a whole turn, and 'crank.at' gives the crank angles", path),
+      add(path, say("'{1}' needs a full revolution, but 'crank.at' gives single crank angles", path),
           say("leave out one of the two"));
     }
   }

@@ -49,7 +49,7 @@ constexpr std::array guide_rows{
         nullptr, "prismatic joints"),
     row<Guide>(
         "joints.NAME.h", "where that force lies: distance from the first link's point, along the guide", mm,
-        {.missing = "where there is none, the guide carries a couple alone, or nothing"},
+        {.missing = "where there is none, the guide carries only a couple, or nothing"},
         [](const Guide&, const Guide::Pressure& at) { return at.M == 0.0   ? 0.0
                                                              : at.N == 0.0 ? none
                                                                            : at.M / at.N; },

@@ -118,7 +118,7 @@ void check(const Mechanism::Input& in, const mechanism::Model& model, std::vecto
     if (member.length() > 0.0 && mechanism::is_uniform(model, member)) continue;
     const double l = member.length(), J = model.links[k].mass * l * l / 12.0;
     faults.push_back({"links." + model.links[k].name + ".mass_line",
-                      say("link '{1}' is no uniform bar of {2}: that has its mass centre in the middle and J = {3}",
+                      say("link '{1}' is not a uniform bar of {2}, which has its mass centre in the middle and J = {3}",
                           model.links[k].name, format_quantity(l, "mm", 4), format_quantity(J, "kg*m^2", 4)),
                       say("correct S and J, or say mass_line = \"lumped\"")});
   }

@@ -179,8 +179,8 @@ std::vector<std::size_t> frames_of(const Cycle& cycle, std::size_t governing, st
 
 draw::Figure animation(const AnimationSubject& subject) {
   return {"peak-position",
-          "The mechanism at the position nearest to the largest effort of the drive, with the same forces, and the "
-          "force plan of a link",
+          "Mechanism near the position of maximum driving effort, with forces and the force polygon "
+          "of a link",
           Animation(subject).taken()};
 }
 

@@ -110,8 +110,7 @@ std::vector<draw::Figure> plan_figures(const PlanSubject& subject) {
   if (!forces.panels.empty()) {
     const bool all = forces.panels.size() < most_panels;
     figures.push_back({"force-plans",
-                       all ? "Force plans at the same position: on each link, loads, weight and inertia and the forces "
-                             "of its joints close a polygon"
+                       all ? "Force polygons at the same position: loads, weight, inertia and joint forces of each link"
                            : "Force plans at the same position, of the links with the largest forces: loads, weight "
                              "and inertia and the forces of the joints close a polygon",
                        std::move(forces)});

@@ -36,10 +36,11 @@ Message change_points(const Cycle& cycle, const Axis& axis) {
     if (cycle.at_change_point[k]) places += (places.empty() ? "" : ", ") + place_of(k, axis);
   }
   if (!axis.cyclic())
-    return say("a change point at {1}: the drive does not hold it there; choose places beside it", places);
+    return say("change point at {1}: the drive does not determine the motion there; choose other positions", places);
   const double half = 0.5 * (axis.at[1] - axis.at[0]);
   return say(
-      "a change point at {1}: the drive does not hold it there; choose places beside it, crank = { start = \"{2}\" }",
+      "change point at {1}: the drive does not determine the motion there; choose other "
+      "positions, crank = { start = \"{2}\" }",
       places, format_quantity(axis.at[0] + half, axis.unit, 5));
 }
 

@@ -15,19 +15,18 @@ void judge_redundancy(const Solved& solved, std::vector<account::Verdict>& verdi
   for (const auto& [joints, freedoms] : mechanism::shared_freedoms(solved.structure)) {
     verdicts.push_back({.step = solved.step,
                         .symbol = "determinate",
-                        .meaning = say("equilibrium of rigid links alone decides every reaction"),
+                        .meaning = say("every reaction follows from equilibrium of rigid links"),
                         .value = say("shared by {1} joints", std::to_string(joints.size())),
                         .bound = say("no joint holds too much"),
                         .state = account::State::not_covered,
-                        .note = say("{1}: what they share depends on play and elasticity",
+                        .note = say("{1}: the load sharing depends on clearance and elasticity",
                                     mechanism::too_many(solved.given, joints, freedoms))});
   }
 }
 
 /// For each joint whether its force and its couple are unique.
 account::Table uniqueness_table(const mechanism::Model& model, const Cycle& cycle) {
-  account::Table table{
-      say("Reactions that equilibrium alone decides"), {say("joint"), say("force"), say("couple")}, {}};
+  account::Table table{say("Statically determinate reactions"), {say("joint"), say("force"), say("couple")}, {}};
   const auto word = [](bool unique) { return unique ? say("unique") : say("not unique"); };
   for (std::size_t k = 0; k < model.joints.size(); ++k) {
     const mechanism::JointKind kind = model.joints[k].kind;

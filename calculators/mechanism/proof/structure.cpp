@@ -41,7 +41,7 @@ Table structure_table(const mechanism::Model& model, bool released) {
   Table table{released
                   ? say("Structure, without what joints hold too much: groups in order of attachment, 3 n = 2 p5 + "
                         "p4 + drives")
-                  : say("Structure: groups in order of attachment, 3 n = 2 p5 + p4 + drives"),
+                  : say("Structural (Assur) groups in order of assembly, 3 n = 2 p5 + p4 + drives"),
               {say("links"), say("joints"), say("kind"), say("count")},
               {}};
   for (const mechanism::Group& group : mechanism::groups(model)) {

@@ -4,7 +4,7 @@ namespace loadpath::planar::templates {
 
 struct CamArm : CamProfile {
   static constexpr auto id = "cam_arm";
-  static constexpr auto title = "Cam with a swinging arm, with a roller or an edge";
+  static constexpr auto title = "Cam with oscillating roller or knife-edge follower";
   static constexpr auto doc =
       "The cam turns about the origin O; an arm AB turns about A on the x axis and has a roller about B, or an edge "
       "there. The law of its swing begins at the crank angle 0.";

@@ -4,7 +4,7 @@ namespace loadpath::planar::templates {
 
 struct CamFlatFollower : CamProfile {
   static constexpr auto id = "cam_flat_follower";
-  static constexpr auto title = "Cam with a flat-faced follower on a straight guide";
+  static constexpr auto title = "Cam with translating flat-faced follower";
   static constexpr auto doc =
       "The cam turns about the origin O; its follower slides along y above it and has a flat face square to that, "
       "through B. The law of its lift begins at the crank angle 0.";

@@ -4,7 +4,7 @@ namespace loadpath::planar::templates {
 
 struct CamFollower : CamProfile {
   static constexpr auto id = "cam_follower";
-  static constexpr auto title = "Cam with a follower on a straight guide, with a roller or an edge";
+  static constexpr auto title = "Cam with translating roller or knife-edge follower";
   static constexpr auto doc =
       "The cam turns about the origin O; its follower slides along y and has a roller about B, or an edge there. The "
       "law of its lift begins at the crank angle 0.";

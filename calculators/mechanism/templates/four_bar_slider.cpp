@@ -6,7 +6,7 @@ namespace loadpath::planar::templates {
 
 struct FourBarSlider : FourBarLengths {
   static constexpr auto id = "four_bar_slider";
-  static constexpr auto title = "Six-bar: a four-bar that drives a slider";
+  static constexpr auto title = "Six-bar slider mechanism (four-bar and slider)";
   static constexpr auto doc =
       "A four-bar O, A, B, C as template four_bar; its rocker has a second arm CD that moves the slider E through the "
       "rod DE along a guide parallel to the x axis.";

@@ -4,7 +4,7 @@ namespace loadpath::planar::templates {
 
 struct OscillatingCylinder {
   static constexpr auto id = "oscillating_cylinder";
-  static constexpr auto title = "Inverted slider-crank: oscillating cylinder";
+  static constexpr auto title = "Oscillating cylinder (inverted slider-crank)";
   static constexpr auto doc =
       "Crank OA turns about the origin O; its pin A moves a rod in a cylinder that swings about C on the x axis.";
   static constexpr auto example = R"([engine]

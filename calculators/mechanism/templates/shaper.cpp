@@ -5,7 +5,7 @@ namespace loadpath::planar::templates {
 
 struct Shaper : QuickReturn {
   static constexpr auto id = "shaper";
-  static constexpr auto title = "Shaper: crank, swinging slotted lever, rod and ram";
+  static constexpr auto title = "Shaper mechanism";
   static constexpr auto doc =
       "Crank OA turns about the origin O; its pin A runs in the slot of the lever BC, which swings about B below O, "
       "outside of the crank's circle. The lever moves the ram D through the rod CD along a guide parallel to the x "

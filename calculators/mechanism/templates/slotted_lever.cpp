@@ -4,7 +4,7 @@ namespace loadpath::planar::templates {
 
 struct SlottedLever {
   static constexpr auto id = "slotted_lever";
-  static constexpr auto title = "Crank and slotted lever";
+  static constexpr auto title = "Slotted-lever mechanism";
   static constexpr auto doc =
       "Crank OA turns about the origin O; its pin A runs in the slot of the lever BC, which swings about B on the x "
       "axis left of O, or turns with the crank where r > d.";

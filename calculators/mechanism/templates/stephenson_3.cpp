@@ -5,7 +5,7 @@ namespace loadpath::planar::templates {
 
 struct Stephenson3 : SixBar {
   static constexpr auto id = "stephenson_3";
-  static constexpr auto title = "Six-bar Stephenson III: a dyad driven by a coupler point";
+  static constexpr auto title = "Stephenson III six-bar linkage";
   static constexpr auto doc =
       "A four-bar O, A, B, C as template four_bar; the point D of its coupler, reckoned from A, drives a dyad DE, FE.";
   static constexpr auto example = R"([dwell]

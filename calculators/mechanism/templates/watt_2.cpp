@@ -5,7 +5,7 @@ namespace loadpath::planar::templates {
 
 struct Watt2 : SixBar {
   static constexpr auto id = "watt_2";
-  static constexpr auto title = "Six-bar Watt II: two four-bars in series";
+  static constexpr auto title = "Watt II six-bar linkage";
   static constexpr auto doc =
       "A four-bar O, A, B, C as template four_bar; its rocker has a second arm CD that drives the second four-bar C, "
       "D, E, F.";

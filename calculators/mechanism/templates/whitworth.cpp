@@ -5,7 +5,7 @@ namespace loadpath::planar::templates {
 
 struct Whitworth : QuickReturn {
   static constexpr auto id = "whitworth";
-  static constexpr auto title = "Whitworth quick return: the slotted lever turns round";
+  static constexpr auto title = "Whitworth quick-return mechanism";
   static constexpr auto doc =
       "Crank OA turns about the origin O; its pin A turns the slotted lever about B below O, which lies within the "
       "crank's circle. The lever's other arm BC moves the ram D through the rod CD along a guide parallel to the x "

@@ -109,8 +109,8 @@ constexpr auto choices_of(CamProfile::Law) {
   using T = CamProfile::Law;
   return std::array{
       ChoiceName<T>{T::dwell, "dwell", "the follower rests"},
-      ChoiceName<T>{T::harmonic, "harmonic", "simple harmonic; the acceleration jumps beside a dwell"},
-      ChoiceName<T>{T::cycloidal, "cycloidal", "sine of the acceleration; no jump beside a dwell"},
+      ChoiceName<T>{T::harmonic, "harmonic", "simple harmonic; the acceleration jumps at a dwell"},
+      ChoiceName<T>{T::cycloidal, "cycloidal", "sinusoidal acceleration (cycloidal); no jump at a dwell"},
       ChoiceName<T>{T::polynomial_345, "3-4-5", "polynomial, no acceleration at the ends"},
       ChoiceName<T>{T::polynomial_4567, "4-5-6-7", "polynomial, neither acceleration nor jerk at the ends"},
       ChoiceName<T>{T::modified_sine, "modified_sine", "sines of the acceleration, low peaks of velocity and torque"},

@@ -45,7 +45,7 @@ class NameCheck {
   void check_link(const planar::Link& link) {
     if (link.name.view() == "ground")
       faults_.add(path_of("links", link.name, ""),
-                  say("the fixed link is always called 'ground'; its points stand in [ground]"));
+                  say("the fixed link is called 'ground'; give its points in [ground]"));
     for (const auto& p : link.points)
       check_point(p, path_of("links", link.name, "points") + "." + std::string(p.name.view()));
     if (!link.S.empty()) faults_.require_point(link_index(in_, link.name), link.S, path_of("links", link.name, "S"));

@@ -43,7 +43,8 @@ struct Accuracy {
       NameField{&Accuracy::name, "name", "name of the output"},
       Choice{&Accuracy::of, "of", "number whose error is wanted"},
       NameField{&Accuracy::point, "point", "x, y: the point"}.may_be_missing(),
-      NameField{&Accuracy::link, "link", "angle: the link; x, y: which link's point, where play parts them"}
+      NameField{&Accuracy::link, "link",
+                "angle: the link; x, y: the link whose point is meant if a clearance separates them"}
           .may_be_missing(),
       NameField{&Accuracy::joint, "joint", "force: the joint; drive: the driven joint, where there are several"}
           .may_be_missing()};

@@ -44,7 +44,7 @@ struct Crank {
       Field{&Crank::start, "start", deg, "crank angle of the first position of a turn"}.within(-3600, 3600),
       Count{&Crank::positions, "positions", 8, 7200, "positions of a cycle"},
       Count{&Crank::turns, "turns", 1, 100, "turns of the crank until the mechanism is back where it was"},
-      ListField{&Crank::at, "at", "given crank angles, rising or falling, in place of a whole turn"}
+      ListField{&Crank::at, "at", "given crank angles, rising or falling, instead of a full revolution"}
           .as_arrays()
           .may_be_missing(),
       ListField{&Crank::law, "law",

@@ -41,9 +41,7 @@ struct Load {
           .as_arrays()
           .may_be_missing(),
       NameField{&Load::course, "course", "how F and M vary, one of the courses, in place of 'over'"}.may_be_missing(),
-      Choice{&Load::useful, "useful",
-             "whether the work against it is what the machine is for: the efficiency counts it"}
-          .may_be_missing()};
+      Choice{&Load::useful, "useful", "useful load (counted as output in the efficiency)"}.may_be_missing()};
 };
 
 struct Spring {

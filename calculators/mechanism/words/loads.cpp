@@ -72,7 +72,7 @@ mechanism::Spring spring_of(const Mechanism::Input& in, const planar::Spring& gi
 std::vector<FieldFault> check_fields(const planar::Spring& spring) {
   const std::string path = path_of("springs", spring.name);
   if (turns(spring) && pulls(spring)) {
-    return {{path, say("'{1}' has fields of a spring that pulls and of one that turns", spring.name.view()),
+    return {{path, say("'{1}' mixes fields of a translational and a torsional spring", spring.name.view()),
              say("either k, free and c, or k_turn, free_angle and c_turn")}};
   }
   if (turns(spring)) return {};

@@ -22,13 +22,20 @@ namespace loadpath::planar {
 
 struct Mechanism {
   static constexpr auto id = "mechanism.planar";
-  static constexpr auto title = "Planar mechanism";
+  static constexpr auto title = "Planar mechanism (kinematics, kinetostatics)";
   static constexpr auto scope =
-      "Motion, joint reactions and driving effort of a planar mechanism with pins, slides, slots, gears, belts, cams, "
-      "rolling wheels and friction, with masses and loads, over a cycle or at given positions. Rigid links; play "
-      "counts "
-      "as an error of outputs, elasticity is not covered.";
+      "Kinematics, joint reactions and driving effort of a planar mechanism of rigid links with revolute, "
+      "prismatic and slot joints, gears, belts, cams, rolling wheels and friction, over a cycle or at given "
+      "positions; clearance enters as an error of the outputs; elasticity is not covered.";
   static constexpr auto source = "[A10], [B29], [B31], [D3]";
+  static constexpr auto headline = "torque {drive.M}|force {cylinders.*.F}";
+  static constexpr auto synonyms =
+      "mechanism, linkage, four-bar linkage, slider-crank, crank mechanism, slotted lever, scotch yoke, "
+      "toggle press, cam, follower, kinematics, kinetostatics, inverse dynamics, joint reaction, driving torque, "
+      "balancing, virtual power, Zhukovsky lever, Assur group, Koppelgetriebe, Kurbelgetriebe, Getriebe, "
+      "Kinetostatik, Gelenkkraft, machine dynamics, Mechanismus, Kurvengetriebe, Kurvenscheibe, механизм, "
+      "рычажный механизм, кривошипно-ползунный механизм, кулисный механизм, кулачок, кинетостатика, реакции, "
+      "группа Ассура, рычаг Жуковского";
   static constexpr auto example = R"([project]
 title = "Slider-crank"
 
@@ -119,7 +126,8 @@ F_y = "0 N"
           .as_arrays()
           .may_be_missing(),
       ListField{&Input::tolerances, "tolerances", "dimensions and masses that are not exact, by name"}.may_be_missing(),
-      ListField{&Input::accuracy, "accuracy", "outputs whose error by tolerances and play is wanted, by name"}
+      ListField{&Input::accuracy, "accuracy",
+                "outputs whose error due to tolerances and clearance is requested, by name"}
           .may_be_missing(),
       ListField{&Input::counterweights, "counterweights", "where counterweights are wanted, by name"}.may_be_missing(),
       Choice{&Input::balance, "balance", "what counterweights make as small as it gets"}.may_be_missing(),
@@ -130,38 +138,34 @@ F_y = "0 N"
       Field{&Input::gravity, "gravity", m_per_s2, "acceleration of gravity, its magnitude; none where missing"}.usually(
           -30, 30),
       Field{&Input::gravity_direction, "gravity_direction", deg, "direction of gravity"},
-      Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads alone"}.may_be_missing()};
+      Choice{&Input::analysis, "analysis", "with the inertia of the links, or loads only"}.may_be_missing()};
 
   /// The rows that judge a mode are those of the aspects; a mode without a row does not concern the mechanism.
   static constexpr std::array modes{
-      Mode<Input>{"closing", "a position where it does not close, a cycle that does not end where it began",
-                  &always<Input>}
+      Mode<Input>{"closing", "loop closure and periodicity", &always<Input>}
           .judged_by("closes, returns, returns_*, directed_*, assembly")
           .of_shape(),
-      Mode<Input>{"jamming", "friction that holds it", &always<Input>}.judged_by("moves").of_shape(),
-      Mode<Input>{"contact", "wheels and followers that leave what they run on", &always<Input>}.judged_by("contact_*"),
-      Mode<Input>{"profile", "a cam that cannot be made, or that its roller does not reach", &always<Input>}
+      Mode<Input>{"jamming", "frictional jamming (self-locking)", &always<Input>}.judged_by("moves").of_shape(),
+      Mode<Input>{"contact", "lift-off of wheels and followers", &always<Input>}.judged_by("contact_*"),
+      Mode<Input>{"profile", "cam undercutting and roller fit", &always<Input>}
           .judged_by("profile_*, hollow_*")
           .of_shape(),
-      Mode<Input>{"pressure_angle", "a cam that jams its follower by its pressure angle", &always<Input>}
+      Mode<Input>{"pressure_angle", "pressure angle of the cam follower", &always<Input>}
           .judged_by("pressure_*")
           .of_shape(),
-      Mode<Input>{"uniqueness", "reactions that equilibrium alone does not decide", &always<Input>}
-          .judged_by("determinate")
-          .of_shape(),
-      Mode<Input>{"solution", "motion or forces that independent methods find otherwise", &always<Input>}
+      Mode<Input>{"uniqueness", "static determinacy of reactions", &always<Input>}.judged_by("determinate").of_shape(),
+      Mode<Input>{"solution", "verification by independent methods", &always<Input>}
           .judged_by("force_balance, moment_balance, power_balance, motion, trustworthy, whole_system, "
                      "opened_chain, "
                      "released_constraints, virtual_power, zhukovsky_lever")
           .of_shape(),
-      Mode<Input>{"courses", "loads where the points of their course do not reach", &always<Input>}.judged_by(
-          "course_*"),
-      Mode<Input>{"resolution", "a largest reaction between the positions", &always<Input>}
+      Mode<Input>{"courses", "validity: load curves", &always<Input>}.judged_by("course_*"),
+      Mode<Input>{"resolution", "position resolution of peak reactions", &always<Input>}
           .judged_by("resolution")
           .of_shape(),
-      Mode<Input>{"strength", "strength of the links and pins that no step takes", &unseen<Input>}.assessed_beside(
+      Mode<Input>{"strength", "strength of unchecked links and pins", &unseen<Input>}.assessed_beside(
           "link.member, pin.joint, column.buckling, shaft.design"),
-      Mode<Input>{"pins", "wear of pins: pressure times speed", &unseen<Input>}.special()};
+      Mode<Input>{"pins", "wear of pin joints (pv value)", &unseen<Input>}.special()};
 };
 
 constexpr auto choices_of(Mechanism::Analysis) {

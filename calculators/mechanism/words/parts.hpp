@@ -62,7 +62,7 @@ struct Link {
       Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing(),
       Choice{&Link::mass_line, "mass_line", "how its mass lies along its axis, for its internal forces"}
           .may_be_missing(),
-      Choice{&Link::masses, "masses", "whether its mass is reduced to points, and to which"}.may_be_missing(),
+      Choice{&Link::masses, "masses", "reduction of its mass to points"}.may_be_missing(),
       Group{&Link::mass_points, "mass_points", "two of its points, on a line with S, that the mass is reduced to"}
           .as_array()
           .may_be_missing()};
@@ -134,7 +134,8 @@ struct Joint {
       NameField{&Joint::profile, "profile", "cam, cam_flat: profile of the second link, one of the profiles"}
           .may_be_missing(),
       Field{&Joint::face, "face", deg, "cam_flat: direction of the flat face, in the first link's axes"},
-      Choice{&Joint::holding, "holding", "cam, cam_flat: whether the cam can also pull"}.may_be_missing(),
+      Choice{&Joint::holding, "holding", "cam, cam_flat: form closure (the cam can also pull the follower)"}
+          .may_be_missing(),
       Field{&Joint::slack, "slack", N, "belts: tension of the slack span"}.at_least(0),
       Field{&Joint::mu, "mu", ratio,
             "coefficient of friction: revolute, prismatic, slot, cam_flat, and an edge on a cam"}
@@ -159,9 +160,7 @@ struct Joint {
           .may_be_missing(),
       Field{&Joint::c, "c", N_s_per_m, "prismatic, slot, cams: viscous resistance to sliding"}.at_least(0),
       Field{&Joint::c_turn, "c_turn", N_m_s, "revolute, rolling: viscous resistance to turning"}.at_least(0),
-      Field{&Joint::clearance, "clearance", mm,
-            "revolute: play of the pin in its diameter, which shifts it by half of that either way"}
-          .at_least(0)};
+      Field{&Joint::clearance, "clearance", mm, "revolute: diametral clearance of the pin"}.at_least(0)};
 };
 
 constexpr auto choices_of(Type) {

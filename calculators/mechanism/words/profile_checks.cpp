@@ -92,7 +92,7 @@ class FieldCheck {
                          say("take cycloidal, 3-4-5, 4-5-6-7, modified_sine or modified_trapezoid")});
     } else if (swings ? lift : swing) {
       faults_.push_back({segment_path(profile_, k, swings ? "lift" : "swing"),
-                         say("a profile of the shape {1} is told by '{2}'", word_of(profile_.shape), own), Message{}});
+                         say("a profile of shape {1} is defined by '{2}'", word_of(profile_.shape), own), Message{}});
     } else if (segment.law == CamProfile::Law::dwell && rise_of(profile_, segment) != 0.0) {
       faults_.push_back({segment_path(profile_, k), say("a dwell has no '{1}'", own), say("name another law")});
     } else if (segment.law != CamProfile::Law::dwell && !(swings ? swing : lift)) {
@@ -139,7 +139,7 @@ class ValueCheck {
     const char* const unit = is_by_swing(profile_.shape) ? "deg" : "mm";
     if (std::abs(angle - whole_turn) > 1e-9) {
       add("segments",
-          say("the segments take {1} of the cam, and must take a whole turn", format_quantity(angle, "deg", 6)),
+          say("the segments cover {1} of the cam, and must cover a full revolution", format_quantity(angle, "deg", 6)),
           say("change an angle, or add a dwell"));
     }
     if (std::abs(rise) > 1e-9 * size) {

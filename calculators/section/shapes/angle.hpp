@@ -10,16 +10,17 @@ namespace loadpath::section {
 
 struct Angle : ShapeCalculator<Angle> {
   static constexpr auto id = "section.angle";
-  static constexpr auto title = "Section: angle";
+  static constexpr auto title = "Angle section";
   static constexpr auto scope =
-      "Area, centroid, second moments, principal axes, moduli and torsion constant of an angle: leg h upwards, "
-      "leg b to the right. Origin of the sketch: the outer corner. Torsion: the legs as rectangles with their free "
-      "ends, and their joint without the fillet, which only stiffens: up to 1.7 % below the solution by Prandtl's "
-      "stress function without it. A limit keeps the legs thin. Warping torsion and "
-      "the shear centre are not covered. "
-      "The moduli about y and z are those of tables; an angle that is free to bend does so about its principal "
-      "axes.";
+      "Area, centroid, second moments of area, principal axes, section moduli and torsion constant of an angle "
+      "with leg h upwards and leg b to the right; coordinate origin at the outer corner; thin-leg torsion "
+      "constant, up to 1.7 % below the Prandtl solution without fillet; warping torsion and shear centre are "
+      "not covered.";
   static constexpr auto source = "[Garrison], [Roark]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
+  static constexpr auto synonyms =
+      "angle, L-section, equal angle, unequal angle, principal axes, section properties, Winkelprofil, L-Profil, "
+      "уголок, угловой профиль";
   static constexpr auto example = R"([project]
 title = "L 100x100x10 from its dimensions"
 

@@ -28,7 +28,7 @@ Channel::Result Channel::own(const Input& in, Tracer& trace) {
           "first moment about the back of the web over the area");
   STEP_TO(result, I_y,
           (b * pow<3>(h) - (b - t_w) * pow<3>(h - 2.0 * t_f)) / 12.0 + 2.0 * (I_r + A_r * pow<2>(h / 2.0 - t_f - e_r)),
-          "the rectangle less what is open beside the web, and the fillets by Steiner, [Garrison]");
+          "the rectangle less the open areas next to the web, plus the fillets by Steiner, [Garrison]");
   STEP_TO(result, I_z,
           (2.0 * t_f * pow<3>(b) + (h - 2.0 * t_f) * pow<3>(t_w)) / 3.0 + 2.0 * (I_r + A_r * pow<2>(t_w + e_r)) -
               A * y_S * y_S,

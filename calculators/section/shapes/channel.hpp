@@ -11,13 +11,15 @@ namespace loadpath::section {
 
 struct Channel : ShapeCalculator<Channel> {
   static constexpr auto id = "section.channel";
-  static constexpr auto title = "Section: channel";
+  static constexpr auto title = "Channel section";
   static constexpr auto scope =
-      "Area, centroid, second moments, moduli and torsion constant of a channel with parallel flanges to the "
-      "right. Origin of the sketch: the middle of the back of the web. Torsion: the sum of b t^3/3 over the "
-      "straight parts, without fillets; rolled channels have up to 17 % more. A limit keeps the walls thin. "
-      "Warping torsion, the shear centre and tapered flanges are not covered.";
+      "Area, centroid, second moments of area, section moduli and thin-wall torsion constant (sum of b t^3/3) "
+      "of a channel with parallel flanges; coordinate origin at mid-back of the web; torsion constants of "
+      "rolled channels are up to 17 % larger; warping torsion, shear centre and tapered flanges are not "
+      "covered.";
   static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
+  static constexpr auto synonyms = "channel, U-section, UPE, UPN, C-section, section properties, U-Profil, швеллер";
   static constexpr auto example = R"([project]
 title = "UPE 200 from its dimensions"
 

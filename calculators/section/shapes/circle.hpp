@@ -9,10 +9,16 @@ namespace loadpath::section {
 
 struct Circle : ShapeCalculator<Circle> {
   static constexpr auto id = "section.circle";
-  static constexpr auto title = "Section: circle";
+  static constexpr auto title = "Circular section";
   static constexpr auto scope =
-      "Area, second moments, moduli and torsion constant of a solid circle. Origin of the sketch: its centre.";
+      "Area, second moments of area, section moduli and torsion constant of a solid circle; coordinate origin "
+      "at the centre.";
   static constexpr auto source = "[B19]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
+  static constexpr auto synonyms =
+      "circle, round bar, rod, section properties, second moment of area, moment of inertia of area, "
+      "section modulus, torsion constant, polar moment, Kreisquerschnitt, Flächenträgheitsmoment, "
+      "Widerstandsmoment, круг, круглое сечение, момент инерции сечения, момент сопротивления";
   static constexpr auto example = R"([project]
 title = "Solid round bar"
 

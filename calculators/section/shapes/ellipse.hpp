@@ -9,10 +9,15 @@ namespace loadpath::section {
 
 struct Ellipse : ShapeCalculator<Ellipse> {
   static constexpr auto id = "section.ellipse";
-  static constexpr auto title = "Section: ellipse";
+  static constexpr auto title = "Elliptical section";
   static constexpr auto scope =
-      "Area, second moments, moduli and torsion constant of a solid ellipse. Origin of the sketch: its centre.";
+      "Area, second moments of area, section moduli and torsion constant of a solid ellipse; coordinate origin "
+      "at the centre.";
   static constexpr auto source = "[Anexa-BMOM]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
+  static constexpr auto synonyms =
+      "ellipse, elliptical bar, section properties, torsion constant, Ellipsenquerschnitt, эллипс, "
+      "эллиптическое сечение";
   static constexpr auto example = R"([project]
 title = "Oval bar"
 

@@ -11,14 +11,16 @@ namespace loadpath::section {
 
 struct Hollow : ShapeCalculator<Hollow> {
   static constexpr auto id = "section.hollow";
-  static constexpr auto title = "Section: hollow rectangle";
+  static constexpr auto title = "Rectangular hollow section";
   static constexpr auto scope =
-      "Area, second moments, moduli and torsion constant of a hollow rectangle. Origin of the sketch: its "
-      "centre. Radii of the corners: hot finished sections of EN 10210-2 have r_o = 1.5 t and r_i = t, cold "
-      "formed ones of EN 10219-2 to 6 mm wall r_o = 2 t and r_i = t; sharp where missing. Torsion by the "
-      "formula of EN 10210-2 for thin closed walls, with its limit. Local buckling of thin walls is not "
-      "covered.";
+      "Area, second moments of area, section moduli and thin-wall torsion constant (EN 10210-2) of a "
+      "rectangular hollow section with sharp or rounded corners; coordinate origin at the centre; local "
+      "buckling of thin walls is not covered.";
   static constexpr auto source = "[Garrison], [EN10210-2]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
+  static constexpr auto synonyms =
+      "rectangular hollow section, RHS, SHS, box section, square tube, EN 10210, EN 10219, Hohlprofil, "
+      "Kastenquerschnitt, Vierkantrohr, коробчатое сечение, прямоугольная труба";
   static constexpr auto example = R"([project]
 title = "SHS 100x5 from its dimensions"
 

@@ -34,7 +34,7 @@ I::Result I::own(const Input& in, Tracer& trace) {
   STEP_TO(result, A, 2.0 * b * t_f + (h - 2.0 * t_f) * t_w + 4.0 * A_r, "flanges, web and four fillets");
   STEP_TO(result, I_y,
           (b * pow<3>(h) - (b - t_w) * pow<3>(h - 2.0 * t_f)) / 12.0 + 4.0 * (I_r + A_r * pow<2>(h / 2.0 - t_f - e_r)),
-          "the rectangle less what is open beside the web, and the fillets by Steiner, [Garrison]");
+          "the rectangle less the open areas next to the web, plus the fillets by Steiner, [Garrison]");
   STEP_TO(result, I_z,
           (2.0 * t_f * pow<3>(b) + (h - 2.0 * t_f) * pow<3>(t_w)) / 12.0 + 4.0 * (I_r + A_r * pow<2>(t_w / 2.0 + e_r)),
           "flanges, web, and the fillets by Steiner, [Garrison]");

@@ -12,13 +12,17 @@ namespace loadpath::section {
 
 struct I : ShapeCalculator<I> {
   static constexpr auto id = "section.I";
-  static constexpr auto title = "Section: I of two equal flanges";
+  static constexpr auto title = "I-section with equal flanges";
   static constexpr auto scope =
-      "Area, second moments, moduli and torsion constant of an I or H with two equal flanges, parallel faces "
-      "and fillets of radius r. Origin of the sketch: its centre. Torsion by SCI P385 with its T-junctions, "
-      "within 4.5 % of the tables of rolled sections, which give its limits. Warping torsion is not covered; "
-      "unequal flanges are built up with section.built_up.";
+      "Area, second moments of area, section moduli and torsion constant of an I- or H-section with two equal "
+      "parallel flanges and root fillets; torsion constant to SCI P385 within 4.5 % of the tables of rolled "
+      "sections, whose proportions are its range; warping torsion is not covered; unequal flanges are modelled "
+      "by section.built_up.";
   static constexpr auto source = "[Garrison], [SCI-P385]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
+  static constexpr auto synonyms =
+      "I-section, I-beam, H-section, double-T, IPE, HEA, HEB, UB, UC, rolled section, section properties, I-Profil, "
+      "Doppel-T-Träger, двутавр, двутавровое сечение";
   static constexpr auto example = R"([project]
 title = "HEB 200 from its dimensions"
 

@@ -9,11 +9,15 @@ namespace loadpath::section {
 
 struct Rectangle : ShapeCalculator<Rectangle> {
   static constexpr auto id = "section.rectangle";
-  static constexpr auto title = "Section: rectangle";
+  static constexpr auto title = "Rectangular section";
   static constexpr auto scope =
-      "Area, second moments, moduli and torsion constant (series of Saint-Venant) of a rectangle of width b and "
-      "height h. Origin of the sketch: its centre.";
+      "Area, second moments of area, section moduli and torsion constant (Saint-Venant series) of a rectangle "
+      "of width b and height h; coordinate origin at the centre.";
   static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
+  static constexpr auto synonyms =
+      "rectangle, flat bar, square, plate strip, section properties, torsion of a rectangle, Rechteck, "
+      "Rechteckquerschnitt, Flachstahl, прямоугольник, прямоугольное сечение, полоса";
   static constexpr auto example = R"([project]
 title = "Flat bar"
 

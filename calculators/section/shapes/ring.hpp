@@ -9,11 +9,15 @@ namespace loadpath::section {
 
 struct Ring : ShapeCalculator<Ring> {
   static constexpr auto id = "section.ring";
-  static constexpr auto title = "Section: ring";
+  static constexpr auto title = "Annular section (tube)";
   static constexpr auto scope =
-      "Area, second moments, moduli and torsion constant of a ring. Origin of the sketch: its centre. The bore "
-      "is given as a diameter or by the wall. Local buckling of thin walls is not covered.";
+      "Area, second moments of area, section moduli and torsion constant of an annulus given by its bore or "
+      "its wall thickness; coordinate origin at the centre; local buckling of thin walls is not covered.";
   static constexpr auto source = "[B19]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
+  static constexpr auto synonyms =
+      "annulus, ring, tube, pipe, circular hollow section, CHS, hollow shaft, section properties, Kreisring, Rohr, "
+      "Rohrquerschnitt, кольцо, труба, кольцевое сечение";
   static constexpr auto example = R"([project]
 title = "Tube"
 

@@ -11,13 +11,14 @@ namespace loadpath::section {
 
 struct Tee : ShapeCalculator<Tee> {
   static constexpr auto id = "section.T";
-  static constexpr auto title = "Section: T";
+  static constexpr auto title = "T-section";
   static constexpr auto scope =
-      "Area, centroid, second moments, moduli and torsion constant of a T: flange above, web below. Origin of "
-      "the sketch: the middle of the upper face, so z_S is negative. Torsion: the sum of b t^3/3 over the "
-      "straight parts, without fillets; rolled sections have somewhat more. A limit keeps the walls thin. "
-      "Warping torsion, the shear centre and tapered flanges are not covered.";
+      "Area, centroid, second moments of area, section moduli and thin-wall torsion constant (sum of b t^3/3) "
+      "of a T-section, flange on top; coordinate origin at mid-flange of the top face; warping torsion, shear "
+      "centre and tapered flanges are not covered.";
   static constexpr auto source = "[Garrison], [Oasys]";
+  static constexpr auto headline = "A = {A}, I = {I_max}";
+  static constexpr auto synonyms = "T-section, tee, section properties, T-Profil, тавр, тавровое сечение";
   static constexpr auto example = R"([project]
 title = "Half an IPE 200"
 

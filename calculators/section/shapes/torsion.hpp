@@ -37,9 +37,7 @@ inline constexpr double thickest_open_wall = 0.25, thickest_closed_wall = 0.25;
 /// Sections judge nothing but where their torsion constant holds.
 template <class Input>
 constexpr Mode<Input> torsion_mode(const char* limits) {
-  return Mode<Input>{"torsion", "walls that the torsion constant does not hold for", &always<Input>}
-      .judged_by(limits)
-      .of_shape();
+  return Mode<Input>{"torsion", "applicability of the torsion constant", &always<Input>}.judged_by(limits).of_shape();
 }
 
 /// The properties of a section whose torsion constant holds for thin open walls only.

@@ -31,12 +31,18 @@ constexpr auto contour_inputs() {
 
 struct SolidTorsion {
   static constexpr auto id = "section.solid_torsion";
-  static constexpr auto title = "Solid section in torsion";
+  static constexpr auto title = "Torsion of a solid section (Prandtl)";
   static constexpr auto scope =
-      "Torsion constant, section modulus, largest stress with its place and twist of a section that is given by the "
-      "corners of its contour and of its holes, at most 40 in all, by Prandtl's stress function. The stress at inner "
-      "corners, held warping and fatigue are not covered.";
+      "Torsion constant, torsional section modulus, maximum shear stress with its location, and twist of a "
+      "polygonal section with holes (at most 40 sides) by Prandtl's stress function; stress at re-entrant "
+      "corners, restrained warping and fatigue are not covered.";
   static constexpr auto source = "[Prandtl]";
+  static constexpr auto headline = "I_t = {I_t}";
+  static constexpr auto subject = "torsion";
+  static constexpr auto synonyms =
+      "torsion of non-circular bars, Saint-Venant torsion, Prandtl stress function, membrane analogy, triangle, "
+      "hexagon, polygon torsion, boundary element, Torsion nichtkreisförmiger Querschnitte, "
+      "Prandtlsche Spannungsfunktion, кручение некруглых стержней, функция Прандтля";
   static constexpr auto example = R"([project]
 title = "Hexagon bar, 30 mm across flats"
 
@@ -124,13 +130,13 @@ theta_adm = "4 deg/m"
 
   static constexpr std::array meanings{all_in_shear, all_in_normal};
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, e_I, e_W"),
-      Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, e_I, e_W"),
-      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta, e_I").of_service(),
-      Mode<Input>{"corner", "an inner corner, where the stress of a sharp one has no bound",
+      Mode<Input>{"yield", "yielding in torsion", &tough}.judged_by("u_tau, e_I, e_W"),
+      Mode<Input>{"fracture", "brittle fracture in torsion", &brittle}.judged_by("u_tau, e_I, e_W"),
+      Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta, e_I").of_service(),
+      Mode<Input>{"corner", "stress concentration at re-entrant corners",
                   [](const Input& in) { return has_inner_corner(in) ? loaded(in) : Applies::no; }},
-      Mode<Input>{"warping", "stress along the bar where an end cannot warp", &unseen<Input>},
-      Mode<Input>{"other_loads", "what comes along with its torque, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"warping", "restrained warping stress", &unseen<Input>},
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
       Mode<Input>{"fatigue", "fatigue", [](const Input& in) { return shown_by(in.K_A > 1.0); }}.in_service().left_to(
           "fatigue.cycle", "cycle.fatigue")};
 

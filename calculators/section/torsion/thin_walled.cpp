@@ -48,7 +48,7 @@ ThinWalled::Loaded load(const Input& in, const Flows& flows, const ThinWalled::W
   ThinWalled::Loaded wall;
   wall.name = s.name, wall.l = length_of(s);
   const Area f_c = trace.value("f_c", flow_of(in, flows, s.cell), "flow of its cell over G theta");
-  const Area f_b = trace.value("f_b", flow_of(in, flows, s.beside), "flow of the cell beside over G theta");
+  const Area f_b = trace.value("f_b", flow_of(in, flows, s.beside), "flow of the adjacent cell / (G theta)");
   const double n = trace.value("n", modulus_ratio(in, s), "its shear modulus over that of the section");
   STEP_TO(wall, q, in.K_A * in.T * (f_c - f_b) / r.I_t, "shear flow");
   const Length t = trace.value("t", s.t, "thickness");

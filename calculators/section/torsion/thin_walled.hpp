@@ -27,14 +27,18 @@ inline constexpr double thickest_of_cell = 0.5, thickest_free_wall = 0.1;
 
 struct ThinWalled : ThinWalledTypes {
   static constexpr auto id = "section.thin_walled";
-  static constexpr auto title = "Thin-walled section in torsion";
+  static constexpr auto title = "Torsion of a thin-walled section";
   static constexpr auto scope =
-      "Torsion constant, shear flow and stress of every wall and twist of a thin-walled section of one cell or "
-      "several, "
-      "with walls that stand free, beside the same section slit open. Held warping, distortion, inner corners, "
-      "buckling "
-      "and fatigue are not covered.";
+      "Torsion constant, shear flow, wall stresses and twist of a thin-walled single- or multi-cell section "
+      "with open branches, compared with the same section slit open; restrained warping, distortion, "
+      "re-entrant corners, buckling and fatigue are not covered.";
   static constexpr auto source = "[Bredt], [Megson]";
+  static constexpr auto headline = "I_t = {I_t}";
+  static constexpr auto subject = "torsion";
+  static constexpr auto synonyms =
+      "thin-walled section, Bredt, shear flow, closed section, multi-cell, box girder torsion, open section, "
+      "torsion constant, Bredtsche Formel, Schubfluss, dünnwandiger Querschnitt, geschlossenes Profil, "
+      "тонкостенное сечение, формула Бредта, поток касательных напряжений";
   static constexpr auto example = R"([project]
 title = "Box girder of two cells with a lip"
 
@@ -128,10 +132,10 @@ theta_adm = "0.5 deg/m"
           &sizes_given, "cells, walls",
           "give the area of a cell as A or by three points or more, the length of a wall as l or by two or more"},
       Rule<Input>{&cells_once, "cells", "every cell has a name of its own"},
-      Rule<Input>{&cells_known, "walls, cells",
-                  "a wall names the cell that it bounds, and another one beside it where there is one", &unknown_cell},
+      Rule<Input>{&cells_known, "walls, cells", "a wall names its cell, and the adjacent cell if there is one",
+                  &unknown_cell},
       Rule<Input>{&cells_close, "cells, walls",
-                  "a cell has walls, and its walls or those of cells beside it have the outside on their other side",
+                  "a cell needs walls, and at least one of its walls or of adjacent cells borders on the outside",
                   &open_cell},
       Rule<Input>{&no_islands, "cells, walls", "cells lie side by side", &island},
       Rule<Input>{&outlines_apart, "cells", "the outlines of cells neither cross nor cover one another",
@@ -149,16 +153,15 @@ theta_adm = "0.5 deg/m"
 
   static constexpr std::array meanings{all_in_shear, all_in_normal, Meaning{"walls.tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, w, w_s"),
-      Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, w, w_s"),
-      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta, w, w_s").of_service(),
-      Mode<Input>{"buckling", "buckling of a slender wall in shear", &slender},
-      Mode<Input>{"corners", "stress at inner corners, welds and holes", &unseen<Input>},
-      Mode<Input>{"warping", "stress along the bar where an end cannot warp", &unseen<Input>},
-      Mode<Input>{"distortion", "cells that lose their shape between diaphragms", &unseen<Input>},
-      Mode<Input>{"other_loads", "what comes along with its torque, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"fatigue", "fatigue, at welds and corners first",
-                  [](const Input& in) { return shown_by(in.K_A > 1.0); }}
+      Mode<Input>{"yield", "yielding in torsion", &tough}.judged_by("u_tau, w, w_s"),
+      Mode<Input>{"fracture", "brittle fracture in torsion", &brittle}.judged_by("u_tau, w, w_s"),
+      Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta, w, w_s").of_service(),
+      Mode<Input>{"buckling", "shear buckling of walls", &slender},
+      Mode<Input>{"corners", "stress concentration at corners, welds, holes", &unseen<Input>},
+      Mode<Input>{"warping", "restrained warping stress", &unseen<Input>},
+      Mode<Input>{"distortion", "cross-section distortion", &unseen<Input>},
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"fatigue", "fatigue (welds, corners)", [](const Input& in) { return shown_by(in.K_A > 1.0); }}
           .in_service()
           .left_to("fatigue.cycle", "cycle.fatigue")};
 

@@ -135,7 +135,7 @@ FieldFault ThinWalled::unknown_cell(const Input& in) {
   const auto wall = std::find_if(in.walls.begin(), in.walls.end(), [&](const Wall& w) { return !is_known(in, w); });
   if (wall == in.walls.end()) return {};
   const std::string path = "walls[" + std::to_string(wall - in.walls.begin() + 1) + "]";
-  if (is_free(*wall)) return {path + ".beside", say("the wall has a cell beside it, and bounds none"), {}};
+  if (is_free(*wall)) return {path + ".beside", say("the wall has an adjacent cell, but bounds none"), {}};
   if (wall->beside == wall->cell) return {path + ".beside", say("the wall has one cell on both sides"), {}};
   const bool first = cell_of(in, wall->cell) == in.cells.size();
   return {path + (first ? ".cell" : ".beside"),
@@ -195,7 +195,7 @@ FieldFault ThinWalled::too_much_area(const Input& in) {
           say("the walls of cell '{1}' go around {2} at most, and it has {3}", std::string(in.cells[i].name.view()),
               format_quantity(in_si(largest_area(in, i)), mm2.symbol),
               format_quantity(in_si(area_of(in.cells[i])), mm2.symbol)),
-          say("give all of its walls, with beside where another cell has named them")};
+          say("give all of its walls, with beside for those that another cell has named")};
 }
 
 bool ThinWalled::outlines_fit(const Input& in) {

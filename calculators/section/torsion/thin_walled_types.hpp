@@ -76,7 +76,7 @@ struct ThinWalledTypes {
     static constexpr Fields fields{
         NameField{&Loaded::name, "name", "wall"},
         Field{&Loaded::l, "l", mm, "length of its middle line"},
-        Field{&Loaded::q, "q", N_per_mm, "shear flow: that of its cell less that of the one beside"},
+        Field{&Loaded::q, "q", N_per_mm, "shear flow of its cell less that of the adjacent cell"},
         Field{&Loaded::tau_m, "tau_m", MPa, "mean shear stress, the flow over the thickness"},
         Field{&Loaded::tau, "tau", MPa, "shear stress at its surface"},
         Field{&Loaded::tau_all, "tau_all", MPa, "allowable shear stress"},

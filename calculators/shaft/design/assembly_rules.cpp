@@ -42,6 +42,17 @@ bool can_be_slid_on(const Input& in, Length x) {
   return passes(0, own) || passes(own + 1, in.pieces.size());
 }
 
+/// Whether the middle of a bearing lies in the fillet of a shoulder, which runs out on the thinner piece.
+bool is_in_fillet(const Input& in, Length x) {
+  return std::any_of(in.notches.begin(), in.notches.end(), [&](const Notched& notch) {
+    if (notch.kind != Notch::shoulder || !is_set(notch.r)) return false;
+    const Sides sides = around(in, notch.x).sides;
+    const bool from_left = sides.left.d < sides.right.d;
+    const Extent fillet = from_left ? Extent{notch.x - notch.r, notch.x} : Extent{notch.x, notch.x + notch.r};
+    return sides.left.d != sides.right.d && is_within(in, x, fillet);
+  });
+}
+
 bool bodies_overlap(const Input& in) {
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
     const Extent extent = extent_of(in.seats[i]);
@@ -60,7 +71,10 @@ bool bodies_overlap(const Input& in) {
 Applies Design::cannot_be_assembled(const Input& in) {
   const auto is_mounted = [&](const Support& support) { return can_be_slid_on(in, support.x); };
   const auto fits = [&](const Seat& seat) { return seat.integral == Integral::yes || can_be_slid_on(in, seat.x); };
-  const bool can_be = !bodies_overlap(in) && std::all_of(in.supports.begin(), in.supports.end(), is_mounted) &&
+  const bool lies_in_fillet = std::any_of(in.supports.begin(), in.supports.end(),
+                                          [&](const Support& support) { return is_in_fillet(in, support.x); });
+  const bool can_be = !bodies_overlap(in) && !lies_in_fillet &&
+                      std::all_of(in.supports.begin(), in.supports.end(), is_mounted) &&
                       std::all_of(in.seats.begin(), in.seats.end(), fits);
   return where(!can_be);
 }

@@ -135,8 +135,11 @@ bool is_made_by(Fastening fastening, Notch kind) {
   }
 }
 
+/// Whether a notch lies under the hub, or as far outside of it as a keyway runs out: a fifth of the diameter.
 bool is_under(const Notched& notch, const Seat& seat) {
-  const Length reach = is_set(seat.l_c) ? seat.l_c : is_set(seat.b) ? seat.b : seat.d_c;
+  const Length run_out = is_set(seat.d_c) ? 0.2 * seat.d_c : 0.0 * mm;
+  const bool has_width = is_set(seat.b) && seat.b > 0.0 * mm;
+  const Length reach = has_width ? seat.b / 2.0 + run_out : is_set(seat.l_c) ? seat.l_c : seat.d_c;
   return abs(notch.x - seat.x) <= reach * (1.0 + one_place);
 }
 

@@ -135,7 +135,7 @@ void critical_speed(const Input& in, const Elastic& elastic, Result& r, Tracer& 
   r.mass = trace.value("mass", mass_of(in), "of its pieces");
   if (std::any_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return !is_set(s.mass); })) return;
   const beam::Frequencies found = critical_speeds(in, elastic);
-  r.n_D = trace.speed("n_D", from_si<AngularSpeed>(found.dunkerley), "Dunkerley: each mass alone");
+  r.n_D = trace.speed("n_D", from_si<AngularSpeed>(found.dunkerley), "Dunkerley: each mass by itself");
   r.n_c = trace.speed("n_c", from_si<AngularSpeed>(found.lowest), "of masses on the elastic line");
   r.n_R = trace.speed("n_R", from_si<AngularSpeed>(found.rayleigh), "Rayleigh: bent as by the weights");
   judge_whirl(in, elastic, r, trace);

@@ -35,15 +35,20 @@ namespace loadpath::shaft {
 
 struct Design {
   static constexpr auto id = "shaft.design";
-  static constexpr auto title = "Shaft on its bearings";
+  static constexpr auto title = "Shaft design (strength, fatigue, critical speeds)";
   static constexpr auto scope =
-      "Reactions, moments, deflection, slope and twist of a shaft of cylinders and tapers on two or more bearings, "
-      "with "
-      "what sits on it; yield "
-      "and fatigue of every section and notch; critical speeds in bending and in torsion. Forces stand in space while "
-      "the shaft turns, or are given over a turn.";
+      "Reactions, internal forces, deflection, slope and twist of a stepped or tapered shaft on two or more "
+      "bearings, with yielding and fatigue of every section and notch and the lateral and torsional critical "
+      "speeds; loads are fixed in space while the shaft turns, or given over one revolution.";
   static constexpr auto source =
       "[Shigley6], [Shigley7], [DIN743], [FKM], [GOST25504], [Peterson], [Cowper], [Mises], [Foeppl]";
+  static constexpr auto headline = "d = {d_max}";
+  static constexpr auto synonyms =
+      "shaft, stepped shaft, shaft calculation, bearing reaction, deflection, slope, critical speed, whirling, "
+      "Campbell diagram, torsional vibration, shaft fatigue, stress concentration, notch, shoulder, keyway, "
+      "DIN 743, FKM, Welle, Achse, Wellenberechnung, Durchbiegung, biegekritische Drehzahl, Kerbwirkung, "
+      "bending and torsion, Absatzwelle, вал, расчёт вала, прогиб, критическая частота вращения, "
+      "концентрация напряжений, выносливость";
   static constexpr auto example = R"([project]
 title = "Shaft of a gear between its bearings"
 
@@ -70,24 +75,22 @@ r_T = 0
 
   using Input = DesignInput;
   static constexpr Fields inputs{
-      ListField{&Input::pieces, "pieces", "cylinders and tapers from left to right"},
+      ListField{&Input::pieces, "pieces", "shaft segments (cylinders and tapers) from left to right"},
       ListField{&Input::supports, "supports", "bearings"},
-      ListField{&Input::seats, "seats", "what sits on the shaft and loads it"}.may_be_missing(),
-      ListField{&Input::notches, "notches", "where stress concentrates"}.may_be_missing(),
-      ListField{&Input::orders, "orders", "what comes more or less often than once in a turn and can make it swing"}
-          .may_be_missing(),
-      Field{&Input::n, "n", rpm, "speed; without it, that of a seat; a shaft without any stands still"}
-          .may_be_missing(),
+      ListField{&Input::seats, "seats", "mounted components with their loads"}.may_be_missing(),
+      ListField{&Input::notches, "notches", "notches (stress raisers)"}.may_be_missing(),
+      ListField{&Input::orders, "orders", "excitation orders other than one per revolution"}.may_be_missing(),
+      Field{&Input::n, "n", rpm, "speed; omitted: that of a mounted component, else a shaft at rest"}.may_be_missing(),
       Field{&Input::K_A, "K_A", ratio,
-            "service factor on all torques and forces, not on weight: what they do not contain, once"}
+            "application factor K_A on all torques and forces, not on weight (1 if they include it)"}
           .at_least(1)
           .usually(1, 4)
           .factor(),
-      Field{&Input::k_max, "k_max", ratio, "largest load, of a start or a jam, over that in service; for yield"}
+      Field{&Input::k_max, "k_max", ratio, "peak load factor (start, jam), for yielding"}
           .at_least(1)
           .usually(1, 5)
           .factor(),
-      Field{&Input::g_angle, "g_angle", deg, "direction of weight from X to Y; missing: weight is not counted"}
+      Field{&Input::g_angle, "g_angle", deg, "direction of gravity, angle from X to Y; omitted: self-weight neglected"}
           .may_be_missing(),
       Field{&Input::E, "E", GPa, "modulus of elasticity"}.positive().usually(1, 500).from("material", "E"),
       Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G"),
@@ -95,73 +98,80 @@ r_T = 0
       diameter_at_heat_treatment(&Input::d_h),
       Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_s"),
       Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_s"),
-      Field{&Input::S_F, "S_F", ratio, "safety against yielding"}.at_least(1).usually(1, 6).may_be_missing().factor(),
-      Field{&Input::S_D, "S_D", ratio, "safety against fatigue, without end"}
+      Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
           .at_least(1)
           .usually(1, 6)
           .may_be_missing()
           .factor(),
-      Field{
-          &Input::r_T, "r_T", ratio,
-          "least over largest torque: 1 steady, 0 with starts and stops, -1 reversing; of torques over a turn besides"}
+      Field{&Input::S_D, "S_D", ratio, "required fatigue safety factor, infinite life"}
+          .at_least(1)
+          .usually(1, 6)
+          .may_be_missing()
+          .factor(),
+      Field{&Input::r_T, "r_T", ratio,
+            "torque ratio T_min/T_max: 1 steady, 0 pulsating (starts and stops), -1 reversing; in "
+            "addition to torques over a revolution"}
           .within(-1, 1)
           .may_be_missing(),
-      Choice{&Input::method, "method", "school that decides over fatigue"}.may_be_missing(),
+      Choice{&Input::method, "method", "fatigue method that governs"}.may_be_missing(),
       Choice{&Input::group, "group", "group of materials, for the fatigue limit"},
-      Choice{&Input::finish, "finish", "surface"}.may_be_missing(),
+      Choice{&Input::finish, "finish", "surface finish"}.may_be_missing(),
       Field{&Input::sigma_W, "sigma_W", MPa, "measured fatigue limit of smooth specimens in bending, r = -1"}
           .positive()
           .usually(10, 1500)
           .may_be_missing(),
-      Field{&Input::R_z, "R_z", um, "roughness, for the safety by DIN 743"}
+      Field{&Input::R_z, "R_z", um, "roughness, for DIN 743, FKM and Serensen"}
           .positive()
           .usually(0.1, 400)
           .may_be_missing(),
       Field{&Input::v_adm, "v_adm", mm, "allowable deflection"}.positive().may_be_missing(),
-      Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+      Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable angle of twist per unit length"}
           .positive()
           .usually(0.02, 10)
           .may_be_missing(),
       Field{&Input::k_n, "k_n", ratio,
-            "least critical speed over the speed; 1.25 is a custom. In torsion distance from any"}
+            "required ratio of critical speed to speed (1.25 is customary); in torsion: required "
+            "separation from every critical speed"}
           .at_least(1)
           .usually(1.1, 2)
           .factor(),
-      Count{&Input::whirl_modes, "whirl_modes", 1, most_whirls, "modes of whirl that are listed"}.may_be_missing()};
+      Count{&Input::whirl_modes, "whirl_modes", 1, most_whirls, "number of whirl modes listed"}.may_be_missing()};
 
   using Result = DesignResult;
   static constexpr Fields results{
       Field{&Result::l, "l", mm, "length"},
-      Field{&Result::d_max, "d_max", mm, "largest diameter"},
-      Field{&Result::s_max, "s_max", ratio, "steepest slope of a taper against the axis"}
+      Field{&Result::d_max, "d_max", mm, "maximum diameter"},
+      Field{&Result::s_max, "s_max", ratio, "maximum slope of a taper to the axis"}
           .limit(0, steepest_cone)
           .where_it_applies(),
-      Field{&Result::d_s, "d_s", mm, "diameter whose strength the material has: at heat treatment, else the largest"},
+      Field{&Result::d_s, "d_s", mm, "diameter for the material strength: heat treatment diameter, else the maximum"},
       Field{&Result::mass, "mass", kg, "mass of the shaft itself"},
-      Field{&Result::M_max, "M_max", N_m, "largest bending moment"}.holding("K_A"),
-      Field{&Result::T_max, "T_max", N_m, "largest torque"}.holding("K_A"),
-      Field{&Result::v_max, "v_max", mm, "largest deflection"},
-      Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"},
-      Field{&Result::phi, "phi", deg, "largest twist between any two sections"},
-      Field{&Result::psi, "psi", deg, "angle of the shaft at which it is bent most, of loads over a turn"},
+      Field{&Result::M_max, "M_max", N_m, "maximum bending moment"}.holding("K_A"),
+      Field{&Result::T_max, "T_max", N_m, "maximum torque"}.holding("K_A"),
+      Field{&Result::v_max, "v_max", mm, "maximum deflection"},
+      Field{&Result::theta_max, "theta_max", deg_per_m, "maximum angle of twist per unit length"},
+      Field{&Result::phi, "phi", deg, "maximum angle of twist between any two sections"},
+      Field{&Result::psi, "psi", deg, "shaft angle of maximum bending (loads over a revolution)"},
       Field{&Result::n, "n", rpm, "speed"},
-      Field{&Result::n_c, "n_c", rpm, "first critical speed in bending, of masses without the turning of discs"},
-      Field{&Result::n_R, "n_R", rpm, "the same by Rayleigh, never below it"},
-      Field{&Result::n_D, "n_D", rpm, "the same by Dunkerley, never above it"},
+      Field{&Result::n_c, "n_c", rpm, "first lateral critical speed, without gyroscopic effect"},
+      Field{&Result::n_R, "n_R", rpm, "first lateral critical speed by Rayleigh (upper bound)"},
+      Field{&Result::n_D, "n_D", rpm, "first lateral critical speed by Dunkerley (lower bound)"},
       Field{&Result::n_F, "n_F", rpm,
-            "first critical speed in bending with the turning of discs: of forward whirl, where a seat tells I_p"},
-      Field{&Result::n_T, "n_T", rpm, "first critical speed in torsion, of the shaft and what sits on it alone"},
-      Field{&Result::u_y, "u_y", ratio, "deflection over the allowable one"}.check("v_adm"),
-      Field{&Result::u_theta, "u_theta", ratio, "twist per length over the allowable one"}.check("theta_adm"),
-      Field{&Result::u_n, "u_n", ratio, "critical speed: speed with its margin over it"}.check().where_it_applies(),
+            "first lateral critical speed with gyroscopic effect: forward whirl, if a component has I_p"},
+      Field{&Result::n_T, "n_T", rpm, "first torsional critical speed of the shaft with its mounted components only"},
+      Field{&Result::u_y, "u_y", ratio, "deflection / allowable deflection"}.check("v_adm"),
+      Field{&Result::u_theta, "u_theta", ratio, "angle of twist per unit length / allowable value"}.check("theta_adm"),
+      Field{&Result::u_n, "u_n", ratio, "lateral critical speed: k_n x speed / critical speed"}
+          .check()
+          .where_it_applies(),
       modulus_over_steel<Result>(&Result::x_E),
-      ListField{&Result::bearings, "bearings", "what each bearing carries"},
-      ListField{&Result::seats, "seats", "how the shaft moves where something sits on it"},
+      ListField{&Result::bearings, "bearings", "bearing loads"},
+      ListField{&Result::seats, "seats", "deflection and slope at the mounted components"},
       ListField{&Result::harmonics, "harmonics",
-                "what can make the shaft swing about its axis: its turning, its orders, and the torques over a turn"},
-      ListField{&Result::whirls, "whirls", "how the bent shaft whirls with the turning of discs, slowest first"},
-      ListField{&Result::sections, "sections", "sections where something changes, left to right"},
-      ListField{&Result::safeties, "safeties", "the same sections against fatigue"}};
+                "torsional excitations: shaft speed, excitation orders, and torques over a revolution"},
+      ListField{&Result::whirls, "whirls", "whirl modes with gyroscopic effect, slowest first"},
+      ListField{&Result::sections, "sections", "sections at changes of geometry or load, left to right"},
+      ListField{&Result::safeties, "safeties", "fatigue safety factors of the same sections"}};
 
   static bool on_shaft(const Input& in);
   static FieldFault off_shaft(const Input& in);
@@ -204,13 +214,12 @@ r_T = 0
       Rule<Input>{&bearings_sit, "supports, pieces", "bearings sit on cylinders", &slips},
       Rule<Input>{&turn_is_known, "seats", "loads over a turn are known at all of its positions", &open_turn},
       Rule<Input>{&torques_close, "seats", "what drives the shaft and what it drives take the same torque", &open_sum},
-      Rule<Input>{&thrust_is_held, "seats, supports",
-                  "one bearing alone takes forces along the shaft: holds = \"both\""},
+      Rule<Input>{&thrust_is_held, "seats, supports", "exactly one bearing takes axial forces: holds = \"both\""},
       Rule<Input>{&speeds_agree, "n, seats", "all that sits on one shaft turns at one speed, which is not zero"},
       Rule<Input>{&notches_fit, "notches, pieces, r_T, group", "the notches fit the shaft", &misfit},
       Rule<Input>{&connections_match, "seats, pieces", "connections are made for the shaft that they sit on",
                   &other_diameter},
-      Rule<Input>{&notches_apart, "notches, pieces", "notches stand apart", &crowd, true},
+      Rule<Input>{&notches_apart, "notches, pieces", "notches are far apart", &crowd, true},
       Rule<Input>{&steps_are_notched, "notches, pieces, S_D", "fatigue begins where the diameter changes", &bare_step},
       Rule<Input>{&slopes_of_all, "supports, seats",
                   "give beta_adm of every bearing or of none, and likewise of the seats"},
@@ -252,7 +261,7 @@ r_T = 0
       Rule<Input>{[](const Input& in) { return is_set(in.E) && is_set(in.G); }, "E, G",
                   "bending needs the moduli E and G, or a material"},
       Rule<Input>{&stiff_enough, "supports, pieces, E, G",
-                  "the bearings are so soft beside the shaft that they do not hold it"},
+                  "the bearings are too soft compared with the shaft to support it"},
       Rule<Input>{[](const Input& in) { return !is_set(in.g_angle) || is_set(in.rho); }, "g_angle, rho",
                   "its weight needs the density rho, or a material"}};
 
@@ -284,79 +293,70 @@ r_T = 0
       Meaning{"sigma_W", fatigue::specimen_in_bending},
       Meaning{"sections.sigma_b, sections.M, sections.M_x, sections.M_y, M_max", reverses_in_turns}};
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield of a section", &loaded}.judged_by("sections.u_v, s_max"),
-      Mode<Input>{"fatigue", "fatigue of a notch or section", &tired}
+      Mode<Input>{"yield", "yielding of shaft sections", &loaded}.judged_by("sections.u_v, s_max"),
+      Mode<Input>{"fatigue", "fatigue of sections and notches", &tired}
           .judged_by("safeties.u_D, safeties.x_b, safeties.x_t, safeties.x_d, safeties.x_n, safeties.x_r, "
                      "safeties.x_DIN, x_E, s_max")
           .wanting("S_D, r_T")
           .in_service(),
-      Mode<Input>{"cycles",
-                  "fatigue of a metal without a fatigue limit: a fatigue.life of each section, with its cycles N",
-                  &endless}
-          .assessed_beside("fatigue.life"),
-      Mode<Input>{"neighbours", "fatigue where one notch feels the next", &crowds},
-      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken", &unseen<Input>}.by_companions(),
+      Mode<Input>{"cycles", "fatigue without a fatigue limit (fatigue.life of each section)", &endless}.assessed_beside(
+          "fatigue.life"),
+      Mode<Input>{"neighbours", "fatigue at interacting notches", &crowds},
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
       Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y, s_max").of_service(),
-      Mode<Input>{"slope_bearings", "slope of the shaft in its bearings", &loaded}
+      Mode<Input>{"slope_bearings", "shaft slope at bearings", &loaded}
           .judged_by("bearings.u_beta, s_max")
           .wanting("supports beta_adm")
           .of_service(),
-      Mode<Input>{"slope_seats", "slope of the shaft under gears", &loaded}
+      Mode<Input>{"slope_seats", "shaft slope at gears", &loaded}
           .judged_by("seats.u_beta, s_max")
           .wanting("seats beta_adm")
           .of_service(),
-      Mode<Input>{"twist", "twist", &loaded}.judged_by("u_theta, s_max").of_service(),
-      Mode<Input>{"critical_bending", "critical speed in bending", &running}
+      Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta, s_max").of_service(),
+      Mode<Input>{"critical_bending", "lateral critical speed (whirling)", &running}
           .judged_by("u_n, s_max")
           .wanting("rho, seats mass")
           .in_service(),
-      Mode<Input>{"discs", "turning of what sits on it out of its plane: long hubs lower the critical speed",
-                  &bears_discs}
+      Mode<Input>{"discs", "gyroscopic effect of attached discs", &bears_discs}
           .wanting("seats I_p, seats I_d")
           .special(),
-      Mode<Input>{"whirl_orders", "forces that come more often than once in a turn, at a frequency of whirl",
-                  &unseen<Input>}
-          .special(),
-      Mode<Input>{"critical_torsion", "critical speed in torsion", &running}
+      Mode<Input>{"whirl_orders", "whirl excitation by higher orders", &unseen<Input>}.special(),
+      Mode<Input>{"critical_torsion", "torsional critical speed", &running}
           .judged_by("harmonics.u_h, s_max")
           .wanting("rho, seats J")
           .in_service(),
-      Mode<Input>{"resonance", "running through a resonance in torsion", &passes_resonance}.special(),
-      Mode<Input>{"train", "torsional vibration of the train that it is coupled to", &unseen<Input>}.special(),
-      Mode<Input>{"bearings", "life and static safety of its bearings", &bears_bearings}
+      Mode<Input>{"resonance", "passage through torsional resonance", &passes_resonance}.special(),
+      Mode<Input>{"train", "torsional vibration of the drive train", &unseen<Input>}.special(),
+      Mode<Input>{"bearings", "bearing life and static safety factor", &bears_bearings}
           .left_to("bearing.rolling",
                    "bearings.fatigue, bearings.static, bearings.axial, bearings.radial, bearings.ribs, bearings.mate, "
                    "bearings.skidding, bearings.speed")
           .in_service(),
-      Mode<Input>{"weight", "bending by weight", &weighed}.wanting("g_angle").special(),
-      Mode<Input>{"wall", "buckling of a thin wall", &thin_wall},
-      Mode<Input>{"abutment", "height of shoulders for what is set against them", &abuts}
-          .judged_by("sections.u_h")
-          .of_shape(),
-      Mode<Input>{"hub", "shaft-hub connections that no step assesses, of seats without integral = true",
-                  &lacks_connection}
+      Mode<Input>{"weight", "bending by self-weight", &weighed}.wanting("g_angle").special(),
+      Mode<Input>{"wall", "local buckling of thin walls", &thin_wall},
+      Mode<Input>{"abutment", "shoulder (abutment) height", &abuts}.judged_by("sections.u_h").of_shape(),
+      Mode<Input>{"hub", "keys, splines and press fits", &lacks_connection}
           .wanting("seats connection")
           .assessed_beside("shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw, pin.cross"),
-      Mode<Input>{"connection", "torque above that which a shaft-hub connection is assessed for", &has_connection}
-          .judged_by("seats.x_c, seats.x_peak"),
-      Mode<Input>{"pushed", "hub pushed along the shaft, which its connection is not assessed for", &pushes_hubs}
-          .wanting("seats F_c"),
-      Mode<Input>{"seat_fatigue", "fatigue of the shaft under a hub whose connection is no notch of it", &lacks_notch}
-          .wanting("notches part"),
-      Mode<Input>{"notch_factors", "fatigue with notch factors lower than those of the connection", &has_mild_notch}
-          .advising("use the notch of the connection, part = \"=key.notch\", or give the source: accept.notch_factors "
-                    "= \"...\""),
-      Mode<Input>{"rim", "thin rim of a gear between root circle and shaft, over its keyway", &bears_rims}
+      Mode<Input>{"connection", "torque capacity of shaft-hub connections", &has_connection}.judged_by(
+          "seats.x_c, seats.x_peak"),
+      Mode<Input>{"pushed", "axial load on shaft-hub connections", &pushes_hubs}.wanting("seats F_c"),
+      Mode<Input>{"seat_fatigue", "shaft fatigue under hubs, notch of the connection missing", &lacks_notch}.wanting(
+          "notches part"),
+      Mode<Input>{"notch_factors", "notch factors of the connection", &has_mild_notch}.advising(
+          "use the notch of the connection, part = \"=key.notch\", or give the source: accept.notch_factors "
+          "= \"...\""),
+      Mode<Input>{"rim", "gear rim thickness over the keyway", &bears_rims}
           .judged_by("seats.m_R, seats.x_R")
           .of_shape(),
-      Mode<Input>{"hub_length", "connection longer than its hub", &has_long_hub}.advising(
+      Mode<Input>{"hub_length", "connection length within the hub", &has_long_hub}.advising(
           "give the hub width b of the seat, or confirm a longer hub: accept.hub_length = \"...\""),
-      Mode<Input>{"one_piece", "pulley or sprocket as one piece with the shaft", &has_turned_pulley}.advising(
+      Mode<Input>{"one_piece", "pulley or sprocket integral with the shaft", &has_turned_pulley}.advising(
           "give the seat a connection, or confirm the integral design: accept.one_piece = \"...\""),
-      Mode<Input>{"assembly", "components that overlap or cannot be mounted", &cannot_be_assembled}.advising(
+      Mode<Input>{"assembly", "axial clearance and assembly of components", &cannot_be_assembled}.advising(
           "correct positions and diameters, or confirm the design (split, dished): accept.assembly = \"...\""),
-      Mode<Input>{"fit_speed", "loss of interference of a press fit at speed", &has_fast_fit}.judged_by("seats.x_n"),
-      Mode<Input>{"turning_loads", "forces that turn with the shaft: unbalance, a crank", &unseen<Input>}.special(),
+      Mode<Input>{"fit_speed", "interference of press fits at speed", &has_fast_fit}.judged_by("seats.x_n"),
+      Mode<Input>{"turning_loads", "rotating loads (unbalance, crank)", &unseen<Input>}.special(),
       Mode<Input>{"brittle", "brittle fracture", &brittle}.special(),
       Mode<Input>{"corrosion", "corrosion and fretting", &unseen<Input>}.special()};
 

@@ -67,7 +67,7 @@ void weaken(const Input& in, Length d, Length r_n, Safety& s, Tracer& trace) {
   s.x_n = max(bending.x_n, torsion.x_n), s.x_r = bending.x_r;
   s.K_fs = trace.value("K_fs", torsion.K_f, "in torsion, as fatigue.endurance finds it");
   const Stress sigma_D = bending.sigma_D;
-  STEP_TO(s, S_e, s.K_f * sigma_D, "the notch stands with the stresses");
+  STEP_TO(s, S_e, s.K_f * sigma_D, "the notch is given with the stresses");
 }
 
 /// The same where the notch factors are known: the limit is that of the part without its notch.

@@ -132,7 +132,7 @@ std::vector<draw::Figure> Design::figures(const Input& in, const Result& r) {
   const char* const caption =
       varies(in) ? "The shaft where it is bent most in a turn: torques, bearings, diagrams in both planes, and the "
                    "sections that govern"
-                 : "The shaft with its torques and bearings, its diagrams in both planes, and the sections that govern";
+                 : "Shaft with loads and bearings, internal forces in both planes, governing sections";
   std::vector<draw::Figure> all{{"shaft", caption, std::move(shaft)}};
   if (auto whirl = campbell(in, *elastic, r)) all.push_back(*std::move(whirl));
   const auto weakest = std::max_element(r.safeties.begin(), r.safeties.end(), [](const Safety& a, const Safety& b) {

@@ -30,9 +30,9 @@ Message fault_of_fields(const Notched& notch) {
   if ((kind == Kind::rectangular_groove) != is_set(notch.w))
     return say("a rectangular groove has a width w, and nothing else has");
   if ((kind == Kind::given) != is_set(notch.K_t) || is_set(notch.K_t) != is_set(notch.K_ts))
-    return say("K_t and K_ts go together, with kind = \"given\" alone");
+    return say("K_t and K_ts are given together, only with kind = \"given\"");
   if ((kind == Kind::beta) != is_set(notch.beta_b) || is_set(notch.beta_b) != is_set(notch.beta_t))
-    return say("beta_b and beta_t go together, with kind = \"beta\" alone");
+    return say("beta_b and beta_t are given together, only with kind = \"beta\"");
   if (is_set(notch.h) && kind != Kind::shoulder) return say("h is the least height of a shoulder");
   if (is_keyed(kind) && is_set(notch.r))
     return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give K_t and K_ts of another");
@@ -150,8 +150,8 @@ Message fault_of_wall(const Input& in, const Notched& notch, const Around& there
     return say("a seat of {1} cuts through the wall of {2} at {3}", format(notch.t), format(wall), format(notch.x));
   if (left < notch.t)
     return say(
-        "{1} of wall are left under a depth of {2} at {3}: no factor is told of so thin a one: give K_t, K_ts "
-        "and r",
+        "{1} of wall are left under a depth of {2} at {3}: no factor is given for so thin a wall: "
+        "give K_t, K_ts and r",
         format(left), format(notch.t), format(notch.x));
   return {};
 }
@@ -245,7 +245,7 @@ Message fault_of(const Input& in, const Notched& notch) {
   if (Message fault = fault_of_width(in, notch); !fault.empty()) return fault;
   if (notch.kind == Notch::cross_hole && !(notch.r < 0.29 * d)) return say("the hole leaves no section");
   if (has_factors(notch.kind) && !typed && in.group > fatigue::Endurance::Group::cast_steel)
-    return say("its notch factor is told of steels alone: give K_t and K_ts");
+    return say("its notch factor is given for steels only: give K_t and K_ts");
   if (Message fault = fault_of_size(notch, there); !fault.empty()) return fault;
   if (Message fault = fault_of_wall(in, notch, there); !fault.empty()) return fault;
   if (Message fault = fault_of_place(in, notch); !fault.empty()) return fault;
@@ -294,7 +294,7 @@ FieldFault Design::misfit(const Input& in) {
     const Message fault = fault_of(in, in.notches[i]);
     if (!fault.empty()) return {place_of("notches", in.notches, i, "kind"), fault, {}};
   }
-  return {"notches", say("two notches stand at one place"),
+  return {"notches", say("two notches at the same position"),
           say("a notch in a notch is one given by its K_t and K_ts: kind = \"given\"")};
 }
 
@@ -305,7 +305,7 @@ FieldFault Design::crowd(const Input& in) {
   if (notch == nullptr) return {};
   const auto i = static_cast<std::size_t>(notch - in.notches.data());
   return {place_of("notches", in.notches, i, "x"),
-          say("the next notch is nearer than twice the depth or the radius of one of them: each is rated alone"),
+          say("the next notch is nearer than twice the depth or radius: notches are assessed separately"),
           say("keep them apart, or give K_t and K_ts of both together")};
 }
 

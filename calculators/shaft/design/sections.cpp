@@ -111,7 +111,7 @@ void stress(const Input& in, const Felt& felt, const Notched* notch, Section& p,
   const auto [A, W, W_t] = moduli_of(p, notch, trace);
   STEP_TO(p, sigma_b, M / W, "extreme fibre");
   STEP_TO(p, sigma_n, p.N / A, "even over the section");
-  STEP_TO(p, tau, abs(p.T) / W_t, "surface");
+  STEP_TO(p, tau, abs(p.T) / W_t, "surface finish");
   STEP(kappa, 4.0 / 3.0 * (p.d * p.d + p.d * p.d_bore + p.d_bore * p.d_bore) / (p.d * p.d + p.d_bore * p.d_bore),
        "shear at the neutral axis over the mean shear, from Q S / (I b) of a ring");
   STEP(sigma_f, sqrt(pow<2>(sigma_b + abs(sigma_n)) + 3.0 * tau * tau), "extreme fibre, [Mises]");
@@ -137,10 +137,10 @@ Section section_at(const Input& in, const Place& place, const Felt& felt, double
   if (there.notch != nullptr && is_groove(there.notch->kind)) p.d -= 2.0 * there.notch->t;
   trace.value("d", p.d, "the thinner side, of a groove its ground");
   trace.value("d_bore", p.d_bore, "bore");
-  if (is_set(psi)) trace.angle("psi", psi, "where in the turn it bears most");
+  if (is_set(psi)) trace.angle("psi", psi, "angle of maximum load");
   stress(in, felt, there.notch, p, trace);
   if (there.notch != nullptr && is_set(there.notch->h)) {
-    const Length h = trace.value("h", there.notch->h, "asked for, by what is set against the shoulder");
+    const Length h = trace.value("h", there.notch->h, "required by the abutting part");
     const Length high = trace.value("high", (sides.larger() - sides.thinner().d) / 2.0, "of the shoulder");
     STEP_TO(p, u_h, h / high, "what is set against it finds its face");
   }

@@ -132,7 +132,8 @@ std::optional<draw::Figure> campbell(const Input& in, const Elastic& elastic, co
   }
   plot.curves.push_back(turning);
   plot.curves.push_back({"n", {n, n}, {0.0, highest}});
-  return draw::Figure("whirl", "Campbell diagram: whirl over the speed, and where unbalance meets it", std::move(plot));
+  return draw::Figure("whirl", "Campbell diagram: whirl frequencies against speed, with the unbalance line",
+                      std::move(plot));
 }
 
 template void judge_whirl(const Input&, const Elastic&, Result&, NoTrace&);

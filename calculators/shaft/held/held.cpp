@@ -20,7 +20,7 @@ Yielding yielding_of(End end, Moment c) { return end == End::elastic ? 1.0 / c :
 /// The two reactions: by statics where an end is free, else by the rotations, which meet at the second support.
 template <class Tracer>
 void react(const Input& in, Yielding F, double phi_0, Result& r, Tracer& trace) {
-  const Moment Q = trace.value("Q", sum_of_loads(in), "sum of the loads, with the service factor");
+  const Moment Q = trace.value("Q", sum_of_loads(in), "sum of the loads, with the application factor");
   const Yielding f_a = trace.value("f_a", yielding_of(in.end_1, in.c_1), "of the first support: 1/c_1");
   const Yielding f_b = trace.value("f_b", yielding_of(in.end_2, in.c_2), "of the second support: 1/c_2");
   if (in.end_1 == End::free) {
@@ -57,7 +57,7 @@ StretchEnd end_of(const Slice& s, const Flexibility& f, Moment M_1, Tracer& trac
     return {trace.value("M_2", M_1, "no torque along it"), phi};
   }
   const SpreadYielding f_1 = f.f_1;
-  const Force m_s = trace.value("m_s", s.m, "torque per length, with the service factor");
+  const Force m_s = trace.value("m_s", s.m, "torque per length, with the application factor");
   STEP(M_2, M_1 - m_s * s.l, "at its second end");
   return {M_2, NAMED_STEP("phi", M_1 * f_0 - m_s * f_1, "rotation of its second end against its first")};
 }
@@ -73,7 +73,7 @@ void along(const Slices& slices, const Yields& yields, Result& r, Tracer& trace)
     [[maybe_unused]] const auto scope = trace.scope("stretches", i);
     const Slice& s = slices[i];
     const Flexibility& f = yields[i];
-    const Moment Q = trace.value("Q", s.Q, "loads up to its first end, with the service factor");
+    const Moment Q = trace.value("Q", s.Q, "loads up to its first end, with the application factor");
     const Moment M_1 = NAMED_STEP("M_1", -R_1 - Q, "what acts to its right is what acts to its left, turned about");
     const auto [M_2, dphi] = end_of(s, f, M_1, trace);
     r.stretches.push_back({s.x, s.l, M_1, M_2, dphi});
@@ -145,7 +145,7 @@ void judge_member(const Input& in, const Slices& slices, const Part& part, std::
   Held::Member member;
   member.name = part.sleeve != nullptr ? part.sleeve->name : in.segments[segment].name;
   member.x = trace.value("x", s.x + x, "where its stress is the largest");
-  const Moment M = trace.value("M", r.stretches[worst.slice].M_1 - s.m * x, "moment of the whole section there");
+  const Moment M = trace.value("M", r.stretches[worst.slice].M_1 - s.m * x, "total moment of the section there");
   const auto C = trace.value("C", stiffness_at(in, s, x), "sum of G I_p there over the members, which twist alike");
   const Stress G = trace.value("G", part.G, "its shear modulus");
   const Length d = member.d = trace.value("d", ring.d, "its outer diameter");
@@ -269,7 +269,7 @@ Held::Result Held::evaluate(const Input& in, Tracer& trace) {
   Result r;
   const Slices slices = slices_of(in);
   const Yielded whole = give_way(in, slices, trace);
-  trace.value("F", whole.F, "rotation over the whole bar by a moment of 1: the sum over the stretches");
+  trace.value("F", whole.F, "rotation over the full bar per unit moment: sum over the intervals");
   trace.angle("phi_0", whole.phi_0, "rotation of its second end against its first by the loads, without R_1");
   react(in, whole.F, whole.phi_0, r, trace);
   along(slices, whole.yields, r, trace);

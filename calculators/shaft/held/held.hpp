@@ -26,13 +26,18 @@ namespace loadpath::shaft {
 
 struct Held : HeldTypes {
   static constexpr auto id = "shaft.held";
-  static constexpr auto title = "Bar held in torsion";
+  static constexpr auto title = "Bar in torsion with fixed or elastic ends";
   static constexpr auto scope =
-      "Reactions, moments, rotations and shear stresses of a bar in torsion that one end or both hold, rigidly or by "
-      "springs; cylinders and cones in series, sleeves that turn with them, torques at places and along a part. "
-      "Bending, "
-      "fatigue, notches and the joint under a sleeve are not covered.";
+      "Reactions, internal torques, rotations and shear stresses of a bar in torsion with one or both ends "
+      "fixed or elastic, made of cylinders and cones in series with sleeves that rotate with them, under point "
+      "and distributed torques; bending, fatigue, notches and the joint under a sleeve are not covered.";
   static constexpr auto source = "[B19], [Gere-3]";
+  static constexpr auto headline = "torque {M_max}";
+  static constexpr auto subject = "torsion";
+  static constexpr auto synonyms =
+      "statically indeterminate torsion, fixed-fixed bar, bar in torsion, torsion bar, composite shaft, "
+      "tapered bar, sleeve, reaction torque, Drehstab, statisch unbestimmt, eingespannter Stab, Torsionsstab, "
+      "статически неопределимое кручение, стержень, кручение, заделка";
   static constexpr auto example = R"([project]
 title = "Torsion bar between two brackets"
 
@@ -56,26 +61,30 @@ phi_adm = "1 deg"
 )";
 
   static constexpr auto inputs = join(
-      Fields{ListField{&Input::segments, "segments", "parts of the bar, from the first end to the second"},
-             ListField{&Input::sleeves, "sleeves", "cylinders around or inside it that turn as one with it"}
+      Fields{ListField{&Input::segments, "segments", "segments of the bar, from the first end to the second"},
+             ListField{&Input::sleeves, "sleeves", "cylinders around or inside the bar that rotate with it"}
                  .may_be_missing(),
              ListField{&Input::torques, "torques", "torques along the bar"}.may_be_missing(),
-             Choice{&Input::end_1, "end_1", "how the first end is held"},
-             Choice{&Input::end_2, "end_2", "how the second end is held"},
-             Field{&Input::c_1, "c_1", N_m_per_rad, "stiffness of an elastic first end"}.positive().may_be_missing(),
-             Field{&Input::c_2, "c_2", N_m_per_rad, "stiffness of an elastic second end"}.positive().may_be_missing(),
-             Field{&Input::K_A, "K_A", ratio, "service factor: what the loads do not contain, once"}
+             Choice{&Input::end_1, "end_1", "support of the first end: fixed, elastic or free"},
+             Choice{&Input::end_2, "end_2", "support of the second end: fixed, elastic or free"},
+             Field{&Input::c_1, "c_1", N_m_per_rad, "torsional stiffness of an elastic first end"}
+                 .positive()
+                 .may_be_missing(),
+             Field{&Input::c_2, "c_2", N_m_per_rad, "torsional stiffness of an elastic second end"}
+                 .positive()
+                 .may_be_missing(),
+             Field{&Input::K_A, "K_A", ratio, "application factor K_A (1 if the loads include it)"}
                  .at_least(1)
                  .usually(1, 4)
                  .factor(),
-             Field{&Input::G, "G", GPa, "shear modulus of what has none of its own"}.positive().usually(1, 500).from(
+             Field{&Input::G, "G", GPa, "shear modulus of parts without their own"}.positive().usually(1, 500).from(
                  "material", "G")},
       shear_strength_inputs<Input>("d_s"),
-      Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
+      Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable angle of twist per unit length"}
                  .positive()
                  .usually(0.02, 10)
                  .may_be_missing(),
-             Field{&Input::phi_adm, "phi_adm", deg, "allowable rotation of any section from where it stood"}
+             Field{&Input::phi_adm, "phi_adm", deg, "allowable rotation of any section from its unloaded position"}
                  .positive()
                  .usually(0.001, 90)
                  .may_be_missing()});
@@ -83,28 +92,28 @@ phi_adm = "1 deg"
   static constexpr Fields results{
       Field{&Result::R_1, "R_1", N_m, "torque of the first support on the bar"}.load().holding("K_A"),
       Field{&Result::R_2, "R_2", N_m, "torque of the second support on the bar"}.load().holding("K_A"),
-      Field{&Result::M_max, "M_max", N_m, "largest moment in the bar"}.holding("K_A"),
-      Field{&Result::d_s, "d_s", mm, "diameter whose strength the material has: the largest of the bar"},
-      Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"},
-      Field{&Result::theta_max, "theta_max", deg_per_m, "largest twist per length"},
+      Field{&Result::M_max, "M_max", N_m, "maximum torsional moment in the bar"}.holding("K_A"),
+      Field{&Result::d_s, "d_s", mm, "diameter for the material strength: maximum of the bar"},
+      Field{&Result::tau_max, "tau_max", MPa, "maximum shear stress"},
+      Field{&Result::theta_max, "theta_max", deg_per_m, "maximum angle of twist per unit length"},
       Field{&Result::phi_1, "phi_1", deg, "rotation of the first end"},
       Field{&Result::phi_2, "phi_2", deg, "rotation of the second end"},
-      Field{&Result::phi_max, "phi_max", deg, "largest rotation"},
+      Field{&Result::phi_max, "phi_max", deg, "maximum rotation"},
       Field{&Result::x_phi, "x_phi", mm, "where it is"},
       Field{&Result::s_max, "s_max", ratio, "steepest slope of a cone against the axis"}
           .limit(0, steepest_cone)
           .where_it_applies(),
-      Field{&Result::u_tau, "u_tau", ratio, "strength: shear stress over the allowable one, largest of all members"}
+      Field{&Result::u_tau, "u_tau", ratio, "strength: shear stress / allowable shear stress, maximum of all members"}
           .check(),
-      Field{&Result::u_theta, "u_theta", ratio, "stiffness: largest twist per length over the allowable one"}.check(
+      Field{&Result::u_theta, "u_theta", ratio, "stiffness: maximum / allowable angle of twist per unit length"}.check(
           "theta_adm"),
-      Field{&Result::u_phi, "u_phi", ratio, "stiffness: largest rotation over the allowable one"}.check("phi_adm"),
+      Field{&Result::u_phi, "u_phi", ratio, "stiffness: maximum / allowable rotation"}.check("phi_adm"),
       Field{&Result::K_ts, "K_ts", ratio, "lower bound of the stress concentration factor of the shoulders in torsion"}
           .where_it_applies(),
-      Group{&Result::cycle, "cycle", "largest stress of the bar, for fatigue.cycle: cycle"}.handed_over(),
-      ListField{&Result::members, "members", "segments and sleeves where their stress is the largest"},
-      ListField{&Result::stretches, "stretches", "between neighbouring ends, torques and sleeves"},
-      ListField{&Result::sections, "sections", "sections between the stretches"}};
+      Group{&Result::cycle, "cycle", "maximum shear stress of the bar, for fatigue.cycle: cycle"}.handed_over(),
+      ListField{&Result::members, "members", "segments and sleeves at their maximum stress"},
+      ListField{&Result::stretches, "stretches", "segments between neighbouring ends, torques and sleeves"},
+      ListField{&Result::sections, "sections", "sections at the segment ends"}};
 
   static bool springs_fit(const Input& in);
   static bool one_strength(const Input& in);
@@ -141,18 +150,18 @@ phi_adm = "1 deg"
                                        Meaning{"segments.tau_adm, sleeves.tau_adm", allowable_in_shear}};
   static constexpr std::array notch_claims{NotchClaim{"tau_max, cycle.sigma_max", "K_ts"}};
   static constexpr std::array modes{
-      Mode<Input>{"yield", "yield in torsion", &tough}.judged_by("u_tau, s_max"),
-      Mode<Input>{"fracture", "fracture of a brittle material in torsion", &brittle}.judged_by("u_tau, s_max"),
-      Mode<Input>{"twist", "twist per length", &loaded}.judged_by("u_theta").of_service(),
-      Mode<Input>{"rotation", "rotation of a section", &loaded}.judged_by("u_phi").of_service(),
-      Mode<Input>{"ends", "what holds the ends, under R_1 and R_2", &unseen<Input>},
-      Mode<Input>{"joint", "shear and slip of the joint under a sleeve",
+      Mode<Input>{"yield", "yielding in torsion", &tough}.judged_by("u_tau, s_max"),
+      Mode<Input>{"fracture", "brittle fracture in torsion", &brittle}.judged_by("u_tau, s_max"),
+      Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta").of_service(),
+      Mode<Input>{"rotation", "rotation of sections", &loaded}.judged_by("u_phi").of_service(),
+      Mode<Input>{"ends", "strength of the end supports", &unseen<Input>},
+      Mode<Input>{"joint", "shear and slip of sleeve joints",
                   [](const Input& in) { return where(!in.sleeves.empty() && loaded(in) == Applies::yes); }},
-      Mode<Input>{"notch", "yield at steps, keyways and other notches", &unseen<Input>},
+      Mode<Input>{"notch", "yielding at steps and notches", &unseen<Input>},
       fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue"),
-      Mode<Input>{"other_loads", "what comes along with its torques, and is not taken", &unseen<Input>}.by_companions(),
-      Mode<Input>{"wall", "buckling of a thin wall", &thin},
-      Mode<Input>{"critical_torsion", "critical frequency in torsion", &unseen<Input>}.in_service()};
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"wall", "local buckling of thin walls", &thin},
+      Mode<Input>{"critical_torsion", "torsional natural frequency", &unseen<Input>}.in_service()};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -74,8 +74,8 @@ struct AxialTorque {
   Name name;
   Length x = unset<Length>;
   Moment T = unset<Moment>;
-  static constexpr Fields fields{NameField{&AxialTorque::name, "name", "what brings the torque"}.may_be_missing(),
-                                 Field{&AxialTorque::x, "x", mm, "place from the first end"}.at_least(0),
+  static constexpr Fields fields{NameField{&AxialTorque::name, "name", "source of the torque"}.may_be_missing(),
+                                 Field{&AxialTorque::x, "x", mm, "position from the first end"}.at_least(0),
                                  Field{&AxialTorque::T, "T", N_m, "torque on the bar, signed"}.load()};
 };
 

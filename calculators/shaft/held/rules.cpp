@@ -72,7 +72,7 @@ FieldFault Held::off_bar(const Input& in) {
   for (std::size_t i = 0; i < in.torques.size(); ++i) {
     if (in.torques[i].x <= end * (1.0 + rounding)) continue;
     return {"torques[" + std::to_string(i + 1) + "].x",
-            say("torque {1} stands at {2}, and the bar ends at {3}", std::to_string(i + 1),
+            say("torque {1} is at {2}, but the bar ends at {3}", std::to_string(i + 1),
                 format_quantity(in_si(in.torques[i].x), mm.symbol), format_quantity(in_si(end), mm.symbol)),
             say("x counts from the first end: correct it, or the lengths of the segments")};
   }

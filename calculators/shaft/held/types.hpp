@@ -36,7 +36,7 @@ struct HeldTypes {
     Length x = unset<Length>;
     double phi = unset<double>;
     static constexpr Fields fields{Field{&Section::x, "x", mm, "place"},
-                                   Field{&Section::phi, "phi", deg, "rotation from where it stood"}};
+                                   Field{&Section::phi, "phi", deg, "rotation from the unloaded position"}};
   };
   /// A segment or a sleeve where its stress is the largest.
   struct Member {
@@ -46,12 +46,12 @@ struct HeldTypes {
     Stress tau = unset<Stress>, tau_all = unset<Stress>;
     double u_tau = unset<double>;
     static constexpr Fields fields{NameField{&Member::name, "name", "segment or sleeve"},
-                                   Field{&Member::x, "x", mm, "place of its largest stress"},
+                                   Field{&Member::x, "x", mm, "position of its maximum stress"},
                                    Field{&Member::d, "d", mm, "its outer diameter there"},
                                    Field{&Member::T, "T", N_m, "its part of the moment there, signed"}.holding("K_A"),
-                                   Field{&Member::tau, "tau", MPa, "largest shear stress"},
+                                   Field{&Member::tau, "tau", MPa, "maximum shear stress"},
                                    Field{&Member::tau_all, "tau_all", MPa, "allowable shear stress"},
-                                   Field{&Member::u_tau, "u_tau", ratio, "shear stress over the allowable one"}};
+                                   Field{&Member::u_tau, "u_tau", ratio, "shear stress / allowable shear stress"}};
   };
 
   struct Result {

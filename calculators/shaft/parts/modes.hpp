@@ -35,29 +35,24 @@ Applies thin_wall(const Input& in) {
 /// Where a shaft breaks first that turns, or whose load varies.
 template <class Input>
 constexpr Mode<Input> fatigue_of_shaft() {
-  return Mode<Input>{"fatigue", "fatigue, at shoulders, keyways and press fits first", &load_varies<Input>}
-      .in_service();
+  return Mode<Input>{"fatigue", "fatigue (shoulders, keyways, press fits)", &load_varies<Input>}.in_service();
 }
 
 /// What the calculator judges, and what concerns every shaft.
 template <class Input, std::size_t judged>
 constexpr auto with_modes_of_shafts(const std::array<Mode<Input>, judged>& own) {
   const std::array common{
-      Mode<Input>{"other_loads", "what comes along with its loads, and is not taken; F_z bends by F_z d_w/2",
-                  &unseen<Input>}
-          .by_companions()
-          .assessed_in("shaft.design"),
-      Mode<Input>{"critical_bending", "critical speed in bending", &unseen<Input>}.in_service().assessed_in(
+      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions().assessed_in(
           "shaft.design"),
-      Mode<Input>{"critical_torsion", "critical speed in torsion", &unseen<Input>}.in_service().assessed_in(
+      Mode<Input>{"critical_bending", "lateral critical speed (whirling)", &unseen<Input>}.in_service().assessed_in(
           "shaft.design"),
-      Mode<Input>{"deflection", "deflection, and slope at bearings and meshes", &unseen<Input>}
-          .of_service()
-          .assessed_in("shaft.design"),
-      Mode<Input>{"keyway", "yield at keyways and other notches", &unseen<Input>}.assessed_in("shaft.design"),
-      Mode<Input>{"hub", "slip of what is pressed or clamped on it", &unseen<Input>}.assessed_beside(
+      Mode<Input>{"critical_torsion", "torsional critical speed", &unseen<Input>}.in_service().assessed_in(
+          "shaft.design"),
+      Mode<Input>{"deflection", "deflection and slope", &unseen<Input>}.of_service().assessed_in("shaft.design"),
+      Mode<Input>{"keyway", "yielding at keyways and notches", &unseen<Input>}.assessed_in("shaft.design"),
+      Mode<Input>{"hub", "slip of shaft-hub connections", &unseen<Input>}.assessed_beside(
           "shaft.key, shaft.spline, shaft.press_fit, shaft.set_screw"),
-      Mode<Input>{"wall", "buckling of a thin wall", &thin_wall<Input>},
+      Mode<Input>{"wall", "local buckling of thin walls", &thin_wall<Input>},
       Mode<Input>{"brittle", "brittle fracture", &unseen<Input>}.special()};
   return join(own, common);
 }

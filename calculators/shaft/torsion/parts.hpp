@@ -1,6 +1,7 @@
 // The shaft of shaft.torsion as it is given: its length, its torques and the stretches between them.
 #pragma once
 
+#include "calculators/shaft/parts/torque.hpp"
 #include "calculators/shaft/torsion/types.hpp"
 
 namespace loadpath::shaft {
@@ -50,11 +51,13 @@ inline Torques torques_of(const TorsionTypes::Input& in) {
 
 /// The short form: one torque goes through the whole shaft.
 inline Stretches stretches_of_short_form(const TorsionTypes::Input& in) {
+  NoTrace quiet;
+  const Moment T = torque_of(in, quiet);
   Stretches parts;
   Length x = 0.0 * m.one;
-  if (in.segments.empty()) parts.push_back({x, in.T, {in.l, in.d, in.chi, in.d_bore}});
+  if (in.segments.empty()) parts.push_back({x, T, {in.l, in.d, in.chi, in.d_bore}});
   for (const auto& s : in.segments) {
-    parts.push_back({x, in.T, cylinder_of(in, s)});
+    parts.push_back({x, T, cylinder_of(in, s)});
     x += s.l;
   }
   return parts;

@@ -38,7 +38,7 @@ FieldFault Torsion::torque_off_shaft(const Input& in) {
   const std::string number = std::to_string(off - in.torques.begin() + 1);
   const std::string name = off->name.empty() ? number : "'" + std::string(off->name.view()) + "'";
   return {off->name.empty() ? "torques[" + number + "].x" : "torques." + std::string(off->name.view()) + ".x",
-          say("torque {1} stands at {2}, {3} beyond the end of the shaft at {4}", name,
+          say("torque {1} is at {2}, {3} beyond the end of the shaft at {4}", name,
               format_quantity(in_si(off->x), mm.symbol), format_quantity(in_si(off->x - total_length(in)), mm.symbol),
               format_quantity(in_si(total_length(in)), mm.symbol)),
           in.segments.empty() ? say("x counts from the left end: correct it, or the length l")
@@ -56,8 +56,15 @@ FieldFault Torsion::two_safeties(const Input& in) {
 /// Whether a torque runs through it at all.
 Applies Torsion::loaded(const Input& in) {
   const auto turns = [](Moment T) { return abs(T) > 0.0 * N_m.one; };
-  return where(turns(in.T) ||
+  return where(turns(in.T) || in.P > 0.0 * kW.one ||
                std::any_of(in.torques.begin(), in.torques.end(), [&](const Torque& t) { return turns(t.T); }));
+}
+
+/// The twist of a shaft whose diameters are all known.
+bool Torsion::asks_twist(const Input& in) {
+  const bool all_known = !in.segments.empty() && std::all_of(in.segments.begin(), in.segments.end(),
+                                                             [](const Segment& s) { return is_set(s.d); });
+  return is_set(in.G) && (is_set(in.d) || all_known);
 }
 
 bool Torsion::bores_fit(const Input& in) {

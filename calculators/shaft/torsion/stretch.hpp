@@ -21,7 +21,7 @@ inline constexpr SizingReasons by_strength{"strength, [B19] (4)", "strength of a
 template <class Tracer>
 Length size_by_strength(Moment M_t, const Cylinder& c, Stress tau_all, Tracer& trace) {
   if (!is_set(tau_all)) return unset<Length>;
-  STEP(W_t, M_t / tau_all, "section modulus in torsion that strength asks for, [B19] (3)");
+  STEP(W_t, M_t / tau_all, "required torsional section modulus for strength, [B19] (3)");
   return size_for_modulus("d_strength", W_t, {c.chi, c.d_bore}, by_strength, trace);
 }
 

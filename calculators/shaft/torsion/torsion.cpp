@@ -49,10 +49,11 @@ void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
 template <class Tracer>
 void choose_least(const Torsion::Input& in, Torsion::Result& r, Tracer& trace) {
   const bool by_strength = is_set(r.tau_all);
+  if (!by_strength && !is_set(in.theta_adm)) return;  // stresses and twist alone are asked for
   if (by_strength) trace.value("d_strength", r.d_strength, "largest of the shaft");
   if (is_set(in.theta_adm) && !by_strength) {
     trace.value("d_stiffness", r.d_stiffness, "largest of the shaft");
-    STEP_TO(r, d_min, r.d_stiffness, "by stiffness alone: no strength is given");
+    STEP_TO(r, d_min, r.d_stiffness, "by stiffness only: no strength is given");
     r.governs = Torsion::Governs::stiffness;
     return;
   }
@@ -121,6 +122,7 @@ template <class Tracer>
 Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.tau_all = allowable_shear(in, unset<Stress>, trace);
+  if (is_set(in.P)) static_cast<void>(torque_of(in, trace));  // told here, taken by stretches_of
   const Stretches parts = stretches_of(in);
   size_stretches(in, parts, r, trace);
   choose_least(in, r, trace);
@@ -147,7 +149,7 @@ std::vector<draw::Figure> Torsion::figures(const Input&, const Result& r) {
   diagram.x = {"x", "place along the shaft", "mm"};
   diagram.y = {"M", "internal moment", "N*m"};
   diagram.curves.push_back(std::move(moment));
-  return {{"shaft", "The shaft from the side", std::move(side)},
+  return {{"shaft", "Side view of the shaft", std::move(side)},
           {"torque-diagram", "Torque diagram", std::move(diagram)}};
 }
 

@@ -12,7 +12,7 @@ namespace loadpath::shaft {
 
 struct TorsionTypes {
   enum class Fixed { none, left, right };
-  enum class Governs { strength, stiffness };
+  enum class Governs { strength, stiffness, neither };
 
   struct Segment {
     Name name;
@@ -22,25 +22,28 @@ struct TorsionTypes {
     static constexpr Fields fields{
         NameField{&Segment::name, "name", "name of the part"}.may_be_missing(),
         Field{&Segment::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
-        Field{&Segment::d, "d", mm, "outer diameter; the common one where missing"}
+        Field{&Segment::d, "d", mm, "outer diameter; the common one if omitted"}
             .positive()
             .usually(1, 2000)
+            .findable("R40")
             .may_be_missing(),
         Field{&Segment::chi, "chi", ratio, "bore ratio d_bore/d"}.at_least(0).below(0.99).may_be_missing(),
-        Field{&Segment::d_bore, "d_bore", mm, "diameter of the bore"}.at_least(0).may_be_missing()};
+        Field{&Segment::d_bore, "d_bore", mm, "bore diameter"}.at_least(0).may_be_missing()};
   };
 
   struct Torque {
     Name name;
     Length x = unset<Length>;
     Moment T = unset<Moment>;
-    static constexpr Fields fields{NameField{&Torque::name, "name", "what brings the torque"}.may_be_missing(),
-                                   Field{&Torque::x, "x", mm, "place from the left end"}.at_least(0),
+    static constexpr Fields fields{NameField{&Torque::name, "name", "source of the torque"}.may_be_missing(),
+                                   Field{&Torque::x, "x", mm, "position from the left end"}.at_least(0),
                                    Field{&Torque::T, "T", N_m, "torque on the shaft, signed"}.load()};
   };
 
   struct Input : ShearStrength {
     Moment T = unset<Moment>;
+    Power P = unset<Power>;
+    AngularSpeed n = unset<AngularSpeed>;
     Length l = unset<Length>;
     Length d = unset<Length>;
     double chi = unset<double>;
@@ -66,27 +69,27 @@ struct TorsionTypes {
         Field{&Stretch::l, "l", mm, "length"},
         Field{&Stretch::M, "M", N_m, "internal moment, signed"},
         Field{&Stretch::M_t, "M_t", N_m, "design moment"},
-        Field{&Stretch::d_strength, "d_strength", mm, "least diameter by strength"},
-        Field{&Stretch::d_stiffness, "d_stiffness", mm, "least diameter by stiffness"},
+        Field{&Stretch::d_strength, "d_strength", mm, "minimum diameter for strength"},
+        Field{&Stretch::d_stiffness, "d_stiffness", mm, "minimum diameter for stiffness"},
         Field{&Stretch::d, "d", mm, "outer diameter"},
         Field{&Stretch::d_bore, "d_bore", mm, "bore"},
-        Field{&Stretch::tau, "tau", MPa, "largest shear stress"},
-        Field{&Stretch::theta, "theta", deg_per_m, "twist per length, signed"},
-        Field{&Stretch::phi, "phi", deg, "twist of the right end against the left, positive like M"}};
+        Field{&Stretch::tau, "tau", MPa, "maximum shear stress"},
+        Field{&Stretch::theta, "theta", deg_per_m, "angle of twist per unit length, signed"},
+        Field{&Stretch::phi, "phi", deg, "angle of twist of the right end relative to the left, positive like M"}};
   };
 
   struct Section {
     Length x = unset<Length>;
     double phi = unset<double>;
-    static constexpr Fields fields{Field{&Section::x, "x", mm, "place from the left end"},
-                                   Field{&Section::phi, "phi", deg, "twist against the left end, signed"}};
+    static constexpr Fields fields{Field{&Section::x, "x", mm, "position from the left end"},
+                                   Field{&Section::phi, "phi", deg, "angle of twist relative to the left end, signed"}};
   };
 
   struct Result {
     Stress tau_all = unset<Stress>;
     Moment M_max = unset<Moment>;
     Length d_strength = unset<Length>, d_stiffness = unset<Length>, d_min = unset<Length>;
-    Governs governs = Governs::strength;
+    Governs governs = Governs::neither;
     Length D_star = unset<Length>;
     Length d = unset<Length>, d_bore = unset<Length>, d_max = unset<Length>, d_s = unset<Length>;
     Stress tau_max = unset<Stress>;
@@ -110,7 +113,8 @@ constexpr auto choices_of(TorsionTypes::Fixed) {
 constexpr auto choices_of(TorsionTypes::Governs) {
   return std::array{
       ChoiceName<TorsionTypes::Governs>{TorsionTypes::Governs::strength, "strength", "the allowable stress"},
-      ChoiceName<TorsionTypes::Governs>{TorsionTypes::Governs::stiffness, "stiffness", "the allowable twist"}};
+      ChoiceName<TorsionTypes::Governs>{TorsionTypes::Governs::stiffness, "stiffness", "the allowable twist"},
+      ChoiceName<TorsionTypes::Governs>{TorsionTypes::Governs::neither, "", "no condition is given"}};
 }
 
 }  // namespace loadpath::shaft

@@ -161,7 +161,7 @@ Finding not_fitting(const Model& model, const Misfit& misfit) {
           ? say("the wheels of the belt '{1}' lie in one another: {2} from centre to centre, and that must be more "
                 "than {3}",
                 joint.name, apart, needed)
-          : say("the centres of the gears of '{1}' are {2} apart, their radii ask for {3}", joint.name, apart, needed);
+          : say("the centre distance of '{1}' is {2}, but the radii require {3}", joint.name, apart, needed);
   return {Finding::About::joint, misfit.joint, std::move(message), say("move a centre, or change a radius")};
 }
 

@@ -31,7 +31,10 @@ std::vector<std::string> order_of(const Calculator& calculator, const Template* 
   if (from != nullptr) {
     for (const FieldInfo& field : from->parameters->fields) order.emplace_back(field.key);
   }
-  for (const FieldInfo& field : calculator.input->fields) order.emplace_back(field.key);
+  for (const FieldInfo& field : calculator.input->fields) {
+    order.emplace_back(field.key);
+    for (std::string& other : listed_keys(field.also_called)) order.push_back(std::move(other));
+  }
   return order;
 }
 
@@ -68,7 +71,7 @@ const FieldInfo* field_at(std::span<const FieldInfo> fields, const std::vector<s
   const FieldInfo* at = nullptr;
   for (const std::string& key : keys) {
     const auto within = at == nullptr ? fields : at->fields;
-    if (const FieldInfo* const found = find_field(within, key)) {
+    if (const FieldInfo* const found = find_input(within, key)) {
       at = found;
     } else if (at == nullptr || at->type != FieldInfo::Type::list) {
       return nullptr;
@@ -223,7 +226,7 @@ std::string layout_of(std::string_view text, const std::string& file, Calculator
   issues.push_back({{file, 0, 0, 1},
                     "",
                     say("its layout would change what it says, so it stays as it is"),
-                    say("a table that stands apart from its step, or before it, belongs behind it"),
+                    say("a table of a step belongs directly behind it"),
                     Severity::error});
   return {};
 }

@@ -1,5 +1,7 @@
 #include "lib/project/read/reader.hpp"
 
+#include "lib/text/meant.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -19,6 +21,15 @@ std::vector<std::string> keys_of(const std::vector<Part>& parts) {
   return keys;
 }
 
+/// The fields that a wrong key can have been meant for, with their meanings.
+static Message fields_near(const std::string& key, const std::vector<Part>& parts) {
+  std::vector<Known> known;
+  for (const Part& part : parts) {
+    for (const FieldInfo& field : part.fields) known.push_back({field.key, field.doc});
+  }
+  return meant(key, known, there_is(known));
+}
+
 Message one_of(const std::string& word, const std::vector<std::string>& candidates) {
   return did_you_mean(word, candidates, there_is(candidates));
 }
@@ -31,17 +42,23 @@ void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, cons
                          const std::vector<std::string>& reserved) {
   for (const Tree::Entry& entry : table.entries) {
     if (std::find(reserved.begin(), reserved.end(), entry.key) != reserved.end()) continue;
-    const std::string inner = joined(path, entry.key);
     const auto part = std::find_if(parts.begin(), parts.end(),
-                                   [&](const Part& p) { return find_field(p.fields, entry.key) != nullptr; });
-    if (part == parts.end()) {
-      say_at(entry.place, inner, say("'{1}' is no field here", entry.key), one_of(entry.key, keys_of(parts)));
+                                   [&](const Part& p) { return find_input(p.fields, entry.key) != nullptr; });
+    const FieldInfo* const field = part == parts.end() ? nullptr : find_input(part->fields, entry.key);
+    const std::string inner = joined(path, field == nullptr ? entry.key : std::string(field->key));
+    if (field == nullptr) {
+      say_at(entry.place, inner, say("'{1}' is not a valid key here", entry.key), fields_near(entry.key, parts));
       if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(parts)));
+      continue;
+    }
+    if (entry.key != field->key && table.find(field->key) != nullptr) {
+      say_at(entry.place, inner, say("'{1}' and '{2}' are the same input", entry.key, field->key),
+             say("give one of them"));
       continue;
     }
     in_step_ = takes_several_whole(part->fields);
     reading_.typed[inner] = {entry.value.text, entry.value.place, false, entry.value.shared};
-    read_value(entry.value, *find_field(part->fields, entry.key), part->owner, inner);
+    read_value(entry.value, *field, part->owner, inner);
   }
   for (const Part& part : parts) require(part.fields, part.owner, path, table.place);
 }
@@ -81,12 +98,12 @@ bool Reader::takes(const Tree& tree, const FieldInfo& field, const std::string& 
   if (const auto parsed = Expression::parse(text); !parsed) {
     fault_at(start, text, path, parsed.fault());
   } else if (field.is_word()) {
-    say_at(place_in(start, text, 0, text.size()), path, say("'{1}' is no number to calculate with", path),
+    say_at(place_in(start, text, 0, text.size()), path, say("'{1}' is not a number", path),
            say("refer to one that another step has: {1} = \"=step.{2}\"", path, field.key));
   } else {
     const bool list = field.type == Type::list;
     say_at(place_in(start, text, 0, text.size()), path,
-           say("'{1}' takes {2} of another step whole", path, list ? say("a list") : say("a record")),
+           say("'{1}' takes {2} of another step", path, list ? say("a list") : say("a record")),
            say("name it and its step: {1} = \"=step.{2}\"", path, list ? field.key : "record"));
   }
   return true;
@@ -132,7 +149,7 @@ static bool may_come(const Reading& reading, const std::string& path) {
   });
 }
 
-/// Whether a record is given in addition to the fields, valid or not.
+/// Whether a record stands beside the fields, be it right or wrong.
 static bool is_record_typed(const Reading& reading, std::span<const FieldInfo> fields, const std::string& path) {
   return std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
     return f.type == Type::record && reading.typed.count(joined(path, f.key)) != 0;

@@ -93,7 +93,7 @@ void Values::read(const Tree::Entry& table, std::vector<Issue>& issues) {
                   say("write [values] and below it n = \"1450 rpm\""));
   for (const Tree::Entry& entry : table.value.entries) {
     if (!is_name(entry.key)) {
-      refuse(entry.place, "values." + entry.key, say("'{1}' is no name", entry.key),
+      refuse(entry.place, "values." + entry.key, say("'{1}' is not a valid name", entry.key),
              say("a name has Latin letters, digits and '_', and does not start with a digit"));
       continue;
     }
@@ -218,7 +218,7 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
   if (!open_.empty()) ++in_place_;
   if (in_place_ > most_in_place || open_.size() > deepest) {
     if (!std::exchange(too_many_, true))
-      issues.push_back({tree.place, "values", say("values that stand in values come to too many"),
+      issues.push_back({tree.place, "values", say("nested values give too many values"),
                         say("at most {1} of them, {2} deep", std::to_string(most_in_place), std::to_string(deepest)),
                         Severity::error});
     return tree;
@@ -285,10 +285,10 @@ Outcome<Signature> Values::signature(const std::string& name) {
                  say("write rpm for a speed of rotation")};
   if (found->second.is_literal) return found->second.literal.signature;
   if (const auto fault = fault_of(found->second.tree))
-    return Fault{0, name.size(), say("'values.{1}' is no literal to calculate with: {2}", name, fault->message.text()),
+    return Fault{0, name.size(), say("'values.{1}' is not a number or quantity: {2}", name, fault->message.text()),
                  fault->hint};
-  return Fault{0, name.size(), say("'values.{1}' is no literal to calculate with", name),
-               say("it can stand alone: \"=values.{1}\"", name)};
+  return Fault{0, name.size(), say("'values.{1}' is not a number or quantity", name),
+               say("it can be used alone: \"=values.{1}\"", name)};
 }
 
 /// Reads a range, a list, an uncertain value, when an expression uses it.

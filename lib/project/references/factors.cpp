@@ -1,9 +1,11 @@
 #include "lib/project/references/factors.hpp"
 
+#include "lib/project/because.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -12,6 +14,9 @@
 namespace loadpath::project {
 
 namespace {
+
+/// Factors that a nominal load does not contain.
+constexpr std::array factors_of_loads{"K_A", "gamma_F"};
 
 /// A factor of 1 does not count, nor one that is not given.
 bool counts(double factor) { return !std::isnan(factor) && factor != 1.0; }
@@ -105,13 +110,10 @@ class Check {
   Message lacking() {
     if (const Message peak = lacking_peak(); !peak.empty()) return peak;
     if (const Message peak = below_peak(); !peak.empty()) return peak;
-    if (gives("K_A") || !of_kind(held_, "K_A").empty()) return {};
-    for (const Operand& operand : step_.input().reading.operands) {
-      if (!operand.leaf.field->is_load) continue;
-      for (const auto& reference : operand.expression.references()) {
-        if (Message lost = lost_on_the_way(operand.path, reference.path); !lost.empty()) return lost;
-      }
+    for (const char* const key : factors_of_loads) {
+      if (Message lost = lacking(key); !lost.empty()) return lost;
     }
+    if (gives("K_A") || !of_kind(held_, "K_A").empty()) return {};
     for (const Taken& taken : step_.input().reading.taken) {
       if (taken.field == nullptr || taken.field->type != FieldInfo::Type::list) continue;
       const Step* const source = project_.find(split_step(taken.source).first);
@@ -120,20 +122,64 @@ class Check {
     return {};
   }
 
-  Message lost_on_the_way(const std::string& load, const std::string& path) {
+  Message lacking(const std::string& key) {
+    if (!of_kind(held_, key).empty()) return {};
+    for (const Operand& operand : step_.input().reading.operands) {
+      if (!operand.leaf.field->is_load) continue;
+      for (const auto& reference : operand.expression.references()) {
+        if (Message lost = lost_on_the_way(key, operand.path, reference.path); !lost.empty()) return lost;
+      }
+    }
+    return {};
+  }
+
+  Message lost_on_the_way(const std::string& key, const std::string& load, const std::string& path) {
     const auto [name, rest] = split_step(path);
     const Step* const source = project_.find(name);
     const FieldInfo* const field = source == nullptr ? nullptr : source->field(rest);
-    if (field == nullptr || !field->is_load) return {};
-    if (!source->loads().lacking_factor.empty()) return source->loads().lacking_factor;
-    const double factor = input_of(*source, "K_A");
-    const FieldInfo* const own = find_field(source->input().calculator->input->fields, "K_A");
-    if (own == nullptr || !own->is_factor || !counts(factor)) return {};
+    if (field == nullptr || !carries(*field)) return {};
+    if (!source->loads().lacking_factor.empty() && !gives(key)) return source->loads().lacking_factor;
     const auto with = listed_keys(field->factors);
-    if (std::find(with.begin(), with.end(), "K_A") != with.end()) return {};
-    const bool has_own = find_field(step_.input().calculator->input->fields, "K_A") != nullptr;
-    const Message lacks = say("'{1}' is nominal: it comes without {2}.K_A = {3}", load, name, format_number(factor, 4));
-    return has_own ? say("{1}; give K_A here", lacks) : say("{1}; write {2} = \"={3}.K_A*...\"", lacks, load, name);
+    if (std::find(with.begin(), with.end(), key) != with.end()) return {};
+    if (source->input().calculator->is_one_drive) return lower_than_in_the_drive(key, load, name);
+    return field->is_load ? lower_than(key, load, *source, input_of(*source, key)) : Message{};
+  }
+
+  /// The parts of one drive carry its loads with one factor.
+  Message lower_than_in_the_drive(const std::string& key, const std::string& load, const std::string& drive) {
+    for (const auto& other : project_.steps) {
+      if (other.get() == &step_ || !takes_load_of(*other, drive)) continue;
+      if (Message lower = lower_than(key, load, *other, given_factor(other->input(), key)); !lower.empty())
+        return lower;
+    }
+    return {};
+  }
+
+  static bool takes_load_of(const Step& step, const std::string& source) {
+    const auto& operands = step.input().reading.operands;
+    return std::any_of(operands.begin(), operands.end(), [&](const Operand& operand) {
+      const auto& references = operand.expression.references();
+      return operand.leaf.field->is_load &&
+             std::any_of(references.begin(), references.end(),
+                         [&](const auto& reference) { return split_step(reference.path).first == source; });
+    });
+  }
+
+  /// A nominal load whose factor in another step is higher than here, without a reason.
+  Message lower_than(const std::string& key, const std::string& load, const Step& other, double factor) {
+    const FieldInfo* const theirs = find_field(other.input().calculator->input->fields, key);
+    if (theirs == nullptr || !theirs->is_factor || !counts(factor)) return {};
+    const FieldInfo* const own = find_field(step_.input().calculator->input->fields, key);
+    const Message lacks = say("'{1}' is a nominal load, and {2}.{3} = {4} is not included", load, other.name(), key,
+                              format_number(factor, 4));
+    if (own == nullptr) return say("{1}; write {2} = \"={3}.{4}*...\"", lacks, load, other.name(), key);
+    if (const double given = given_factor(step_.input(), key); gives(key) && given >= factor * (1.0 - 1e-6)) return {};
+    if (reason_for(step_.input(), key) != nullptr) {
+      step_.loads().justified.insert(key);
+      return {};
+    }
+    return gives(key) ? say("{1}; here {2} is lower: say why, because.{2} = \"...\"", lacks, key)
+                      : say("{1}; give {2} here", lacks, key);
   }
 
   /// A start or a jam raises the load of the shaft, and so that of the key or spline which it names as its part.
@@ -273,12 +319,16 @@ class Check {
     }
   }
 
-  double own_value(const std::string& key) {
+  double own_value(const std::string& key) { return given_factor(step_.input(), key); }
+
+  /// Of a step that may not be solved yet.
+  double given_factor(const StepInput& step, const std::string& key) const {
     const auto known = [&](const std::string& path) -> const Value& { return value_at(path); };
-    for (const Operand& operand : step_.input().reading.operands) {
+    for (const Operand& operand : step.reading.operands) {
       if (operand.path == key) return factor_in(operand.expression.evaluate(known).si);
     }
-    return find_leaf(step_.input().reading.record, key).get();
+    const Leaf leaf = find_leaf(step.reading.record, key);
+    return leaf ? leaf.get() : 1.0;
   }
 
   /// The same of a load: over a series the largest.

@@ -108,6 +108,8 @@ class ReductionCheck {
     const Reduced r = reduced(operand);
     if (r.left == Left::whole && is_turned_over(operand) && !is_reduction_justified(step_, operand.path))
       loads_.push_back({operand.path, turned_over_message(operand)});
+    if (is_accepted(operand, r) && is_share(operand) && !is_reduction_justified(step_, operand.path))
+      loads_.push_back({operand.path, share_message(operand)});
     const bool concerned = operand.leaf.field->is_load || (r.of_load && r.left != Left::peak);
     if (!concerned || is_accepted(operand, r) || is_reduction_justified(step_, operand.path)) return;
     loads_.push_back({operand.path, message(operand, r)});
@@ -139,20 +141,48 @@ class ReductionCheck {
     return false;
   }
 
-  /// Whether a field with a significant sign takes the negative of a load: tension for compression.
-  [[nodiscard]] bool is_turned_over(const Operand& operand) const {
+  /// A load of another step, and what the operand makes of it: of one quantity, with one reference to another step.
+  struct Pair {
+    Value source, taken;
+  };
+  [[nodiscard]] std::optional<Pair> pair_of(const Operand& operand) const {
     static const Value none{{}, {std::nan("")}};
-    if (!operand.leaf.field->signed_load || operand.expression.references().size() != 1) return false;
+    if (operand.expression.references().size() != 1) return std::nullopt;
     const auto value_at = [&](const std::string& path) -> const Value& {
       const Value* const value = project_.value(path);
       return value == nullptr ? none : *value;
     };
-    const Value& series = value_at(operand.expression.references().front().path);
-    const Value taken = operand.expression.evaluate(value_at);
-    if (!is_of_loads(series.signature.dimension) || series.si.size() != taken.si.size()) return false;
-    const auto most = std::max_element(series.si.begin(), series.si.end(),
-                                       [](double a, double b) { return std::abs(a) < std::abs(b); });
-    return *most * taken.si[static_cast<std::size_t>(most - series.si.begin())] < 0.0;
+    Pair pair{value_at(operand.expression.references().front().path), operand.expression.evaluate(value_at)};
+    const Dimension& dimension = pair.source.signature.dimension;
+    if (!is_of_loads(dimension) || dimension != operand.leaf.field->dimension) return std::nullopt;
+    return pair;
+  }
+
+  /// Whether a field whose sign decides takes the negative of a load: tension for compression.
+  [[nodiscard]] bool is_turned_over(const Operand& operand) const {
+    if (!operand.leaf.field->signed_load) return false;
+    const auto pair = pair_of(operand);
+    if (!pair || pair->source.si.size() != pair->taken.si.size()) return false;
+    const auto& series = pair->source.si;
+    const auto most =
+        std::max_element(series.begin(), series.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
+    return *most * pair->taken.si[static_cast<std::size_t>(most - series.begin())] < 0.0;
+  }
+
+  /// Whether a load is less than the one of another step that it is computed from, by numbers only: 0.3 times it. A
+  /// divisor that is an input of the file, a number of bars, says itself why.
+  [[nodiscard]] bool is_share(const Operand& operand) const {
+    constexpr double rounding = 1e-6;
+    const std::string own = reduction_of(*step_.input().calculator, operand.path);
+    if (!operand.leaf.field->is_load || !own.empty() || operand.expression.is_reference()) return false;
+    if (operand.expression.references().front().path.starts_with("values.")) return false;
+    const auto pair = pair_of(operand);
+    return pair && std::abs(largest(pair->taken).value) < (1.0 - rounding) * std::abs(largest(pair->source).value);
+  }
+
+  [[nodiscard]] static Message share_message(const Operand& operand) {
+    return say("{1} is less than '{2}', which it is computed from: because.{1} = \"...\" says why", operand.path,
+               operand.expression.references().front().path);
   }
 
   [[nodiscard]] static Message turned_over_message(const Operand& operand) {
@@ -207,8 +237,10 @@ class ReductionCheck {
                  reason);
     const std::string own = reduction_of(*step_.input().calculator, path);
     if (own == "max" || own == "min")
-      return say("{1} is {2} alone: give the largest and the least stress, max(...) and min(...) of one series, or {3}",
-                 path, r.text.empty() ? operand.text : r.text, reason);
+      return say(
+          "{1} is only {2}: give the maximum and minimum stress, max(...) and min(...) of one "
+          "series, or {3}",
+          path, r.text.empty() ? operand.text : r.text, reason);
     if (own == paired_amplitude || own == paired_middle)
       return say(
           "{1} = {2} does not cover the load cycle: use amplitude({3}) and midrange({3}) for the pair, "

@@ -59,13 +59,28 @@ std::vector<Source> alternatives(const Source& source) {
 }
 
 const char* keys_in_sources(const FieldInfo& field) {
-  for (const char* keys : {field.same_as_source, field.most_of_source, field.least_of_source})
+  for (const char* keys : {field.same_as_source, field.most_of_source, field.least_of_source, field.near_source})
     if (*keys != '\0') return keys;
   return "";
 }
 
+std::vector<std::pair<std::string, std::string>> inputs_made_for(const FieldInfo& field) {
+  std::vector<std::pair<std::string, std::string>> pairs;
+  for (const std::string& key : listed_keys(field.made_for)) {
+    const std::size_t colon = key.find(':');
+    const std::string own = key.substr(0, colon);
+    pairs.emplace_back(own, colon == std::string::npos ? own : key.substr(key.find_first_not_of(' ', colon + 1)));
+  }
+  return pairs;
+}
+
 void for_each_compared(const StepInput& step, const std::function<void(const std::string& path)>& visit) {
   for (const TypedBeside& kept : step.reading.kept) visit(kept.source);
+  for (const Operand& operand : step.reading.operands) {
+    if (!operand.expression.is_reference()) continue;
+    const std::string source = split_step(operand.expression.references().front().path).first;
+    for (const auto& [own, theirs] : inputs_made_for(*operand.leaf.field)) visit(source + "." + theirs);
+  }
   const auto sources = sources_of(step.reading);
   if (sources.empty()) return;
   for (const FieldInfo& field : step.calculator->input->fields) {

@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace loadpath::project {
@@ -27,6 +28,9 @@ std::vector<Source> alternatives(const Source& source);
 
 /// The keys that a field has there; empty if it is not compared.
 const char* keys_in_sources(const FieldInfo& field);
+
+/// The inputs that a value of another step is made for: here, and there ("I_y", "I").
+std::vector<std::pair<std::string, std::string>> inputs_made_for(const FieldInfo& field);
 
 /// Paths in other steps that inputs of this one are compared with: of records that have them too, and of sources.
 void for_each_compared(const StepInput& step, const std::function<void(const std::string& path)>& visit);

@@ -103,6 +103,10 @@ void fill_account(const Evaluation& evaluation, const Findings& found, const Wan
   if (governing.is_evaluated) add_words(evaluation, account.results);
   add_numbers(evaluation, found.results, account.results);
   add_verdicts(evaluation, found.results, account.verdicts);
+  for (account::Verdict& verdict : account.verdicts) {
+    const auto compared = found.compared.find(verdict.symbol);
+    if (compared != found.compared.end()) verdict.compared = compared->second;
+  }
   add_modes(evaluation, found.results, found.weighed, account.verdicts, account.modes);
   tell_unjudged(account);
   for (const Line& line : governing.trace.lines()) account.scopes.insert(line.scope);

@@ -15,6 +15,7 @@ enum class Beside {
   modulus,   // the same, as far as books agree on it
   capacity,  // strengths and ratings: stress, force, moment, power
   demand,    // loads, lengths of which the largest is sought, factors of safety and service
+  either,    // speeds, and sizes of the bar that a factor was calculated for: higher and lower may be unsafe
   usual      // empirical values: within a range that experience gives
 };
 Beside beside_of(const FieldInfo& field);

@@ -76,11 +76,23 @@ void add_handed_on(const Evaluation& evaluation, const WeighedValues& weighed, a
   mode.step = evaluation.step().name();
   mode.subject = account::Subject::input;
   mode.id = "typed_values";
-  mode.title = say("typed values that rows and records bear out");
+  mode.title = say("typed values confirmed by rows and records");
   mode.kind = ModeKind::shape;
   mode.wants = weighed.handed_on.front().wants;
   mode.note = weighed.handed_on.front().why;
   modes.push_back(std::move(mode));
+}
+
+/// What a decided mode rests on that nobody gave.
+void add_assumptions(const Evaluation& evaluation, const ModeInfo& info, account::Mode& mode) {
+  if (mode.governs.empty()) return;
+  const auto& rules = evaluation.calculator().rules;
+  for (std::size_t rule = 0; rule < rules.size(); ++rule) {
+    const auto named = listed_keys(rules[rule].modes);
+    if (std::find(named.begin(), named.end(), info.id) == named.end() || evaluation.holds(rule)) continue;
+    const Message assumed = evaluation.broken_rule(rule).message;
+    mode.note = mode.note.empty() ? say("with {1}", assumed) : say("{1}, with {2}", mode.note, assumed);
+  }
 }
 
 Bolder bolder_in(const WeighedValues& weighed, const std::vector<const account::Verdict*>& rows) {
@@ -103,8 +115,10 @@ void add_modes(const Evaluation& evaluation, const Results& results, const Weigh
     const auto rows = rows_of(mode, verdicts);
     const CheckNeeds needs =
         needs_of(mode, *calculator.result, [&](const FieldInfo& check) { return evaluation.is_asked(check); });
-    if (auto one = judged(evaluation.step(), mode, results.applies[k], rows, needs, bolder_in(weighed, rows)))
-      modes.push_back(std::move(*one));
+    auto one = judged(evaluation.step(), mode, results.applies[k], rows, needs, bolder_in(weighed, rows));
+    if (!one) continue;
+    add_assumptions(evaluation, mode, *one);
+    modes.push_back(std::move(*one));
   }
 }
 

@@ -240,6 +240,7 @@ bool is_of_another_place(const Source& source, const char* keys, const FieldInfo
 
 Beside beside_of_source(const FieldInfo& field) {
   if (*field.same_as_source != '\0') return Beside::identity;
+  if (*field.near_source != '\0') return Beside::either;
   return *field.most_of_source != '\0' ? Beside::capacity : Beside::demand;
 }
 
@@ -259,6 +260,22 @@ void add_sources_beside(const Evaluation& evaluation, const Known& known, std::v
       const std::string path = largest_in(source, keys, field, known);
       if (path.empty() || is_of_another_place(source, keys, field, known, value)) continue;
       all.push_back({field.key, leaf, known(path), say("'{1}'", path), beside_of_source(field)});
+      all.back().by_size = true;  // at another point the source has another value
+    }
+  }
+}
+
+/// What the step has otherwise than the one whose result it takes: the length of a bar whose effective length factor
+/// was calculated for another one.
+void add_origins_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
+  for (const Operand& operand : evaluation.step().input().reading.operands) {
+    if (*operand.leaf.field->made_for == '\0' || !operand.expression.is_reference()) continue;
+    const std::string source = split_step(operand.expression.references().front().path).first;
+    for (const auto& [key, theirs] : inputs_made_for(*operand.leaf.field)) {
+      const Leaf leaf = evaluation.inputs().leaf(key);
+      const std::string path = source + "." + theirs;
+      if (!leaf || known(path).signature.dimension != leaf.field->dimension) continue;
+      all.push_back({key, leaf, known(path), say("'{1}', the basis of {2}", path, operand.path), Beside::either});
       all.back().by_size = true;  // at another point the source has another value
     }
   }
@@ -288,6 +305,7 @@ std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results
   add_records_beside(evaluation, known, all);
   add_strengths_beside(evaluation, all);
   add_sources_beside(evaluation, known, all);
+  add_origins_beside(evaluation, known, all);
   add_usual_beside(evaluation, all);
   std::erase_if(all, [](const Neighbour& beside) { return std::isnan(largest_magnitude(beside.value)); });
   return all;

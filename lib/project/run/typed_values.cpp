@@ -44,6 +44,8 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
   if (field.type == FieldInfo::Type::choice)
     return say("{1} = {2} instead of {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
   if (beside.kind == Beside::usual) return unusual(beside.path, field, unusual_value(evaluation, beside));
+  if (beside.kind == Beside::either)
+    return say("{1} = {2}, and {3} has {4}", beside.path, shown(field, typed), beside.source, shown(field, other));
   return beside.kind == Beside::capacity
              ? say("{1} = {2}, above {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source)
              : say("{1} = {2}, below {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
@@ -133,8 +135,9 @@ bool mark_decided(const Results& with_typed, const Results& with_other, const Bo
     changes = true;
     if (!is_verdict(*series.field)) continue;
     decides = true;
-    const bool is_decided = kind != Beside::usual || passes_in_the_first_only(series, with_other) ||
-                            (far && is_lower_in_the_first(series, with_other));
+    const bool by_value = kind == Beside::usual || kind == Beside::either;
+    const bool is_decided = !by_value || passes_in_the_first_only(series, with_other) ||
+                            ((far || kind == Beside::either) && is_lower_in_the_first(series, with_other));
     if (is_decided) weighed.decided.emplace(series.path, bolder);
   }
   return changes && !decides;
@@ -147,7 +150,7 @@ bool is_of_row(const Evaluation& evaluation, const std::string& path) {
                      [&](const Provided& one) { return one.path == path && !one.row.empty(); });
 }
 
-/// Whether other steps derive a conclusion from results of a step without checks: a fatigue limit.
+/// Whether others conclude something from results of a step that has no check of its own: a fatigue limit.
 bool is_concluded_elsewhere(const StepInput& step, const std::set<std::string>& taken) {
   const auto& fields = step.calculator->result->fields;
   const auto first = taken.lower_bound(step.name + ".");
@@ -165,9 +168,11 @@ bool answers_for_reduction(const Reading& reading, const std::string& path) {
 }
 
 /// Reasons that no typed value needs.
-void refuse_idle_reasons(const StepInput& step, const std::set<const Typed*>& used, std::vector<Issue>& issues) {
+void refuse_idle_reasons(const Step& of, const std::set<const Typed*>& used, std::vector<Issue>& issues) {
+  const StepInput& step = of.input();
   for (const auto& [key, reason] : step.because) {
-    if (used.contains(&reason) || answers_for_reduction(step.reading, key)) continue;
+    const bool is_for_factor = of.loads().justified.contains(key);
+    if (used.contains(&reason) || is_for_factor || answers_for_reduction(step.reading, key)) continue;
     issues.push_back({reason.place, step.name + ".because." + key,
                       say("because.{1} is not needed: no row or record says less of {1}", key),
                       say("leave it out; what a mode of failure needs is accept.MODE"), Severity::error});
@@ -224,8 +229,8 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
     const bool stays = is_of_row(evaluation, beside.path);
     if (((only_changes && goes_on) || stays) && reason == nullptr) weighed.handed_on.push_back(bolder);
   }
-  if (!all.empty() && has_results) evaluate_all(evaluation);  // restored
-  if (wanted.unused && has_results && step.reading.varied.empty()) refuse_idle_reasons(step, used, issues);
+  if (!all.empty() && has_results) evaluate_all(evaluation);  // as it was
+  if (wanted.unused && has_results && step.reading.varied.empty()) refuse_idle_reasons(evaluation.step(), used, issues);
   return weighed;
 }
 

@@ -53,7 +53,9 @@ account::Verdict check_verdict(const Evaluation& evaluation, const ResultSeries&
   }
   v.state = account::state_of_check(largest.value);
   v.utilisation = largest.value;
-  if (axis != nullptr) v.note = at_place(largest, *axis);
+  if (axis == nullptr) return v;
+  v.note = at_place(largest, *axis);
+  v.at = account::Quantity{largest.at, axis->unit, 3};
   return v;
 }
 

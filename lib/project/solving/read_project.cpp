@@ -177,6 +177,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
                      Ranges ranges) {
   Project project;
   project.file = file;
+  project.catalogue = catalogue;
   if (tree.entries.size() > most_tables) {
     issues.push_back({tree.entries[most_tables].place,
                       "",

@@ -1,6 +1,7 @@
 #include "lib/project/solving/solve.hpp"
 
 #include "lib/project/accept.hpp"
+#include "lib/project/fixes.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/references/factors.hpp"
 #include "lib/project/references/kinds.hpp"
@@ -170,6 +171,7 @@ void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wan
   }
   if (has_errors(issues)) return;
   settle_left(project);
+  name_fixes(project);
   for (const auto& step : project.steps) warn_of_idle_acceptances(*step, issues);
   hand_out_warnings(project, issues);
 }

@@ -17,7 +17,7 @@ namespace loadpath::expression {
 enum class Rule {
   reduction,        // a series to one value of its dimension
   cycle_reduction,  // the same, of a cycle only
-  place,            // a series and a place of its axis
+  place,            // a series and a position of its axis
   selection,        // like quantities to one of them; a single series is reduced
   same,             // any quantity to one of its dimension
   root,             // the dimension is divided by `degree`

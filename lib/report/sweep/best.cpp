@@ -21,7 +21,7 @@ Message reach_of(const sweep::Optimum& optimum) {
   if (optimum.reach == Reach::every_point) return say("the best of all {1} machines", n);
   if (optimum.reach == Reach::every_combination)
     return say("the best of every combination of the values, {1} machines", n);
-  return say("better than every machine beside it, and than what was found from other starts; {1} machines", n);
+  return say("better than all neighbouring designs and than the results from other starts; {1} designs", n);
 }
 
 Table chosen_table(const Best& best) {
@@ -42,7 +42,7 @@ Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Messag
   using Outcome = sweep::Neighbour::Outcome;
   if (neighbour.outcome == Outcome::better) return say("better: the search ended before it");
   if (neighbour.outcome == Outcome::no_better) return say("no better");
-  if (neighbour.broken >= best.demands.size()) return say("no nearer to what is asked for");
+  if (neighbour.broken >= best.demands.size()) return say("no nearer to the constraints");
   const std::string& demand = best.demands[neighbour.broken].text;
   const double value = neighbour.outputs[neighbour.broken + 1];
   if (std::isfinite(value)) return say("breaks '{1}' ({2})", demand, format_number(value, 4));
@@ -73,7 +73,7 @@ std::vector<Block> best_blocks(const Best& best) {
   } else {
     const std::string worst = optimum.worst < best.demands.size() ? best.demands[optimum.worst].text : best.objective;
     blocks.emplace_back(
-        Paragraph{say("no machine meets what is asked for; the nearest breaks '{1}'; {2}", worst, reach_of(optimum)),
+        Paragraph{say("no design satisfies the constraints; the nearest violates '{1}'; {2}", worst, reach_of(optimum)),
                   Paragraph::Tone::warning});
   }
   blocks.emplace_back(chosen_table(best));

@@ -27,9 +27,9 @@ const char* kind_of(const sweep::Slope& slope, double swing) {
     case Kind::kink:
       return "a kink";
     case Kind::below:
-      return "from below alone";
+      return "from below only";
     case Kind::above:
-      return "from above alone";
+      return "from above only";
     case Kind::unsettled:
       return "a leap, or noise";
     case Kind::none:
@@ -41,7 +41,7 @@ const char* kind_of(const sweep::Slope& slope, double swing) {
 Table tornado_table(const Influence& influence, std::size_t k) {
   const sweep::Tornado& tornado = influence.tornados[k];
   const std::string& unit = influence.units[k];
-  Table table{say("{1}: each input alone, low and high; {2} in the middle", influence.names[k],
+  Table table{say("{1}: each input by itself, low and high; {2} in the middle", influence.names[k],
                   format_quantity(tornado.base, unit.empty() ? "-" : unit, 4)),
               {say("input"), say("low"), say("result"), say("high"), say("result"), say("swing"), say("relative slope"),
                say("remark")},

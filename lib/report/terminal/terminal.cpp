@@ -3,8 +3,12 @@
 #include "lib/account/conclusion.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/build.hpp"
+#include "lib/report/summary/numbers.hpp"
+#include "lib/report/summary/summary.hpp"
 #include "lib/report/terminal/answer.hpp"
+#include "lib/report/terminal/look.hpp"
 #include "lib/report/terminal/rows.hpp"
+#include "lib/report/terminal/short.hpp"
 #include "lib/report/terminal/words.hpp"
 #include "lib/report/why.hpp"
 
@@ -151,9 +155,38 @@ void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>
   std::cerr << (isatty(STDERR_FILENO) != 0 ? with_short_hints(text) : text);
 }
 
+void show_short(const project::Project& project) {
+  std::cout << short_answer(report::summarise(project), look_of_output());
+}
+
+void show_calculation(const project::Project& project) {
+  if (project.steps.size() != 1) return show_short(project);
+  std::cout << short_answer(report::summarise(project), *project.steps.front(), look_of_output());
+}
+
+void show_modes(const project::Project& project) {
+  const Look look = look_of_output();
+  const report::Summary summary = report::summarise(project);
+  std::cout << headline(summary.modes, summary.subject, look.width);
+  if (!summary.title.empty()) std::cout << paragraph(summary.title, 2, look.width);
+  std::vector<Row> rows;
+  for (const account::Mode& mode : account::in_order(summary.modes)) {
+    const std::string used = mode.utilisation ? report::utilisation_text(*mode.utilisation) : "";
+    rows.push_back({"  " + mode_word(mode), mode.step + "." + mode.id, used,
+                    mode.title.text() + "; " + account::reason(mode).text()});
+  }
+  std::cout << "\n" << in_signs_of(columns(rows, look.width), look);
+}
+
+void show_unless_passed(const project::Project& project) {
+  const account::Modes modes = project::modes(project);
+  if (account::conclude(modes).headline != account::Headline::pass)
+    std::cout << headline(modes, report::subject_of(project), look_of_output().width);
+}
+
 void show_project(const project::Project& project, report::Detail detail) {
   const bool in_full = detail == report::Detail::full;
-  show_headline(project::modes(project));
+  std::cout << headline(project::modes(project), report::subject_of(project), line_width());
   if (!project.title.empty()) std::cout << project.title << "\n\n";
   if (detail != report::Detail::brief) {
     for (const auto& step : project.steps) show_step(*step, in_full);

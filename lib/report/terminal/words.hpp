@@ -15,7 +15,9 @@ bool colours(Stream stream);
 std::string state_word(account::State state);
 /// The same of a mode: "outside the scope" where no calculator assesses it.
 std::string mode_word(const account::Mode& mode);
-/// The verdict in one line.
-void show_headline(const account::Modes& modes);
+/// The verdict in one line of at most `width` characters; `subject`: what the modes of the only step cover.
+std::string headline(const account::Modes& modes, const std::string& subject, std::size_t width);
+/// A text in a colour of ECMA-48, "33;1", where someone looks.
+std::string in_colour(const std::string& text, const char* code);
 
 }  // namespace loadpath::terminal

@@ -11,7 +11,7 @@
 
 namespace loadpath::sweep {
 
-static_assert(std::endian::native == std::endian::little, "the columns are written as they stand in memory");
+static_assert(std::endian::native == std::endian::little, "the columns are written as they are in memory");
 
 namespace {
 
@@ -76,7 +76,7 @@ Message read_npy(const std::filesystem::path& path, const std::function<bool(std
   const std::size_t at = text.find(shape);
   if (at == std::string_view::npos) return wrong("it is no column");
   std::uint64_t left = std::strtoull(found.data() + at + shape.size(), nullptr, 10);
-  if (header(left) != found) return wrong("it is no column of this program");
+  if (header(left) != found) return wrong("it is not a column of this program");
   std::array<double, 8192> values{};
   while (left > 0) {
     const std::size_t wanted = static_cast<std::size_t>(std::min<std::uint64_t>(left, values.size()));

@@ -147,7 +147,7 @@ void OwnReader::check_strength(const RowRead& read, const char* key, std::vector
       read.place, read.key + "." + key,
       say("{1} = {2} of '{3}' is far above that of any {4} of the tables: {5}", key, format_quantity(own, "MPa", 5),
           read.row.name, read.table.group, format_quantity(most / beyond_group, "MPa", 4)),
-      say("check the unit, or say why: because.{1} = \"data sheet of the maker\"", key));
+      say("check the unit, or justify it: because.{1} = \"data sheet of the manufacturer\"", key));
 }
 
 void OwnReader::check_shape(const RowRead& read) {
@@ -214,7 +214,7 @@ void OwnReader::check_group(const RowRead& read, std::vector<std::string>& used)
         say("{1} = {2} of '{3}' is far from what a {4} of its size has: {5} to {6}", value.key,
             format_quantity(value.si, column.unit, 5), read.row.name, read.table.group,
             format_quantity(span.least * scale, column.unit, 3), format_quantity(span.most * scale, column.unit, 3)),
-        say("check the unit, or say why: because.{1} = \"data sheet of the maker\"", value.key));
+        say("check the unit, or justify it: because.{1} = \"data sheet of the manufacturer\"", value.key));
   }
 }
 

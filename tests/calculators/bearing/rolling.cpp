@@ -122,7 +122,7 @@ TEST_SUITE("rolling bearing") {
   }
 
   TEST_CASE("what is missing or contradicts is said") {
-    check_says("kind = \"deep_groove_ball\"\n" + loads, "give f_0 and C_0 of the maker's table");
+    check_says("kind = \"deep_groove_ball\"\n" + loads, "give f_0 and C_0 of the manufacturer's table");
     check_says("kind = \"deep_groove_ball\"\nf_0 = 14\n" + loads, "give the static load rating C_0");
     check_says("kind = \"tapered_roller\"\n" + loads, "give e, Y");
     check_says("kind = \"angular_contact_ball\"\n" + loads, "give e, X, Y");

@@ -179,7 +179,7 @@ TEST_SUITE("belt course") {
     says(a + ", { name = \"b\", x = \"500 mm\", y = \"0 mm\", d = \"100 mm\", P = \"1 kW\" }",
          "powers and tensions need the speed n_1");
     says(a + b + ", { x = \"250 mm\", y = \"300 mm\", d = \"60 mm\", along = \"90 deg\" }",
-         "this pulley moves, and the length of the belt is not given");
+         "this pulley moves, and the belt length is not given");
     says("{ x = \"0 mm\", y = \"0 mm\", d = \"100 mm\", side = \"outside\" }" + b,
          "the first pulley, which drives, is inside");
     CHECK(BeltStep(with(text, "L", "\"2200 mm\"")).says("it gives belts from 2295.4"));

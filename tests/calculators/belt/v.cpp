@@ -326,7 +326,7 @@ TEST_SUITE("belt v") {
   }
 
   TEST_CASE("what can be got wrong is told, and no basis is mixed with another") {
-    CHECK(BeltStep(with(text, "basis", "")).says("state the basis, iso or optibelt"));
+    CHECK(BeltStep(with(text, "basis", "")).says("the class of the belt goes with the basis iso"));
     CHECK(BeltStep(with(text, "basis", "")).issues.size() == 1);
     CHECK(BeltStep(with(text, "basis", "\"din\"")).says("optibelt"));
     CHECK(BeltStep(with(text, "section", "\"SPB\"")).says("the basis iso does not rate a section 'SPB'"));

@@ -158,7 +158,7 @@ TEST_SUITE("belt v sizing") {
 
   TEST_CASE("the rules of belt.v hold here too") {
     CHECK(BeltStep(text).worst() == account::State::pass);
-    CHECK(BeltStep(with(text, "basis", "")).says("state the basis"));
+    CHECK(BeltStep(with(text, "basis", "")).says("the class of the belt goes with the basis iso"));
     CHECK(BeltStep(with(text, "section", "\"XYZ\"")).says("does not rate a section 'XYZ'"));
     CHECK(BeltStep(with(text, "belt_class", "")).says("give belt_class"));
     CHECK(BeltStep(with(text, "K_A", "")).says("give K_A"));

@@ -94,7 +94,7 @@ TEST_SUITE("column effective length") {
     CHECK(rel(solve(frame(0, 0, Frame::sway)).beta, 1.0) < 1e-12);
   }
 
-  TEST_CASE("a bar that moves without a load has no effective length") {
+  TEST_CASE("kinematic stability of the supports has no effective length") {
     column::EffectiveLength::Input in;
     in.l = 1.0 * m;
     in.end_1 = column::EffectiveLength::End::pinned;

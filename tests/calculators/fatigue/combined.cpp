@@ -75,7 +75,7 @@ TEST_SUITE("fatigue.combined") {
     in.tau_a = in.tau_m = 0.0 * MPa;
     CHECK(rel(safety(in).n_Serensen, n_s) < 1e-12);
     CHECK_FALSE(is_set(safety(in).n_tau));
-    in.sigma_m = -200.0 * MPa;  // compression is no help
+    in.sigma_m = -200.0 * MPa;  // compression has no benefit
     CHECK(rel(safety(in).n_Serensen, 276.0 / 60) < 1e-12);
   }
 

@@ -65,7 +65,7 @@ TEST_SUITE("trigonometry") {
     }
   }
 
-  TEST_CASE("the ends, and what is no number") {
+  TEST_CASE("the ends, and what is not a number") {
     constexpr double pi = 3.141592653589793, infinity = std::numeric_limits<double>::infinity();
     CHECK(sine(0.0) == 0.0);
     CHECK(cosine(0.0) == 1.0);

@@ -157,19 +157,19 @@ TEST_SUITE("mechanism faults") {
 
   TEST_CASE("fields that the drive would leave idle") {
     CHECK(with("positions = 12", "positions = 12, at = \"30 deg\"") ==
-          R"(a.toml:3:54: error: 'crank.positions' is of a whole turn, and 'crank.at' gives the crank angles
+          R"(a.toml:3:54: error: 'crank.positions' needs a full revolution, but 'crank.at' gives single crank angles
 3 | crank = { joint = "O", speed = "60 rpm", positions = 12, at = "30 deg" }
   |                                                      ^^
   = help: leave out one of the two
 )");
     CHECK(with("positions = 12", "start = \"9 deg\", at = \"30 deg\"")
-              .starts_with(
-                  "a.toml:3:51: error: 'crank.start' is of a whole turn, and 'crank.at' gives the crank angles\n"));
+              .starts_with("a.toml:3:51: error: 'crank.start' needs a full revolution, but 'crank.at' gives single "
+                           "crank angles\n"));
     CHECK(with("[press.ground]", "positions = 12\n[press.ground]") ==
           R"(a.toml:5:13: error: 'positions' is of strokes of cylinders, and a crank drives
 5 | positions = 12
   |             ^^
-  = help: the positions of a turn stand in the crank: crank = { positions = 72 }
+  = help: give the positions of a revolution in the crank: crank = { positions = 72 }
 )");
   }
 

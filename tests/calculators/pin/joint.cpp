@@ -167,7 +167,7 @@ TEST_SUITE("pin joint") {
     says("held = \"in_eye\"\nd = \"20 mm\"\nspread = \"falling\"\n", "over the cheeks of a loose pin alone");
     says("held = \"loose\"\nd = \"20 mm\"\nR_m = \"500 MPa\"\n", "say loading");
     says("held = \"loose\"\nd = \"20 mm\"\npv_adm = \"1 MPa*m/s\"\n", "needs the speed of turning n");
-    says("d = \"20 mm\"\n", "say how the pin is held");
+    says("d = \"20 mm\"\n", "say support of the pin: loose, fixed in the clevis or in the eye, or cantilevered");
   }
 
   TEST_CASE("attacked: nothing passes that was not judged") {

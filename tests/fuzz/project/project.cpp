@@ -41,7 +41,7 @@ bool stands_alone(std::string_view text, std::size_t at, std::size_t size) {
   return (at == 0 || !is_letter(at - 1)) && !is_letter(at + size);
 }
 
-/// Whether it shows a value that is no number, where the user typed none.
+/// Whether it shows a value that is not a number, where the user typed none.
 bool shows_no_number(std::string_view text, std::string_view project) {
   for (const std::string_view word : {"nan", "inf"}) {
     if (project.find(word) != std::string_view::npos) continue;

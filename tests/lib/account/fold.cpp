@@ -222,12 +222,12 @@ TEST_SUITE("fold") {
     CHECK(explanation({mode_of(State::not_judged), mode_of(State::pass)}).text() ==
           "1 of 2 failure modes need input or another step");
     CHECK(explanation({mode_of(State::not_judged), mode_of(State::not_judged, false)}).text() ==
-          "1 of 2 failure modes need input or another step, 1 outside the scope");
+          "1 of 2 failure modes need input or a step, 1 outside the scope");
     CHECK(explanation({mode_of(State::not_judged, false)}).text() ==
-          "1 of 1 failure modes outside the scope of loadpath");
+          "1 of 1 failure modes are outside the scope of loadpath");
     CHECK(explanation({}).text() == "no failure mode is assessed here");
     account::Mode open = mode_of(State::open);
     open.title = say("fatigue, at shoulders first");
-    CHECK(explanation({mode_of(State::pass), open}).text() == "1 of 2 failure modes assessed; not considered: fatigue");
+    CHECK(explanation({mode_of(State::pass), open}).text() == "1 failure mode assessed; fatigue not considered");
   }
 }

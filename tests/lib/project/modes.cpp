@@ -256,7 +256,8 @@ TEST_SUITE("project angles") {
     CHECK(Solved(turning + life + "stress = \"normal\"\n").mode("axle.fatigue").state == State::not_judged);
   }
 
-  TEST_CASE("the teeth of a planetary set are judged by the pairs that take its meshes, the planet's by both") {
+  TEST_CASE(
+      "the number of teeth of a planetary set are judged by the pairs that take its meshes, the planet's by both") {
     const std::string set =
         "[set]\ncalculator = \"gear.planetary\"\nz_s = 24\nz_p = 24\nN_p = 3\nfixed = \"ring\"\nn_s = \"1500 rpm\"\n"
         "T_s = \"90 N*m\"\nm_n = \"2.5 mm\"\n";

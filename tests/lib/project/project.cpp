@@ -39,7 +39,8 @@ TEST_SUITE("project") {
   }
 
   TEST_CASE("a step's name outside ASCII is refused, in quotes and without") {
-    CHECK(issues_of("[\"вал\"]\ncalculator = \"shaft.torsion\"\n") == R"(a.toml:1:2: error: 'вал' is no name for a step
+    CHECK(issues_of("[\"вал\"]\ncalculator = \"shaft.torsion\"\n") ==
+          R"(a.toml:1:2: error: 'вал' is not a valid name of a step
 1 | ["вал"]
   |  ^^^^^
   = help: a name has Latin letters, digits and '_', and does not start with a digit
@@ -49,7 +50,7 @@ TEST_SUITE("project") {
   }
 
   TEST_CASE("a key outside of a step is refused") {
-    CHECK(issues_of("T = \"9 N*m\"\n") == R"(a.toml:1:1: error: 'T' stands outside of a step
+    CHECK(issues_of("T = \"9 N*m\"\n") == R"(a.toml:1:1: error: 'T' is outside of a step
 1 | T = "9 N*m"
   | ^
   = help: a project file consists of tables: [crankshaft]
@@ -65,7 +66,7 @@ TEST_SUITE("project") {
 
   TEST_CASE("the heading has its own keys") {
     CHECK(issues_of("[project]\ntitel = \"Drive\"\nauthor = 3\n" + axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n") ==
-          R"(a.toml:2:1: error: 'titel' is no field here
+          R"(a.toml:2:1: error: 'titel' is not a valid key here
 2 | titel = "Drive"
   | ^^^^^
   = help: did you mean 'title'?
@@ -172,6 +173,6 @@ a.toml:5:27: error: 'axle' has no result 'd_mn'
 
   TEST_CASE("a number of teeth that is not given is missing") {
     CHECK(first_error("[chain_1]\ncalculator = \"chain.roller\"\nchain = \"16B\"\nz_1 = 21\na = \"1 m\"\n") ==
-          "'z_2' is missing: teeth of the driven sprocket");
+          "'z_2' is missing: number of teeth, driven sprocket");
   }
 }

@@ -81,7 +81,7 @@ TEST_SUITE("project search") {
 
   TEST_CASE("where no check is asked for, any size would pass: none is taken") {
     const std::string pair = "[pair]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 40\n";
-    CHECK(issues_of(pair) == R"(a.toml:1:2: error: nothing tells how large 'm_n' must be: no check is asked for
+    CHECK(issues_of(pair) == R"(a.toml:1:2: error: 'm_n' cannot be sized: no check is active
 1 | [pair]
   |  ^^^^
   = help: give m_n itself, or what a check needs: sigma_adm_1, sigma_adm_2

@@ -78,9 +78,9 @@ TEST_SUITE("series choice") {
 
   TEST_CASE("a single value is no series, and where there are none that is said") {
     CHECK(said(press, "joints.guide.stroke") ==
-          "'joints.guide.stroke' is one value, not a series; leave it out: JSON tells every single value");
+          "'joints.guide.stroke' is one value, not a series; leave it out: JSON lists every value");
     const std::string shaft = axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n";
-    CHECK(said(shaft, "*") == "'*' is one value, not a series; leave it out: JSON tells every single value");
+    CHECK(said(shaft, "*") == "'*' is one value, not a series; leave it out: JSON lists every value");
     CHECK(said(shaft, "drive.M") == "there is no series 'drive.M'; every result is one value");
   }
 }

@@ -38,7 +38,7 @@ TEST_SUITE("quantity kinds") {
     CHECK(of_stress("G", "shear modulus") == Meant::nothing);
     CHECK(of_stress("s", "standard deviation of the strength") == Meant::nothing);
     CHECK(of_stress("a_T", "constant of Tetmajer") == Meant::nothing);
-    CHECK(of_stress("p", "pressure in the bore") == Meant::nothing);
+    CHECK(of_stress("p", "bearing pressure in the bore") == Meant::nothing);
   }
 
   TEST_CASE("work, moments, frequencies and temperatures are told by their units") {

@@ -175,7 +175,7 @@ TEST_SUITE("rainflow counting") {
     CHECK(huge == Counts{{{1.6e308, 0.0}, 2}});
   }
 
-  TEST_CASE("a sample that is no number is refused with its place") {
+  TEST_CASE("a sample that is not a number is refused with its place") {
     const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
     for (const double bad : {nan, inf, -inf, 1e308}) {
       for (const std::size_t at : {0U, 1U, 2U, 63U, 64U, 65U, 5000U, 9998U, 9999U}) {

@@ -210,9 +210,9 @@ TEST_SUITE("rainflow series") {
     const auto message = [](const std::string& bytes, const std::string& column = "") {
       return binary(Format::npy, bytes, column).message;
     };
-    CHECK(message("1\n2\n3\n4\n5\n6\n") == "byte 0: this is no .npy file of NumPy");
-    CHECK(message("") == "byte 0: this is no .npy file of NumPy");
-    CHECK(message(npy("<f8", "(6,)", data).substr(0, 40)) == "byte 0: this is no .npy file of NumPy");
+    CHECK(message("1\n2\n3\n4\n5\n6\n") == "byte 0: not a .npy file of NumPy");
+    CHECK(message("") == "byte 0: not a .npy file of NumPy");
+    CHECK(message(npy("<f8", "(6,)", data).substr(0, 40)) == "byte 0: not a .npy file of NumPy");
     CHECK(message(npy(">f8", "(6,)", data)) ==
           "the numbers of the array are '>f8'; float64 and float32, little-endian, are read");
     CHECK(message(npy("<i4", "(6,)", data)) ==
@@ -251,7 +251,7 @@ TEST_SUITE("rainflow series") {
     }
   }
 
-  TEST_CASE("any bytes are read, or refused with a message, and never as what is no number") {
+  TEST_CASE("any bytes are read, or refused with a message, and never as what is not a number") {
     const std::string text = "# t;F\nt;\"F;x\"\n1;2.5\n2; -3e2\n\n3;7\n",
                       array = npy("<f8", "(2, 2)", bytes_of(Series{1, 2, 3, 4}));
     std::mt19937 random(9);

@@ -107,7 +107,7 @@ source = "EN 10028-2"
     CHECK(fault_of("[tables.materials.\" \"]\nsource = \"x\"\nE = \"1 GPa\"") == "1:19: the name of a row is one line");
     CHECK(fault_of("[tables.materials.M]\nsource = \"x\"").starts_with("1:19: 'M' has no value | there is: "));
     CHECK(fault_of("[tables.materials]\nE = \"1 GPa\"") ==
-          "2:1: 'E' stands outside of a row | a row is [tables.materials.NAME]");
+          "2:1: 'E' is outside of a row | a row is [tables.materials.NAME]");
     CHECK(fault_of("tables = 3") ==
           "1:1: 'tables' is a table of tables, not a number | a row is [tables.materials.NAME]");
   }
@@ -183,7 +183,7 @@ source = "EN 10028-2"
       return f.message.text() + " | " + f.hint.text();
     };
     CHECK(fault("tables.materials.S235") ==
-          "'tables.materials.S235' is no value of a table | write table, row and column, a row's name in quotes: "
+          "'tables.materials.S235' is not a value of a table | write table, row and column, a row's name in quotes: "
           "tables.sections.\"IPE 330\".I_y");
     CHECK(fault("tables.section_s.M.E") == "there are no tables 'section_s' | did you mean 'sections'?");
     CHECK(fault("tables.sections.\"HEA 155\".A") ==

@@ -84,7 +84,7 @@ TEST_SUITE("toml") {
                     "a = 1\n")
               .empty());
     CHECK(issues_of("T = 900 Н·м\n") ==
-          "a.toml:1:9: error: not valid TOML: a character outside ASCII stands outside of quotes\n"
+          "a.toml:1:9: error: not valid TOML: non-ASCII character outside quotes\n"
           "1 | T = 900 Н·м\n  |         ^\n  = help: write a quantity in quotes: \"900 Н·м\"\n");
     CHECK(issues_of("a = [\"я\", я]\n").starts_with("a.toml:1:11: error: not valid TOML: "));
     CHECK(issues_of("a = 'я\nб = 1\n").starts_with("a.toml:1:7: error: the text is not closed\n"));

@@ -40,7 +40,7 @@ TurnFault fault_of_series(const Input& in) {
       fault = {key, say("not all series are over the same positions"), say("take all from one mechanism")};
     else if (std::any_of(si.begin(), si.end(), [](double x) { return !std::isfinite(x); }))
       fault = {key, say("it is not known at all positions of the turn"),
-               say("look at the step that it comes from: `loadpath why` tells what is wrong there")};
+               say("see the step that it comes from: `loadpath why`")};
     else if (!tells_its_extremes(*load.series))
       fault = {key, say("between the positions of the turn its extremes may be more than 1 % of the range larger"),
                say("take more positions in the step that it comes from: 36 at least")};
@@ -57,7 +57,7 @@ TurnFault fault_of_angle(const Input& in) {
   const Seat* const told = angled(in);
   if (told == nullptr)
     return {"psi", say("the loads vary over a turn, and nothing says how far the shaft has turned"),
-            say("load = \"=press.shafts.O\" brings psi along; psi = \"0 deg\": the shaft stands")};
+            say("load = \"=press.shafts.O\" includes psi; psi = \"0 deg\": the shaft is at rest")};
   for (const Seat& seat : in.seats) {
     if (!is_set(seat.psi)) continue;
     for (std::size_t i = 0; i < positions_of(in); ++i) {
@@ -67,13 +67,13 @@ TurnFault fault_of_angle(const Input& in) {
   }
   if (!told->psi.is_series()) {
     if (is_set(speed_of(in)))
-      return {"psi", say("one angle says that the shaft stands, and it has a speed"),
+      return {"psi", say("a single angle means a shaft at rest, but it has a speed"),
               say("give the angle at each position, or leave out the speed")};
     return {};
   }
   if (!closes(told->psi))
     return {"psi", say("at the end of the turn the shaft is not where it was at the beginning"),
-            say("solve so many turns of the mechanism that the shaft makes whole ones")};
+            say("solve as many revolutions of the mechanism as give full revolutions of the shaft")};
   return {};
 }
 
@@ -125,7 +125,7 @@ double turns_of(const Input& in) {
 TurnFault fault_of_turn(const Input& in) {
   for (const Seat& seat : in.seats) {
     if (!seat.T.is_series() && seat.T.one < 0.0 * N_m.one)
-      return {"T", say("a torque has no sign of its own"), say("way says whether it drives or is driven")};
+      return {"T", say("a torque has no sign of its own"), say("way states whether it drives or is driven")};
   }
   if (!varies(in)) return {};
   const TurnFault fault = fault_of_series(in);

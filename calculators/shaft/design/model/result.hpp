@@ -19,26 +19,29 @@ struct Carried {
   double beta = unset<double>, u_beta = unset<double>;
   static constexpr Fields fields{
       NameField{&Carried::name, "name", "name of the bearing"},
-      Field{&Carried::x, "x", mm, "its place"},
-      Choice{&Carried::holds, "holds", "what it takes"},
-      Field{&Carried::R_x, "R_x", N, "force on the shaft along X; over a turn where F_r is largest"}
+      Field{&Carried::x, "x", mm, "position"},
+      Choice{&Carried::holds, "holds", "loads that the bearing takes: radial, or radial and axial"},
+      Field{&Carried::R_x, "R_x", N, "force on the shaft along X (loads over a revolution: at maximum F_r)"}
           .load()
           .with("R_y, F_a")
           .holding("K_A"),
-      Field{&Carried::R_y, "R_y", N, "force on the shaft along Y, likewise"}.load().with("R_x, F_a").holding("K_A"),
-      Field{&Carried::F_r, "F_r", N, "radial load of the bearing; over a turn its mean with the exponent 10/3"}
+      Field{&Carried::R_y, "R_y", N, "force on the shaft along Y (loads over a revolution: at maximum F_r)"}
+          .load()
+          .with("R_x, F_a")
+          .holding("K_A"),
+      Field{&Carried::F_r, "F_r", N, "radial bearing load (loads over a revolution: mean with exponent 10/3)"}
           .load()
           .with("F_a")
           .holding("K_A"),
-      Field{&Carried::F_a, "F_a", N, "axial load of the bearing, positive to the right; over a turn as F_r"}
+      Field{&Carried::F_a, "F_a", N, "axial bearing load, positive to the right (loads over a revolution: as F_r)"}
           .load()
           .with("F_r")
           .holding("K_A"),
-      Field{&Carried::F_r0, "F_r0", N, "largest radial load, with k_max"}.load().with("F_a0").holding("K_A").at_peak(),
-      Field{&Carried::F_a0, "F_a0", N, "largest axial load, with k_max"}.load().with("F_r0").holding("K_A").at_peak(),
+      Field{&Carried::F_r0, "F_r0", N, "peak radial load, with k_max"}.load().with("F_a0").holding("K_A").at_peak(),
+      Field{&Carried::F_a0, "F_a0", N, "peak axial load, with k_max"}.load().with("F_r0").holding("K_A").at_peak(),
       Field{&Carried::n, "n", rpm, "speed of the shaft"},
-      Field{&Carried::beta, "beta", deg, "slope of the shaft in it"},
-      Field{&Carried::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies()};
+      Field{&Carried::beta, "beta", deg, "shaft slope at the bearing"},
+      Field{&Carried::u_beta, "u_beta", ratio, "slope / allowable slope"}.check().where_it_applies()};
 };
 
 /// How the shaft moves where something sits on it.
@@ -50,25 +53,26 @@ struct Seated {
   double beta = unset<double>, u_beta = unset<double>, x_c = unset<double>, x_peak = unset<double>, m_R = unset<double>,
          x_R = unset<double>, x_n = unset<double>;
   static constexpr Fields fields{
-      NameField{&Seated::name, "name", "what sits there"},
-      Field{&Seated::x, "x", mm, "its place"},
-      Field{&Seated::T, "T", N_m, "torque that it gives to the shaft, the largest over a turn"}.holding("K_A"),
+      NameField{&Seated::name, "name", "name of the component"},
+      Field{&Seated::x, "x", mm, "position"},
+      Field{&Seated::T, "T", N_m, "torque applied to the shaft, maximum over a revolution"}.holding("K_A"),
       Field{&Seated::v, "v", mm, "deflection"},
       Field{&Seated::beta, "beta", deg, "slope"},
-      Field{&Seated::u_beta, "u_beta", ratio, "slope over the allowable one"}.check().where_it_applies(),
-      Field{&Seated::x_c, "x_c", ratio, "torque over that which its connection is assessed for"}
+      Field{&Seated::u_beta, "u_beta", ratio, "slope / allowable slope"}.check().where_it_applies(),
+      Field{&Seated::x_c, "x_c", ratio, "torque / torque that the shaft-hub connection is assessed for"}
           .limit(0, 1 + 1e-6)
           .criterion()
           .sizeless()
           .where_it_applies(),
-      Field{&Seated::x_peak, "x_peak", ratio, "torque with k_max over that which its connection is assessed for"}
+      Field{&Seated::x_peak, "x_peak", ratio,
+            "torque with k_max / peak torque that the shaft-hub connection is assessed for"}
           .limit(0, 1 + 1e-6)
           .criterion()
           .sizeless()
           .where_it_applies(),
       Field{&Seated::m_R, "m_R", ratio,
-            "rim of a gear between root circle and shaft, over its keyway, in heights of its teeth: the formulas of "
-            "roots hold from 1.2"}
+            "backup ratio of a gear: rim thickness above the keyway / tooth height (tooth root "
+            "formulas apply from 1.2)"}
           .limit(1.2 * (1 - 1e-9), 1e6)
           .where_it_applies(),
       Field{&Seated::x_R, "x_R", ratio, "keyway depth / remaining wall of the hub under the root circle, own bound"}
@@ -90,24 +94,22 @@ struct Section {
   double psi = unset<double>;
   double u_v = unset<double>, u_h = unset<double>;
   static constexpr Fields fields{
-      NameField{&Section::name, "name", "what is there"},
-      Field{&Section::x, "x", mm, "place"},
-      Field{&Section::psi, "psi", deg, "angle of the shaft at which it bears most, of loads over a turn"},
-      Field{&Section::d, "d", mm, "outer diameter, of a groove the net one"},
+      NameField{&Section::name, "name", "name of the section"},
+      Field{&Section::x, "x", mm, "position"},
+      Field{&Section::psi, "psi", deg, "shaft angle of maximum stress (loads over a revolution)"},
+      Field{&Section::d, "d", mm, "outer diameter (groove: net diameter)"},
       Field{&Section::d_bore, "d_bore", mm, "bore"},
       Field{&Section::M_x, "M_x", N_m, "bending moment in the plane of X"}.holding("K_A"),
       Field{&Section::M_y, "M_y", N_m, "bending moment in the plane of Y"}.holding("K_A"),
-      Field{&Section::M, "M", N_m, "bending moment of both planes"}.holding("K_A"),
+      Field{&Section::M, "M", N_m, "resultant bending moment"}.holding("K_A"),
       Field{&Section::T, "T", N_m, "torque, signed"}.holding("K_A"),
-      Field{&Section::N, "N", loadpath::N, "force along the shaft, tension positive"}.holding("K_A"),
+      Field{&Section::N, "N", loadpath::N, "axial force, tension positive"}.holding("K_A"),
       Field{&Section::sigma_b, "sigma_b", MPa, "bending stress"},
-      Field{&Section::sigma_n, "sigma_n", MPa, "stress of the force along the shaft, signed"},
+      Field{&Section::sigma_n, "sigma_n", MPa, "axial stress, signed"},
       Field{&Section::tau, "tau", MPa, "torsional stress"},
-      Field{&Section::sigma_v, "sigma_v", MPa, "largest equivalent stress, by von Mises"},
-      Field{&Section::u_v, "u_v", ratio, "yield: largest equivalent stress over the allowable one"}.check("S_F"),
-      Field{&Section::u_h, "u_h", ratio, "height that is asked of the shoulder over its own"}
-          .check()
-          .where_it_applies()};
+      Field{&Section::sigma_v, "sigma_v", MPa, "maximum equivalent stress, von Mises"},
+      Field{&Section::u_v, "u_v", ratio, "yielding: maximum equivalent / allowable stress"}.check("S_F"),
+      Field{&Section::u_h, "u_h", ratio, "required / actual shoulder height"}.check().where_it_applies()};
 };
 
 /// What comes h times in a turn, against the natural frequencies in torsion on both sides of it.
@@ -117,11 +119,10 @@ struct Harmonic {
   AngularSpeed n_below = unset<AngularSpeed>, n_above = unset<AngularSpeed>;
   double u_h = unset<double>;
   static constexpr Fields fields{
-      NameField{&Harmonic::name, "name", "what comes"}, Field{&Harmonic::h, "h", ratio, "how often in a turn"},
-      Field{&Harmonic::n_below, "n_below", rpm,
-            "speed below at which it meets a natural frequency; 0: the lowest is above"},
-      Field{&Harmonic::n_above, "n_above", rpm, "the next one above"},
-      Field{&Harmonic::u_h, "u_h", ratio, "critical speed in torsion: margin k_n over the distance from the nearer one"}
+      NameField{&Harmonic::name, "name", "excitation"}, Field{&Harmonic::h, "h", ratio, "excitations per revolution"},
+      Field{&Harmonic::n_below, "n_below", rpm, "next lower speed at a natural frequency; 0: none below"},
+      Field{&Harmonic::n_above, "n_above", rpm, "next higher speed at a natural frequency"},
+      Field{&Harmonic::u_h, "u_h", ratio, "torsional critical speed: required / actual separation from the nearer one"}
           .check()};
 };
 
@@ -132,12 +133,12 @@ struct Whirled {
   AngularSpeed n_F = unset<AngularSpeed>, n_B = unset<AngularSpeed>;
   AngularSpeed f_F = unset<AngularSpeed>, f_B = unset<AngularSpeed>;
   static constexpr Fields fields{
-      NameField{&Whirled::name, "name", "which of its kind"},
-      Field{&Whirled::f_0, "f_0", Hz, "natural frequency of the shaft that does not turn, discs counted"},
-      Field{&Whirled::n_F, "n_F", rpm, "critical speed of forward whirl, which unbalance excites"},
+      NameField{&Whirled::name, "name", "whirl mode"},
+      Field{&Whirled::f_0, "f_0", Hz, "natural frequency of the shaft at standstill, with rotary inertia"},
+      Field{&Whirled::n_F, "n_F", rpm, "critical speed of forward whirl (excited by unbalance)"},
       Field{&Whirled::n_B, "n_B", rpm, "critical speed of backward whirl"},
-      Field{&Whirled::f_F, "f_F", Hz, "frequency of forward whirl at the speed of the shaft"},
-      Field{&Whirled::f_B, "f_B", Hz, "frequency of backward whirl there"}};
+      Field{&Whirled::f_F, "f_F", Hz, "frequency of forward whirl at shaft speed"},
+      Field{&Whirled::f_B, "f_B", Hz, "frequency of backward whirl at shaft speed"}};
 };
 
 /// How a section stands against fatigue, by each school.
@@ -154,41 +155,45 @@ struct Safety {
   double x_b = unset<double>, x_t = unset<double>, x_d = unset<double>, x_n = unset<double>;
   double x_r = unset<double>;
   static constexpr Fields fields{
-      NameField{&Safety::name, "name", "what is there"},
-      Field{&Safety::x, "x", mm, "place"},
+      NameField{&Safety::name, "name", "name of the section"},
+      Field{&Safety::x, "x", mm, "position"},
       Field{&Safety::theta, "theta", deg,
-            "direction of the point that decides, fixed to the shaft, from X where psi is 0; of loads over a turn"},
-      Field{&Safety::K_t, "K_t", ratio, "stress concentration in bending"},
-      Field{&Safety::K_ts, "K_ts", ratio, "stress concentration in torsion"},
+            "direction of the governing point, fixed to the shaft, from X at psi = 0 (loads over a "
+            "revolution)"},
+      Field{&Safety::K_t, "K_t", ratio, "stress concentration factor in bending"},
+      Field{&Safety::K_ts, "K_ts", ratio, "stress concentration factor in torsion"},
       Field{&Safety::K_f, "K_f", ratio, "fatigue notch factor in bending"},
       Field{&Safety::K_fs, "K_fs", ratio, "fatigue notch factor in torsion"},
-      Field{&Safety::S_e, "S_e", MPa, "fatigue limit of the part without its notch"},
-      Field{&Safety::sigma_a, "sigma_a", MPa, "equivalent amplitude, notches counted"},
-      Field{&Safety::sigma_m, "sigma_m", MPa, "equivalent mean stress, notches counted"},
-      Field{&Safety::n_Goodman, "n_Goodman", ratio, "safety against fatigue by Goodman"}.may_be_infinite(),
-      Field{&Safety::n_Soderberg, "n_Soderberg", ratio, "safety against fatigue by Soderberg"}.may_be_infinite(),
-      Field{&Safety::n_Gerber, "n_Gerber", ratio, "safety against fatigue by Gerber"}.may_be_infinite(),
-      Field{&Safety::n_elliptic, "n_elliptic", ratio, "safety against fatigue by the ellipse of ASME"}
-          .may_be_infinite(),
-      Field{&Safety::n_DIN743, "n_DIN743", ratio, "safety against fatigue by DIN 743"}.may_be_infinite(),
-      Field{&Safety::n_FKM, "n_FKM", ratio, "safety against fatigue by FKM"}.may_be_infinite(),
-      Field{&Safety::n_Serensen, "n_Serensen", ratio, "safety against fatigue by Serensen"}.may_be_infinite(),
-      Field{&Safety::u_D, "u_D", ratio, "fatigue: safety that is asked for over that of the method"}.check(),
-      Field{&Safety::x_DIN, "x_DIN", ratio,
-            "ranges of DIN 743 or FKM that the section is outside of, where they decide"}
+      Field{&Safety::S_e, "S_e", MPa, "fatigue limit of the part without the notch"},
+      Field{&Safety::sigma_a, "sigma_a", MPa, "equivalent stress amplitude, with notches"},
+      Field{&Safety::sigma_m, "sigma_m", MPa, "equivalent mean stress, with notches"},
+      Field{&Safety::n_Goodman, "n_Goodman", ratio, "fatigue safety factor by Goodman"}.may_be_infinite(),
+      Field{&Safety::n_Soderberg, "n_Soderberg", ratio, "fatigue safety factor by Soderberg"}.may_be_infinite(),
+      Field{&Safety::n_Gerber, "n_Gerber", ratio, "fatigue safety factor by Gerber"}.may_be_infinite(),
+      Field{&Safety::n_elliptic, "n_elliptic", ratio, "fatigue safety factor by the ASME ellipse"}.may_be_infinite(),
+      Field{&Safety::n_DIN743, "n_DIN743", ratio, "fatigue safety factor by DIN 743"}.may_be_infinite(),
+      Field{&Safety::n_FKM, "n_FKM", ratio, "fatigue safety factor by FKM"}.may_be_infinite(),
+      Field{&Safety::n_Serensen, "n_Serensen", ratio, "fatigue safety factor by Serensen"}.may_be_infinite(),
+      Field{&Safety::u_D, "u_D", ratio, "fatigue: required / calculated safety factor"}.check(),
+      Field{&Safety::x_DIN, "x_DIN", ratio, "number of validity limits of DIN 743 or FKM exceeded, if they govern"}
           .limit(0, 0.5)
           .where_it_applies(),
-      Field{&Safety::x_b, "x_b", ratio, "height over radius of the notch within its fit in bending: 0 least, 1 largest"}
+      Field{&Safety::x_b, "x_b", ratio,
+            "notch height / radius in the range of the K_t fit, bending: 0 minimum, 1 maximum"}
           .limit(-1e-9, 1 + 1e-9)
           .where_it_applies(),
-      Field{&Safety::x_t, "x_t", ratio, "the same within its fit in torsion"}.limit(-1e-9, 1 + 1e-9).where_it_applies(),
-      Field{&Safety::x_d, "x_d", ratio, "d within the range of the size factor: 0 least, 1 largest"}
+      Field{&Safety::x_t, "x_t", ratio,
+            "notch height / radius in the range of the K_ts fit, torsion: 0 minimum, 1 maximum"}
+          .limit(-1e-9, 1 + 1e-9)
+          .where_it_applies(),
+      Field{&Safety::x_d, "x_d", ratio, "d in the range of the size factor: 0 minimum, 1 maximum"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
-      Field{&Safety::x_n, "x_n", ratio, "R_m within the range of Neuber's constant: 0 least, 1 largest"}
+      Field{&Safety::x_n, "x_n", ratio, "R_m in the range of Neuber's constant: 0 minimum, 1 maximum"}
           .limit(0, 1)
           .where_it_applies(),
-      Field{&Safety::x_r, "x_r", ratio, "0.1 mm over the radius: a sharper notch counts as a crack; own bound"}
+      Field{&Safety::x_r, "x_r", ratio,
+            "0.1 mm / notch radius (limit set by loadpath: sharper notches are treated as cracks)"}
           .limit(0, 1 + 1e-9)
           .where_it_applies()};
 };

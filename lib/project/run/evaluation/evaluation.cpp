@@ -50,8 +50,9 @@ double Evaluation::size_now() {
 double Evaluation::first_size() {
   const std::string_view path = inputs_.size_field();
   if (path.empty()) return not_available;
+  const auto& searches = step_.searches();
   const bool is_found = find_field(calculator_.result->fields, path) != nullptr ||
-                        (!step_.searches().empty() && step_.searches().front().path == path);
+                        std::any_of(searches.begin(), searches.end(), [&](const Search& s) { return s.path == path; });
   return is_found ? 0.0 : size_now();
 }
 

@@ -69,15 +69,40 @@ void PreparedStep::find_searches(std::vector<Issue>& issues) {
   searches_ = input().reading.searches;
   void* data = input().reading.record.data.get();
   for (const FieldInfo& field : input().calculator->input->fields) {
-    if (field.sought_unasked && input().reading.typed.count(field.key) == 0) {
+    const bool is_missing = field.sought_unasked && input().reading.typed.count(field.key) == 0;
+    if (is_missing && sizes_together())
+      search_each_instead(field);
+    else if (is_missing)
       searches_.push_back({field.key, {&field, data}, field.searched_in, input().place});
-    }
   }
   for (const Search& search : searches_) check_stock(search, issues);
-  if (searches_.size() > 1 && !input().reading.searches.empty() && !sizes_together()) {
-    issues.push_back({searches_[1].place, name() + "." + searches_[1].path,
-                      say("one field at a time can be searched for"), say("give '{1}' a value", searches_[1].path),
-                      Severity::error});
+  if (searches_.size() == 1 || sizes_together()) return;
+  for (const Search& search : searches_) {
+    const bool in_order = !search.leaf || (!search.stock.empty() && search.path == search.leaf.field->key);
+    if (in_order) continue;
+    const Search& other = searches_[&search == searches_.data() ? 1 : 0];
+    return issues.push_back({search.place, name() + "." + search.path,
+                             say("'{1}' cannot be searched for together with '{2}'", search.path, other.path),
+                             say("give one of the two a value"), Severity::error});
+  }
+}
+
+/// The common size of elements that are searched for one by one: each that lacks its own is searched for, too.
+void PreparedStep::search_each_instead(const FieldInfo& common) {
+  const std::string list = input().calculator->sizing.list;
+  const FieldInfo* const elements = find_field(input().calculator->input->fields, list);
+  const FieldInfo* const own = elements == nullptr ? nullptr : find_field(elements->fields, common.key);
+  if (own == nullptr || *own->searched_in == '\0') return;
+  void* const data = input().reading.record.data.get();
+  for (std::size_t i = 0; i < elements->size(data); ++i) {
+    const Leaf leaf{own, elements->element(data, i)};
+    const auto is_it = [&](const auto& entry) { return entry.leaf.field == own && entry.leaf.owner == leaf.owner; };
+    const bool is_given = !std::isnan(leaf.get()) ||
+                          std::any_of(input().reading.operands.begin(), input().reading.operands.end(), is_it) ||
+                          std::any_of(searches_.begin(), searches_.end(), is_it);
+    if (is_given) continue;
+    const std::string path = list + "[" + std::to_string(i + 1) + "]." + common.key;
+    searches_.push_back({path, leaf, own->searched_in, input().place});
   }
 }
 

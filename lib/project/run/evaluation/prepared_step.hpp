@@ -41,6 +41,7 @@ class PreparedStep : public Step {
 
  private:
   void find_searches(std::vector<Issue>& issues);
+  void search_each_instead(const FieldInfo& common);
   void check_stock(const Search& search, std::vector<Issue>& issues) const;
   void check_rules_of_literals(std::vector<Issue>& issues);
   [[nodiscard]] bool is_open(const std::string& field) const;

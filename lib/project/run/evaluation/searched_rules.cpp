@@ -5,8 +5,9 @@
 
 namespace loadpath::project {
 
-bool concerns_search(const PreparedStep& step, std::size_t rule) {
-  const Search& wanted = step.searches().front();
+namespace {
+
+bool concerns(const PreparedStep& step, const Search& wanted, std::size_t rule) {
   if (wanted.leaf && wanted.leaf.field->is_load) return true;
   if (wanted.leaf) return step.is_about(rule, wanted.path);
   const Calculator& calculator = *step.input().calculator;
@@ -17,10 +18,18 @@ bool concerns_search(const PreparedStep& step, std::size_t rule) {
   });
 }
 
+}  // namespace
+
+bool concerns_search(const PreparedStep& step, std::size_t rule) {
+  const auto& all = step.searches();
+  return std::any_of(all.begin(), all.end(), [&](const Search& search) { return concerns(step, search, rule); });
+}
+
 bool waits_for_search(const PreparedStep& step, std::size_t rule) {
-  if (step.searches().empty()) return false;
-  const Search& wanted = step.searches().front();
-  return !(wanted.leaf && wanted.leaf.field->sought_unasked) && concerns_search(step, rule);
+  const auto& all = step.searches();
+  return std::any_of(all.begin(), all.end(), [&](const Search& search) {
+    return !(search.leaf && search.leaf.field->sought_unasked) && concerns(step, search, rule);
+  });
 }
 
 }  // namespace loadpath::project

@@ -86,7 +86,7 @@ void LargestSearch::keep(double largest) {
   const double next = rounded_down(largest * (1.0 + 2e-6), unit);  // the halving stops a little below the limit
   const double rounded = next > largest && passes_with(next) ? next : rounded_down(largest, unit);
   leaf_.set(1.01 * rounded);
-  const Message beyond = fault_of_candidate(evaluation_, passing_);
+  const Message beyond = fault_of_candidate(evaluation_, passing_).text;
   if (!passes_with(rounded)) leaf_.set(largest);
   evaluation_.inputs().set_origin(wanted_.path,
                                   {say("largest that passes every check; 1 % more: {1}", beyond), {}, false, true});
@@ -98,7 +98,7 @@ void LargestSearch::tell_none(double value, std::vector<Issue>& issues) {
   if (const auto rule = passing_.first_broken_rule()) return issues.push_back(evaluation_.broken_rule(*rule));
   evaluation_.inputs().set_unavailable(
       say("no '{1}' passes: at {2} {3}", wanted_.path, format_quantity(value, leaf_.field->unit, digits),
-          fault_of_candidate(evaluation_, passing_)),
+          fault_of_candidate(evaluation_, passing_).text),
       account::Subject::search);
   leaf_.set(std::nan(""));
 }

@@ -2,6 +2,7 @@
 
 #include "lib/account/rows.hpp"
 #include "lib/numerics/magnitude.hpp"
+#include "lib/project/modes.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -15,14 +16,14 @@ namespace loadpath::project {
 
 namespace {
 
-/// With enough digits to show that it is above 1.
+/// With as many digits as tell that it is above 1.
 std::string beyond_one(double utilisation) {
   int precision = 4;
   while (precision < 12 && format_number(utilisation, precision) == "1") ++precision;
   return format_number(utilisation, precision);
 }
 
-/// The ratio of a value to the bound that it exceeds; 1 within them.
+/// How far beyond its bounds a value is, as a factor; 1 within them.
 double excess_over(const Range& bounds, double si) {
   if (std::isnan(si)) return std::numeric_limits<double>::infinity();
   if (bounds.holds(si)) return 1.0;
@@ -31,7 +32,7 @@ double excess_over(const Range& bounds, double si) {
   return std::max(1.0, std::max(si / bound, bound / si));
 }
 
-/// Every assessed row of the elements of lists that counts, at every position: of the part as it was evaluated last
+/// Every judged row of the elements of lists that counts, at every position: of the part as it was evaluated last
 /// there.
 void for_each_listed(Evaluation& evaluation, const Passing& passing,
                      const std::function<void(const FieldInfo& list, const Row& row, double si)>& visit) {
@@ -53,44 +54,51 @@ void for_each_listed(Evaluation& evaluation, const Passing& passing,
 /// Adds the shortfall of list elements.
 void add_shortfall_of_lists(Evaluation& evaluation, const Passing& passing, Shortfall& shortfall) {
   for_each_listed(evaluation, passing, [&](const FieldInfo&, const Row& row, double si) {
-    if (std::isnan(si)) return;  // the limits report a missing value
+    if (std::isnan(si)) return;  // what has no value is told by the limits
     const FieldInfo& f = *row.field;
     double& most = f.role == Role::check || f.is_criterion ? shortfall.check : shortfall.limit;
     most = std::max(most, f.role == Role::check ? si : excess_over(f.bounds, si));
   });
 }
 
-/// The path "seats.coupling.x_c" of an element as it was evaluated last.
+/// "seats.coupling.x_c" of an element as it was evaluated last.
 std::string path_of(const Evaluation& evaluation, const FieldInfo& list, const Row& row) {
   return list.key + element_path(list, evaluation.result().data.get(), row.element) + "." + row.field->key;
 }
 
-/// The check in a list that is beyond 1 most, and beyond `most`; empty if none is.
-Message fault_of_lists(Evaluation& evaluation, const Passing& passing, double most) {
-  Message worst;
+CandidateFault fault_of_check(const std::string& path, double utilisation) {
+  return {say("{1} = {2}", path, beyond_one(utilisation)), path, utilisation, "-"};
+}
+
+CandidateFault fault_of_limit(const std::string& path, const FieldInfo& limit, double si) {
+  return {say("{1} = {2}: {3}", path, format_quantity(si, limit.unit, 4), bounds_message(limit)), path, si, limit.unit};
+}
+
+/// The check in a list that is beyond 1 most, and beyond `most`; empty where none is.
+CandidateFault fault_of_lists(Evaluation& evaluation, const Passing& passing, double most) {
+  CandidateFault worst;
   for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
     if (row.field->role != Role::check || !numerics::exceeds(si, most)) return;
     most = si;
-    worst = say("{1} = {2}", path_of(evaluation, list, row), beyond_one(most));
+    worst = fault_of_check(path_of(evaluation, list, row), most);
   });
   return worst;
 }
 
-/// The first limit in a list that is not kept, else the first check there without a value; empty if there is none.
-Message fault_of_listed_limits(Evaluation& evaluation, const Passing& passing) {
-  Message outside, unknown;
+/// The first limit in a list that is not kept, else the first check there without a value; empty where there is none.
+CandidateFault fault_of_listed_limits(Evaluation& evaluation, const Passing& passing) {
+  CandidateFault outside, unknown;
   for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
     const FieldInfo& f = *row.field;
     if (account::is_kept(f, si)) return;
-    if (std::isnan(si) && unknown.empty()) unknown = say("{1} has no value", path_of(evaluation, list, row));
-    if (!std::isnan(si) && f.role == Role::limit && outside.empty())
-      outside =
-          say("{1} = {2}: {3}", path_of(evaluation, list, row), format_quantity(si, f.unit, 4), bounds_message(f));
+    if (std::isnan(si) && unknown.text.empty()) unknown.text = say("{1} has no value", path_of(evaluation, list, row));
+    if (!std::isnan(si) && f.role == Role::limit && outside.text.empty())
+      outside = fault_of_limit(path_of(evaluation, list, row), f, si);
   });
-  return outside.empty() ? unknown : outside;
+  return outside.text.empty() ? unknown : outside;
 }
 
-/// The first check of the part without a value; empty if all have one.
+/// The first check of the part without a value; empty where all have one.
 Message check_without_value(Evaluation& evaluation, const Passing& passing) {
   for (const FieldInfo& f : evaluation.calculator().result->fields) {
     if (f.role != Role::check || f.where_set || !passing.counts({&f})) continue;
@@ -100,27 +108,26 @@ Message check_without_value(Evaluation& evaluation, const Passing& passing) {
 }
 
 /// The first limit that is not kept, of the criteria before those of the methods.
-Message fault_of_limits(Evaluation& evaluation, Passing& passing) {
+CandidateFault fault_of_limits(Evaluation& evaluation, Passing& passing) {
   for (const bool criteria : {true, false}) {
     for (const FieldInfo& f : evaluation.calculator().result->fields) {
       if (f.role != Role::limit || f.is_criterion != criteria || !passing.counts({&f})) continue;
       if (const auto bad = passing.first_outside(f))
-        return std::isnan(*bad) ? say("{1} is not available", f.key)
-                                : say("{1} = {2}: {3}", f.key, format_quantity(*bad, f.unit, 4), bounds_message(f));
+        return std::isnan(*bad) ? CandidateFault{say("{1} is not available", f.key)} : fault_of_limit(f.key, f, *bad);
     }
   }
-  if (Message listed = fault_of_listed_limits(evaluation, passing); !listed.empty()) return listed;
+  if (CandidateFault listed = fault_of_listed_limits(evaluation, passing); !listed.text.empty()) return listed;
   const Message& gap = evaluation.inputs().table_gap();
-  return gap.empty() ? check_without_value(evaluation, passing) : gap;
+  return {gap.empty() ? check_without_value(evaluation, passing) : gap};
 }
 
-/// The largest value of a check that is not passed; nothing if it is.
+/// The largest value of a check that is not passed; nothing where it is.
 std::optional<double> failed_value(Evaluation& evaluation, const FieldInfo& check) {
   const double largest = evaluation.largest_result(check);
   return numerics::exceeds(largest, 1.0) ? std::optional(largest) : std::nullopt;
 }
 
-/// Whether a failure with both the smallest and the largest candidate does not improve with the largest.
+/// Whether what fails with the smallest and the largest candidate is no better with the largest.
 bool is_unmoved(const FieldInfo& field, double with_smallest, double with_largest) {
   const double change = with_largest - with_smallest, rounding = 1e-9 * std::abs(with_largest);
   return field.role == Role::check ? change >= -rounding : std::abs(change) <= rounding;
@@ -152,7 +159,7 @@ FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& lar
   return unmoved;
 }
 
-/// A check without a value counts unless a limit explains it.
+/// A check without a value counts where no limit says why.
 Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing) {
   Shortfall shortfall;
   bool missing = false;
@@ -172,10 +179,10 @@ Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing) {
   return shortfall;
 }
 
-Message fault_of_candidate(Evaluation& evaluation, Passing& passing) {
+CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing) {
   evaluation.settle_sizes();
-  if (!evaluation.is_settled()) return evaluation.unsettled();
-  if (const auto rule = passing.first_broken_rule()) return evaluation.broken_rule(*rule).message;
+  if (!evaluation.is_settled()) return {evaluation.unsettled()};
+  if (const auto rule = passing.first_broken_rule()) return {evaluation.broken_rule(*rule).message};
   const bool is_single = evaluation.axis() == nullptr;  // from one evaluation
   if (is_single) evaluation.evaluate_at(0);
   const FieldInfo* worst = nullptr;  // a check without a value may be so for a limit that is not kept
@@ -187,9 +194,28 @@ Message fault_of_candidate(Evaluation& evaluation, Passing& passing) {
     worst = &f;
     most = largest;
   }
-  if (const Message listed = fault_of_lists(evaluation, passing, most); !listed.empty()) return listed;
-  if (worst != nullptr) return say("{1} = {2}", worst->key, beyond_one(most));
+  if (CandidateFault listed = fault_of_lists(evaluation, passing, most); !listed.text.empty()) return listed;
+  if (worst != nullptr) return fault_of_check(worst->key, most);
   return fault_of_limits(evaluation, passing);
+}
+
+account::NextSize next_size(const Calculator& calculator, std::string name, std::optional<double> si,
+                            CandidateFault fault) {
+  account::NextSize next{.name = std::move(name),
+                         .si = si,
+                         .fails = std::move(fault.row),
+                         .number = fault.number,
+                         .unit = std::move(fault.unit),
+                         .reason = std::move(fault.text)};
+  for (const ModeInfo& mode : calculator.modes) {
+    const auto keys = listed_keys(mode.checks);
+    const auto names = [&](const std::string& key) { return names_row(key, next.fails); };
+    if (next.fails.empty() || std::none_of(keys.begin(), keys.end(), names)) continue;
+    next.mode = mode.id;
+    next.title = say(mode.title);
+    break;
+  }
+  return next;
 }
 
 }  // namespace loadpath::project

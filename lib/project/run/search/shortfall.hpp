@@ -1,10 +1,12 @@
-// The checks that a candidate of a search fails, and its distance from passing.
+// What a candidate of a search fails, and how far it is from passing.
 #pragma once
 
 #include "lib/project/run/search/passing.hpp"
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <string>
 
 namespace loadpath::project {
 
@@ -17,16 +19,27 @@ struct Shortfall {
     return own < others || (own == others && check < other.check);
   }
 };
-/// At the settled sizes.
+/// At the sizes that were settled.
 Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing);
 
 /// Checks and limits that a candidate fails, in lists too, and with which value.
 using FailedValues = std::map<Row, double>;
 FailedValues failed_values(Evaluation& evaluation, Passing& passing);
-/// The values that fail with a smaller and with a larger candidate, and do not improve with the larger.
+/// Of those that fail with a smaller and with a larger candidate: which are no better with the larger.
 FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& larger);
 
-/// The reason for refusing the candidate, at the sizes that follow from it.
-Message fault_of_candidate(Evaluation& evaluation, Passing& passing);
+/// What a candidate is refused for.
+struct CandidateFault {
+  Message text;                       // "u_theta = 1.055"
+  std::string row = {};               // the check or the limit; empty: a rule, or a size that does not settle
+  std::optional<double> number = {};  // the utilisation, or the value of the limit
+  std::string unit = {};              // of that value
+};
+/// At the sizes that follow from it.
+CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing);
+
+/// The candidate before the one that was found, by its fault.
+account::NextSize next_size(const Calculator& calculator, std::string name, std::optional<double> si,
+                            CandidateFault fault);
 
 }  // namespace loadpath::project

@@ -13,19 +13,6 @@ namespace loadpath::project {
 
 namespace {
 
-Candidates candidates_of(const Evaluation& evaluation, const Search& wanted) {
-  const table::Tables& tables = *evaluation.step().input().tables;
-  Candidates all{evaluation.inputs().leaf(wanted.path), {}, {}};
-  if (all.leaf) {
-    all.sizes = stock_values(tables, wanted.stock);
-    const FieldInfo& field = *all.leaf.field;  // typed, an unusual size would be warned of: none is found
-    std::erase_if(all.sizes, [&](double size) { return !field.bounds.holds(size) || !field.plausible.holds(size); });
-  } else {
-    for (const table::Entry& row : tables.ordered_rows(wanted.path, wanted.stock)) all.rows.push_back(row.row->name);
-  }
-  return all;
-}
-
 /// Other words of the choice of a method, where the step has one: "; another method may cover it: johnson, ec3".
 Message other_methods(const Evaluation& evaluation) {
   const FieldInfo* const method = find_field(evaluation.calculator().input->fields, "method");
@@ -40,10 +27,6 @@ Message other_methods(const Evaluation& evaluation) {
 }
 
 }  // namespace
-
-Message Candidates::name(std::size_t i) const {
-  return leaf ? say("{1}", format_quantity(sizes[i], leaf.field->unit)) : say("{1}", rows[i]);
-}
 
 SizeSearch::SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words)
     : evaluation_(evaluation),
@@ -68,12 +51,6 @@ bool SizeSearch::takes_size_of_body() {
   return true;
 }
 
-void SizeSearch::keep_to_body() {
-  const BodySize* const body = size_of_body();
-  if (body == nullptr) return;
-  std::erase_if(candidates_.sizes, [&](double size) { return size < account::least_candidate(body->si); });
-}
-
 void SizeSearch::run(std::vector<Issue>& issues) {
   if (takes_size_of_body()) return;
   evaluation_.settle_sizes();
@@ -87,7 +64,7 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   if (result == nullptr && !passing_.is_any_asked())
     return issues.push_back(aimless_search(evaluation_.step(), wanted_));
   keep_sizing_results();
-  keep_to_body();
+  if (const BodySize* const body = size_of_body()) candidates_.keep_to_body(*body);
   const auto& sizes = candidates_.sizes;
   const auto start =
       std::isnan(least) ? sizes.begin() : std::lower_bound(sizes.begin(), sizes.end(), account::least_candidate(least));
@@ -97,28 +74,22 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   if (found == candidates_.count() && excuse_unmoved(from)) found = first_that_passes(0);
   if (found == candidates_.count()) return tell_none(from, issues);
   if (in_words_) warn_of_passed_over(found, issues);
-  try_candidate(found);
+  candidates_.take(evaluation_.inputs(), found);
   evaluation_.settle_sizes();
   if (!in_words_) return note_found();
   warn_of_found(evaluation_, wanted_, issues);
   tell_found(found);
 }
 
-void SizeSearch::try_candidate(std::size_t i) {
-  if (candidates_.leaf) return candidates_.leaf.set(candidates_.sizes[i]);
-  std::vector<Issue> lacks;
-  evaluation_.inputs().take_row(wanted_.path, candidates_.rows[i], lacks);
-}
-
 bool SizeSearch::keeps_rules_with(std::size_t i) {
-  try_candidate(i);
+  candidates_.take(evaluation_.inputs(), i);
   evaluation_.settle_sizes();
   return passing_.keeps_rules();
 }
 
 std::size_t SizeSearch::first_that_passes(std::size_t from) {
   for (std::size_t i = from; i < candidates_.count(); ++i) {
-    try_candidate(i);
+    candidates_.take(evaluation_.inputs(), i);
     if (passing_.passes()) return i;
   }
   return candidates_.count();
@@ -179,15 +150,16 @@ Message SizeSearch::what_is_searched() const {
 
 /// There is no result. Reports the nearest candidate, and its failures.
 void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
-  if (candidates_.count() == 0) return leave_open(say("{1} has no value that '{2}' may have", source(), wanted_.path));
+  if (candidates_.count() == 0)
+    return leave_open(say("{1} has no value that '{2}' may have", candidates_.source(), wanted_.path));
   std::size_t best = nearest(std::min(from, candidates_.count() - 1));
   if (best == candidates_.count()) best = nearest(0);
   if (best == candidates_.count()) return refuse_all(issues);
-  try_candidate(best);
+  candidates_.take(evaluation_.inputs(), best);
   evaluation_.settle_sizes();
   const bool uncovered = !(shortfall_of_candidate(evaluation_, passing_).check > 1.0);
   Message fault = say("{1}: none passes, nearest is {2}: {3}", what_is_searched(), candidates_.name(best),
-                      fault_of_candidate(evaluation_, passing_));
+                      fault_of_candidate(evaluation_, passing_).text);
   if (uncovered) fault = say("{1}: the method is not valid there{2}", fault, other_methods(evaluation_));
   leave_open(std::move(fault));
 }
@@ -199,26 +171,21 @@ void SizeSearch::refuse_all(std::vector<Issue>& issues) {
   const auto rule = passing_.first_broken_rule();
   if (!rule) {
     return leave_open(say("{1}: none passes, nearest is {2}: {3}", what_is_searched(), candidates_.name(last),
-                          fault_of_candidate(evaluation_, passing_)));
+                          fault_of_candidate(evaluation_, passing_).text));
   }
   Issue issue = evaluation_.broken_rule(*rule);
-  issue.hint = say("{1} = {2}, the largest of {3}, was tried last", wanted_.path, candidates_.name(last), source());
+  issue.hint =
+      say("{1} = {2}, the largest of {3}, was tried last", wanted_.path, candidates_.name(last), candidates_.source());
   issues.push_back(std::move(issue));
 }
 
-/// The searched input, and the values of its row, are not available.
 void SizeSearch::leave_open(Message why) {
-  Inputs& inputs = evaluation_.inputs();
-  if (wanted_.leaf)
-    inputs.leaf(wanted_.path).set(std::nan(""));
-  else
-    inputs.clear_row(wanted_.path);
-  inputs.set_origin(wanted_.path, {.text = why, .sources = {}, .searched = true});
-  inputs.set_unavailable(std::move(why), account::Subject::search);
+  candidates_.leave_open(evaluation_.inputs(), why);
+  evaluation_.inputs().set_unavailable(std::move(why), account::Subject::search);
 }
 
-/// Rows before the result for which the step cannot be calculated: they are not failures, and the user may prefer
-/// them.
+/// Rows before the one that was found for which the step cannot be calculated: they are no failures, and may be what
+/// the user would rather have.
 void SizeSearch::warn_of_passed_over(std::size_t found, std::vector<Issue>& issues) {
   std::size_t count = 0;
   Issue first;
@@ -248,20 +215,25 @@ void SizeSearch::note_found() {
 void SizeSearch::tell_found(std::size_t found) {
   Passing whole(evaluation_);  // includes the excused ones
   const bool covered = passing_.count_of_excused() == 0 || whole.passes();
-  Message text = covered ? say("smallest of {1} that passes every check", source())
-                         : say("smallest of {1} that passes every check that depends on it", source());
+  Message text = covered ? say("smallest of {1} that passes every check", candidates_.source())
+                         : say("smallest of {1} that passes every check that depends on it", candidates_.source());
   if (const BodySize* const body = size_of_body())
     text = say("{1}; the body '{2}' has this size: {3}", text, evaluation_.step().input().body.text, body->by);
+  std::optional<account::NextSize> next;
   if (found > 0) {
-    try_candidate(found - 1);
-    text = say("{1}; {2} fails: {3}", text, candidates_.name(found - 1), fault_of_candidate(evaluation_, passing_));
-    try_candidate(found);
+    candidates_.take(evaluation_.inputs(), found - 1);
+    const std::optional<double> si = candidates_.leaf ? std::optional(candidates_.sizes[found - 1]) : std::nullopt;
+    next = next_size(evaluation_.calculator(), candidates_.name(found - 1).text(), si,
+                     fault_of_candidate(evaluation_, passing_));
+    text = say("{1}; {2} fails: {3}", text, candidates_.name(found - 1), next->reason);
+    candidates_.take(evaluation_.inputs(), found);
     evaluation_.settle_sizes();
   }
-  if (!covered) text = say("{1}; not met at any size: {2}", text, fault_of_candidate(evaluation_, whole));
+  if (!covered) text = say("{1}; not met at any size: {2}", text, fault_of_candidate(evaluation_, whole).text);
   Origin origin = wanted_.leaf ? stock_origin(*evaluation_.step().input().tables, wanted_.stock, std::move(text))
                                : Origin{std::move(text), {}, false};
   origin.searched = true;
+  origin.next = std::move(next);
   evaluation_.inputs().set_origin(wanted_.path, std::move(origin));
 }
 

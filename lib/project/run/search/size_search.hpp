@@ -1,6 +1,7 @@
 // The search for a size or a row: the first, from small to large, with which the step passes.
 #pragma once
 
+#include "lib/project/run/search/candidates.hpp"
 #include "lib/project/run/search/shortfall.hpp"
 
 #include <cstddef>
@@ -8,15 +9,6 @@
 #include <vector>
 
 namespace loadpath::project {
-
-/// The candidates of a search, ascending: sizes of a stock, or rows of a table.
-struct Candidates {
-  Leaf leaf;  // without field: rows
-  std::vector<double> sizes;
-  std::vector<std::string> rows;
-  [[nodiscard]] std::size_t count() const { return leaf ? sizes.size() : rows.size(); }
-  [[nodiscard]] Message name(std::size_t i) const;
-};
 
 class SizeSearch {
  public:
@@ -28,10 +20,7 @@ class SizeSearch {
   /// A size given by another step of the same body is not searched: this one is assessed at it. Returns whether that
   /// applies.
   bool takes_size_of_body();
-  /// Excludes sizes smaller than those that the other steps of the same body require.
-  void keep_to_body();
-  void try_candidate(std::size_t i);
-  /// Whether the rules about the searched inputs hold with a candidate, at the sizes that follow from it.
+  /// Whether the rules about what is searched for hold with a candidate, at the sizes that follow from it.
   bool keeps_rules_with(std::size_t i);
   std::size_t first_that_passes(std::size_t from);
   bool excuse_unmoved(std::size_t from);
@@ -46,8 +35,6 @@ class SizeSearch {
   void note_found();
   [[nodiscard]] const BodySize* size_of_body() const;
   [[nodiscard]] Message what_is_searched() const;
-  /// The stock or the table that is searched in.
-  [[nodiscard]] const std::string& source() const { return wanted_.stock.empty() ? wanted_.path : wanted_.stock; }
 
   Evaluation& evaluation_;
   const Search& wanted_;

@@ -129,7 +129,7 @@ TEST_SUITE("mechanism accuracy") {
     const account::Table* found = nullptr;
     for (const account::Block& block : project.steps[0]->account().blocks) {
       const auto* table = std::get_if<account::Table>(&block);
-      if (table != nullptr && table->caption.text() == "Errors by tolerances and play") found = table;
+      if (table != nullptr && table->caption.text() == "Errors due to tolerances and clearance") found = table;
     }
     REQUIRE(found != nullptr);
     REQUIRE(found->rows.size() == 1);
@@ -144,7 +144,7 @@ TEST_SUITE("mechanism accuracy") {
     const std::string good = crank_and_rod + of_piston;
     const std::array wrong{
         Wrong{crank_and_rod, "the tolerances have no effect: no output is named under 'accuracy'"},
-        Wrong{of_piston, "nothing has a tolerance or play, so no output has an error"},
+        Wrong{of_piston, "no tolerance or clearance is given, so outputs have no error"},
         Wrong{good + "tolerances.x = { link = \"rod\", point = \"A\", t = \"1 mm\" }\n",
               "the tolerance 'x' of length needs 'to'"},
         Wrong{good + "tolerances.x = { link = \"rdo\", point = \"A\", to = \"B\", t = \"1 mm\" }\n",
@@ -156,7 +156,7 @@ TEST_SUITE("mechanism accuracy") {
         Wrong{good + "tolerances.x = { link = \"rod\", point = \"A\", to = \"B\" }\n",
               "the tolerance 'x' needs its half width 't'"},
         Wrong{good + "tolerances.x = { link = \"rod\", point = \"A\", to = \"B\", t_angle = \"1 deg\" }\n",
-              "'t_angle' is no half width of length"},
+              "'t_angle' is not a valid tolerance of length"},
         Wrong{good + "tolerances.x = { of = \"mass\", link = \"rod\", t_mass = \"1 g\", t_part = 0.1 }\n",
               "the tolerance 'x' has two half widths"},
         Wrong{good + "tolerances.x = { of = \"mass\", link = \"ground\", t_mass = \"1 g\" }\n",

@@ -60,7 +60,7 @@ TEST_SUITE("mechanism motion") {
 
   TEST_CASE("an assembly is chosen by the side of a dyad, and the report lists them all") {
     const auto stated = solved(rocker), other = solved(rocker + "sides = [\"B_right\"]\n");
-    const account::Table* table = table_of(stated, "Assemblies at the first position");
+    const account::Table* table = table_of(stated, "Assembly modes at the first position");
     REQUIRE(table != nullptr);
     REQUIRE(table->rows.size() == 2);
     CHECK(text_of(table->rows[0][0]) == "B_left");
@@ -246,7 +246,8 @@ A2 = { links = ["c2", "bar"] }
     }
     const auto& verdicts = project.steps[0]->account().verdicts;
     CHECK(verdicts[0].note.text() ==
-          "a change point at 180 deg, 360 deg: the drive does not hold it there; choose places beside it, crank = { "
+          "change point at 180 deg, 360 deg: the drive does not determine the motion there; choose other positions, "
+          "crank = { "
           "start = \"92.5 deg\" }");
     const auto beside = solved(replaced(parallel, "90 deg\" }\ngravity", "92.5 deg\" }\ngravity"));
     CHECK(beside.steps[0]->account().verdicts[0].state == account::State::pass);

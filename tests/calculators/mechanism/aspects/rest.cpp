@@ -94,7 +94,7 @@ TEST_SUITE("mechanism rest") {
       CHECK(value(project, "a.joints.G.F_max") == doctest::Approx(1000.0 * std::cos(a) * std::hypot(1.0, 0.3)));
       const account::Table* table = table_of(project, "At rest");
       REQUIRE(table != nullptr);
-      CHECK(text_of(*cell_of(*table, "stands without its drive")) == (down <= 0.0 ? "yes" : "no"));
+      CHECK(text_of(*cell_of(*table, "at rest without its drive")) == (down <= 0.0 ? "yes" : "no"));
       const account::Cell* mu = cell_of(*table, "coefficient of friction then");
       REQUIRE((mu != nullptr) == (down <= 0.0));
       if (mu != nullptr) CHECK(std::get<account::Quantity>(*mu).si == doctest::Approx(std::tan(a)).epsilon(1e-7));
@@ -160,12 +160,12 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "-500 N" }]
     CHECK(text_of(table->rows[0][1]) == "135 deg, 315 deg");
   }
 
-  TEST_CASE("of a worm and a lift, the report says that it stands without its drive, and the reversed flow by name") {
+  TEST_CASE("of a worm and a lift, the report says that it at rest without its drive, and the reversed flow by name") {
     std::string lift =
         replaced(gears, ", over = [[\"0 deg\", 1], [\"90 deg\", 1], [\"180 deg\", -1], [\"270 deg\", -1]]", "");
     lift = replaced(lift, "efficiency = 0.9", "efficiency = 0.4, efficiency_back = -0.5");
     const auto worm = solved(lift);
-    CHECK(text_of(*cell_of(*table_of(worm, "At rest"), "stands without its drive")) == "at every position");
+    CHECK(text_of(*cell_of(*table_of(worm, "At rest"), "at rest without its drive")) == "at every position");
     // It stands everywhere as soon as 1 - efficiency_back, here 1.5, is 1: two thirds of its friction.
     const account::Cell* share = cell_of(*table_of(worm, "At rest"), "the same for every position");
     REQUIRE(share != nullptr);

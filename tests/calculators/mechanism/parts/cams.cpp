@@ -169,9 +169,9 @@ TEST_SUITE("mechanism cams") {
           "valve.profiles.lobe.segments[2]: a dwell has no 'lift'");
     CHECK(said(", lift = \"-12 mm\"", "") == "valve.profiles.lobe.segments[3]: segment 3 needs 'lift'");
     CHECK(said("lift = \"12 mm\"", "swing = \"12 deg\"") ==
-          "valve.profiles.lobe.segments[1].swing: a profile of the shape sliding is told by 'lift'");
+          "valve.profiles.lobe.segments[1].swing: a profile of shape sliding is defined by 'lift'");
     CHECK(said("angle = \"40 deg\"", "angle = \"50 deg\"") ==
-          "valve.profiles.lobe.segments: the segments take 370 deg of the cam, and must take a whole turn");
+          "valve.profiles.lobe.segments: the segments cover 370 deg of the cam, and must cover a full revolution");
     CHECK(said("\"-12 mm\"", "\"-10 mm\"") ==
           "valve.profiles.lobe.segments: after a turn the follower is 2 mm off where it was");
     CHECK(said("base = \"30 mm\"", "offset = \"45 mm\"\nbase = \"30 mm\"") ==

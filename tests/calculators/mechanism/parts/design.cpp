@@ -114,7 +114,7 @@ TEST_SUITE("mechanism design") {
     const std::string positions = "positions = 36";
     at.replace(at.find(positions), positions.size(), "at = [\"0 deg\", \"90 deg\"]");
     check_said(at + "counterweights.w = { link = \"crank\", at = \"O\" }\n",
-               "counterweights are found over a whole turn of a crank, and there is none");
+               "counterweights need a full revolution of a crank, and there is none");
   }
 
   TEST_CASE("a rod reduced to two masses is one with their moment of inertia; to three it stays as it is") {
@@ -280,10 +280,10 @@ loads = [{ link = "large", M = "-20 N*m" }]
   TEST_CASE("what is not a cycle is not called one") {
     const std::string load = "loads = [{ link = \"slider\", at = \"B\", F_x = \"-1 kN\", F_y = \"0 N\" }]\n";
     const auto turned = solved(press("", "", load));
-    CHECK(table_of(turned, "Extremes over the cycle") != nullptr);
+    CHECK(table_of(turned, "Extreme values over the cycle") != nullptr);
     const auto given =
         solved(replaced(press("", "", load), "positions = 36", "at = [\"30 deg\", \"40 deg\", \"60 deg\"]"));
-    CHECK(table_of(given, "Extremes over the cycle") == nullptr);
+    CHECK(table_of(given, "Extreme values over the cycle") == nullptr);
     CHECK(table_of(given, "Extremes over the positions") != nullptr);
     CHECK(figure_of(given, "reactions")->caption == "Forces in the joints over the positions");
   }

@@ -107,7 +107,7 @@ TEST_SUITE("mechanism report") {
     }
   }
 
-  TEST_CASE("a residual or a scale that is no number is never passed, whichever position it stands at") {
+  TEST_CASE("a residual or a scale that is not a number is never passed, whichever position it stands at") {
     for (const double none : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
       OnePosition residual = balanced(), scale = balanced();
       residual.residuals.force = residual.residuals.moment = residual.residuals.power = none;

@@ -98,7 +98,7 @@ TEST_SUITE("courses") {
     CHECK(said("s [mm], share\n").find("'diagram.csv' has no rows") != std::string::npos);
     CHECK(said("s [mm], share\n150, 0\n250\n").find("line 3 of 'diagram.csv' has not as many cells") !=
           std::string::npos);
-    CHECK(said("s [mm], part\n150, 0\n250, 1\n").find("'part' is no field here") != std::string::npos);
+    CHECK(said("s [mm], part\n150, 0\n250, 1\n").find("'part' is not a valid key here") != std::string::npos);
     CHECK(said("s [kg], share\n150, 0\n250, 1\n").find("a mass") != std::string::npos);
   }
   TEST_CASE("a list without a bound still refuses what fills the memory") {
@@ -114,12 +114,12 @@ TEST_SUITE("courses") {
           "a course has its shares in one of five ways, and 'it' in none");
     CHECK(first_error(by_course("over_stroke = [[\"250 mm\", 0], [\"150 mm\", 1]]")) ==
           "the places of 'over_stroke' must rise from each to the next");
-    CHECK(first_error(by_course("over_time = [[\"0 s\", 1]]")) == "one point is no course");
+    CHECK(first_error(by_course("over_time = [[\"0 s\", 1]]")) == "one point is not a load curve");
     CHECK(first_error(by_course("over_stroke = [[\"0 mm\", 0], [\"1 m\", 1]]\ncourses.it.stroke_of = \"A\"")) ==
-          "'A' is no cylinder, prismatic joint or slot");
+          "'A' is not a cylinder, prismatic joint or slot");
     CHECK(first_error(press(", course = \"ti\"", "courses.it.share_of_phi = \"phi\"\n")) == "there is no course 'ti'");
     CHECK(first_error(press("", "courses.it.share_of_phi = \"1 - 0.1*phi\"\n")) == "no load goes by the course 'it'");
     CHECK(first_error(replaced(by_course("share_of_t = \"exp(-t/(2 s))\""), "speed = \"60 rpm\", ", "")) ==
-          "'it' goes by the time, and nothing tells when the mechanism is where");
+          "'it' is a function of time, but the motion is not given over time");
   }
 }

@@ -103,7 +103,7 @@ TEST_SUITE("mechanism faults") {
     CHECK(message_of("k = \"2 N/mm\", free = \"100 mm\"", "free = \"100 mm\"") ==
           "'back' has neither a rate nor a damping");
     CHECK(message_of("k = \"2 N/mm\"", "k_turn = \"2 N*m/rad\", k = \"2 N/mm\"") ==
-          "'back' has fields of a spring that pulls and of one that turns");
+          "'back' mixes fields of a translational and a torsional spring");
     CHECK(message_of("points = [\"B\", \"O\"], k", "k") == "'back' needs the points of its ends");
     CHECK(message_of("points = [\"B\", \"O\"], k", "points = [\"B\", \"Q\"], k") ==
           "the link 'ground' has no point 'Q'");
@@ -132,7 +132,7 @@ TEST_SUITE("mechanism faults") {
   TEST_CASE("a link that is said to be a uniform bar") {
     CHECK(message_of("angle = \"-10 deg\"",
                      "angle = \"-10 deg\"\nmass = \"2 kg\"\nS = \"A\"\nJ = \"0 kg*m^2\"\nmass_line = \"uniform\"") ==
-          "link 'rod' is no uniform bar of 150 mm: that has its mass centre in the middle and J = 0.00375 kg·m²");
+          "link 'rod' is not a uniform bar of 150 mm, which has its mass centre in the middle and J = 0.00375 kg·m²");
   }
 }
 

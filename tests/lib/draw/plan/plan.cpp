@@ -93,7 +93,7 @@ TEST_SUITE("draw") {
     CHECK(count(text, "<circle class=\"solid\"") == 1);
   }
 
-  TEST_CASE("a plan of nothing, or of what is no number, is drawn without it") {
+  TEST_CASE("a plan of nothing, or of what is not a number, is drawn without it") {
     CHECK(well_formed(drawn({})));
     CHECK(well_formed(drawn({Plan{"", "N", {}}})));
     CHECK(most_decimals(drawn({triangle(std::nan(""))})) <= 2);

@@ -332,7 +332,7 @@ TEST_SUITE("mechanism in columns") {
     }
   }
 
-  TEST_CASE("what is no number closes nothing") {
+  TEST_CASE("what is not a number closes nothing") {
     const Model model = models::slider_crank();
     CycleColumns columns(model, 20, all);
     std::vector<Drive> drives = turn_from(1.0, 1.0, 20, 10.0);

@@ -191,7 +191,7 @@ TEST_SUITE("mechanism") {
     CHECK_FALSE(Prover(model).prove(turning, false, proven.solved.at).trustworthy());
   }
 
-  TEST_CASE("a position that is no number, and a dead point, are not trustworthy") {
+  TEST_CASE("a position that is not a number, and a dead point, are not trustworthy") {
     CHECK_FALSE(prove_changed([](Position& at, double) { at.reactions[1].force.x = NAN; }).trustworthy());
     CHECK_FALSE(prove_changed([](Position& at, double) { at.pose[1].phi = NAN; }).trustworthy());
     Model stretched = slider_crank();

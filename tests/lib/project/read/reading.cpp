@@ -69,7 +69,7 @@ TEST_SUITE("project reading") {
 )");
   }
 
-  TEST_CASE("what is not finite is no number") {
+  TEST_CASE("what is not finite is not a number") {
     CHECK(issues_of(axle + "T = \"nan N*m\"\ntau_adm = inf\n") ==
           R"(a.toml:3:6: error: 'nan' is not a number to calculate with
 3 | T = "nan N*m"
@@ -109,25 +109,27 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   }
 
   TEST_CASE("an unknown key is told with the nearest field, and what misses it is not told again") {
-    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_amd = \"30 MPa\"\n") == R"(a.toml:4:1: error: 'tau_amd' is no field here
+    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_amd = \"30 MPa\"\n")
+              .starts_with(R"(a.toml:4:1: error: 'tau_amd' is not a valid key here
 4 | tau_amd = "30 MPa"
   | ^^^^^^^
-  = help: did you mean 'tau_adm'?
-)");
+  = help: did you mean 'tau_adm' ()"));
   }
 
   TEST_CASE("an unknown key that is near nothing is told with all fields") {
-    CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = [{ l = \"1 m\", width = \"3 mm\" }]\n") ==
-          R"(a.toml:5:26: error: 'width' is no field here
+    const std::string told =
+        issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = [{ l = \"1 m\", width = \"3 mm\" }]\n");
+    CHECK(told.starts_with(R"(a.toml:5:26: error: 'width' is not a valid key here
 5 | segments = [{ l = "1 m", width = "3 mm" }]
   |                          ^^^^^
-  = help: there is: name, l, d, chi, d_bore
-)");
+  = help: there is: name ()"));
+    for (const char* key : {", l (length)", ", d (", ", chi (", ", d_bore ("})
+      CHECK(told.find(key) != std::string::npos);
   }
 
   TEST_CASE("a missing field is told with its meaning and unit") {
     CHECK(issues_of("[pin]\ncalculator = \"shaft.overhung\"\nF = \"1 kN\"\nT = \"9 N*m\"\nsigma_adm = \"60 MPa\"\n") ==
-          R"(a.toml:1:1: error: 'a' is missing: overhang: from the force to the middle of the bearing
+          R"(a.toml:1:1: error: 'a' is missing: overhang: distance from the force to the bearing centre
 1 | [pin]
   | ^^^^^
   = help: write a = "... mm"
@@ -137,7 +139,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   TEST_CASE("a field that is missing inside a list is told by its element") {
     CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\ntorques = [{ x = \"0 m\", T = \"9 N*m\" }, { name = \"gear\", T = "
                            "\"-9 N*m\" }]\n") ==
-          R"(a.toml:4:40: error: 'torques.gear.x' is missing: place from the left end
+          R"(a.toml:4:40: error: 'torques.gear.x' is missing: position from the left end
 4 | torques = [{ x = "0 m", T = "9 N*m" }, { name = "gear", T = "-9 N*m" }]
   |                                        ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
   = help: write x = "... mm"
@@ -164,7 +166,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   TEST_CASE("a name that stands twice in a list is told at the second") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n[[axle.segments]]\nname = \"hub\"\nl = \"1 "
                            "m\"\n[[axle.segments]]\nname = \"hub\"\nl = \"2 m\"\n") ==
-          R"(a.toml:9:9: error: the name 'hub' stands twice in 'segments'
+          R"(a.toml:9:9: error: the name 'hub' is used twice in 'segments'
 9 | name = "hub"
   |         ^^^
 )");
@@ -173,11 +175,13 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   TEST_CASE("names have Latin letters, digits and '_'") {
     const std::string rule = "  = help: a name has Latin letters, digits and '_', and does not start with a digit\n";
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = { \"втулка\" = { l = \"1 m\" } }\n") ==
-          "a.toml:5:14: error: 'втулка' is no name\n5 | segments = { \"втулка\" = { l = \"1 m\" } }\n  |              "
+          "a.toml:5:14: error: 'втулка' is not a valid name\n5 | segments = { \"втулка\" = { l = \"1 m\" } }\n  |      "
+          "        "
           "^^^^^^^^\n" +
               rule);
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = [{ name = \"2nd\", l = \"1 m\" }]\n") ==
-          "a.toml:5:23: error: '2nd' is no name\n5 | segments = [{ name = \"2nd\", l = \"1 m\" }]\n  |                 "
+          "a.toml:5:23: error: '2nd' is not a valid name\n5 | segments = [{ name = \"2nd\", l = \"1 m\" }]\n  |        "
+          "         "
           "      ^^^\n" +
               rule);
   }
@@ -233,7 +237,7 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
 )");
     CHECK(value(told(text).project, "axle.M_max") == doctest::Approx(30.0));
     CHECK(issues_of(axle + "T = { value = \"30 N*m\", tolerence = \"2 N*m\" }\ntau_adm = \"30 MPa\"\n") ==
-          R"(a.toml:3:25: error: 'tolerence' is no field here
+          R"(a.toml:3:25: error: 'tolerence' is not a valid key here
 3 | T = { value = "30 N*m", tolerence = "2 N*m" }
   |                         ^^^^^^^^^
   = help: did you mean 'tolerance'?
@@ -247,7 +251,7 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
   |           ^^^^^
 )");
     CHECK(issues_of(axle + "tau_adm = \"30 MPa\"\n") ==
-          "a.toml:1:2: error: give either T or torques\n1 | [axle]\n  |  ^^^^\n");
+          "a.toml:1:2: error: give the torque T, or the power P with the speed n, or torques\n1 | [axle]\n  |  ^^^^\n");
   }
 
   TEST_CASE("an allowable stress and a material with a safety factor exclude one another") {

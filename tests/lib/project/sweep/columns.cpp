@@ -22,7 +22,7 @@ using test::Swept;
 
 /// A rod whose method is told of some diameters, between others that it is not told of.
 struct Gapped {
-  static constexpr auto id = "test.gapped";
+  static constexpr auto id = "test.gapped", synonyms = "";
   static constexpr auto title = "A rod whose method has gaps";
   static constexpr auto scope = "Stress of a square rod, for some diameters.";
   static constexpr auto source = "[B19]";

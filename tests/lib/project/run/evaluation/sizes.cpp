@@ -17,7 +17,7 @@ using namespace loadpath::test;
 
 /// A strip 10 mm thick, whose strength is that of its width.
 struct Strip {
-  static constexpr auto id = "test.strip";
+  static constexpr auto id = "test.strip", synonyms = "";
   static constexpr auto title = "A strip in tension";
   static constexpr auto scope = "Width of a strip 10 mm thick.";
   static constexpr auto source = "[B19]";

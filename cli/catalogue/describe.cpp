@@ -28,7 +28,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 void add_fields(std::span<const FieldInfo> fields, void* owner, const std::string& prefix, Rows& rows) {
   for (const FieldInfo& f : fields) {
-    const std::string key = "  " + prefix + f.key;
+    const std::string key = "  " + prefix + f.key + (*f.also_called == '\0' ? "" : std::string(", ") + f.also_called);
     if (f.type == Type::record) rows.push_back({key, "record", "optional", f.doc});
     if (f.type == Type::record) continue;
     if (f.is_leaf()) {
@@ -79,11 +79,11 @@ void show_keys(const Calculator& calculator) {
     rows.push_back({"  display", "table", "optional", "units of results: display = { KEY = \"in\" }"});
   if (!calculator.modes.empty())
     rows.push_back({"  accept", "table", "optional",
-                    "modes of failure that you answer for: accept.MODE = \"reason\"; the modes stand below"});
+                    "failure modes accepted by the user: accept.MODE = \"reason\" (modes listed below)"});
   if (calculator.result != nullptr)
     rows.push_back({"  because", "table", "optional",
-                    "why a typed value is better than the row or the record beside it: because.KEY = \"reason\""});
-  std::cout << "Keys of the step beside its inputs\n"
+                    "reason why a typed value is more favourable than its row or record: because.KEY = \"reason\""});
+  std::cout << "Further keys of the step\n"
             << terminal::columns(rows)
             << terminal::paragraph("  The file itself may have [project] with " + joined(project::heading_keys()) +
                                        ", and [[expect]] with reference values.",
@@ -137,7 +137,7 @@ void add_names(std::span<const FieldInfo> fields, void* owner, const std::string
 
 void show_template(const Calculator& calculator, const Template& t) {
   std::cout << calculator.id << "." << t.id << ": " << t.title << "\n\n" << terminal::paragraph(t.doc) << "\n";
-  show_type("Parameters, beside the fields of the calculator", *t.parameters);
+  show_type("Parameters, in addition to the fields of the calculator", *t.parameters);
   Record laid(*calculator.input);
   t.lay_out(laid.data.get());
   Rows rows;
@@ -221,7 +221,7 @@ constexpr std::array parts{Part{"inputs", show_inputs},       Part{"keys", show_
 /// One input with all its fields: "loads"; a section of the description: "modes".
 int show_part(const Calculator& c, const std::string& name) {
   const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return name == p.name; });
-  const FieldInfo* const field = find_field(c.input->fields, name);
+  const FieldInfo* const field = find_input(c.input->fields, name);
   if (part == parts.end() && field == nullptr) {
     std::vector<std::string> names;
     names.reserve(parts.size() + c.input->fields.size());

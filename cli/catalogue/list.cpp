@@ -1,0 +1,140 @@
+#include "calculators/catalogue.hpp"
+#include "cli/catalogue/not_included.hpp"
+#include "cli/catalogue/search.hpp"
+#include "cli/commands.hpp"
+#include "lib/export/json_catalogue.hpp"
+#include "lib/report/terminal/terminal.hpp"
+#include "lib/text/search.hpp"
+
+#include <algorithm>
+#include <iostream>
+
+namespace loadpath::cli {
+
+namespace {
+
+using Rows = std::vector<std::vector<std::string>>;
+
+constexpr int in_one_text = 6;  // ranks below: one name holds all words
+
+Hit hit_of(const Calculator& c, const char* where) { return {&c, c.id, c.title, "", where, 0}; }
+
+/// The calculators of the element that the word names, in the order of the catalogue.
+std::vector<Hit> of_element(const std::string& word) {
+  const auto searched = search_words(word);
+  std::vector<Hit> hits;
+  for (const Calculator* c : calculators()) {
+    if (word.empty() || search_words(c->element()) == searched) hits.push_back(hit_of(*c, "element"));
+  }
+  return hits;
+}
+
+void erase_those_of(const std::vector<Hit>& shown, std::vector<Hit>& hits) {
+  std::erase_if(hits, [&](const Hit& hit) {
+    return std::any_of(shown.begin(), shown.end(), [&](const Hit& other) { return other.id == hit.id; });
+  });
+}
+
+/// The calculators that come nearest to what is not included, and behind them what the words have found.
+std::vector<Hit> nearest_hits(const std::vector<const NotIncluded*>& beyond, std::vector<Hit> named) {
+  std::vector<Hit> all;
+  for (const NotIncluded* one : beyond) {
+    for (const std::string& id : listed_keys(one->nearest)) {
+      std::vector<Hit> hits{hit_of(*find_calculator(calculators(), id), "nearest")};
+      erase_those_of(all, hits);
+      all.insert(all.end(), hits.begin(), hits.end());
+    }
+  }
+  erase_those_of(all, named);
+  all.insert(all.end(), named.begin(), named.end());
+  return all;
+}
+
+void show(const std::vector<Hit>& hits) {
+  Rows rows;
+  rows.reserve(hits.size());
+  for (const Hit& hit : hits) {
+    rows.push_back({hit.id, hit.title});
+    if (!hit.why.empty()) rows.back().push_back(hit.why);
+  }
+  std::cout << terminal::columns(rows);
+}
+
+/// "13 more mention it, e.g. vessel.shell, section.thin_walled: --all"
+void count(const std::vector<Hit>& hits) {
+  if (hits.empty()) return;
+  std::string some;
+  for (std::size_t i = 0; i < std::min<std::size_t>(hits.size(), 2); ++i) some += (i == 0 ? "" : ", ") + hits[i].id;
+  std::cout << terminal::paragraph(std::to_string(hits.size()) + " more by failure mode or scope, e.g. " + some +
+                                   ": --all");
+}
+
+/// All that a word has found, in the order in which it is shown.
+struct Answer {
+  std::vector<Hit> element, named, mentioned;
+  std::vector<const NotIncluded*> beyond;
+};
+
+Answer answer_to(const std::string& word) {
+  Answer answer;
+  answer.element = of_element(word);
+  if (word.empty()) return answer;
+  Found found = search(word);
+  const bool has_name = !answer.element.empty() || (!found.named.empty() && found.named[0].rank < in_one_text);
+  answer.beyond = not_included(word, has_name);
+  answer.named = std::move(found.named);
+  answer.mentioned = std::move(found.mentioned);
+  erase_those_of(answer.element, answer.named);
+  erase_those_of(answer.element, answer.mentioned);
+  if (!answer.beyond.empty()) answer.named = nearest_hits(answer.beyond, std::move(answer.named));
+  return answer;
+}
+
+/// Of an element its calculators, with `all` those too that the word finds elsewhere.
+void print_json(const Answer& answer, bool all) {
+  std::vector<exports::Listed> listed;
+  for (const auto* hits : {&answer.element, &answer.named, &answer.mentioned}) {
+    const bool is_asked = hits == &answer.element || answer.element.empty() || all;
+    for (const Hit& hit : is_asked ? *hits : std::vector<Hit>{})
+      listed.push_back({hit.calculator, hit.id, hit.title, hit.where, hit.why});
+  }
+  std::vector<exports::Beyond> beyond;
+  for (const NotIncluded* one : answer.beyond) beyond.push_back({one->what, listed_keys(one->nearest)});
+  std::cout << exports::json_of(listed, beyond);
+}
+
+int refuse(const std::string& word) {
+  const std::string near = nearest_term(word);
+  std::cerr << "loadpath: no calculator matches '" << word
+            << "'\n  = help: " << (near.empty() ? "`loadpath list` shows all" : "did you mean '" + near + "'?") << "\n";
+  return wrong_input;
+}
+
+void print(const Answer& answer, const ListOptions& options) {
+  for (const NotIncluded* one : answer.beyond)
+    std::cout << terminal::paragraph("Not included: " + std::string(one->what) + ".");
+  if (!answer.beyond.empty() && !answer.named.empty()) std::cout << "\nNearest:\n";
+  show(answer.element);
+  if (!answer.element.empty() && !answer.named.empty()) std::cout << "\nOthers that match '" << options.word << "':\n";
+  show(answer.named);
+  const bool alone = answer.element.empty() && answer.named.empty();
+  const bool all = options.all || (alone && answer.beyond.empty());
+  all ? show(answer.mentioned) : count(answer.mentioned);
+  std::cout << "\n"
+            << terminal::paragraph(options.word.empty()
+                                       ? "`loadpath list WORD` searches, e.g. buckling, S-N, Welle; `loadpath describe "
+                                         "ID` shows one on a screen, with an example that runs."
+                                       : "`loadpath describe ID` shows one on a screen, with an example that runs.");
+}
+
+}  // namespace
+
+int list(const ListOptions& options) {
+  const Answer answer = answer_to(options.word);
+  if (answer.element.empty() && answer.named.empty() && answer.mentioned.empty() && answer.beyond.empty())
+    return refuse(options.word);
+  options.json ? print_json(answer, options.all) : print(answer, options);
+  return passed;
+}
+
+}  // namespace loadpath::cli

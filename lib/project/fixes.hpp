@@ -1,0 +1,11 @@
+// What would let a mode of failure be assessed, as data.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+namespace loadpath::project {
+
+/// When all steps are solved: of every mode that another step would assess, what that step would take of this one.
+void name_fixes(Project& project);
+
+}  // namespace loadpath::project

@@ -1,0 +1,30 @@
+// What a search goes through, from small to large: sizes of a stock, or rows of a table.
+#pragma once
+
+#include "lib/project/run/evaluation/evaluation.hpp"
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace loadpath::project {
+
+struct Candidates {
+  const Search& wanted;
+  Leaf leaf;  // without field: rows
+  std::vector<double> sizes;
+  std::vector<std::string> rows;
+  [[nodiscard]] std::size_t count() const { return leaf ? sizes.size() : rows.size(); }
+  [[nodiscard]] Message name(std::size_t i) const;
+  /// The stock or the table: "R40", "key".
+  [[nodiscard]] const std::string& source() const;
+  /// Makes one the value of the input, or the row of the step.
+  void take(Inputs& inputs, std::size_t i) const;
+  /// Drops sizes that are smaller than the other steps of the body need, or other than the one that they give.
+  void keep_to_body(const BodySize& body);
+  /// The input that was searched for, and what a row would have given, have no value.
+  void leave_open(Inputs& inputs, Message why) const;
+};
+Candidates candidates_of(const Evaluation& evaluation, const Search& wanted);
+
+}  // namespace loadpath::project

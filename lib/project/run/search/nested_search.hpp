@@ -1,0 +1,41 @@
+// The search for several inputs of one step that no calculator sizes together: a diameter, the key in it, its length.
+// In the order in which the calculator lists them each is the smallest with which the rest can pass.
+#pragma once
+
+#include "lib/project/run/search/candidates.hpp"
+#include "lib/project/run/search/passing.hpp"
+
+#include <cstddef>
+#include <vector>
+
+namespace loadpath::project {
+
+class NestedSearch {
+ public:
+  /// `in_words`: what is found says why it is no smaller.
+  NestedSearch(Evaluation& evaluation, bool in_words);
+  void run(std::vector<Issue>& issues);
+
+ private:
+  /// Of each search which of its candidates.
+  using Choice = std::vector<std::size_t>;
+
+  void take(const Choice& choice);
+  bool keeps_rules_with(const Choice& choice);
+  /// The first that passes, from the first candidates on.
+  bool find(Choice& choice);
+  /// The one that is nearest to passing; false where none keeps the rules.
+  bool find_nearest(Choice& choice);
+  /// The next choice, the last search fastest; false behind the last.
+  [[nodiscard]] bool advance(Choice& choice) const;
+  void tell(const Choice& found);
+  void leave_open();
+  [[nodiscard]] Message name(const Choice& choice) const;
+
+  Evaluation& evaluation_;
+  bool in_words_;
+  std::vector<Candidates> all_;
+  Passing passing_;
+};
+
+}  // namespace loadpath::project

@@ -1,0 +1,141 @@
+#include "lib/report/summary/numbers.hpp"
+#include "lib/report/summary/summary.hpp"
+
+#include <algorithm>
+#include <map>
+
+namespace loadpath::report {
+
+namespace {
+
+using account::Group;
+using account::Mode;
+using account::Modes;
+using account::State;
+
+std::string step_to_add(const Mode& mode) {
+  const std::string id = mode.judge.empty() ? mode.add : mode.judge;
+  if (id.empty()) return {};
+  return mode.takes.empty() ? say("add a step of {1}", id).text()
+                            : say("add a step of {1} with {2}", id, mode.takes).text();
+}
+
+/// What would let the mode be assessed.
+std::string action_of(const Mode& mode) {
+  if (mode.state == State::not_covered || mode.state == State::not_available) {
+    if (mode.note.empty()) return say("method not valid: {1}", mode.governs).text();
+    return mode.note.text();
+  }
+  const std::string add = step_to_add(mode);
+  if (!mode.wants.empty() && add.empty()) return say("give {1}", mode.wants).text();
+  if (!mode.wants.empty()) return say("give {1}, or {2}", mode.wants, add).text();
+  if (!add.empty()) return add;
+  if (!mode.use.empty()) return say("replace by a step of {1}", mode.use).text();
+  return account::reason(mode).text();
+}
+
+/// Adds a title to those of a step.
+void add_title(Gap& gap, const Mode& mode) {
+  const std::string step = spoken(mode.step), title = plain_title(mode);
+  auto known = std::ranges::find(gap.modes, step, [](const auto& of_step) { return of_step.first; });
+  if (known == gap.modes.end()) known = gap.modes.insert(gap.modes.end(), {step, {}});
+  if (std::ranges::find(known->second, title) == known->second.end()) known->second.push_back(title);
+}
+
+/// Where a mode has one name in several steps, they are named with it.
+std::vector<std::string> names_with_steps(const std::vector<std::pair<std::string, std::vector<std::string>>>& titles,
+                                          bool several) {
+  std::vector<std::string> names;
+  for (const auto& [title, steps] : titles) {
+    std::string all;
+    for (const std::string& step : steps) all += (all.empty() ? "" : ", ") + step;
+    names.push_back(several ? title + " (" + all + ")" : title);
+  }
+  return names;
+}
+
+void add_hint(const std::string& hint, std::vector<std::string>& hints) {
+  if (!hint.empty() && std::ranges::find(hints, hint) == hints.end()) hints.push_back(hint);
+}
+
+/// What a step in place of this one would assess.
+std::string replacing(const project::Project& project, const Modes& modes) {
+  constexpr std::size_t most = 3;
+  std::map<std::string, std::vector<std::string>> titles;  // by "shaft.torsion by shaft.design"
+  std::string first;
+  for (const Mode& mode : modes) {
+    const bool waits = mode.state == State::open || mode.state == State::not_judged;
+    const project::Step* const step = project.find(mode.step);
+    if (!waits || mode.use.empty() || step == nullptr) continue;
+    const std::string key = step->input().calculator->id + std::string(" by ") + mode.use;
+    if (first.empty() && mode.state == State::open) first = key;
+    std::string title = account::short_title(mode);
+    auto& all = titles[key];
+    if (std::ranges::find(all, title) == all.end()) all.push_back(std::move(title));
+  }
+  if (first.empty()) return {};
+  std::string names;
+  for (std::size_t i = 0; i < std::min(most, titles[first].size()); ++i)
+    names += (i == 0 ? "" : ", ") + titles[first][i];
+  return say("replace {1} ({2})", first, names).text();
+}
+
+std::vector<std::string> hints_of(const project::Project& project, const Modes& sorted) {
+  std::vector<std::string> hints;
+  const bool several = project.steps.size() > 1;
+  for (const Mode& mode : sorted) {
+    if (mode.state != State::open || mode.wants.empty()) continue;
+    const std::string step = several ? spoken(mode.step) + ", " : "";
+    add_hint(say("give {1} ({2}{3})", mode.wants, step, account::short_title(mode)).text(), hints);
+  }
+  add_hint(replacing(project, sorted), hints);
+  for (const Mode& mode : sorted) {
+    if (mode.state != State::open || !mode.wants.empty() || step_to_add(mode).empty()) continue;
+    add_hint(say("{1} ({2})", step_to_add(mode), account::short_title(mode)).text(), hints);
+  }
+  return hints;
+}
+
+}  // namespace
+
+std::vector<Gap> gaps_of(const Modes& modes, Group group) {
+  std::vector<Gap> gaps;
+  for (const Mode& mode : account::in_order(modes)) {
+    if (mode.subject == account::Subject::search) continue;
+    const bool is_check = mode.subject == account::Subject::input && group == Group::needs_input;
+    if (!is_check && (mode.subject != account::Subject::mode || account::group_of(mode) != group)) continue;
+    const std::string action = group == Group::needs_input ? action_of(mode) : spoken(mode.step);
+    auto known = std::ranges::find(gaps, action, &Gap::action);
+    if (known == gaps.end()) known = gaps.insert(gaps.end(), {{}, action});
+    add_title(*known, mode);
+  }
+  if (group != Group::needs_input) {
+    for (Gap& gap : gaps) gap.action.clear();
+  }
+  return gaps;
+}
+
+NotConsidered not_considered(const project::Project& project, const Modes& modes) {
+  NotConsidered all;
+  std::vector<std::pair<std::string, std::vector<std::string>>> assessable, rest;
+  const Modes sorted = account::in_order(modes);
+  for (const Mode& mode : sorted) {
+    if (mode.state != State::open) continue;
+    if (mode.kind != ModeKind::strength) {
+      ++all.others;
+      continue;
+    }
+    auto& titles = mode.is_assessable ? assessable : rest;
+    const std::string title = plain_title(mode);
+    auto known = std::ranges::find(titles, title, [](const auto& named) { return named.first; });
+    const bool first = account::short_title(mode) == "fatigue";
+    if (known == titles.end()) known = titles.insert(first ? titles.begin() : titles.end(), {title, {}});
+    known->second.push_back(spoken(mode.step));
+  }
+  assessable.insert(assessable.end(), rest.begin(), rest.end());
+  all.names = names_with_steps(assessable, project.steps.size() > 1);
+  all.hints = hints_of(project, sorted);
+  return all;
+}
+
+}  // namespace loadpath::report

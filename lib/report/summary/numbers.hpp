@@ -1,0 +1,21 @@
+// Numbers, names and sizes as the short answer writes them.
+#pragma once
+
+#include "lib/account/cell.hpp"
+
+#include <string>
+
+namespace loadpath::report {
+
+/// Three significant digits, four behind a leading 1: "2.69", "10.79".
+std::string short_number(double value);
+/// The same with a prefix that gives 1 to 9999: "45.3 kN", "34.8 µm", "30°".
+std::string short_quantity(double si, const std::string& unit);
+/// Both in one unit: "45.3 / 42.3 kN".
+std::string short_pair(const account::Quantity& demand, const account::Quantity& capacity);
+/// Three decimals; more where it would be rounded to 1 and is not: "0.859", "0.9997".
+std::string utilisation_text(double utilisation);
+/// A name of the file as a text has it: "left seat" of "left_seat".
+std::string spoken(std::string name);
+
+}  // namespace loadpath::report

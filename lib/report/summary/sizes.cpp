@@ -1,0 +1,117 @@
+#include "lib/quantity/format.hpp"
+#include "lib/report/summary/numbers.hpp"
+#include "lib/report/summary/summary.hpp"
+#include "lib/report/why.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace loadpath::report {
+
+namespace {
+
+using account::Entry;
+using project::Step;
+
+/// Whether a path is the one of a placeholder: "cylinders.*.F" is that of every cylinder.
+bool is_named(std::string_view path, std::string_view key) {
+  const std::size_t star = key.find('*');
+  if (star == std::string_view::npos) return path == key;
+  return path.size() >= key.size() && path.starts_with(key.substr(0, star)) && path.ends_with(key.substr(star + 1));
+}
+
+double largest_of(const Entry& entry) {
+  if (entry.value.si.empty()) return NAN;
+  if (!entry.value.is_series()) return entry.value.si.front();
+  return std::abs(largest(entry.value).value);
+}
+
+/// The value of a placeholder, of results before inputs; empty where it is not known.
+std::string value_of(const Step& step, std::string_view key) {
+  const bool bare = key.ends_with('#');
+  if (bare) key.remove_suffix(1);
+  const Entry* best = nullptr;
+  double most = NAN;
+  for (const auto* entries : {&step.account().results, &step.account().inputs}) {
+    for (const Entry& entry : *entries) {
+      if (!is_named(entry.path, key)) continue;
+      if (!entry.word.empty()) return entry.word;
+      const double here = largest_of(entry);
+      if (std::isnan(here) || std::abs(here) <= most) continue;
+      most = here;
+      best = &entry;
+    }
+    if (best != nullptr) break;
+  }
+  if (best != nullptr && bare) return format_number(in_unit(most, best->unit), 5);
+  if (best != nullptr && best->role == Role::input) return format_quantity(most, best->unit, 5);
+  if (best != nullptr) return short_quantity(most, best->unit);
+  return step.word(std::string(key));
+}
+
+/// The text with its placeholders filled; empty where one is not known.
+std::string filled(const Step& step, std::string_view text) {
+  std::string all;
+  while (!text.empty()) {
+    const std::size_t open = std::min(text.find('{'), text.size());
+    all += text.substr(0, open);
+    if (open == text.size()) return all;
+    const std::size_t close = text.find('}', open);
+    const std::string value = value_of(step, text.substr(open + 1, close - open - 1));
+    if (value.empty()) return {};
+    all += value;
+    text.remove_prefix(close + 1);
+  }
+  return all;
+}
+
+std::string headline_of(const Step& step) {
+  std::string_view rest = step.input().calculator->headline;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find('|'), rest.size());
+    if (std::string text = filled(step, rest.substr(0, end)); !text.empty()) return text;
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  return {};
+}
+
+bool has_value(const Entry& entry) { return !entry.word.empty() || !std::isnan(largest_of(entry)); }
+
+std::string sized_text(const Entry& entry) {
+  if (!entry.word.empty()) return entry.word;
+  const std::string value = format_quantity(largest_of(entry), entry.unit, 5), owner = owner_of(entry.path);
+  return owner.empty() ? entry.path + " = " + value : owner + " " + value;
+}
+
+/// Behind one another: a size may not be broken.
+std::string unbroken(std::string text) {
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at)) text.replace(at, 1, "\u00A0");
+  return text;
+}
+
+}  // namespace
+
+std::string owner_of(const std::string& path) {
+  const std::size_t last = path.rfind('.');
+  if (last == std::string::npos) return {};
+  const std::string element = path.substr(0, last);
+  const std::size_t dot = element.rfind('.');
+  return spoken(dot == std::string::npos ? element : element.substr(dot + 1));
+}
+
+bool is_sized(const Step& step) {
+  return std::ranges::any_of(chosen(step.account()), [](const Entry* entry) { return has_value(*entry); });
+}
+
+std::vector<std::string> short_sizes(const Step& step) {
+  std::vector<std::string> sizes;
+  for (const Entry* entry : chosen(step.account())) {
+    if (has_value(*entry)) sizes.push_back(unbroken(sized_text(*entry)));
+  }
+  if (!sizes.empty()) return sizes;
+  if (std::string text = headline_of(step); !text.empty()) sizes.push_back(unbroken(std::move(text)));
+  return sizes;
+}
+
+}  // namespace loadpath::report

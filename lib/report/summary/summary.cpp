@@ -1,0 +1,167 @@
+#include "lib/report/summary/summary.hpp"
+
+#include "lib/numerics/magnitude.hpp"
+#include "lib/report/summary/numbers.hpp"
+#include "lib/report/why.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace loadpath::report {
+
+namespace {
+
+using account::Group;
+using account::Mode;
+using account::Modes;
+using account::State;
+using project::Project;
+using project::Step;
+
+/// Whether another step has assessed the mode, which shows it.
+bool is_shown_elsewhere(const Mode& mode) { return !mode.judge.empty() && mode.governs.empty(); }
+
+/// A ratio of shapes is no utilisation that a load changes: it is shown where it fails.
+bool is_told(const Mode& mode) {
+  return mode.subject == account::Subject::mode && !is_shown_elsewhere(mode) &&
+         (mode.kind != ModeKind::shape || mode.state == State::fail);
+}
+
+double used(const Mode& mode) { return mode.utilisation.value_or(-1.0); }
+
+/// The failing mode, else the most utilised one of strength or service, else the first that passes.
+std::optional<Mode> governing_of(const Modes& modes, const std::string& step) {
+  const Mode* best = nullptr;
+  const auto is_worse = [](const Mode& a, const Mode& b) {
+    const bool fails = a.state == State::fail, other = b.state == State::fail;
+    return fails != other ? fails : numerics::exceeds(used(a), used(b));
+  };
+  for (const Mode& mode : modes) {
+    const bool is_assessed = mode.state == State::fail || mode.state == State::pass || mode.utilisation;
+    if (mode.step != step || !is_told(mode) || !is_assessed) continue;
+    if (best == nullptr || is_worse(mode, *best)) best = &mode;
+  }
+  if (best != nullptr) return *best;
+  const auto proved = std::ranges::find_if(
+      modes, [&](const Mode& m) { return m.step == step && m.state == State::pass && !m.utilisation; });
+  return proved == modes.end() ? std::nullopt : std::optional(*proved);
+}
+
+/// Adds a step to the row of the same body; false where there is none.
+bool join(const Component& part, std::vector<Component>& all) {
+  const auto same = std::ranges::find_if(all, [&](const Component& other) { return other.name == part.name; });
+  if (same == all.end()) return false;
+  for (const std::string& size : part.sizes) {
+    if (std::ranges::find(same->sizes, size) == same->sizes.end()) same->sizes.push_back(size);
+  }
+  same->is_sized = same->is_sized || part.is_sized;
+  if (part.fails() > same->fails() || numerics::exceeds(part.utilisation(), same->utilisation()) ||
+      std::isnan(same->utilisation()))
+    same->governing = part.governing ? part.governing : same->governing;
+  return true;
+}
+
+/// Failing rows, rows that were sized, then by falling utilisation.
+bool is_before(const Component& a, const Component& b) {
+  if (a.fails() != b.fails()) return a.fails();
+  if (a.is_sized != b.is_sized) return a.is_sized;
+  const auto rank = [](const Component& c) { return std::isnan(c.utilisation()) ? -1.0 : c.utilisation(); };
+  return rank(a) > rank(b);
+}
+
+double highest_utilisation(const std::vector<Component>& components) {
+  double most = -1.0;
+  for (const Component& component : components)
+    most = std::max(most, std::isnan(component.utilisation()) ? -1.0 : component.utilisation());
+  return most;
+}
+
+std::string counts_of(const account::Conclusion& all, const std::vector<Component>& components) {
+  const auto told = [&](Group group) { return std::to_string(all.count(group)); };
+  const std::size_t outside = all.count(Group::outside_scope), needs = all.count(Group::needs_input);
+  if (all.headline == account::Headline::fail) {
+    const std::size_t total = all.modes() - all.count(Group::not_considered);
+    std::string text = say("{1} of {2} fail", told(Group::fails), std::to_string(total)).text();
+    if (needs > 0)
+      text += ", " + say(needs == 1 ? "{1} needs input" : "{1} need input", told(Group::needs_input)).text();
+    if (outside > 0) text += ", " + say("{1} outside the scope", told(Group::outside_scope)).text();
+    return text + ", " + say("{1} pass", told(Group::passes)).text();
+  }
+  std::string text = say("{1} pass", told(Group::passes)).text();
+  if (all.count(Group::accepted) > 0) text += ", " + say("{1} accepted", told(Group::accepted)).text();
+  const double most = highest_utilisation(components);
+  return most < 0.0 ? text : text + ", " + say("highest utilisation {1}", utilisation_text(most)).text();
+}
+
+std::string title_of(const Project& project, const account::Conclusion& all, const std::vector<Component>& components) {
+  const std::string counts = all.modes() == 0 ? "" : counts_of(all, components);
+  return project.title.empty() || counts.empty() ? project.title + counts : project.title + ": " + counts;
+}
+
+std::string governing_step(const Modes& sorted, const Project& project) {
+  const auto mode = telling(sorted);
+  if (mode) return mode->step;
+  return sorted.empty() ? (project.steps.empty() ? "" : project.steps.front()->name()) : sorted.front().step;
+}
+
+}  // namespace
+
+double Component::utilisation() const {
+  return governing && governing->utilisation ? *governing->utilisation : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::string plain_title(const Mode& mode) {
+  std::string title = mode.title.text();
+  const std::size_t end = std::min({title.find(" ("), title.find(':'), title.find(';')});
+  return end == std::string::npos ? title : title.substr(0, end);
+}
+
+std::string subject_of(const Project& project) {
+  return project.steps.size() == 1 ? project.steps.front()->input().calculator->subject : "";
+}
+
+std::vector<Component> components_of(const Project& project, const Modes& modes) {
+  std::vector<Component> all;
+  for (const auto& step : project.steps) {
+    const std::string& body = step->input().body.text;
+    Component part{spoken(body.empty() ? step->name() : body), short_sizes(*step), is_sized(*step),
+                   governing_of(modes, step->name())};
+    if (!body.empty() && join(part, all)) continue;
+    if (!part.sizes.empty() || part.governing) all.push_back(std::move(part));
+  }
+  std::ranges::stable_sort(all, is_before);
+  return all;
+}
+
+std::vector<NextOf> next_sizes(const Project& project) {
+  std::vector<NextOf> all;
+  for (const auto& step : project.steps) {
+    for (const account::Entry* entry : chosen(step->account())) {
+      if (!entry->origin.next) continue;
+      const std::string owner = owner_of(entry->path);
+      all.push_back({owner.empty() ? spoken(step->name()) : owner, *entry->origin.next});
+    }
+  }
+  return all;
+}
+
+Summary summarise(const Project& project) {
+  Summary all;
+  all.modes = project::modes(project);
+  const account::Conclusion conclusion = account::conclude(all.modes);
+  all.subject = subject_of(project);
+  all.components = components_of(project, all.modes);
+  all.title = title_of(project, conclusion, all.components);
+  all.next = next_sizes(project);
+  for (const Mode& mode : all.modes) {
+    if (mode.subject == account::Subject::search) all.searches.push_back(mode.step + ": " + mode.note.text());
+  }
+  all.gaps = gaps_of(all.modes, Group::needs_input);
+  all.outside = gaps_of(all.modes, Group::outside_scope);
+  all.open = not_considered(project, all.modes);
+  all.governing_step = governing_step(account::in_order(all.modes), project);
+  return all;
+}
+
+}  // namespace loadpath::report

@@ -1,0 +1,71 @@
+// A solved project in short: what the terminal answers first, as data.
+#pragma once
+
+#include "lib/account/conclusion.hpp"
+#include "lib/project/project.hpp"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace loadpath::report {
+
+/// A step, or the steps of one body.
+struct Component {
+  std::string name;                // "line shaft"
+  std::vector<std::string> sizes;  // "d = 100 mm", "left seat 40 mm"
+  bool is_sized = false;           // by a search
+  std::optional<account::Mode> governing;
+  [[nodiscard]] double utilisation() const;  // NaN without one
+  [[nodiscard]] bool fails() const { return governing && governing->state == account::State::fail; }
+};
+
+/// Of a size that was found, the candidate before it.
+struct NextOf {
+  std::string name;  // "line shaft", "left seat"
+  account::NextSize size;
+};
+
+/// One thing to do, and the modes that it would let be assessed.
+struct Gap {
+  std::vector<std::pair<std::string, std::vector<std::string>>> modes;  // by step
+  std::string action;  // "add a step of fatigue.cycle with cycle = "=rod.cycle""
+};
+
+/// Modes that were not considered.
+struct NotConsidered {
+  std::vector<std::string> names;  // of strength, with their steps where there are several: "belt slip (belts)"
+  std::size_t others = 0;
+  std::vector<std::string> hints;  // "give mu (belts, belt slip)"
+};
+
+struct Summary {
+  account::Modes modes;
+  std::string subject;  // of the only step: "torsion"
+  std::string title;    // "Line shaft: 2 pass, highest utilisation 0.859"
+  std::vector<Component> components;
+  std::vector<NextOf> next;
+  std::vector<std::string> searches;  // without a solution: what was tried, and the nearest
+  std::vector<Gap> gaps;
+  std::vector<Gap> outside;  // of the scope; without an action
+  NotConsidered open;
+  std::string governing_step;  // as the file names it
+};
+Summary summarise(const project::Project& project);
+
+std::vector<Component> components_of(const project::Project& project, const account::Modes& modes);
+std::vector<NextOf> next_sizes(const project::Project& project);
+std::vector<Gap> gaps_of(const account::Modes& modes, account::Group group);
+NotConsidered not_considered(const project::Project& project, const account::Modes& modes);
+
+/// What the modes of the only step cover; empty where there are several steps, or nothing says it.
+std::string subject_of(const project::Project& project);
+/// The sizes of a step: what a search has found, else the headline that its calculator declares.
+std::vector<std::string> short_sizes(const project::Step& step);
+bool is_sized(const project::Step& step);
+/// What a mode is called where several share a line: its title without parentheses.
+std::string plain_title(const account::Mode& mode);
+/// "left seat" of "pieces.left_seat.d"; empty of a size of the step itself.
+std::string owner_of(const std::string& path);
+
+}  // namespace loadpath::report

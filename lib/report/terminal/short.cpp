@@ -1,0 +1,162 @@
+#include "lib/report/terminal/short.hpp"
+
+#include "lib/quantity/format.hpp"
+#include "lib/report/summary/numbers.hpp"
+#include "lib/report/terminal/blocks.hpp"
+#include "lib/report/terminal/layout.hpp"
+#include "lib/report/terminal/rows.hpp"
+#include "lib/report/terminal/short_table.hpp"
+#include "lib/report/why.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::terminal {
+
+namespace {
+
+using report::Component;
+using report::Summary;
+
+Lines title_lines(const Summary& summary, const Look& look) {
+  Lines lines = verdict_lines(summary, look);
+  if (!summary.title.empty()) {
+    for (std::string& line : lines_of(summary.title, look.width, 2)) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+Lines search_lines(const Summary& summary, const Look& look) {
+  Lines lines;
+  for (const std::string& search : summary.searches) {
+    for (std::string& line : lines_of("No solution: " + search, look.width, 2)) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+/// The components, and the next sizes right below them.
+Lines part_lines(const Summary& summary, const Limits& limits, const Look& look) {
+  const auto shown = most_telling(summary.components, limits.of(Limits::components));
+  Lines lines = component_lines(shown, look);
+  if (const std::size_t left = summary.components.size() - shown.size(); left > 0) {
+    double most = -1.0;
+    for (const Component& c : summary.components) {
+      const bool dropped = std::ranges::find(shown, c.name, &Component::name) == shown.end();
+      if (dropped && !std::isnan(c.utilisation())) most = std::max(most, c.utilisation());
+    }
+    lines.push_back("  " + std::to_string(left) + (left == 1 ? " more component" : " more components") +
+                    (most < 0.0 ? "" : ", highest utilisation " + report::utilisation_text(most)));
+  }
+  for (std::string& line : next_lines(summary, limits, look)) lines.push_back(std::move(line));
+  return lines;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && 'a' <= text[0] && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+/// "Yielding in torsion, utilisation 0.895 (26.9 / 30 MPa)"
+std::string governing_text(const account::Mode& mode) {
+  std::string text = capitalised(mode.title.text());
+  if (mode.utilisation) text += ", utilisation " + report::utilisation_text(*mode.utilisation);
+  if (mode.compared) text += " (" + report::short_pair(mode.compared->demand, mode.compared->capacity) + ")";
+  return text;
+}
+
+/// What was found and why it is no smaller, else the size of the part.
+Lines size_lines(const Summary& summary, const Limits& limits, const Look& look) {
+  Lines lines;
+  for (const Component& component : summary.components) {
+    for (std::size_t i = 0; i < component.sizes.size(); ++i) {
+      std::string line = (component.is_sized ? "* " : "  ") + component.sizes[i];
+      if (component.sizes.size() == 1 && summary.next.size() == 1) line += "; " + told(summary.next.front().size);
+      for (std::string& part : lines_of(line, look.width, 2)) lines.push_back(std::move(part));
+    }
+  }
+  if (summary.next.size() < 2) return lines;
+  for (std::string& line : next_lines(summary, limits, look)) lines.push_back(std::move(line));
+  return lines;
+}
+
+Lines rows_as_lines(std::vector<std::vector<std::string>> rows, const Look& look) {
+  Lines lines;
+  const std::string all = columns(rows, look.width);
+  for (std::size_t at = 0; at < all.size();) {
+    const std::size_t end = std::min(all.find('\n', at), all.size());
+    for (std::string& line : lines_of(all.substr(at, end - at), look.width, 4)) lines.push_back(std::move(line));
+    at = end + 1;
+  }
+  return lines;
+}
+
+/// The formulas that the governing check follows from, the last of them where they are many.
+Lines formula_lines(const project::Step& step, const account::Mode& mode, const Limits& limits, const Look& look) {
+  const auto all = report::reasons_of(step.account(), mode.governs).lines;
+  const std::size_t shown = std::min(limits.of(Limits::formulas), all.size());
+  std::vector<std::vector<std::string>> rows;
+  for (const account::Derived& line : std::span(all).last(shown)) {
+    auto row = line_row(line, false);
+    row[1] = "= " + report::short_quantity(line.step.value.si, line.step.value.unit);
+    rows.push_back(std::move(row));
+  }
+  Lines lines;
+  if (!step.account().governing.empty() && shown > 0)
+    lines = lines_of("  evaluated " + step.account().governing.text(), look.width, 2);
+  if (all.size() > shown) lines.push_back("  " + std::to_string(all.size() - shown) + " formulas before: --full");
+  for (std::string& line : rows_as_lines(std::move(rows), look)) lines.push_back(std::move(line));
+  return lines;
+}
+
+/// Of a step without a utilisation: its results.
+Lines result_lines(const project::Step& step, const Limits& limits, const Look& look) {
+  std::vector<std::vector<std::string>> rows;
+  std::size_t left = 0;
+  for (const account::Entry& e : step.account().results) {
+    if (!e.brief || e.role != Role::result || account::is_open(e)) continue;
+    if (rows.size() < limits.of(Limits::formulas))
+      rows.push_back({"  " + e.path, value_text(e), e.doc});
+    else
+      ++left;
+  }
+  Lines lines = rows_as_lines(std::move(rows), look);
+  if (left > 0) lines.push_back("  " + std::to_string(left) + " more results: --full");
+  return lines;
+}
+
+}  // namespace
+
+std::string short_answer(const Summary& summary, const Look& look) {
+  return fitted(
+      [&](const Limits& limits) {
+        return std::vector<Lines>{
+            title_lines(summary, look),        search_lines(summary, look),
+            part_lines(summary, limits, look), gap_lines(summary, limits, look),
+            open_lines(summary, limits, look), more_line("loadpath why FILE " + summary.governing_step, look)};
+      },
+      look);
+}
+
+std::string short_answer(const Summary& summary, const project::Step& step, const Look& look) {
+  const auto& component = summary.components;
+  const auto governing = component.empty() ? std::nullopt : component.front().governing;
+  const bool has_check = governing && governing->utilisation;
+  return fitted(
+      [&](const Limits& limits) {
+        Lines head = verdict_lines(summary, look);
+        if (has_check) {
+          for (std::string& line : lines_of(governing_text(*governing), look.width, 2)) head.push_back(std::move(line));
+        }
+        return std::vector<Lines>{
+            head,
+            search_lines(summary, look),
+            size_lines(summary, limits, look),
+            has_check ? formula_lines(step, *governing, limits, look) : result_lines(step, limits, look),
+            gap_lines(summary, limits, look),
+            open_lines(summary, limits, look),
+            more_line("loadpath describe " + std::string(step.input().calculator->id), look)};
+      },
+      look);
+}
+
+}  // namespace loadpath::terminal

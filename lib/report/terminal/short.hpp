@@ -1,0 +1,16 @@
+// The short answer: verdict, components, next sizes, what is not assessed, in at most 25 lines.
+#pragma once
+
+#include "lib/report/summary/summary.hpp"
+#include "lib/report/terminal/look.hpp"
+
+#include <string>
+
+namespace loadpath::terminal {
+
+/// Of a project file.
+std::string short_answer(const report::Summary& summary, const Look& look);
+/// Of one calculator on the shell: with the formulas of the check that governs.
+std::string short_answer(const report::Summary& summary, const project::Step& step, const Look& look);
+
+}  // namespace loadpath::terminal

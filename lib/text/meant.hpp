@@ -1,0 +1,26 @@
+// What a wrong word was meant for, with what the right ones mean.
+#pragma once
+
+#include "lib/text/issue.hpp"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace loadpath {
+
+/// A word that may be typed, and what it means.
+struct Known {
+  std::string word;
+  std::string meaning;
+};
+
+/// "did you mean 'd_bore' (bore diameter)?": the nearest by name, longer ones that begin alike, else those in
+/// whose meaning the word is; three at most, behind `prefix`. `otherwise` where there is none.
+Message meant(std::string_view word, const std::vector<Known>& known, Message otherwise,
+              const std::string& prefix = {});
+
+/// "there is: l (length), d (diameter)"; of many the words only.
+Message there_is(const std::vector<Known>& known);
+
+}  // namespace loadpath

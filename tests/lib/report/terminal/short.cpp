@@ -1,0 +1,155 @@
+#include "lib/report/terminal/short.hpp"
+
+#include "calculators/catalogue.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
+#include "lib/toml/tree.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+using namespace loadpath;
+using terminal::Look;
+
+namespace {
+
+project::Project solved(const std::string& text, const std::string& file) {
+  std::vector<Issue> issues;
+  project::Project project = project::read_project(text, file, catalogue(), issues);
+  REQUIRE_FALSE(has_errors(issues));
+  project::solve(project, issues, {.pictures = false, .formulas = true});
+  REQUIRE_FALSE(has_errors(issues));
+  return project;
+}
+
+/// Every example that is one machine: a sweep has no answer of this form.
+std::vector<std::string> examples() {
+  std::vector<std::string> files;
+  for (const auto& entry : std::filesystem::directory_iterator(LOADPATH_ROOT "/examples")) {
+    const std::filesystem::path file = entry.path() / "project.toml";
+    if (std::filesystem::exists(file) && entry.path().filename() != "strut-sweep") files.push_back(file.string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+project::Project example(const std::string& file) {
+  std::string text;
+  REQUIRE(toml::read_file(file, text));
+  return solved(text, file);
+}
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = text.find('\n', at);
+    lines.push_back(text.substr(at, end - at));
+    at = end + 1;
+  }
+  return lines;
+}
+
+bool begins_with_headline(const std::string& text) {
+  const std::vector<std::string> words{"PASS (", "FAIL  ", "INCOMPLETE  ", "NO SOLUTION  "};
+  return std::any_of(words.begin(), words.end(), [&](const std::string& word) { return text.starts_with(word); });
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string failing = R"([axle]
+calculator = "shaft.torsion"
+T = "2700 N*m"
+d = "70 mm"
+tau_adm = "30 MPa"
+)";
+
+}  // namespace
+
+TEST_SUITE("short answer") {
+  TEST_CASE("of every example: the verdict first, at most 25 lines of 80 columns, no line wider than it may be") {
+    CHECK(examples().size() >= 16);
+    for (const std::string& file : examples()) {
+      CAPTURE(file);
+      const report::Summary summary = report::summarise(example(file));
+      for (const std::size_t width : {60U, 80U, 100U, 120U}) {
+        CAPTURE(width);
+        const std::string text = terminal::short_answer(summary, {.width = width});
+        const auto lines = lines_of(text);
+        CHECK(begins_with_headline(text));
+        if (width >= 80) CHECK(lines.size() <= 25);
+        for (const std::string& line : lines) CHECK_MESSAGE(terminal::length_of(line) <= width, line);
+        CHECK(contains(text, "Demand / capacity") == (width >= 100));
+        CHECK(contains(text, "More: --full"));
+      }
+    }
+  }
+
+  TEST_CASE("where the locale has no UTF-8 there are signs of ASCII alone") {
+    for (const std::string& file : examples()) {
+      CAPTURE(file);
+      const std::string text = terminal::short_answer(report::summarise(example(file)), {.width = 80, .utf8 = false});
+      const bool is_plain =
+          std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 128; });
+      CHECK_MESSAGE(is_plain, text);
+    }
+    CHECK(terminal::bar(0.859, {.utf8 = false}) == "########..");
+    CHECK(terminal::bar(1.2, {.utf8 = false}) == "#########>");
+  }
+
+  TEST_CASE("a bar has ten cells: full at 1, not before, an arrow beyond") {
+    CHECK(terminal::bar(0.859, {}) == "████████▋░");
+    CHECK(terminal::bar(1.0, {}) == "██████████");
+    CHECK(terminal::bar(0.9997, {}) == "█████████▉");
+    CHECK(terminal::bar(1.0002, {}) == "█████████▶");
+    CHECK(terminal::bar(0.0, {}) == "░░░░░░░░░░");
+  }
+
+  TEST_CASE("a failure names its mode, its utilisation, demand and capacity; the row comes first") {
+    const std::string text = terminal::short_answer(report::summarise(solved(failing, "a.toml")), Look{});
+    CHECK(text.starts_with("FAIL  "));
+    CHECK(contains(lines_of(text)[0], ", utilisation 1.336 (40.1 / 30 MPa)"));
+    CHECK(lines_of(text)[1].starts_with("1 of 1 fail, 0 pass"));
+    CHECK(contains(text, "  axle       d = 70 mm  "));
+    CHECK(contains(text, " 1.336 █████████▶\n"));
+  }
+
+  TEST_CASE("every calculator declares what stands in the size column, by fields that it has") {
+    for (const Calculator* calculator : calculators()) {
+      CAPTURE(std::string(calculator->id));
+      const std::string headline = calculator->headline;
+      CHECK_FALSE(headline.empty());
+      for (std::size_t at = headline.find('{'); at != std::string::npos; at = headline.find('{', at + 1)) {
+        std::string key = headline.substr(at + 1, headline.find('}', at) - at - 1);
+        if (key.ends_with('#')) key.pop_back();
+        if (calculator->result == nullptr) continue;  // a mechanism: names of the input make its results
+        const auto groups = table_groups(*calculator);
+        const bool known = find_field(calculator->input->fields, key) != nullptr ||
+                           find_field(calculator->result->fields, key) != nullptr ||
+                           std::find(groups.begin(), groups.end(), key) != groups.end();
+        CHECK_MESSAGE(known, (std::string(calculator->id) + " " + key));
+      }
+    }
+  }
+
+  TEST_CASE("what the answer is made of is data: the next smaller size, demand and capacity, the step to add") {
+    const report::Summary shaft = report::summarise(example(LOADPATH_ROOT "/examples/line-shaft/project.toml"));
+    REQUIRE(shaft.next.size() == 1);
+    CHECK(shaft.next[0].size.name == "95 mm");
+    CHECK(shaft.next[0].size.mode == "twist");
+    CHECK(shaft.next[0].size.fails == "u_theta");
+    CHECK(shaft.next[0].size.number.value_or(0.0) == doctest::Approx(1.0552).epsilon(1e-4));
+    REQUIRE(shaft.components.size() == 1);
+    REQUIRE(shaft.components[0].governing);
+    REQUIRE(shaft.components[0].governing->compared);
+    CHECK(shaft.components[0].governing->compared->demand.unit == "deg/m");
+    const report::Summary press = report::summarise(example(LOADPATH_ROOT "/examples/press/project.toml"));
+    const auto adds = [](const report::Gap& gap) {
+      return gap.action == "add a step of fatigue.cycle with cycle = \"=rod.cycle\"";
+    };
+    CHECK(std::any_of(press.gaps.begin(), press.gaps.end(), adds));
+  }
+}

@@ -22,10 +22,10 @@ struct Verdict {
   std::string symbol;  // "u_tau"
   Message meaning;
   std::optional<double> utilisation = {};  // none for a limit
-  Cell value = {};                         // what is compared
+  Cell value = {};                         // compared quantity
   Message bound;                           // "passes at 1 or less", "0 to 0.9"
   State state = State::not_available;
-  Message note = {};                      // where it governs, why it is not covered; may be empty
+  Message note = {};                      // for the governing row, the reason why it is not covered; may be empty
   std::optional<Compared> compared = {};  // of a check whose formula is one value over another
   std::optional<Quantity> at = {};        // the position of a series where it governs
 };

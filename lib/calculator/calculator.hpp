@@ -70,7 +70,7 @@ using Survey = void (*)(void* input, std::span<const InputColumn> in, std::span<
 struct Calculator {
   const char* id = "";     // "shaft.torsion"
   const char* title = "";  // "Torsion of a shaft"
-  const char* scope = "";  // what it decides, what it assumes, what it does not cover
+  const char* scope = "";  // subject, assumptions, exclusions
   const char* synonyms = "";  // what people search by, in English, German and Russian: "feather key, Passfeder, шпонка"
   const char* source = "";   // keys of tables/sources.toml: "[B19]"
   const char* example = "";  // a project file that runs

@@ -132,7 +132,7 @@ void write_assessment(const account::Mode& mode, JsonWriter& out) {
   out.close_object();
 }
 
-/// The verdict on a part or a machine: its worst mode, what it covers, and every mode.
+/// The verdict on a part or a project: its worst mode, its coverage, and every mode.
 void write_modes(const project::Project& project, JsonWriter& out) {
   const account::Modes modes = project::modes(project);
   out.key("verdict").open_object();

@@ -25,7 +25,7 @@ struct Beyond {
 };
 /// Titles, scopes and synonyms.
 std::string json_of(const std::vector<Listed>& list, const std::vector<Beyond>& beyond);
-/// One with its inputs, results, rules, modes of failure, sources and example.
+/// One with its inputs, results, rules, failure modes, sources and example.
 std::string json_of(const Calculator& calculator);
 
 /// The tables and series that there are.

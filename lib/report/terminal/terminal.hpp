@@ -1,4 +1,4 @@
-// What the terminal shows: issues, a solved project in brief, tables; colour only where someone looks.
+// The output on the terminal: issues, a solved project in brief, tables; colour only if it is a terminal.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -10,12 +10,12 @@
 
 namespace loadpath::terminal {
 
-/// What issues point into.
+/// The source text that issues point into.
 struct SourceText {
   std::string file;
   std::string text;
 };
-/// Issues with their lines of these texts, as they are shown where nobody looks at a terminal.
+/// Issues with their lines of these texts, as shown without a terminal.
 std::string issues_text(const std::vector<Issue>& issues, const std::vector<SourceText>& sources);
 /// The same on standard error.
 void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources);

@@ -11,7 +11,7 @@ namespace loadpath::cli {
 
 using ReadProject = std::function<project::Project(std::vector<Issue>& issues)>;
 
-/// `usual`: how much the tables of the terminal tell where the shell does not say it; full: of one calculator.
+/// `usual`: the level of detail of the terminal's tables if the shell does not give it; full: for one calculator.
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
                    const OutputOptions& output, report::Detail usual);
 

@@ -20,9 +20,9 @@ struct NextSize {
   std::optional<double> si = {};      // none of a row
   std::string fails = {};             // a check or a limit, "u_theta", "seats.coupling.x_c"; empty: a rule
   std::string mode = {};              // that it decides: "twist"; may be empty
-  Message title = {};                 // of that mode
+  Message title = {};                 // title of that mode
   std::optional<double> number = {};  // the utilisation, or the value of the limit
-  std::string unit = {};              // of that value; "-" of a utilisation
+  std::string unit = {};              // unit of that value; "-" for a utilisation
   Message reason = {};                // "u_theta = 1.055"
 };
 
@@ -33,7 +33,7 @@ struct Origin {
   bool recalled = false;              // the row's source was not seen: flagged in the report
   bool searched = false;              // found by a search
   bool assumed = false;               // default value, not given by the user
-  std::optional<NextSize> next = {};  // of what a search has found
+  std::optional<NextSize> next = {};  // for a result of a search
 };
 
 /// A named quantity of a step.

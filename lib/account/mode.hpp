@@ -32,9 +32,9 @@ struct Mode {
   std::string use, add;                   // calculators that assess it: as a replacement of this one, or in addition
   std::string wants;                      // inputs that permit an assessment: "sigma_adm_1"
   Message note;                           // for the governing mode, the reason for acceptance; may be empty
-  std::optional<Compared> compared = {};  // utilisation of the governing row
+  std::optional<Compared> compared = {};  // demand and capacity of the governing row
   std::optional<Quantity> at = {};        // the position of a series where it governs
-  std::string takes = {};                 // what such a step takes: cycle = "=rod.cycle"
+  std::string takes = {};                 // input of such a step: cycle = "=rod.cycle"
 };
 using Modes = std::vector<Mode>;
 

@@ -11,7 +11,7 @@
 
 namespace loadpath::account {
 
-/// What a check compares, in one unit: its utilisation is their ratio.
+/// The values compared by a check, in one unit: its utilisation is their ratio.
 struct Compared {
   Quantity demand, capacity;
 };
@@ -26,7 +26,7 @@ struct Verdict {
   Message bound;                           // "passes at 1 or less", "0 to 0.9"
   State state = State::not_available;
   Message note = {};                      // for the governing row, the reason why it is not covered; may be empty
-  std::optional<Compared> compared = {};  // of a check whose formula is one value over another
+  std::optional<Compared> compared = {};  // if the formula of the check is one value over another
   std::optional<Quantity> at = {};        // the position of a series where it governs
 };
 struct Verdicts {

@@ -345,10 +345,10 @@ struct ListField : detail::Described<ListField<Owner, Items>> {
   }
 };
 
-/// A rule between fields: alternatives, order, sums, and customs, whose breach only warns. `fields` names them,
-/// separated by ", ". `particulars`, where there are any, says of an input that breaks the rule what the text leaves
-/// open: which element, how much, what to do. An empty path or message there stands for the rule's own. A rule that
-/// only warns may name the modes of failure whose verdicts show it: what is assumed in place of an input.
+/// A rule between fields: alternatives, order, sums, and customs, whose violation only warns. `fields` names them,
+/// separated by ", ". `particulars`, if any, adds the details of a violation that the text leaves open: element,
+/// amount, remedy. An empty path or message there means that of the rule. A rule that only warns may name the failure
+/// modes whose verdicts show it: an assumption in place of an input.
 template <class Input>
 struct Rule {
   bool (*holds)(const Input&);

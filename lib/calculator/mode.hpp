@@ -27,7 +27,7 @@ struct ModeInfo {
   const char* judge = "";    // the calculator that assesses it, or the rest of its checks; without both nothing does
   const char* taken = "";    // how that assesses it: modes of it, by the record that it takes, "sun_mesh.root_1"
   const char* wants = "";    // inputs needed to assess it, if its checks do not show them
-  const char* request = "";  // how to ask for the inputs of its checks, where a list of them does not say it
+  const char* request = "";  // request for the inputs of its checks, if a list of them does not suffice
   const char* advice = "";   // other remedy if no input is missing
   const char* use = "";      // the calculator that assesses it when it takes the place of this one: "shaft.design"
   const char* add = "";      // calculators of which an additional step assesses it: "shaft.key, shaft.spline"
@@ -67,7 +67,7 @@ struct Mode : ModeInfo {
     mode.wants = inputs;
     return mode;
   }
-  /// What to give where no check is asked for, in words: "give tau_adm, or S with R_e".
+  /// The request for inputs if no check is active, in words: "give tau_adm, or S with R_e".
   [[nodiscard]] constexpr Mode asking(const char* text) const {
     Mode mode = *this;
     mode.request = text;

@@ -18,7 +18,7 @@ struct Listed {
   std::string found_by;  // "title", "synonym"; the list is an answer to a search
   std::string found_in;  // the synonym or failure mode; empty where there is none
 };
-/// What a search asks for and no calculator has.
+/// A search word without any calculator.
 struct Beyond {
   std::string what;
   std::vector<std::string> nearest;  // ids

@@ -36,7 +36,7 @@ struct Project {
   std::vector<Pass> passes;                     // order of solving: like `order`, but some steps are solved twice
   std::vector<std::string> references;          // references between the steps: full paths
   std::shared_ptr<const table::Tables> tables;  // the project's own before the built-in ones
-  Catalogue catalogue;                          // of which calculators its steps may be
+  Catalogue catalogue;                          // catalogue of its steps' calculators
   std::vector<NamedFile> files;                 // further files that were read
   std::map<std::string, Value> table_values;    // values named in expressions: "tables.materials.S355.E"
   std::map<std::string, Value> beforehand;      // inputs that others take before their steps are solved

@@ -321,7 +321,7 @@ class Check {
 
   double own_value(const std::string& key) { return given_factor(step_.input(), key); }
 
-  /// Of a step that may not be solved yet.
+  /// The factor given in a step that may not be solved yet.
   double given_factor(const StepInput& step, const std::string& key) const {
     const auto known = [&](const std::string& path) -> const Value& { return value_at(path); };
     for (const Operand& operand : step.reading.operands) {

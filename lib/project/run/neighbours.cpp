@@ -265,8 +265,8 @@ void add_sources_beside(const Evaluation& evaluation, const Known& known, std::v
   }
 }
 
-/// What the step has otherwise than the one whose result it takes: the length of a bar whose effective length factor
-/// was calculated for another one.
+/// Adds values that differ from the step whose result is taken: the length of a bar whose effective length factor was
+/// calculated for another one.
 void add_origins_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
   for (const Operand& operand : evaluation.step().input().reading.operands) {
     if (*operand.leaf.field->made_for == '\0' || !operand.expression.is_reference()) continue;

@@ -26,10 +26,10 @@ void show_short(const project::Project& project);
 void show_calculation(const project::Project& project);
 /// The verdict, and every failure mode with its state, its utilisation, and what that rests on.
 void show_modes(const project::Project& project);
-/// The verdict in a line, where it is no pass.
+/// The verdict in a line, unless it is a pass.
 void show_unless_passed(const project::Project& project);
-/// A solved project in full: its parts, and last the answer. Brief: that alone; full: with lists, formulas, every
-/// verdict.
+/// A solved project in full: its parts, and last the answer. Brief: only the answer; full: with lists, formulas,
+/// every verdict.
 void show_project(const project::Project& project, report::Detail detail);
 
 /// Paragraphs and tables of a document; its figures are not shown.

@@ -235,8 +235,8 @@ Issue JointSearch::no_sizes() {
                   say("give '{1}' a value, or search for more sizes", first));
 }
 
-/// What one of them fails where it is a size smaller beside the others as they are; nothing where no smaller one goes
-/// with them.
+/// The check that fails if one of them is a size smaller, with the others unchanged; nothing if no smaller one is
+/// possible with them.
 std::optional<account::NextSize> JointSearch::next_of(const SizeIndices& laid, std::size_t which) {
   if (!sizes_.shrink(laid, which)) return std::nullopt;
   const double size = sizes_.at(which).size();

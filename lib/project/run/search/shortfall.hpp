@@ -28,12 +28,12 @@ FailedValues failed_values(Evaluation& evaluation, Passing& passing);
 /// The values that fail with a smaller and with a larger candidate, and do not improve with the larger.
 FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& larger);
 
-/// What a candidate is refused for.
+/// The reason for refusing a candidate.
 struct CandidateFault {
   Message text;                       // "u_theta = 1.055"
   std::string row = {};               // the check or the limit; empty: a rule, or a size that does not settle
   std::optional<double> number = {};  // the utilisation, or the value of the limit
-  std::string unit = {};              // of that value
+  std::string unit = {};              // unit of that value
 };
 /// At the sizes that follow from it.
 CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing);

@@ -89,7 +89,7 @@ def comments(path):
 
 
 def plain(comment):
-    return re.sub(r"`[^`]*`|\"[^\"]*\"|\b\w+(?:/\w+)*\.(?:[ch]pp|toml|py|md)\b", "0", comment)
+    return re.sub(r"`[^`]*`|\"[^\"]*\"|\b\w+(?:/\w+)+(?:\.\w+)?|\b\w+\.[ch]pp\b", "0", comment)
 
 
 def found(path, comment):

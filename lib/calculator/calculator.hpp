@@ -71,8 +71,7 @@ struct Calculator {
   const char* id = "";        // "shaft.torsion"
   const char* title = "";     // "Torsion of a shaft"
   const char* scope = "";     // subject, assumptions, exclusions
-  const char* synonyms = "";  // search words of users, in English, German and Russian: "feather key, Passfeder,
-                              // шпонка"
+  const char* synonyms = "";  // search words in English, German and Russian: "feather key, Passfeder, шпонка"
   const char* source = "";    // keys of tables/sources.toml: "[B19]"
   const char* example = "";   // a project file that runs
   /// The size of its part in a phrase: "C = {C}", "{b#}x{h#}x{l}" where # leaves the unit out; several behind | where

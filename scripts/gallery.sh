@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the pictures of reports that README.md shows, docs/gallery/*.png, by Chromium: sh scripts/gallery.sh [PROGRAM]
+# Makes the pictures of reports that docs/gallery/README.md shows, docs/gallery/*.png, by Chromium: sh scripts/gallery.sh [PROGRAM]
 set -eu
 cd "$(dirname "$0")/.."
 program=${1:-build/release/cli/loadpath}

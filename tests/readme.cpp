@@ -1,4 +1,4 @@
-// What README.md says that can be typed works as it says.
+// The commands of README.md and docs work as stated.
 #include "lib/project/parts.hpp"
 #include "lib/toml/tree.hpp"
 #include "tests/pages.hpp"
@@ -24,13 +24,16 @@ std::vector<Command> commands_of_page(const std::string& page) {
 
 TEST_SUITE("readme") {
   TEST_CASE("every command line exits with the code that it is said to") {
-    std::string text;
-    REQUIRE(toml::read_file(LOADPATH_ROOT "/README.md", text));
-    const auto commands = commands_of_page(text);
-    CHECK(commands.size() > 5);
-    const Desk desk;
-    std::filesystem::create_directory_symlink(LOADPATH_ROOT "/examples", desk.folder() / "examples");
-    for (const Command& command : commands) typed(desk, command);
+    for (const char* page : {"/README.md", "/docs/commands.md"}) {
+      CAPTURE(page);
+      std::string text;
+      REQUIRE(toml::read_file(std::string(LOADPATH_ROOT) + page, text));
+      const auto commands = commands_of_page(text);
+      CHECK(commands.size() > 5);
+      const Desk desk;
+      std::filesystem::create_directory_symlink(LOADPATH_ROOT "/examples", desk.folder() / "examples");
+      for (const Command& command : commands) typed(desk, command);
+    }
   }
 
   TEST_CASE("what docs/sweeps.md shows works, one command after the other") {
@@ -46,14 +49,16 @@ TEST_SUITE("readme") {
     std::string words;
     for (const char* word : project::reserved_names()) words += (words.empty() ? "" : " ") + std::string(word);
     std::string text;
-    REQUIRE(toml::read_file(LOADPATH_ROOT "/README.md", text));
+    REQUIRE(toml::read_file(LOADPATH_ROOT "/docs/project-file.md", text));
     std::replace(text.begin(), text.end(), '\n', ' ');
     CHECK(text.find("cannot name one: `" + words + "`.") != std::string::npos);
   }
 
+  TEST_CASE("README.md is at most 10 kB") { CHECK(std::filesystem::file_size(LOADPATH_ROOT "/README.md") <= 10240); }
+
   TEST_CASE("every command of the help stands in a line that can be typed") {
     std::string text;
-    REQUIRE(toml::read_file(LOADPATH_ROOT "/README.md", text));
+    REQUIRE(toml::read_file(LOADPATH_ROOT "/docs/commands.md", text));
     std::istringstream help(loadpath_with({"--help"}).out);
     std::string line;
     while (std::getline(help, line) && line != "Subcommands:") continue;

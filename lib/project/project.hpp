@@ -1,4 +1,4 @@
-// A project file: its steps, the order in which they follow from one another, and what is expected of them.
+// A project file: its steps, the order in which they follow from one another, and its expectations.
 #pragma once
 
 #include "lib/project/catalogue.hpp"
@@ -35,7 +35,7 @@ struct Project {
   std::set<std::string> unread;                 // names of steps that have an error instead of a calculator
   std::vector<std::size_t> order;               // of evaluation
   std::vector<Pass> passes;                     // of solving: in that order, but for steps that are solved twice
-  std::vector<std::string> references;          // of the steps to one another: full paths
+  std::vector<std::string> references;          // order of solving: like `order`, but some steps are solved twice
   std::shared_ptr<const table::Tables> tables;  // the project's own before the built-in ones
   Catalogue catalogue;                          // of which calculators its steps may be
   std::vector<NamedFile> files;                 // that were read beside its own

@@ -168,7 +168,7 @@ Tree Calling::tree_of(const Given& given, const FieldInfo* field) {
   if (const auto* toml = std::get_if<Inline>(&given.value)) return tree_of_inline(given, toml->toml);
   if (const auto* words = std::get_if<std::vector<std::string>>(&given.value))
     return tree_of_words(given, field, *words);
-  static const FieldInfo number;  // for keys that are not fields the reader reports what it accepts
+  static const FieldInfo number;  // for keys other than fields, the reader reports the keys that it accepts
   const auto* const one = std::get_if<double>(&given.value);
   if (one == nullptr)
     return tree_of_numbers(given, field == nullptr ? number : *field, std::get<std::span<const double>>(given.value));

@@ -38,7 +38,7 @@ struct Call {
   Sources sources;
 };
 
-/// An Error if a name, a unit, a type or a length is wrong; what values are wrong says who reads the project.
+/// An Error if a name, a unit, a type or a length is wrong; the reader of the project reports wrong values.
 Call read_call(const loadpath::Calculator& calculator, std::span<const Given> inputs);
 
 /// The unit in which a number of the field is SI: "kg*m^2/s^2".

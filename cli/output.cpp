@@ -141,7 +141,7 @@ bool add_figures(const project::Project& project, const std::string& path, std::
   return true;
 }
 
-/// FILE.dxf with what is drawn to scale, or, of several, a folder with a file for each. False if one file cannot
+/// FILE.dxf with the figures drawn to scale, or, for several, a folder with a file for each. False if one file cannot
 /// hold them.
 bool add_drawings(const project::Project& project, const std::string& path, std::vector<File>& files) {
   if (path.empty()) return true;

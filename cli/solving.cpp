@@ -59,7 +59,7 @@ OutputOptions with_report_of(const project::Project& project, OutputOptions outp
   return output;
 }
 
-/// That values which the project expects are others: no part of its verdict.
+/// Reports values that differ from the project's expectations, which are not part of its verdict.
 void tell_misses(const project::Project& project) {
   const auto all = project::compare(project);
   const auto misses = std::count_if(all.begin(), all.end(), [](const project::Comparison& c) { return !c.holds; });

@@ -1,4 +1,4 @@
-// What `run` and the calculators of the shell share: read, solve, write, show, and the exit code.
+// The common part of `run` and the calculators of the shell: read, solve, write, show, and the exit code.
 #pragma once
 
 #include "calculators/catalogue.hpp"
@@ -11,15 +11,15 @@ namespace loadpath::cli {
 
 using ReadProject = std::function<project::Project(std::vector<Issue>& issues)>;
 
-/// `usual`: how much the tables of the terminal tell where the shell does not say it; full: of one calculator.
+/// `usual`: the level of detail of the terminal's tables if the shell does not give it; full: for one calculator.
 int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceText>& sources,
                    const OutputOptions& output, report::Detail usual);
 
-/// What issues point into: these, and the files that the project was read from beside its own.
+/// The source texts for issues: these, and the further files that the project was read from.
 std::vector<terminal::SourceText> with_files_of(const project::Project& project,
                                                 std::vector<terminal::SourceText> sources);
 
-/// The exit code that modes of failure amount to.
+/// The exit code that failure modes amount to.
 int exit_for(const account::Modes& modes);
 
 }  // namespace loadpath::cli

@@ -33,7 +33,7 @@ class Scratch {
   void release(const std::filesystem::path& path);
   /// A new folder; empty if there can be none.
   std::filesystem::path create_folder();
-  /// A folder with those that it lies in; what stays empty of them is removed.
+  /// A folder with its parent folders; those that remain empty are removed.
   void create_parents(const std::filesystem::path& folder);
   /// The message on standard error if a signal ends the program at once.
   void leave_word(std::string word);
@@ -49,7 +49,7 @@ class Scratch {
   std::atomic<bool>* asked_;
   std::mutex mutex_;
   std::vector<std::filesystem::path> paths_;
-  std::vector<std::filesystem::path> parents_;  // that were made for outputs, outer ones first
+  std::vector<std::filesystem::path> parents_;  // folders created for outputs, outer ones first
   std::string word_;
   pid_t child_ = 0;
   sigset_t before_;

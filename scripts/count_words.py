@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
-"""Counts words in comments that make them hard to read, per 1,000 words of comment.
+"""Counts words per 1,000 words of comment that make comments hard to read: WORDS, HEADLESS and SWEPT below.
 
 Usage: python3 scripts/count_words.py [--max N] [--list] [PATH...]
 
-Counted are C++ comments and Python `#` comments of the files that git tracks below the paths (default: api, calculators, cli, lib,
-python, tests). Strings, code, paths, names in backquotes and quoted text do not count. Prints one line per folder (two levels) and the
-total; `--list` prints each comment with a counted word as FILE:LINE: WORDS: TEXT. `--max N` exits 1 if the total exceeds N per
-1,000 words.
+Reads the C++ comments and Python `#` comments of the files that git tracks below the paths (default: api,
+calculators, cli, lib, python, tests). Strings, code, paths, names in backquotes and quoted text do not count.
+Prints one line per folder (two levels) and the total; `--list` prints each comment with a counted word as
+FILE:LINE: WORDS: TEXT. `--max N` exits 1 if the total exceeds N per 1,000 words.
 """
 
 import argparse
@@ -40,9 +40,9 @@ WORDS = [
     r"anew",
 ]
 FORBIDDEN = re.compile(r"\b(?:" + "|".join(WORDS) + r")\b", re.IGNORECASE)
-# A sentence that begins with a relative clause without a head, or with the genitive of one.
+# Sentences that begin with a relative clause without a head, or with a genitive; a question may.
 HEADLESS = re.compile(r"(?:^|(?<=[.!?:] ))(?:What|Of)\b(?![^.:]*\?)|^(?:what|of)\b")
-# A point of a sweep is called a point or a design; elsewhere a machine is a computer or a machine element.
+# A point of a sweep is a point or a design, not a machine; counted in files with "sweep" in their path.
 SWEPT = re.compile(r"\bmachines?(?!-)\b", re.IGNORECASE)
 WORD = re.compile(r"[A-Za-z]+(?:['-][A-Za-z]+)*")
 
@@ -72,7 +72,7 @@ def python_comments(text):
 
 
 def comments(path):
-    """Yields (line, text) of each comment: one behind code goes on in lines that do not begin with a capital."""
+    """Yields (line, text) of each comment. After code, it continues in lines that do not begin with a capital."""
     text = path.read_text(encoding="utf-8")
     start, last, parts, behind = 0, 0, [], False
     for line, trails, part in python_comments(text) if path.suffix == ".py" else cpp_comments(text):
@@ -89,7 +89,7 @@ def comments(path):
 
 
 def plain(comment):
-    return re.sub(r"`[^`]*`|\"[^\"]*\"|\b\w+(?:/\w+)*\.(?:[ch]pp|toml|py|md)\b", "0", comment)
+    return re.sub(r"`[^`]*`|\"[^\"]*\"|\b\w+(?:/\w+)+(?:\.\w+)?|\b\w+\.[ch]pp\b", "0", comment)
 
 
 def found(path, comment):
@@ -98,6 +98,14 @@ def found(path, comment):
     if "sweep" in str(path):
         hits += [match.group().lower() for match in SWEPT.finditer(comment)]
     return hits
+
+
+def rate(count, of):
+    return 1000 * count / of if of else 0.0
+
+
+def show(name, count, of):
+    print(f"{name:30} {count:5} of {of:6} words: {rate(count, of):5.1f} per 1,000")
 
 
 def main():
@@ -124,11 +132,10 @@ def main():
             if bad and options.list:
                 print(f"{name}:{line}: {', '.join(bad)}: {comment}")
 
-    rate = lambda count, of: 1000 * count / of if of else 0.0
     for folder in sorted(words):
-        print(f"{folder:30} {hits[folder]:5} of {words[folder]:6} words: {rate(hits[folder], words[folder]):5.1f} per 1,000")
+        show(folder, hits[folder], words[folder])
+    show("total", sum(hits.values()), sum(words.values()))
     total = rate(sum(hits.values()), sum(words.values()))
-    print(f"{'total':30} {sum(hits.values()):5} of {sum(words.values()):6} words: {total:5.1f} per 1,000")
     if options.max is not None and total > options.max:
         print(f"error: more than {options.max:g} per 1,000 words", file=sys.stderr)
         return 1

@@ -31,18 +31,18 @@ std::vector<Block> blocks_of(const std::string& page);
 /// The lines of code that start with the program's name; a backslash at the end continues on the next line.
 std::vector<Command> commands_of(const std::string& code);
 
-/// Those outside of code.
+/// The links outside of code.
 std::vector<Link> links_of(const std::string& page);
 
 /// The names that a "#..." can have: of the headings, as GitHub makes them.
 std::vector<std::string> anchors_of(const std::string& page);
 
-/// README.md, CONTRIBUTING.md, CHANGELOG.md, and what lies under docs, by their paths within the repository.
+/// README.md, CONTRIBUTING.md, CHANGELOG.md, and the files under docs, by their paths within the repository.
 std::vector<std::string> documents();
 
 std::string text_of(const std::filesystem::path& path);
 
-/// Runs a command; `watch` until its page is there, and ends it by Ctrl-C. CHECKs its exit code, gives what it printed.
+/// Runs a command; `watch` until its page is there, and ends it by Ctrl-C. CHECKs its exit code, returns its output.
 std::string typed(const Desk& desk, const Command& command);
 
 /// The error in the lines shown, in which "..." replaces omitted ones; empty if there is none.

@@ -1,4 +1,4 @@
-// Tests wait for what can be seen, never for a time: machines differ, and may do other things as well.
+// Tests wait for observable events, never for a time: computers differ, and may be busy with other work.
 #pragma once
 
 #include <chrono>

@@ -20,9 +20,9 @@ struct Field {
   Role role = Role::input;
   std::string kind;     // "stress"; "word", "list", ... for non-numbers
   std::string si_unit;  // "Pa"
-  std::string unit;     // that people read it in: "MPa"
+  std::string unit;     // display unit: "MPa"
   bool optional = false;
-  std::vector<std::string> words;  // that it may be
+  std::vector<std::string> words;  // possible words
 };
 
 /// A value in the syntax of a project file: "[{ x = \"0 mm\", T = \"5 N*m\" }]".

@@ -22,7 +22,7 @@ class Project {
   [[nodiscard]] const std::vector<std::string>& swept() const { return swept_; }
 
   [[nodiscard]] Solution solve(bool strict = false) const;
-  /// One point of its sweep, counted from 0, as a machine of its own.
+  /// One point of its sweep, counted from 0, as a separate design.
   [[nodiscard]] Solution solve_point(std::uint64_t point, const SweepOptions& points = {}) const;
   [[nodiscard]] Sweep sweep(const SweepOptions& options = {}) const;
 

@@ -16,7 +16,7 @@ enum class State {
   accepted,       // by the user, with a reason
   open,           // may concern the part, but nothing states whether it does
   not_judged,     // concerns the part, and has not been assessed
-  not_covered,    // outside of what the method covers
+  not_covered,    // outside the validity of the method
   not_available,  // a value is missing
   fail,
   refused  // the point of the sweep violates an input rule: it is invalid
@@ -33,10 +33,10 @@ struct Quantity {
   Role role = Role::result;
   std::string kind;                                         // "stress", "moment"
   std::string si_unit;                                      // "Pa"; "1" of a number
-  std::string unit;                                         // that people read it in: "MPa"
+  std::string unit;                                         // display unit: "MPa"
   double value = std::numeric_limits<double>::quiet_NaN();  // not available; of a series NaN
   std::vector<double> series;                               // over the cycle; empty if there is one value
-  std::string axis;                                         // that the series goes over: "lever: crank angle"
+  std::string axis;                                         // axis of the series: "lever: crank angle"
   std::vector<double> positions;                            // positions along the axis
   std::string word;                                         // choices and names: instead of a number
   std::string text;                                         // "12.5 mm"
@@ -48,7 +48,7 @@ struct Mode {
   State state = State::not_judged;
   /// "fails", "needs_input", "outside_scope", "not_considered", "accepted" or "passes".
   std::string group;
-  double utilisation = std::numeric_limits<double>::quiet_NaN();  // where there is one
+  double utilisation = std::numeric_limits<double>::quiet_NaN();  // NaN if there is none
   std::string governs;                                            // the check that decides
   std::string reason;
 };

@@ -15,7 +15,7 @@ namespace loadpath::api {
 struct Column {
   std::string name;                // "rod.mass", "state"
   std::string si_unit;             // SI unit of the values: "Pa"
-  std::string unit;                // that people read it in: "MPa"
+  std::string unit;                // display unit: "MPa"
   std::vector<std::string> words;  // words of a choice: the values are their indices, from 0
   std::vector<double> values;
 };

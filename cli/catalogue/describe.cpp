@@ -110,7 +110,7 @@ std::string assessor_of(const ModeInfo& mode) {
   return "no calculator assesses it";
 }
 
-/// The failure modes of the part, and what assesses each.
+/// The failure modes of the part, and the check or calculator that assesses each.
 void show_modes(const Calculator& calculator) {
   Rows rows;
   for (const ModeInfo& mode : calculator.modes) {

@@ -90,7 +90,7 @@ Answer answer_to(const std::string& word) {
   return answer;
 }
 
-/// Of an element its calculators, with `all` those too that the word finds elsewhere.
+/// The calculators of an element; with `all`, also those that the word finds elsewhere.
 void print_json(const Answer& answer, bool all) {
   std::vector<exports::Listed> listed;
   for (const auto* hits : {&answer.element, &answer.named, &answer.mentioned}) {

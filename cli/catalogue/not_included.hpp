@@ -1,4 +1,4 @@
-// What people look for in a design program and do not find in this one.
+// Subjects that users look for in a design program and that this one does not include.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ struct NotIncluded {
   const char* nearest;  // ids of calculators, separated by ", "; may be empty
 };
 
-/// The whole list.
+/// The complete list.
 std::span<const NotIncluded> not_included();
 
 /// Those of which a search holds a name. `exactly`: only those that it is a name of.

@@ -13,14 +13,14 @@ namespace loadpath::cli {
 /// A calculator or a template that a search has found.
 struct Hit {
   const Calculator* calculator = nullptr;
-  std::string id;  // of the template, where it is one
+  std::string id;  // id of the template, if it is one
   std::string title;
   std::string why;    // "Keilriemen", "failure mode: flexural buckling"; empty where the title or the id says it
   const char* where;  // "id", "title", "synonym", "scope", "failure mode"
   int rank = 0;       // the best first, from 0
 };
 
-/// What a search has found, the best first.
+/// The results of a search, the best first.
 struct Found {
   std::vector<Hit> named;      // by id, title or synonym
   std::vector<Hit> mentioned;  // by scope or failure mode only

@@ -62,7 +62,7 @@ std::string quoted(const std::string& text) {
 
 bool is_scalar(const Tree& value) { return value.type == Tree::Type::text || value.type == Tree::Type::number; }
 
-using Change = std::tuple<int, std::pair<std::size_t, std::size_t>, std::string>;  // line, what of it, by what
+using Change = std::tuple<int, std::pair<std::size_t, std::size_t>, std::string>;  // line, range in it, replacement
 
 /// The changes to the text by the settings; an issue for an unknown field, or one without a single value.
 std::vector<Change> changes_of(const Starter& starter, const std::vector<std::string>& settings,

@@ -23,7 +23,7 @@ struct Starter {
   std::vector<MainValue> values;
 };
 
-/// Those that are built in, by their names.
+/// The built-in ones, by their names.
 const std::vector<Starter>& starters();
 /// Null if there is none of this name.
 const Starter* find_starter(const std::string& name);
@@ -33,7 +33,7 @@ const Starter* find_starter(const std::string& name);
 std::string filled(const Starter& starter, const std::string& file, std::vector<std::string> settings,
                    std::vector<Issue>& issues);
 
-/// The settings as `filled` understands them: what issues point into.
+/// The settings as `filled` understands them: the text that issues point into.
 std::vector<std::string> with_table(std::vector<std::string> settings);
 
 }  // namespace loadpath::cli

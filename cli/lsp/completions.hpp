@@ -22,7 +22,7 @@ struct Completion {
 };
 
 struct Completions {
-  Range range;  // that they take the place of
+  Range range;  // range that they replace
   std::vector<Completion> items;
 };
 

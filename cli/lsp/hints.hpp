@@ -1,4 +1,4 @@
-// The values of expressions, and of what was searched for, behind them in the line.
+// The values of expressions, and of searched inputs, shown after them in the line.
 #pragma once
 
 #include "cli/lsp/open_file.hpp"
@@ -14,7 +14,7 @@ struct Hint {
   std::string more;
 };
 
-/// Those within a range, in the order of the file.
+/// The hints within a range, in the order of the file.
 std::vector<Hint> hints_in(const OpenFile& file, const Range& range);
 
 }  // namespace loadpath::cli::lsp

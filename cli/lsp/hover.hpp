@@ -13,7 +13,7 @@ struct Hover {
   std::string text;  // Markdown
 };
 
-/// A step, a field, a quantity in other units, a row, an expression with what it refers to.
+/// A step, a field, a quantity in other units, a row, an expression with its references.
 std::optional<Hover> hover_at(const OpenFile& file, std::size_t offset);
 
 }  // namespace loadpath::cli::lsp

@@ -19,7 +19,7 @@ constexpr std::array functions{"peak", "min", "max",  "mean", "rms",  "amplitude
                                "at",   "abs", "sqrt", "cbrt", "exp",  "ln",        "sin",
                                "cos",  "tan", "asin", "acos", "atan", "atan2",     "mises"};
 
-/// A path of a step that others may take, and what it is.
+/// A path of a step that others may take, and its description.
 struct Offer {
   std::string path;
   std::string detail;

@@ -14,7 +14,7 @@ namespace loadpath::cli::lsp {
 
 class Server {
  public:
-  /// Answers one message; what it makes known comes after it.
+  /// Answers one message; its notifications follow the answer.
   void receive(const std::string& body);
   /// Sends the diagnostics of files that have changed since.
   void publish();

@@ -21,8 +21,8 @@ struct Target {
   const Template* from = nullptr;
   Record input, parameters;
   const FieldInfo* field = nullptr;  // null: the step itself, or a key without a field
-  void* owner = nullptr;             // that holds the field
-  void* inner = nullptr;             // that holds the fields of a table or of an element; null elsewhere
+  void* owner = nullptr;             // aggregate with the field
+  void* inner = nullptr;             // aggregate with the fields of a table or of an element; null elsewhere
   std::string group;                 // table group of a key that names a row: "material"
   bool in_accept = false;            // accept.MODE
   bool in_because = false;           // because.KEY

@@ -100,7 +100,7 @@ void Foreman::tell_late() {
   if (can_give() || stopped_ || Clock::now() - last_letter_ < patience) return;
   std::string told;
   int late = 0;
-  constexpr int most = 3;  // that are named
+  constexpr int most = 3;  // ranks named in a message
   for (std::size_t rank = 1; rank < helpers_.size(); ++rank) {
     const Helper& helper = helpers_[rank];
     if (helper.heard && helper.parts.empty()) continue;

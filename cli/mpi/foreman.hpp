@@ -26,7 +26,7 @@ class Foreman {
     bool heard = false;  // has sent its greeting
     std::uint64_t room = 0;
     std::string name;
-    std::vector<project::BlockRange> parts;  // that it is at
+    std::vector<project::BlockRange> parts;  // parts in progress
   };
   using Clock = std::chrono::steady_clock;
 

@@ -164,7 +164,7 @@ Solved solved_from(std::string_view bytes, const project::Found& none) {
     block.first = unpacker.number();
     block.count = static_cast<std::size_t>(unpacker.number());
     block.inputs = unpacker.columns();
-    block.results = unpacker.columns();  // refusals are counted in what was found
+    block.results = unpacker.columns();  // the results count refusals
   }
   return solved;
 }

@@ -22,7 +22,7 @@ class Pool {
   Pool& operator=(const Pool&) = delete;
 
   void give(project::BlockRange blocks);
-  /// A part that is done, if there is one. Throws what a thread has thrown.
+  /// A finished part, if there is one. Rethrows the exception of a thread.
   std::optional<Solved> take();
 
  private:

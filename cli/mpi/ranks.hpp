@@ -13,7 +13,7 @@ enum class Kind : std::uint8_t {
   hello,   // to the first rank: number of parts taken at once, or the reason for none
   part,    // from the first rank: blocks; none: the sweep is finished
   solved,  // to the first rank
-  failed,  // to the first rank: what was thrown
+  failed,  // to the first rank: an exception
 };
 
 struct Letter {
@@ -42,7 +42,7 @@ class Ranks {
   [[nodiscard]] Letter wait() const;
   /// Sleeps for a moment.
   static void sleep();
-  /// Ends all ranks, wherever they are.
+  /// Ends all ranks in any state.
   [[noreturn]] static void abort(int code);
 
  private:

@@ -1,4 +1,4 @@
-// The words of commands that have many: what the shell takes, as options.
+// The words of commands with many options.
 #pragma once
 
 #include "cli/commands.hpp"
@@ -29,8 +29,8 @@ void setup_init(CLI::App& app, InitOptions& options, Action& action);
 void setup_diff(CLI::App& app, DiffOptions& options, Action& action);
 void setup_fmt(CLI::App& app, FmtOptions& options, Action& action);
 
-/// Every element of the catalogue. Its calculators and their flags are set up once it is named: those of all would take
-/// longer than what most commands do.
+/// Every element of the catalogue. Its calculators and their flags are set up once it is named: setting up all would
+/// take longer than most commands.
 void setup_elements(CLI::App& app, CalculateOptions& options, Action& action, Late& late);
 
 /// The name "torsion" in shaft.torsion.

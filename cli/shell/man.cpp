@@ -30,7 +30,7 @@ std::string roff(std::string_view text) {
 
 /// "[\fISTEP\fR]", "\fB--report\fR \fIFILE\fR"
 std::string option_words(const CLI::Option& option) {
-  const std::string all = option.get_type_name(), type = all.substr(0, all.find(':'));  // without what checks it
+  const std::string all = option.get_type_name(), type = all.substr(0, all.find(':'));  // without its validator
   const auto& names = option.get_lnames();
   if (names.empty()) return "\\fI" + roff(option.get_name(true)) + "\\fR";
   std::string words = "\\fB" + roff("--" + names[0]) + "\\fR";

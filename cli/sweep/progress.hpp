@@ -14,7 +14,7 @@ class Progress {
 
   /// At most a few times a second.
   void show(std::uint64_t done);
-  /// Shows what the end of the sweep waits for. Without a terminal too: a job that hangs is diagnosed from its
+  /// Shows what the end of the sweep waits for. Without a terminal too: a job that is stuck is diagnosed from its
   /// output.
   void wait_for(const std::string& late);
   /// Takes the line away.

@@ -24,7 +24,7 @@ class WatchedFiles {
  public:
   /// Watches these files from now on.
   void watch(std::vector<ReadFile> files);
-  /// Whether one holds something else than what was read.
+  /// Whether the content of a file differs from that read.
   bool have_changed();
 
  private:

@@ -1,4 +1,4 @@
-// What a solved step has to say. Reports, JSON, the terminal and `verify` are written from it.
+// The results of a solved step. Reports, JSON, the terminal and `verify` are written from it.
 #pragma once
 
 #include "lib/account/block.hpp"
@@ -20,20 +20,20 @@ struct NextSize {
   std::optional<double> si = {};      // none of a row
   std::string fails = {};             // a check or a limit, "u_theta", "seats.coupling.x_c"; empty: a rule
   std::string mode = {};              // that it decides: "twist"; may be empty
-  Message title = {};                 // of that mode
+  Message title = {};                 // title of that mode
   std::optional<double> number = {};  // the utilisation, or the value of the limit
-  std::string unit = {};              // of that value; "-" of a utilisation
+  std::string unit = {};              // unit of that value; "-" for a utilisation
   Message reason = {};                // "u_theta = 1.055"
 };
 
-/// Where a value comes from, for the report: typed, an expression, a row of a table, a default.
+/// The origin of a value, for the report: typed, an expression, a row of a table, a default.
 struct Origin {
   Message text;
   std::vector<std::string> sources;   // keys of tables/sources.toml
   bool recalled = false;              // the row's source was not seen: flagged in the report
   bool searched = false;              // found by a search
-  bool assumed = false;               // the default: nobody gave it
-  std::optional<NextSize> next = {};  // of what a search has found
+  bool assumed = false;               // default value, not given by the user
+  std::optional<NextSize> next = {};  // for a result of a search
 };
 
 /// A named quantity of a step.
@@ -46,12 +46,12 @@ struct Entry {
   Origin origin;             // inputs only
   std::string word;          // a choice or a name instead of a number
   bool is_factor = false;    // inputs only: see Field::factor
-  Message missing = {};      // why there is no value, or none at some positions; empty: "not available"
+  Message missing = {};      // reason for a missing value, or for missing positions; empty: "not available"
   bool brief = true;         // results only: worth a line where there is little room
   bool handed_over = false;  // results only: of a record for other steps, shown where they take it
 };
 
-/// Whether nothing is known of it, at no position.
+/// Whether it is unknown at all positions.
 bool is_open(const Entry& entry);
 
 /// A line of the calculation; the scope names the element of a list that it belongs to ("segments[2]").
@@ -64,16 +64,16 @@ struct Derived {
 struct Account {
   std::vector<Entry> inputs;
   std::vector<Entry> results;
-  std::vector<Verdict> verdicts;    // of checks and limits
-  Modes modes;                      // what they amount to: the verdict on the part
-  std::vector<Message> warnings;    // customs that the input breaks
-  Message governing;                // which position the derivation is for; empty where there is one value
-  std::vector<Derived> derivation;  // where formulas are wanted
-  std::set<std::string> scopes;     // what its lines are about: "", "methods[2]"; known without it
-  std::vector<Block> input_blocks;  // where the step shows its inputs itself, not in a list; where pictures are wanted
-  std::vector<Block> blocks;        // what only this kind of step has: tables, notes; where pictures are wanted
-  std::vector<draw::Figure> figures;  // where pictures are wanted
-  std::vector<std::string> sources;   // keys of tables/sources.toml, beside those that the calculator always cites
+  std::vector<Verdict> verdicts;      // states of checks and limits
+  Modes modes;                        // the verdict on the part that follows from them
+  std::vector<Message> warnings;      // customs that the input breaks
+  Message governing;                  // position of the derivation; empty if there is one value
+  std::vector<Derived> derivation;    // if formulas are requested
+  std::set<std::string> scopes;       // subjects of its lines: "", "methods[2]"; known without it
+  std::vector<Block> input_blocks;    // if the step shows its inputs itself, not in a list; if pictures are requested
+  std::vector<Block> blocks;          // output specific to this kind of step: tables, notes; pictures on request
+  std::vector<draw::Figure> figures;  // if pictures are requested
+  std::vector<std::string> sources;   // keys of tables/sources.toml, besides those that the calculator always cites
 };
 
 }  // namespace loadpath::account

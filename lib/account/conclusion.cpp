@@ -54,7 +54,7 @@ Message of_failures(const Modes& sorted, std::size_t count, const Telling& telli
 
 Message of_gaps(const Modes& sorted, const Conclusion& all, std::size_t room) {
   const std::size_t needs = all.count(Group::needs_input), outside = all.count(Group::outside_scope);
-  if (needs + outside == 0) {  // what an input check alone holds back
+  if (needs + outside == 0) {  // only an input check prevents the verdict
     const auto check = std::ranges::find_if(sorted, [](const Mode& m) { return m.subject != Subject::mode; });
     if (check == sorted.end()) return {};
     return first_in(room, {say("{1}: {2}", check->step, reason(*check)), say("{1}: {2}", check->step, check->title)});
@@ -101,7 +101,7 @@ Message not_considered(const std::vector<std::string>& names, std::size_t room) 
   return say("{1} not considered", std::to_string(names.size()));
 }
 
-/// What a pass covers, and what it does not.
+/// The coverage of a pass, and its exclusions.
 Message of_pass(const Modes& sorted, const Conclusion& all, const Telling& telling) {
   if (all.modes() == all.count(Group::not_considered)) return say("no failure mode is assessed here");
   const std::size_t passed = all.count(Group::passes) + all.count(Group::accepted);

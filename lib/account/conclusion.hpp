@@ -1,4 +1,4 @@
-// What all modes of failure amount to: the headline of an answer, the exit code, and a count for each group.
+// The overall result of all failure modes: the headline of an answer, the exit code, and a count for each group.
 #pragma once
 
 #include "lib/account/mode.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath::account {
 
-/// What the engineer has to do about a mode.
+/// The action that a mode requires of the engineer.
 enum class Group { fails, needs_input, outside_scope, not_considered, accepted, passes };
 constexpr std::array all_groups{Group::fails,          Group::needs_input, Group::outside_scope,
                                 Group::not_considered, Group::accepted,    Group::passes};
@@ -21,15 +21,15 @@ const char* key(Group group);
 enum class Headline {
   pass,         // every mode that applies passes, or the user answers for it
   fail,         // at least one fails
-  no_solution,  // nothing fails, and a search has no result
-  incomplete,   // nothing fails, and something has not been assessed
+  no_solution,  // nothing fails, but a search has no result
+  incomplete,   // nothing fails, but a mode has not been assessed
 };
 /// "NO SOLUTION".
 const char* word(Headline headline);
 
 struct Conclusion {
   Headline headline = Headline::pass;
-  std::array<std::size_t, all_groups.size()> counts{};  // of modes of failure by group; input checks are none
+  std::array<std::size_t, all_groups.size()> counts{};  // number of failure modes by group; input checks are excluded
 
   [[nodiscard]] std::size_t count(Group group) const { return counts[static_cast<std::size_t>(group)]; }
   [[nodiscard]] std::size_t modes() const;
@@ -42,7 +42,7 @@ struct Telling {
   std::size_t room = 120;
   std::string subject = {};
 };
-/// What stands behind the headline: "3 of 56 failure modes are outside the scope of loadpath".
+/// The reason for the headline: "3 of 56 failure modes are outside the scope of loadpath".
 Message explanation(const Modes& modes, const Telling& telling = {});
 
 /// "fatigue" of "fatigue, at shoulders, keyways and press fits first".

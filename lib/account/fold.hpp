@@ -38,7 +38,7 @@ struct Folded {
     const bool governs = worse | ((state == worst) & more);
     return {worse ? state : worst, (is_check & (state >= 0.0)) ? 1.0 : counted, governs ? used : utilisation};
   }
-  /// A mode. `instead_of_open`: what a mode counts as that was not considered.
+  /// Adds a mode. `instead_of_open`: the state of a mode that was not considered.
   [[nodiscard]] constexpr Folded with_mode(double state, double used, double instead_of_open) const {
     constexpr double open = number(State::open);
     const double here = state == open ? instead_of_open : state;
@@ -104,7 +104,7 @@ void leave_mode(std::span<const Applies> applies, const Unjudged& unjudged, Mode
 /// Combined results of several modes at every point.
 class VerdictColumns {
  public:
-  /// `is_strict`: what is open counts as not assessed.
+  /// `is_strict`: modes not considered count as not assessed.
   void fold(std::span<const ModeColumns* const> modes, std::size_t n, bool is_strict);
 
   [[nodiscard]] std::span<const double> utilisation() const { return utilisation_; }
@@ -117,7 +117,7 @@ class VerdictColumns {
   std::vector<double> worst_, counted_, utilisation_;
 };
 
-/// Bounds that are part of what they bound.
+/// Bounds that belong to the range.
 Range closed(const Range& bounds);
 
 }  // namespace loadpath::account

@@ -17,7 +17,7 @@ bool is_outside(const Mode& mode) { return mode.state == State::not_judged && !m
 /// Whether two are reported together.
 bool is_alike(const Mode& a, const Mode& b) { return a.state == b.state && is_outside(a) == is_outside(b); }
 
-/// The place in a list: what needs a hand first.
+/// The place in a list: first the modes that need action.
 int place(State state) {
   constexpr std::array order{State::fail, State::not_available, State::not_covered, State::not_judged,
                              State::pass, State::accepted,      State::open};

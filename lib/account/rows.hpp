@@ -45,7 +45,7 @@ inline bool is_kept(const FieldInfo& row, double si) {
   return state_of_row(row, si).value_or(State::pass) == State::pass;
 }
 
-/// Whether a load is there and not zero.
+/// Whether a load is given and not zero.
 inline bool acts(double si) { return !std::isnan(si) && si != 0.0; }
 
 /// The value of a limit farthest beyond the nearer bound, or nearest to it; bounds of non-negative quantities are

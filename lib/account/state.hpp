@@ -12,7 +12,7 @@ enum class State {
   accepted,       // by the user, with a reason
   open,           // may concern the part, but nothing states whether it does
   not_judged,     // concerns the part, and has not been assessed
-  not_covered,    // outside of what the method covers
+  not_covered,    // outside the validity of the method
   not_available,  // a value is missing
   fail
 };

@@ -11,7 +11,7 @@
 
 namespace loadpath::account {
 
-/// What a check compares, in one unit: its utilisation is their ratio.
+/// The values compared by a check, in one unit: its utilisation is their ratio.
 struct Compared {
   Quantity demand, capacity;
 };
@@ -22,11 +22,11 @@ struct Verdict {
   std::string symbol;  // "u_tau"
   Message meaning;
   std::optional<double> utilisation = {};  // none for a limit
-  Cell value = {};                         // what is compared
+  Cell value = {};                         // compared quantity
   Message bound;                           // "passes at 1 or less", "0 to 0.9"
   State state = State::not_available;
-  Message note = {};                      // where it governs, why it is not covered; may be empty
-  std::optional<Compared> compared = {};  // of a check whose formula is one value over another
+  Message note = {};                      // for the governing row, the reason why it is not covered; may be empty
+  std::optional<Compared> compared = {};  // if the formula of the check is one value over another
   std::optional<Quantity> at = {};        // the position of a series where it governs
 };
 struct Verdicts {

@@ -32,7 +32,7 @@ inline constexpr double rigid = std::numeric_limits<double>::infinity();
 struct Span {
   double l = 0.0;
   double bending = 0.0;   // the integral of 1/EI, rad/(N m): turns by a couple
-  double centre = 0.0;    // that of x/EI over it, from the left
+  double centre = 0.0;    // the integral of x/EI over it, from the left
   double shifting = 0.0;  // the integrals of (x - centre)^2/EI and of 1/GA, m/N: shifts by a force
 };
 /// GA: shear stiffness, with the shear factor; rigid: no shear.
@@ -80,7 +80,7 @@ struct Bent {
 
 class Beam {
  public:
-  /// Each support at a node of its own. Nothing if they do not hold it: fewer than two of them.
+  /// Each support at a separate node. Nothing if the beam is not supported: fewer than two supports.
   static std::optional<Beam> of(const Row<Span>& spans, const OfSupports<Support>& supports);
 
   [[nodiscard]] std::size_t nodes() const { return spans_.size() + 1; }

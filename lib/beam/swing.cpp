@@ -35,7 +35,7 @@ numerics::Counted Swing::walk(double omega) const {
   numerics::Counted walked{0, 1.0};
   for (const Disc& disc : discs_) {
     const double inertia = omega * omega * disc.J;
-    const double softened = 1.0 - inertia / disc.k;  // 0 if it swings by itself: no number is next to that
+    const double softened = 1.0 - inertia / disc.k;  // 0 at its own resonance: there is no smaller number
     own[disc.node] -= inertia / (softened == 0.0 ? std::numeric_limits<double>::epsilon() : softened);
     if (inertia > disc.k) ++walked.below;
     walked.rest *= softened;

@@ -27,7 +27,7 @@ class Whirl {
   /// Number i, from 0 on, of the frequencies of a beam that turns at `spin`, rad/s; `near`: about where it is. NaN
   /// if there is none, or it does not settle.
   [[nodiscard]] double natural(std::size_t i, Sense sense, double spin, double near = 256.0) const;
-  /// The same of the speeds at which it whirls as fast as it turns. A disc of I_p > I_d has none of its own forward.
+  /// The same for the speeds of synchronous whirling. A disc of I_p > I_d has no such speed forwards.
   [[nodiscard]] double critical(std::size_t i, Sense sense, double near = 256.0) const;
 
   /// The number of frequencies below w of a beam that rotates at `spin`.

@@ -1,4 +1,4 @@
-// A calculator without its C++ types: what the program's commands, readers, searches, sweeps and reports know of it.
+// A calculator without its C++ types, for the program's commands, readers, searches, sweeps and reports.
 #pragma once
 
 #include "lib/calculator/bound.hpp"
@@ -23,7 +23,7 @@ struct RuleInfo {
   const char* fields;
   const char* text;
   bool only_warns = false;
-  const char* modes = "";  // of failure, whose verdicts show what the rule warns of: an assumption
+  const char* modes = "";  // failure modes whose verdicts show the warning of the rule: an assumption
 };
 
 /// A result that depends on the model: "drive.M", or "joints.NAME.F", where NAME is a name from the input.
@@ -68,16 +68,16 @@ using Survey = void (*)(void* input, std::span<const InputColumn> in, std::span<
                         std::span<Applies* const> modes, std::size_t count, char* other);
 
 struct Calculator {
-  const char* id = "";     // "shaft.torsion"
-  const char* title = "";  // "Torsion of a shaft"
-  const char* scope = "";  // what it decides, what it assumes, what it does not cover
-  const char* synonyms = "";  // what people search by, in English, German and Russian: "feather key, Passfeder, шпонка"
-  const char* source = "";   // keys of tables/sources.toml: "[B19]"
-  const char* example = "";  // a project file that runs
+  const char* id = "";        // "shaft.torsion"
+  const char* title = "";     // "Torsion of a shaft"
+  const char* scope = "";     // subject, assumptions, exclusions
+  const char* synonyms = "";  // search words in English, German and Russian: "feather key, Passfeder, шпонка"
+  const char* source = "";    // keys of tables/sources.toml: "[B19]"
+  const char* example = "";   // a project file that runs
   /// The size of its part in a phrase: "C = {C}", "{b#}x{h#}x{l}" where # leaves the unit out; several behind | where
   /// the first has a value that is not known.
   const char* headline = "";
-  const char* subject = "";  // what its modes cover: "torsion"; may be empty
+  const char* subject = "";  // subject of its modes: "torsion"; may be empty
   /// Keys that a step cites only where it uses them (account::Account::sources).
   std::vector<std::string> (*used_sources)() = [] { return std::vector<std::string>(); };
   const RecordType* input = nullptr;

@@ -1,5 +1,6 @@
-// The one list of fields that a calculator declares. What each member of its Input and Result means, its unit, its
-// bounds and its part (input, result, check, limit) is said here once; readers, reports and tests follow from it.
+// The single list of fields that a calculator declares. The meaning of each member of its Input and Result, its unit,
+// its bounds and its part (input, result, check, limit) are stated here once; readers, reports and tests follow from
+// it.
 //
 // All numbers given to a Field (bounds, plausible range) are in the field's own unit.
 #pragma once
@@ -31,16 +32,16 @@ struct Range {
   }
 };
 
-/// The key of a field whose member bears another name, because its symbol is taken in C++: a mass, beside the unit m.
-/// Elsewhere a key that differs from its member is a slip, and fails a test.
+/// The key of a field whose member has another name because its symbol is in use in C++: a mass, which collides with
+/// the unit m. Any other difference between key and member is a mistake, and fails a test.
 constexpr const char* called(const char* key) { return key; }
 
-/// Where the value of an input can come from when the user does not type it.
+/// The possible source of an input that the user does not type.
 struct Provider {
   enum class Kind { none, table, companion };
   Kind kind = Kind::none;
   const char* table = "";   // table: "material", also the key of the step that names the row
-  const char* column = "";  // table: "R_e"; companion: the input whose source brings the value along ("T")
+  const char* column = "";  // table: "R_e"; companion: the input whose source also gives this value ("T")
   const char* size = "";    // table: the result or input that the value depends on ("d")
   const char* unless = "";  // table: the value is not needed where this input is given
   bool may_lack = false;    // table: rows without the column leave the input as it is
@@ -54,7 +55,7 @@ struct ChoiceName {
   const char* doc;
 };
 
-/// What the words of a choice say of this value.
+/// The declared words of this value of a choice.
 template <class Enum>
 constexpr ChoiceName<Enum> choice_of(Enum value) {
   for (const auto& choice : choices_of(value)) {
@@ -68,7 +69,7 @@ constexpr const char* word_of(Enum value) {
   return choice_of(value).key;
 }
 
-/// A quantity or number of an Input or Result. Of an Input it may be a Varying one, which takes a series whole.
+/// A quantity or number of an Input or Result. A member of an Input may be Varying, which takes an entire series.
 template <class Owner, class Quantity, class Member = Quantity>
 struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   using Base = detail::Described<Field<Owner, Quantity, Member>>;
@@ -91,8 +92,8 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   const char* made_for = "";         // input: see made_for_same
   bool larger_is_better = false;     // input: "?" is the largest value that passes
   bool kept = false;                 // input: where missing in a search, the result of the same key of the sizing run
-  const char* companions = "";       // what acts together with it on the same part: keys beside its own, "F_t, F_r"
-  bool signed_load = false;          // input: its sign decides, so that a magnitude is no value for it
+  const char* companions = "";       // loads acting together with it on the same part: further keys, "F_t, F_r"
+  bool signed_load = false;          // input: its sign decides, so that a magnitude is not an acceptable value
   const char* factors = "";          // result: inputs that it holds already, so that none may apply them again: "K_A"
   bool is_factor = false;  // input: raises a load or lowers a strength; the report lists where each is applied
   bool is_peak = false;    // result: a load of a start or a jam, with k_max of its step
@@ -122,7 +123,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.provider.may_lack = true;
     return f;
   }
-  /// What comes along with the source of another input: with a driving moment the force on its joint.
+  /// A load component of the source of another input: for a driving moment, the force on its joint.
   [[nodiscard]] constexpr Field coming_with(const char* input) const {
     return provided({Provider::Kind::companion, "", input, "", "", false});
   }
@@ -136,7 +137,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.asked_by = input;
     return f;
   }
-  /// A limit that is the criterion itself: no room between the tips is no gap in a method.
+  /// A limit that is itself the criterion: zero tip clearance is a failure, not a gap in the method.
   [[nodiscard]] constexpr Field criterion() const {
     Field f = *this;
     f.is_criterion = true;
@@ -173,14 +174,14 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.searched_in = stock;
     return f;
   }
-  /// Of the part alone, whatever a record has under the same key: the diameter of the shaft under a gear.
+  /// An input of this part only, even if a record has the same key: the diameter of the shaft under a gear.
   [[nodiscard]] constexpr Field own() const {
     Field f = *this;
     f.is_own = true;
     return f;
   }
-  /// Not larger than the largest of these dimensions of the step that values are taken from, "d, d_max"; a larger value
-  /// needs a justification.
+  /// At most the largest of these dimensions of the step that values are taken from, "d, d_max"; a larger value needs
+  /// a justification.
   [[nodiscard]] constexpr Field at_most_that_of_source(const char* keys) const {
     Field f = *this;
     f.most_of_source = keys;
@@ -216,8 +217,8 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.kept = true;
     return f;
   }
-  /// One component of what acts on a part; `keys` are the others: who takes it and not them has not looked at all.
-  /// "T_1|T_2": one of them, the torque of the shaft that takes it.
+  /// One component of the load on a part; `keys` are the others, which a step that takes only this one leaves
+  /// unassessed. "T_1|T_2": one of them, the torque of the shaft that takes it.
   [[nodiscard]] constexpr Field with(const char* keys) const {
     Field f = *this;
     f.companions = keys;
@@ -229,7 +230,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.signed_load = true;
     return f;
   }
-  /// A load that holds these factors already: who takes it may not apply them again.
+  /// A load that already includes these factors: a step that takes it must not apply them again.
   [[nodiscard]] constexpr Field holding(const char* keys) const {
     Field f = *this;
     f.factors = keys;
@@ -260,7 +261,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   }
 };
 
-/// A whole number.
+/// An integer.
 template <class Owner>
 struct Count : detail::Described<Count<Owner>> {
   Whole Owner::*at;
@@ -287,7 +288,7 @@ struct FormulaField : detail::Described<FormulaField<Owner, Text>> {
       : detail::Described<FormulaField<Owner, Text>>{k, d}, at{member} {}
 };
 
-/// One of a few words; `choices_of(Enum{})` is found beside the enum class and gives an array of ChoiceName.
+/// A choice of a few words; `choices_of(Enum{})` is declared next to the enum class and gives an array of ChoiceName.
 template <class Owner, class Enum>
 struct Choice : detail::Described<Choice<Owner, Enum>> {
   Enum Owner::*at;
@@ -295,7 +296,7 @@ struct Choice : detail::Described<Choice<Owner, Enum>> {
       : detail::Described<Choice<Owner, Enum>>{k, d}, at{member} {}
 };
 
-/// A record of another step, "=pick.best", that fills those of the fields beside it that are not typed.
+/// A record of another step, "=pick.best", that fills those of the neighbouring fields that are not typed.
 template <class Owner>
 struct RecordField : detail::Described<RecordField<Owner>> {
   constexpr RecordField(const char* k, const char* d)
@@ -307,7 +308,7 @@ template <class Owner, class Part>
 struct Group : detail::Described<Group<Owner, Part>> {
   Part Owner::*at;
   bool positional = false;
-  bool is_handed_over = false;  // result: for other steps to take whole; shown where they do, not here
+  bool is_handed_over = false;  // result: for other steps to take as a record; shown there, not here
   constexpr Group(Part Owner::*member, const char* k, const char* d)
       : detail::Described<Group<Owner, Part>>{k, d}, at{member} {}
   [[nodiscard]] constexpr Group as_array() const {
@@ -344,10 +345,10 @@ struct ListField : detail::Described<ListField<Owner, Items>> {
   }
 };
 
-/// A rule between fields: alternatives, order, sums, and customs, whose breach only warns. `fields` names them,
-/// separated by ", ". `particulars`, where there are any, says of an input that breaks the rule what the text leaves
-/// open: which element, how much, what to do. An empty path or message there stands for the rule's own. A rule that
-/// only warns may name the modes of failure whose verdicts show it: what is assumed in place of an input.
+/// A rule between fields: alternatives, order, sums, and customs, whose violation only warns. `fields` names them,
+/// separated by ", ". `particulars`, if any, adds the details of a violation that the text leaves open: element,
+/// amount, remedy. An empty path or message there means that of the rule. A rule that only warns may name the failure
+/// modes whose verdicts show it: an assumption in place of an input.
 template <class Input>
 struct Rule {
   bool (*holds)(const Input&);

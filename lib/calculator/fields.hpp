@@ -1,4 +1,4 @@
-// What fields of all types share, and lists of fields for the declarations of a calculator. std::tuple and
+// Members common to fields of all types, and lists of fields for the declarations of a calculator. std::tuple and
 // std::tuple_cat would do the same at several times the compile time.
 #pragma once
 
@@ -15,18 +15,18 @@ enum class Role { input, result, check, limit };
 
 namespace detail {
 
-/// What fields of all types share, each a link of the chain that declares it.
+/// Members common to fields of all types, each a link of the chain that declares it.
 template <class Self>
 struct Described {
   const char* key = "";
   const char* doc = "";
-  std::optional<Role> role = {};    // else what the list says that it stands in: input, or result
-  bool optional = false;            // an input that may be missing (a rule or a default says what then)
-  bool is_load = false;             // what the part has to carry, or another part by it; not a capacity
+  std::optional<Role> role = {};    // default: that of the list, input or result
+  bool optional = false;            // an input that may be missing (see its rule or default)
+  bool is_load = false;             // a load on this part, or on another part by it; not a capacity
   bool is_beside = false;           // a result that is shown, and never part of a verdict
   const char* same_as_source = "";  // an input: see same_as_that_of_source
-  bool is_chosen = false;           // a result that is what the step decides on: a section, a drive
-  bool is_of_body = false;          // an input that comes with a load of the same record that is taken singly
+  bool is_chosen = false;           // a result that is a choice of the step: a section, a drive
+  bool is_of_body = false;          // an input that belongs to a load of the same record when that is taken singly
   const char* also_called = "";     // an input: other words that a project may write for its key, "n_2"
 
   [[nodiscard]] constexpr Self as(Role r) const {
@@ -45,8 +45,7 @@ struct Described {
     s.optional = true;
     return s;
   }
-  /// Force, moment, power, pressure: of an input what the part has to carry, of a result what a part has to carry that
-  /// takes it.
+  /// Force, moment, power, pressure: as an input a load on the part, as a result a load on a part that takes it.
   [[nodiscard]] constexpr Self load() const {
     Self s = self();
     s.is_load = true;
@@ -58,14 +57,14 @@ struct Described {
     s.is_chosen = true;
     return s;
   }
-  /// A dimension of the component that a load comes from: "=gears.gear_1.T" also brings gear_1.d_f, as the record does.
+  /// A dimension of the component of a load: "=gears.gear_1.T" also gives gear_1.d_f, as the record does.
   [[nodiscard]] constexpr Self of_body() const {
     Self s = self();
     s.is_of_body = true;
     return s;
   }
-  /// A result that is shown, and is no part of a verdict: of another school, of a sum that other checks judge in parts,
-  /// of methods side by side.
+  /// A result that is shown but not part of a verdict: by another school, of a sum that other checks assess in parts,
+  /// of alternative methods.
   [[nodiscard]] constexpr Self beside() const {
     Self s = self();
     s.is_beside = true;
@@ -101,7 +100,7 @@ constexpr const FieldType& field_at(const FieldPlace<I, FieldType>& place) {
   return place.field;
 }
 
-/// Which list a field of a concatenation comes from, and its index there.
+/// The list that a field of a concatenation comes from, and its index there.
 struct Origin {
   std::size_t list;
   std::size_t index;

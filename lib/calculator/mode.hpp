@@ -1,5 +1,5 @@
-// The ways in which a part can fail or stop serving. A calculator declares them beside its fields; a verdict is about
-// them, not about the checks that happened to be computed: what applies and was not judged does not pass.
+// The failure modes of a part. A calculator declares them next to its fields; a verdict is about them, not about the
+// checks that happened to be computed: a mode that applies and was not assessed does not pass.
 #pragma once
 
 #include <array>
@@ -7,31 +7,31 @@
 
 namespace loadpath {
 
-/// Whether a mode concerns a part; unseen: the input cannot tell.
+/// Whether a mode concerns a part; unseen: the input does not decide it.
 enum class Applies { no, unseen, yes };
 
-/// What a mode is about, which decides what is said of it where nothing judges it.
+/// The kind of a mode, which determines its state if it is not assessed.
 enum class ModeKind {
   strength,  // worse with load
   service,   // twist, sag: a bound that only the user can set; open until it is given
   shape,     // interference, undercut, room
-  special    // decides in special service alone: wear, creep; open until an input shows that service
+  special    // critical only in special service: wear, creep; open until an input shows that service
 };
 
-/// What is known of a mode without the type of its input.
+/// Data of a mode that do not depend on the type of its input.
 struct ModeInfo {
   const char* id = "";     // "root_1": the key of `accept`, and of JSON
   const char* title = "";  // "tooth root of gear 1 in bending"
   ModeKind kind = ModeKind::strength;
-  const char* checks = "";   // the checks and limits that judge it, all of them: "u_F1, v_share", "segments.u_tau"
-  const char* judge = "";    // the calculator that judges it, or what its checks leave; without both nothing does
-  const char* taken = "";    // how that judges it: modes of it, by the record that it takes, "sun_mesh.root_1"
-  const char* wants = "";    // inputs that would let it be judged, where its checks do not tell
-  const char* request = "";  // how to ask for the inputs of its checks, where a list of them does not say it
-  const char* advice = "";   // what else to do where no input is missing
+  const char* checks = "";   // the checks and limits that assess it, all of them: "u_F1, v_share", "segments.u_tau"
+  const char* judge = "";    // the calculator that assesses it, or the rest of its checks; without both nothing does
+  const char* taken = "";    // how that assesses it: modes of it, by the record that it takes, "sun_mesh.root_1"
+  const char* wants = "";    // inputs needed to assess it, if its checks do not show them
+  const char* request = "";  // request for the inputs of its checks, if a list of them does not suffice
+  const char* advice = "";   // other remedy if no input is missing
   const char* use = "";      // the calculator that assesses it when it takes the place of this one: "shaft.design"
-  const char* add = "";      // calculators of which a step beside this one assesses it: "shaft.key, shaft.spline"
-  bool by_service = false;   // unseen, it applies where what loads the part says that it turns or that the load varies
+  const char* add = "";      // calculators of which an additional step assesses it: "shaft.key, shaft.spline"
+  bool by_service = false;   // unseen, it applies if the source of the load rotates or the load varies
   bool by_rest = false;      // unseen, it applies where a load has companions that the step does not take
 };
 
@@ -41,7 +41,7 @@ constexpr bool is_assessable(const ModeInfo& mode) {
          *mode.use != '\0' || *mode.add != '\0';
 }
 
-/// A mode of a calculator with this input. `applies` is asked with values of tables in, at every position of a series.
+/// A mode of a calculator with this input. `applies` is called with table values set, at every position of a series.
 template <class Input>
 struct Mode : ModeInfo {
   Applies (*applies)(const Input&);
@@ -53,51 +53,51 @@ struct Mode : ModeInfo {
     mode.checks = all;
     return mode;
   }
-  /// Judged by steps of another calculator that take records of this part: all of `modes`, each behind the record,
-  /// "sun_mesh.root_2, ring_mesh.root_1". Where checks of its own judge it too, what they leave is left to these.
+  /// Assessed by steps of another calculator that take records of this part: all of `modes`, each after the record,
+  /// "sun_mesh.root_2, ring_mesh.root_1". If checks of its own assess it too, the rest is left to these.
   [[nodiscard]] constexpr Mode left_to(const char* calculator, const char* modes) const {
     Mode mode = *this;
     mode.judge = calculator;
     mode.taken = modes;
     return mode;
   }
-  /// What to give so that it is judged: "sigma_adm_1".
+  /// The inputs to be given so that it is assessed: "sigma_adm_1".
   [[nodiscard]] constexpr Mode wanting(const char* inputs) const {
     Mode mode = *this;
     mode.wants = inputs;
     return mode;
   }
-  /// What to give where no check is asked for, in words: "give tau_adm, or S with R_e".
+  /// The request for inputs if no check is active, in words: "give tau_adm, or S with R_e".
   [[nodiscard]] constexpr Mode asking(const char* text) const {
     Mode mode = *this;
     mode.request = text;
     return mode;
   }
-  /// What to do where all inputs are given and it is not assessed: "give the hub its length".
+  /// The remedy if all inputs are given and it is not assessed: "give the hub its length".
   [[nodiscard]] constexpr Mode advising(const char* text) const {
     Mode mode = *this;
     mode.advice = text;
     return mode;
   }
-  /// Assessed by another calculator in place of this one.
+  /// Assessed by another calculator instead of this one.
   [[nodiscard]] constexpr Mode assessed_in(const char* calculator) const {
     Mode mode = *this;
     mode.use = calculator;
     return mode;
   }
-  /// Assessed by a step of one of these calculators beside this one.
+  /// Assessed by an additional step of one of these calculators.
   [[nodiscard]] constexpr Mode assessed_beside(const char* calculators) const {
     Mode mode = *this;
     mode.add = calculators;
     return mode;
   }
-  /// Of a part that turns, or whose load varies.
+  /// Applies to a part that rotates, or whose load varies.
   [[nodiscard]] constexpr Mode in_service() const {
     Mode mode = *this;
     mode.by_service = true;
     return mode;
   }
-  /// Brought by what comes along with the load that is taken: bending, with the torque of a gear.
+  /// Caused by further components of the load that is taken: bending, with the torque of a gear.
   [[nodiscard]] constexpr Mode by_companions() const {
     Mode mode = *this;
     mode.by_rest = true;
@@ -138,7 +138,7 @@ constexpr Applies unseen(const Input&) {
 }
 /// Yes where it holds, else not at all.
 constexpr Applies where(bool holds) { return holds ? Applies::yes : Applies::no; }
-/// Yes where an input shows it, else the input cannot tell.
+/// Yes if an input shows it, else undecided by the input.
 constexpr Applies shown_by(bool holds) { return holds ? Applies::yes : Applies::unseen; }
 
 }  // namespace loadpath

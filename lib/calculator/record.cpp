@@ -25,7 +25,7 @@ void* take_element(const FieldInfo& list, void* owner, std::string_view& path) {
   if (!path.starts_with('.')) return nullptr;
   const std::string_view rest = path.substr(1);
   void* found = nullptr;
-  std::size_t longest = 0;  // a name may have dots of its own: "RHS 60x40x3" and "RHS 60x40x3.2"
+  std::size_t longest = 0;  // a name may contain dots: "RHS 60x40x3" and "RHS 60x40x3.2"
   for (std::size_t i = 0; i < list.size(owner); ++i) {
     const std::string_view name = name_of_element(list, list.element(owner, i));
     if (name.size() <= longest || !rest.starts_with(name)) continue;

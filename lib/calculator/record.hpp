@@ -1,5 +1,5 @@
-// Fields without their C++ types: what every reader, writer, search and test walks over. Made from the lists of
-// fields by lib/calculator/record_of.hpp, once per calculator; everything that uses it is ordinary code.
+// Fields without their C++ types, for every reader, writer, search and test. Made from the lists of fields by
+// lib/calculator/record_of.hpp, once per calculator; everything that uses it is ordinary code.
 #pragma once
 
 #include "lib/calculator/field.hpp"
@@ -31,7 +31,7 @@ struct FieldInfo {
     formula,
     group,
     list,
-    record  // of another step: no value of its own
+    record  // record of another step: without a value of its own
   };
 
   Type type = Type::quantity;
@@ -83,8 +83,8 @@ struct FieldInfo {
   double* (*address)(void* owner) = nullptr;                // quantity
   double (*get)(const void* owner) = nullptr;               // quantity, count, choice (its index)
   void (*set)(void* owner, double si) = nullptr;            // quantity, count, choice
-  void (*set_series)(void* owner, Value series) = nullptr;  // quantity that takes a series whole
-  const Value* (*series)(const void* owner) = nullptr;      // the same; null where it is one value
+  void (*set_series)(void* owner, Value series) = nullptr;  // quantity that takes an entire series
+  const Value* (*series)(const void* owner) = nullptr;      // the same; null if it is one value
   std::string_view (*text)(const void* owner) = nullptr;    // name, formula
   void (*set_text)(void* owner, std::string_view text) = nullptr;
   std::size_t (*size)(const void* owner) = nullptr;        // list; a group has size 1
@@ -142,7 +142,7 @@ const FieldInfo* find_field(std::span<const FieldInfo> fields, std::string_view 
 /// The input that a project means by this word: of that key, else called so, too.
 const FieldInfo* find_input(std::span<const FieldInfo> fields, std::string_view word);
 
-/// The field at a path, of whatever type, and the aggregate that holds it.
+/// The field at a path, of any type, and the aggregate that contains it.
 Leaf find_member(std::span<const FieldInfo> fields, void* data, std::string_view path);
 
 /// The leaf at a path: "d", "segments[2].tau" (from 1) or "segments.journal.tau" (by the element's name).
@@ -151,15 +151,15 @@ inline Leaf find_leaf(const Record& record, std::string_view path) {
   return find_leaf(record.type->fields, record.data.get(), path);
 }
 
-/// The field at a path of a record; which elements its lists have is known later. Null where there is none.
+/// The field at a path of a record; which elements its lists have is known later. Null if there is none.
 const FieldInfo* find_field_at(std::span<const FieldInfo> fields, std::string_view path);
 
 /// Whether a field that must be given has no value.
 bool is_missing(const FieldInfo& field, void* owner);
 
-/// What a choice, a name or a formula says.
+/// The text of a choice, a name or a formula.
 std::string word_of(const Leaf& leaf);
-/// Gives a choice, a name or a formula its text; false where a choice has no such word, or a name is too long.
+/// Gives a choice, a name or a formula its text; false if a choice has no such word, or a name is too long.
 bool set_word(const Leaf& leaf, std::string_view word);
 
 /// Every leaf with its path, in order.

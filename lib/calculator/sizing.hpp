@@ -12,7 +12,7 @@ namespace loadpath {
 /// One of them: the element that it is of, and which of its sizes it is now.
 struct Sought {
   const void* owner = nullptr;
-  const char* stock = "";              // that it is taken from, where the user names none; empty: that of the field
+  const char* stock = "";              // default stock, if the user names none; empty: that of the field
   std::size_t note = 0;                // index among the calculator's own notes, from `arrange` on
   std::size_t like = 0;                // the first of those of one size with it, from `arrange` on
   std::span<const double> sizes = {};  // ascending, SI
@@ -24,9 +24,9 @@ struct Sought {
 struct Sizing {
   const char* list = "";  // "pieces"; empty: it has no such list
   /// Before the search: sets stocks, notes, and groups of equal size, in one of the possible arrangements; false if
-  /// there are no more. All arrangements have the same stocks, and equal sizes have equal stocks.
+  /// there are no more. All arrangements have the same stocks, and the same groups.
   bool (*arrange)(const void* input, std::span<Sought> sought, std::size_t way) = nullptr;
-  /// Raises each no further than the others and what is given ask; false if no size is large enough.
+  /// Raises each no further than the others and the given inputs require; false if no size is large enough.
   bool (*raise)(const void* input, std::span<Sought> sought) = nullptr;
   /// The objective that the search minimises, at the current sizes of the input: a volume.
   double (*cost)(const void* input) = nullptr;

@@ -13,7 +13,7 @@ namespace loadpath {
 
 template <class Quantity>
 struct Varying {
-  Quantity one = unset<Quantity>;       // where it does not vary
+  Quantity one = unset<Quantity>;       // if it does not vary
   std::shared_ptr<const Value> series;  // if it varies; its axis outlives the record that contains it
 
   Varying() = default;
@@ -21,7 +21,7 @@ struct Varying {
   explicit Varying(Value value) : series(std::make_shared<const Value>(std::move(value))) {}
 
   [[nodiscard]] bool is_series() const { return series != nullptr; }
-  /// 1 of what does not vary.
+  /// 1 if it does not vary.
   [[nodiscard]] std::size_t positions() const { return is_series() ? series->si.size() : 1; }
   [[nodiscard]] Quantity at(std::size_t position) const {
     return is_series() ? from_si<Quantity>(series->si[position]) : one;

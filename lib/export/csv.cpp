@@ -42,7 +42,7 @@ class Column {
 
  private:
   std::vector<double> values_;
-  std::optional<Decimals> decimals_;  // where it is known what rounding is
+  std::optional<Decimals> decimals_;  // if the rounding error is known
 };
 
 std::vector<const Entry*> chosen_series(const project::Step& step, const SeriesChoice& choice) {

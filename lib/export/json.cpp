@@ -117,7 +117,7 @@ void write_list(const char* key, const std::string& list, JsonWriter& out) {
   out.close_array();
 }
 
-/// What the mode compares; where it is not assessed, what would let it be.
+/// The values compared by the mode; if it is not assessed, the remedy.
 void write_assessment(const account::Mode& mode, JsonWriter& out) {
   if (mode.compared) write_quantity("demand", mode.compared->demand, out);
   if (mode.compared) write_quantity("capacity", mode.compared->capacity, out);
@@ -132,7 +132,7 @@ void write_assessment(const account::Mode& mode, JsonWriter& out) {
   out.close_object();
 }
 
-/// The verdict on a part or a machine: its worst mode, what it covers, and every mode.
+/// The verdict on a part or a project: its worst mode, its coverage, and every mode.
 void write_modes(const project::Project& project, JsonWriter& out) {
   const account::Modes modes = project::modes(project);
   out.key("verdict").open_object();

@@ -18,14 +18,14 @@ struct Listed {
   std::string found_by;  // "title", "synonym"; the list is an answer to a search
   std::string found_in;  // the synonym or failure mode; empty where there is none
 };
-/// What a search asks for and no calculator has.
+/// A search word without any calculator.
 struct Beyond {
   std::string what;
   std::vector<std::string> nearest;  // ids
 };
 /// Titles, scopes and synonyms.
 std::string json_of(const std::vector<Listed>& list, const std::vector<Beyond>& beyond);
-/// One with its inputs, results, rules, modes of failure, sources and example.
+/// One with its inputs, results, rules, failure modes, sources and example.
 std::string json_of(const Calculator& calculator);
 
 /// The tables and series that there are.

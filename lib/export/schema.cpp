@@ -79,7 +79,7 @@ json::object because_schema(const Calculator& calculator) {
           {"additionalProperties", text()}};
 }
 
-/// A step of one calculator. A template lays out what the input of the others must give.
+/// A step of one calculator. A template replaces inputs that must be given otherwise.
 json::object step_schema(const Calculator& calculator, Definitions& definitions) {
   Record blank(*calculator.input);
   void* const needed = calculator.templates.empty() ? blank.data.get() : nullptr;

@@ -62,7 +62,7 @@ json::object closed(json::array required, json::object properties) {
           {"properties", std::move(properties)}};
 }
 
-/// Ranges, lists and distributions: what a sweep goes through (lib/project/read/spread.hpp).
+/// Ranges, lists and distributions for sweeps (lib/project/read/spread.hpp).
 void add_spreads(const json::object& one, json::array& forms) {
   const json::object any{{"type", json::array{"string", "number"}}}, whole{{"type", "integer"}, {"minimum", 2}};
   const json::object law{{"enum", json::array{"normal", "lognormal", "uniform", "triangular", "weibull"}}};

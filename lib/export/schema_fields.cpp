@@ -120,7 +120,7 @@ json::string description(const FieldInfo& field) {
 }
 
 bool is_needed(const FieldInfo& field, void* blank) {
-  if (field.optional || *field.also_called != '\0') return false;  // another word may stand for it
+  if (field.optional || *field.also_called != '\0') return false;  // another word may replace it
   if (field.type != Type::group) return is_missing(field, blank);
   return std::any_of(field.fields.begin(), field.fields.end(),
                      [&](const FieldInfo& inner) { return is_needed(inner, field.element(blank, 0)); });

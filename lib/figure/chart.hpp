@@ -1,5 +1,5 @@
-// Many machines over two scales: which of them pass, and what each of them is. A cloud of points, or the points of a
-// grid with lines of equal level between them.
+// Many designs over two scales: which of them pass, and the data of each. A cloud of points, or the points of a grid
+// with contour lines between them.
 #pragma once
 
 #include "lib/figure/figure.hpp"
@@ -9,7 +9,7 @@
 namespace loadpath::draw {
 
 struct Chart {
-  enum class Verdict : char { passes, fails, open, none };  // open: not assessed; none: no machine
+  enum class Verdict : char { passes, fails, open, none };  // open: not assessed; none: invalid design
   struct Dot {
     double x = 0.0;  // SI
     double y = 0.0;
@@ -37,11 +37,11 @@ struct Chart {
   std::string level;           // quantity of the contour lines
   std::string level_unit;      // and its unit
   std::vector<double> levels;  // value of each dot, SI; NaN if there is none
-  bool is_limited = false;     // at the level 1, if that is what decides
+  bool is_limited = false;     // at the level 1, if that decides
 
   std::vector<std::uint64_t> points;  // the number of each dot
   std::vector<Told> told;
-  std::string command;    // that solves a point as a machine of its own, but for its number
+  std::string command;    // command that solves a point separately, without its number
   std::size_t shown = 0;  // dot that is shown first
 };
 

@@ -29,8 +29,8 @@ struct Drawing {
     Line line = Line::outline;
     bool filled = false;  // a body: a pulley, a wheel
   };
-  /// A closed outline: a cut face, hatched or, of a thin wall, filled; and, without a line, a body seen from the side,
-  /// a liquid, what a wall loses.
+  /// A closed outline: a cut face, hatched or, for a thin wall, filled; and, without a line, a body seen from the
+  /// side, a liquid, the allowances of a wall.
   enum class Kind { cut, body, liquid, lost };
   struct Area {
     std::vector<Point> outline;

@@ -159,8 +159,7 @@ struct Scheme {
   std::vector<Coil> coils = {};
 };
 
-/// Vectors out of a pole or head to tail: a plan of forces, velocities or accelerations; what they measure is drawn to
-/// one scale.
+/// Vectors from a pole or head to tail: a plan of forces, velocities or accelerations, drawn to one scale.
 struct Plan {
   enum class Tone { first, second, third, part };  // colour group; a part is drawn thin
   struct Vector {
@@ -199,7 +198,7 @@ struct Plans {
   std::vector<Plan> panels;
 };
 
-/// A scheme that moves: one of its positions as it is printed, and what changes from frame to frame.
+/// A moving scheme: one of its positions as it is printed, and the changes from frame to frame.
 struct Motion {
   /// The links that carry and rotate a part of the scheme; -1: none.
   struct Carried {
@@ -220,7 +219,7 @@ struct Motion {
   };
   struct Force {
     std::vector<Point> values;       // N
-    std::vector<Point> places = {};  // where it acts, unless a link carries that
+    std::vector<Point> places = {};  // points of action, unless carried by a link
     Carried carried = {};
   };
   struct Couple {

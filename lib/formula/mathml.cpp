@@ -85,7 +85,7 @@ class MathML : public Notation {
   }
   std::string minus() const override { return "<mo form=\"prefix\">−</mo>"; }
   std::string infix(std::string_view op) const override {
-    // An operator may open a line of its own: without the attribute it would be set as a sign.
+    // An operator may start a line: without the attribute it would be set as a sign.
     return element("mo form=\"infix\"", sign(op));
   }
   std::string thin_space() const override { return blank("0.17em"); }

@@ -1,9 +1,9 @@
 // The small language in which STEP texts are written: C++ expressions over symbols, read back for the report.
 //
-// + - * ?: comparisons && || unary - parentheses, calls (sqrt cbrt pow<n> root<n> pow(x, y) abs sin cos tan asin acos
-// atan exp log min max is_set), numbers, unit names (`d mm`, `10.0 * mm`), and names that are symbols: d, without or
-// with the object that it is read from: in.d of the input, r.F_c of the result, pulley.d of an element of a list. A
-// choice is compared with one of its words: in.kind == Kind::wide.
+//   + - * / ?: comparisons && || unary - parentheses, calls (sqrt cbrt pow<n> root<n> pow(x, y) abs sin cos tan asin
+//   acos atan exp log min max is_set), numbers, unit names (`d / mm`, `10.0 * mm`), and names that are symbols: d,
+//   without or with the object that it is read from: in.d of the input, r.F_c of the result, pulley.d of an element
+//   of a list. A choice is compared with one of its words: in.kind == Kind::wide.
 #pragma once
 
 #include <functional>
@@ -22,8 +22,8 @@ struct Node {
   std::vector<Node> kids;
 };
 
-/// The tree of a formula, or nothing if the text is not in the language. A name keeps what it is read from ("in.d");
-/// a word of a choice takes it from its choice: in.kind == Kind::wide compares "in.kind" with "in.kind::wide".
+/// The tree of a formula, or nothing if the text is not in the language. A name keeps its object ("in.d"); a word of a
+/// choice takes it from its choice: in.kind == Kind::wide compares "in.kind" with "in.kind::wide".
 std::optional<Node> parse(std::string_view cpp);
 
 /// The names of a tree, each once, as written.

@@ -33,7 +33,7 @@ double counted_root(std::size_t i, const Count& count, double first, double fine
     if ((low = high / 2.0) < least_of_all) return none;
     left = count(low);
   }
-  int kept = 0;  // which end stayed last: -1 low, 1 high
+  int kept = 0;  // end kept last: -1 low, 1 high
   while (high - low > finest * high) {
     const bool alone =
         right.below == left.below + 1 && (left.rest < 0.0) != (right.rest < 0.0) && std::isfinite(right.rest);

@@ -1,4 +1,4 @@
-// The cube root, inline and the same to the bit on every C library: it is half of what sizing a shaft costs.
+// The cube root, inline and the same to the bit on every C library: it takes half of the time of sizing a shaft.
 #pragma once
 
 #include <bit>

@@ -8,7 +8,7 @@ namespace loadpath {
 
 namespace detail {
 
-/// A place and what a function is there.
+/// A place and the value of a function there.
 struct Known {
   double x, f;
 };

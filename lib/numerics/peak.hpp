@@ -3,7 +3,7 @@
 
 namespace loadpath::numerics {
 
-/// A place, and what a function is there.
+/// A place, and the value of a function there.
 struct Peak {
   double t = 0.0, f = -1.0;
 };

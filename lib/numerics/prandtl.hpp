@@ -22,7 +22,7 @@ inline constexpr std::size_t most_elements = 160, most_contours = 9;
 struct TorsionFunction {
   double I_t;     // torsion constant
   double stress;  // largest in the middle of an element, per G theta: a length
-  PlanePoint at;  // where it is; of elements alike the first
+  PlanePoint at;  // its place; the first of equal elements
 };
 
 /// The torsion function of a section with an outer contour, the first, and holes inside it. Elements per side times

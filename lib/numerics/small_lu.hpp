@@ -1,5 +1,5 @@
-// LU factors of a small dense matrix; all memory is taken in the constructor. Sizes 1 and 2, which are most of what a
-// mechanism's groups need, go by their determinant.
+// LU factors of a small dense matrix; all memory is taken in the constructor. Sizes 1 and 2, the most frequent ones
+// for a mechanism's groups, use their determinant.
 #pragma once
 
 #include <algorithm>
@@ -18,10 +18,10 @@ class SmallLu {
   [[nodiscard]] double& at(std::size_t row, std::size_t column) { return a_[row * size_ + column]; }
 
   void clear() { std::fill(a_.begin(), a_.end(), 0.0); }
-  /// Factors the matrix that was filled in. False when it is singular: a column differs from what the others make of it
-  /// by less than 1e-7 of its size.
+  /// Factors the matrix that was filled in. False if it is singular: a column differs from a combination of the
+  /// others by less than 1e-7 of its size.
   [[nodiscard]] bool factor() { return size_ == 2 ? factor_two() : factor_any(); }
-  /// +1 or -1: the sign of the determinant of what was factored.
+  /// +1 or -1: the sign of the determinant of the factored matrix.
   [[nodiscard]] double sign() const { return sign_; }
   /// Replaces the right side by the solution of A x = b, or of A^T x = b.
   void solve(std::span<double> right) { size_ == 2 ? solve_two(right, a_[1], a_[2]) : solve_any(right); }

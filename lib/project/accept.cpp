@@ -27,7 +27,7 @@ void read_reason(const Tree::Entry& entry, StepInput& input, std::vector<Issue>&
   }
 }
 
-/// The state that an unacceptable mode keeps.
+/// The reason why a mode cannot be accepted.
 Message instead_of_accepted(const std::string& id, const account::Modes& modes) {
   using account::State;
   const auto mode = std::find_if(modes.begin(), modes.end(), [&](const account::Mode& m) { return m.id == id; });

@@ -1,4 +1,4 @@
-// What would let a mode of failure be assessed, as data.
+// The remedies for failure modes that are not assessed, as data.
 #pragma once
 
 #include "lib/project/project.hpp"

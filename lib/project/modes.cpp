@@ -41,7 +41,7 @@ State unjudged(const ModeInfo& mode, Applies applies) {
   return waits ? State::open : State::not_judged;
 }
 
-/// "=epi.sun_mesh and =epi.ring_mesh", "each of =shaft.bearings": what a step takes that assesses the mode.
+/// "=epi.sun_mesh and =epi.ring_mesh", "each of =shaft.bearings": the records that an assessing step takes.
 std::string records_of(const ModeInfo& left, std::span<const FieldInfo> fields, const std::string& part) {
   std::string all;
   for (const std::string& key : listed_keys(left.taken)) {
@@ -60,15 +60,15 @@ const ModeInfo* info_of(const Step& step, const std::string& mode) {
   return found == all.end() ? nullptr : &*found;
 }
 
-/// But for rounding: what was typed over a value may be the value itself.
+/// Equal but for rounding: the value typed instead may be the same.
 bool is_same(const std::vector<double>& a, const std::vector<double>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](double x, double y) {
     return x == y || std::abs(x - y) <= 1e-9 * std::max(std::abs(x), std::abs(y));
   });
 }
 
-/// Whether an input of the assess has what the part says of itself; what that leaves open is the assess's own.
-/// `beside`: the fields that the record fills, "notches[2].", and what is before their keys.
+/// Whether an input of the assessing step has the value of the part; values that the part leaves open are its own.
+/// `beside`: the fields that the record fills, "notches[2].", and the path before their keys.
 bool agrees(const Step& judge, const std::string& beside, const Step& part, const Member& member) {
   const auto& inputs = judge.account().inputs;
   const std::string path = beside + member.key;
@@ -113,8 +113,8 @@ bool takes(const Step& judge, const Step& part, const Names& record) {
   });
 }
 
-/// The modes of a calculator's steps that assess what is left to it. A record that no such step takes, or of which none
-/// of these modes concerns the step, leaves all of it open: nothing comes back.
+/// The modes of a calculator's steps that assess a mode left to it. A record that no such step takes, or of which
+/// none of these modes concerns the step, leaves all of it open: the result is empty.
 std::vector<const account::Mode*> judges_of(const ModeInfo& left, const Step& part, const Project& project) {
   std::vector<const account::Mode*> judges;
   std::map<std::string, bool> judged;  // each record by one mode at least
@@ -141,7 +141,7 @@ std::vector<const account::Mode*> judges_of(const ModeInfo& left, const Step& pa
 /// As the worst of its assesses came out.
 void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges) {
   const account::Mode& worst = governing(judges);
-  // A assess that sees nothing of the service does not take back what the part has seen.
+  // An assessing step without information on the service does not override that of the part.
   const bool weaker = mode.state != State::open && worst.state == State::open;
   if (!weaker) mode.state = worst.state;
   mode.utilisation = utilisation_of(judges);

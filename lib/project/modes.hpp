@@ -1,4 +1,4 @@
-// From checks and limits to failure modes: what was held against a mode decides it, and what was not is said.
+// From checks and limits to failure modes: the checks of a mode decide it, and missing ones are reported.
 #pragma once
 
 #include "lib/account/fold.hpp"
@@ -24,7 +24,7 @@ struct CheckNeeds {
   bool needs_checks = false;  // rows that are only limits do not assess it
   std::string wants;          // inputs without which a check is missing
 };
-/// `is_asked`: whether a check has what it needs.
+/// `is_asked`: whether a check has its inputs.
 CheckNeeds needs_of(const ModeInfo& mode, const RecordType& result,
                     const std::function<bool(const FieldInfo&)>& is_asked);
 

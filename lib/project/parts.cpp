@@ -64,7 +64,7 @@ bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issu
 /// The rows that a step takes one after another: material = ["C45E", "42CrMo4"], section = { each = "ipe" }.
 void read_rows_in_turn(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issues) {
   const std::string key = input.name + "." + row.key;
-  input.rows[row.key] = {"", row.value.place};  // that there is one, right or wrong
+  input.rows[row.key] = {"", row.value.place};  // given, valid or not
   Varied varied{.path = row.key, .leaf = {}, .place = row.value.place, .shared = row.value.shared};
   for (const Tree& item : row.value.items) {
     const auto found = item.type == Tree::Type::text ? input.tables->find_row(row.key, item.text)
@@ -123,7 +123,7 @@ void read_row(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issu
   const Tree::Entry& named = stock == nullptr ? row : *stock;
   const std::string text = text_of(named, key, issues);
   Place start = named.value.place;
-  input.rows[row.key] = {"", start};  // where it is known only when the project is solved
+  input.rows[row.key] = {"", start};  // known only when the project is solved
   if (stock != nullptr || text == "?") {
     input.reading.searches.push_back({row.key, {}, stock == nullptr ? "" : text, start});
   } else if (text.starts_with('=')) {

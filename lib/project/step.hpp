@@ -27,11 +27,11 @@ using account::Origin;
 struct Wanted {
   bool pictures = true;                 // tables and figures
   bool formulas = true;                 // the derivation, written out
-  bool unused = true;                   // which inputs have no effect
+  bool unused = true;                   // inputs without effect
   bool words = true;                    // origins of values, lines of a calculation
   SeriesChoice series = {};             // selection of the series that could be written
-  std::set<std::string> taken = {};     // those that other steps refer to, "lever.drive.M": solve() fills it
-  std::set<std::string> compared = {};  // those that expectations and typed values are compared with: the same
+  std::set<std::string> taken = {};     // values that other steps refer to, "lever.drive.M": solve() fills it
+  std::set<std::string> compared = {};  // values that expectations and typed values are compared with: the same
 
   /// Whether the series of this path in this step is needed for any of it; pictures show every one.
   [[nodiscard]] bool holds(const std::string& step, const std::string& path) const {
@@ -127,8 +127,8 @@ class Step {
   [[nodiscard]] const StepInput& input() const { return input_; }
   [[nodiscard]] StepInput& input() { return input_; }
 
-  /// Checks what can be known before anything runs: expressions' dimensions, names, rules. Called in order of
-  /// evaluation.
+  /// Checks everything that can be known before anything runs: expressions' dimensions, names, rules. Called in order
+  /// of evaluation.
   virtual void prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) = 0;
   /// Dimension and axis of a path; a Fault with a hint if there is none, without a message if an error of the step,
   /// already reported, leaves it unknown. After `prepare`.
@@ -137,7 +137,7 @@ class Step {
   [[nodiscard]] virtual const FieldInfo* field(const std::string& path) const;
   /// The members of a record of the step: "gear_2", "links.rod"; empty if there is none of that name.
   [[nodiscard]] virtual std::vector<Member> members(const std::string& path) const;
-  /// Full paths of what else loads the part that takes the value at `path`.
+  /// Full paths of the other loads on the part that takes the value at `path`.
   [[nodiscard]] virtual std::vector<std::string> companions_of(const std::string& path) const;
   /// Fills the account; series that are not requested may have no values. A computed value that its field refuses
   /// becomes an issue at its expression.
@@ -210,7 +210,7 @@ std::vector<Entry> input_entries(const Record& record,
 /// "given" if it was typed, "default" if it has a value anyway.
 Origin plain_origin(const Reading& reading, const std::string& path, const Leaf& leaf);
 
-/// An issue at the field that was typed at `path`, or at what it is part of.
+/// An issue at the field that was typed at `path`, or at its parent.
 Issue issue_at(const StepInput& input, const std::string& path, Message message, Message hint = {});
 
 }  // namespace loadpath::project

@@ -9,7 +9,7 @@
 
 namespace loadpath::project {
 
-/// The patterns that choose no series of a solved project, with what they may have meant.
+/// The patterns that choose no series of a solved project, with similar names.
 std::vector<FieldFault> unknown_series(const SeriesChoice& choice, const Project& project);
 
 }  // namespace loadpath::project

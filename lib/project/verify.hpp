@@ -1,4 +1,4 @@
-// Reference cases: what a project expects of itself against what it finds.
+// Reference cases: expectations of a project compared with its results.
 #pragma once
 
 #include "lib/project/project.hpp"

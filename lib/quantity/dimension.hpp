@@ -16,7 +16,7 @@ struct Dimension {
 
   constexpr bool operator==(const Dimension&) const = default;
 
-  /// The same without the angle: what an expression is compared by, so that P = M omega fits.
+  /// The same without the angle, for comparing expressions, so that P = M omega fits.
   [[nodiscard]] constexpr Dimension without_angle() const {
     Dimension d = *this;
     d.twelfths[angle] = 0;

@@ -26,7 +26,7 @@ enum class Meant : std::uint8_t {
   difference  // temperature difference
 };
 
-/// A field or a result, by what it declares of itself.
+/// A field or a result, by its declaration.
 struct Declaration {
   std::string_view symbol;   // "tau_max": the last name of its path
   std::string_view meaning;  // "maximum shear stress"

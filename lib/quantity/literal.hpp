@@ -29,8 +29,8 @@ Outcome<Literal> parse_literal(std::string_view text, const Expected& expected);
 /// A literal of any dimension (for `convert` and for expressions' own tests).
 Outcome<Literal> parse_literal(std::string_view text);
 
-/// Whether a text of this dimension leaves open what it counts, revolutions or cycles: "120 1/min", not "2 Hz", "2
-/// 1/s".
+/// Whether a text of this dimension leaves open whether revolutions or cycles are counted: "120 1/min", not "2 Hz",
+/// "2 1/s".
 bool counts_anything(const Dimension& dimension, std::string_view text);
 
 /// The kind of a literal implied by its unit: a frequency for "25 Hz"; nothing if it cannot be read.

@@ -1,4 +1,4 @@
-// A quantity over the positions of a cycle, or a single value, with its dimension; and what can be read off it.
+// A quantity over the positions of a cycle, or a single value, with its dimension; and its properties.
 #pragma once
 
 #include "lib/quantity/dimension.hpp"

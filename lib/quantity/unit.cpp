@@ -214,7 +214,7 @@ class UnitReader {
     return set(power, top, bottom, from);
   }
 
-  /// Appends the decimals of an exponent to its digits; what they are divided by.
+  /// Appends the decimals of an exponent to its digits; returns the divisor.
   std::string decimals(std::string& top) {
     ++in_.at;
     const std::string_view part = in_.digits();

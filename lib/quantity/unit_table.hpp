@@ -10,7 +10,7 @@
 
 namespace loadpath {
 
-/// A prefix joins names of its own script only: kN, кН, kilonewton.
+/// A prefix joins only names of its script: kN, кН, kilonewton.
 enum class Script : std::uint8_t { latin, cyrillic, word };
 
 struct Prefix {

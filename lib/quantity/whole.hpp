@@ -1,4 +1,4 @@
-// Integers in formulas: teeth, links, belts. A double in arithmetic, so that z_2 z_1 divides as written; an integer
+// Integers in formulas: teeth, links, belts. A double in arithmetic, so that z_2 / z_1 divides as written; an integer
 // only on explicit request.
 #pragma once
 

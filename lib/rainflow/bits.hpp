@@ -11,7 +11,7 @@ namespace loadpath::rainflow {
 /// number. Up to three additional calls follow, with places of the word, whose results are to be overwritten.
 template <class Put>
 inline __attribute__((always_inline)) std::size_t put_places(std::uint64_t word, const Put& put) {
-  constexpr std::uint64_t last = std::uint64_t{1} << 63U;  // so that there is a lowest bit
+  constexpr std::uint64_t last = std::uint64_t{1} << 63U;  // ensures a lowest bit
   const auto count = static_cast<std::size_t>(std::popcount(word));
   for (std::size_t i = 0; i < count; i += 4) {
     for (std::size_t k = i; k < i + 4; ++k, word &= word - 1)

@@ -58,7 +58,7 @@ LOADPATH_AVX2 void compare_neighbours_avx2(const double* x, std::size_t words, M
       const auto up = static_cast<unsigned>(_mm256_movemask_pd(_mm256_cmp_pd(here, next, _CMP_LT_OQ)));
       rising |= static_cast<std::uint64_t>(up) << k;
       level = _mm256_or_pd(level, _mm256_cmp_pd(here, next, _CMP_EQ_UQ));  // or one of them is NaN
-      largest = _mm256_max_pd(_mm256_and_pd(next, size), largest);         // which is passed over here
+      largest = _mm256_max_pd(_mm256_and_pd(next, size), largest);         // skipped here
     }
     const __m256d too_large = _mm256_cmp_pd(largest, _mm256_set1_pd(largest_value), _CMP_GT_OQ);
     moves[w] = {rising, 0, _mm256_movemask_pd(too_large) == 0};

@@ -10,7 +10,7 @@ namespace loadpath::rainflow {
 /// Instructions to use; avx2 only if best_instructions() is that.
 enum class Instructions { portable, avx2 };
 
-/// The best of what this machine has.
+/// The best instructions of this CPU.
 Instructions best_instructions();
 
 /// The maximum value for counting: its ranges are finite.

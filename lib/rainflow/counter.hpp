@@ -1,5 +1,5 @@
-// Counts the cycles of a series that comes in chunks: turning points, a gate, what closes at once, and a stack. It
-// takes the memory of a block and of the residue, and finds the same cycles however the series is cut.
+// Counts the cycles of a series in chunks: turning points, a gate, elimination of local cycles, and a stack. It takes
+// the memory of a block and of the residue, and finds the same cycles for any division of the series.
 #pragma once
 
 #include "lib/rainflow/cycle.hpp"

@@ -32,7 +32,7 @@ struct Batch {
   std::span<const Where> where;  // empty unless the counter was set to record places
 };
 
-/// Takes what a counter finds, batch by batch; which batches there are does not depend on the chunks of the series.
+/// Takes the results of a counter, batch by batch; the batches do not depend on the chunks of the series.
 class Consumer {
  public:
   Consumer() = default;
@@ -42,7 +42,7 @@ class Consumer {
   Consumer& operator=(Consumer&&) = default;
   virtual ~Consumer() = default;
   virtual void take(const Batch& batch) = 0;
-  /// The turning points themselves, in their order: for what counts levels and not loops.
+  /// The turning points themselves, in their order: for counting levels and not loops.
   virtual void pass(std::span<const double> /*turning_points*/) {}
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 double factor_of(Measure measure) { return measure == Measure::amplitude ? 0.5 : 1.0; }
 
-/// Adds what up to a lot of loops do; behind them the lot is filled with cycles of no range.
+/// Adds the damage of up to a lot of loops; the lot is filled up with cycles of zero range.
 LOADPATH_INLINE void add(std::span<const Loop> loops, std::span<const SnCurve::Segment> segments, double factor,
                          DamageSum::Lots& lots, DamageSum::Sums& sums) {
   auto& [stress, scaled, power, damage] = lots;

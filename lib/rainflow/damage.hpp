@@ -22,7 +22,7 @@ class DamageSum : public Consumer {
 
   void take(const Batch& batch) override;
 
-  /// A Fault if it is beyond what numbers hold.
+  /// A Fault if it is beyond the range of numbers.
   [[nodiscard]] Outcome<double> total() const;
   /// The number of cycles, halves as 0.5.
   [[nodiscard]] double cycles() const { return cycles_; }

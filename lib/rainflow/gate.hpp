@@ -7,8 +7,8 @@
 namespace loadpath::rainflow {
 
 /// A hysteresis gate: an extreme becomes a turning point once the series has reversed from it by `width` or more.
-/// Cycles of at least that range are those of the full series; its ends move to the last points before which the
-/// series moves by less.
+/// Cycles of at least that range are those of the full series; its ends are omitted if the series moves by less before
+/// them.
 class Gate {
  public:
   /// In the unit of the series, 0 or more.

@@ -45,7 +45,7 @@ class SnCurve {
 
   /// The share of the life that one cycle of this stress (>= 0) takes, 1 / N; 0 if it never fails; finite.
   [[nodiscard]] double damage(double stress) const;
-  /// Cycles to failure; none if it never fails, or beyond what numbers hold.
+  /// Cycles to failure; none if it never fails, or beyond the range of numbers.
   [[nodiscard]] std::optional<double> cycles(double stress) const;
   /// The stress that fails after so many cycles; none if none does.
   [[nodiscard]] std::optional<double> stress(double cycles) const;

@@ -51,7 +51,7 @@ class TurningPoints {
   Instructions instructions_;
   Course course_ = Course::none;
   double last_ = 0.0;        // the latest sample
-  std::uint64_t since_ = 0;  // where its plateau began
+  std::uint64_t since_ = 0;  // start of its plateau
   std::uint64_t samples_ = 0;
 };
 

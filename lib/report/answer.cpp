@@ -27,7 +27,7 @@ std::string set(std::string text) {
   return text;
 }
 
-/// A number, a word, or what a series amounts to: its value of the largest magnitude.
+/// A number, a word, or for a series its value of the largest magnitude.
 std::string short_text(const Entry& entry) {
   if (!entry.word.empty()) return entry.word;
   if (entry.value.si.empty()) return {};
@@ -51,7 +51,7 @@ std::string size_text(const Entry& entry) {
   return entry.path + (entry.path.size() > short_path ? " " : "\u00A0") + set("= " + text);
 }
 
-/// The sizes of a part: what was searched for, and what was given where it might have been.
+/// The sizes of a part: searched inputs, and given ones that might have been searched.
 std::vector<const Entry*> sizes_of(const Step& step) {
   std::vector<const Entry*> sizes = chosen(step.account());
   const auto& fields = step.input().calculator->input->fields;  // a result may have the same key

@@ -24,7 +24,7 @@ bool is_list_path(const std::string& path) { return path.find_first_of("[.") != 
 
 Cell symbol_cell(const Entry& entry) { return is_list_path(entry.path) ? Cell(entry.path) : Cell(Symbol{entry.path}); }
 
-/// A value as one cell: a number, or what a series amounts to.
+/// A value as one cell: a number, or the extreme of a series.
 Cell cell_of(const Entry& entry) {
   if (!entry.word.empty()) return entry.word;
   if (!entry.value.is_series()) {

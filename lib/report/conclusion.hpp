@@ -13,11 +13,11 @@ Message conclusion_of(const Modes& modes);
 /// The number of modes by state: "Of 6 failure modes: 1 not assessed, 4 pass, 1 not considered."
 Message tally(const Modes& modes);
 
-/// The mode with the highest utilisation, or none, and what it is announced with.
+/// The mode with the highest utilisation, or none, and its announcement.
 const Mode* most_utilised(const Modes& modes);
 Message utilisation(const Mode& mode);
 
-/// Whether the mode passes by a proof or a condition, without a utilisation: worth no row of its own.
+/// Whether the mode passes by a proof or a condition, without a utilisation: not worth a line of its own.
 bool is_proved(const Mode& mode);
 /// The modes with a row of their own, in order: first those that do not pass. Modes that pass by proof, and modes not
 /// considered that no calculator assesses, are summarised in a line each, empty if there is none.

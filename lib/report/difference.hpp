@@ -35,7 +35,7 @@ struct StepDifference {
 struct ProjectDifference {
   std::string before, after;  // the state of all modes together
   std::vector<Difference> heading;
-  std::vector<StepDifference> steps;  // that differ, in the order of the later project
+  std::vector<StepDifference> steps;  // differing ones, in the order of the later project
 
   [[nodiscard]] bool none() const { return before == after && heading.empty() && steps.empty(); }
 };

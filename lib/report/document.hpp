@@ -32,9 +32,9 @@ using account::Verdicts;
 struct Document {
   std::string title;
   std::vector<std::pair<Message, std::string>> meta;  // "Project file" "lever.toml", "Program" "loadpath 0.1.0"...
-  std::string paper = "A4";                           // that it is printed on; or "letter"
-  Table chosen;                                       // first page: the sizes of parts, and what governs them
-  draw::Flow path;                                    // first page: what loads what
+  std::string paper = "A4";                           // paper for printing; or "letter"
+  Table chosen;                                       // first page: the sizes of parts, and their governing modes
+  draw::Flow path;                                    // first page: flow of loads
   Modes summary;                                      // first page
   std::vector<Block> blocks;
   std::string input;  // last page: the project as it was typed; may be empty

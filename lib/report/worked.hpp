@@ -34,7 +34,7 @@ bool is_word(std::string_view name);
 /// A heading of a table that consists of a symbol: "tau_t", "d".
 bool is_symbol(const Message& head);
 
-/// Those of steps and chapters, which contents list; none if a document is too short for contents.
+/// The headings of steps and chapters, which contents list; none if a document is too short for contents.
 std::vector<const Heading*> listed_headings(const Document& document);
 
 /// Columns that hold quantities, where they hold anything, are set flush right.

@@ -13,7 +13,7 @@ namespace loadpath::table {
 /// The tables built into the program, read at first use.
 const Library& built_in();
 
-/// A row of them, of which it reads only what it needs. So do those below.
+/// A row of them; only the necessary part of the tables is read, also by the functions below.
 Outcome<Entry> find_row(std::string_view group, std::string_view name);
 
 /// The tables of a group, in order; reads only these.

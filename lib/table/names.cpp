@@ -14,7 +14,7 @@ namespace {
 
 bool is_digit(char32_t c) { return U'0' <= c && c <= U'9'; }
 
-/// "HEA 155": the letters "hea", the number 155 and what follows it.
+/// "HEA 155": the letters "hea", the number 155 and the rest.
 struct Numbered {
   std::u32string letters, digits, rest;
   double number = std::numeric_limits<double>::quiet_NaN();

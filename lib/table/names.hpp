@@ -7,8 +7,7 @@
 
 namespace loadpath::table {
 
-/// A name without its spaces and hyphens, in small letters ("GG 25", "GG-25"): what two names that are the same have in
-/// common.
+/// A name without its spaces and hyphens, in small letters ("GG 25", "GG-25"): equal for equal names.
 std::u32string folded(std::string_view name);
 
 /// The name that is meant by one that is not there: of the same letters in front the one with the nearest number ("HEA

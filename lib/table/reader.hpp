@@ -1,9 +1,9 @@
 // Reads files of tables into a library. Errors become issues; the rest is read all the same.
 //
-// A file names its `table` and the `group` of its rows ("material"), the `units` of its columns, `[defaults]` for what
-// its rows share, and each `[[row]]`: name, aliases, near, standard, kind, note, its values, and `by_size` for those
-// that hold up to a `size_max`. `sources` are those of all values of a row or a step, `cite.KEY` those of the values it
-// lists, and `recalled` (a list, or true) marks the values that no source was seen for. A file of sizes has
+// A file names its `table` and the `group` of its rows ("material"), the `units` of its columns, `[defaults]` common
+// to its rows, and each `[[row]]`: name, aliases, near, standard, kind, note, its values, and `by_size` for those
+// that hold up to a `size_max`. `sources` are those of all values of a row or a step, `cite.KEY` those of the values
+// it lists, and `recalled` (a list, or true) marks the values that no source was seen for. A file of sizes has
 // `[[series]]` instead; `[sources]` are the citations. Rows that all give the same keys may be written as lines:
 // `columns` are the keys, and each of `rows` is an array of their values, "" if there is none.
 #pragma once

@@ -1,4 +1,4 @@
-// Rows of tables as aggregates: what a designer that searches a catalogue looks through.
+// Rows of tables as aggregates, for calculators that search a catalogue.
 //
 //   struct Profile {
 //     static constexpr auto group = "section";

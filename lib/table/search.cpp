@@ -39,7 +39,7 @@ std::vector<std::string> keys_of(const std::vector<const Table*>& tables) {
   return keys;
 }
 
-/// The column of a key or of a plain word, `at` bytes into what was written.
+/// The column of a key or of a plain word, `at` bytes into the text.
 Outcome<const Column*> column_named(std::string_view word, std::size_t at, const std::vector<const Table*>& tables) {
   if (const Column* column = find_column(tables, word)) return column;
   for (const auto& [plain, key] : plain_words) {

@@ -10,8 +10,7 @@
 
 namespace loadpath::table {
 
-/// SI; what is not known is NaN. The kind is a word of column.buckling, "rolled_I", "solid"; empty if it is not
-/// said.
+/// SI; unknown values are NaN. The kind is a word of column.buckling, "rolled_I", "solid"; empty if it is not given.
 struct SectionShape {
   static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   double h = unknown, b = unknown, d = unknown, t_f = unknown, t_w = unknown;

@@ -21,8 +21,8 @@ class Tables {
   /// Whether a row of the project answers to the name.
   [[nodiscard]] bool is_own(std::string_view group, std::string_view name) const;
 
-  /// The rows of a group, of one of its tables ("sections/ipe") or of one kind, ascending by what orders them
-  /// (`order_of`); those that lack it are left out.
+  /// The rows of a group, of one of its tables ("sections/ipe") or of one kind, ascending by their ordering column
+  /// (`order_of`); rows without it are left out.
   [[nodiscard]] std::vector<Entry> ordered_rows(std::string_view group, std::string_view within) const;
   /// The tables of a group: "sections/ipe".
   [[nodiscard]] std::vector<std::string> names_of(std::string_view group) const;

@@ -17,7 +17,7 @@ std::span<const File> reference();  // reference/ and examples/: the verificatio
 std::span<const File> shells();     // cli/shell: scripts of completion
 std::span<const File> live();       // cli/watch: the script of a page that is kept up to date
 
-/// The text of a file of assets(), which is there.
+/// The text of an existing file of assets().
 std::string_view asset(std::string_view name);
 
 }  // namespace loadpath::embedded

@@ -1,4 +1,4 @@
-// What a wrong word was meant for, with what the right ones mean.
+// The intended meaning of a wrong word, with the meanings of the right ones.
 #pragma once
 
 #include "lib/text/issue.hpp"

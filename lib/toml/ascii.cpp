@@ -14,7 +14,7 @@ constexpr std::size_t digits = 6;  // digits of U+10FFFF
 
 bool is_foreign(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
-/// No escape begins with z, and no other place of the mark can begin one of its own.
+/// No escape begins with z, and the mark cannot overlap with itself.
 std::string mark_for(std::string_view text) {
   for (int i = 0;; ++i) {
     std::string mark = "z" + std::to_string(i) + "_";

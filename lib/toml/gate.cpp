@@ -60,7 +60,7 @@ class Openings {
     if (bracket == '{') in_value_ = false;
   }
 
-  std::string brackets_;  // that are open
+  std::string brackets_;  // open ones
   bool in_value_ = false;
   bool opens_ = true;
 };

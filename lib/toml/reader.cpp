@@ -150,7 +150,7 @@ bool is_escaped_foreign(std::string_view line, int column) {
   return false;
 }
 
-/// "Error while parsing key-value pair: expected ..." without what the place shows already.
+/// "Error while parsing key-value pair: expected ..." without the part that the place shows already.
 std::string_view what_of(std::string_view description) {
   const std::size_t colon = description.find(": ");
   return description.starts_with("Error while parsing") && colon != std::string_view::npos

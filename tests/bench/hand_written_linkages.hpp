@@ -12,7 +12,7 @@ namespace loadpath::mechanism::hand_written {
 
 inline constexpr double g = 9.81;
 
-/// A slender bar from a pin; what it needs is m (a - g) of its middle, and about its start.
+/// A slender bar from a pin; the required force is m (a - g) of its middle, and the moment about its start.
 struct Bar {
   double length, mass;
   [[nodiscard]] constexpr double inertia() const { return mass * length * length / 12.0; }
@@ -79,7 +79,7 @@ struct PinnedDyad {
     a_tip = epsilon_w * normal(w) - omega_w * omega_w * w;
   }
 
-  /// `tip`: what the rocker needs besides at the joint; `couple`: on the rocker.
+  /// `tip`: additional force on the rocker at the joint; `couple`: on the rocker.
   void find_forces(Vec a_pin, Vec tip, double couple) {
     const Vec needed_u = coupler.force(a_pin, a_tip), needed_w = rocker.force({}, a_tip);
     const double of_u = 0.5 * cross(u, needed_u) + coupler.inertia() * epsilon_u;

@@ -25,7 +25,7 @@ class Browser {
   void look(int width, int height, bool dark = false);
   /// Shows the page as printed: the styles for print, at the width of the printed area.
   void look_as_print(int width);
-  /// Opens an address and waits until it is there, its fonts with it.
+  /// Opens an address and waits until it is loaded, including its fonts.
   void open(const std::string& address);
   /// The value of an expression in the page; a promise is waited for.
   boost::json::value value(const std::string& expression);

@@ -1,4 +1,4 @@
-// The program as a process: its words, its exit code, what it writes.
+// The program as a process: its words, its exit code, its output.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -18,7 +18,7 @@ struct Ran {
 
 using Environment = std::vector<std::pair<std::string, std::string>>;
 
-/// Runs the program in a folder of its own.
+/// Runs the program in a separate folder.
 class Desk {
  public:
   Desk();

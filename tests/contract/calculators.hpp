@@ -16,7 +16,7 @@
 
 namespace loadpath::test {
 
-/// Those of this run that are one function from a record to a record.
+/// The calculators of this run that are one function from a record to a record.
 inline std::vector<const Calculator*> plain_calculators() {
   std::vector<const Calculator*> plain;
   for (const Calculator* c : calculators_taken()) {

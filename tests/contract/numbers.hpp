@@ -1,4 +1,4 @@
-// The numbers of a project as they are typed, and what may be written in their place.
+// The numbers of a project as they are typed, and the permitted replacements.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -24,7 +24,7 @@ std::vector<Number> numbers_of(const toml::Tree& top, const project::Project& pr
 /// The text of an expression that is this number.
 std::string expression_of(const toml::Tree& number);
 
-/// A project with one more step; what refers to it waits until it is solved.
+/// A project with one more step; references to it wait until it is solved.
 toml::Tree with_other_step(const toml::Tree& tree);
 /// "=30 mm" as a value known only later: "=(30 mm)*(contract_one.h/contract_one.h)".
 std::string waiting(const std::string& expression);

@@ -11,7 +11,7 @@ struct SourceFormula {
   std::string place;   // "calculators/gear/pair_mesh.cpp:13"
   std::string folder;  // "gear"
   std::string symbol;  // empty: the caller of a NAMED_STEP knows it
-  std::string text;    // as it is printed
+  std::string text;    // printed form
 };
 
 /// All of them, in the order of files and lines.

@@ -21,7 +21,7 @@ class Labels {
   explicit Labels(Box area) : area_(area) {}
 
   void keep_off(const Box& box) { boxes_.push_back(box); }
-  /// `weight`: below 1 for what a label may cross if there is no room.
+  /// `weight`: below 1 for lines that a label may cross if there is no room.
   void keep_off(std::vector<Point> polyline, double half_width = 1.0, double weight = 1.0) {
     lines_.emplace_back(std::move(polyline), half_width, weight);
   }

@@ -8,7 +8,7 @@
 
 namespace loadpath::draw {
 
-/// The <svg> element around a picture, a file of its own.
+/// The <svg> element around a picture, as a separate file.
 std::string svg_file(const Picture& picture, std::string_view title);
 /// The same for a page that has the style sheet once.
 std::string svg_part(const Picture& picture, std::string_view title);

@@ -28,7 +28,7 @@ double degree_step(double least) {
   return least > 360.0 ? 360.0 * decimal_step(least / 360.0) : decimal_step(least);
 }
 
-/// A range that can be divided: what has no extent is shown with zero, and zero with one on both sides.
+/// A range that can be divided: a single value is shown with zero, and zero with one on both sides.
 Range opened(Range data) {
   const double size = std::max(std::fabs(data.low), std::fabs(data.high));
   if (!(size > 1e-100)) return {-1.0, 1.0};

@@ -9,7 +9,7 @@ namespace loadpath::draw {
 
 struct ToldChart {
   std::string svg;   // with a circle data-here, hidden
-  std::string data;  // JSON, without what could end a script
+  std::string data;  // JSON, without characters that could end a script
 };
 
 /// `figure` holds a chart.

@@ -36,7 +36,7 @@ void hatch_line(Point from, Point to, const std::function<bool(Point)>& holds, S
 Strokes hatching(const Box& area, double spacing, bool rising, const std::function<bool(Point)>& holds) {
   Strokes strokes;
   const double wide = area.width(), high = area.height();
-  for (double at = spacing; at < wide + high; at += spacing) {  // where it meets the left side, or the bottom
+  for (double at = spacing; at < wide + high; at += spacing) {  // intersection with the left side, or the bottom
     const double low = std::max(0.0, at - high), end = std::min(at, wide);
     const auto place = [&](double across) {
       return Point{area.left + across, rising ? area.top + at - across : area.bottom - at + across};

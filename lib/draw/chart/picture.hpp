@@ -21,7 +21,7 @@ ChartPicture chart_picture(const Chart& chart);
 PlotFrame frame_of(const Chart& chart);
 /// The number of dots that pass, that fail by each mode...
 std::string counts_of(const Chart& chart);
-/// One row below the figure: a sign and what it means.
+/// One row below the figure: a symbol and its meaning.
 class Legend {
  public:
   Legend(Canvas& canvas, double top) : canvas_(canvas), y_(top) {}
@@ -36,7 +36,7 @@ class Legend {
 
 /// Over two results: dots, and the front that none of them is beyond.
 Picture cloud_picture(const Chart& chart, const PlotFrame& frame, const std::vector<std::optional<Point>>& places);
-/// Over two inputs: lines of level, and what fails hatched.
+/// Over two inputs: contour lines, and the failing region hatched.
 Picture field_picture(const Chart& chart, const PlotFrame& frame);
 
 }  // namespace loadpath::draw

@@ -24,7 +24,7 @@ class Regions {
  private:
   const Chart& chart_;
   Lattice lattice_;
-  std::vector<double> excess_;  // above zero if a dot fails; NaN if there is no machine
+  std::vector<double> excess_;  // above zero if a dot fails; NaN if the design is invalid
 };
 
 }  // namespace loadpath::draw

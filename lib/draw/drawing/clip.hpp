@@ -14,7 +14,7 @@ std::vector<std::vector<Point>> clipped(const std::vector<Point>& polyline, cons
 /// The part of a closed outline within the box.
 std::vector<Point> clipped_area(std::vector<Point> outline, const Box& box);
 
-/// Strokes at 45 degrees through the inside of closed outlines; what lies within an even number of them is a hole.
+/// Strokes at 45 degrees through the inside of closed outlines; regions within an even number of them are holes.
 std::vector<std::pair<Point, Point>> hatching(const std::vector<Point>& outline, double spacing, bool falling = false);
 
 /// Twice the area over the circumference: of a thin wall its thickness.

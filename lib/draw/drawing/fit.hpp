@@ -13,7 +13,7 @@ inline constexpr double dimension_row = 23.0;                       // from a di
 inline constexpr double first_row = 20.0;                           // from the drawing to the first
 inline constexpr double short_dimension = 24.0, short_lead = 16.0;  // has its heads outside, with lines so long
 
-/// The view without what has no place or no value.
+/// The view without parts that have no position or no value.
 Drawing::View without_gaps(const Drawing::View& view);
 
 /// The number of digits of a value in a drawing: four; five for lengths from one metre.

@@ -133,7 +133,7 @@ class PlanPicture {
     }
   }
 
-  /// Those that govern are always named, and first; of the others those that have room.
+  /// The governing ones are always named, and first; the others if there is room.
   void name_marks() {
     for (const auto& trace : plan_.traces) {
       for (const auto& mark : trace.marks) {

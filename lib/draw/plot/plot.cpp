@@ -13,7 +13,7 @@ std::string curve_style(std::size_t i) { return "curve c" + std::to_string(i % 3
 std::string fill_style(std::size_t i) { return "f" + std::to_string(i % 3); }
 
 constexpr double dot_radius = 2.5;
-constexpr std::size_t most_levels = 16;  // that have their value written on them
+constexpr std::size_t most_levels = 16;  // curves with labelled values
 /// Whether the points of a curve are not connected: points of a test.
 bool is_dots(const DrawnCurve& curve) {
   return !curve.pieces.empty() &&

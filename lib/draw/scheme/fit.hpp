@@ -6,7 +6,7 @@
 
 namespace loadpath::draw {
 
-/// The scheme without what has no place: points, forces and couples that were not computed or are zero.
+/// The scheme without gaps: points, forces and couples that were not computed or are zero.
 Scheme without_gaps(const Scheme& scheme);
 
 struct Fit {

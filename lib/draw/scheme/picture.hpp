@@ -1,4 +1,4 @@
-// A mechanism drawn in one position: what lib/draw/scheme*.cpp share.
+// A mechanism drawn in one position: common part of lib/draw/scheme*.cpp.
 #pragma once
 
 #include "lib/draw/canvas/canvas.hpp"

@@ -162,7 +162,7 @@ void SchemePicture::draw_couples() {
     const Point centre = at(moment.at), opening = couple_opening(moment.at);
     if (motion_ == nullptr) {
       couple(canvas_, centre, opening, moment.value > 0.0);
-    } else {  // both senses are there, one is shown
+    } else {  // both directions occur, one is shown
       const std::string place = text_of(motion_->couples[n].carried, centre);
       for (const bool positive : {true, false}) {
         const bool shown = positive == (moment.value > 0.0);

@@ -1,5 +1,5 @@
-// The points of a sweep as lines of CSV: number, inputs, results, how it came out. Numbers in the unit of their column,
-// the shortest that read back; what has no value is an empty cell.
+// The points of a sweep as lines of CSV: number, inputs, results, state. Numbers in the unit of their column, the
+// shortest that read back; a missing value is an empty cell.
 #pragma once
 
 #include "lib/project/sweep/blocks.hpp"

@@ -101,7 +101,7 @@ struct Hdf5File::Parts {
   Handle file;
   std::vector<Column> columns;
   std::vector<std::string> names;
-  std::vector<std::size_t> results;  // that have a column
+  std::vector<std::size_t> results;  // results with a column
   std::uint64_t written = 0;         // rows
 
   bool describe(const SweepPlan& plan, const StoredSweep& sweep);

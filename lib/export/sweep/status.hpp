@@ -15,7 +15,7 @@ struct FolderStatus {
   std::uint64_t first = 0;   // first point of this folder
   std::uint64_t end = 0;     // one past its last point
   std::uint64_t solved = 0;  // points on the disk, from the first
-  Message at_work;           // which process is writing to it; empty: none
+  Message at_work;           // process that is writing to it; empty: none
 
   [[nodiscard]] bool is_done() const { return first + solved == end; }
   [[nodiscard]] bool is_share() const { return first != 0 || end != points; }

@@ -1,9 +1,9 @@
 // A sweep in a folder: its columns, its progress, and its results so far, so that an interrupted sweep can be
 // resumed, and shards merged.
 //
-// manifest.json   description of the contents, for people and other programs
-// columns/        one file for each input and result, doubles in SI as numpy reads them
-// state           the data for resuming a sweep; independent of the division into shards
+//   manifest.json   description of the contents, for people and other programs
+//   columns/        one file for each input and result, doubles in SI as numpy reads them
+//   state           the data for resuming a sweep; independent of the division into shards
 //
 // The state replaces the previous one atomically, after the columns that it describes are on the disk. One process
 // writes at a time.
@@ -25,7 +25,7 @@ using project::Found;
 using project::SweepPlan;
 using project::SweptPart;
 
-/// A sweep that is kept, and by what it is known again.
+/// A sweep that is kept, and its identification.
 struct StoredSweep {
   std::string program;   // "loadpath 0.1.0"
   std::string file;      // file of the project
@@ -57,7 +57,7 @@ class SweepStore {
 
   /// Takes the next part. A Message where a file cannot be written.
   Message take(const SweptPart& part);
-  /// Puts on the disk what has been taken.
+  /// Writes the results taken so far to the disk.
   Message save();
 
   [[nodiscard]] const Found& found() const { return found_; }

@@ -23,7 +23,7 @@ class Differential {
   /// The model in SI units, whose numbers are seeded.
   [[nodiscard]] BasicModel<Dual>& model() { return model_; }
 
-  /// After the instant has gone to a position: its multipliers, and what it induces. False if it jams.
+  /// After the instant has taken a position: its multipliers and induced forces. False if it jams.
   [[nodiscard]] bool start(bool statics);
   /// All derivatives with respect to the numbers seeded now.
   void find();

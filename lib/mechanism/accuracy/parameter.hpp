@@ -1,4 +1,4 @@
-// The dimensions, masses and loads of a mechanism, one number each: what a drawing states with a tolerance.
+// The dimensions, masses and loads of a mechanism, one number each, as stated with a tolerance on a drawing.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -39,7 +39,7 @@ struct Parameter {
     load_x,  // parameters of loads, in the axes of the load, from here on
     load_y,
     load_moment,
-    load_at_x,  // where it acts, link frame
+    load_at_x,  // point of action, link frame
     load_at_y,
   };
   Dimension dimension = Dimension::mass;

@@ -29,8 +29,8 @@ struct Output {
   [[nodiscard]] double change(const Position& at, const Position& by) const;
 };
 
-/// A dimension that is within +-`half_width` of what it is in the model, which is `sigmas` standard deviations. One
-/// dimension of a drawing may move several numbers of the model: a point of a link those of all joints that lie there.
+/// A dimension within +-`half_width` of its value in the model, which is `sigmas` standard deviations. One dimension
+/// of a drawing may change several numbers of the model: a point of a link those of all joints at it.
 struct Tolerance {
   struct Term {
     Parameter parameter;
@@ -49,7 +49,7 @@ struct Tolerance {
 
 /// Diametral clearance of a revolute joint. It acts like a massless link of half that length between the two centres:
 /// - `along_reaction`: directed along the reaction, so that the output shifts by one amount, the same in worst case
-/// and statistics; where the joint transmits no force, it is as `any_direction`;
+///   and statistics; where the joint transmits no force, it is as `any_direction`;
 /// - `any_direction`: in any direction; it adds its largest effect to the worst case.
 /// Contributions of the rotation of that link to velocities, and so to inertia forces, are neglected.
 struct Clearance {

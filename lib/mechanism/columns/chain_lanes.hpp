@@ -9,8 +9,8 @@ namespace loadpath::mechanism {
 
 inline constexpr std::size_t lane_count = 8;
 
-/// Motion and forces by drives, loads and sides that are set in `now`. False if some lane is not clear; there are no
-/// forces then.
+/// Motion and forces by drives, loads and sides that are set in `now`. False if some lane is near a change point;
+/// there are no forces then.
 bool solve_lanes(const Chain& chain, ChainState<lane_count>& now, bool statics);
 
 }  // namespace loadpath::mechanism

@@ -179,7 +179,7 @@ void CycleColumns::read(std::size_t position, const Kept& what, Position& out) c
     out.loads[n] = courses_[n].empty() ? LoadNow{model_.loads[n].force, model_.loads[n].moment} : courses_[n][position];
 }
 
-/// False if some position is not clear.
+/// False if some position is near a change point.
 bool CycleColumns::solve_in_lanes(std::span<const Drive> drives, bool statics) {
   const Chain* const chain = system_.chain();
   if (chain == nullptr || now_.empty()) return false;
@@ -222,7 +222,7 @@ std::span<const Drive> CycleColumns::drives_at(std::span<const Drive> drives, st
 }
 
 void CycleColumns::find_least_sines(std::span<const Drive> drives) {
-  least_sine_[0] = near_change;  // it is there
+  least_sine_[0] = near_change;  // no change: already at the first position
   moves_little_ = true;
   for (std::size_t k = 1; k < room_; ++k) {
     const double change = system_.change(drives_at(drives, k - 1), drives_at(drives, k));

@@ -25,7 +25,7 @@ struct Kept {
   bool angles = true;  // angles of the poses; otherwise they are NaN
   bool velocities = false;
   bool accelerations = false;
-  bool pins = false;  // where the joints' forces act
+  bool pins = false;  // points of action of the joints' forces
 };
 
 class CycleColumns {
@@ -121,7 +121,7 @@ class CycleColumns {
   std::vector<ChainState<lane_count>> now_;  // one, of a chain
   std::vector<Pose> poses_;                  // poses of the last position written
   std::vector<Reaction> pins_;               // likewise
-  std::vector<Drive> drives_;                // that the courses below are of
+  std::vector<Drive> drives_;                // drives of the courses below
   std::vector<double> offsets_;              // and of their steps
   std::vector<Course> course_;               // motion of the steps
   std::vector<double> least_sine_;

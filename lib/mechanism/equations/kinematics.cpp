@@ -20,7 +20,7 @@ Scalar angle(std::span<const Scalar> q, std::size_t link) {
   return q[3 * link + 2];
 }
 
-/// That a sliding drive acts on.
+/// The joint of a sliding drive.
 template <class Scalar>
 const BasicJoint<Scalar>* slide_of(const BasicModel<Scalar>& model, const BasicDriver<Scalar>& driver) {
   return driver.kind == DriverKind::linear ? &model.joints[static_cast<std::size_t>(driver.joint)] : nullptr;

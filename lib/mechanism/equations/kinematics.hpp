@@ -49,7 +49,7 @@ class BasicConstraints {
   [[nodiscard]] std::size_t first_driver_row() const { return rows_ - drives().size(); }
   [[nodiscard]] std::span<const MatrixEntry> pattern() const { return std::span(pattern_).subspan(1); }
 
-  /// Goes to these coordinates; `targets`: what the drivers' coordinates should be.
+  /// Goes to these coordinates; `targets`: required coordinates of the drivers.
   void place(std::span<const Scalar> q, std::span<const Scalar> targets);
   /// At coordinates that are an assembly: chooses the full revolutions of wheels about each other, which coordinates
   /// do not determine.

@@ -1,4 +1,4 @@
-// Forces at one position: what the constraints must supply, and how it is shared by the joints.
+// Forces at one position: those that the constraints must supply, and their distribution to the joints.
 #pragma once
 
 #include "lib/mechanism/equations/kinematics.hpp"

@@ -69,7 +69,7 @@ double InducedForces::largest(std::span<const Reaction> reactions) const {
   return most;
 }
 
-/// The amount to try each mode with: of the size of the reactions, so that they do not drown what it adds.
+/// The trial amount of each mode: of the size of the reactions, so that they do not drown its effect.
 double InducedForces::take_free(const Position& at) {
   for (std::size_t k = 0; k < sources_.size(); ++k) free_[k] = at.reactions[sources_[k].joint];
   scale_ = largest(at.reactions);
@@ -86,7 +86,7 @@ void InducedForces::take_influence(const Position& at, std::size_t mode) {
   }
 }
 
-/// Newton's iteration for amounts that induce themselves; what they induce is linear in them but for the signs.
+/// Newton's iteration for amounts that induce themselves; the induced amounts are linear in them but for the signs.
 bool InducedForces::find_amounts(double share) {
   constexpr int most_steps = 30;
   for (int k = 0; k < most_steps; ++k) {

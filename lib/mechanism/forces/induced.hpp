@@ -53,7 +53,7 @@ class InducedForces {
   void start(const Position& at, Resting resting);
   [[nodiscard]] RestLimits limits(const Position& at) const;
 
-  /// Reactions are linear in the amounts: those without any, and what one more of each does to them.
+  /// Reactions are linear in the amounts: those without any, and the effect of one more of each.
   template <class FindForces>
   void find_influences(const Position& at, FindForces find_forces) {
     find_forces(Induced{modes_, amounts_});

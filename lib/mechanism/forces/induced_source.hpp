@@ -1,5 +1,5 @@
-// Forces that a joint's reaction brings with it: what presses the teeth of gears apart, the slack side of a belt,
-// friction. Where they act, and how large the reaction makes them.
+// Forces induced by a joint's reaction: the separating force of gear teeth, the slack side of a belt, friction. Their
+// points of action, and their ratios to the reaction.
 #pragma once
 
 #include "lib/mechanism/equations/kinematics.hpp"
@@ -61,7 +61,7 @@ bool rubs(const Joint& joint);
 template <class Scalar>
 void set_up(const BasicJoint<Scalar>& joint, std::span<const BasicPose<std::type_identity_t<Scalar>>> poses,
             std::span<const BasicPose<std::type_identity_t<Scalar>>> velocities, BasicInducedSource<Scalar>& source);
-/// Slower than this is rest: what rounding leaves of no motion.
+/// Slower than this is rest: rounding errors of zero motion.
 struct RestLimits {
   double speed = 0.0, omega = 0.0;           // m/s, rad/s
   double acceleration = 0.0, epsilon = 0.0;  // m/s^2, rad/s^2

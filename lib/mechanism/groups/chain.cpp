@@ -23,7 +23,7 @@ Hinge hinge_of(const Plan& plan, std::size_t t) {
           .mount = {}};
 }
 
-/// A line of a link that is there, as of a slider without mass.
+/// A line of an existing link, as for a massless slider.
 Hinge line_of(const Plan& plan, std::size_t link) {
   return {.on = link, .grounded = link == plan.ground, .seat = {}, .mount = {}};
 }

@@ -18,7 +18,7 @@ namespace loadpath::mechanism {
 
 struct ChainLink {
   Turn own;              // from the model's frame to this one
-  Vec base;              // where it starts, frame of the model
+  Vec base;              // its start, frame of the model
   bool shifted = false;  // it does not start where the model's frame does
   Vec start;             // start of the model's frame, in this one
   Vec centre;            // centre of mass

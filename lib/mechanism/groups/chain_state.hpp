@@ -70,7 +70,7 @@ struct ChainState {
   std::vector<Lanes<Count>> effort;
   std::vector<double> sides;  // sides of the steps, +1 or -1
   ChainMotion<Count> spare;   // the virtual slider of a slot
-  Lanes<Count> least_sine{};  // up to which a dyad is not clear
+  Lanes<Count> least_sine{};  // below it a dyad is near its change point
   Lanes<Count> clear{};       // 1, or 0
 };
 

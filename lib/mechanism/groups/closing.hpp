@@ -15,9 +15,9 @@ namespace loadpath::mechanism {
 /// A dyad with two assemblies. The sine is positive if, seen along its first line:
 /// - two_arms (RRR): the inner pin is to the left of the line from the first outer pin to the second.
 /// - arm_and_line (RRP, or a bar with its pin in a slot): the inner pin is ahead of the bar's other pin along the
-/// guide.
+///   guide.
 /// - pivots_along_line (RPR, or a slotted lever): the one pivot, or the pin in the slot, is ahead of the other along
-/// the guide.
+///   the guide.
 struct DyadClosing {
   enum class Kind { two_arms, arm_and_line, pivots_along_line };
   Kind kind = Kind::two_arms;

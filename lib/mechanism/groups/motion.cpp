@@ -64,7 +64,7 @@ inline void GroupMotion::opening_speed(std::size_t k, std::span<double> out) con
   }
 }
 
-// The same for the acceleration, beyond what the joint allows.
+// The same for the acceleration, apart from the part that the joint permits.
 inline void GroupMotion::opening_acceleration(std::size_t k, std::span<double> out) const {
   const Cut& cut = plan_.cuts[k];
   const CutPlace& at = at_.cut(k);
@@ -153,7 +153,7 @@ void GroupMotion::find_forces(bool statics, const Induced& induced, Position& ou
   }
 }
 
-// The cuts take up what would move the unknown coordinates.
+// The cuts take the forces along the unknown coordinates.
 inline void GroupMotion::find_cut_forces(std::size_t g, Position& out) {
   const GroupPlan& group = plan_.groups[g];
   const std::span<double> right = std::span(right_).first(group.unknowns.size());
@@ -193,7 +193,7 @@ inline void GroupMotion::sum_up(const GroupPlan& group, std::span<double> along)
   }
 }
 
-// A reaction does part of what a link needs.
+// A reaction supplies part of the force on a link.
 inline void GroupMotion::supply(std::size_t link, const Reaction& reaction, double sense) {
   Wrench& needed = moving_[link].needed;
   needed.force = needed.force - sense * reaction.force;

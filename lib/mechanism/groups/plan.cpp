@@ -56,7 +56,7 @@ class Planner {
     plan_.groups.push_back(std::move(plan));
   }
 
-  /// The next link: best by a joint that is driven, then by one to what was there before the group.
+  /// The next link: preferably by a driven joint, then by one to links before the group.
   void hang_one(const Group& group) {
     std::size_t best = none;
     int best_rank = 0;

@@ -28,7 +28,7 @@ struct TreeJoint {
   bool based = false;         // `on` was there before the group
   std::size_t joint = none;   // joint of the model
   bool link_is_i = true;      // whether the link is i of that joint
-  std::size_t driver = none;  // that gives the coordinate
+  std::size_t driver = none;  // driver of the coordinate
   double sense = 1.0;         // coordinate = sense * (the drive's coordinate - offset)
   double offset = 0.0;
   std::size_t unknown = none;  // its number among the unknown coordinates of the group

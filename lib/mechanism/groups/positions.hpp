@@ -1,4 +1,4 @@
-// Positions of a mechanism group by group: closed forms for dyads, Newton's iteration for what has none.
+// Positions of a mechanism group by group: closed forms for dyads, Newton's iteration for other groups.
 #pragma once
 
 #include "lib/mechanism/groups/loci.hpp"

@@ -42,7 +42,7 @@ struct ReleasedSystem::Work {
   void hold(std::span<const Drive> goal, const Position& at);
   void find_gap();
 
-  Model given, model;  // as it is, and released
+  Model given, model;  // as given, and released
   double unit;
   FreeMechanism all;  // its constraints, dependent as they are
   bool redundant;

@@ -171,7 +171,7 @@ void GroupSystem::Work::take_sides() {
   for (std::size_t s = 0; s < chain->steps.size(); ++s) now->sides[s] = positions.branch(chain->steps[s].group);
 }
 
-/// Only what moves: the forces come after. False if it has to be followed in small steps.
+/// Only positions: the forces follow. False if it has to be followed in small steps.
 bool GroupSystem::Work::go_by_chain(std::span<const Drive> goal) {
   if (!chain || !closed) return false;
   const double change = find_way(goal);

@@ -1,5 +1,5 @@
-// A cam and its follower as a pair (pair_place.hpp): where they touch, and what the follower's acceleration owes to the
-// shape of the profile.
+// A cam and its follower as a pair (pair_place.hpp): their contact, and the part of the follower's acceleration due
+// to the shape of the profile.
 #pragma once
 
 #include "lib/mechanism/model/pair_place.hpp"

@@ -1,5 +1,5 @@
-// A planar mechanism in SI units: links, joints, drivers and loads. Angles in rad, moments positive counter-clockwise.
-// Templates on the scalar, so that what is computed from a model can be differentiated with respect to its numbers.
+// A planar mechanism in SI units: links, joints, drivers and loads. Angles in rad, moments positive
+// counter-clockwise. Templates on the scalar: results can be differentiated by the numbers of a model.
 #pragma once
 
 #include "lib/mechanism/model/profile.hpp"
@@ -79,16 +79,16 @@ using Friction = BasicFriction<double>;
 
 /// A joint between link i and link j.
 /// - Revolute: point_i and point_j coincide. Slot: the pin point_i of link i is on the line of link j through point_j
-/// at `direction`; it may rotate. Prismatic: the same, and phi_i - phi_j = `angle`. Rigid: revolute, and the angle.
+///   at `direction`; it may rotate. Prismatic: the same, and phi_i - phi_j = `angle`. Rigid: revolute, and the angle.
 /// - Wheels with centres at point_i and point_j that roll on each other: a gear imposes only that (other joints fix
-/// its centres), rolling fixes the contact too. An internal ring has a negative radius. A belt, or chain, couples
-/// wheels at a distance; crossed, one radius is negative.
+///   its centres), rolling fixes the contact too. An internal ring has a negative radius. A belt, or chain, couples
+///   wheels at a distance; crossed, one radius is negative.
 /// - Rack and rolling on a line: wheel i on the line of j through point_j at `direction`, at a distance of radius_i
-/// on the side on which it is assembled.
+///   on the side on which it is assembled.
 /// The constant of rolling, `phase`, is as in the stated assembly (set_phase).
 /// - Cam: link i touches the profile of link j, whose axis is point_j and which is rotated by `direction`. Round: it
-/// has a roller about point_i, or an edge, radius_i = 0; the spin of the roller is not a coordinate. Flat: it has a
-/// face through point_i in the direction `angle` of the frame of i, with the cam to its right.
+///   has a roller about point_i, or an edge, radius_i = 0; the spin of the roller is not a coordinate. Flat: it has a
+///   face through point_i in the direction `angle` of the frame of i, with the cam to its right.
 template <class Scalar>
 struct BasicJoint {
   std::string name;
@@ -115,9 +115,9 @@ using Joint = BasicJoint<double>;
 
 enum class DriverKind { rotary, linear };
 
-/// Rotary: coordinate = phi_i - phi_j + offset. Linear, on a prismatic or slot joint: coordinate = distance of point_i
-/// from point_j along the line, + offset. The effort (moment or force) is what the drive does to link i; it does the
-/// opposite to link j. Power = effort * speed.
+/// Rotary: coordinate = phi_i - phi_j + offset. Linear, on a prismatic or slot joint: coordinate = distance of
+/// point_i from point_j along the line, + offset. The effort (moment or force) acts on link i, and its opposite on
+/// link j. Power = effort * speed.
 template <class Scalar>
 struct BasicDriver {
   using Kind = DriverKind;

@@ -34,7 +34,7 @@ void count_turns(const BasicPairShape<Scalar>& shape, const BasicPlaced<Scalar>&
 /// Whether the first of its equations keeps a phase: wheels.
 template <class Scalar>
 bool has_phase(const BasicPairShape<Scalar>& shape);
-/// Sets the phase of every joint that has one to what it is at the stated poses.
+/// Sets the phase of every joint that has one to its value at the stated poses.
 template <class Scalar>
 void take_phases(BasicModel<Scalar>& model);
 /// The residual of each equation; `target`: the required coordinate of a drive.

@@ -47,11 +47,11 @@ struct BasicPairShape {
   BasicTurn<Scalar> turned;           // the same
   Scalar radius_i = 0.0;              // radii of the wheels
   Scalar radius_j = 0.0;
-  Scalar phase = 0.0;   // wheels: what their rolling keeps constant, m
+  Scalar phase = 0.0;   // wheels: constant of rolling, m
   Scalar offset = 0.0;  // offset of a drive
   CamContact contact = CamContact::round;
   const Profile* profile = nullptr;  // profile of a cam; owned by the joint
-  Scalar metre = 1.0;                // scale of the profile, in the unit of length
+  Scalar metre = 1.0;                // profile: 1 m in the unit of length
 
   [[nodiscard]] std::size_t rows() const {
     return kind == Kind::joint ? static_cast<std::size_t>(constraint_count(joint)) : 1;

@@ -29,7 +29,7 @@ template <class Scalar>
 struct BasicReaction {
   BasicVec<Scalar> at;               // global
   BasicVec<Scalar> force;            // N
-  Scalar couple = 0.0;               // N m; of what holds the angle, and of friction
+  Scalar couple = 0.0;               // N m; fixes the angle, or is friction
   double touch = Profile::anywhere;  // cams: where on the profile (BasicTouch::parameter)
 };
 using Reaction = BasicReaction<double>;

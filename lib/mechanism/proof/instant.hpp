@@ -1,6 +1,6 @@
-// A mechanism at one position, as the proofs see it: its constraints there, what acts on it, and the virtual velocities
-// of its drivers. Poses, velocities and accelerations are taken from the position, reactions and efforts are not; but
-// for what a reaction brings with it that its constraints cannot supply: friction, what presses teeth apart, slack
+// A mechanism at one position, as input of the proofs: its constraints there, its loads, and the virtual velocities
+// of its drivers. Poses, velocities and accelerations are taken from the position, reactions and efforts are not,
+// except for the part of a reaction that its constraints cannot supply: friction, separating force of teeth, slack
 // sides.
 #pragma once
 
@@ -35,7 +35,7 @@ class Instant {
   /// The part of a joint's reaction that does not come from its constraints.
   [[nodiscard]] const Reaction& beside_constraints(std::size_t joint) const { return beside_[joint]; }
 
-  /// The unit of length of constraints and coordinates, m: what makes a moment comparable with a force.
+  /// The unit of length of constraints and coordinates, m: it makes moments comparable with forces.
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
   [[nodiscard]] std::span<const double> q() const { return q_; }

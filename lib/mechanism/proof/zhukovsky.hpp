@@ -23,7 +23,7 @@ struct ZhukovskyLever {
     double arm = 0.0;  // lever arm of the force about the pole, positive counter-clockwise
   };
   std::vector<Force> forces;
-  double effort = 0.0;  // that keeps the balance, N m or N
+  double effort = 0.0;  // balancing effort, N m or N
 };
 
 void find_lever(const Instant& instant, std::size_t driver, ZhukovskyLever& lever);

@@ -81,7 +81,7 @@ std::vector<std::size_t> attachment_of(const std::vector<Equation>& equations, s
       boost::add_edge(static_cast<std::size_t>(equation.holds), static_cast<std::size_t>(link), needs);
     }
   }
-  // Numbered as they are completed: what a link needs comes first.
+  // Numbered as they are completed: required links come first.
   std::vector<std::size_t> component(links);
   boost::strong_components(needs,
                            boost::make_iterator_property_map(component.begin(), get(boost::vertex_index, needs)));

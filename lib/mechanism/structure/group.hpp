@@ -11,7 +11,7 @@ namespace loadpath::mechanism {
 struct Group {
   std::vector<std::size_t> links;    // ascending
   std::vector<std::size_t> joints;   // inside, and to the ground or to earlier groups; ascending
-  std::vector<std::size_t> drivers;  // that move it; empty for an Assur group
+  std::vector<std::size_t> drivers;  // drivers that move it; empty for an Assur group
   /// Numbers of joints with two constraints and with one: statically determinate when 3 n = 2 p5 + p4 + drivers.
   int p5 = 0;
   int p4 = 0;

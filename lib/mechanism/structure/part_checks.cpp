@@ -18,7 +18,7 @@ bool finite(std::initializer_list<double> values) {
 
 bool same_pair(const Driver& a, const Driver& b) { return (a.i == b.i && a.j == b.j) || (a.i == b.j && a.j == b.i); }
 
-/// A rotor: what has only to be turned, not to be carried.
+/// A rotor: it is only driven, and carries nothing else.
 bool turns_about_fixed_pin(const Model& model, int link) {
   return std::ranges::any_of(model.joints, [link](const Joint& joint) {
     const bool own = (joint.i == link && joint.j == ground) || (joint.j == link && joint.i == ground);

@@ -20,10 +20,10 @@ struct Uniqueness {
 /// For every joint, near the stated poses and over the motion from there on. The model closes and is not singular.
 std::vector<Uniqueness> uniqueness(const Model& model);
 
-/// The same mechanism, without self-stress: of one joint of each set that shares a constraint too many, one constraint
-/// is left out, so that what stays holds as firmly as can be at these poses. It moves as the given one does; the
-/// reactions that are unique are those of the given one. The joints keep their places in the model. Nothing if
-/// every choice would leave it loose.
+/// The same mechanism, without self-stress: one constraint of one joint in each redundant set is released, such that
+/// the rest is as independent as possible at these poses. It moves as the given one does; the reactions that are
+/// unique are those of the given one. The joints keep their places in the model. Nothing if every choice would leave
+/// it mobile.
 std::optional<Model> release(const Model& model, std::span<const Pose> poses);
 
 /// Whether `release` has something to give at the assembly nearest to the stated poses.

@@ -95,8 +95,8 @@ std::vector<std::size_t> parting_joints(FreeMechanism mechanism, const std::vect
   return parting;
 }
 
-// The equation of a belt is that of a constant distance, and does not close without it: what its centres do is seen
-// where it is left out.
+// The equation of a belt assumes a constant centre distance, and does not close otherwise: the motion of the centres
+// shows without that equation.
 std::vector<std::size_t> parting_belts(const Model& model) {
   std::vector<std::size_t> belts;
   Model without = model;

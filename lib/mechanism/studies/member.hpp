@@ -51,7 +51,7 @@ class MemberLoads {
   [[nodiscard]] std::span<const SectionForces> stations() const { return stations_; }
   /// Anywhere between, 0 <= x <= length.
   [[nodiscard]] SectionForces at(double x) const;
-  /// Those of the largest magnitude over the length, between the stations too.
+  /// The section forces of the largest magnitude over the length, between the stations too.
   struct Peaks {
     SectionForces N, V, M;
   };

@@ -20,8 +20,8 @@ struct Reduced {
   double inertia = 0.0;     // kg m^2 or kg: twice the kinetic energy over the square of the drive's speed
   double derivative = 0.0;  // derivative of the inertia, by the drive's coordinate: kg m^2/rad or kg/m
   double moment = 0.0;      // N m or N, positive with the coordinate: of loads, weights and springs
-  double induced = 0.0;     // likewise: of friction and what else the position's reactions bring with them
-  /// The effort of the drive if only it moves: J epsilon + dJ/dphi omega^2 2 - M.
+  double induced = 0.0;     // likewise: of friction and other forces induced by the position's reactions
+  /// The effort of the drive if only it moves: J epsilon + dJ/dphi omega^2 / 2 - M.
   [[nodiscard]] double effort(const Drive& drive) const {
     return inertia * drive.acceleration + 0.5 * derivative * drive.speed * drive.speed - moment - induced;
   }
@@ -31,8 +31,8 @@ class Reduction {
  public:
   /// The model is referred to: its loads may change between positions.
   explicit Reduction(const Model& model);
-  /// At a position, of which poses count, and for what is induced the reactions. Nothing if the drive cannot move
-  /// the mechanism, at a dead point. Takes no memory.
+  /// At a position, from its poses, and for induced forces its reactions. Nothing if the drive cannot move the
+  /// mechanism, at a dead point. Does not allocate.
   [[nodiscard]] std::optional<Reduced> find(const Position& at, std::size_t driver = 0);
   /// The same where it is known how the drive moves the mechanism, as PositionFunctions derives it.
   [[nodiscard]] Reduced find(const Position& at, const Position& derivative);

@@ -45,9 +45,9 @@ struct Counterweight {
 };
 
 enum class BalanceAim { rms, peak };
-/// Those that make the shaking force over the cycle as small as it gets: its rms by least squares (of several equal
-/// solutions the smallest counterweights), its peak at these positions by Lawson's weighting, to 1e-6 of the rms of the
-/// cycle or better.
+/// Counterweights that minimise the shaking force over the cycle: its rms by least squares (among several equal
+/// solutions the smallest counterweights), its peak at these positions by Lawson's weighting, to 1e-6 of the rms of
+/// the cycle or better.
 std::vector<Counterweight> find_counterweights(const Model& model, std::span<const Position> cycle,
                                                std::span<const CounterweightSite> sites,
                                                BalanceAim aim = BalanceAim::rms);

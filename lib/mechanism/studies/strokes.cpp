@@ -74,7 +74,7 @@ class Finder {
   }
 
  private:
-  /// The first derivative, without what rounding leaves of a zero.
+  /// The first derivative, with rounding errors set to zero.
   [[nodiscard]] double first(std::size_t k) const {
     return std::abs(motions_[k].first) <= least_ ? 0.0 : motions_[k].first;
   }

@@ -32,7 +32,7 @@ struct Course {
   std::span<const double> at;  // rad or m
   double period = 0.0;
   std::span<const Position> derivatives;  // as PositionFunctions derives them
-  std::vector<bool> known;                // where they hold
+  std::vector<bool> known;                // validity of each
 };
 
 /// First of all rotating links, then of all slots and slides whose pins move. Extremes are found between the

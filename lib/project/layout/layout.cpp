@@ -25,7 +25,7 @@ int rank_of(const Section& section) {
   return name == "project" ? 0 : name == "values" ? 1 : name == "tables" ? 2 : 3;
 }
 
-/// The keys of a step, in order: what it is, what it is called, its template's parameters, its inputs; then the others.
+/// The keys of a step, in order: calculator, name, its template's parameters, its inputs; then the others.
 std::vector<std::string> order_of(const Calculator& calculator, const Template* from) {
   std::vector<std::string> order{"calculator", "template", "title", "note"};
   if (from != nullptr) {

@@ -28,7 +28,7 @@ struct Expectation {
   Place place;
 };
 
-/// Those that can be read are added.
+/// Adds those that can be read.
 void read_expectations(const toml::Tree& tree, std::vector<Expectation>& expectations, std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

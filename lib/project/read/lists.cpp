@@ -102,7 +102,7 @@ void Reader::read_element(const Tree& tree, const Target& target, const std::str
   reading_.typed[inner] = {tree.text, tree.place};
   const std::size_t before = issues_.size();
   read_aggregate(tree, list, element, inner);
-  for (std::size_t i = before; i < issues_.size() && known == nullptr; ++i) {  // it lacks what one of the given has
+  for (std::size_t i = before; i < issues_.size() && known == nullptr; ++i) {  // no known element: suggest a given name
     if (issues_[i].hint.empty()) issues_[i].hint = did_you_mean(written, target.given_names(), {}, path + ".");
   }
 }

@@ -149,7 +149,7 @@ static bool may_come(const Reading& reading, const std::string& path) {
   });
 }
 
-/// Whether a record stands beside the fields, be it right or wrong.
+/// Whether a record is given in addition to the fields, valid or not.
 static bool is_record_typed(const Reading& reading, std::span<const FieldInfo> fields, const std::string& path) {
   return std::any_of(fields.begin(), fields.end(), [&](const FieldInfo& f) {
     return f.type == Type::record && reading.typed.count(joined(path, f.key)) != 0;

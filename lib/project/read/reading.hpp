@@ -51,7 +51,7 @@ struct Search {
   bool names_stock = false;  // the user, not the field
 };
 
-/// An input that takes many values: a range, a list, words, what a distribution has. `run` takes one of them.
+/// An input that takes many values: a range, a list, words, a distribution. `run` takes one of them.
 struct Varied {
   std::string path;
   Leaf leaf;  // without field: the row of a table
@@ -95,9 +95,9 @@ struct Reading {
   std::vector<Operand> operands;
   std::vector<Operand> whole;  // single values of the record, derived from all positions of a series
   std::vector<Taken> taken;
-  std::vector<Taken> records;     // that are among the operands and the words now, field by field
+  std::vector<Taken> records;     // among the operands and the words now, field by field
   std::vector<TypedBeside> kept;  // typed, though a record has it too
-  std::vector<Lacking> lacking;   // that a record may fill, which is known when all steps are read
+  std::vector<Lacking> lacking;   // fields that a record may fill, known when all steps are read
   std::vector<Search> searches;
   std::vector<Varied> varied;
   std::map<std::string, Typed> typed;  // by the path of the leaf; lists and groups by their own path too
@@ -118,7 +118,7 @@ std::optional<std::string> lone_reference(const toml::Tree& tree);
 /// Whether the input comes from a record of another step.
 bool is_of_record(const Reading& reading, const std::string& path);
 
-/// That a field has no value.
+/// The issue of a field without a value.
 Issue missing_field(const Lacking& lacking, const std::string& prefix);
 
 /// Visits every path of other steps that the reading refers to position by position: their load components load the

@@ -291,7 +291,7 @@ Outcome<Signature> Values::signature(const std::string& name) {
                say("it can be used alone: \"=values.{1}\"", name)};
 }
 
-/// Reads a range, a list, an uncertain value, on first use in an expression.
+/// Reads a range, a list, an uncertain value, when an expression uses it.
 void Values::read_several(const std::string& name, Shared& shared) {
   const Tree& tree = shared.tree;
   std::optional<Dimension> dimension;

@@ -1,11 +1,11 @@
 // A project's settings for its own sweep:
-// [project.sweep]
-// results = ["m = rod.mass", "rod.modes.buckling"]
-// samples = 10000
-// seed = 1
-// sampling = "latin"                                    or "random"
-// zip = [["shaft.T", "shaft.n"]]                        these run together
-// correlations = [{ of = ["shaft.T", "shaft.n"], r = 0.8 }]
+//   [project.sweep]
+//   results = ["m = rod.mass", "rod.modes.buckling"]
+//   samples = 10000
+//   seed = 1
+//   sampling = "latin"                                    or "random"
+//   zip = [["shaft.T", "shaft.n"]]                        these run together
+//   correlations = [{ of = ["shaft.T", "shaft.n"], r = 0.8 }]
 #pragma once
 
 #include "lib/text/issue.hpp"

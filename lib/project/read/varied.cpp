@@ -84,7 +84,7 @@ void Reader::read_stock(const Tree& tree, const FieldInfo& field, void* owner, c
     const auto* const entry = tree.find(key);
     if (entry != nullptr && !read_one(entry->value, field, owner, path, *end)) return;
   }
-  field.set(owner, field.factor);  // that there is one
+  field.set(owner, field.factor);  // set to any value
   reading_.varied.push_back(std::move(varied));
 }
 

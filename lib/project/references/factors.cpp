@@ -52,7 +52,7 @@ Factors factors_of_shared(const Project& project, const std::string& path) {
   return {};
 }
 
-/// Whether a value of a step holds what the step's loads do: a load, and the power that it is of.
+/// Whether a value of a step includes the factors of its loads: a load, and the corresponding power.
 bool carries(const FieldInfo& field) {
   return field.is_load || *field.factors != '\0' || field.dimension == Dimension::of(2, 1, -3);
 }
@@ -321,7 +321,7 @@ class Check {
 
   double own_value(const std::string& key) { return given_factor(step_.input(), key); }
 
-  /// Of a step that may not be solved yet.
+  /// The factor given in a step that may not be solved yet.
   double given_factor(const StepInput& step, const std::string& key) const {
     const auto known = [&](const std::string& path) -> const Value& { return value_at(path); };
     for (const Operand& operand : step.reading.operands) {

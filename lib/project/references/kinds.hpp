@@ -1,4 +1,4 @@
-// Whether what an expression gives is of the kind that its field takes (lib/quantity/kinds.hpp).
+// Whether the value of an expression is of the kind that its field takes (lib/quantity/kinds.hpp).
 #pragma once
 
 #include "lib/project/project.hpp"

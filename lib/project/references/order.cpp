@@ -117,7 +117,7 @@ class Ordering {
     });
   }
 
-  /// A step that waits is solved without, and again as soon as what it waits for is there.
+  /// A waiting step is solved without these inputs, and again once they are available.
   void plan_passes() {
     std::set<std::size_t> solved;
     std::vector<std::size_t> again;

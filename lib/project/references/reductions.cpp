@@ -158,7 +158,7 @@ class ReductionCheck {
     return pair;
   }
 
-  /// Whether a field whose sign decides takes the negative of a load: tension for compression.
+  /// Whether a field with a significant sign takes the negative of a load: tension for compression.
   [[nodiscard]] bool is_turned_over(const Operand& operand) const {
     if (!operand.leaf.field->signed_load) return false;
     const auto pair = pair_of(operand);

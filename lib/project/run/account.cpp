@@ -73,7 +73,7 @@ void add_numbers(const Evaluation& evaluation, const Results& results, std::vect
     const auto display = units.find(series.path);
     const std::string unit = display == units.end() ? field.unit : display->second;
     Entry entry{series.path, field.doc, unit, field.role, series.value, {}, ""};
-    entry.brief = series.path == field.key;  // else it is of an element of a list
+    entry.brief = series.path == field.key;  // otherwise from an element of a list
     entry.handed_over = is_handed_over(evaluation, series.path);
     if (field.type == FieldInfo::Type::choice) entry.word = words_of(field, series.value.si);
     entries.push_back(std::move(entry));

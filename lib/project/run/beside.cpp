@@ -78,7 +78,7 @@ double relative_rounding(std::string_view typed) {
 
 bool is_equal(Beside beside, double typed, double other, double rounding) {
   constexpr double of_moduli = 0.06;  // books have 200 to 210 GPa for the same steel
-  if (beside == Beside::either) typed = std::abs(typed), other = std::abs(other);  // both ways of turning
+  if (beside == Beside::either) typed = std::abs(typed), other = std::abs(other);  // both directions of rotation
   if (beside == Beside::modulus) rounding = std::max(rounding, of_moduli);
   return typed == other || std::abs(typed - other) <= rounding * std::abs(typed);
 }

@@ -33,7 +33,7 @@ std::string unit_of_side(const formula::Node& side, const std::string& scope, co
 
 /// Nothing where the formula is not one value over another, or its numbers are those of another position.
 std::optional<account::Compared> compared_in(const Line& line, const Names& names, double utilisation) {
-  constexpr double rounding = 5e-3;  // of a peak between two positions
+  constexpr double rounding = 5e-3;  // rounding of a peak between two positions
   constexpr int digits = 4;
   const auto tree = formula::parse(line.formula);
   if (!tree) return std::nullopt;

@@ -8,7 +8,7 @@ namespace loadpath::project {
 /// The position where the largest check is largest, or the first that is available.
 struct Governing {
   std::size_t position = 0;
-  bool is_evaluated = false;  // else there are no results
+  bool is_evaluated = false;  // otherwise there are no results
   Trace trace;                // empty if no words are wanted
 };
 

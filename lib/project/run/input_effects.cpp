@@ -44,10 +44,10 @@ struct Effects {
   std::string words;
 };
 
-/// Adds what the results hold.
+/// Adds the values of the results.
 void add_effects(std::span<const FieldInfo> fields, void* data, Effects& effects) {
   for (const FieldInfo& field : fields) {
-    if (field.type == Type::record || field.is_handed_over) continue;  // which repeats inputs
+    if (field.type == Type::record || field.is_handed_over) continue;  // repeats inputs
     if (field.has_fields()) {
       for (std::size_t i = 0; i < field.size(data); ++i) add_effects(field.fields, field.element(data, i), effects);
     } else if (field.get != nullptr) {
@@ -176,7 +176,7 @@ void warn_of_unused(Evaluation& evaluation, const Results& results, const Govern
     issues.push_back(std::move(issue));
   }
   evaluation.set_position(governing.position);
-  evaluation.evaluate_record();  // as it was
+  evaluation.evaluate_record();  // restored
 }
 
 }  // namespace loadpath::project

@@ -1,4 +1,4 @@
-// How an evaluation comes out: verdicts on its checks and limits, and what they say of the failure modes.
+// The outcome of an evaluation: verdicts on its checks and limits, and the resulting failure modes.
 #pragma once
 
 #include "lib/project/run/typed_values.hpp"

@@ -47,8 +47,8 @@ double largest_in_row(const table::Entry& row, std::string_view column) {
   return most;
 }
 
-/// Whether a typed value may be above what a row has at one size and below it at another: not where the row has more
-/// at every size.
+/// Whether a typed value may be above the value of a row at one size and below it at another: not if the row is
+/// larger at every size.
 bool hangs_on_size(const table::Entry& row, std::string_view column, double part, double typed) {
   double least = std::numeric_limits<double>::infinity();
   for (const table::SizedProperty& at : table::values_by_size(row, column)) least = std::fmin(least, at.value.si);
@@ -265,8 +265,8 @@ void add_sources_beside(const Evaluation& evaluation, const Known& known, std::v
   }
 }
 
-/// What the step has otherwise than the one whose result it takes: the length of a bar whose effective length factor
-/// was calculated for another one.
+/// Adds values that differ from the step whose result is taken: the length of a bar whose effective length factor was
+/// calculated for another one.
 void add_origins_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
   for (const Operand& operand : evaluation.step().input().reading.operands) {
     if (*operand.leaf.field->made_for == '\0' || !operand.expression.is_reference()) continue;

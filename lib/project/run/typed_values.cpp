@@ -150,7 +150,7 @@ bool is_of_row(const Evaluation& evaluation, const std::string& path) {
                      [&](const Provided& one) { return one.path == path && !one.row.empty(); });
 }
 
-/// Whether others conclude something from results of a step that has no check of its own: a fatigue limit.
+/// Whether other steps derive a conclusion from results of a step without checks: a fatigue limit.
 bool is_concluded_elsewhere(const StepInput& step, const std::set<std::string>& taken) {
   const auto& fields = step.calculator->result->fields;
   const auto first = taken.lower_bound(step.name + ".");
@@ -229,7 +229,7 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
     const bool stays = is_of_row(evaluation, beside.path);
     if (((only_changes && goes_on) || stays) && reason == nullptr) weighed.handed_on.push_back(bolder);
   }
-  if (!all.empty() && has_results) evaluate_all(evaluation);  // as it was
+  if (!all.empty() && has_results) evaluate_all(evaluation);  // restored
   if (wanted.unused && has_results && step.reading.varied.empty()) refuse_idle_reasons(evaluation.step(), used, issues);
   return weighed;
 }

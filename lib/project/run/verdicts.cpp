@@ -15,7 +15,7 @@ Message at_place(const Extreme& extreme, const Axis& axis) {
   return say("at {1} ({2})", format_quantity(extreme.at, axis.unit, 5), axis.name());
 }
 
-/// "covered from 0.2 to 3", "passes up to 9": what a limit asks of its value.
+/// "covered from 0.2 to 3", "passes up to 9": the requirement of a limit on its value.
 Message bounds_of(const FieldInfo& field) {
   const std::string low = format_quantity(field.bounds.low, field.unit);
   const std::string high = format_quantity(field.bounds.high, field.unit);

@@ -10,7 +10,7 @@ namespace loadpath::project {
 
 struct SweptInput {
   std::string name;  // "crankshaft.T", "values.n"
-  std::string unit;  // that its field is shown in
+  std::string unit;  // unit of its field
   Dimension dimension;
   sweep::Axis axis;                                 // SI; of words 0, 1, 2...
   std::optional<sweep::Distribution> distribution;  // instead of the axis

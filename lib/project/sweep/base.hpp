@@ -1,4 +1,4 @@
-// A middle of what the inputs of a sweep go through, and how far they go to either side.
+// A middle of the inputs' values in a sweep, and their deviations to both sides.
 #pragma once
 
 #include "lib/project/read/sweep_settings.hpp"
@@ -20,7 +20,7 @@ bool is_continuous(const SweptInput& input);
 
 std::vector<double> middles_of(const std::vector<SweptInput>& inputs);
 
-/// The matrix of what goes together, among some of the inputs, row by row; pairs with another are passed over.
+/// The correlation matrix of some of the inputs, row by row; pairs with another are skipped.
 std::vector<double> correlation_matrix(const std::vector<SweptInput>& inputs, const std::vector<std::size_t>& among,
                                        const std::vector<Correlated>& pairs);
 

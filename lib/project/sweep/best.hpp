@@ -29,7 +29,7 @@ struct Demand {
 
 struct Best {
   std::vector<SweptInput> inputs;
-  std::vector<std::size_t> chosen;  // those that the search was free in; the others stay at their middle
+  std::vector<std::size_t> chosen;  // variables of the search; the others stay at their middle
   std::vector<double> point;        // values of all inputs
   std::string objective;            // its name
   std::string unit;                 // unit of the objective

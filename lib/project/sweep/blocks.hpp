@@ -21,7 +21,7 @@ struct SolvedBlock {
   std::vector<Refusal> refusals;
 };
 
-/// Reads the project again: every thread has one of its own.
+/// Reads the project again: every thread has a project.
 using ReadAgain = std::function<Project()>;
 
 struct BlockRange {

@@ -21,7 +21,7 @@ struct SweptResult {
   Kind kind = Kind::expression;
   std::string name;  // name of the column
   std::string text;  // as requested
-  std::string unit;  // that people read it in
+  std::string unit;  // display unit
   Dimension dimension;
   Expression expression;
   std::string step, mode;  // empty: of all

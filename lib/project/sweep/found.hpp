@@ -43,7 +43,7 @@ struct Tally {
   }
   /// Points that it concerns.
   [[nodiscard]] std::uint64_t total() const;
-  /// Those that are assessed and pass, or are accepted or open.
+  /// The number of those that are assessed and pass, or are accepted or open.
   [[nodiscard]] std::uint64_t passing() const;
 };
 

@@ -13,7 +13,7 @@ namespace loadpath::project {
 
 /// About the middle of all inputs; words stay at their first.
 struct Influence {
-  std::vector<SweptInput> inputs;         // that are numbers
+  std::vector<SweptInput> inputs;         // numeric inputs
   std::vector<std::string> names, units;  // names and units of the results
   std::vector<double> low, high;          // per input, see low_of()
   std::vector<sweep::Tornado> tornados;   // per result

@@ -19,7 +19,7 @@ struct SweepWork {
   const SweepPlan& plan;
   ReadAgain read;
   Keep keep;
-  BlockRange blocks;  // those that are to be solved
+  BlockRange blocks;  // blocks to be solved
   unsigned jobs = 1;
   bool rows = false;                        // whether individual points are requested
   const std::atomic<bool>* stop = nullptr;  // ends the work between two blocks, once it is true

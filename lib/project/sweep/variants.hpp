@@ -67,7 +67,7 @@ class Variants final : public sweep::Function {
   std::vector<const double*> from_;  // columns of a batch
   std::vector<double*> to_;
   std::vector<std::vector<account::ModeColumns>> modes_;             // modes of each step in order of evaluation
-  std::vector<std::vector<const account::ModeColumns*>> of_column_;  // that a column speaks of
+  std::vector<std::vector<const account::ModeColumns*>> of_column_;  // modes of each column
   std::vector<Refusal> refusals_;
   std::size_t alone_ = 0;
 };

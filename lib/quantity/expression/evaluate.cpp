@@ -18,7 +18,7 @@ double finite(double x) { return std::isfinite(x) ? x : not_available; }
 
 Value single(double x) { return {{}, {finite(x)}}; }
 
-/// A step that failed may leave a series short: what it does not give is not available.
+/// A step that failed may leave a series short: missing values are not available.
 Value loaded(const Value& given) {
   Value value = given;
   const Axis* axis = given.signature.axis;

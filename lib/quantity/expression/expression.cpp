@@ -62,7 +62,7 @@ void collect_references(const Node& node, std::vector<Expression::Reference>& re
   for (const Node& kid : node.kids) collect_references(kid, references);
 }
 
-/// Whether a function gives one of what it is given.
+/// Whether a function returns one of its arguments.
 bool keeps_quantity(expression::Rule rule) {
   using expression::Rule;
   return rule == Rule::reduction || rule == Rule::cycle_reduction || rule == Rule::place || rule == Rule::selection ||

@@ -57,7 +57,7 @@ struct Reduced {
   Left left = Left::no_series;
   bool is_signed = false;     // it, or the series, is negative somewhere
   bool of_load = false;       // the series is of a force, a moment, a stress, a power
-  std::string function = {};  // that reduced it: "mean"
+  std::string function = {};  // function that reduced it: "mean"
   std::string argument = {};  // argument of that function, as written: "press.joints.B.F"
   std::string text = {};      // the part that lost the rest: "mean(press.joints.B.F)"
   std::string factor = {};    // constant factor of an entire series, as written: "0.5"
@@ -100,8 +100,8 @@ class Expression {
   [[nodiscard]] Outcome<Meant> kind(const KindOf& of, const Declared& declared) const;
   /// Whether it contains pi: 2*pi*f converts revolutions to radians.
   [[nodiscard]] bool holds_pi() const;
-  /// Those of its references: of a product all, of a quotient without those of the divisor, of a root of a square once.
-  /// A factor that would count twice, and a sum of what holds one and what does not, are faults.
+  /// The factors of its references: of a product all, of a quotient without those of the divisor, of a root of a
+  /// square once. A factor that would count twice, and a sum in which only some operands include one, are faults.
   [[nodiscard]] Outcome<Factors> factors(const FactorsOf& of) const;
   /// The remaining dependence on series, given that of its references.
   [[nodiscard]] Reduced reduced(const ReducedOf& of) const;

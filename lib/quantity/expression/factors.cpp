@@ -15,7 +15,7 @@ using expression::Node;
 using expression::Operation;
 using expression::Rule;
 
-/// Kind and value: what makes factors equal.
+/// Kind and value: factors with the same ones are equal.
 using Identity = std::pair<std::string, double>;
 struct Raised {
   double power = 0.0;
@@ -126,7 +126,7 @@ class Walk {
     return watched(node, std::move(powers));
   }
 
-  /// Remembers where a factor counts twice first: what surrounds it may still take it out again.
+  /// Remembers the first place where a factor counts twice: the surrounding expression may still remove it.
   Held watched(const Node& node, Held held) {
     const std::string kind = held ? counted_twice(*held) : "";
     if (kind.empty() || twice_) return held;

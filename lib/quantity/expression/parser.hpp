@@ -71,8 +71,8 @@ class Parser {
   void fail_missing_operator(std::size_t end);
 
   std::string_view text_, variable_;
-  std::size_t next_ = 0;  // where the next token starts
-  std::size_t end_ = 0;   // where the last one ended
+  std::size_t next_ = 0;  // start of the next token
+  std::size_t end_ = 0;   // end of the last one
   int depth_ = 0;
   std::vector<Reference> references_;
   std::optional<Fault> fault_;

@@ -100,7 +100,7 @@ std::size_t factor_end(const Units& in, std::size_t at) {
   return is_bare(in, at, word) ? exponent_end(in.text, word) : at;
 }
 
-/// A joiner and what it joins.
+/// A joiner and the joined part.
 std::size_t joined_end(const Units& in, std::size_t at, Symbols by) {
   const auto joiner = skip_space(in.text, at);
   const auto behind = symbol_end(in.text, joiner, by);

@@ -30,7 +30,7 @@ enum class Rule {
 
 struct Function {
   std::string_view name;
-  std::string_view form;  // as it is written, for hints
+  std::string_view form;  // written form, for hints
   Rule rule;
   std::size_t least, most;  // arguments
   double (*reduce)(const Value&) = nullptr;
@@ -40,7 +40,7 @@ struct Function {
   bool is_magnitude = false;         // never negative, for any argument
   Jet (*jet)(const Jet&) = nullptr;  // smooth functions of one argument; null for functions with kinks
   Jet (*jet_of_two)(const Jet&, const Jet&) = nullptr;
-  IntervalJet (*bounds)(const IntervalJet&) = nullptr;  // where `jet` is set
+  IntervalJet (*bounds)(const IntervalJet&) = nullptr;  // set if `jet` is
   IntervalJet (*bounds_of_two)(const IntervalJet&, const IntervalJet&) = nullptr;
 };
 

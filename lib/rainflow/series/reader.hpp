@@ -37,8 +37,8 @@ struct Form {
   Format format = Format::csv;
   /// Its name in the header, with its unit or without, or its number, counted from 1; empty: the only one.
   std::string column;
-  /// Between columns: ',', ';', a tab, or a blank for any number of blanks and tabs; none: what the first line with
-  /// numbers or names shows, a tab before a semicolon before a comma before blanks.
+  /// Between columns: ',', ';', a tab, or a blank for any number of blanks and tabs; none: derived from the first
+  /// line with numbers or names, a tab before a semicolon before a comma before blanks.
   std::optional<char> separator;
   /// First character of a line of comment.
   char comment = '#';

@@ -1,4 +1,4 @@
-// A mechanism that moves: pictures of the printed position, its numbers, and what drives them where scripts run.
+// A mechanism that moves: pictures of the printed position, its numbers, and the controls if scripts run.
 #include "lib/draw/motion/motion.hpp"
 
 #include "lib/draw/motion/numbers.hpp"

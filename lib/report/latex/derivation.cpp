@@ -13,7 +13,7 @@ std::string left_side(std::string_view name) {
   return is_word(symbol) ? "\\text{" + latex_text(symbol) + "}" : formula::symbol_tex(symbol);
 }
 
-/// Formulas between equality signs, each on a line of its own.
+/// Formulas between equality signs, each on a separate line.
 std::string aligned(const std::vector<std::string>& sides, const std::string& value) {
   std::string out = "\\begin{aligned} " + sides[0] + " &= " + sides[1];
   if (sides.size() > 2) out += " \\\\ &= " + sides[2];

@@ -25,7 +25,7 @@ double sum(const std::vector<Need>& needs, const Letters& letters) {
 
 bool fits(const std::vector<Need>& needs, double room) { return sum(needs, comfortable) <= room; }
 
-/// No column is wider than this level, but for what it needs at least: so all of them fill the room.
+/// No column is wider than this level, except for its minimum width: so all of them fill the room.
 double level_of(const std::vector<Need>& needs, double room) {
   double low = 0.0, high = room;
   for (int i = 0; i < 30; ++i) {

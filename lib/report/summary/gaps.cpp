@@ -20,7 +20,7 @@ std::string step_to_add(const Mode& mode) {
                             : say("add a step of {1} with {2}", id, mode.takes).text();
 }
 
-/// What would let the mode be assessed.
+/// The remedy for a mode that is not assessed.
 std::string action_of(const Mode& mode) {
   if (mode.state == State::not_covered || mode.state == State::not_available) {
     if (mode.note.empty()) return say("method not valid: {1}", mode.governs).text();
@@ -42,7 +42,7 @@ void add_title(Gap& gap, const Mode& mode) {
   if (std::ranges::find(known->second, title) == known->second.end()) known->second.push_back(title);
 }
 
-/// Where a mode has one name in several steps, they are named with it.
+/// A mode with one name in several steps is named with its step.
 std::vector<std::string> names_with_steps(const std::vector<std::pair<std::string, std::vector<std::string>>>& titles,
                                           bool several) {
   std::vector<std::string> names;
@@ -58,7 +58,7 @@ void add_hint(const std::string& hint, std::vector<std::string>& hints) {
   if (!hint.empty() && std::ranges::find(hints, hint) == hints.end()) hints.push_back(hint);
 }
 
-/// What a step in place of this one would assess.
+/// The modes that a step in place of this one would assess.
 std::string replacing(const project::Project& project, const Modes& modes) {
   constexpr std::size_t most = 3;
   std::map<std::string, std::vector<std::string>> titles;  // by "shaft.torsion by shaft.design"

@@ -22,7 +22,7 @@ using project::Step;
 /// Whether another step has assessed the mode, which shows it.
 bool is_shown_elsewhere(const Mode& mode) { return !mode.judge.empty() && mode.governs.empty(); }
 
-/// A ratio of shapes is no utilisation that a load changes: it is shown where it fails.
+/// A ratio of shapes is not a utilisation that depends on a load: it is shown only if it fails.
 bool is_told(const Mode& mode) {
   return mode.subject == account::Subject::mode && !is_shown_elsewhere(mode) &&
          (mode.kind != ModeKind::shape || mode.state == State::fail);

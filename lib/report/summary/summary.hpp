@@ -20,7 +20,7 @@ struct Component {
   [[nodiscard]] bool fails() const { return governing && governing->state == account::State::fail; }
 };
 
-/// Of a size that was found, the candidate before it.
+/// The candidate before a size that was found.
 struct NextOf {
   std::string name;  // "line shaft", "left seat"
   account::NextSize size;
@@ -34,20 +34,20 @@ struct Gap {
 
 /// Modes that were not considered.
 struct NotConsidered {
-  std::vector<std::string> names;  // of strength, with their steps where there are several: "belt slip (belts)"
+  std::vector<std::string> names;  // strength modes, with their steps if there are several: "belt slip (belts)"
   std::size_t others = 0;
   std::vector<std::string> hints;  // "give mu (belts, belt slip)"
 };
 
 struct Summary {
   account::Modes modes;
-  std::string subject;  // of the only step: "torsion"
+  std::string subject;  // subject of the only step: "torsion"
   std::string title;    // "Line shaft: 2 pass, highest utilisation 0.859"
   std::vector<Component> components;
   std::vector<NextOf> next;
   std::vector<std::string> searches;  // without a solution: what was tried, and the nearest
   std::vector<Gap> gaps;
-  std::vector<Gap> outside;  // of the scope; without an action
+  std::vector<Gap> outside;  // modes outside the scope; without an action
   NotConsidered open;
   std::string governing_step;  // as the file names it
 };
@@ -58,12 +58,12 @@ std::vector<NextOf> next_sizes(const project::Project& project);
 std::vector<Gap> gaps_of(const account::Modes& modes, account::Group group);
 NotConsidered not_considered(const project::Project& project, const account::Modes& modes);
 
-/// What the modes of the only step cover; empty where there are several steps, or nothing says it.
+/// The subject of the only step's modes; empty if there are several steps, or it is not declared.
 std::string subject_of(const project::Project& project);
 /// The sizes of a step: what a search has found, else the headline that its calculator declares.
 std::vector<std::string> short_sizes(const project::Step& step);
 bool is_sized(const project::Step& step);
-/// What a mode is called where several share a line: its title without parentheses.
+/// The name of a mode where several share a line: its title without parentheses.
 std::string plain_title(const account::Mode& mode);
 /// "left seat" of "pieces.left_seat.d"; empty of a size of the step itself.
 std::string owner_of(const std::string& path);

@@ -90,7 +90,7 @@ Chart chart_of(const Project& project, const SweepPlan& plan, const SolvedPoints
   return chart;
 }
 
-/// On a logarithmic scale what goes through decades.
+/// A logarithmic scale for values over several decades.
 draw::Scale scale_of(const SweptResult& column, const std::vector<double>& values) {
   constexpr double decades = 30.0;
   double least = INFINITY, most = 0.0;

@@ -37,7 +37,7 @@ std::string listed(const std::vector<std::string>& names) {
   return all;
 }
 
-/// "crankshaft, crank end: fatigue, bending"; steps whose modes are others stand apart.
+/// "crankshaft, crank end: fatigue, bending"; steps with different modes are separate.
 std::string modes_of(const Gap& gap) {
   std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> groups;  // steps, titles
   for (const auto& [step, titles] : gap.modes) {

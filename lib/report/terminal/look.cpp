@@ -73,7 +73,7 @@ std::string bar(double utilisation, const Look& look) {
     for (int i = 1; i < cells; ++i) all += "█";
     return all + "▶";
   }
-  const bool is_full = utilisation >= 1.0 - rounding;  // what is just below 1 does not look full
+  const bool is_full = utilisation >= 1.0 - rounding;  // a value just below 1 does not look full
   const int most = cells * parts - (is_full ? 0 : 1);
   const int eighths = std::clamp(static_cast<int>(std::lround(filled * parts)), least, most);
   for (int i = 0; i < eighths / parts; ++i) all += "█";

@@ -1,4 +1,4 @@
-// What the short answer may use of a terminal: its width, and the signs that its locale has.
+// Capabilities of a terminal for the short answer: its width, and the symbols of its locale.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ struct Look {
   std::size_t width = 80;
   bool utf8 = true;
 };
-/// Of standard output: the width of the terminal from 60 to 120, 80 where there is none; without UTF-8 where the locale
+/// For standard output: the width of the terminal from 60 to 120, 80 if there is none; without UTF-8 if the locale
 /// names another encoding.
 Look look_of_output();
 

@@ -64,7 +64,7 @@ std::string governing_text(const account::Mode& mode) {
   return text;
 }
 
-/// What was found and why it is no smaller, else the size of the part.
+/// The result of a search with its reason, else the size of the part.
 Lines size_lines(const Summary& summary, const Limits& limits, const Look& look) {
   Lines lines;
   for (const Component& component : summary.components) {
@@ -108,7 +108,7 @@ Lines formula_lines(const project::Step& step, const account::Mode& mode, const 
   return lines;
 }
 
-/// Of a step without a utilisation: its results.
+/// The results of a step without a utilisation.
 Lines result_lines(const project::Step& step, const Limits& limits, const Look& look) {
   std::vector<std::vector<std::string>> rows;
   std::size_t left = 0;

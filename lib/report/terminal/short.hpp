@@ -8,9 +8,9 @@
 
 namespace loadpath::terminal {
 
-/// Of a project file.
+/// The short answer for a project file.
 std::string short_answer(const report::Summary& summary, const Look& look);
-/// Of one calculator on the shell: with the formulas of the check that governs.
+/// The short answer for one calculator on the shell: with the formulas of the governing check.
 std::string short_answer(const report::Summary& summary, const project::Step& step, const Look& look);
 
 }  // namespace loadpath::terminal

@@ -64,7 +64,7 @@ void show_table(const account::Table& table) {
   std::cout << columns(rows);
 }
 
-/// Lists of which the calculation does not work out every element: what a search has left, sections that do not govern.
+/// Lists of which the calculation does not work out every element: results of a search, sections that do not govern.
 void show_lists(const project::Step& step) {
   const auto& account = step.account();
   if (!account.blocks.empty()) return;

@@ -1,4 +1,4 @@
-// What the terminal shows: issues, a solved project in brief, tables; colour only where someone looks.
+// The output on the terminal: issues, a solved project in brief, tables; colour only if it is a terminal.
 #pragma once
 
 #include "lib/project/project.hpp"
@@ -10,12 +10,12 @@
 
 namespace loadpath::terminal {
 
-/// What issues point into.
+/// The source text that issues point into.
 struct SourceText {
   std::string file;
   std::string text;
 };
-/// Issues with their lines of these texts, as they are shown where nobody looks at a terminal.
+/// Issues with their lines of these texts, as shown without a terminal.
 std::string issues_text(const std::vector<Issue>& issues, const std::vector<SourceText>& sources);
 /// The same on standard error.
 void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources);
@@ -26,10 +26,10 @@ void show_short(const project::Project& project);
 void show_calculation(const project::Project& project);
 /// The verdict, and every failure mode with its state, its utilisation, and what that rests on.
 void show_modes(const project::Project& project);
-/// The verdict in a line, where it is no pass.
+/// The verdict in a line, unless it is a pass.
 void show_unless_passed(const project::Project& project);
-/// A solved project in full: its parts, and last the answer. Brief: that alone; full: with lists, formulas, every
-/// verdict.
+/// A solved project in full: its parts, and last the answer. Brief: only the answer; full: with lists, formulas,
+/// every verdict.
 void show_project(const project::Project& project, report::Detail detail);
 
 /// Paragraphs and tables of a document; its figures are not shown.

@@ -18,7 +18,7 @@ constexpr std::size_t npy_header_size = 128;
 /// Numbers are appended; their count is in the header, which `flush` sets.
 class NpyColumn {
  public:
-  /// A new file, or the first `rows` numbers of one that is there.
+  /// A new file, or the first `rows` numbers of an existing one.
   static Outcome<NpyColumn> open(const std::filesystem::path& path, std::uint64_t rows = 0);
 
   [[nodiscard]] bool append(std::span<const double> values);

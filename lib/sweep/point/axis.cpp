@@ -21,7 +21,7 @@ bool are_numbers(double a, double b) { return std::abs(a) < 1e290 && std::abs(b)
 
 struct Steps {
   double count;
-  bool meet;  // the end, within what rounding of ends and step makes of it
+  bool meet;  // the end, within the rounding of ends and step
 };
 Steps steps_between(double from, double to, double step) {
   if (from == to) return {0.0, true};

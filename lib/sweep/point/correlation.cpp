@@ -43,7 +43,7 @@ std::optional<Fault> fault_of_entries(const Matrix& R, const std::vector<std::st
   return std::nullopt;
 }
 
-/// The rows up to the first that leaves nothing of its variable; all of them if there is none.
+/// The rows up to the first one without residual variance; all of them if there is none.
 std::size_t root_of(const Matrix& R, std::vector<double>& root) {
   root.assign(R.size * R.size, 0.0);
   for (std::size_t i = 0; i < R.size; ++i) {
@@ -79,7 +79,7 @@ std::optional<Bounds> bounds_of(const Matrix& R, const std::vector<double>& inve
   return Bounds{j, low, high, std::max(low - R(i, j), R(i, j) - high)};
 }
 
-/// The coefficient of row i that is nearest to what it may be.
+/// The permitted coefficient of row i that is nearest to the given one.
 Fault not_definite(const Matrix& R, std::size_t i, const std::vector<std::string>& names) {
   std::vector<double> inverse(i * i);
   for (std::size_t a = 0; a < i; ++a) {

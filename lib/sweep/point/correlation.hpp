@@ -14,8 +14,8 @@ class Correlation {
  public:
   Correlation() = default;
 
-  /// A matrix row after row, for variables with these names. Refused, naming the pair, where it is not symmetric with
-  /// ones in its diagonal, and where it is not positive definite; then with what the others leave for one coefficient.
+  /// A matrix row after row, for variables with these names. Refused, naming the pair, if not symmetric with a diagonal
+  /// of ones, or not positive definite; then with the interval that remains for one coefficient.
   static Outcome<Correlation> of(std::vector<double> matrix, const std::vector<std::string>& names);
 
   [[nodiscard]] std::size_t size() const { return size_; }

@@ -31,7 +31,7 @@ std::uint64_t scrambled(std::uint64_t number, const std::array<std::uint64_t, di
 
 }  // namespace
 
-// Boost steps from point to point by Gray's code and leaves the first out: its point 2^bit - 1 is what this bit flips
+// Boost steps from point to point by Gray's code and omits the first: its point 2^bit - 1 has the flips of this bit
 // and the one below it.
 std::vector<std::array<std::uint64_t, digits>> sobol_directions(std::size_t variables) {
   std::vector<std::array<std::uint64_t, digits>> found(variables);

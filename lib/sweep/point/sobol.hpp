@@ -19,7 +19,7 @@ class Sobol {
   Sobol() = default;
   Sobol(std::size_t variables, std::uint64_t seed);
 
-  /// The samples first, first + 1... of a variable, 0 < u < 1; another `shift` makes of them other samples.
+  /// The samples first, first + 1... of a variable, 0 < u < 1; another `shift` gives other samples.
   void fill(std::size_t variable, std::uint64_t first, std::uint64_t shift, std::span<double> column) const;
 
  private:

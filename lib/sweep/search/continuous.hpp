@@ -10,9 +10,9 @@ enum class Care {
   thorough  // by both, and then by polling around the best, as flags and kinks require
 };
 
-/// The best point that a descent from `start` saw, `start` included; a local optimum. Gradients are central
-/// differences, and steer by the utilisations (SLSQP and COBYLA of NLopt); what counts as best is assessed with all
-/// constraints. `scale` is the usual size of the objective.
+/// The best point of a descent from `start`, which is included; a local optimum. Gradients are central differences,
+/// and steer by the utilisations (SLSQP and COBYLA of NLopt); the best is assessed with all constraints. `scale` is
+/// the usual size of the objective.
 [[nodiscard]] Trial descended(Trials& trials, const Trial& start, double scale, Care care);
 
 }  // namespace loadpath::sweep

@@ -65,7 +65,7 @@ std::vector<Look> Seeker::look_at(const std::vector<double>& places) {
   return looks;
 }
 
-/// The last place where the output is there, to rounding.
+/// The last place with an output, to rounding.
 Look Seeker::edge(Look there, double not_there) {
   for (int i = 0; i < 60; ++i) {
     const double middle = std::midpoint(there.x, not_there);

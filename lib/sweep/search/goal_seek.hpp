@@ -32,7 +32,7 @@ struct Meeting {
 
 struct Sought {
   std::vector<Meeting> meetings;  // in order; two closer than the points apart may be missed
-  double nearest = 0.0;           // where the output is nearest to the target; NaN if it is never there
+  double nearest = 0.0;           // place nearest to the target; NaN if there is no value
   double value = 0.0;             // there
   std::uint64_t evaluations = 0;
 };

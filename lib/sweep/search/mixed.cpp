@@ -23,7 +23,7 @@ std::vector<Trial> trials_at(std::vector<Places> places) {
   return all;
 }
 
-/// The middle size of the objectives that are there; 1 where it would be 0.
+/// The median size of the available objectives; 1 if it would be 0.
 double usual_objective(const std::vector<Trial>& scan) {
   std::vector<double> sizes;
   for (const Trial& trial : scan) {

@@ -1,4 +1,4 @@
-// A search: which inputs of a function may be chosen from what, which output shall be small or large, which must pass.
+// A search: the inputs of a function to be chosen, the output to be minimised or maximised, and the constraints.
 #pragma once
 
 #include "lib/sweep/function.hpp"
@@ -53,7 +53,7 @@ struct Standing {
   [[nodiscard]] bool allowed() const { return missing == 0 && violation == 0.0; }
 };
 
-/// Whether a is better than b: allowed points by their objective; before them, what lacks less, then what breaks less.
+/// Whether a is better than b: feasible points by objective; before that by missing values, then by violation.
 [[nodiscard]] bool better(const Standing& a, const Standing& b);
 
 /// The rank of a point with these outputs.

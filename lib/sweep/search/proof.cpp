@@ -9,7 +9,7 @@ namespace loadpath::sweep {
 
 namespace {
 
-/// Better by more than what rounding and the ends of descents leave.
+/// Better by more than rounding and the tolerance of descents.
 bool clearly_better(const Standing& a, const Standing& b) {
   constexpr double least = 1e-9;
   if (!better(a, b)) return false;

@@ -8,7 +8,7 @@ namespace loadpath::sweep {
 
 struct Proof {
   std::vector<Neighbour> neighbours;
-  std::vector<Trial> better;  // those that are better than the point
+  std::vector<Trial> better;  // points better than the given one
 };
 
 /// One place up and down of each variable, `step` of their range for continuous ones. Neighbours in the stock are

@@ -99,7 +99,7 @@ void SobolSums::merge(const SobolSums& next) {
   }
 }
 
-/// Both indices with the variance of what each row moves them by (delta method), the centre taken for the mean there.
+/// Both indices with the variance of each row's contribution (delta method), the centre taken for the mean there.
 SobolIndex SobolSums::index(const OfOutput& all, const OfInput& one) const {
   const auto n = static_cast<double>(all.rows);
   const double mean = (all.a + all.b) / (2.0 * n), V = (all.aa + all.bb) / (2.0 * n) - mean * mean;

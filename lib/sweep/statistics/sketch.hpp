@@ -28,7 +28,7 @@ class Sketch {
   /// Infinite values and NaN are not counted.
   void add(std::span<const double> values);
   void merge(const Sketch& other);
-  /// Those with values, in their order.
+  /// The classes with values, in their order.
   [[nodiscard]] std::vector<ValueClass> classes() const;
 
   void store(Writer& writer) const;

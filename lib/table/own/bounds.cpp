@@ -38,7 +38,7 @@ bool is_strength(const Dimension& dimension, std::string_view group) {
   return (p.mass == 1 && p.time == -2) || (is_area && (group == "section" || group == "chain"));
 }
 
-/// The length by which the rows of a group are alike: what a chain has grows with its pitch.
+/// The characteristic length of a group's rows: the values of a chain grow with its pitch.
 std::string_view size_of_group(std::string_view group) {
   if (group == "chain") return "p";
   if (group == "key") return "b";

@@ -68,7 +68,7 @@ class Cutter {
                 lines.end());
   }
 
-  /// Takes the comments right above what comes off the pending lines.
+  /// Takes the comments right above the next piece off the pending lines.
   Lines take_adjoining() {
     const auto apart = std::find_if(pending_.rbegin(), pending_.rend(), [](const auto& line) { return line.empty(); });
     Lines adjoining(apart.base(), pending_.end());
@@ -165,7 +165,7 @@ class Cutter {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  Lines pending_;  // comments and blank lines above what comes
+  Lines pending_;  // comments and blank lines above the next piece
   Pieces pieces_;
 };
 

@@ -1,4 +1,4 @@
-// A TOML text in pieces that keep what a tree loses: comments, blank lines, and how values are written.
+// A TOML text in pieces that keep the parts that a tree loses: comments, blank lines, and the form of values.
 #pragma once
 
 #include <string>

@@ -168,7 +168,7 @@ class Printer {
 
   struct Level {
     char bracket;
-    std::size_t keys;  // that lead to it
+    std::size_t keys;  // keys that lead to it
   };
   std::vector<Token> tokens_;
   const Rewrite& rewrite_;

@@ -50,7 +50,7 @@ M = "5 N*m"
 )";
 }
 
-/// A slider whose guide jams when it is pushed forward: l (2 mu) = 400 mm, and the rod pushes at 500 mm. `cylinder`:
+/// A slider whose guide jams when it is pushed forward: l / (2 mu) = 400 mm, and the rod pushes at 500 mm. `cylinder`:
 /// of the rod.
 inline std::string block_that_jams(const std::string& cylinder) {
   return R"([a]

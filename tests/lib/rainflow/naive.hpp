@@ -58,7 +58,7 @@ inline Counts naive_with_halves(const Series& series) {
   return counts;
 }
 
-/// A history that repeats: what three periods have more than two.
+/// A repeating history: the difference of three periods and two.
 inline Counts naive_periodic(const Series& period) {
   const auto closed = [&](int periods) {
     Series series;

@@ -18,7 +18,7 @@ class Evaluation {
   [[nodiscard]] Inputs& inputs() { return inputs_; }
   [[nodiscard]] const Inputs& inputs() const { return inputs_; }
   [[nodiscard]] const Record& record() const { return inputs_.record(); }
-  /// As it was evaluated last.
+  /// The result of the last evaluation.
   [[nodiscard]] const Record& result() const { return result_; }
   [[nodiscard]] const Axis* axis() const { return step_.axis(); }
   [[nodiscard]] std::size_t positions() const { return axis() == nullptr ? 1 : axis()->at.size(); }

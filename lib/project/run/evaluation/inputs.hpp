@@ -27,10 +27,10 @@ class Inputs {
   Inputs(const Inputs&) = delete;  // leaves refer to the record
   Inputs& operator=(const Inputs&) = delete;
 
-  /// Words, lists and rows of other steps; what a field refuses becomes an issue at the reference.
+  /// Words, lists and rows of other steps; values that a field refuses become issues at the reference.
   bool take_from_others(std::vector<Issue>& issues);
-  /// The values of expressions and companions; what a field refuses becomes an issue at its expression.
-  /// `left_open`: inputs that are passed over.
+  /// The values of expressions and companions; values that a field refuses become issues at their expression.
+  /// `left_open`: inputs to be skipped.
   bool evaluate_operands(std::vector<Issue>& issues, const std::set<std::string>& left_open = {});
   void take_row(const std::string& group, const std::string& row, std::vector<Issue>& issues);
   /// Leaves a row open, and the inputs that it gives.

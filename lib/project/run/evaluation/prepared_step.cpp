@@ -279,7 +279,7 @@ Outcome<Signature> PreparedStep::signature(const std::string& path) const {
 
 namespace {
 
-/// Whether other steps look at more than the number: factors that it holds, what it means.
+/// Whether other steps use more than the number: factors that it includes, its meaning.
 bool is_more_than_number(const Calculator& calculator, const FieldInfo& field) {
   const auto means = [&](const Meaning& meaning) {
     const auto keys = listed_keys(meaning.fields);

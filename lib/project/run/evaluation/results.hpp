@@ -1,4 +1,4 @@
-// All results of a step at all positions, and what was found with them.
+// All results of a step at all positions, and the findings of their evaluation.
 #pragma once
 
 #include "lib/project/run/evaluation/evaluation.hpp"

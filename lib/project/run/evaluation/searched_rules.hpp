@@ -1,4 +1,4 @@
-// Rules that a search has to keep: what they are about is not there before it.
+// Rules that a search must satisfy: their subjects exist only after it.
 #pragma once
 
 #include "lib/project/run/evaluation/prepared_step.hpp"

@@ -125,7 +125,7 @@ void Inputs::take_word(const Taken& taken, std::vector<Issue>& issues) {
   origins_[taken.path] = {say("= {1}", taken.source), {}, false};
 }
 
-/// Elements by number or name, leaves by their keys; a series stays one. All elements are there before a leaf of one is
+/// Elements by number or name, leaves by their keys; a series stays one. All elements exist before a leaf of one is
 /// kept.
 void Inputs::take_list(const Taken& taken, std::vector<Issue>& issues) {
   void* const owner = find_member(record_.type->fields, record_.data.get(), taken.path).owner;

@@ -1,4 +1,4 @@
-// What a search goes through, from small to large: sizes of a stock, or rows of a table.
+// The candidates of a search, from small to large: sizes of a stock, or rows of a table.
 #pragma once
 
 #include "lib/project/run/evaluation/evaluation.hpp"

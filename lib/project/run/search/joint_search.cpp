@@ -70,7 +70,7 @@ void JointSearch::lower(SizeIndices& least) {
   evaluation_.settle_sizes();
 }
 
-/// Each beside the others as they are: what went down with one may be what failed.
+/// Each with the others unchanged: a size lowered together with it may be the one that failed.
 void JointSearch::lower_alone(SizeIndices& least) {
   for (bool lowered = true; lowered;) {
     sizes_.set(least);
@@ -85,10 +85,10 @@ void JointSearch::lower_alone(SizeIndices& least) {
   }
 }
 
-/// Whether what is judged at the places of one of them, and of those of one size with it, passes beside the others.
+/// Whether the checks at the places of one of them, and of those of equal size, pass with the others unchanged.
 bool JointSearch::places_pass(std::size_t first) {
   evaluation_.settle_sizes_again();
-  if (!passing_.keeps_rules()) return true;  // of the others, as far as they are known
+  if (!passing_.keeps_rules()) return true;  // rules of the others, as far as known
   for (std::size_t i = 0; i < evaluation_.positions(); ++i) {
     if (evaluation_.evaluate_at(i) && !elements_pass(first)) return false;
   }
@@ -107,13 +107,13 @@ bool JointSearch::elements_pass(std::size_t first) const {
   return true;
 }
 
-/// The sizes one after the other, ascending: the least of the rest bound the cost, and what is judged at places whose
-/// sizes are all set excludes most of what follows.
+/// The sizes one after the other, ascending: the minimum of the rest bounds the cost, and the checks at places whose
+/// sizes are all set exclude most of the following candidates.
 struct JointSearch::Branching {
-  SizeIndices firsts;  // of those of one size
+  SizeIndices firsts;  // first candidates of equal sizes
   SizeIndices least, best;
   double lowest;
-  int trials;  // that are left
+  int trials;  // remaining ones
 };
 
 void JointSearch::branch(Branching& b, std::size_t depth) {
@@ -145,7 +145,7 @@ void JointSearch::branch(Branching& b, std::size_t depth) {
   }
 }
 
-/// From what a first search has found, if anything; true where there is a cheaper part.
+/// From the result of a first search, if any; true if there is a cheaper part.
 bool JointSearch::find_cheaper(double lowest, SizeIndices& least) {
   constexpr int most_trials = 20000;
   Branching b{sizes_.firsts(), least, {}, lowest, most_trials};
@@ -156,7 +156,7 @@ bool JointSearch::find_cheaper(double lowest, SizeIndices& least) {
   return true;
 }
 
-/// The cheapest part that passes, of all ways in which the sizes go together; where none does, the first way.
+/// The cheapest passing part among all arrangements of the sizes; if none passes, the first arrangement.
 bool JointSearch::find_cheapest(SizeIndices& least) {
   double lowest = std::numeric_limits<double>::infinity();
   std::size_t best_way = 0;
@@ -181,7 +181,7 @@ bool JointSearch::find_cheapest(SizeIndices& least) {
   return sizes_.set(least);
 }
 
-/// Where none pass: the largest with which every rule about them holds.
+/// If none pass: the largest that satisfy every rule about them.
 bool JointSearch::set_largest(SizeIndices& least) {
   const std::vector<double> levels = sizes_.levels();
   for (std::size_t level = levels.size(); level-- > 0;) {
@@ -235,8 +235,8 @@ Issue JointSearch::no_sizes() {
                   say("give '{1}' a value, or search for more sizes", first));
 }
 
-/// What one of them fails where it is a size smaller beside the others as they are; nothing where no smaller one goes
-/// with them.
+/// The check that fails if one of them is a size smaller, with the others unchanged; nothing if no smaller one is
+/// possible with them.
 std::optional<account::NextSize> JointSearch::next_of(const SizeIndices& laid, std::size_t which) {
   if (!sizes_.shrink(laid, which)) return std::nullopt;
   const double size = sizes_.at(which).size();
@@ -250,8 +250,8 @@ std::optional<account::NextSize> JointSearch::next_of(const SizeIndices& laid, s
   return next_size(evaluation_.calculator(), less, size, fault_of_candidate(evaluation_, passing_));
 }
 
-/// Leaves out of account what no size mends: what fails with the smallest and the largest sizes that keep the rules,
-/// all alike, and is no better with the largest. Whether there is any.
+/// Ignores checks that no size satisfies: those that fail with both the smallest and the largest sizes within the
+/// rules, all alike, and do not improve with the largest. Returns whether there are any.
 bool JointSearch::excuse_unmoved() {
   const auto keeps_rules_at = [&](double level) {
     if (!sizes_.set(sizes_.first_from(level))) return false;
@@ -271,8 +271,8 @@ bool JointSearch::excuse_unmoved() {
   return !unmoved.empty();
 }
 
-/// No sizes pass together: none has a value. Told is what the nearest fail, all alike but for what their neighbours
-/// ask.
+/// No sizes pass together: none has a value. Reports the failures of the nearest ones, all alike unless their
+/// neighbours require otherwise.
 void JointSearch::leave_open(SizeIndices nearest) {
   Shortfall least;
   bool is_first = true;
@@ -304,7 +304,7 @@ void JointSearch::leave_open(SizeIndices nearest) {
   evaluation_.inputs().set_unavailable(why, account::Subject::search);
 }
 
-/// Of each what was found, and why it is no less.
+/// Reports for each the result, and the reason why it is not smaller.
 void JointSearch::tell(const SizeIndices& least) {
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
     Message text = say("smallest of {1} that passes every check, with the others", sizes_.stock(i));

@@ -11,7 +11,7 @@ class LargestSearch {
  public:
   LargestSearch(Evaluation& evaluation, const Search& wanted)
       : evaluation_(evaluation), wanted_(wanted), leaf_(evaluation.inputs().leaf(wanted.path)), passing_(evaluation) {}
-  /// `in_words`: warns of customs that what was found breaks.
+  /// `in_words`: warns of customs that the result violates.
   void run(bool in_words, std::vector<Issue>& issues);
 
  private:

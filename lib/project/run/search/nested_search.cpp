@@ -12,7 +12,7 @@ namespace loadpath::project {
 
 namespace {
 
-/// Where a search stands in the order of the calculator's inputs: a row where the first input is that it fills.
+/// The position of a search in the order of the calculator's inputs: for a row that of the first input that it fills.
 std::size_t order_of(const Calculator& calculator, const Search& search) {
   const auto& fields = calculator.input->fields;
   const auto is_of_search = [&](const FieldInfo& field) {
@@ -108,7 +108,7 @@ Message NestedSearch::name(const Choice& choice) const {
   return say("{1}", names);
 }
 
-/// Of each what was found, and what the candidate before it fails with the others as they are.
+/// Reports for each the result, and the check that the candidate before it fails with the others unchanged.
 void NestedSearch::tell(const Choice& found) {
   for (std::size_t k = 0; k < all_.size(); ++k) {
     Message text = say("smallest of {1} that passes every check, with the others", all_[k].source());

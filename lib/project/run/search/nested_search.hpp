@@ -12,12 +12,12 @@ namespace loadpath::project {
 
 class NestedSearch {
  public:
-  /// `in_words`: what is found says why it is no smaller.
+  /// `in_words`: the result explains why it is not smaller.
   NestedSearch(Evaluation& evaluation, bool in_words);
   void run(std::vector<Issue>& issues);
 
  private:
-  /// Of each search which of its candidates.
+  /// The index of a candidate for each search.
   using Choice = std::vector<std::size_t>;
 
   void take(const Choice& choice);

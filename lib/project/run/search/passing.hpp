@@ -1,4 +1,4 @@
-// Whether a step passes as it is now: what a search asks of every candidate.
+// Whether a step passes in its current state: the question of a search about every candidate.
 #pragma once
 
 #include "lib/project/run/evaluation/evaluation.hpp"

@@ -9,7 +9,7 @@ namespace loadpath::project {
 
 /// The issue of a search without a check; its hint names inputs that activate one.
 Issue aimless_search(const PreparedStep& step, const Search& wanted);
-/// Customs that what was found breaks, in the words in which a typed value would be warned of.
+/// Customs that the result violates, in the words of the warning for a typed value.
 void warn_of_found(Evaluation& evaluation, const Search& wanted, std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

@@ -16,14 +16,14 @@ namespace loadpath::project {
 
 namespace {
 
-/// With as many digits as tell that it is above 1.
+/// With enough digits to show that it is above 1.
 std::string beyond_one(double utilisation) {
   int precision = 4;
   while (precision < 12 && format_number(utilisation, precision) == "1") ++precision;
   return format_number(utilisation, precision);
 }
 
-/// How far beyond its bounds a value is, as a factor; 1 within them.
+/// The ratio of a value to the bound that it exceeds; 1 within them.
 double excess_over(const Range& bounds, double si) {
   if (std::isnan(si)) return std::numeric_limits<double>::infinity();
   if (bounds.holds(si)) return 1.0;
@@ -32,7 +32,7 @@ double excess_over(const Range& bounds, double si) {
   return std::max(1.0, std::max(si / bound, bound / si));
 }
 
-/// Every judged row of the elements of lists that counts, at every position: of the part as it was evaluated last
+/// Every assessed row of the elements of lists that counts, at every position: of the part as it was evaluated last
 /// there.
 void for_each_listed(Evaluation& evaluation, const Passing& passing,
                      const std::function<void(const FieldInfo& list, const Row& row, double si)>& visit) {
@@ -54,14 +54,14 @@ void for_each_listed(Evaluation& evaluation, const Passing& passing,
 /// Adds the shortfall of list elements.
 void add_shortfall_of_lists(Evaluation& evaluation, const Passing& passing, Shortfall& shortfall) {
   for_each_listed(evaluation, passing, [&](const FieldInfo&, const Row& row, double si) {
-    if (std::isnan(si)) return;  // what has no value is told by the limits
+    if (std::isnan(si)) return;  // the limits report a missing value
     const FieldInfo& f = *row.field;
     double& most = f.role == Role::check || f.is_criterion ? shortfall.check : shortfall.limit;
     most = std::max(most, f.role == Role::check ? si : excess_over(f.bounds, si));
   });
 }
 
-/// "seats.coupling.x_c" of an element as it was evaluated last.
+/// The path "seats.coupling.x_c" of an element as it was evaluated last.
 std::string path_of(const Evaluation& evaluation, const FieldInfo& list, const Row& row) {
   return list.key + element_path(list, evaluation.result().data.get(), row.element) + "." + row.field->key;
 }
@@ -74,7 +74,7 @@ CandidateFault fault_of_limit(const std::string& path, const FieldInfo& limit, d
   return {say("{1} = {2}: {3}", path, format_quantity(si, limit.unit, 4), bounds_message(limit)), path, si, limit.unit};
 }
 
-/// The check in a list that is beyond 1 most, and beyond `most`; empty where none is.
+/// The check in a list that is beyond 1 most, and beyond `most`; empty if none is.
 CandidateFault fault_of_lists(Evaluation& evaluation, const Passing& passing, double most) {
   CandidateFault worst;
   for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
@@ -85,7 +85,7 @@ CandidateFault fault_of_lists(Evaluation& evaluation, const Passing& passing, do
   return worst;
 }
 
-/// The first limit in a list that is not kept, else the first check there without a value; empty where there is none.
+/// The first limit in a list that is not kept, else the first check there without a value; empty if there is none.
 CandidateFault fault_of_listed_limits(Evaluation& evaluation, const Passing& passing) {
   CandidateFault outside, unknown;
   for_each_listed(evaluation, passing, [&](const FieldInfo& list, const Row& row, double si) {
@@ -98,7 +98,7 @@ CandidateFault fault_of_listed_limits(Evaluation& evaluation, const Passing& pas
   return outside.text.empty() ? unknown : outside;
 }
 
-/// The first check of the part without a value; empty where all have one.
+/// The first check of the part without a value; empty if all have one.
 Message check_without_value(Evaluation& evaluation, const Passing& passing) {
   for (const FieldInfo& f : evaluation.calculator().result->fields) {
     if (f.role != Role::check || f.where_set || !passing.counts({&f})) continue;
@@ -121,13 +121,13 @@ CandidateFault fault_of_limits(Evaluation& evaluation, Passing& passing) {
   return {gap.empty() ? check_without_value(evaluation, passing) : gap};
 }
 
-/// The largest value of a check that is not passed; nothing where it is.
+/// The largest value of a check that is not passed; nothing if it is.
 std::optional<double> failed_value(Evaluation& evaluation, const FieldInfo& check) {
   const double largest = evaluation.largest_result(check);
   return numerics::exceeds(largest, 1.0) ? std::optional(largest) : std::nullopt;
 }
 
-/// Whether what fails with the smallest and the largest candidate is no better with the largest.
+/// Whether a failure with both the smallest and the largest candidate does not improve with the largest.
 bool is_unmoved(const FieldInfo& field, double with_smallest, double with_largest) {
   const double change = with_largest - with_smallest, rounding = 1e-9 * std::abs(with_largest);
   return field.role == Role::check ? change >= -rounding : std::abs(change) <= rounding;
@@ -159,7 +159,7 @@ FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& lar
   return unmoved;
 }
 
-/// A check without a value counts where no limit says why.
+/// A check without a value counts unless a limit explains it.
 Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing) {
   Shortfall shortfall;
   bool missing = false;

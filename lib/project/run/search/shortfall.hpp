@@ -1,4 +1,4 @@
-// What a candidate of a search fails, and how far it is from passing.
+// The checks that a candidate of a search fails, and its distance from passing.
 #pragma once
 
 #include "lib/project/run/search/passing.hpp"
@@ -19,21 +19,21 @@ struct Shortfall {
     return own < others || (own == others && check < other.check);
   }
 };
-/// At the sizes that were settled.
+/// At the settled sizes.
 Shortfall shortfall_of_candidate(Evaluation& evaluation, Passing& passing);
 
 /// Checks and limits that a candidate fails, in lists too, and with which value.
 using FailedValues = std::map<Row, double>;
 FailedValues failed_values(Evaluation& evaluation, Passing& passing);
-/// Of those that fail with a smaller and with a larger candidate: which are no better with the larger.
+/// The values that fail with a smaller and with a larger candidate, and do not improve with the larger.
 FailedValues unmoved_values(const FailedValues& smaller, const FailedValues& larger);
 
-/// What a candidate is refused for.
+/// The reason for refusing a candidate.
 struct CandidateFault {
   Message text;                       // "u_theta = 1.055"
   std::string row = {};               // the check or the limit; empty: a rule, or a size that does not settle
   std::optional<double> number = {};  // the utilisation, or the value of the limit
-  std::string unit = {};              // of that value
+  std::string unit = {};              // unit of that value
 };
 /// At the sizes that follow from it.
 CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing);

@@ -184,8 +184,8 @@ void SizeSearch::leave_open(Message why) {
   evaluation_.inputs().set_unavailable(std::move(why), account::Subject::search);
 }
 
-/// Rows before the one that was found for which the step cannot be calculated: they are no failures, and may be what
-/// the user would rather have.
+/// Rows before the result for which the step cannot be calculated: they are not failures, and the user may prefer
+/// them.
 void SizeSearch::warn_of_passed_over(std::size_t found, std::vector<Issue>& issues) {
   std::size_t count = 0;
   Issue first;

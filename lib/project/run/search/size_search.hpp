@@ -20,7 +20,7 @@ class SizeSearch {
   /// A size given by another step of the same body is not searched: this one is assessed at it. Returns whether that
   /// applies.
   bool takes_size_of_body();
-  /// Whether the rules about what is searched for hold with a candidate, at the sizes that follow from it.
+  /// Whether the rules about the searched inputs hold with a candidate, at the sizes that follow from it.
   bool keeps_rules_with(std::size_t i);
   std::size_t first_that_passes(std::size_t from);
   bool excuse_unmoved(std::size_t from);

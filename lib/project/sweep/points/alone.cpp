@@ -10,8 +10,8 @@ namespace loadpath::project {
 
 namespace {
 
-/// Whether all that it takes of others, or is compared with, are numbers, and no factor that decides what may be
-/// combined.
+/// Whether all values that it takes from others, or is compared with, are numbers, and no factor that decides on
+/// permitted combinations.
 bool takes_numbers(const Step& step) {
   const Reading& reading = step.input().reading;
   const auto is_number = [](const Varied& v) { return v.leaf && v.words.empty() && !v.leaf.field->is_factor; };
@@ -118,7 +118,7 @@ bool AloneStep::take_modes(std::size_t point, std::vector<account::ModeColumns>&
   for (const account::Mode& mode : step_.account().modes) {
     const auto same =
         std::find_if(known.begin(), known.end(), [&](const ModeInfo& info) { return info.id == mode.id; });
-    if (same == known.end()) return false;  // that an input or a load is missing
+    if (same == known.end()) return false;  // a missing input or load
     account::ModeColumns& columns = modes[static_cast<std::size_t>(same - known.begin())];
     columns.state[point] = static_cast<double>(mode.state);
     columns.utilisation[point] = mode.utilisation.value_or(nan);

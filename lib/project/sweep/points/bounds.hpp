@@ -1,4 +1,4 @@
-// Whether a column of values keeps to bounds: what most points of a sweep do.
+// Whether a column of values is within bounds: true at most points of a sweep.
 #pragma once
 
 #include "lib/calculator/field.hpp"

@@ -207,7 +207,7 @@ void ColumnParts::evaluate_read(std::size_t rows) {
 }
 
 void ColumnParts::run(PointColumns& points) {
-  if (!sought) evaluate_read(points.count * positions());  // else the last candidates have been
+  if (!sought) evaluate_read(points.count * positions());  // otherwise the last candidates have been
   for (Read& number : read) {
     check_number(number, points);
     tell(number, points);

@@ -31,7 +31,7 @@ struct Read {
 struct Size {
   std::optional<std::size_t> result = {};  // offset
   const FieldInfo* field = nullptr;        // field of the result
-  std::optional<std::size_t> fed = {};     // which of the inputs
+  std::optional<std::size_t> fed = {};     // index of the input
   bool is_sought = false;                  // the size that is searched for
   double same = std::numeric_limits<double>::quiet_NaN();
 };
@@ -50,7 +50,7 @@ struct Sought {
   std::size_t least_offset = 0;
   std::vector<std::size_t> kept = {};  // results that a sizing would fix
   std::vector<std::vector<double>> of_kept = {};
-  std::vector<char> rules = {};    // that a candidate has to keep
+  std::vector<char> rules = {};    // rules for a candidate
   std::vector<Candidate> at = {};  // candidate at each point
   std::vector<char> breaks = {};   // a rule, of each point
   std::vector<double> si = {};     // over all rows
@@ -76,7 +76,7 @@ struct ColumnPlan {
   std::vector<std::string> absent;  // load components that were absent where this was laid out
   std::vector<Sized> sized;
   std::optional<Size> size;      // size of the sized inputs
-  std::optional<Sought> sought;  // that is searched for
+  std::optional<Sought> sought;  // searched input
   std::vector<Read> read;
   std::vector<char> rules;  // for each rule, whether varying inputs can violate it
   std::vector<char> no_rules;

@@ -126,7 +126,7 @@ void Fed::refuse(PointColumns& points, std::size_t positions) const {
 
 void Fed::tell(PointColumns& points, const Axis* axis) const {
   const auto told = points.signatures.find(path_);
-  if (told == points.signatures.end() || (!expression_ && companions_.empty())) return;  // else it is there
+  if (told == points.signatures.end() || (!expression_ && companions_.empty())) return;  // otherwise it is there
   if (told->second.axis != nullptr) {
     points.series[path_] = {si_, rounding_};
     return;

@@ -15,6 +15,7 @@ namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
 
+constexpr std::size_t screen_width = 80;
 constexpr int in_one_text = 6;  // ranks below: one name holds all words
 
 Hit hit_of(const Calculator& c, const char* where) { return {&c, c.id, c.title, "", where, 0}; }
@@ -50,6 +51,22 @@ std::vector<Hit> nearest_hits(const std::vector<const NotIncluded*>& beyond, std
   return all;
 }
 
+/// "  shaft      torsion overhung design": every element with the names of its calculators.
+void show_elements() {
+  Rows rows;
+  for (const Calculator* c : calculators()) {
+    const std::string element(c->element()), name = std::string(c->id).substr(element.size() + 1);
+    if (rows.empty() || rows.back()[0] != "  " + element)
+      rows.push_back({"  " + element, name});
+    else
+      rows.back()[1] += " " + name;
+  }
+  std::cout << calculators().size() << " calculators of " << rows.size()
+            << " elements; `loadpath list WORD` searches, e.g. buckling, S-N, Welle\n\n"
+            << terminal::columns(rows, screen_width)
+            << "\nMore: loadpath list shaft (titles), loadpath describe shaft.torsion\n";
+}
+
 void show(const std::vector<Hit>& hits) {
   Rows rows;
   rows.reserve(hits.size());
@@ -57,7 +74,7 @@ void show(const std::vector<Hit>& hits) {
     rows.push_back({hit.id, hit.title});
     if (!hit.why.empty()) rows.back().push_back(hit.why);
   }
-  std::cout << terminal::columns(rows);
+  std::cout << terminal::columns(rows, screen_width);
 }
 
 /// "13 more mention it, e.g. vessel.shell, section.thin_walled: --all"
@@ -65,8 +82,8 @@ void count(const std::vector<Hit>& hits) {
   if (hits.empty()) return;
   std::string some;
   for (std::size_t i = 0; i < std::min<std::size_t>(hits.size(), 2); ++i) some += (i == 0 ? "" : ", ") + hits[i].id;
-  std::cout << terminal::paragraph(std::to_string(hits.size()) + " more by failure mode or scope, e.g. " + some +
-                                   ": --all");
+  std::cout << terminal::paragraph(
+      std::to_string(hits.size()) + " more by failure mode or scope, e.g. " + some + ": --all", 0, screen_width);
 }
 
 /// All that a word has found, in the order in which it is shown.
@@ -112,7 +129,7 @@ int refuse(const std::string& word) {
 
 void print(const Answer& answer, const ListOptions& options) {
   for (const NotIncluded* one : answer.beyond)
-    std::cout << terminal::paragraph("Not included: " + std::string(one->what) + ".");
+    std::cout << terminal::paragraph("Not included: " + std::string(one->what) + ".", 0, screen_width);
   if (!answer.beyond.empty() && !answer.named.empty()) std::cout << "\nNearest:\n";
   show(answer.element);
   if (!answer.element.empty() && !answer.named.empty()) std::cout << "\nOthers that match '" << options.word << "':\n";
@@ -120,16 +137,16 @@ void print(const Answer& answer, const ListOptions& options) {
   const bool alone = answer.element.empty() && answer.named.empty();
   const bool all = options.all || (alone && answer.beyond.empty());
   all ? show(answer.mentioned) : count(answer.mentioned);
-  std::cout << "\n"
-            << terminal::paragraph(options.word.empty()
-                                       ? "`loadpath list WORD` searches, e.g. buckling, S-N, Welle; `loadpath describe "
-                                         "ID` shows one on a screen, with an example that runs."
-                                       : "`loadpath describe ID` shows one on a screen, with an example that runs.");
+  std::cout << "\n`loadpath describe ID` shows one on a screen, with an example that runs.\n";
 }
 
 }  // namespace
 
 int list(const ListOptions& options) {
+  if (options.word.empty() && !options.json) {
+    show_elements();
+    return passed;
+  }
   const Answer answer = answer_to(options.word);
   if (answer.element.empty() && answer.named.empty() && answer.mentioned.empty() && answer.beyond.empty())
     return refuse(options.word);

@@ -49,8 +49,8 @@ Outcome<double> unit_of(const Tree& table, const FieldInfo& field, std::string_v
   if (unit == nullptr && field.dimension.is_number()) return 1.0;
   const auto wanted = [&](std::string_view text) {
     return told(say("'{1}' is no {2}", text, name_of(field.dimension)),
-                say("name the unit in the header, F [{1}], or say what 1 of the file stands for: unit = \"{1}\", or "
-                    "unit = \"2.5 {1}\"",
+                say("name the unit in the header, F [{1}], or give the unit of the numbers in the file: unit = "
+          "\"{1}\", or unit = \"2.5 {1}\"",
                     field.unit));
   };
   if (unit == nullptr || unit->value.type != Tree::Type::text) return wanted(unit == nullptr ? "" : unit->value.text);
@@ -83,7 +83,7 @@ Outcome<rainflow::Form> form_of(const Tree& table) {
     const auto known =
         std::find_if(forms.begin(), forms.end(), [&](const auto& row) { return row.first == told_form->value.text; });
     if (known == forms.end())
-      return told(say("'{1}' is no form of a file", told_form->value.text), say("csv, npy, f64 or f32"));
+      return told(say("'{1}' is not a known file format", told_form->value.text), say("csv, npy, f64 or f32"));
     form.format = known->second;
   } else if (by_name) {
     form.format = *by_name;
@@ -154,10 +154,10 @@ class Turns {
   std::optional<Fault> take_all(std::span<const double> samples) {
     if (count_ + samples.size() > most_in_step)
       return told(say("it has more than {1} samples", std::to_string(most_in_step)),
-                  say("several series are kept in step whole: cut them to what decides, all alike"));
+                  say("several series stay in step: cut all of them to the same range"));
     values_.resize(count_), at_.resize(count_);
     for (const double sample : samples) {
-      if (!std::isfinite(sample)) return told(say("sample {1} is no number", std::to_string(count_)), {});
+      if (!std::isfinite(sample)) return told(say("sample {1} is not a number", std::to_string(count_)), {});
       values_.push_back(sample), at_.push_back(count_++);
     }
     return std::nullopt;

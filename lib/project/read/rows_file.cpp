@@ -169,7 +169,7 @@ bool Rows::choose(const std::vector<std::string>& cells) {
   for (std::size_t k = 0; k < cells.size(); ++k) {
     columns_[k].field = find_input(fields_, columns_[k].heading.name);
     if (columns_[k].field == nullptr)
-      return refuse(at(cells[k]), say("the heading '{1}' is no field here", columns_[k].heading.name),
+      return refuse(at(cells[k]), say("the heading '{1}' is not a valid key here", columns_[k].heading.name),
                     say("the fields are {1}; cells are parted by commas, semicolons, tabs or blanks; columns = {...} "
                         "says which column is which field",
                         keys()));
@@ -181,7 +181,7 @@ bool Rows::choose(const std::vector<std::string>& cells) {
 bool Rows::choose_named(const Tree::Entry& named, const std::vector<std::string>& cells) {
   const FieldInfo* const field = find_input(fields_, named.key);
   if (field == nullptr)
-    return refuse(named.place, say("'{1}' is no field here", named.key), say("the fields are {1}", keys()));
+    return refuse(named.place, say("'{1}' is not a valid key here", named.key), say("the fields are {1}", keys()));
   std::size_t found = cells.size();
   if (named.value.type == Tree::Type::number) {
     const double number = named.value.number;
@@ -258,7 +258,7 @@ Issue issue_at(const Place& place, Message message, Message hint) {
 std::optional<Issue> fault_of_keys(const Tree& tree) {
   for (const Tree::Entry& entry : tree.entries) {
     if (entry.key != "file" && entry.key != "columns")
-      return issue_at(entry.place, say("'{1}' is no field here", entry.key),
+      return issue_at(entry.place, say("'{1}' is not a valid key here", entry.key),
                       say("rows in a file: { file = \"rows.csv\" }, or with columns = { t = \"time\", p = 3 }"));
     if (entry.key == "columns" && entry.value.type != Tree::Type::table)
       return issue_at(entry.value.place,
@@ -295,7 +295,7 @@ std::optional<Tree> read_rows_file(const Tree& tree, std::span<const FieldInfo> 
   std::string text;
   const bool there = std::filesystem::is_regular_file(path, error);
   if (there && std::filesystem::file_size(path, error) > largest_file) {
-    wrong = issue_at(named.place, say("'{1}' is no list of rows", named.text), say("at most 16 MB"));
+    wrong = issue_at(named.place, say("'{1}' is not a list of rows", named.text), say("at most 16 MB"));
     return std::nullopt;
   }
   if (!there || !toml::read_file(path.string(), text)) {

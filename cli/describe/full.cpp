@@ -1,7 +1,7 @@
-#include "calculators/catalogue.hpp"
-#include "cli/commands.hpp"
+#include "cli/describe/full.hpp"
+
+#include "cli/describe/templates.hpp"
 #include "cli/fields/words.hpp"
-#include "lib/export/json_catalogue.hpp"
 #include "lib/project/parts.hpp"
 #include "lib/report/build.hpp"
 #include "lib/report/terminal/terminal.hpp"
@@ -14,12 +14,6 @@
 
 namespace loadpath::cli {
 
-namespace {
-
-using report::keys_in;
-using Type = FieldInfo::Type;
-using Rows = std::vector<std::vector<std::string>>;
-
 std::string joined(const std::vector<std::string>& words) {
   std::string all;
   for (const std::string& word : words) all += (all.empty() ? "" : ", ") + word;
@@ -29,15 +23,15 @@ std::string joined(const std::vector<std::string>& words) {
 void add_fields(std::span<const FieldInfo> fields, void* owner, const std::string& prefix, Rows& rows) {
   for (const FieldInfo& f : fields) {
     const std::string key = "  " + prefix + f.key + (*f.also_called == '\0' ? "" : std::string(", ") + f.also_called);
-    if (f.type == Type::record) rows.push_back({key, "record", "optional", f.doc});
-    if (f.type == Type::record) continue;
+    if (f.type == FieldInfo::Type::record) rows.push_back({key, "record", "optional", f.doc});
+    if (f.type == FieldInfo::Type::record) continue;
     if (f.is_leaf()) {
       const std::string rule = bounds_of(f);
       rows.push_back({key, type_of(f), f.role == Role::input ? default_of(f, owner) : "",
                       f.doc + (rule.empty() ? "" : " (" + rule + ")") + searched_of(f)});
       continue;
     }
-    const bool list = f.type == Type::list;
+    const bool list = f.type == FieldInfo::Type::list;
     rows.push_back({key + (list ? "[]" : ""), list ? list_of(f) : "table",
                     f.role == Role::input && !f.optional ? "required" : "", f.doc});
     void* inner = list ? f.push(owner) : f.element(owner, 0);
@@ -51,6 +45,19 @@ void show_type(const char* title, const RecordType& type) {
   add_fields(type.fields, blank.data.get(), "", rows);
   std::cout << title << "\n" << terminal::columns(rows) << "\n";
 }
+
+std::string assessor_of(const ModeInfo& mode) {
+  if (*mode.checks != '\0') return mode.checks;
+  if (*mode.judge != '\0') return std::string("add a step of ") + mode.judge;
+  if (*mode.wants != '\0') return std::string("give ") + mode.wants;
+  if (*mode.use != '\0') return std::string("use ") + mode.use;
+  if (*mode.add != '\0') return std::string("add a step of ") + mode.add;
+  return "no calculator assesses it";
+}
+
+namespace {
+
+using report::keys_in;
 
 /// The inputs that a row of a table fills: "E, R_e at the size of t".
 std::string filled_by(const Calculator& calculator, std::string_view group) {
@@ -101,16 +108,7 @@ void show_patterns(std::span<const ResultPattern> patterns) {
   std::cout << "Results, NAME as in the project file\n" << terminal::columns(rows) << "\n";
 }
 
-std::string assessor_of(const ModeInfo& mode) {
-  if (*mode.checks != '\0') return mode.checks;
-  if (*mode.judge != '\0') return std::string("add a step of ") + mode.judge;
-  if (*mode.wants != '\0') return std::string("give ") + mode.wants;
-  if (*mode.use != '\0') return std::string("use ") + mode.use;
-  if (*mode.add != '\0') return std::string("add a step of ") + mode.add;
-  return "no calculator assesses it";
-}
-
-/// The failure modes of the part, and the check or calculator that assesses each.
+/// The failure modes of the part, and what assesses each.
 void show_modes(const Calculator& calculator) {
   Rows rows;
   for (const ModeInfo& mode : calculator.modes) {
@@ -119,71 +117,6 @@ void show_modes(const Calculator& calculator) {
   if (rows.empty()) return;
   std::cout << "Failure modes, and what assesses them; accept.MODE = \"reason\" answers for one that is not assessed\n"
             << terminal::columns(rows) << "\n";
-}
-
-/// The names of list elements that a template has laid out, and of those within them.
-void add_names(std::span<const FieldInfo> fields, void* owner, const std::string& prefix, Rows& rows) {
-  for (const FieldInfo& f : fields) {
-    if (f.type != Type::list || f.size(owner) == 0) continue;
-    const FieldInfo* name = find_field(f.fields, "name");
-    if (name == nullptr) continue;  // elements by number: a template gives no further details
-    std::vector<std::string> names;
-    for (std::size_t i = 0; i < f.size(owner); ++i) names.emplace_back(name->text(f.element(owner, i)));
-    rows.push_back({"  " + prefix + f.key, joined(names)});
-    for (std::size_t i = 0; i < names.size(); ++i)
-      add_names(f.fields, f.element(owner, i), prefix + f.key + "." + names[i] + ".", rows);
-  }
-}
-
-void show_template(const Calculator& calculator, const Template& t) {
-  std::cout << calculator.id << "." << t.id << ": " << t.title << "\n\n" << terminal::paragraph(t.doc) << "\n";
-  show_type("Parameters, in addition to the fields of the calculator", *t.parameters);
-  Record laid(*calculator.input);
-  t.lay_out(laid.data.get());
-  Rows rows;
-  add_names(laid.type->fields, laid.data.get(), "", rows);
-  std::cout << "Makes\n" << terminal::columns(rows) << "\nExample, a project file that runs:\n\n" << t.example;
-}
-
-void show_templates(const Calculator& calculator) {
-  Rows rows;
-  for (const Template* t : calculator.templates) {
-    std::vector<std::string> keys;
-    for (const FieldInfo& f : t->parameters->fields) keys.emplace_back(f.key);
-    rows.push_back({std::string("  ") + t->id, t->title, joined(keys)});
-  }
-  std::cout << "Templates, template = \"NAME\" with its parameters in place of what it makes\n"
-            << terminal::columns(rows) << "  `loadpath describe " << calculator.id << ".NAME` tells more\n\n";
-}
-
-/// "mechanism.planar.slider_crank": shows the template; false if there is none of that name.
-bool describe_template(const std::string& id) {
-  for (const Calculator* c : calculators()) {
-    const std::string prefix = std::string(c->id) + ".";
-    const Template* t = id.starts_with(prefix) ? find_template(*c, id.substr(prefix.size())) : nullptr;
-    if (t == nullptr) continue;
-    show_template(*c, *t);
-    return true;
-  }
-  return false;
-}
-
-int refuse(const std::string& id, const Message& hint) {
-  std::cerr << "loadpath: there is no calculator '" << id << "'\n  = help: " << hint.text() << "\n";
-  return wrong_input;
-}
-
-/// The remedy for an unknown id: the calculators of an element, the one of this name, or the nearest id.
-Message remedy(const std::string& id) {
-  std::vector<std::string> ids, own;
-  for (const Calculator* known : calculators()) {
-    ids.emplace_back(known->id);
-    if (known->element() == id) own.emplace_back(known->id);
-    if (std::string_view(known->id).ends_with("." + id)) return say("did you mean '{1}'?", known->id);
-    for (const Template* t : known->templates) ids.push_back(std::string(known->id) + "." + t->id);
-  }
-  if (!own.empty()) return say("'{1}' is an element; `loadpath describe` takes one of {2}", id, joined(own));
-  return did_you_mean(id, ids, say("`loadpath list` shows all"));
 }
 
 void show_sources(const Calculator& calculator) {
@@ -218,32 +151,9 @@ constexpr std::array parts{Part{"inputs", show_inputs},       Part{"keys", show_
                            Part{"results", show_results},     Part{"modes", show_modes},
                            Part{"sources", show_sources},     Part{"example", show_example}};
 
-/// One input with all its fields: "loads"; a section of the description: "modes".
-int show_part(const Calculator& c, const std::string& name) {
-  const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return name == p.name; });
-  const FieldInfo* const field = find_input(c.input->fields, name);
-  if (part == parts.end() && field == nullptr) {
-    std::vector<std::string> names;
-    names.reserve(parts.size() + c.input->fields.size());
-    for (const Part& p : parts) names.emplace_back(p.name);
-    for (const FieldInfo& f : c.input->fields) names.emplace_back(f.key);
-    std::cerr << "loadpath: '" << c.id << "' has no part and no input '" << name
-              << "'\n  = help: " << did_you_mean(name, names, there_is(names)).text() << "\n";
-    return wrong_input;
-  }
-  std::cout << c.id << ": " << c.title << "\n\n";
-  if (part != parts.end()) {
-    part->show(c);
-    return passed;
-  }
-  const Record blank(*c.input);
-  Rows rows;
-  add_fields({field, 1}, blank.data.get(), "", rows);
-  std::cout << terminal::columns(rows);
-  return passed;
-}
+}  // namespace
 
-void show(const Calculator& c) {
+void show_in_full(const Calculator& c) {
   std::cout << c.id << ": " << c.title << "\n\n" << terminal::paragraph(c.scope) << "\n";
   show_sources(c);
   show_inputs(c);
@@ -255,21 +165,19 @@ void show(const Calculator& c) {
   show_example(c);
 }
 
-}  // namespace
+std::vector<std::string> part_names() {
+  std::vector<std::string> names;
+  names.reserve(parts.size());
+  for (const Part& part : parts) names.emplace_back(part.name);
+  return names;
+}
 
-int describe(const DescribeOptions& options) {
-  const Calculator* whole = find_calculator(calculators(), options.id);
-  const std::string id = whole != nullptr || options.name.empty() ? options.id : options.id + "." + options.name;
-  const std::string part = whole != nullptr ? options.name : options.part;
-  const Calculator* c = find_calculator(calculators(), id);
-  if (c == nullptr) return describe_template(id) ? passed : refuse(id, remedy(id));
-  if (options.json) {
-    std::cout << exports::json_of(*c);
-    return passed;
-  }
-  if (!part.empty()) return show_part(*c, part);
-  show(*c);
-  return passed;
+bool show_part(const Calculator& calculator, std::string_view name) {
+  const auto part = std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return name == p.name; });
+  if (part == parts.end()) return false;
+  std::cout << calculator.id << ": " << calculator.title << "\n\n";
+  part->show(calculator);
+  return true;
 }
 
 }  // namespace loadpath::cli

@@ -96,7 +96,7 @@ solve() (
     --set 'gears.beta={ from = "8 deg", to = "20 deg", count = 13 }' --set 'gears.x_1={ min = 0.1, max = 0.5 }' \
     --results gears.utilisation --results gears.m_n
   sweep_example "$1" "$2" lanes toggle-press --samples 16 --csv lanes.csv --set 'press.r={ mean = "40 mm", sd = "1 %" }' \
-    --results "peak(press.drive.M)" --results crank_end.utilisation
+    --results "peak(press.drive.M)" --results shaft.utilisation
   sweep_example "$1" "$2" history load-history --samples 32 --csv history.csv \
     --set 'neck.sigma_D={ mean = "200 MPa", sd = "5 %" }' --results neck.D
 )

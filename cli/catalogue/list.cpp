@@ -18,7 +18,7 @@ using Rows = std::vector<std::vector<std::string>>;
 constexpr std::size_t screen_width = 80;
 constexpr int in_one_text = 6;  // ranks below: one name holds all words
 
-Hit hit_of(const Calculator& c, const char* where) { return {&c, c.id, c.title, "", where, 0}; }
+Hit hit_of(const Calculator& c, const char* where) { return {&c, c.id, c.title, "", where}; }
 
 /// The calculators of the element that the word names, in the order of the catalogue.
 std::vector<Hit> of_element(const std::string& word) {

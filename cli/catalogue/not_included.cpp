@@ -35,7 +35,7 @@ constexpr std::array all{
                 "mechanism.planar, dynamics.work, shaft.held"},
     NotIncluded{"worm gears: geometry and rating",
                 "worm, worm gear, worm wheel, worm drive, Schnecke, Schneckengetriebe, Schneckenrad, червяк, "
-                "червячная передача",
+                "червячная передача, червячная, червячное колесо",
                 "drive.train"},
     NotIncluded{"bevel and hypoid gears",
                 "bevel gear, hypoid gear, crown gear, spiral bevel, Kegelrad, Kegelradgetriebe, Hypoidrad, "

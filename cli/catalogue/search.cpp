@@ -25,6 +25,7 @@ struct Term {
   Words words;
   const Ranks* ranks;
   const char* where;
+  std::size_t position = 0;  // among the synonyms, of which the first are the closest
 };
 
 /// A calculator or a template with the texts that a search reads.
@@ -34,9 +35,14 @@ struct Searchable {
   std::string title;
   std::vector<Term> terms;
 
-  void add(std::string text, const Ranks& ranks, const char* where) {
+  void add(std::string text, const Ranks& ranks, const char* where, std::size_t position = 0) {
     Words words = search_words(text);
-    terms.push_back({std::move(text), std::move(words), &ranks, where});
+    terms.push_back({std::move(text), std::move(words), &ranks, where, position});
+  }
+  void add_synonyms() {
+    std::size_t position = 0;
+    for (std::string& synonym : listed_keys(calculator->synonyms))
+      add(std::move(synonym), of_synonym, "synonym", position++);
   }
 };
 
@@ -65,7 +71,7 @@ std::vector<Searchable> searchables() {
     one.add(id, of_id, "id");
     one.add(id.substr(id.find('.') + 1), of_id, "id");
     one.add(c->title, of_title, "title");
-    for (std::string& synonym : listed_keys(c->synonyms)) one.add(std::move(synonym), of_synonym, "synonym");
+    one.add_synonyms();
     for (std::string& part : covered(c->scope)) one.add(std::move(part), of_scope, "scope");
     for (const ModeInfo& mode : c->modes) {
       if (is_assessable(mode)) one.add(mode.title, of_mode, "failure mode");
@@ -132,9 +138,12 @@ Found search(std::string_view text) {
   for (const Searchable& one : searchables()) {
     const Best best = rank_of(searched, one);
     if (best.term != nullptr)
-      hits.push_back({one.calculator, one.id, one.title, reason(*best.term), best.term->where, best.rank});
+      hits.push_back(
+          {one.calculator, one.id, one.title, reason(*best.term), best.term->where, best.rank, best.term->position});
   }
-  std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) { return a.rank < b.rank; });
+  std::stable_sort(hits.begin(), hits.end(), [](const Hit& a, const Hit& b) {
+    return a.rank != b.rank ? a.rank < b.rank : a.position < b.position;
+  });
   Found found;
   for (Hit& hit : hits) (hit.rank < mentioned_from ? found.named : found.mentioned).push_back(std::move(hit));
   return found;

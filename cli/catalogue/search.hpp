@@ -4,6 +4,7 @@
 
 #include "lib/calculator/calculator.hpp"
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -15,9 +16,10 @@ struct Hit {
   const Calculator* calculator = nullptr;
   std::string id;  // id of the template, if it is one
   std::string title;
-  std::string why;    // "Keilriemen", "failure mode: flexural buckling"; empty where the title or the id says it
-  const char* where;  // "id", "title", "synonym", "scope", "failure mode"
-  int rank = 0;       // the best first, from 0
+  std::string why;           // "Keilriemen", "failure mode: flexural buckling"; empty where the title or the id says it
+  const char* where;         // "id", "title", "synonym", "scope", "failure mode"
+  int rank = 0;              // the best first, from 0
+  std::size_t position = 0;  // of the synonym that was found; those of one rank in this order
 };
 
 /// The results of a search, the best first.

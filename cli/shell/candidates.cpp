@@ -36,6 +36,16 @@ void add_elements(Candidates& all) {
   }
 }
 
+/// Names that `describe` takes after a calculator: inputs, results, failure modes.
+void add_fields(const std::string& id, Candidates& all) {
+  const Calculator* const calculator = find_calculator(calculators(), id);
+  if (calculator == nullptr) return;
+  for (const FieldInfo& field : calculator->input->fields) add(all, field.key, field.doc);
+  for (const ModeInfo& mode : calculator->modes) add(all, mode.id, mode.title);
+  if (calculator->result == nullptr) return;
+  for (const FieldInfo& field : calculator->result->fields) add(all, field.key, field.doc);
+}
+
 /// Adds the rows of a group: materials, sections.
 void add_rows(const std::string& group, Candidates& all) {
   for (const table::Table& table : table::built_in().tables) {
@@ -177,6 +187,7 @@ class Line {
     }
     if (path_.empty()) return;
     if (name == "describe" && given_.empty()) add_calculators(all);
+    if (name == "describe" && given_.size() == 1) add_fields(given_[0], all);
     if (name == "list" && given_.empty()) add_elements(all);
     if (name == "tables" && given_.size() < 2) add_tables(given_, all);
     if (name == "completion" && given_.empty()) {

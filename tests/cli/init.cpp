@@ -11,6 +11,18 @@ namespace {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
+/// The lines of [values] that do not say what they are.
+std::string values_without_comment(const std::string& text) {
+  const std::string head = "\n[values]\n";
+  std::string found;
+  for (std::size_t at = text.find(head) + head.size(); at < text.size() && text[at] != '\n';) {
+    const std::string line = text.substr(at, text.find('\n', at) - at);
+    if (!contains(line, "  # ")) found += line + "\n";
+    at += line.size() + 1;
+  }
+  return found;
+}
+
 /// The program on a terminal where somebody types these lines.
 Ran on_terminal(const Desk& desk, const std::vector<std::string>& words, const std::string& typed) {
   int terminal = -1;
@@ -48,6 +60,8 @@ TEST_SUITE("cli init") {
       CHECK(ran.code == 0);
       CHECK(ran.error.empty());
       CHECK(contains(desk.get(file), "\n[values]\n"));
+      CHECK(desk.get(file).starts_with("# "));
+      CHECK(values_without_comment(desk.get(file)) == "");
     }
   }
 

@@ -44,6 +44,8 @@ TEST_SUITE("completion") {
     CHECK(has(offered(desk, {"chain", "roller", "--chain", "16"}), "16B"));
     CHECK(has(offered(desk, {"describe", "shaft.t"}), "shaft.torsion"));
     CHECK(has(offered(desk, {"describe", "mechanism.planar.s"}), "mechanism.planar.slider_crank"));
+    CHECK(has(offered(desk, {"describe", "shaft.torsion", "th"}), "theta_adm"));
+    CHECK(has(offered(desk, {"describe", "--to"}), "--toml"));
     CHECK(has(offered(desk, {"list", ""}), "belt"));
     CHECK(has(offered(desk, {"tables", "sections/ip"}), "sections/ipe"));
     CHECK(has(offered(desk, {"tables", "sections", "IPE 2"}), "IPE 200"));

@@ -1,0 +1,36 @@
+// Wrong keys and options: the near ones are told with what they mean, on the shell and in a file.
+#include "tests/cli/process.hpp"
+
+using namespace loadpath::test;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+Ran with_key(const std::string& key) {
+  const std::string file = "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"900 N*m\"\ntau_adm = \"30 MPa\"\n";
+  return Desk().run({"run", "-"}, file + key + " = \"20 mm\"\n");
+}
+
+}  // namespace
+
+TEST_SUITE("cli wrong words") {
+  TEST_CASE("a wrong option is told with the near ones and their meanings") {
+    const Ran near = loadpath_with({"shaft", "torsion", "--T", "3 N*m", "--tauadm", "30 MPa"});
+    CHECK(near.code == 2);
+    CHECK(contains(near.error, "there is no option '--tauadm'"));
+    CHECK(contains(near.error, "did you mean '--tau_adm' (allowable "));
+    const Ran begun = loadpath_with({"shaft", "torsion", "--theta", "1 deg/m"});
+    CHECK(contains(begun.error, "'--theta_adm' (allowable "));
+    const Ran meaning = loadpath_with({"shaft", "torsion", "--length", "1 m"});
+    CHECK(contains(meaning.error, "'--l' ("));
+  }
+
+  TEST_CASE("a wrong key of a file is told with the near ones and their meanings") {
+    CHECK(with_key("d_bor").code == 2);
+    CHECK(contains(with_key("d_bor").error, "did you mean 'd_bore' ("));
+    CHECK(contains(with_key("diameter").error, "diameter"));
+    CHECK(contains(with_key("diameter").error, "'d' ("));
+    CHECK(contains(with_key("length").error, "'l' ("));
+  }
+}

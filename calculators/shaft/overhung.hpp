@@ -7,7 +7,7 @@
 #pragma once
 
 #include "calculators/shaft/parts/modes.hpp"
-#include "calculators/shaft/parts/torque.hpp"
+#include "calculators/shaft/parts/power.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/form.hpp"
 #include "lib/calculator/meaning.hpp"

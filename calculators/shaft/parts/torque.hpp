@@ -1,42 +1,99 @@
-// The torque of a shaft: as given, or of the power that it transmits at its speed.
+// What keys and splines have in common: which torque counts, whether it changes its sense, what their sides allow.
 #pragma once
 
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/fields.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
-#include "lib/quantity/drive_units.hpp"
+#include "lib/quantity/units.hpp"
 
 #include <array>
 
 namespace loadpath::shaft {
 
-/// Fields of an input that has T, P and n. No record fills them: it brings its own torque.
+/// Whether a torque changes its sense.
+enum class Sense { unknown, one_way, reversing };
+
+constexpr auto choices_of(Sense) {
+  return std::array{
+      ChoiceName<Sense>{Sense::unknown, "unknown", "it is not known"},
+      ChoiceName<Sense>{Sense::one_way, "one_way", "it never does"},
+      ChoiceName<Sense>{Sense::reversing, "reversing", "it does: starts both ways, or torsional vibration"}};
+}
+
+/// The least torque over the largest that this allows; unset where nothing is known.
+inline double least_ratio(Sense sense) {
+  return sense == Sense::one_way ? 0.0 : sense == Sense::reversing ? -1.0 : unset<double>;
+}
+
+/// What is carried; of what has T, T_max, torque and K_A.
 template <class Input>
-constexpr auto power_inputs() {
-  return Fields{Field<Input, Power>{&Input::P, "P", kW, "power transmitted, with n in place of T"}
-                    .positive()
-                    .load()
-                    .own()
-                    .may_be_missing(),
-                Field<Input, AngularSpeed>{&Input::n, "n", rpm, "speed, with P"}
-                    .positive()
-                    .usually(0.1, 1e5)
-                    .own()
-                    .may_be_missing()};
+constexpr auto torque_inputs() {
+  return Fields{
+      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+      Field<Input, Moment>{&Input::T, "T", N_m, "torque"}.load(),
+      Field<Input, Moment>{&Input::T_max, "T_max", N_m,
+                           "largest torque of a start or a shock, where it is more than K_A T"}
+          .load()
+          .may_be_missing(),
+      Choice{&Input::torque, "torque", "whether the torque changes its sense"}.may_be_missing(),
+      Field<Input, double>{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
+          .at_least(1)
+          .usually(1, 4)
+          .factor()};
+}
+
+/// Each side has one strength, and a factor of the reversal wants one.
+template <class Input>
+constexpr auto rules_of_sides() {
+  return std::array{
+      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_1) && is_set(in.R_e_1)); }, "p_adm_1, R_e_1",
+                  "give p_adm_1 or R_e_1, never both"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_2) && is_set(in.R_e_2)); }, "p_adm_2, R_e_2",
+                  "give p_adm_2 or R_e_2, never both"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.f_W) || in.torque == Sense::reversing; }, "f_W, torque",
+                  "f_W belongs to a torque that changes its sense: torque = \"reversing\""}};
+}
+
+/// Something to carry: T, or T_max where it is given.
+template <class Input>
+Applies torque_loads(const Input& in) {
+  return where(abs(in.T) > 0.0 * N_m.one || (is_set(in.T_max) && abs(in.T_max) > 0.0 * N_m.one));
 }
 
 template <class Input>
-constexpr auto power_rules() {
-  return std::array{Rule<Input>{[](const Input& in) { return !(is_set(in.T) && is_set(in.P)); }, "T, P",
-                                "T and P both give the torque: give T, or P with n"},
-                    Rule<Input>{[](const Input& in) { return is_set(in.P) == is_set(in.n); }, "P, n",
-                                "the power P and the speed n belong together: T = P/(2 pi n)"}};
+Applies torque_reverses(const Input& in) {
+  if (in.torque == Sense::unknown) return Applies::unseen;
+  return where(in.torque == Sense::reversing);
 }
 
-template <class Input, class Tracer>
-Moment torque_of(const Input& in, Tracer& trace) {
-  if (is_set(in.T)) return in.T;
-  return NAMED_STEP("T", in.P / in.n, "torque of the power at this speed, P/(2 pi n)");
+template <class Input>
+Applies torque_varies(const Input& in) {
+  return shown_by(in.K_A > 1.0 || in.torque == Sense::reversing);
+}
+
+/// A shear stress by the torque that any steel shaft bears, pulsating, with a keyway too: the old code for transmission
+/// shafts allows 41 MPa (ASME B17c; recalled).
+inline constexpr double light_torsion = 40.0;
+
+/// Whether the shaft itself can be twisted off: open below that, for any shaft bears it.
+inline Applies torsion_of(Stress tau_t) {
+  if (!(tau_t > 0.0 * MPa)) return Applies::no;
+  return shown_by(tau_t > light_torsion * MPa);
+}
+
+/// K_A acts once, on T and not on T_max, which is what the largest shock brings, whole.
+template <class Input, class Result, class Tracer>
+void torque_that_counts(const Input& in, Result& r, Tracer& trace) {
+  STEP_TO(r, T_eq, is_set(in.T_max) ? max(in.K_A * abs(in.T), abs(in.T_max)) : in.K_A * abs(in.T),
+          "torque that counts");
+}
+
+/// What a side allows: typed, or 0.9 of its yield strength; none where neither is given.
+template <class Tracer>
+Stress allowed_pressure(const char* symbol, Stress typed, Stress R_e, Tracer& trace) {
+  if (is_set(typed)) return trace.value(symbol, typed, "given");
+  if (!is_set(R_e)) return typed;
+  return trace.value(symbol, 0.9 * R_e, "0.9 R_e, method C of [DIN6892]");
 }
 
 }  // namespace loadpath::shaft

@@ -1,7 +1,7 @@
 // The shaft of shaft.torsion as it is given: its length, its torques and the stretches between them.
 #pragma once
 
-#include "calculators/shaft/parts/torque.hpp"
+#include "calculators/shaft/parts/power.hpp"
 #include "calculators/shaft/torsion/types.hpp"
 
 namespace loadpath::shaft {

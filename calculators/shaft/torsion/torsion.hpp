@@ -10,7 +10,7 @@
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/parts/modes.hpp"
-#include "calculators/shaft/parts/torque.hpp"
+#include "calculators/shaft/parts/power.hpp"
 #include "calculators/shaft/torsion/diagram.hpp"
 #include "calculators/shaft/torsion/types.hpp"
 #include "lib/calculator/field.hpp"

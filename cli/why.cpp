@@ -4,6 +4,7 @@
 #include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
 #include "lib/project/solving/solve.hpp"
+#include "lib/report/summary/summary.hpp"
 #include "lib/toml/tree.hpp"
 
 #include <iostream>
@@ -35,13 +36,15 @@ int why(const WhyOptions& options) {
   terminal::show_issues(issues, with_files_of(project, {{name, text}, source_of(options.settings)}));
   if (has_errors(issues)) return wrong_input;
   if (options.of.empty()) {
-    terminal::show_deciding(project);
+    const project::Step* const decides = project.find(report::summarise(project).governing_step);
+    if (decides != nullptr) terminal::show_why(project, *decides, "");
     return exit_for(project::modes(project));
   }
   const std::size_t dot = options.of.find('.');
   const project::Step* const step = project.find(options.of.substr(0, dot));
   if (step == nullptr) return refuse_step(project, options.of);
-  if (!terminal::show_why(*step, dot == std::string::npos ? "" : options.of.substr(dot + 1))) return wrong_input;
+  if (!terminal::show_why(project, *step, dot == std::string::npos ? "" : options.of.substr(dot + 1)))
+    return wrong_input;
   return exit_for(step->account().modes);
 }
 

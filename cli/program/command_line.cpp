@@ -31,8 +31,9 @@ void setup_run(CLI::App& app, RunOptions& options, Action& action) {
 void setup_why(CLI::App& app, WhyOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("why", "governing checks, choices and formulas of a step");
   sub->add_option("file", options.file, "project file; - is standard input")->required();
-  sub->add_option("of", options.of,
-                  "step, or a result or mode of failure of one: rod, rod.u; every step where missing");
+  sub->add_option(
+      "of", options.of,
+      "step, or a result or mode of failure of one: rod, rod.u; the step that decides the verdict where missing");
   add_settings(*sub, options.settings);
   sub->callback([&] { action = [&] { return why(options); }; });
 }

@@ -39,12 +39,17 @@ std::vector<Message> wordings_of(const Mode& mode, const std::string& subject) {
   if (!mode.utilisation) return {part, brief};
   const std::string used = format_number(*mode.utilisation, 4);
   const Message whole = say("{1}, utilisation {2}", part, used);
-  std::vector<Message> all{whole, say("{1}, utilisation {2}", brief, used), say("{1}{2}", step, used)};
-  if (mode.compared) all.insert(all.begin(), say("{1} ({2})", whole, compared_text(*mode.compared)));
-  return all;
+  const Message shorter = say("{1}, utilisation {2}", brief, used);
+  if (!mode.compared) return {whole, shorter, say("{1}utilisation {2}", step, used)};
+  const Message both = compared_text(*mode.compared);
+  return {say("{1} ({2})", whole, both), say("{1} ({2})", shorter, both), whole, shorter,
+          say("{1}utilisation {2}", step, used)};
 }
 
-Message of_failures(const Modes& sorted, std::size_t count, const Telling& telling) {
+/// What another step has assessed is told as a mode of that step.
+Message of_failures(Modes sorted, const Telling& telling) {
+  std::erase_if(sorted, [](const Mode& mode) { return is_assessed_elsewhere(mode); });
+  const auto count = std::ranges::count(sorted, State::fail, &Mode::state);
   std::vector<Message> wordings = wordings_of(sorted.front(), telling.subject);
   for (Message& wording : wordings) {
     if (count > 1) wording = say("{1}; and {2} more", wording, std::to_string(count - 1));
@@ -163,6 +168,11 @@ Conclusion conclude(const Modes& modes) {
   return all;
 }
 
+bool is_assessed_elsewhere(const Mode& mode) {
+  const bool waits = mode.state == State::open || mode.state == State::not_judged;
+  return !waits && !mode.judge.empty() && mode.governs.empty();
+}
+
 std::string short_title(const Mode& mode) {
   const std::string title = mode.title.text();
   std::string first = title.substr(0, title.find_first_of(",:;("));
@@ -175,11 +185,13 @@ Message explanation(const Modes& modes, const Telling& telling) {
   const Modes sorted = in_order(modes);
   switch (all.headline) {
     case Headline::fail:
-      return of_failures(sorted, all.count(Group::fails), telling);
+      return of_failures(sorted, telling);
     case Headline::no_solution: {
       const Mode& search = *std::ranges::find_if(sorted, is_search);
-      return first_in(telling.room,
-                      {say("{1}: {2}", search.step, search.note), say("{1}: no size passes", search.step)});
+      const std::string note = search.note.text();
+      return first_in(telling.room, {say("{1}: {2}", search.step, note),
+                                     say("{1}: {2}", search.step, note.substr(0, note.find(", nearest"))),
+                                     say("{1}: no size passes", search.step)});
     }
     case Headline::incomplete:
       return of_gaps(sorted, all, telling.room);

@@ -45,6 +45,9 @@ struct Telling {
 /// The reason for the headline: "3 of 56 failure modes are outside the scope of loadpath".
 Message explanation(const Modes& modes, const Telling& telling = {});
 
+/// Whether another step has assessed the mode, and has it among its own.
+bool is_assessed_elsewhere(const Mode& mode);
+
 /// "fatigue" of "fatigue, at shoulders, keyways and press fits first".
 std::string short_title(const Mode& mode);
 

@@ -80,9 +80,8 @@ std::string replacing(const project::Project& project, const Modes& modes) {
   return say("replace {1} ({2})", first, names).text();
 }
 
-std::vector<std::string> hints_of(const project::Project& project, const Modes& sorted) {
+std::vector<std::string> hints_of(const project::Project& project, const Modes& sorted, bool several) {
   std::vector<std::string> hints;
-  const bool several = project.steps.size() > 1;
   for (const Mode& mode : sorted) {
     if (mode.state != State::open || mode.wants.empty()) continue;
     const std::string step = several ? spoken(mode.step) + ", " : "";
@@ -115,7 +114,7 @@ std::vector<Gap> gaps_of(const Modes& modes, Group group) {
   return gaps;
 }
 
-NotConsidered not_considered(const project::Project& project, const Modes& modes) {
+NotConsidered not_considered(const project::Project& project, const Modes& modes, bool several) {
   NotConsidered all;
   std::vector<std::pair<std::string, std::vector<std::string>>> assessable, rest;
   const Modes sorted = account::in_order(modes);
@@ -133,8 +132,8 @@ NotConsidered not_considered(const project::Project& project, const Modes& modes
     known->second.push_back(spoken(mode.step));
   }
   assessable.insert(assessable.end(), rest.begin(), rest.end());
-  all.names = names_with_steps(assessable, project.steps.size() > 1);
-  all.hints = hints_of(project, sorted);
+  all.names = names_with_steps(assessable, several);
+  all.hints = hints_of(project, sorted, several);
   return all;
 }
 

@@ -19,12 +19,9 @@ using account::State;
 using project::Project;
 using project::Step;
 
-/// Whether another step has assessed the mode, which shows it.
-bool is_shown_elsewhere(const Mode& mode) { return !mode.judge.empty() && mode.governs.empty(); }
-
 /// A ratio of shapes is not a utilisation that depends on a load: it is shown only if it fails.
 bool is_told(const Mode& mode) {
-  return mode.subject == account::Subject::mode && !is_shown_elsewhere(mode) &&
+  return mode.subject == account::Subject::mode && !account::is_assessed_elsewhere(mode) &&
          (mode.kind != ModeKind::shape || mode.state == State::fail);
 }
 
@@ -89,6 +86,8 @@ std::string counts_of(const account::Conclusion& all, const std::vector<Componen
     return text + ", " + say("{1} pass", told(Group::passes)).text();
   }
   std::string text = say("{1} pass", told(Group::passes)).text();
+  if (needs > 0 && all.headline == account::Headline::no_solution)
+    text += ", " + say("{1} have no result", told(Group::needs_input)).text();
   if (all.count(Group::accepted) > 0) text += ", " + say("{1} accepted", told(Group::accepted)).text();
   const double most = highest_utilisation(components);
   return most < 0.0 ? text : text + ", " + say("highest utilisation {1}", utilisation_text(most)).text();
@@ -100,8 +99,9 @@ std::string title_of(const Project& project, const account::Conclusion& all, con
 }
 
 std::string governing_step(const Modes& sorted, const Project& project) {
-  const auto mode = telling(sorted);
-  if (mode) return mode->step;
+  Modes own = sorted;
+  std::erase_if(own, [](const Mode& mode) { return !is_told(mode); });
+  if (const auto mode = telling(own)) return mode->step;
   return sorted.empty() ? (project.steps.empty() ? "" : project.steps.front()->name()) : sorted.front().step;
 }
 
@@ -121,27 +121,43 @@ std::string subject_of(const Project& project) {
   return project.steps.size() == 1 ? project.steps.front()->input().calculator->subject : "";
 }
 
+namespace {
+
+Component component_of(const Step& step, const Modes& modes) {
+  const std::string& body = step.input().body.text;
+  return {spoken(body.empty() ? step.name() : body), short_sizes(step), is_sized(step),
+          governing_of(modes, step.name())};
+}
+
+/// What follows from the modes and the components.
+void conclude(const Project& project, bool several, Summary& all) {
+  for (const Mode& mode : all.modes) {
+    if (mode.subject == account::Subject::search) all.searches.push_back(mode.step + ": " + mode.note.text());
+  }
+  all.gaps = gaps_of(all.modes, Group::needs_input);
+  all.outside = gaps_of(all.modes, Group::outside_scope);
+  all.open = not_considered(project, all.modes, several);
+}
+
+}  // namespace
+
 std::vector<Component> components_of(const Project& project, const Modes& modes) {
   std::vector<Component> all;
   for (const auto& step : project.steps) {
-    const std::string& body = step->input().body.text;
-    Component part{spoken(body.empty() ? step->name() : body), short_sizes(*step), is_sized(*step),
-                   governing_of(modes, step->name())};
-    if (!body.empty() && join(part, all)) continue;
+    Component part = component_of(*step, modes);
+    if (!step->input().body.text.empty() && join(part, all)) continue;
     if (!part.sizes.empty() || part.governing) all.push_back(std::move(part));
   }
   std::ranges::stable_sort(all, is_before);
   return all;
 }
 
-std::vector<NextOf> next_sizes(const Project& project) {
+std::vector<NextOf> next_sizes(const Step& step) {
   std::vector<NextOf> all;
-  for (const auto& step : project.steps) {
-    for (const account::Entry* entry : chosen(step->account())) {
-      if (!entry->origin.next) continue;
-      const std::string owner = owner_of(entry->path);
-      all.push_back({owner.empty() ? spoken(step->name()) : owner, *entry->origin.next});
-    }
+  for (const account::Entry* entry : chosen(step.account())) {
+    if (!entry->origin.next) continue;
+    const std::string owner = owner_of(entry->path);
+    all.push_back({owner.empty() ? spoken(step.name()) : owner, *entry->origin.next});
   }
   return all;
 }
@@ -149,18 +165,28 @@ std::vector<NextOf> next_sizes(const Project& project) {
 Summary summarise(const Project& project) {
   Summary all;
   all.modes = project::modes(project);
-  const account::Conclusion conclusion = account::conclude(all.modes);
   all.subject = subject_of(project);
   all.components = components_of(project, all.modes);
-  all.title = title_of(project, conclusion, all.components);
-  all.next = next_sizes(project);
-  for (const Mode& mode : all.modes) {
-    if (mode.subject == account::Subject::search) all.searches.push_back(mode.step + ": " + mode.note.text());
+  all.title = title_of(project, account::conclude(all.modes), all.components);
+  for (const auto& step : project.steps) {
+    for (NextOf& next : next_sizes(*step)) all.next.push_back(std::move(next));
   }
-  all.gaps = gaps_of(all.modes, Group::needs_input);
-  all.outside = gaps_of(all.modes, Group::outside_scope);
-  all.open = not_considered(project, all.modes);
+  conclude(project, project.steps.size() > 1, all);
   all.governing_step = governing_step(account::in_order(all.modes), project);
+  return all;
+}
+
+Summary summarise(const Project& project, const Step& step) {
+  Summary all;
+  all.modes = project::modes(project);
+  std::erase_if(all.modes, [&](const Mode& mode) { return mode.step != step.name(); });
+  const Calculator& calculator = *step.input().calculator;
+  all.subject = calculator.subject;
+  all.title = say("{1} ({2})", calculator.title, calculator.id).text();
+  all.components = {component_of(step, all.modes)};
+  all.next = next_sizes(step);
+  conclude(project, false, all);
+  all.governing_step = step.name();
   return all;
 }
 

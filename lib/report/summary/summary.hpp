@@ -52,11 +52,14 @@ struct Summary {
   std::string governing_step;  // as the file names it
 };
 Summary summarise(const project::Project& project);
+/// Of one of its steps.
+Summary summarise(const project::Project& project, const project::Step& step);
 
 std::vector<Component> components_of(const project::Project& project, const account::Modes& modes);
-std::vector<NextOf> next_sizes(const project::Project& project);
+std::vector<NextOf> next_sizes(const project::Step& step);
 std::vector<Gap> gaps_of(const account::Modes& modes, account::Group group);
-NotConsidered not_considered(const project::Project& project, const account::Modes& modes);
+/// `several`: whether the modes are of several steps, which are named with them.
+NotConsidered not_considered(const project::Project& project, const account::Modes& modes, bool several);
 
 /// The subject of the only step's modes; empty if there are several steps, or it is not declared.
 std::string subject_of(const project::Project& project);

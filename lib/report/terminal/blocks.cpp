@@ -87,9 +87,6 @@ bool Limits::raise(std::size_t block) {
   return true;
 }
 
-namespace {
-
-/// The blocks below one another, a line without text between them.
 Lines joined(const std::vector<Lines>& blocks) {
   Lines all;
   for (const Lines& block : blocks) {
@@ -100,7 +97,11 @@ Lines joined(const std::vector<Lines>& blocks) {
   return all;
 }
 
-}  // namespace
+std::string text_of(const Lines& lines) {
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
 
 std::string fitted(const std::function<std::vector<Lines>(const Limits&)>& blocks, const Look& look) {
   constexpr std::size_t most = 25;
@@ -115,9 +116,7 @@ std::string fitted(const std::function<std::vector<Lines>(const Limits&)>& block
       all = std::move(more);
     }
   }
-  std::string text;
-  for (const std::string& line : all) text += line + "\n";
-  return in_signs_of(std::move(text), look);
+  return in_signs_of(text_of(all), look);
 }
 
 Lines verdict_lines(const Summary& summary, const Look& look) {

@@ -29,6 +29,10 @@ class Limits {
   std::size_t turn_ = 0;
 };
 
+/// The blocks below one another, a line without text between them.
+Lines joined(const std::vector<Lines>& blocks);
+std::string text_of(const Lines& lines);
+
 /// As many blocks as there are lines for, a line without text between them: at most 25 lines, if that is possible.
 std::string fitted(const std::function<std::vector<Lines>(const Limits&)>& blocks, const Look& look);
 

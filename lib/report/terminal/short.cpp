@@ -91,9 +91,9 @@ Lines rows_as_lines(std::vector<std::vector<std::string>> rows, const Look& look
 }
 
 /// The formulas that the governing check follows from, the last of them where they are many.
-Lines formula_lines(const project::Step& step, const account::Mode& mode, const Limits& limits, const Look& look) {
+Lines formula_lines(const project::Step& step, const account::Mode& mode, std::size_t most, const Look& look) {
   const auto all = report::reasons_of(step.account(), mode.governs).lines;
-  const std::size_t shown = std::min(limits.of(Limits::formulas), all.size());
+  const std::size_t shown = std::min(most, all.size());
   std::vector<std::vector<std::string>> rows;
   for (const account::Derived& line : std::span(all).last(shown)) {
     auto row = line_row(line, false);
@@ -147,16 +147,59 @@ std::string short_answer(const Summary& summary, const project::Step& step, cons
         if (has_check) {
           for (std::string& line : lines_of(governing_text(*governing), look.width, 2)) head.push_back(std::move(line));
         }
-        return std::vector<Lines>{
-            head,
-            search_lines(summary, look),
-            size_lines(summary, limits, look),
-            has_check ? formula_lines(step, *governing, limits, look) : result_lines(step, limits, look),
-            gap_lines(summary, limits, look),
-            open_lines(summary, limits, look),
-            more_line("loadpath describe " + std::string(step.input().calculator->id), look)};
+        return std::vector<Lines>{head,
+                                  search_lines(summary, look),
+                                  size_lines(summary, limits, look),
+                                  has_check ? formula_lines(step, *governing, limits.of(Limits::formulas), look)
+                                            : result_lines(step, limits, look),
+                                  gap_lines(summary, limits, look),
+                                  open_lines(summary, limits, look),
+                                  more_line("loadpath describe " + std::string(step.input().calculator->id), look)};
       },
       look);
+}
+
+namespace {
+
+/// The inputs that the formulas start from, and where they come from.
+Lines input_lines(const project::Step& step, const account::Mode& mode, const Look& look) {
+  std::vector<std::vector<std::string>> rows;
+  for (const account::Entry* e : report::reasons_of(step.account(), mode.governs).inputs)
+    rows.push_back({"  " + e->path, value_text(*e), e->origin.text.text()});
+  Lines lines = rows_as_lines(std::move(rows), look);
+  if (!lines.empty()) lines.insert(lines.begin(), "From");
+  return lines;
+}
+
+/// "Passes: shear yielding 0.506, yielding in pure torsion 0.388"
+Lines passing_lines(const Summary& summary, const account::Mode& governing, const Look& look) {
+  std::string text;
+  for (const account::Mode& mode : account::in_order(summary.modes)) {
+    if (mode.state != account::State::pass || mode.id == governing.id) continue;
+    text += (text.empty() ? "Passes: " : ", ") + report::plain_title(mode);
+    if (mode.utilisation) text += " " + report::utilisation_text(*mode.utilisation);
+  }
+  return text.empty() ? Lines{} : lines_of(text, look.width, 2);
+}
+
+}  // namespace
+
+std::string why_answer(const Summary& summary, const project::Step& step, const Look& look) {
+  constexpr std::size_t every = 1000;
+  const auto& governing = summary.components.front().governing;
+  std::vector<Lines> blocks{title_lines(summary, look), search_lines(summary, look),
+                            size_lines(summary, Limits{}, look)};
+  if (governing && governing->utilisation) {
+    Lines lines =
+        lines_of("Governing: " + governing_text(*governing) + "  " + bar(*governing->utilisation, look), look.width, 2);
+    for (std::string& line : formula_lines(step, *governing, every, look)) lines.push_back(std::move(line));
+    blocks.push_back(std::move(lines));
+    blocks.push_back(input_lines(step, *governing, look));
+    blocks.push_back(passing_lines(summary, *governing, look));
+  }
+  blocks.push_back(gap_lines(summary, Limits{}, look));
+  blocks.push_back(open_lines(summary, Limits{}, look));
+  return in_signs_of(text_of(joined(blocks)), look);
 }
 
 }  // namespace loadpath::terminal

@@ -1,6 +1,8 @@
 #include "lib/report/terminal/why.hpp"
 
+#include "lib/report/terminal/look.hpp"
 #include "lib/report/terminal/rows.hpp"
+#include "lib/report/terminal/short.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/report/why.hpp"
 
@@ -89,22 +91,6 @@ void show_head(const Step& step) {
   std::cout << step.name() << ": " << step.input().calculator->title << " (" << step.input().calculator->id << ")\n";
 }
 
-/// All modes that do not pass, the choices, and the formulas of the governing mode.
-void show_step(const Step& step) {
-  account::Modes rest = step.account().modes;
-  std::erase_if(rest, [](const Mode& mode) { return mode.state == account::State::pass; });
-  std::cout << mode_columns(rest, false);
-  if (const auto chosen = report::chosen(step.account()); !chosen.empty()) {
-    std::cout << "chosen\n";
-    show_entries(chosen);
-  }
-  const auto mode = report::telling(step.account().modes);
-  if (!mode) return;
-  std::cout << (mode->state == account::State::fail ? "fails\n" : "most utilised\n")
-            << columns({mode_row(*mode, mode->id)});
-  show_reasons(step, mode->governs);
-}
-
 /// The mode that keeps the step from passing, if another was requested.
 void show_obstacle(const Step& step, const std::string& asked) {
   const auto mode = report::deciding(step.account().modes);
@@ -114,18 +100,9 @@ void show_obstacle(const Step& step, const std::string& asked) {
 
 }  // namespace
 
-void show_deciding(const project::Project& project) {
-  std::vector<Row> rows;
-  for (const auto& step : project.steps) {
-    if (const auto mode = report::deciding(step->account().modes)) rows.push_back(mode_row(*mode, step->name()));
-  }
-  std::cout << columns(rows);
-}
-
-bool show_why(const Step& step, const std::string& of) {
+bool show_why(const project::Project& project, const Step& step, const std::string& of) {
   if (of.empty()) {
-    show_head(step);
-    show_step(step);
+    std::cout << why_answer(report::summarise(project, step), step, look_of_output());
     return true;
   }
   const std::vector<Row> rows = rows_about(step, of);

@@ -7,12 +7,9 @@
 
 namespace loadpath::terminal {
 
-/// The failure mode that decides over every step.
-void show_deciding(const project::Project& project);
-
-/// The derivation of a value or a failure mode: the formulas that lead there and their inputs. `of` empty: all modes
-/// of the step that do not pass, its choices, and the formulas of the governing mode. False, with a message on
-/// standard error only, if there is no such path.
-bool show_why(const project::Step& step, const std::string& of);
+/// What a value or a mode of failure follows from: the formulas that lead there and what these start from. `of` empty:
+/// the verdict on the step, its size, the formulas of the mode that governs, and what is not assessed. False, with a
+/// message on standard error alone, where there is no such.
+bool show_why(const project::Project& project, const project::Step& step, const std::string& of);
 
 }  // namespace loadpath::terminal

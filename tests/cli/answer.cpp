@@ -1,0 +1,57 @@
+// How much the terminal answers: in short, every mode, in full, the verdict alone.
+#include "tests/cli/process.hpp"
+
+using namespace loadpath::test;
+
+namespace {
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+const std::string shaft = LOADPATH_ROOT "/examples/line-shaft/project.toml";
+const std::string gears = LOADPATH_ROOT "/examples/gearbox-shaft/project.toml";
+
+}  // namespace
+
+TEST_SUITE("cli answer") {
+  TEST_CASE("the verdict comes first, whatever follows") {
+    for (const std::vector<std::string>& words :
+         {std::vector<std::string>{"run", shaft}, {"run", shaft, "--full"}, {"run", shaft, "--modes"}}) {
+      const Ran ran = loadpath_with(words);
+      CHECK(ran.code == 0);
+      CHECK(ran.out.starts_with("PASS (torsion only; fatigue"));
+    }
+  }
+
+  TEST_CASE("--full has the tables of the parts, --modes every failure mode and no table; not both") {
+    const Ran full = loadpath_with({"run", shaft, "--full"}), modes = loadpath_with({"run", shaft, "--modes"});
+    CHECK(contains(full.out, "\n  tau_max "));
+    CHECK_FALSE(contains(modes.out, "\n  tau_max "));
+    CHECK(contains(modes.out, "\n  pass            line_shaft.yield "));
+    CHECK(contains(modes.out, "\n  not considered  line_shaft.brittle "));
+    CHECK(loadpath_with({"run", shaft, "--full", "--modes"}).code == 2);
+  }
+
+  TEST_CASE("--quiet prints the verdict line where it is no pass") {
+    CHECK(loadpath_with({"run", shaft, "--quiet"}).out.empty());
+    const Ran ran = loadpath_with({"run", gears, "--quiet"});
+    CHECK(ran.code == 4);
+    CHECK(ran.out.starts_with("INCOMPLETE  3 of "));
+    CHECK(ran.out.find('\n') + 1 == ran.out.size());
+  }
+
+  TEST_CASE("a locale of another encoding has bars of ASCII") {
+    const Ran ran = Desk().run({"run", shaft}, "", {{"LC_ALL", "C"}});
+    CHECK(contains(ran.out, " 0.859 ########"));
+    CHECK_FALSE(contains(ran.out, "█"));
+  }
+
+  TEST_CASE("a search without a solution names what was tried and the nearest") {
+    const std::string strut =
+        "[strut]\ncalculator = \"column.buckling\"\nP = \"149 kN\"\nl = \"840 mm\"\nends = \"pinned_pinned\"\n"
+        "d = \"?\"\nmaterial = \"S235JR\"\nmethod = \"euler\"\nsigma_P = \"235 MPa\"\nn_st = 3\n";
+    const Ran ran = Desk().run({"run", "-"}, strut);
+    CHECK(ran.code == 1);
+    CHECK(ran.out.starts_with("NO SOLUTION  strut: d of R40: none passes\n"));
+    CHECK(contains(ran.out, "\nNo solution: strut: d of R40: none passes, nearest is "));
+  }
+}

@@ -53,10 +53,10 @@ Asked::Asked(const loadpath::Calculator& calculator, const Call& call, const std
 }
 
 void Asked::add(const std::string& name) {
-  if (std::find(names_.begin(), names_.end(), name) != names_.end()) refuse(say("'{1}' is asked for twice", name));
+  if (std::find(names_.begin(), names_.end(), name) != names_.end()) refuse(say("'{1}' is requested twice", name));
   const bool is_word = name.find_first_of(".[") == std::string::npos;
   if (is_word && !is_of_whole(name) && std::find(known_.begin(), known_.end(), name) == known_.end())
-    refuse_name("there is no result '{1}'", name, known_);
+    refuse_name("unknown result '{1}'", name, known_);
   names_.push_back(name);
   if (name == "state" || name == "utilisation") return;  // there is one anyhow
   texts_.push_back(is_of_whole(name) ? name : name + " = " + call_.step + "." + name);
@@ -133,7 +133,7 @@ void Caller::solve(std::size_t first, std::size_t n, const std::vector<double*>&
     mark_refused(row);
     const GivenColumn& column = *columns_[lacking_[row]];
     const bool counts = column.field != nullptr && column.field->type == FieldInfo::Type::count;
-    Message message = counts ? say("{1} is no whole number", column.name) : say("{1} is no number", column.name);
+    Message message = counts ? say("{1} is not an integer", column.name) : say("{1} is not a number", column.name);
     refused_.emplace_back(first + row, loadpath::Issue{{}, call_.step + "." + column.name, std::move(message), {}});
   }
 }

@@ -79,7 +79,7 @@ const FieldInfo* Calling::field_of(const Given& given) const {
   }
   for (const FieldInfo& field : calculator_.input->fields) known.emplace_back(field.key);
   if (!calculator_.templates.empty()) return nullptr;  // parameters of a template
-  refuse(say("'{1}' is no input of '{2}'", given.name, calculator_.id),
+  refuse(say("'{1}' is not an input of '{2}'", given.name, calculator_.id),
          did_you_mean(given.name, known, there_is(known)));
 }
 
@@ -87,7 +87,7 @@ void Calling::set_rows(const std::string& name, std::size_t rows) {
   if (!call_.columns.empty() && call_.rows != rows)
     refuse(say("'{1}' has {2} values, '{3}' has {4}", call_.columns.front().name, std::to_string(call_.rows), name,
                std::to_string(rows)),
-           say("columns have one length; a single value stands for all rows"));
+           say("columns must have the same length; a single value applies to all rows"));
   call_.rows = rows;
 }
 
@@ -117,7 +117,7 @@ double stand_in_for(const FieldInfo& field, const GivenColumn& column) {
 
 Tree Calling::tree_of_numbers(const Given& given, const FieldInfo& field, std::span<const double> numbers) {
   if (!field.is_number())
-    refuse(say("'{1}' takes no numbers", given.name), say("`loadpath describe {1}` tells what", calculator_.id));
+    refuse(say("'{1}' takes no numbers", given.name), say("see `loadpath describe {1}`", calculator_.id));
   set_rows(given.name, numbers.size());
   GivenColumn column{given.name, numbers, {}, unit_of(given, field), &field};
   column.stand_in = stand_in_for(field, column);
@@ -128,9 +128,9 @@ Tree Calling::tree_of_numbers(const Given& given, const FieldInfo& field, std::s
 
 Tree Calling::tree_of_words(const Given& given, const FieldInfo* field, const std::vector<std::string>& words) {
   if (field != nullptr && field->type != Type::choice)
-    refuse(say("'{1}' takes no column of words", given.name),
-           field->is_number() ? say("give numbers and their unit, {1}", field->unit)
-                              : say("`loadpath describe {1}` tells what", calculator_.id));
+    refuse(say("'{1}' takes no column of words", given.name), field->is_number()
+                                                                  ? say("give numbers and their unit, {1}", field->unit)
+                                                                  : say("see `loadpath describe {1}`", calculator_.id));
   set_rows(given.name, words.size());
   std::vector<std::string> known;
   std::vector<double> numbers;
@@ -172,7 +172,7 @@ Tree Calling::tree_of(const Given& given, const FieldInfo* field) {
   const auto* const one = std::get_if<double>(&given.value);
   if (one == nullptr)
     return tree_of_numbers(given, field == nullptr ? number : *field, std::get<std::span<const double>>(given.value));
-  if (!std::isfinite(*one)) refuse(say("'{1}' is no finite number", given.name));
+  if (!std::isfinite(*one)) refuse(say("'{1}' is not a finite number", given.name));
   Tree tree = literal_tree(field == nullptr || !field->is_number() ? number : *field, given.name, *one, given.unit);
   call_.sources[given.name] = tree.text;
   return tree;

@@ -66,7 +66,7 @@ Outcome<Converted> value_of(std::string_view text) {
   if (!kind) return kind.fault();
   const double si = parsed->evaluate([&](const std::string& path) -> const Value& { return tables.value(path); }).si[0];
   if (std::isfinite(si)) return Converted{si, signature->dimension, *kind, parsed->holds_pi()};
-  return Fault{0, text.size(), say("there is no such number: a division by zero, or a root of a negative"), {}};
+  return Fault{0, text.size(), say("no result: a division by zero, or a root of a negative number"), {}};
 }
 
 Outcome<Converted> literal_of(std::string_view text) {

@@ -49,8 +49,9 @@ bool can_stream(const OutputOptions& options) {
   auto all = on_standard_output(options);
   for (const std::string& report : options.reports) {
     if (report == "-" || (report.ends_with(":-") && report != html_out)) {
-      std::cerr << "loadpath: '--report " << report
-                << "' is no report: on standard output it is HTML\n  = help: write --report html:-, or name a file\n";
+      std::cerr
+          << "loadpath: '--report " << report
+          << "' is not a report: on standard output it is HTML\n  = help: write --report html:-, or name a file\n";
       return false;
     }
   }

@@ -50,7 +50,7 @@ void take_point(project::Project& project, std::uint64_t point, std::vector<Issu
   if (point >= plan.space.count()) {
     issues.push_back({{"--point", 0, 0, 1},
                       "",
-                      say("there is no point {1}: the sweep has {2}, counted from 0", std::to_string(point),
+                      say("point {1} does not exist: the sweep has {2}, counted from 0", std::to_string(point),
                           std::to_string(plan.space.count())),
                       {},
                       Severity::error});
@@ -62,7 +62,7 @@ void take_point(project::Project& project, std::uint64_t point, std::vector<Issu
 
 Outcome<project::BlockRange> read_share(const std::string& text, const project::SweepPlan& plan) {
   const auto wrong = [&](Message hint) {
-    return Fault{0, 1, say("'{1}' is no share of a sweep", text), std::move(hint)};
+    return Fault{0, 1, say("'{1}' is not a share of a sweep", text), std::move(hint)};
   };
   std::uint64_t a = 0, b = 0;
   const char between = parted(text, a, b);

@@ -82,8 +82,8 @@ void show_keys(const Calculator& calculator) {
                     "failure modes accepted by the user: accept.MODE = \"reason\" (modes listed below)"});
   if (calculator.result != nullptr)
     rows.push_back({"  because", "table", "optional",
-                    "why a typed value is better than the row or the record beside it: because.KEY = \"reason\""});
-  std::cout << "Keys of the step beside its inputs\n"
+                    "reason for a typed value better than the given row or record: because.KEY = \"reason\""});
+  std::cout << "Further keys of the step\n"
             << terminal::columns(rows)
             << terminal::paragraph("  The file itself may have [project] with " + joined(project::heading_keys()) +
                                        ", and [[expect]] with reference values.",
@@ -137,7 +137,7 @@ void add_names(std::span<const FieldInfo> fields, void* owner, const std::string
 
 void show_template(const Calculator& calculator, const Template& t) {
   std::cout << calculator.id << "." << t.id << ": " << t.title << "\n\n" << terminal::paragraph(t.doc) << "\n";
-  show_type("Parameters, beside the fields of the calculator", *t.parameters);
+  show_type("Parameters, in addition to the fields of the calculator", *t.parameters);
   Record laid(*calculator.input);
   t.lay_out(laid.data.get());
   Rows rows;
@@ -153,7 +153,7 @@ void show_templates(const Calculator& calculator) {
     rows.push_back({std::string("  ") + t->id, t->title, joined(keys)});
   }
   std::cout << "Templates, template = \"NAME\" with its parameters in place of what it makes\n"
-            << terminal::columns(rows) << "  `loadpath describe " << calculator.id << ".NAME` tells more\n\n";
+            << terminal::columns(rows) << "  `loadpath describe " << calculator.id << ".NAME` shows one\n\n";
 }
 
 /// "mechanism.planar.slider_crank": shows the template; false where there is none of that name.
@@ -169,7 +169,7 @@ bool describe_template(const std::string& id) {
 }
 
 int refuse(const std::string& id, const Message& hint) {
-  std::cerr << "loadpath: there is no calculator '" << id << "'\n  = help: " << hint.text() << "\n";
+  std::cerr << "loadpath: unknown calculator '" << id << "'\n  = help: " << hint.text() << "\n";
   return wrong_input;
 }
 

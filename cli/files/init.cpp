@@ -137,7 +137,7 @@ int init(const InitOptions& options) {
   }
   const Starter* const starter = find_starter(options.starter);
   if (starter == nullptr)
-    return refuse("there is no template '" + options.starter + "'",
+    return refuse("unknown template '" + options.starter + "'",
                   did_you_mean(options.starter, names(), there_is(names())).text());
   const std::string file = options.file.empty() ? starter->name + ".toml" : options.file;
   if (is_there(file)) return refuse("'" + file + "' is there already, and stays as it is", "name another file");

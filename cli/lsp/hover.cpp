@@ -53,7 +53,7 @@ std::string key_text(const Target& target, const std::string& key) {
 
 std::string mode_text(const Target& target, const std::string& id) {
   for (const ModeInfo& mode : target.calculator->modes) {
-    if (mode.id == id) return "**" + id + "**: " + mode.title + "\n\nthe text is the reason why you answer for it";
+    if (mode.id == id) return "**" + id + "**: " + mode.title + "\n\nthe text is the reason for accepting it";
   }
   return {};
 }
@@ -61,7 +61,7 @@ std::string mode_text(const Target& target, const std::string& id) {
 std::string reason_text(const Target& target, const std::string& key) {
   const FieldInfo* const field = find_field(target.calculator->input->fields, key);
   if (field == nullptr) return {};
-  return "**" + key + "**: " + field->doc + "\n\nthe text is the reason why it is better than what stands beside it";
+  return "**" + key + "**: " + field->doc + "\n\nthe text is the reason why it is better than the given row or record";
 }
 
 std::string about(const Target& target, const Path& path) {

@@ -123,9 +123,9 @@ std::vector<StepKey> keys_beside(const Calculator& calculator) {
   keys.push_back({"title", "for the report"});
   keys.push_back({"note", "for the report"});
   if (calculator.result != nullptr) keys.push_back({"display", "units of results"});
-  if (!calculator.modes.empty()) keys.push_back({"accept", "modes of failure that you answer for, with the reason"});
+  if (!calculator.modes.empty()) keys.push_back({"accept", "failure modes accepted by the user, with the reason"});
   if (calculator.result != nullptr)
-    keys.push_back({"because", "why a typed value is better than the row or the record beside it"});
+    keys.push_back({"because", "reason for a typed value better than the given row or record"});
   return keys;
 }
 

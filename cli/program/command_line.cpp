@@ -24,15 +24,14 @@ void setup_run(CLI::App& app, RunOptions& options, Action& action) {
   add_settings(*run_app, options.settings);
   add_output(*run_app, options.output);
   run_app->footer(
-      "Of several projects a * in the name of a report or of a table stands for the name of each: 'reports/*.html'.");
+      "With several projects a * in the name of a report or table is replaced by the name of each: 'reports/*.html'.");
   run_app->callback([&] { action = [&] { return run(options); }; });
 }
 
 void setup_why(CLI::App& app, WhyOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("why", "governing checks, choices and formulas of a step");
   sub->add_option("file", options.file, "project file; - is standard input")->required();
-  sub->add_option("of", options.of,
-                  "step, or a result or mode of failure of one: rod, rod.u; every step where missing");
+  sub->add_option("of", options.of, "step, or a result or failure mode of one: rod, rod.u; every step if omitted");
   add_settings(*sub, options.settings);
   sub->callback([&] { action = [&] { return why(options); }; });
 }
@@ -44,7 +43,7 @@ void setup_watch(CLI::App& app, WatchOptions& options, Action& action) {
   sub->add_option("--port", options.port, "port on the loopback address; a free one where missing")
       ->type_name("N")
       ->check(CLI::Range(1, 65535));
-  sub->add_flag("--strict", options.strict, "count failure modes that were not considered as not assessed");
+  sub->add_flag("--strict", options.strict, "count failure modes not considered as not assessed (exit code 4)");
   sub->footer(
       "The page keeps up with the file, at the place that it is read at; what is wrong with the file lies over "
       "it. Ends by Ctrl-C.");
@@ -54,10 +53,9 @@ void setup_watch(CLI::App& app, WatchOptions& options, Action& action) {
 void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("describe", "inputs, results, failure modes, sources and example of a calculator");
   sub->add_option("id", options.id, "calculator, for example shaft.torsion")->required();
-  sub->add_option(
-      "name", options.name,
-      "its name where the id is an element alone, as in shaft torsion; or one part: inputs, results, modes, "
-      "sources, example, or an input, as in mechanism.planar loads");
+  sub->add_option("name", options.name,
+                  "its name if the id is only an element, e.g. shaft torsion; or one part: inputs, results, modes, "
+                  "sources, example, or an input, e.g. mechanism.planar loads");
   sub->add_option("part", options.part, "the part, where the id is two words");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return describe(options); }; });
@@ -96,8 +94,8 @@ void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
   sub->add_option("table", options.table, "table, for example materials");
   sub->add_option("key", options.key, "row, for example C45E");
   sub->add_option("--where", options.where,
-                  "rows that hold this, as in \"I_min >= 300 cm^4 and h <= 200 mm\"; a value that depends on the size "
-                  "counts at the smallest")
+                  "rows that satisfy the condition, e.g. \"I_min >= 300 cm^4 and h <= 200 mm\"; a value that depends "
+                  "on the size counts at the smallest")
       ->type_name("CONDITION");
   sub->add_option("--sort", options.sort, "column to sort by, as in mass or h; with - before it from the largest")
       ->type_name("COLUMN");

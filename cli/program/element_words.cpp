@@ -77,7 +77,7 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
   add("title", "title of the report", "TEXT");
   if (!calculator.modes.empty()) {
     app.add_option("--accept", options.accepted,
-                   "answer for a failure mode that is not assessed: --accept fatigue=\"stands still\"")
+                   "accept an unassessed failure mode with a reason: --accept fatigue=\"static load\"")
         ->type_name("MODE=REASON")
         ->expected(1)
         ->take_all()
@@ -85,8 +85,7 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
   }
   if (calculator.result != nullptr) {
     app.add_option("--because", options.because,
-                   "why a typed value is better than the row or the record beside it: --because R_e=\"certificate "
-                   "4711\"")
+                   "reason for a typed value better than the given row or record: --because R_e=\"certificate 4711\"")
         ->type_name("KEY=REASON")
         ->expected(1)
         ->take_all()
@@ -105,7 +104,7 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
   CLI::App* sub = element.add_subcommand(name_in_element(calculator), calculator.title);
   sub->allow_extras(false);  // an element's are told by us, a calculator's by CLI11
   sub->footer("`loadpath describe " + std::string(calculator.id) +
-              "` tells more, with an example. A quantity is written with its unit: \"30 MPa\".");
+              "` shows more, with an example. A quantity is written with its unit: \"30 MPa\".");
   late[sub] = [sub, &calculator, &options] { add_flags(*sub, calculator, options); };
   sub->preparse_callback([sub, &late](std::size_t) { late.at(sub)(); });
   sub->callback([&] {
@@ -131,7 +130,7 @@ void setup_elements(CLI::App& app, CalculateOptions& options, Action& action, La
     parent->require_subcommand(0, 1);
     parent->allow_extras();
     parent->footer("`loadpath describe " + element +
-                   ".NAME` tells the fields, sources and limits of one, with an example.");
+                   ".NAME` shows inputs, results, sources and limits of one, with an example.");
     late[parent] = [parent, list = calculators, &options, &action, &late] {
       for (const Calculator* c : list) setup_calculator(*parent, *c, options, action, late);
     };

@@ -15,7 +15,7 @@ CLI::Validator whole_from(std::int64_t least) {
             const char* const end = text.data() + text.size();
             const auto read = std::from_chars(text.data(), end, number);
             const bool fits = read.ec == std::errc() && read.ptr == end && number >= least;
-            return fits ? std::string() : "'" + text + "' is no whole number of " + std::to_string(least) + " or more";
+            return fits ? std::string() : "'" + text + "' is not an integer of " + std::to_string(least) + " or more";
           },
           ""};
 }
@@ -29,9 +29,9 @@ void add_output(CLI::App& app, OutputOptions& output) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  app.add_option("--detail", output.detail,
-                 "how much reports and the terminal tell: brief, the answer alone; normal; full, with every list and "
-                 "formula, and the input")
+  app.add_option(
+         "--detail", output.detail,
+         "detail of reports and terminal: brief, answer only; normal; full, with every list and formula, and the input")
       ->type_name("WORD")
       ->check(CLI::IsMember({"brief", "normal", "full"}));
   app.add_flag("--json", output.json, "print the results as one JSON object, of several projects as a list");
@@ -52,7 +52,7 @@ void add_output(CLI::App& app, OutputOptions& output) {
                  "write the drawing to scale for CAD (DXF R12, mm) as FILE.dxf; several into a folder")
       ->type_name("PATH");
   app.add_flag("--quiet", output.quiet, "print errors only");
-  app.add_flag("--strict", output.strict, "count failure modes that were not considered as not assessed: exit code 4");
+  app.add_flag("--strict", output.strict, "count failure modes not considered as not assessed (exit code 4)");
 }
 
 void add_settings(CLI::App& app, std::vector<std::string>& settings) {

@@ -62,7 +62,7 @@ Tree* element_of(Tree& list, const Part& part, std::vector<Issue>& issues) {
     if (number == 0 && name_of(item) == part.key) return &item;
     if (!name_of(item).empty()) names.push_back(name_of(item));
   }
-  add(issues, part.place, say("there is no element '{1}'", part.key),
+  add(issues, part.place, say("unknown element '{1}'", part.key),
       names.empty() ? say("elements are counted from 1: [1] to [{1}]", std::to_string(list.items.size()))
                     : did_you_mean(part.key, names, there_is(names)));
   return nullptr;
@@ -92,7 +92,7 @@ Tree* holder_of(Tree& project, const Setting& setting, std::vector<Issue>& issue
     if (at == nullptr) return nullptr;
     if (at->type != Tree::Type::table && at->type != Tree::Type::array) {
       add(issues, part.place, say("'{1}' is {2}, and has no fields", part.key, toml::word_for(at->type)),
-          say("set it whole"));
+          say("set it as one value"));
       return nullptr;
     }
   }
@@ -127,7 +127,7 @@ bool has_table(const Tree& project, const Part& part, std::vector<Issue>& issues
   for (const Tree::Entry& entry : project.entries) {
     if (entry.key != "expect") names.push_back(entry.key);
   }
-  add(issues, part.place, say("there is no step '{1}'", part.key), did_you_mean(part.key, names, there_is(names)));
+  add(issues, part.place, say("unknown step '{1}'", part.key), did_you_mean(part.key, names, there_is(names)));
   return false;
 }
 
@@ -200,7 +200,7 @@ Tree value_of(const Setting& setting, bool is_word, std::vector<Issue>& issues) 
       issue.place.column = std::max(1, issue.place.column + shift);
       issues.push_back(std::move(issue));
     }
-    if (wrong.empty()) add(issues, setting.place, say("'{1}' is no one value", setting.text));
+    if (wrong.empty()) add(issues, setting.place, say("'{1}' is not a single value", setting.text));
     return value;
   }
   if (!written && tree.entries[0].value.type != Tree::Type::number) return value;
@@ -217,7 +217,7 @@ const Tree* find_set(Tree& project, const Setting& setting, std::vector<Issue>& 
   if (const Tree* const known = entry_of(*holder, last.key)) return known;
   std::vector<std::string> keys;
   for (const Tree::Entry& entry : holder->entries) keys.push_back(entry.key);
-  add(issues, last.place, say("'{1}' is no field here", last.key), did_you_mean(last.key, keys, there_is(keys)));
+  add(issues, last.place, say("'{1}' is not a field here", last.key), did_you_mean(last.key, keys, there_is(keys)));
   return nullptr;
 }
 

@@ -121,14 +121,13 @@ class Session : public std::enable_shared_from_this<Session> {
   void answer() {
     const std::string_view target(request_.target().data(), request_.target().size());
     const std::string root = "/" + state_->word + "/";
-    if (!is_for_us())
-      return send(http::status::forbidden, "text/plain", "this address is answered on loopback alone\n");
+    if (!is_for_us()) return send(http::status::forbidden, "text/plain", "this address is served on loopback only\n");
     if (request_.method() != http::verb::get && request_.method() != http::verb::head)
       return send(http::status::method_not_allowed, "text/plain", "the page is only read\n");
     if (target == root) return send(http::status::ok, "text/html", live_page(state_->revision));
     if (target == root + "problem") return send(http::status::ok, "text/plain", state_->revision.problem);
     if (target == root + "events") return listen();
-    send(http::status::not_found, "text/plain", "there is no such page; `loadpath watch` says the address\n");
+    send(http::status::not_found, "text/plain", "unknown page; `loadpath watch` prints the address\n");
   }
   /// Another site's page may lead its own name here; it cannot say ours.
   [[nodiscard]] bool is_for_us() const {

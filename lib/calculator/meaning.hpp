@@ -18,8 +18,8 @@ inline constexpr auto reverses_in_turns = "reverses in turns";
 inline constexpr auto steady_part = "stays";
 
 /// Amplitude and midrange of a cycle, valid only together.
-inline constexpr auto paired_amplitude = "amplitude beside its middle";
-inline constexpr auto paired_middle = "middle beside its amplitude";
+inline constexpr auto paired_amplitude = "amplitude with its mean value";
+inline constexpr auto paired_middle = "mean value with its amplitude";
 
 /// The notch factor that belongs to a nominal stress or to a fatigue limit. A fatigue limit must include the notch at
 /// which the stress acts.

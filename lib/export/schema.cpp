@@ -74,7 +74,7 @@ json::object because_schema(const Calculator& calculator) {
   for (const FieldInfo& field : calculator.input->fields)
     reasons[field.key] = json::object{{"type", "string"}, {"minLength", 1}, {"description", field.doc}};
   return {{"type", "object"},
-          {"description", "inputs that are better than the row or the record beside them, each with the reason"},
+          {"description", "inputs better than the given row or record, each with the reason"},
           {"properties", std::move(reasons)},
           {"additionalProperties", text()}};
 }

@@ -35,8 +35,8 @@ void add(std::vector<Issue>& issues, const Place& place, Message message, Messag
 /// Why a file cannot be read, before it is tried: a device has no end.
 Message why_not(const fs::path& path) {
   std::error_code error;
-  if (!fs::exists(path, error)) return say("there is no file '{1}'", path.string());
-  if (!fs::is_regular_file(path, error)) return say("'{1}' is no file with a text", path.string());
+  if (!fs::exists(path, error)) return say("no file '{1}'", path.string());
+  if (!fs::is_regular_file(path, error)) return say("'{1}' is not a text file", path.string());
   if (fs::file_size(path, error) > toml::largest_file)
     return say("'{1}' is larger than 4 MiB, which no table needs", path.string());
   return {};
@@ -82,8 +82,8 @@ void refuse_own_rows(const Step& step, std::vector<Issue>& issues) {
     const std::string name(field.text(leaf.owner));
     if (name.empty() || !step.input().tables->is_own(field.key, name)) return;
     issues.push_back(issue_at(step.input(), path,
-                              say("'{1}' is a {2} of the project's own, and '{3}' takes those of the program alone",
-                                  name, field.key, step.input().calculator->id),
+                              say("'{1}' is a {2} of the project, and '{3}' takes only those of the program", name,
+                                  field.key, step.input().calculator->id),
                               say("give its sizes")));
   });
 }

@@ -138,7 +138,7 @@ FieldFault lost_sign(const Operand& operand, const Declared& declared) {
   if (part.find('.') != std::string_view::npos)
     return {operand.path,
             say("the sign of '{1}' decides, and that of '{2}' is not of tension and compression", operand.path, part),
-            say("take the N of a link, or say the sign: -{1} where it presses, 0 N + {1} where it pulls", part)};
+            say("take the N of a link, or give the sign: -{1} in compression, 0 N + {1} in tension", part)};
   return {operand.path, say("the sign of '{1}' decides, and '{2}' gives a magnitude", operand.path, part),
           say("take the series itself, its least value, min(...), or say the sign: -peak(...)")};
 }
@@ -228,8 +228,8 @@ std::optional<Issue> broken_count(const Operand& operand, const std::string& ste
     const double whole = std::round(n);
     if (std::abs(n - whole) > rounding * std::max(1.0, std::abs(n)))
       return Issue{place_in(operand.place, operand.text, 0, operand.text.size()), step + "." + operand.path,
-                   say("{1} = {2} is no whole number", operand.path, format_number(n)),
-                   say("a count is taken as it is; there is no rounding"), Severity::error};
+                   say("{1} = {2} is not an integer", operand.path, format_number(n)),
+                   say("a count is used as given, without rounding"), Severity::error};
     if (!std::isnan(n)) n = whole;
   }
   return std::nullopt;
@@ -245,8 +245,8 @@ std::optional<Issue> doubt_of(const Operand& operand, const std::string& step, c
   if (field.type != FieldInfo::Type::quantity || operand.of_record) return std::nullopt;
   for (const double x : si) {
     if (std::isfinite(x) && is_out_of_proportion(x))
-      return issue(out_of_proportion(operand.path, field, x),
-                   say("check the unit and the power of ten: no machine has that"), Severity::error);
+      return issue(out_of_proportion(operand.path, field, x), say("check the unit and the power of ten"),
+                   Severity::error);
   }
   const auto rare =
       std::find_if(si.begin(), si.end(), [&](double x) { return !std::isnan(x) && !field.plausible.holds(x); });

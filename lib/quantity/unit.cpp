@@ -77,7 +77,7 @@ class UnitReader {
 
   bool scale_in_product(std::size_t from) {
     return fail(from, in_.at - from,
-                say("'{1}': a point on a temperature scale cannot stand in a product", since(from)),
+                say("'{1}': a point on a temperature scale cannot be used in a product", since(from)),
                 say("write the temperature difference in K"));
   }
 
@@ -137,7 +137,7 @@ class UnitReader {
     const Message hint = one_division(in_.text.substr(from, slash - from),
                                       in_.text.substr(slash + 1, before - slash - 1), sign, in_.text.substr(after));
     return fail(before, std::max<std::size_t>(after - before, 1),
-                say("after one '/' only parentheses tell what is divided"), hint);
+                say("after one '/' use parentheses to mark the divisor"), hint);
   }
 
   bool factor(ParsedUnit& out, bool divide) {
@@ -206,7 +206,7 @@ class UnitReader {
     const bool open = caret && in_.take("(");
     std::string top = caret ? std::string() : in_.superscript();
     if (top.empty() && (caret || in_.peek() != '+')) top = in_.signed_integer();
-    if (top.empty()) return !caret || fail(from, in_.at - from, say("a whole number must follow '^'"));
+    if (top.empty()) return !caret || fail(from, in_.at - from, say("an integer must follow '^'"));
     std::string bottom;
     if (open && in_.take("/")) bottom = in_.digits();
     if (caret && in_.peek() == '.' && in_.digit(1)) bottom = decimals(top);
@@ -234,7 +234,7 @@ class UnitReader {
     const int common = std::gcd(read.top, read.bottom);
     power = {read.top / common, read.bottom / common};
     return Dimension::one % power.bottom == 0 ||
-           fail(from, in_.at - from, say("'{1}' is no exponent of a unit", since(from)));
+           fail(from, in_.at - from, say("'{1}' is not an exponent of a unit", since(from)));
   }
 
   Cursor in_;

@@ -21,7 +21,7 @@ std::optional<Fault> refusal(double sample, std::uint64_t at) {
   if (std::isfinite(sample))
     return Fault{at, 1, say("sample {1} of the series (counted from 0) is beyond 8e307", place), {}};
   return Fault{at, 1, say("sample {1} of the series (counted from 0) is not a finite number", place),
-               say("mend the series there, or count its parts: a gap is no cycle")};
+               say("correct the series there, or count its parts separately: a gap is not a cycle")};
 }
 
 std::size_t TurningPoints::step(std::span<const double> samples, Out& out) {

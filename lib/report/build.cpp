@@ -41,7 +41,7 @@ Cell cell_of(const Entry& entry) {
 Cell origin_cell(const account::Origin& origin) {
   std::string text = origin.text.text();
   for (const std::string& key : origin.sources) text += " [" + key + "]";
-  if (origin.recalled) return say("{1}; recalled, its source was not seen", text);
+  if (origin.recalled) return say("{1}; from memory, source not seen", text);
   return text;
 }
 
@@ -138,11 +138,12 @@ void add_step(const Step& step, Detail detail, std::vector<Block>& blocks) {
   add_remarks(step.remarks(), blocks);
   if (!account.derivation.empty()) {
     blocks.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
-    if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Worked out {1}.", account.governing)});
+    if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Calculated {1}.", account.governing)});
     const auto lines = detail == Detail::full ? account.derivation : deciding_lines(account);
     if (lines.size() < account.derivation.size())
       blocks.emplace_back(
-          Paragraph{say("Of lists, what decides is written out; the tables have the rest."), Paragraph::Tone::note});
+          Paragraph{say("For lists, the governing element is shown in full; the tables contain the others."),
+                    Paragraph::Tone::note});
     append(blocks, derivation_blocks(lines));
   }
   blocks.emplace_back(Heading{3, "Results", step.name() + "-results"});
@@ -168,9 +169,7 @@ std::set<std::string> deciding_inputs(const Account& account) {
 /// Factors that raise a load or lower a strength, each where it is applied: once. One that nobody gave and no verdict
 /// follows from is that of another method.
 void add_factors(const Project& project, std::vector<Block>& blocks) {
-  Table table{say("Factors, each applied once where it stands"),
-              {say("step"), say("factor"), say("meaning"), say("value")},
-              {}};
+  Table table{say("Load factors (each applied once)"), {say("step"), say("factor"), say("meaning"), say("value")}, {}};
   for (const auto& step : project.steps) {
     const auto& inputs = step->account().inputs;
     if (std::none_of(inputs.begin(), inputs.end(), [](const Entry& e) { return e.is_factor; })) continue;
@@ -268,7 +267,8 @@ Document build(const Project& project, std::string_view program, Detail detail, 
   document.meta.emplace_back(say("Project file"), project.file);
   for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
   if (project.strict)
-    document.meta.emplace_back(say("Strict"), say("failure modes not considered count as not assessed").text());
+    document.meta.emplace_back(say("Strict"),
+                               say("failure modes not considered count as not assessed (--strict)").text());
   if (!input.empty()) document.meta.emplace_back(say("Input"), fingerprint(input, project));
   document.meta.emplace_back(say("Program"), std::string(program));
   document.paper = project.paper;

@@ -28,7 +28,7 @@ std::vector<std::string> parts_of(std::string_view path) {
 Fault fault(Message message, Message hint) { return {0, 1, std::move(message), std::move(hint)}; }
 
 Fault no_path(std::string_view path) {
-  return fault(say("'{1}' is no value of a table", path),
+  return fault(say("'{1}' is not a value of a table", path),
                say("write table, row and column, a row's name in quotes: tables.sections.\"IPE 330\".I_y"));
 }
 
@@ -132,7 +132,7 @@ Outcome<Tables::Referred> Tables::value_at(std::string_view path) const {
   const std::string group = group_of(parts[1], groups_);
   if (group.empty()) {
     const auto known = plurals(groups_);
-    return fault(say("there are no tables '{1}'", parts[1]), did_you_mean(parts[1], known, there_is(known)));
+    return fault(say("unknown tables '{1}'", parts[1]), did_you_mean(parts[1], known, there_is(known)));
   }
   const auto entry = find_row(group, parts[2]);
   if (!entry) return entry.fault();

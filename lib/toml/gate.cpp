@@ -130,7 +130,7 @@ std::optional<Issue> refuse_bare(std::string_view text, const std::string& file)
   if (const std::size_t deep = first_too_deep(text); deep != std::string_view::npos)
     return issue_at(text, deep, file, say("tables lie too deep within one another"), say("at most 64 levels"));
   if (const std::size_t at = find_bare(text, is_foreign); at != std::string_view::npos)
-    return issue_at(text, at, file, say("not valid TOML: a character outside ASCII stands outside of quotes"), {});
+    return issue_at(text, at, file, say("not valid TOML: a character outside ASCII must be in quotes"), {});
   return std::nullopt;
 }
 

@@ -109,7 +109,7 @@ class Marks(unittest.TestCase):
     def test_all_rows_are_refused(self):
         sweep = torsion.sweep(T=np.full(5, math.nan), **given)
         self.assertTrue(sweep.is_refused.all() and np.isnan(sweep["utilisation"]).all())
-        self.assertEqual(sweep.refused, [(5, 0, "torsion.T", "T is no number")])
+        self.assertEqual(sweep.refused, [(5, 0, "torsion.T", "T is not a number")])
         self.assertTrue(torsion.sweep(T=1000.0, d=np.zeros(3), tau_adm="40 MPa").is_refused.all())
 
     def test_not_covered(self):

@@ -84,7 +84,7 @@ TEST_SUITE("cli init") {
     const Ran dimension = desk.run({"init", "column", "--set", "P=300 m"});
     CHECK(dimension.code == 2);
     CHECK(contains(dimension.error, "--set:1:"));
-    CHECK(contains(desk.run({"init", "column", "--set", "lenght=3 m"}).error, "'lenght' is no field here"));
+    CHECK(contains(desk.run({"init", "column", "--set", "lenght=3 m"}).error, "'lenght' is not a field here"));
     CHECK(contains(desk.run({"init", "shaft", "-", "--set", "shaft.pieces=[]"}).error, "is an array"));
     CHECK(contains(desk.run({"init", "column", "--set", "colum.n_st=3"}).error, "did you mean 'column'?"));
     CHECK(desk.files() == std::vector<std::string>{"shaft.toml"});

@@ -143,7 +143,7 @@ TEST_SUITE("cli run") {
     CHECK(contains(shown.out, "\nnot assessed: axle."));
     CHECK_FALSE(contains(shown.out, "not considered"));
     CHECK(contains(desk.get("a.md"), "INCOMPLETE: "));
-    CHECK(contains(desk.get("a.md"), "- Strict: failure modes not considered count as not assessed\n"));
+    CHECK(contains(desk.get("a.md"), "- Strict: failure modes not considered count as not assessed (--strict)\n"));
     CHECK_FALSE(contains(desk.get("a.md"), "not considered\\."));
     CHECK(contains(desk.get("a.html"), "not assessed"));
     const Ran as_json = desk.run({"run", "a.toml", "--strict", "--json"});
@@ -158,14 +158,14 @@ TEST_SUITE("cli run") {
   TEST_CASE("what a search has found stands at the top, with its reason") {
     const Desk desk;
     desk.put("a.toml", passing);
-    const std::string reason = "smallest of R40 that passes every check; 75 mm fails: u_tau = 1.086";
+    const std::string reason = "smallest of R40 with which no assessed mode fails; 75 mm fails: u_tau = 1.086";
     const Ran ran = desk.run({"run", "a.toml", "--report", "a.md", "--report", "a.html"});
     CHECK(contains(ran.out, ")\n  found  d = 80 mm  " + reason + "\n"));
     CHECK(contains(loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa"}).out,
                    ")\n  found  d = 80 mm  " + reason + "\n"));
     const std::string page = desk.get("a.md");
-    CHECK(page.find("**Table 1.** Chosen") < page.find("mode of failure "));
-    CHECK(contains(page, "smallest of R40 that passes every check; 75 mm fails"));
+    CHECK(page.find("**Table 1.** Chosen") < page.find("failure mode "));
+    CHECK(contains(page, "smallest of R40 with which no assessed mode fails; 75 mm fails"));
     CHECK(contains(desk.get("a.html"), "</b> Chosen</p>"));
     CHECK_FALSE(contains(run(failing).out, "found"));
   }

@@ -147,7 +147,7 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(contains(desk.get("a.csv"), "point,shaft.d [mm],shaft.T [N*m],tau [MPa],shaft.theta_max [deg/m],state,"));
     const Ran point = desk.run({"run", "a.toml", "--point", "13999", "--json"});
     CHECK(contains(point.out, "\"d\""));
-    CHECK(contains(desk.run({"run", "a.toml", "--point", "14000"}).error, "there is no point 14000"));
+    CHECK(contains(desk.run({"run", "a.toml", "--point", "14000"}).error, "point 14000 does not exist"));
     CHECK(contains(desk.run({"run", "a.toml"}).error, "--point 0"));
     CHECK(desk.run({"run", "a.toml", "--point", "5", "--samples", "3", "--quiet"}).code == 1);
   }
@@ -205,18 +205,18 @@ TEST_SUITE("sweep command" * by_case) {
     };
     refused({"--results", "shaft.tau_mux"}, "shaft.tau_max");
     refused({"--pareto", "m:min"}, "'m' is none of the results");
-    refused({"--pareto", "tau:least"}, "'least' is no aim");
+    refused({"--pareto", "tau:least"}, "'least' is not an objective");
     refused({"--shard", "1/2"}, "--out DIR");
-    refused({"--out", "x", "--shard", "3/2"}, "'3/2' is no share");
-    refused({"--out", "x", "--resume"}, "no sweep stands there");
-    refused({"--out", "x", "--merge", "y"}, "no sweep stands there");
+    refused({"--out", "x", "--shard", "3/2"}, "'3/2' is not a share");
+    refused({"--out", "x", "--resume"}, "no sweep exists there");
+    refused({"--out", "x", "--merge", "y"}, "no sweep exists there");
     refused({"--zip", "shaft.d,shaft.T"}, "uncertain");
     refused({"--report", "a.txt"}, "a report is written as");
     refused({"--csv", "a.toml"}, "is the project itself");
-    refused({"--samples", "0"}, "'0' is no whole number of 1 or more");
-    refused({"--samples", "1e6"}, "'1e6' is no whole number of 1 or more");
-    refused({"--seed", "-1"}, "'-1' is no whole number of 0 or more");
-    refused({"--seed", "9223372036854775808"}, "is no whole number of 0 or more");
+    refused({"--samples", "0"}, "'0' is not an integer of 1 or more");
+    refused({"--samples", "1e6"}, "'1e6' is not an integer of 1 or more");
+    refused({"--seed", "-1"}, "'-1' is not an integer of 0 or more");
+    refused({"--seed", "9223372036854775808"}, "is not an integer of 0 or more");
     CHECK(desk.files() == std::vector<std::string>{"a.toml"});
     desk.put("two.toml",
              "[a]\ncalculator = \"shaft.torsion\"\nT = [\"1 N*m\", \"2 N*m\"]\nd = [\"9 mm\", \"8 mm\"]\n"

@@ -185,7 +185,7 @@ TEST_SUITE("found mechanism") {
   TEST_CASE("A29: a stock with a bound that nobody reads, a spread of another kind, a tolerance of everything") {
     const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\n";
     CHECK(contains(messages_of(axle + "T = \"1 N*m\"\nd = { stock = \"R20\", max = \"50 mm\" }\n"),
-                   "'max' is no field here"));
+                   "'max' is not a field here"));
     CHECK(contains(messages_of(axle + "T = { mean = \"1 N*m\", sd = \"100 kg\" }\n"),
                    "'sd' is a difference of two values: a moment"));
     CHECK(contains(messages_of(axle + "T = \"1 N*m\"\n[[expect]]\nvalue = \"axle.d\"\nis = \"1 mm\"\nwithin = \"10000 "

@@ -183,7 +183,7 @@ void FieldPicture::draw_legend(Legend& legend) {
     canvas_.rectangle("thin", box);
   }
   if (has(Verdict::open) || has(Verdict::none)) {
-    const Point at = legend.next(say("no verdict, or no machine").text());
+    const Point at = legend.next(say("no result, or invalid design").text());
     canvas_.dots("speckle", {at + Point{-6.0, 2.0}, at + Point{0.0, -2.0}, at + Point{6.0, 2.0}});
   }
 }

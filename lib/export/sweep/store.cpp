@@ -124,7 +124,7 @@ Message SweepStore::begin() {
 Outcome<SweepStore> SweepStore::create(const fs::path& folder, const SweepPlan& plan, StoredSweep sweep, Found none) {
   const auto taken = [&] {
     return refused(folder, say("there is something already"),
-                   say("name a new folder, or go on with what stands there: --resume"));
+                   say("name a new folder, or continue the existing sweep: --resume"));
   };
   std::error_code error;
   if (fs::exists(folder, error) && !is_unbegun(folder)) {
@@ -145,7 +145,7 @@ Outcome<SweepStore> SweepStore::create(const fs::path& folder, const SweepPlan& 
 Outcome<SweepStore> SweepStore::resume(const fs::path& folder, const SweepPlan& plan, const StoredSweep& sweep,
                                        Found none) {
   const auto none_there = [&] {
-    return refused(folder, say("no sweep stands there"), say("begin it without --resume"));
+    return refused(folder, say("no sweep exists there"), say("begin it without --resume"));
   };
   std::error_code error;
   const auto has_state = [&] { return fs::exists(folder / state_name, error); };
@@ -240,7 +240,7 @@ Message SweepStore::load(std::string_view bytes) {
   sweep::Reader reader(bytes);
   if (reader.number() != state_format) return say("its state is of another version of the program");
   const std::string identity = read_text(reader);
-  if (identity != sweep_.identity) return say("another sweep stands there: {1}", difference(identity, sweep_.identity));
+  if (identity != sweep_.identity) return say("another sweep exists there: {1}", difference(identity, sweep_.identity));
   return load_known(reader) ? Message{} : damaged;
 }
 

@@ -104,10 +104,10 @@ std::vector<Finding> spinning_rollers(const Model& model, const Structure& struc
 }
 
 Finding singular(const Model& model, const Structure& structure) {
-  return {
-      Finding::About::model, 0,
-      say("the stated position is singular: {1} can move in more than one way", names_of(model.links, structure.loose)),
-      say("state the assembly a little away from this position, so that it is known which way it goes")};
+  return {Finding::About::model, 0,
+          say("the stated position is singular: {1} can move in more than one direction",
+              names_of(model.links, structure.loose)),
+          say("state the assembly slightly away from this position, so that the direction of motion is determined")};
 }
 
 Finding redundant(const Model& model, const SharedFreedoms& shared) {

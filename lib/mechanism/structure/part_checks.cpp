@@ -81,7 +81,7 @@ void PartChecks::check(std::size_t k, const Link& link) {
             format_quantity(link.inertia, "kg*m^2")));
   } else if (link.mass == 0.0 && link.inertia > 0.0 && !turns_about_fixed_pin(model_, static_cast<int>(k))) {
     add(About::link, k, say("link '{1}' moves about, and has a moment of inertia but no mass", link.name),
-        say("give its mass too; a rotor on a pin of the ground may have J alone, with its mass centre on that pin"));
+        say("give its mass too; a rotor on a pin of the ground may have only J, with its mass centre on that pin"));
   }
   const auto at_link = [&](const Joint& joint) {
     return joint.i == static_cast<int>(k) || joint.j == static_cast<int>(k);

@@ -223,7 +223,7 @@ std::string layout_of(std::string_view text, const std::string& file, Calculator
   issues.push_back({{file, 0, 0, 1},
                     "",
                     say("its layout would change what it says, so it stays as it is"),
-                    say("a table that stands apart from its step, or before it, belongs behind it"),
+                    say("a table must follow its step directly"),
                     Severity::error});
   return {};
 }

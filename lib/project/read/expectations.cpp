@@ -45,7 +45,7 @@ void read_within(const Tree& tree, Expectation& e, std::vector<Issue>& issues) {
     e.within_si = literal->si;
   } else if (!e.unit.empty()) {  // else `is` has been told already
     add_error(issues, place, "expect.within",
-              say("'{1}' ({2}) is no tolerance of '{3}' ({4})", tree.text, name_of(literal->dimension), e.is_text,
+              say("'{1}' ({2}) is not a tolerance of '{3}' ({4})", tree.text, name_of(literal->dimension), e.is_text,
                   name_of(e.is.dimension)),
               remedy);
   }
@@ -56,7 +56,7 @@ void read_tolerance(const Tree& tree, Expectation& e, std::vector<Issue>& issues
   if (const auto* digits = tree.find("digits")) {
     const double n = digits->value.number;
     if (digits->value.type != Tree::Type::number || n < 1 || n > 15 || n != std::floor(n)) {
-      add_error(issues, digits->value.place, "expect.digits", say("digits is a whole number from 1 to 15"));
+      add_error(issues, digits->value.place, "expect.digits", say("digits must be an integer from 1 to 15"));
     } else {
       e.digits = static_cast<int>(n);
     }
@@ -96,7 +96,8 @@ std::optional<Expectation> read_expectation(const Tree& tree, std::vector<Issue>
   for (const Tree::Entry& entry : tree.entries) {
     static const std::vector<std::string> keys{"value", "is", "digits", "within", "source", "note"};
     if (std::find(keys.begin(), keys.end(), entry.key) == keys.end()) {
-      add_error(issues, entry.place, "expect", say("'{1}' is no field here", entry.key), did_you_mean(entry.key, keys));
+      add_error(issues, entry.place, "expect", say("'{1}' is not a field here", entry.key),
+                did_you_mean(entry.key, keys));
     }
   }
   for (const auto& [key, target] :

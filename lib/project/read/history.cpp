@@ -36,8 +36,8 @@ Outcome<double> unit_of(const Tree& table, const FieldInfo& field) {
   const auto* const unit = table.find("unit");
   if (unit == nullptr && field.dimension.is_number()) return 1.0;
   const auto wanted = [&](std::string_view text) {
-    return told(say("'{1}' is no {2}", text, name_of(field.dimension)),
-                say("say what 1 of the file stands for: unit = \"{1}\", or unit = \"2.5 {1}\"", field.unit));
+    return told(say("'{1}' is not a valid {2}", text, name_of(field.dimension)),
+                say("give the value of 1 in the file: unit = \"{1}\", or unit = \"2.5 {1}\"", field.unit));
   };
   if (unit == nullptr || unit->value.type != Tree::Type::text) return wanted(unit == nullptr ? "" : unit->value.text);
   const std::string& text = unit->value.text;
@@ -59,7 +59,7 @@ Outcome<rainflow::Form> form_of(const Tree& table) {
     const auto known =
         std::find_if(forms.begin(), forms.end(), [&](const auto& row) { return row.first == told_form->value.text; });
     if (known == forms.end())
-      return told(say("'{1}' is no form of a file", told_form->value.text), say("csv, npy, f64 or f32"));
+      return told(say("'{1}' is not a file format", told_form->value.text), say("csv, npy, f64 or f32"));
     form.format = known->second;
   } else if (by_name) {
     form.format = *by_name;
@@ -82,7 +82,7 @@ Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
   if (type != fs::file_type::regular)
-    return told(say("there is no file '{1}' that can be read", path.string()),
+    return told(say("file '{1}' does not exist or cannot be read", path.string()),
                 fs::exists(path, error) ? say("a file that has an end; what is piped in is file = \"-\", with its form")
                                         : say("its path goes from the folder of the project file"));
   return rainflow::open_source(path.string());
@@ -122,10 +122,10 @@ class Turns {
   std::optional<Fault> take_all(std::span<const double> samples) {
     if (count_ + samples.size() > most_in_step)
       return told(say("it has more than {1} samples", std::to_string(most_in_step)),
-                  say("several series are kept in step whole: cut them to what decides, all alike"));
+                  say("several series are kept in step without omission: cut all of them alike to the decisive part"));
     values_.resize(count_), at_.resize(count_);
     for (const double sample : samples) {
-      if (!std::isfinite(sample)) return told(say("sample {1} is no number", std::to_string(count_)), {});
+      if (!std::isfinite(sample)) return told(say("sample {1} is not a number", std::to_string(count_)), {});
       values_.push_back(sample), at_.push_back(count_++);
     }
     return std::nullopt;

@@ -89,7 +89,7 @@ void Reader::read_element(const Tree& tree, const Target& target, const std::str
   if (is_name(written) || named != nullptr) inner = path + "." + written;
   if (named != nullptr) {
     if (const auto* again = tree.find("name")) {
-      say_at(again->place, inner, say("the name already stands before the table: '{1}'", named->key),
+      say_at(again->place, inner, say("the name is given before the table already: '{1}'", named->key),
              say("leave out 'name'"));
     }
     Tree name;
@@ -100,7 +100,7 @@ void Reader::read_element(const Tree& tree, const Target& target, const std::str
     read_name(name, *find_field(list.fields, "name"), element, inner);
   }
   if (known != nullptr && reading_.typed.count(inner) != 0)
-    say_at(tree.place, path, say("the name '{1}' stands twice in '{2}'", written, path));
+    say_at(tree.place, path, say("the name '{1}' is used twice in '{2}'", written, path));
   reading_.typed[inner] = {tree.text, tree.place};
   const std::size_t before = issues_.size();
   read_aggregate(tree, list, element, inner);
@@ -118,7 +118,7 @@ void Reader::check_names(const FieldInfo& list, void* owner, const std::string& 
     if (!n.empty() && !seen.insert(n).second) {
       const auto typed = reading_.typed.find(path + "." + std::string(n) + ".name");
       say_at(typed == reading_.typed.end() ? place : typed->second.place, path,
-             say("the name '{1}' stands twice in '{2}'", n, path));
+             say("the name '{1}' is used twice in '{2}'", n, path));
     }
   }
 }

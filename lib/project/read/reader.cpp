@@ -46,7 +46,7 @@ void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, cons
     const auto part = std::find_if(parts.begin(), parts.end(),
                                    [&](const Part& p) { return find_field(p.fields, entry.key) != nullptr; });
     if (part == parts.end()) {
-      say_at(entry.place, inner, say("'{1}' is no field here", entry.key), fields_near(entry.key, parts));
+      say_at(entry.place, inner, say("'{1}' is not a field here", entry.key), fields_near(entry.key, parts));
       if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(parts)));
       continue;
     }
@@ -92,12 +92,12 @@ bool Reader::takes(const Tree& tree, const FieldInfo& field, const std::string& 
   if (const auto parsed = Expression::parse(text); !parsed) {
     fault_at(start, text, path, parsed.fault());
   } else if (field.is_word()) {
-    say_at(place_in(start, text, 0, text.size()), path, say("'{1}' is no number to calculate with", path),
+    say_at(place_in(start, text, 0, text.size()), path, say("'{1}' is not a number to calculate with", path),
            say("refer to one that another step has: {1} = \"=step.{2}\"", path, field.key));
   } else {
     const bool list = field.type == Type::list;
     say_at(place_in(start, text, 0, text.size()), path,
-           say("'{1}' takes {2} of another step whole", path, list ? say("a list") : say("a record")),
+           say("'{1}' takes {2} of another step as a linked record", path, list ? say("a list") : say("a record")),
            say("name it and its step: {1} = \"=step.{2}\"", path, list ? field.key : "record"));
   }
   return true;

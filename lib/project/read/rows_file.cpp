@@ -125,7 +125,7 @@ class Rows {
     for (const Column& column : columns_) {
       if (find_field(fields_, column.key) != nullptr) continue;
       return fault(
-          say("line {1} of '{2}': the heading '{3}' is no field here", std::to_string(number), name_, column.key),
+          say("line {1} of '{2}': the heading '{3}' is not a field here", std::to_string(number), name_, column.key),
           say("the fields are {1}; cells are parted by commas, semicolons or tabs", keys));
     }
     return std::nullopt;
@@ -202,9 +202,9 @@ Outcome<Tree> read_rows_file(const Tree& tree, std::span<const FieldInfo> fields
   std::string text;
   const bool there = std::filesystem::is_regular_file(path, error);
   if (there && std::filesystem::file_size(path, error) > largest_file)
-    return fault(say("'{1}' is no list of rows", named.text), say("at most 16 MB"));
+    return fault(say("'{1}' is not a list of rows", named.text), say("at most 16 MB"));
   if (!there || !toml::read_file(path.string(), text))
-    return fault(say("there is no file '{1}' that can be read", path.string()),
+    return fault(say("file '{1}' does not exist or cannot be read", path.string()),
                  say("its path goes from the folder of the project file"));
   return Rows(named.text, named.place, fields).read(text);
 }

@@ -93,7 +93,7 @@ void Values::read(const Tree::Entry& table, std::vector<Issue>& issues) {
                   say("write [values] and below it n = \"1450 rpm\""));
   for (const Tree::Entry& entry : table.value.entries) {
     if (!is_name(entry.key)) {
-      refuse(entry.place, "values." + entry.key, say("'{1}' is no name", entry.key),
+      refuse(entry.place, "values." + entry.key, say("'{1}' is not a valid name", entry.key),
              say("a name has Latin letters, digits and '_', and does not start with a digit"));
       continue;
     }
@@ -218,7 +218,7 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
   if (!open_.empty()) ++in_place_;
   if (in_place_ > most_in_place || open_.size() > deepest) {
     if (!std::exchange(too_many_, true))
-      issues.push_back({tree.place, "values", say("values that stand in values come to too many"),
+      issues.push_back({tree.place, "values", say("too many nested values"),
                         say("at most {1} of them, {2} deep", std::to_string(most_in_place), std::to_string(deepest)),
                         Severity::error});
     return tree;
@@ -236,7 +236,7 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
     Place place = tree.place;
     ++place.column;
     issues.push_back({place_in(place, tree.text, 0, tree.text.size() - 1), "values." + name,
-                      say("there is no value '{1}'", name), nearest_to(name), Severity::error});
+                      say("unknown value '{1}'", name), nearest_to(name), Severity::error});
     told_.insert(name);
     return tree;
   }
@@ -276,7 +276,7 @@ void Values::write_out_all_numbers(Tree& tree) const {
 Outcome<Signature> Values::signature(const std::string& name) {
   const auto found = all_.find(name);
   if (found == all_.end() && told_.contains(name)) return Fault{};
-  if (found == all_.end()) return Fault{0, name.size(), say("there is no value '{1}'", name), nearest_to(name)};
+  if (found == all_.end()) return Fault{0, name.size(), say("unknown value '{1}'", name), nearest_to(name)};
   found->second.is_used = true;
   if (found->second.expression || found->second.in_circle) return Fault{};  // written out, or told
   if (!found->second.is_literal) read_several(name, found->second);
@@ -285,10 +285,10 @@ Outcome<Signature> Values::signature(const std::string& name) {
                  say("write rpm for a speed of rotation")};
   if (found->second.is_literal) return found->second.literal.signature;
   if (const auto fault = fault_of(found->second.tree))
-    return Fault{0, name.size(), say("'values.{1}' is no literal to calculate with: {2}", name, fault->message.text()),
-                 fault->hint};
-  return Fault{0, name.size(), say("'values.{1}' is no literal to calculate with", name),
-               say("it can stand alone: \"=values.{1}\"", name)};
+    return Fault{0, name.size(),
+                 say("'values.{1}' is not a literal to calculate with: {2}", name, fault->message.text()), fault->hint};
+  return Fault{0, name.size(), say("'values.{1}' is not a literal to calculate with", name),
+               say("use it without operators: \"=values.{1}\"", name)};
 }
 
 /// A range, a list, an uncertain value, where an expression asks for it.

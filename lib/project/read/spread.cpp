@@ -36,7 +36,7 @@ struct Many {
 bool Many::has_only(const std::vector<std::string>& keys) const {
   for (const Tree::Entry& entry : tree.entries) {
     if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
-    refuse(entry.place, say("'{1}' is no field here", entry.key), did_you_mean(entry.key, keys, there_is(keys)));
+    refuse(entry.place, say("'{1}' is not a field here", entry.key), did_you_mean(entry.key, keys, there_is(keys)));
     return false;
   }
   return true;
@@ -58,7 +58,7 @@ std::optional<std::uint64_t> Many::count(const Tree::Entry& entry) const {
   const double n = entry.value.number;
   if (entry.value.type == Tree::Type::number && n == std::floor(n) && n >= 2.0 && n <= most)
     return static_cast<std::uint64_t>(n);
-  refuse(entry.value.place, say("'{1}' is a whole number of values, 2 or more", entry.key),
+  refuse(entry.value.place, say("'{1}' must be an integer number of values, 2 or more", entry.key),
          say("write {1} = 11", entry.key));
   return std::nullopt;
 }
@@ -141,7 +141,7 @@ std::optional<Axis> range_of(const Many& many) {
 bool Many::is_one_of(const std::string& law, const std::vector<std::string>& laws) const {
   if (std::find(laws.begin(), laws.end(), law) != laws.end()) return true;
   const auto* entry = tree.find("distribution");
-  refuse(entry == nullptr ? tree.place : entry->value.place, say("'{1}' is no distribution of these", law),
+  refuse(entry == nullptr ? tree.place : entry->value.place, say("'{1}' is not one of these distributions", law),
          there_is(laws));
   return false;
 }

@@ -21,7 +21,7 @@ class Reader {
     if (entry.key == "zip") return read_zip(entry.value);
     if (entry.key == "correlations") return read_correlations(entry.value);
     const std::vector<std::string> keys{"results", "samples", "seed", "sampling", "zip", "correlations"};
-    refuse(entry.place, say("'{1}' is no field here", entry.key), did_you_mean(entry.key, keys, there_is(keys)));
+    refuse(entry.place, say("'{1}' is not a field here", entry.key), did_you_mean(entry.key, keys, there_is(keys)));
   }
 
  private:
@@ -44,7 +44,7 @@ class Reader {
     constexpr double most = 1e15;
     const double n = entry.value.number;
     if (entry.value.type != Tree::Type::number || n != std::floor(n) || n < least || n > most)
-      return refuse(entry.value.place, say("'{1}' is a whole number", entry.key), say("write {1} = 1000", entry.key));
+      return refuse(entry.value.place, say("'{1}' must be an integer", entry.key), say("write {1} = 1000", entry.key));
     target = static_cast<std::uint64_t>(n);
   }
 

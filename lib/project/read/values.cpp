@@ -32,7 +32,7 @@ void Reader::read_quantity(const Tree& tree, const FieldInfo& field, void* owner
 void Reader::read_text_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (tree.text == "?") return read_search(tree, field, owner, path);
   if (tree.text.starts_with('?'))
-    return say_at(tree.place, path, say("'{1}' is no search", tree.text),
+    return say_at(tree.place, path, say("'{1}' is not a search", tree.text),
                   say("write {1} = \"?\", or {1} = { stock = \"R20\" }", field.key));
   if (!tree.text.starts_with('=')) return read_literal(tree.text, tree, field, owner, path);
   read_expression(tree, field, owner, path);
@@ -81,7 +81,7 @@ void Reader::read_special(const Tree& tree, const FieldInfo& field, void* owner,
 void Reader::refuse_others(const Tree& tree, const std::vector<std::string>& keys, const std::string& path) {
   for (const Tree::Entry& entry : tree.entries) {
     if (std::find(keys.begin(), keys.end(), entry.key) != keys.end()) continue;
-    say_at(entry.place, path, say("'{1}' is no field here", entry.key), one_of(entry.key, keys));
+    say_at(entry.place, path, say("'{1}' is not a field here", entry.key), one_of(entry.key, keys));
   }
 }
 
@@ -127,7 +127,7 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
   }
   if (is_out_of_proportion(si)) {
     return say_at(tree.place, path, say("{1} = {2} is out of all proportion", path, format_quantity(si, field.unit)),
-                  say("check the unit and the power of ten: no machine has that"));
+                  say("check the unit and the power of ten"));
   }
   if (!field.plausible.holds(si)) {
     say_at(tree.place, path, unusual(path, field, si), say("check the unit"), Severity::warning);
@@ -144,7 +144,7 @@ void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, c
     const bool number = tree.type == Tree::Type::number;
     return say_at(
         tree.place, path,
-        say("a whole number is expected, not {1}", number ? format_number(n) : std::string(toml::word_for(tree.type))));
+        say("an integer is expected, not {1}", number ? format_number(n) : std::string(toml::word_for(tree.type))));
   }
   if (!field.bounds.holds(n)) {
     return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_number(n), bounds_message(field)));
@@ -173,7 +173,7 @@ void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, co
   if (tree.type != Tree::Type::text)
     return say_at(tree.place, path, say("a name is expected, not {1}", toml::word_for(tree.type)));
   if (!is_name(tree.text)) {
-    return say_at(tree.place, path, say("'{1}' is no name", tree.text),
+    return say_at(tree.place, path, say("'{1}' is not a valid name", tree.text),
                   say("a name has Latin letters, digits and '_', and does not start with a digit"));
   }
   if (tree.text.size() > Name::capacity)

@@ -50,7 +50,7 @@ void Reader::read_grid_of(const Tree& tree, const FieldInfo& field, void* owner,
       refusing(path));
   if (!axis) return;
   if (field.type == Type::count && !all_whole(*axis))
-    return say_at(tree.place, path, say("a value between is no whole number"), say("take a step of 1"));
+    return say_at(tree.place, path, say("a value between is not an integer"), say("take a step of 1"));
   field.set(owner, axis->at(0));
   reading_.typed[path].text = tree.text;
   reading_.varied.push_back(

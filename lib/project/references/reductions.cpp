@@ -238,8 +238,9 @@ class ReductionCheck {
                  reason);
     const std::string own = reduction_of(*step_.input().calculator, path);
     if (own == "max" || own == "min")
-      return say("{1} is {2} alone: give the largest and the least stress, max(...) and min(...) of one series, or {3}",
-                 path, r.text.empty() ? operand.text : r.text, reason);
+      return say(
+          "{1} is only {2}: give the maximum and the minimum stress, max(...) and min(...) of one series, or {3}", path,
+          r.text.empty() ? operand.text : r.text, reason);
     if (own == paired_amplitude || own == paired_middle)
       return say(
           "{1} = {2} does not cover the load cycle: use amplitude({3}) and midrange({3}) for the pair, "

@@ -76,7 +76,7 @@ void add_handed_on(const Evaluation& evaluation, const WeighedValues& weighed, a
   mode.step = evaluation.step().name();
   mode.subject = account::Subject::input;
   mode.id = "typed_values";
-  mode.title = say("typed values that rows and records bear out");
+  mode.title = say("agreement of typed values with rows and records");
   mode.kind = ModeKind::shape;
   mode.wants = weighed.handed_on.front().wants;
   mode.note = weighed.handed_on.front().why;

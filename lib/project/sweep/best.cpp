@@ -42,14 +42,14 @@ std::optional<Demand> bound_of(const Placed& asked, const Names& results, std::v
     const std::string right = trimmed(asked.text.substr(at + 2));
     const auto literal = parse_literal(right);
     if (literal && !(literal->si > 0.0)) {
-      issues.push_back(
-          refusal(asked, say("'{1}' is no bound above zero", right), say("write the demand so that its bound is > 0")));
+      issues.push_back(refusal(asked, say("'{1}' is not a bound above zero", right),
+                               say("write the demand so that its bound is > 0")));
       return std::nullopt;
     }
     const bool below = *sign == '<';
     return Demand{asked.text, "(" + (below ? left : right) + ")/(" + (below ? right : left) + ")", Kind::at_most_one};
   }
-  issues.push_back(refusal(asked, say("'{1}' is no demand", asked.text),
+  issues.push_back(refusal(asked, say("'{1}' is not a constraint", asked.text),
                            say("write \"every mode passes\", \"rod passes\" or \"rod.mass <= 5 kg\"")));
   return std::nullopt;
 }
@@ -154,7 +154,7 @@ Message lack_of(Variants& variants, const std::vector<double>& point) {
   variants.evaluate(in, out, 1);
   if (!variants.refusals().empty()) {
     const Issue& issue = variants.refusals().front().issue;
-    return say("no machine: {1}: {2}", issue.key, issue.message);
+    return say("invalid design: {1}: {2}", issue.key, issue.message);
   }
   for (std::size_t k = 0; k < found.size(); ++k) {
     const SweptResult& column = variants.columns()[k];
@@ -229,7 +229,7 @@ std::optional<SoughtValue> seek_value(const ReadAgain& read, const Placed& goal,
   const std::string result = trimmed(goal.text.substr(0, equals));
   const auto target = parse_literal(equals == std::string::npos ? "" : trimmed(goal.text.substr(equals + 1)));
   if (equals == std::string::npos || !target) {
-    issues.push_back(refusal(goal, say("'{1}' is no goal", goal.text), say("write \"shaft.u_tau = 0.9\"")));
+    issues.push_back(refusal(goal, say("'{1}' is not a goal", goal.text), say("write \"shaft.u_tau = 0.9\"")));
     return std::nullopt;
   }
   std::vector<std::string> units;

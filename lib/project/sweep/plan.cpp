@@ -58,7 +58,8 @@ std::optional<std::size_t> Planning::input_of(const Placed& name) {
   if (found != inputs_.end()) return static_cast<std::size_t>(found - inputs_.begin());
   std::vector<std::string> names;
   for (const SweptInput& input : inputs_) names.push_back(input.name);
-  issues_.push_back(refusal(name.place, "project.sweep", say("'{1}' is no input that takes many values", name.text),
+  issues_.push_back(refusal(name.place, "project.sweep",
+                            say("'{1}' is not an input that takes several values", name.text),
                             did_you_mean(name.text, names, there_is(names))));
   return std::nullopt;
 }

@@ -49,7 +49,7 @@ void Parser::fail_bare_name(std::size_t end) {
   } else if (is_unit(word) && variable_.empty()) {
     hint = say("write step.path, as in lever.drive.M; a unit needs a number: 1 {1}", word);
   }
-  fail(next_, end - next_, say("'{1}' alone is no reference", word), std::move(hint));
+  fail(next_, end - next_, say("'{1}' is not a complete reference", word), std::move(hint));
 }
 
 /// Whether what was read last is the start of a value of a table, cut at a name that is no word: `tables.sections.IPE`.
@@ -62,7 +62,7 @@ bool Parser::is_behind_table() const {
 void Parser::fail_unexpected() {
   const auto word = word_end(text_, next_);
   if (is_behind_table()) {
-    return fail(next_, 1, say("a name that is more than letters and digits stands in double quotes"),
+    return fail(next_, 1, say("put a name with other characters than letters and digits in double quotes"),
                 say("write '=tables.sections.\"IPE 330\".I_y', in single quotes for TOML"));
   }
   const auto end = character_end(text_, next_);
@@ -70,7 +70,7 @@ void Parser::fail_unexpected() {
   if (sees('(') || sees('.') || digits_end(text_, next_) != next_) return fail_missing_operator(end);
   if (sees(',')) return fail_comma();
   const auto hint = sees(')')   ? say("no '(' is open")
-                    : sees('[') ? say("an index is a whole number in a reference, as in shaft.segments[2].tau")
+                    : sees('[') ? say("an index in a reference must be an integer, as in shaft.segments[2].tau")
                                 : say("the operators are + - * / ^");
   fail(next_, end - next_, say("unexpected '{1}'", slice(next_, end)), hint);
 }

@@ -129,7 +129,8 @@ class KindWalk {
   Meant product(const Node& node) {
     const Meant a = of_node(node.kids[0]), b = of_node(node.kids[1]);
     if ((a == Meant::torque && b == Meant::frequency) || (a == Meant::frequency && b == Meant::torque))
-      refuse(node, say("a moment times a frequency is no power: a turn has 2*pi rad"), say("write rev*f for f"));
+      refuse(node, say("a moment times a frequency is not a power: a revolution has 2*pi rad"),
+             say("write rev*f for f"));
     if (is_number(node.kids[0])) return multiple(b, node.kids[0]);
     return is_number(node.kids[1]) ? multiple(a, node.kids[1]) : Meant::nothing;
   }

@@ -51,7 +51,7 @@ class Reader {
   [[nodiscard]] std::string since(std::size_t from) const { return std::string(in_.text.substr(from, in_.at - from)); }
 
   bool sign() {
-    if (in_.starts("–") || in_.starts("—")) return fail(in_.at, 3, say("a dash is no sign"), say("write '-'"));
+    if (in_.starts("–") || in_.starts("—")) return fail(in_.at, 3, say("a dash is not a minus sign"), say("write '-'"));
     negative_ = in_.take("-") || in_.take("\u2212");
     if (!negative_) in_.take("+");
     return true;
@@ -165,7 +165,7 @@ class Reader {
     }
     const std::string power = in_.peek() == '^' ? "^" : Cursor(in_).superscript();
     if (power.empty()) return true;
-    return fail(in_.at, in_.character(), say("only 10 with a whole exponent is read as a power"),
+    return fail(in_.at, in_.character(), say("only 10 with an integer exponent is read as a power"),
                 say("write 2·10^6 or 2e6"));
   }
 
@@ -179,7 +179,7 @@ class Reader {
     if (top.empty() || (mixed && ahead.at == from + top.size()) || !ahead.take("/") || !ahead.digit()) return true;
     const std::string_view bottom = ahead.digits();
     in_ = ahead;
-    if (is_mark(in_.peek()) && in_.digit(1)) return fail(in_.at, 1, say("a fraction is made of whole numbers"));
+    if (is_mark(in_.peek()) && in_.digit(1)) return fail(in_.at, 1, say("a fraction must consist of integers"));
     return divide(from, top, bottom, mixed);
   }
 
@@ -188,7 +188,7 @@ class Reader {
     if (d == 0.0) return fail(in_.at - bottom.size(), bottom.size(), say("a fraction cannot have the denominator 0"));
     if (mixed && (top.size() > 2 || n >= d))
       return fail(from, in_.at - from, say("'{1}' can be read in two ways", since(start_)),
-                  say("write a decimal number, or a whole number and a fraction less than 1"));
+                  say("write a decimal number, or an integer and a fraction less than 1"));
     ready_ = true;
     value_ = mixed ? number(digits_) + n / d : n / d;
     return true;

@@ -166,7 +166,7 @@ Outcome<std::unique_ptr<Reader>> read_plain(std::unique_ptr<Source> source, std:
 }
 
 Outcome<std::unique_ptr<Reader>> read_npy(std::unique_ptr<Source> source, const std::string& column) {
-  const auto not_npy = [] { return at_byte(0, say("byte 0: this is no .npy file of NumPy")); };
+  const auto not_npy = [] { return at_byte(0, say("byte 0: not a .npy file of NumPy")); };
   std::array<char, 12> start{};
   const auto got = source->read(std::span(start).first(8));
   if (!got) return got.fault();

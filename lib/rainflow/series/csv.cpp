@@ -155,7 +155,7 @@ std::optional<std::string_view> CsvReader::content() {
 std::optional<Fault> CsvReader::find_name(const std::vector<std::string>& fields) {
   const auto found = std::find(fields.begin(), fields.end(), form_.column);
   if (found == fields.end())
-    return at_line(say("line {1}: there is no column '{2}'", std::to_string(lines_.number()), shown(form_.column)),
+    return at_line(say("line {1}: unknown column '{2}'", std::to_string(lines_.number()), shown(form_.column)),
                    did_you_mean(form_.column, fields, there_is(fields)));
   if (std::find(found + 1, fields.end(), form_.column) != fields.end())
     return at_line(say("line {1}: two columns are called '{2}'", std::to_string(lines_.number()), shown(form_.column)),

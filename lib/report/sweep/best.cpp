@@ -17,11 +17,11 @@ Quantity in_unit_of(double si, const std::string& unit) { return {si, unit.empty
 Message reach_of(const sweep::Optimum& optimum) {
   using Reach = sweep::Optimum::Reach;
   const std::string n = std::to_string(optimum.candidates > 0 ? optimum.candidates : optimum.evaluations);
-  if (optimum.budget_spent) return say("the search ended after {1} machines, before it was done", n);
-  if (optimum.reach == Reach::every_point) return say("the best of all {1} machines", n);
+  if (optimum.budget_spent) return say("the search ended after {1} designs, before completion", n);
+  if (optimum.reach == Reach::every_point) return say("the best of all {1} designs", n);
   if (optimum.reach == Reach::every_combination)
-    return say("the best of every combination of the values, {1} machines", n);
-  return say("better than every machine beside it, and than what was found from other starts; {1} machines", n);
+    return say("the best of every combination of the values, {1} designs", n);
+  return say("better than every neighbouring design and than those found from other starts; {1} designs", n);
 }
 
 Table chosen_table(const Best& best) {
@@ -42,16 +42,16 @@ Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Messag
   using Outcome = sweep::Neighbour::Outcome;
   if (neighbour.outcome == Outcome::better) return say("better: the search ended before it");
   if (neighbour.outcome == Outcome::no_better) return say("no better");
-  if (neighbour.broken >= best.demands.size()) return say("no nearer to what is asked for");
+  if (neighbour.broken >= best.demands.size()) return say("no nearer to the constraint");
   const std::string& demand = best.demands[neighbour.broken].text;
   const double value = neighbour.outputs[neighbour.broken + 1];
-  if (std::isfinite(value)) return say("breaks '{1}' ({2})", demand, format_number(value, 4));
-  if (lack.empty()) return say("breaks '{1}' ({2})", demand, say("not available"));
+  if (std::isfinite(value)) return say("violates '{1}' ({2})", demand, format_number(value, 4));
+  if (lack.empty()) return say("violates '{1}' ({2})", demand, say("not available"));
   return lack;
 }
 
 Table neighbour_table(const Best& best) {
-  Table table{say("Beside it"), {say("input"), say("value"), say("{1}", best.objective), say("why not")}, {}};
+  Table table{say("Neighbouring values"), {say("input"), say("value"), say("{1}", best.objective), say("why not")}, {}};
   for (std::size_t i = 0; i < best.optimum.neighbours.size(); ++i) {
     const sweep::Neighbour& neighbour = best.optimum.neighbours[i];
     const SweptInput& input = best.inputs[best.chosen[neighbour.variable]];
@@ -73,7 +73,7 @@ std::vector<Block> best_blocks(const Best& best) {
   } else {
     const std::string worst = optimum.worst < best.demands.size() ? best.demands[optimum.worst].text : best.objective;
     blocks.emplace_back(
-        Paragraph{say("no machine meets what is asked for; the nearest breaks '{1}'; {2}", worst, reach_of(optimum)),
+        Paragraph{say("no design satisfies the constraints; the nearest violates '{1}'; {2}", worst, reach_of(optimum)),
                   Paragraph::Tone::warning});
   }
   blocks.emplace_back(chosen_table(best));

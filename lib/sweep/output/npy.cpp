@@ -11,7 +11,7 @@
 
 namespace loadpath::sweep {
 
-static_assert(std::endian::native == std::endian::little, "the columns are written as they stand in memory");
+static_assert(std::endian::native == std::endian::little, "the columns are written as stored in memory");
 
 namespace {
 
@@ -70,13 +70,13 @@ Message read_npy(const std::filesystem::path& path, const std::function<bool(std
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) return wrong("cannot be read");
   std::array<char, header_size> found{};
-  if (std::fread(found.data(), 1, header_size, file.get()) != header_size) return wrong("it is no column");
+  if (std::fread(found.data(), 1, header_size, file.get()) != header_size) return wrong("not a column");
   const std::string_view text(found.data(), found.size());
   constexpr std::string_view shape = "'shape': (";
   const std::size_t at = text.find(shape);
-  if (at == std::string_view::npos) return wrong("it is no column");
+  if (at == std::string_view::npos) return wrong("not a column");
   std::uint64_t left = std::strtoull(found.data() + at + shape.size(), nullptr, 10);
-  if (header(left) != found) return wrong("it is no column of this program");
+  if (header(left) != found) return wrong("not a column of this program");
   std::array<double, 8192> values{};
   while (left > 0) {
     const std::size_t wanted = static_cast<std::size_t>(std::min<std::uint64_t>(left, values.size()));

@@ -324,13 +324,13 @@ joints.bore = { type = "prismatic", links = ["plunger", "ground"], points = ["V"
 TEST_SUITE("mechanism template faults") {
   TEST_CASE("a template, a parameter or a link that does not exist is told with the nearest one") {
     CHECK(issues_of(replaced(slider, "slider_crank", "slidercrank")) ==
-          R"(a.toml:4:13: error: there is no template 'slidercrank'
+          R"(a.toml:4:13: error: unknown template 'slidercrank'
 4 | template = "slidercrank"
   |             ^^^^^^^^^^^
   = help: did you mean 'slider_crank'?
 )");
     CHECK(said(slider, "r = \"50", "asembly = \"open\"\nr = \"50")
-              .starts_with("a.asembly: 'asembly' is no field here; did you mean 'assembly' ("));
+              .starts_with("a.asembly: 'asembly' is not a field here; did you mean 'assembly' ("));
     CHECK(said(slider, "r = \"50 mm\"\n", "") == "a.r: 'r' is missing: length of the crank OA; write r = \"... mm\"");
     CHECK(said(slider, "r = \"50", "links.rdo.mass = \"1 kg\"\nr = \"50") ==
           "a.links.rdo.points: 'links.rdo.points' is missing: points in the link's axes, or as drawn where it has "
@@ -361,7 +361,7 @@ TEST_SUITE("mechanism template faults") {
               .starts_with("a.links.rod.points.B: 'links.rod.points.B' comes from the template 'slider_crank'; "));
     CHECK(said(slider, "r = \"50",
                "links = [{ name = \"rod\", mass = \"1 kg\" }, { name = \"rod\", J = \"1 kg*m^2\" }]\nr = \"50") ==
-          "a.links: the name 'rod' stands twice in 'links'");
+          "a.links: the name 'rod' is used twice in 'links'");
   }
 
   TEST_CASE("a bar with a mass centre of its own needs its inertia") {

@@ -96,13 +96,13 @@ TEST_SUITE("project expectations") {
     CHECK(issues_of(expecting(value_and_is)) == "a.toml:5:1: " + said);
     CHECK(issues_of(expecting(value_and_is + "digits = 3\nwithin = \"1 %\"\n")) == "a.toml:5:1: " + said);
     CHECK(issues_of(expecting(value_and_is + "digits = 99\n")) ==
-          "a.toml:9:10: error: digits is a whole number from 1 to 15\n9 | digits = 99\n  |          ^^\n");
+          "a.toml:9:10: error: digits must be an integer from 1 to 15\n9 | digits = 99\n  |          ^^\n");
     CHECK(issues_of(expecting(value_and_is + "digits = 2.5\n")) ==
-          "a.toml:9:10: error: digits is a whole number from 1 to 15\n9 | digits = 2.5\n  |          ^^^\n");
+          "a.toml:9:10: error: digits must be an integer from 1 to 15\n9 | digits = 2.5\n  |          ^^^\n");
     CHECK(issues_of(expecting(value_and_is + "digits = 1e30\n")) ==  // more than an int holds
-          "a.toml:9:10: error: digits is a whole number from 1 to 15\n9 | digits = 1e30\n  |          ^^^^\n");
+          "a.toml:9:10: error: digits must be an integer from 1 to 15\n9 | digits = 1e30\n  |          ^^^^\n");
     CHECK(issues_of(expecting(value_and_is + "within = \"3 mm\"\n")) ==
-          R"(a.toml:9:11: error: '3 mm' (length) is no tolerance of '1 N*m' (moment)
+          R"(a.toml:9:11: error: '3 mm' (length) is not a tolerance of '1 N*m' (moment)
 9 | within = "3 mm"
   |           ^^^^
   = help: write a part of the value, "0.5 %", or a quantity like it, "0.1 N*m"
@@ -121,7 +121,7 @@ TEST_SUITE("project expectations") {
 
   TEST_CASE("an unknown key of an expectation is told with the nearest one") {
     CHECK(issues_of(expecting("value = \"axle.M_max\"\nis = \"1 N*m\"\ndigits = 3\nsuorce = \"here\"\n" + source)) ==
-          R"(a.toml:9:1: error: 'suorce' is no field here
+          R"(a.toml:9:1: error: 'suorce' is not a field here
 9 | suorce = "here"
   | ^^^^^^
   = help: did you mean 'source'?

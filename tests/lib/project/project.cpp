@@ -21,7 +21,7 @@ TEST_SUITE("project") {
 
   TEST_CASE("an unknown calculator is told with the nearest one") {
     CHECK(issues_of("[axle]\ncalculator = \"shaft.torsoin\"\n") ==
-          R"(a.toml:2:15: error: there is no calculator 'shaft.torsoin'
+          R"(a.toml:2:15: error: unknown calculator 'shaft.torsoin'
 2 | calculator = "shaft.torsoin"
   |               ^^^^^^^^^^^^^
   = help: did you mean 'shaft.torsion'?
@@ -39,7 +39,8 @@ TEST_SUITE("project") {
   }
 
   TEST_CASE("a step's name outside ASCII is refused, in quotes and without") {
-    CHECK(issues_of("[\"вал\"]\ncalculator = \"shaft.torsion\"\n") == R"(a.toml:1:2: error: 'вал' is no name for a step
+    CHECK(issues_of("[\"вал\"]\ncalculator = \"shaft.torsion\"\n") ==
+          R"(a.toml:1:2: error: 'вал' is not a valid name for a step
 1 | ["вал"]
   |  ^^^^^
   = help: a name has Latin letters, digits and '_', and does not start with a digit
@@ -49,7 +50,7 @@ TEST_SUITE("project") {
   }
 
   TEST_CASE("a key outside of a step is refused") {
-    CHECK(issues_of("T = \"9 N*m\"\n") == R"(a.toml:1:1: error: 'T' stands outside of a step
+    CHECK(issues_of("T = \"9 N*m\"\n") == R"(a.toml:1:1: error: 'T' is outside of a step
 1 | T = "9 N*m"
   | ^
   = help: a project file consists of tables: [crankshaft]
@@ -65,7 +66,7 @@ TEST_SUITE("project") {
 
   TEST_CASE("the heading has its own keys") {
     CHECK(issues_of("[project]\ntitel = \"Drive\"\nauthor = 3\n" + axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n") ==
-          R"(a.toml:2:1: error: 'titel' is no field here
+          R"(a.toml:2:1: error: 'titel' is not a field here
 2 | titel = "Drive"
   | ^^^^^
   = help: did you mean 'title'?

@@ -98,7 +98,7 @@ TEST_SUITE("quantity") {
         {"1,250,000", 0, 9, "'1,250,000' has more than one decimal mark", "write '1250000'"},
         {"1.2.3", 0, 5, "'1.2.3' has more than one decimal mark", ""},
         {"5. mm", 1, 1, "a digit must follow the '.'", ""},
-        {"–5 mm", 0, 3, "a dash is no sign", "write '-'"},
+        {"–5 mm", 0, 3, "a dash is not a minus sign", "write '-'"},
         {"0x10", 0, 2, "hexadecimal numbers are not read", "write the number with decimal digits"},
         {"inf", 0, 3, "'inf' is not a number to calculate with", ""},
         {"-NaN mm", 1, 3, "'NaN' is not a number to calculate with", ""},
@@ -111,14 +111,14 @@ TEST_SUITE("quantity") {
          "magnitudes from 1e-300 to 1e300 can be calculated with"},
         {"5e-320", 0, 6, "'5e-320' is out of the range of numbers",
          "magnitudes from 1e-300 to 1e300 can be calculated with"},
-        {"5^2", 1, 1, "only 10 with a whole exponent is read as a power", "write 2·10^6 or 2e6"},
-        {"5²", 1, 2, "only 10 with a whole exponent is read as a power", "write 2·10^6 or 2e6"},
+        {"5^2", 1, 1, "only 10 with an integer exponent is read as a power", "write 2·10^6 or 2e6"},
+        {"5²", 1, 2, "only 10 with an integer exponent is read as a power", "write 2·10^6 or 2e6"},
         {"1/0", 2, 1, "a fraction cannot have the denominator 0", ""},
-        {"1/2.5", 3, 1, "a fraction is made of whole numbers", ""},
+        {"1/2.5", 3, 1, "a fraction must consist of integers", ""},
         {"1 3/2", 1, 4, "'1 3/2' can be read in two ways",
-         "write a decimal number, or a whole number and a fraction less than 1"},
+         "write a decimal number, or an integer and a fraction less than 1"},
         {"1 200/300", 1, 8, "'1 200/300' can be read in two ways",
-         "write a decimal number, or a whole number and a fraction less than 1"},
+         "write a decimal number, or an integer and a fraction less than 1"},
     };
     for (const Row& row : rows) {
       CAPTURE(row.text);

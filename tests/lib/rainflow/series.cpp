@@ -174,7 +174,7 @@ TEST_SUITE("rainflow series") {
     CHECK(csv("1,2\n", "3").message == "line 1 has 2 columns, and no column 3");
     CHECK(csv("1,2\n", "0").message == "line 1 has 2 columns, and no column 0");
     const Read unknown = csv("time,force\n1,2\n", "forc");
-    CHECK(unknown.message == "line 1: there is no column 'forc'");
+    CHECK(unknown.message == "line 1: unknown column 'forc'");
     CHECK(unknown.hint == "did you mean 'force'?");
     CHECK(csv("F,F\n1,2\n", "F").message == "line 1: two columns are called 'F'");
     CHECK(csv("1\n\x1b[31m\n").message == "line 2: '?[31m' in column 1 is not a finite number");
@@ -210,9 +210,9 @@ TEST_SUITE("rainflow series") {
     const auto message = [](const std::string& bytes, const std::string& column = "") {
       return binary(Format::npy, bytes, column).message;
     };
-    CHECK(message("1\n2\n3\n4\n5\n6\n") == "byte 0: this is no .npy file of NumPy");
-    CHECK(message("") == "byte 0: this is no .npy file of NumPy");
-    CHECK(message(npy("<f8", "(6,)", data).substr(0, 40)) == "byte 0: this is no .npy file of NumPy");
+    CHECK(message("1\n2\n3\n4\n5\n6\n") == "byte 0: not a .npy file of NumPy");
+    CHECK(message("") == "byte 0: not a .npy file of NumPy");
+    CHECK(message(npy("<f8", "(6,)", data).substr(0, 40)) == "byte 0: not a .npy file of NumPy");
     CHECK(message(npy(">f8", "(6,)", data)) ==
           "the numbers of the array are '>f8'; float64 and float32, little-endian, are read");
     CHECK(message(npy("<i4", "(6,)", data)) ==

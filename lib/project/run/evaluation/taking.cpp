@@ -120,7 +120,7 @@ void Inputs::take_word(const Taken& taken, std::vector<Issue>& issues) {
     take_row(taken.path, word, found);
     if (!found.empty()) refuse(say("{1} = {2}: {3}", taken.source, word, found.front().message));
   } else if (!set_word(leaf(taken.path), word)) {
-    refuse(say("{1} = {2} is no word for '{3}'", taken.source, word, taken.path));
+    refuse(say("{1} = {2} is not a word for '{3}'", taken.source, word, taken.path));
   }
   origins_[taken.path] = {say("= {1}", taken.source), {}, false};
 }

@@ -306,7 +306,8 @@ void JointSearch::leave_open(SizeIndices nearest) {
 /// Of each what was found, and why it is no less.
 void JointSearch::tell(const SizeIndices& least) {
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
-    Message text = say("smallest of {1} that passes every check, with the others", sizes_.stock(i));
+    Message text =
+        say("smallest of {1} with which no assessed mode fails, in combination with the other sizes", sizes_.stock(i));
     if (sizes_.at(i).at > 0) text = say("{1}; {2}", text, fault_of_less(least, i));
     sizes_.set(least);
     Origin origin = stock_origin(*evaluation_.step().input().tables, sizes_.stock(i), std::move(text));

@@ -110,7 +110,8 @@ Message NestedSearch::name(const Choice& choice) const {
 /// Of each what was found, and what the candidate before it fails with the others as they are.
 void NestedSearch::tell(const Choice& found) {
   for (std::size_t k = 0; k < all_.size(); ++k) {
-    Message text = say("smallest of {1} that passes every check, with the others", all_[k].source());
+    Message text =
+        say("smallest of {1} with which no assessed mode fails, in combination with the other sizes", all_[k].source());
     if (found[k] > 0) {
       Choice less = found;
       --less[k];

@@ -93,12 +93,12 @@ TEST_SUITE("courses") {
       desk.put("diagram.csv", rows);
       return desk.run({"run", "p.toml"}).error;
     };
-    CHECK(desk.run({"run", "p.toml"}).error.find("there is no file 'diagram.csv' that can be read") !=
+    CHECK(desk.run({"run", "p.toml"}).error.find("file 'diagram.csv' does not exist or cannot be read") !=
           std::string::npos);
     CHECK(said("s [mm], share\n").find("'diagram.csv' has no rows") != std::string::npos);
     CHECK(said("s [mm], share\n150, 0\n250\n").find("line 3 of 'diagram.csv' has not as many cells") !=
           std::string::npos);
-    CHECK(said("s [mm], part\n150, 0\n250, 1\n").find("'part' is no field here") != std::string::npos);
+    CHECK(said("s [mm], part\n150, 0\n250, 1\n").find("'part' is not a field here") != std::string::npos);
     CHECK(said("s [kg], share\n150, 0\n250, 1\n").find("a mass") != std::string::npos);
   }
   TEST_CASE("a list without a bound still refuses what fills the memory") {

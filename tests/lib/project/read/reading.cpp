@@ -110,7 +110,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 
   TEST_CASE("an unknown key is told with the nearest field, and what misses it is not told again") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_amd = \"30 MPa\"\n")
-              .starts_with(R"(a.toml:4:1: error: 'tau_amd' is no field here
+              .starts_with(R"(a.toml:4:1: error: 'tau_amd' is not a field here
 4 | tau_amd = "30 MPa"
   | ^^^^^^^
   = help: did you mean 'tau_adm' ()"));
@@ -119,7 +119,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   TEST_CASE("an unknown key that is near nothing is told with all fields") {
     const std::string told =
         issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = [{ l = \"1 m\", width = \"3 mm\" }]\n");
-    CHECK(told.starts_with(R"(a.toml:5:26: error: 'width' is no field here
+    CHECK(told.starts_with(R"(a.toml:5:26: error: 'width' is not a field here
 5 | segments = [{ l = "1 m", width = "3 mm" }]
   |                          ^^^^^
   = help: there is: name ()"));
@@ -166,7 +166,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   TEST_CASE("a name that stands twice in a list is told at the second") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n[[axle.segments]]\nname = \"hub\"\nl = \"1 "
                            "m\"\n[[axle.segments]]\nname = \"hub\"\nl = \"2 m\"\n") ==
-          R"(a.toml:9:9: error: the name 'hub' stands twice in 'segments'
+          R"(a.toml:9:9: error: the name 'hub' is used twice in 'segments'
 9 | name = "hub"
   |         ^^^
 )");
@@ -175,12 +175,12 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   TEST_CASE("names have Latin letters, digits and '_'") {
     const std::string rule = "  = help: a name has Latin letters, digits and '_', and does not start with a digit\n";
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = { \"втулка\" = { l = \"1 m\" } }\n") ==
-          "a.toml:5:14: error: 'втулка' is no name\n5 | segments = { \"втулка\" = { l = \"1 m\" } }\n  |              "
-          "^^^^^^^^\n" +
+          "a.toml:5:14: error: 'втулка' is not a valid name\n5 | segments = { \"втулка\" = { l = \"1 m\" } }\n  |      "
+          "        ^^^^^^^^\n" +
               rule);
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nsegments = [{ name = \"2nd\", l = \"1 m\" }]\n") ==
-          "a.toml:5:23: error: '2nd' is no name\n5 | segments = [{ name = \"2nd\", l = \"1 m\" }]\n  |                 "
-          "      ^^^\n" +
+          "a.toml:5:23: error: '2nd' is not a valid name\n5 | segments = [{ name = \"2nd\", l = \"1 m\" }]\n  |        "
+          "               ^^^\n" +
               rule);
   }
 
@@ -217,13 +217,13 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
     const std::string remedy =
         "  = help: `loadpath sweep` goes through all of them, `loadpath run FILE --point 0` takes the first\n";
     CHECK(issues_of(axle + "T = { from = \"30 N*m\", to = \"60 N*m\", step = \"1 N*m\" }\ntau_adm = \"30 MPa\"\n") ==
-          "a.toml:3:5: error: these are 31 values, and one is taken here\n"
+          "a.toml:3:5: error: these are 31 values; a single value is required\n"
           "3 | T = { from = \"30 N*m\", to = \"60 N*m\", step = \"1 N*m\" }\n"
           "  |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n" +
               remedy);
     CHECK(issues_of(axle + "T = [\"30 N*m\", \"60 N*m\"]\ntau_adm = \"30 MPa\"\n") ==
-          "a.toml:3:5: error: these are 2 values, and one is taken here\n"
-          "3 | T = [\"30 N*m\", \"60 N*m\"]\n  |     ^^^^^^^^^^^^^^^^^^^^\n" +
+          "a.toml:3:5: error: these are 2 values; a single value is required\n3 | T = [\"30 N*m\", \"60 N*m\"]\n  |    "
+          " ^^^^^^^^^^^^^^^^^^^^\n" +
               remedy);
   }
 
@@ -235,7 +235,7 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
 )");
     CHECK(value(told(text).project, "axle.M_max") == doctest::Approx(30.0));
     CHECK(issues_of(axle + "T = { value = \"30 N*m\", tolerence = \"2 N*m\" }\ntau_adm = \"30 MPa\"\n") ==
-          R"(a.toml:3:25: error: 'tolerence' is no field here
+          R"(a.toml:3:25: error: 'tolerence' is not a field here
 3 | T = { value = "30 N*m", tolerence = "2 N*m" }
   |                         ^^^^^^^^^
   = help: did you mean 'tolerance'?
@@ -305,14 +305,14 @@ a.toml:4:11: error: '30' has no unit, a stress is expected
 4 | tau_adm = 30
   |           ^^
   = help: write '30 MPa'
-a.toml:7:15: error: there is no calculator 'shaft.overhang'
+a.toml:7:15: error: unknown calculator 'shaft.overhang'
 7 | calculator = "shaft.overhang"
   |               ^^^^^^^^^^^^^^
   = help: did you mean 'shaft.overhung'?
 a.toml:9:2: error: 'tables' is a word of the program and cannot name a step
 9 | [tables]
   |  ^^^^^^
-  = help: call it 'tables_1' or by its part of the machine
+  = help: call it 'tables_1', or by the part that it describes
 )");
   }
 

@@ -89,7 +89,7 @@ TEST_SUITE("records in turn") {
                    "press.crank: records in turn have the same fields"));
     CHECK(contains(errors("{ each = [" + slow + ", " + slow + "] }"), "these records do not differ in any number"));
     CHECK(contains(errors("{ each = [" + slow + R"(, { speed = ["1 rpm", "2 rpm"], positions = 24, x = 1 }] })"),
-                   "'x' is no field here"));
+                   "'x' is not a field here"));
     CHECK(contains(errors("{ each = [" + slow + R"(, { speed = "=2*other.n", positions = 24 }] })"),
                    "a value of a record in turn is written out"));
     CHECK(contains(errors("{ each = [" + slow + R"(, { speed = { mean = "1 rpm", sd = "5 %" }, positions = 24 }] })"),
@@ -100,6 +100,6 @@ TEST_SUITE("records in turn") {
     std::vector<Issue> issues;
     project::read_project(press("crank = { each = [" + slow + ", " + fast + "] }\n"), "part.toml", catalogue(), issues);
     REQUIRE(issues.size() == 1);
-    CHECK(contains(issues[0].message.text(), "these are 2 values, and one is taken here"));
+    CHECK(contains(issues[0].message.text(), "these are 2 values; a single value is required"));
   }
 }

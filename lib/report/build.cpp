@@ -79,7 +79,7 @@ std::set<std::string> available_fields(const std::vector<Entry>& entries) {
 }
 
 Table input_table(const Account& account) {
-  Table table{say("Given"), {say("symbol"), say("meaning"), say("value"), say("from")}, {}};
+  Table table{say("Input data"), {say("symbol"), say("meaning"), say("value"), say("source")}, {}};
   for (const Entry& e : account.inputs) {
     if (element_path(e.path)) continue;
     table.rows.push_back({symbol_cell(e), say("{1}", e.doc), cell_of(e), origin_cell(e.origin)});
@@ -191,13 +191,13 @@ void add_sources(const Project& project, std::vector<Block>& blocks) {
     for (const auto& line : step->account().derivation) keys.merge(keys_in(line.step.why.text()));
     for (const Entry& e : step->account().inputs) keys.insert(e.origin.sources.begin(), e.origin.sources.end());
   }
-  Table sources{say("Sources"), {}, {}};
+  Table sources{say("References"), {}, {}};
   for (const std::string& key : keys) {
     const std::string citation = table::citation(key);
     if (!citation.empty()) sources.rows.push_back({"[" + key + "]", citation});
   }
   if (sources.rows.empty()) return;
-  blocks.emplace_back(Heading{2, "Sources", "sources"});
+  blocks.emplace_back(Heading{2, "References", "sources"});
   blocks.emplace_back(std::move(sources));
 }
 

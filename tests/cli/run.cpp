@@ -164,9 +164,9 @@ TEST_SUITE("cli run") {
     CHECK(contains(loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa"}).out,
                    ")\n  found  d = 80 mm  " + reason + "\n"));
     const std::string page = desk.get("a.md");
-    CHECK(page.find("**Table 1.** Chosen") < page.find("failure mode "));
+    CHECK(page.find("**Table 1.** Sized and selected values") < page.find("failure mode "));
     CHECK(contains(page, "smallest of R40 with which no assessed mode fails; 75 mm fails"));
-    CHECK(contains(desk.get("a.html"), "</b> Chosen</p>"));
+    CHECK(contains(desk.get("a.html"), "</b> Sized and selected values</p>"));
     CHECK_FALSE(contains(run(failing).out, "found"));
   }
 

@@ -25,7 +25,7 @@ Message reach_of(const sweep::Optimum& optimum) {
 }
 
 Table chosen_table(const Best& best) {
-  Table table{say("Chosen"), {say("input"), say("value"), say("from")}, {}};
+  Table table{say("Selected values"), {say("input"), say("value"), say("source")}, {}};
   for (std::size_t i = 0; i < best.inputs.size(); ++i) {
     const SweptInput& input = best.inputs[i];
     const bool chosen = std::find(best.chosen.begin(), best.chosen.end(), i) != best.chosen.end();

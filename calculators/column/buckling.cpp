@@ -113,17 +113,18 @@ void take_limits(const Input& in, const Material& material, Result& r, Tracer& t
     if (!is_set(in.c_T)) trace.value("c_T", material.c_T, "a line");
     trace.value("lambda_T", lambda_T,
                 in.transition == Transition::published ? "as published with the set"
-                                                       : "where Tetmajer's formula meets Euler's");
+                                                       : "intersection of Tetmajer's and Euler's curves");
     if (is_set(in.lambda_1)) {
       STEP_TO(r, gap,
               (in.a_T - in.b_T * in.lambda_1 + material.c_T * pow<2>(in.lambda_1)) /
                       (pow<2>(pi) * in.E / pow<2>(in.lambda_1)) -
                   1.0,
-              "how far the set misses Euler at its own limit");
+              "deviation of the coefficients from Euler at their limit");
     }
   }
   if (is_set(in.sigma_P)) {
-    STEP_TO(r, lambda_lim, pi * sqrt(in.E / in.sigma_P), "where Euler's stress is the proportional limit, [B25]");
+    STEP_TO(r, lambda_lim, pi * sqrt(in.E / in.sigma_P),
+            "slenderness at which Euler's stress equals the proportional limit, [B25]");
   } else if (is_set(lambda_T)) {
     STEP_TO(r, lambda_lim, lambda_T, "no proportional limit is given: from here Euler's hyperbola holds");
   }
@@ -234,7 +235,7 @@ Result Buckling::judge(const Input& in, bool is_bent, Tracer& trace) {
   r.axis = r.axes[1].lambda >= r.axes[0].lambda ? AxisName::z : AxisName::y;
   const double lambda = r.lambda = std::max(r.axes[0].lambda, r.axes[1].lambda);
   trace.value("lambda", lambda, "the larger of both axes governs, [B25]");
-  STEP_TO(r, sigma_E, pow<2>(pi) * in.E / pow<2>(lambda), "Euler's stress, whether it holds or not");
+  STEP_TO(r, sigma_E, pow<2>(pi) * in.E / pow<2>(lambda), "Euler stress, also outside its range");
   STEP_TO(r, N_cr, sigma_E * r.A, "least critical force of the elastic bar");
   take_limits(in, material, r, trace);
   add_methods(in, material, r, trace, std::make_index_sequence<most_methods>{});

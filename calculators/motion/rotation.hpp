@@ -77,7 +77,7 @@ t_2 = "2 s"
       Field{&Result::omega, "omega", rad_per_s, "angular speed, signed"},
       Field{&Result::n, "n", rpm, "angular speed in turns per minute, signed"},
       Field{&Result::epsilon, "epsilon", rad_per_s2, "angular acceleration, signed"},
-      Choice{&Result::change, "change", "whether the body gets faster"},
+      Choice{&Result::change, "change", "accelerated, retarded or uniform rotation"},
       Field{&Result::Delta_phi, "Delta_phi", deg, "angle turned from t_1 to t_2, signed"},
       Field{&Result::turns, "turns", ratio, "turns from t_1 to t_2, signed"},
       Field{&Result::omega_m, "omega_m", rad_per_s, "mean angular speed from t_1 to t_2"},

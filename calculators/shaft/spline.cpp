@@ -26,7 +26,7 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
   const double share = r.share = bearing_share(in, trace);
   STEP_TO(r, F_t, 2.0 * T_eq / d_m, "at the middle of the flanks");
   STEP(p_m, F_t / (in.z * h_w * in.l * share), "mean pressure on those that bear, [Bhandari-9]");
-  STEP_TO(r, p, is_set(in.k_l) ? in.k_l * p_m : p_m, "where it is largest along them");
+  STEP_TO(r, p, is_set(in.k_l) ? in.k_l * p_m : p_m, "location of the maximum along the splines");
   if (is_set(in.b)) {
     STEP_TO(r, tau, F_t / (in.z * in.b * in.l * share) * (is_set(in.k_l) ? in.k_l : 1.0), "across a tooth");
   }

@@ -116,7 +116,7 @@ Target target_of(const Outline& outline, std::string_view text, const Path& path
 }
 
 std::vector<StepKey> keys_beside(const Calculator& calculator) {
-  std::vector<StepKey> keys{{"calculator", "what is calculated"}};
+  std::vector<StepKey> keys{{"calculator", "calculator"}};
   if (!calculator.templates.empty()) keys.push_back({"template", "an input known in shape, by its parameters"});
   for (const std::string& group : table_groups(calculator))
     keys.push_back({group, "a row of `loadpath tables`, or of [tables." + group + "s] in the file"});

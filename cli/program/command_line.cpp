@@ -45,8 +45,7 @@ void setup_watch(CLI::App& app, WatchOptions& options, Action& action) {
       ->check(CLI::Range(1, 65535));
   sub->add_flag("--strict", options.strict, "count failure modes not considered as not assessed (exit code 4)");
   sub->footer(
-      "The page keeps up with the file, at the place that it is read at; what is wrong with the file lies over "
-      "it. Ends by Ctrl-C.");
+      "The page follows the file, at the current scroll position; errors of the file are overlaid. Stop with Ctrl-C.");
   sub->callback([&] { action = [&] { return watch(options); }; });
 }
 
@@ -63,7 +62,7 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
 
 void setup_list(CLI::App& app, ListOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("list", "all calculators, those of an element, or those that words find");
-  sub->add_option("word", options.word, "an element, as in shaft; or what you look for: buckling, S-N, Passfeder");
+  sub->add_option("word", options.word, "an element, e.g. shaft, or a search word: buckling, S-N, Passfeder");
   sub->add_flag("--all", options.all, "those found by a failure mode or the scope, too");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return list(options); }; });
@@ -106,7 +105,7 @@ void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
 
 void setup_completion(CLI::App& app, CompletionOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("completion", "completion of words for bash, zsh or fish");
-  sub->add_option("shell", options.shell, "bash, zsh or fish; candidates: what their scripts ask for")
+  sub->add_option("shell", options.shell, "bash, zsh or fish; candidates: requests of their scripts")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish", "candidates"}));
   sub->add_option("words", options.words, "of candidates: the words behind loadpath, the last one begun")

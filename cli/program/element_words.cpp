@@ -92,7 +92,7 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
         ->allow_extra_args(false);
   }
   app.add_option("--file", options.file,
-                 "project file: its steps of this calculator, and what they refer to; other flags replace their fields")
+                 "project file: its steps of this calculator and their references; other flags replace their fields")
       ->type_name("FILE");
   add_settings(app, options.settings);
   add_output(app, options.output);

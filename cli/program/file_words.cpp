@@ -18,7 +18,7 @@ void setup_init(CLI::App& app, InitOptions& options, Action& action) {
 }
 
 void setup_diff(CLI::App& app, DiffOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("diff", "what differs between two projects: inputs, sizes, verdicts, results");
+  CLI::App* sub = app.add_subcommand("diff", "differences between two projects: inputs, sizes, verdicts, results");
   sub->add_option("before", options.before, "project file; - is standard input")->required();
   sub->add_option("after", options.after, "project file; - is standard input")->required();
   sub->add_flag("--json", options.json, "print the differences as one JSON object");

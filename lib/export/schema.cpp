@@ -117,12 +117,11 @@ json::object any_step(Calculators calculators, Definitions& definitions) {
 json::object heading_schema() {
   json::object properties;
   for (const std::string& key : project::heading_keys()) properties[key] = text();
-  properties["paper"] = {{"enum", json::array{"A4", "letter"}}, {"description", "what reports are printed on"}};
+  properties["paper"] = {{"enum", json::array{"A4", "letter"}}, {"description", "paper size of reports"}};
   properties["tables"] = {{"type", "array"},
                           {"items", text()},
                           {"description", "files with rows of the project's own, relative to this one"}};
-  properties["sweep"] = {{"type", "object"},
-                         {"description", "what `loadpath sweep` reads off, and which points it has: docs/sweeps.md"}};
+  properties["sweep"] = {{"type", "object"}, {"description", "results and points of `loadpath sweep`: docs/sweeps.md"}};
   return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
 }
 

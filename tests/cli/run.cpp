@@ -187,10 +187,10 @@ TEST_SUITE("cli run") {
     desk.put("a.toml", passing + right + wrong_one);
     const Ran ran = desk.run({"run", "a.toml"});
     CHECK(ran.code == 0);
-    CHECK(ran.error == "1 of 2 expectations miss: `loadpath verify a.toml` tells\n");
+    CHECK(ran.error == "1 of 2 expectations miss: `loadpath verify a.toml` shows them\n");
     CHECK(desk.run({"run", "a.toml", "--quiet"}).error.empty());
     CHECK(run(passing + right).error.empty());
-    CHECK(run(passing + wrong_one).error == "1 of 1 expectation misses: `loadpath verify -` tells\n");
+    CHECK(run(passing + wrong_one).error == "1 of 1 expectation misses: `loadpath verify -` shows them\n");
   }
 
   TEST_CASE("--json is one object, and a number reads back to the result") {

@@ -101,7 +101,7 @@ void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
           "assembly steps between two planets; an integer for even spacing, [Assembly]");
   r.spacing = Planetary::evenly_spaced(in) ? Planetary::Spacing::even : Planetary::Spacing::uneven;
   const double steps = trace.value("steps", std::round(q), "nearest integer number of steps");
-  STEP_TO(r, phi_2, 2.0 * pi * steps / (in.z_s + r.z_r), "where the second planet can be put in");
+  STEP_TO(r, phi_2, 2.0 * pi * steps / (in.z_s + r.z_r), "assembly position of the second planet");
   STEP_TO(r, z_gap, r.z_r - in.z_s - 2.0 * in.z_p,
           "zero where sun, planet and ring come to one axis by their teeth, [Assembly]");
   r.coaxial = coaxial_by(z_gap);

@@ -48,7 +48,7 @@ constexpr std::array guide_rows{
         {.tabled = Tabled::always, .is_load = true}, [](const Guide&, const Guide::Pressure& at) { return at.N; },
         nullptr, "prismatic joints"),
     row<Guide>(
-        "joints.NAME.h", "where that force lies: distance from the first link's point, along the guide", mm,
+        "joints.NAME.h", "line of action of that force: distance from the first link's point, along the guide", mm,
         {.missing = "without one, the guide carries only a couple, or nothing"},
         [](const Guide&, const Guide::Pressure& at) { return at.M == 0.0   ? 0.0
                                                              : at.N == 0.0 ? none

@@ -8,7 +8,7 @@ struct LoaderArm {
   static constexpr auto doc =
       "The arm BH turns about the origin B, lifted by the cylinder OA; the bucket HM turns about the arm's end H, "
       "tilted by the cylinder EG between arm and bucket. A and E are given in the arm's axes (origin B, x to H), G in "
-      "those of the bucket (origin H, x to the edge M). The lengths of the cylinders say how it stands.";
+      "those of the bucket (origin H, x to the edge M). The lengths of the cylinders determine its position.";
   static constexpr auto example = R"([loader]
 calculator = "mechanism.planar"
 template = "loader_arm"

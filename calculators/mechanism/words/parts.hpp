@@ -60,9 +60,9 @@ struct Link {
           .as_array()
           .may_be_missing(),
       Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing(),
-      Choice{&Link::mass_line, "mass_line", "how its mass lies along its axis, for its internal forces"}
+      Choice{&Link::mass_line, "mass_line", "mass distribution along its axis, for its internal forces"}
           .may_be_missing(),
-      Choice{&Link::masses, "masses", "whether its mass is reduced to points, and to which"}.may_be_missing(),
+      Choice{&Link::masses, "masses", "points that its mass is reduced to, if any"}.may_be_missing(),
       Group{&Link::mass_points, "mass_points", "two of its points, on a line with S, that the mass is reduced to"}
           .as_array()
           .may_be_missing()};
@@ -134,7 +134,7 @@ struct Joint {
       NameField{&Joint::profile, "profile", "cam, cam_flat: profile of the second link, one of the profiles"}
           .may_be_missing(),
       Field{&Joint::face, "face", deg, "cam_flat: direction of the flat face, in the first link's axes"},
-      Choice{&Joint::holding, "holding", "cam, cam_flat: whether the cam can also pull"}.may_be_missing(),
+      Choice{&Joint::holding, "holding", "cam, cam_flat: force-closed or form-closed (groove)"}.may_be_missing(),
       Field{&Joint::slack, "slack", N, "belts: tension of the slack span"}.at_least(0),
       Field{&Joint::mu, "mu", ratio,
             "coefficient of friction: revolute, prismatic, slot, cam_flat, and an edge on a cam"}

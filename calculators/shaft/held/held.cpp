@@ -74,7 +74,7 @@ void along(const Slices& slices, const Yields& yields, Result& r, Tracer& trace)
     const Slice& s = slices[i];
     const Flexibility& f = yields[i];
     const Moment Q = trace.value("Q", s.Q, "loads up to its first end, with the application factor");
-    const Moment M_1 = NAMED_STEP("M_1", -R_1 - Q, "what acts to its right is what acts to its left, turned about");
+    const Moment M_1 = NAMED_STEP("M_1", -R_1 - Q, "the resultant on its right is the opposite of that on its left");
     const auto [M_2, dphi] = end_of(s, f, M_1, trace);
     r.stretches.push_back({s.x, s.l, M_1, M_2, dphi});
     phi += dphi;
@@ -144,7 +144,7 @@ void judge_member(const Input& in, const Slices& slices, const Part& part, std::
   const Ring ring = ring_of(in, s, part, x);
   Held::Member member;
   member.name = part.sleeve != nullptr ? part.sleeve->name : in.segments[segment].name;
-  member.x = trace.value("x", s.x + x, "where its stress is the largest");
+  member.x = trace.value("x", s.x + x, "location of the maximum stress");
   const Moment M = trace.value("M", r.stretches[worst.slice].M_1 - s.m * x, "torque of the full section there");
   const auto C = trace.value("C", stiffness_at(in, s, x), "sum of G I_p there over the members, which twist alike");
   const Stress G = trace.value("G", part.G, "its shear modulus");

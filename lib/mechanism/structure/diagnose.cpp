@@ -117,12 +117,11 @@ Finding redundant(const Model& model, const SharedFreedoms& shared) {
 }
 
 Finding rubs_without_knowing(const Model& model, std::size_t joint) {
-  return {
-      Finding::About::joint, joint,
-      say("what joint '{1}' induces, friction or the pressing of teeth and belts, hangs on its reaction, and that is "
-          "not unique: other joints hold the same freedom",
-          model.joints[joint].name),
-      say("leave out its friction and pressure angle, or the joints that repeat it")};
+  return {Finding::About::joint, joint,
+          say("friction, tooth or belt forces of joint '{1}' depend on its reaction, which is not unique: other joints "
+              "constrain the same freedom",
+              model.joints[joint].name),
+          say("leave out its friction and pressure angle, or the joints that repeat it")};
 }
 
 /// What keeps a mechanism with joints that hold too much from being solved.

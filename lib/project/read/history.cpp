@@ -83,8 +83,9 @@ Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   const fs::file_type type = fs::status(path, error).type();
   if (type != fs::file_type::regular)
     return told(say("file '{1}' does not exist or cannot be read", path.string()),
-                fs::exists(path, error) ? say("a file that has an end; what is piped in is file = \"-\", with its form")
-                                        : say("its path goes from the folder of the project file"));
+                fs::exists(path, error)
+                    ? say("the file must have an end; for piped input use file = \"-\", with its form")
+                    : say("its path goes from the folder of the project file"));
   return rainflow::open_source(path.string());
 }
 

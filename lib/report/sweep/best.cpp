@@ -95,7 +95,7 @@ std::vector<Block> seek_blocks(const project::SoughtValue& sought) {
                                   Paragraph::Tone::warning});
     return blocks;
   }
-  Table table{say("Where it is met"), {say("{1}", sought.input.name), say("result"), say("how")}, {}};
+  Table table{say("Solution"), {say("{1}", sought.input.name), say("result"), say("how")}, {}};
   for (const sweep::Meeting& meeting : sought.sought.meetings) {
     const Message how = meeting.kind == Kind::crossing   ? say("goes through")
                         : meeting.kind == Kind::touching ? say("touches")

@@ -39,7 +39,7 @@ Calculator Calculator::find(std::string_view id) {
   if (const auto* const found = find_calculator(calculators(), id)) return Calculator(*found);
   std::vector<std::string> ids;
   for (const loadpath::Calculator* calculator : calculators()) ids.emplace_back(calculator->id);
-  refuse(say("there is no calculator '{1}'", id), did_you_mean(id, ids, say("`loadpath list` shows them")));
+  refuse(say("unknown calculator '{1}'", id), did_you_mean(id, ids, say("`loadpath list` shows them")));
 }
 
 std::vector<Calculator> Calculator::all() {

@@ -56,7 +56,7 @@ void Asked::add(const std::string& name) {
   if (std::find(names_.begin(), names_.end(), name) != names_.end()) refuse(say("'{1}' is requested twice", name));
   const bool is_word = name.find_first_of(".[") == std::string::npos;
   if (is_word && !is_of_whole(name) && std::find(known_.begin(), known_.end(), name) == known_.end())
-    refuse_name("there is no result '{1}'", name, known_);
+    refuse_name("unknown result '{1}'", name, known_);
   names_.push_back(name);
   if (name == "state" || name == "utilisation") return;  // there is one anyhow
   texts_.push_back(is_of_whole(name) ? name : name + " = " + call_.step + "." + name);

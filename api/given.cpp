@@ -87,7 +87,7 @@ void Calling::set_rows(const std::string& name, std::size_t rows) {
   if (!call_.columns.empty() && call_.rows != rows)
     refuse(say("'{1}' has {2} values, '{3}' has {4}", call_.columns.front().name, std::to_string(call_.rows), name,
                std::to_string(rows)),
-           say("columns have one length; a single value stands for all rows"));
+           say("columns must have the same length; a single value applies to all rows"));
   call_.rows = rows;
 }
 

@@ -113,7 +113,7 @@ Solution Project::solve_point(std::uint64_t point, const SweepOptions& points) c
   const project::SweepPlan plan = project::plan_sweep(project, project.sweep, issues);
   refuse_errors(issues, sources);
   if (point >= plan.space.count())
-    refuse(say("there is no point {1}: the sweep has {2}, counted from 0", std::to_string(point),
+    refuse(say("point {1} does not exist: the sweep has {2}, counted from 0", std::to_string(point),
                std::to_string(plan.space.count())));
   project::set_point(project, plan, point, issues);
   return solution_of(project, std::move(issues), sources);

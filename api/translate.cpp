@@ -198,7 +198,7 @@ const auto& one_of(const All& all, std::string_view name) {
   std::vector<std::string> names;
   names.reserve(all.size());
   for (const auto& one : all) names.push_back(one.name);
-  refuse_name("there is no '{1}'", name, names);
+  refuse_name("'{1}' does not exist", name, names);
 }
 
 }  // namespace

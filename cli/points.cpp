@@ -50,7 +50,7 @@ void take_point(project::Project& project, std::uint64_t point, std::vector<Issu
   if (point >= plan.space.count()) {
     issues.push_back({{"--point", 0, 0, 1},
                       "",
-                      say("there is no point {1}: the sweep has {2}, counted from 0", std::to_string(point),
+                      say("point {1} does not exist: the sweep has {2}, counted from 0", std::to_string(point),
                           std::to_string(plan.space.count())),
                       {},
                       Severity::error});

@@ -68,7 +68,7 @@ int refuse_for_several(const RunOptions& options, const std::vector<ProjectFile>
   const std::string shared = shared_output(paths);
   if (!shared.empty())
     return refuse("'" + shared + "' is one output, and every project has its own",
-                  "a * stands for the name of each: 'reports/*.html'");
+                  "a * is replaced by the name of each: 'reports/*.html'");
   std::set<std::string> names;
   for (const ProjectFile& project : projects) {
     if (!names.insert(project.name).second && !paths.empty())

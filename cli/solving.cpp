@@ -65,7 +65,7 @@ void tell_misses(const project::Project& project) {
   const auto misses = std::count_if(all.begin(), all.end(), [](const project::Comparison& c) { return !c.holds; });
   if (misses == 0) return;
   std::cerr << misses << " of " << all.size() << (all.size() == 1 ? " expectation misses" : " expectations miss")
-            << ": `loadpath verify " << (project.file == "standard input" ? "-" : project.file) << "` tells\n";
+            << ": `loadpath verify " << (project.file == "standard input" ? "-" : project.file) << "` shows them\n";
 }
 
 /// Whether the tables of the parts are shown, and not the short answer.

@@ -38,7 +38,7 @@ int unknown_table(const std::string& word) {
     names.push_back(t.name.substr(0, t.name.find('/')));
   }
   for (const table::Series& s : library.series) names.push_back(s.name);
-  std::cerr << "loadpath: there is no table '" << word
+  std::cerr << "loadpath: unknown table '" << word
             << "'\n  = help: " << did_you_mean(word, names, say("`loadpath tables` shows all")).text() << "\n";
   return wrong_input;
 }
@@ -81,7 +81,7 @@ void show_table(const Table& t, const Row* only) {
     if (only == nullptr || only == &row) add_row(t, row, rows);
   }
   std::cout << t.title << " (" << t.name << ")\n"
-            << terminal::columns(rows, any_width) << "* recalled: its source was not seen\n";
+            << terminal::columns(rows, any_width) << "* from memory, source not seen\n";
 }
 
 void show_details(const Row& row) {

@@ -31,7 +31,7 @@ void find_factors(const Input& in, Force F_aK, Equivalent& q, Tracer& trace) {
     trace.value("Y", q.Y, "manufacturer's value");
     return;
   }
-  STEP_TO(q, x_f, in.f_0 * F_aK / in.C_0, "what e and Y of a deep groove ball bearing depend on, [ISO281]");
+  STEP_TO(q, x_f, in.f_0 * F_aK / in.C_0, "parameter of e and Y of a deep groove ball bearing, [ISO281]");
   const DeepGroove found = deep_groove_at(x_f);
   q.e = trace.value("e", found.e, "straight between the rows of [ISO281], [Koyo]");
   q.Y = trace.value("Y", found.Y, "straight between the rows of [ISO281], [Koyo]");

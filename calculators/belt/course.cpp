@@ -72,7 +72,7 @@ void turn(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void press(const Loop& loop, std::size_t k, Force N_before, Force N_behind, Course::PulleyResult& p, Tracer& trace) {
   const std::size_t before = (k + loop.count - 1) % loop.count;
-  trace.value("N_before", N_before, "what presses the pulley from the span before it, S - F_c");
+  trace.value("N_before", N_before, "contact part of the tension of the preceding span, S - F_c");
   trace.value("N_behind", N_behind, "and from the span behind it");
   const double psi_in = trace.value("psi_in", loop.spans[before].direction, "direction in which the belt comes, rad");
   const double psi_out = trace.value("psi_out", loop.spans[k].direction, "direction in which it leaves, rad");
@@ -88,7 +88,7 @@ void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
   if (!is_set(r.v) || !(has_powers(in) || is_set(in.S_0))) return;
   const auto taken = taken_forces(in, r.v);
   STEP_TO(r, F_c, in.q * r.v * r.v, "turns the belt around, and does not press the pulleys");
-  const Force F_t = trace.value("F_t", taken.back(), "force of the driving pulley: what the others take, P / v");
+  const Force F_t = trace.value("F_t", taken.back(), "force of the driving pulley: sum of the driven ones, P / v");
   STEP_TO(r, P_1, F_t * r.v, "power of the driving pulley");
   if (is_set(in.mu)) {
     const auto N_0 = least_pressing(in, loop, taken);

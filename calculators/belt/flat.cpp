@@ -87,8 +87,8 @@ void judge(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, sigma_max, r.S_1 / (r.b * in.delta) + r.sigma_b, "tight span at the smaller pulley");
   STEP_TO(r, u_sigma, sigma_max / in.sigma_adm, "strength condition");
   STEP_TO(r, R_0, 2.0 * r.S_0 * r.l_s / r.a, "two spans at standstill, along the line of centres");
-  STEP(N_1, r.S_1 - r.F_c, "tight span: what presses the pulley");
-  STEP(N_2, r.S_2 - r.F_c, "slack span: what presses the pulley");
+  STEP(N_1, r.S_1 - r.F_c, "tight side tension less centrifugal tension");
+  STEP(N_2, r.S_2 - r.F_c, "slack side tension less centrifugal tension");
   load_shaft(N_1, N_2, in.arrangement == Arrangement::crossed ? -r.gamma : r.gamma, r, trace);
   hand_over(r.F_t * in.d_1 / 2.0, r.F_t * in.d_2 / 2.0, largest_pull(r, r.R_0), in.d_1, in.d_2, in.n_1, r);
   constexpr double widest_face = 1.28;  // of the belt: pulleys of DIN 111, recalled

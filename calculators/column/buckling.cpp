@@ -122,17 +122,18 @@ void take_limits(const Input& in, const Material& material, Method by, Result& r
     if (!is_set(in.c_T)) trace.value("c_T", material.c_T, "a line");
     trace.value("lambda_T", lambda_T,
                 in.transition == Transition::published ? "as published with the set"
-                                                       : "where Tetmajer's formula meets Euler's");
+                                                       : "intersection of Tetmajer's and Euler's curves");
     if (is_set(in.lambda_1)) {
       STEP_TO(r, gap,
               (in.a_T - in.b_T * in.lambda_1 + material.c_T * pow<2>(in.lambda_1)) /
                       (pow<2>(pi) * in.E / pow<2>(in.lambda_1)) -
                   1.0,
-              "how far the set misses Euler at its own limit");
+              "deviation of the coefficients from Euler at their limit");
     }
   }
   if (is_set(in.sigma_P)) {
-    STEP_TO(r, lambda_lim, pi * sqrt(in.E / in.sigma_P), "where Euler's stress is the proportional limit, [B25]");
+    STEP_TO(r, lambda_lim, pi * sqrt(in.E / in.sigma_P),
+            "slenderness at which Euler's stress equals the proportional limit, [B25]");
   } else if (is_set(lambda_T)) {
     STEP_TO(r, lambda_lim, lambda_T, "no proportional limit is given: from here Euler's hyperbola holds");
   }

@@ -109,7 +109,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
       Rule<Input>{[](const Input& in) { return !has_unknown(in) || is_set(in.t) || in_si(in.M) == 0.0; }, "M, t, parts",
                   "a moment acts for a time: give t, or every omega_2, from which t follows"},
       Rule<Input>{[](const Input& in) { return has_unknown(in) || !is_set(in.t); }, "t, parts",
-                  "where every omega_2 is given the time follows from the moment: leave out t, or one omega_2"},
+                  "if every omega_2 is given, the time follows from the moment: omit t, or one omega_2"},
       Rule<Input>{&time_is_ahead, "M, parts",
                   "this moment does not bring the parts from omega_1 to omega_2: change its sign or give one"}};
 

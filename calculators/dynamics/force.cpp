@@ -73,9 +73,9 @@ void take_resultant(const ForceOfMotion::Input& in, ForceOfMotion::Result& r, Tr
 
 template <class Tracer>
 void take_missing(const ForceOfMotion::Input& in, ForceOfMotion::Result& r, Tracer& trace) {
-  STEP_TO(r, R_x, r.P_x - in.F_x, "what the known forces do not bring");
-  STEP_TO(r, R_y, r.P_y - in.F_y, "what the known forces do not bring");
-  STEP_TO(r, R_z, r.P_z - in.F_z, "what the known forces do not bring");
+  STEP_TO(r, R_x, r.P_x - in.F_x, "force in addition to the known forces");
+  STEP_TO(r, R_y, r.P_y - in.F_y, "force in addition to the known forces");
+  STEP_TO(r, R_z, r.P_z - in.F_z, "force in addition to the known forces");
   STEP_TO(r, R, sqrt(R_x * R_x + R_y * R_y + R_z * R_z), "magnitude");
 }
 

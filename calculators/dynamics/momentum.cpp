@@ -83,7 +83,7 @@ SystemMomentum::Result SystemMomentum::evaluate(const Input& in, Tracer& trace) 
   finish(in, r);
   trace.value("E_1", r.E_1, "sum of m v^2/2 before");
   trace.value("E_2", r.E_2, "sum of m v^2/2 after");
-  STEP_TO(r, Delta_E, r.E_2 - r.E_1, "what inner forces have brought, or taken");
+  STEP_TO(r, Delta_E, r.E_2 - r.E_1, "energy released or lost by internal forces");
   return r;
 }
 

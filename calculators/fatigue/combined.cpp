@@ -21,8 +21,9 @@ void serensen(const Input& in, Stress sigma_t, Stress tau_t, Result& r, Tracer& 
                                                 : psi_of_steels("psi_sigma", in.R_m, trace);
   const double psi_tau =
       is_set(in.psi_tau) ? trace.value("psi_tau", in.psi_tau, "as given") : psi_in_shear("psi_tau", psi_sigma, trace);
-  STEP(v_sigma, (in.sigma_a + psi_sigma / in.K_sigma * sigma_t) / in.sigma_D, "what normal stresses take, [GOST25504]");
-  STEP(v_tau, (in.tau_a + psi_tau / in.K_tau * tau_t) / in.tau_D, "what shear takes, [GOST25504]");
+  STEP(v_sigma, (in.sigma_a + psi_sigma / in.K_sigma * sigma_t) / in.sigma_D,
+       "utilisation by normal stress, [GOST25504]");
+  STEP(v_tau, (in.tau_a + psi_tau / in.K_tau * tau_t) / in.tau_D, "utilisation by shear stress, [GOST25504]");
   if (v_sigma > 0.0) {
     STEP_TO(r, n_sigma, 1.0 / v_sigma, "safety in normal stresses");
   }
@@ -81,7 +82,7 @@ void first_cycle(const Input& in, Result& r, Tracer& trace) {
   STEP(sigma_v, sqrt(pow<2>(abs(in.sigma_m) + in.sigma_a) + 3.0 * pow<2>(abs(in.tau_m) + in.tau_a)),
        "largest stresses at one time, [Mises]");
   if (is_set(in.R_m)) {
-    STEP_TO(r, x_B, sigma_v / in.R_m, "what breaks at once lasts no cycles");
+    STEP_TO(r, x_B, sigma_v / in.R_m, "maximum stress / tensile strength");
   }
   if (!is_set(in.R_e)) return;
   STEP_TO(r, u_y, sigma_v / in.R_e, "yielding at the first cycle");

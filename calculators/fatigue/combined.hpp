@@ -139,7 +139,7 @@ S_F = 1.5
       Field{&Result::x_v, "x_v", ratio, "limit in shear by von Mises over tau_D: above 1 shear is not covered by it"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
-      Field{&Result::x_B, "x_B", ratio, "largest von Mises stress over the tensile strength: what breaks at once"}
+      Field{&Result::x_B, "x_B", ratio, "maximum von Mises stress / tensile strength (static fracture)"}
           .limit(0, 1, "R_m")
           .criterion(),
       Field{&Result::u_y, "u_y", ratio, "yielding: largest von Mises stress over the yield strength"}.check("R_e"),

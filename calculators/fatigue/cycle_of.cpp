@@ -24,7 +24,7 @@ Objection of_stresses(const Given& g) {
 
 Objection of_max(Stress sigma_max, double r) {
   if (std::isinf(r)) {
-    return {"where r is infinite sigma_max is zero and says nothing about the size of the cycle",
+    return {"for infinite r sigma_max is zero and does not determine the cycle",
             "give sigma_min, sigma_m or sigma_a with r"};
   }
   if (sigma_max > zero && r > 1.0) return {"with r > 1 both stresses are compressions: sigma_max must be negative", ""};
@@ -34,7 +34,7 @@ Objection of_max(Stress sigma_max, double r) {
 
 Objection of_min(Stress sigma_min, double r) {
   if (r == 0.0) {
-    return {"where r = 0 sigma_min is zero and says nothing about the size of the cycle",
+    return {"for r = 0 sigma_min is zero and does not determine the cycle",
             "give sigma_max, sigma_m or sigma_a with r"};
   }
   if (sigma_min == zero) return {"sigma_min = 0 occurs only at r = 0", "give sigma_max in place of r"};

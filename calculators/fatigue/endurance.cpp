@@ -65,7 +65,7 @@ void notch(const Input& in, Result& r, Tracer& trace) {
     return;
   }
   const double q = sensitivity(in, r, trace);
-  STEP_TO(r, K_f, 1.0 + q * (in.K_t - 1.0), "what the notch takes in fatigue, [Shigley6] (6-32)");
+  STEP_TO(r, K_f, 1.0 + q * (in.K_t - 1.0), "fatigue notch factor, [Shigley6] (6-32)");
 }
 
 /// Size and roughness as DIN 743 has them; Serensen's tables are theirs, term for term.

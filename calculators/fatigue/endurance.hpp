@@ -99,7 +99,7 @@ R_z = "6.3 um"
           .may_be_missing(),
       Field{&Input::beta_V, "beta_V", ratio, "factor of a hardened surface"}.within(1, 4).usually(1, 2.8).factor(),
       Choice{&Input::finish, "finish", "surface, for Marin's school"}.may_be_missing(),
-      Choice{&Input::sensitivity, "sensitivity", "how the notch sensitivity follows"}.may_be_missing(),
+      Choice{&Input::sensitivity, "sensitivity", "method for the notch sensitivity"}.may_be_missing(),
       Choice{&Input::edition, "edition", "edition of the surface factors of Marin's school"}.may_be_missing(),
       Choice{&Input::turning, "turning", "rotating or non-rotating part, for the size factor of Marin"}
           .may_be_missing(),

@@ -38,7 +38,7 @@ void first_cycle(const Input& in, Result& r, Tracer& trace) {
     const Stress S_B = trace.value("S_B", tensile(in, trace), "tensile strength, of shear in shear: that of one cycle");
     STEP(sigma_p, in.stress == Stresses::shear ? max(abs(r.sigma_max), abs(r.sigma_min)) : max(r.sigma_max, 0.0 * MPa),
          "largest stress; of normal ones tension breaks");
-    STEP_TO(r, x_B, sigma_p / S_B, "what breaks at once lasts no cycles");
+    STEP_TO(r, x_B, sigma_p / S_B, "maximum stress / tensile strength");
   }
   if (is_set(in.R_e)) {
     r.u_y = part_of_yield(in, r, trace);
@@ -189,7 +189,7 @@ Stress counted_mean(const Input& in, const Result& r, MeanRule rule, Tracer& tra
   const Stress sigma_t = in_shear(in) ? abs(r.sigma_m) : max(r.sigma_m, 0.0 * MPa);
   trace.value("sigma_t", sigma_t, in_shear(in) ? "shear of either sense" : "compression has no benefit");
   const bool raised = is_set(in.K_m) && rule <= MeanRule::morrow;
-  const double K_m = trace.value("K_m", raised ? in.K_m : 1.0, "what a notch adds to the mean stress");
+  const double K_m = trace.value("K_m", raised ? in.K_m : 1.0, "notch effect on the mean stress");
   return NAMED_STEP("sigma_m", K_m * sigma_t, "as the rule counts it");
 }
 

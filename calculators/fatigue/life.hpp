@@ -118,8 +118,9 @@ S_F = 1.5
               .may_be_missing()
               .factor(),
           Choice<Input, MeanRule>{&Input::rule, "rule", "rule for the mean stress, which decides"}.may_be_missing(),
-          Choice<Input, MeanStress>{&Input::mean, "mean", "what stays while the load grows"}.may_be_missing(),
-          Choice<Input, Compression>{&Input::compression, "compression", "what a mean stress of compression gives"}
+          Choice<Input, MeanStress>{&Input::mean, "mean", "load case of growth (quantity kept constant)"}
+              .may_be_missing(),
+          Choice<Input, Compression>{&Input::compression, "compression", "benefit of compressive mean stress"}
               .may_be_missing(),
           F<double>{&Input::K_m, "K_m", ratio,
                     "raises the mean stress at a notch where it is held against a strength: 1 of ductile metals, K_f "
@@ -227,7 +228,7 @@ S_F = 1.5
               .limit(0, 1 - 1e-12)
               .criterion()
               .where_it_applies(),
-          Field{&Result::x_B, "x_B", ratio, "largest stress over the tensile strength: what breaks at once"}
+          Field{&Result::x_B, "x_B", ratio, "maximum stress / tensile strength (static fracture)"}
               .limit(0, 1, "R_m")
               .criterion(),
           Field{&Result::x_N, "x_N", ratio, "1e3 cycles over N: below, lives are those of strains"}.limit(0, 1, "N"),
@@ -300,7 +301,7 @@ constexpr auto choices_of(Life::Line) {
 constexpr auto choices_of(Life::Compression) {
   using C = Life::Compression;
   return std::array{ChoiceName<C>{C::ignored, "ignored", "nothing: it counts as none"},
-                    ChoiceName<C>{C::counted, "counted", "what the four fields of FKM say"}};
+                    ChoiceName<C>{C::counted, "counted", "mean stress fields of FKM"}};
 }
 
 }  // namespace loadpath::fatigue

@@ -204,7 +204,7 @@ inline Stress amplitude_by_walker(const Haigh& h, Stress sigma_m) {
 template <class Tracer>
 Stress amplitude_left(MeanRule rule, const Haigh& h, Stress sigma_m, Tracer& trace) {
   const auto [S_e, R_m, R_e, sigma_f, gamma, M, psi_D, n_y] = h;
-  const char* const why = "where the mean stress stays";
+  const char* const why = "at constant mean stress";
   switch (rule) {
     case MeanRule::goodman:
       return NAMED_STEP("sigma_A", max(S_e * (1.0 - sigma_m / R_m), 0.0 * MPa), why);
@@ -222,7 +222,7 @@ Stress amplitude_left(MeanRule rule, const Haigh& h, Stress sigma_m, Tracer& tra
       return NAMED_STEP("sigma_A", 2.0 * S_e * (S_e / (sigma_m + sqrt(sigma_m * sigma_m + 4.0 * S_e * S_e))), why);
     case MeanRule::walker:
       return trace.value("sigma_A", amplitude_by_walker(h, sigma_m),
-                         "where sigma_ar is S_e while the mean stress stays");
+                         "amplitude at which sigma_ar = S_e, constant mean stress");
     case MeanRule::fkm:
       return NAMED_STEP(
           "sigma_A",

@@ -55,7 +55,7 @@ S = "350 MPa"
     static constexpr Fields fields{
         Field{&Test::S, "S", MPa, "stress that was set"}.positive(),
         Field{&Test::N, "N", ratio, "cycles to failure, or to the end of the test"}.at_least(1).usually(1, 1e11),
-        Choice{&Test::end, "end", "how the test ended"}.may_be_missing()};
+        Choice{&Test::end, "end", "result of the test"}.may_be_missing()};
   };
 
   struct Input {

@@ -34,7 +34,7 @@ struct Connection {
   Stress R_c = unset<Stress>;
 
   static constexpr Fields fields{
-      Choice{&Connection::fastening, "fastening", "what it is"},
+      Choice{&Connection::fastening, "fastening", "type of fastening"},
       Field{&Connection::T_c, "T_c", N_m, "torque that the connection is assessed for"}.holding("K_A"),
       Field{&Connection::T_peak, "T_peak", N_m, "peak torque (start, jam) that the connection is assessed for"}.holding(
           "K_A"),
@@ -58,6 +58,6 @@ inline Connection connection_for(Fastening fastening, Moment T, Length d, Length
   return c;
 }
 
-inline constexpr const char* connection_doc = "what fastens the hub, for a seat of shaft.design: connection";
+inline constexpr const char* connection_doc = "shaft-hub connection, for a seat of shaft.design: connection";
 
 }  // namespace loadpath

@@ -50,7 +50,7 @@ struct ShaftLoad {
       Field{&ShaftLoad::h_t, "h_t", mm, "tooth height of an external gear"},
       Field{&ShaftLoad::b_r, "b_r", mm, "rim width of a gear or pulley"},
       Field{&ShaftLoad::bore, "bore", mm, "bore of a gear"},
-      Choice{&ShaftLoad::kind, "kind", "what gives it"}};
+      Choice{&ShaftLoad::kind, "kind", "source of the load"}};
 };
 
 /// Forces on a shaft in its own frame.

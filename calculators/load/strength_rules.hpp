@@ -15,7 +15,7 @@ constexpr Rule<Input> yields_before_it_breaks() {
 template <auto limit, class Input>
 constexpr Rule<Input> lasts_below_tensile(const char* fields) {
   return {[](const Input& in) { return !(in.*limit >= in.R_m); }, fields,
-          "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"};
+          "fatigue limit must be below the tensile strength R_m"};
 }
 
 template <class Input>

@@ -101,7 +101,7 @@ template <class Tracer>
 void take_energy(const Input& in, Result& r, Tracer& trace) {
   const TurningEnergy energy = energy_of(in);
   const Moment A = r.A = trace.value("A", energy.work * J, "integral of the moment over the period");
-  STEP_TO(r, M_m, A / in.period, "mean moment: what the motor, or the load, has all the time [Khurmi-16]");
+  STEP_TO(r, M_m, A / in.period, "mean moment: constant moment of the motor or the load, [Khurmi-16]");
   const Moment E_low = r.E_low = trace.value("E_low", energy.low * J, "least integral of M - M_m from the start");
   const Moment E_high = r.E_high = trace.value("E_high", energy.high * J, "largest integral of M - M_m from the start");
   STEP_TO(r, Delta_E, E_high - E_low, "largest fluctuation of energy, [Khurmi-16]");

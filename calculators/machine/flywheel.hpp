@@ -88,7 +88,7 @@ delta = 0.01
       Field{&Input::period, "period", deg, "period of the formula or the points; 720 deg of a four-stroke engine"}
           .positive()
           .usually(10, 7200),
-      Choice{&Input::role, "role", "whose moment it is"}.may_be_missing(),
+      Choice{&Input::role, "role", "origin of the moment: load or drive"}.may_be_missing(),
       Field{&Input::omega, "omega", rad_per_s, "mean angular speed"}.positive().usually(0.1, 1e4),
       Field{&Input::turns_per_turn, called("ratio"), ratio,
             "speed of this shaft over that of the crank over whose angle the series M is given; M is of this shaft"}
@@ -183,7 +183,7 @@ delta = 0.01
 constexpr auto choices_of(Flywheel::Source) {
   using S = Flywheel::Source;
   return std::array{ChoiceName<S>{S::load, "load", "moment required from the motor; the motor moment is constant"},
-                    ChoiceName<S>{S::drive, "drive", "what an engine brings; its load is constant"}};
+                    ChoiceName<S>{S::drive, "drive", "moment of an engine; constant load"}};
 }
 constexpr auto choices_of(Flywheel::Work) {
   using Word = Flywheel::Work;

@@ -68,7 +68,7 @@ n_2 = "1400 rpm"
     Time t_adm = unset<Time>;
   };
   static constexpr Fields inputs{
-      ListField{&Input::parts, "parts", "what is accelerated, with its speed over that of the motor"},
+      ListField{&Input::parts, "parts", "accelerated inertias, with their speed ratios to the motor"},
       ListField{&Input::motor, "motor", "moment of the motor over the speed, of a brake negative: [[n, M], ...]"}
           .as_arrays(),
       ListField{&Input::load, "load", "load torque over speed: [[n, M], ...]; omitted: none"}

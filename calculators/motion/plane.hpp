@@ -67,8 +67,8 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
       ListField{&Input::points, "points", "further points of the body"}.may_be_missing()};
 
   static constexpr Fields results{
-      Choice{&Result::found, "found", "what the angular speed follows from"},
-      Choice{&Result::kind, "kind", "what the body does at this instant"},
+      Choice{&Result::found, "found", "basis of the angular velocity"},
+      Choice{&Result::kind, "kind", "state of motion at this instant"},
       Field{&Result::AB, "AB", m, "distance of A and B"},
       Field{&Result::beta, "beta", deg, "direction from A to B, from x"},
       Field{&Result::v_B, "v_B", m_per_s, "velocity of B along alpha_B, signed"},
@@ -95,9 +95,9 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
       Rule<Input>{&has_one_way, "omega, B, v_B, alpha_B",
                   "the angular speed is omega, or comes from B with alpha_B (or v_B = \"0 m/s\"): give one of the two"},
       Rule<Input>{&is_B_apart, "A, B", "A and B must be two places"},
-      Rule<Input>{&has_speed_of_B, "v_B, alpha_B, A, B",
-                  "where the velocity of B is perpendicular to AB its magnitude does not follow from that of A: give "
-                  "v_B"},
+      Rule<Input>{
+          &has_speed_of_B, "v_B, alpha_B, A, B",
+          "if the velocity of B is perpendicular to AB, its magnitude does not follow from that of A: give v_B"},
       Rule<Input>{&projections_agree, "v_B, v_A, alpha_A, alpha_B, A, B",
                   "the projections of the velocities of A and B on AB must be equal: AB is rigid", &projections},
       Rule<Input>{[](const Input& in) { return !(is_set(in.epsilon) && is_set(in.alpha_aB)); }, "epsilon, alpha_aB",

@@ -32,7 +32,8 @@ void plates(const Input& in, Result& r, Tracer& trace) {
           "table 3.10 with the lower strength of pin and plate, [EN1993-1-8]");
   STEP_TO(r, u_b1, F_Ed / F_bRd1, "bearing of the middle plate: design force / resistance");
   STEP_TO(r, u_b2, F_Ed / 2.0 / F_bRd2, "bearing of an outer plate under half of the force");
-  STEP(w_1, F_Ed * in.gamma_M0 / (2.0 * in.t_1 * in.f_y_1), "what the middle plate needs on each side of the bore");
+  STEP(w_1, F_Ed * in.gamma_M0 / (2.0 * in.t_1 * in.f_y_1),
+       "required width of the middle plate on each side of the bore");
   STEP(w_2, F_Ed / 2.0 * in.gamma_M0 / (2.0 * in.t_2 * in.f_y_2), "the same of an outer plate");
   STEP_TO(r, a_1, w_1 + 2.0 / 3.0 * in.d_0, "table 3.9, type A, [EN1993-1-8]");
   STEP_TO(r, c_1, w_1 + in.d_0 / 3.0, "table 3.9, type A, [EN1993-1-8]");

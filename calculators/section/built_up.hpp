@@ -49,7 +49,7 @@ parts = [
   static FieldFault overlapping(const Input& in);
   static bool all_touch(const Input& in);
   static FieldFault apart(const Input& in);
-  static constexpr Fields inputs{ListField{&Input::parts, "parts", "what the section is put together from"}};
+  static constexpr Fields inputs{ListField{&Input::parts, "parts", "parts of the section"}};
 
   static constexpr auto results =
       join(property_fields<Result>(), Fields{ListField{&Result::parts, "parts", "the parts at their places"}});
@@ -57,7 +57,7 @@ parts = [
       Rule<Input>{&parts_are_whole, "parts", "a part lacks what its shape needs", &incomplete},
       Rule<Input>{&is_full, "parts",
                   "the holes leave no section: they remove more than the material, or lie outside of it"},
-      Rule<Input>{&none_overlap, "parts", "parts overlap: what both cover would count twice", &overlapping},
+      Rule<Input>{&none_overlap, "parts", "parts overlap: the common area would count twice", &overlapping},
       Rule<Input>{&all_touch, "parts", "a part is separate from the others", &apart, true}};
 
   static constexpr std::array modes{Mode<Input>{"joined", "shear connection of the parts", [](const Input& in) {

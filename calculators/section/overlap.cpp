@@ -170,7 +170,7 @@ FieldFault BuiltUp::overlapping(const Input& in) {
   const auto [first, second] = doubled(in);
   return {
       path_of(second),
-      say("the parts {1} and {2} overlap: what both cover would count twice", name_of(in, first), name_of(in, second)),
+      say("the parts {1} and {2} overlap: the common area would count twice", name_of(in, first), name_of(in, second)),
       say("move one of them, or cut the common place out once with a part of as = \"hole\"")};
 }
 
@@ -178,7 +178,7 @@ bool BuiltUp::all_touch(const Input& in) { return !parts_are_whole(in) || lone(i
 
 FieldFault BuiltUp::apart(const Input& in) {
   const std::size_t i = lone(in);
-  return {path_of(i), say("part {1} does not touch the first one, nor what touches it", name_of(in, i)),
+  return {path_of(i), say("part {1} is not connected to the first one", name_of(in, i)),
           say("the parts act as one bar where lacing or battens join them: check these, and the shear between the "
               "parts")};
 }

@@ -54,7 +54,7 @@ holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]]
   static FieldFault hole_outside(const Input& in);
   static constexpr Fields inputs{
       ListField{&Input::points, "points", "corners of the contour, in order around it"}.as_arrays(),
-      ListField{&Input::holes, "holes", "what is cut out"}.may_be_missing()};
+      ListField{&Input::holes, "holes", "holes"}.may_be_missing()};
 
   using Result = Properties;
   static constexpr auto results = results_of_properties;

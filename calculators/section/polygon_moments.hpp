@@ -68,7 +68,7 @@ Properties centroidal(const Moments& sum, const Place& origin, Tracer& trace) {
   STEP_TO(r, I_z, I_zz - A * e_y * e_y, "brought to the centroid by Steiner, [Garrison]");
   STEP(I_yz_S, I_yz_0 - A * e_y * e_z, "brought to the centroid by Steiner");
   r.I_yz = without_rounding(I_yz_S, I_y, I_z);
-  trace.value("I_yz", r.I_yz, "product of area about the centroid; what is only rounding is zero");
+  trace.value("I_yz", r.I_yz, "product of area about the centroid; rounding errors set to zero");
   return r;
 }
 

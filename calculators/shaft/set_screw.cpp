@@ -45,7 +45,7 @@ SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
   STEP_TO(r, F, sqrt(pow<2>(F_t) + pow<2>(in.K_A * in.F_a)), "around and along the shaft together");
   const double k_P = trace.value("k_P", share_of(in.point), "of the point, [SPS]");
   const double k_i = trace.value("k_i", in.i > 1 ? 2.0 * in.phi : 1.0, "of the screws");
-  STEP_TO(r, F_zul, k_P * in.k_H * k_i * in.F_h, "what they hold, [SPS]");
+  STEP_TO(r, F_zul, k_P * in.k_H * k_i * in.F_h, "holding capacity, [SPS]");
   STEP_TO(r, T_h, F_zul * in.d / 2.0, "without a force along the shaft");
   STEP_TO(r, u, in.S * F / F_zul, "against slip");
   const double S_min = trace.value("S_min", least_safety(in), "of this load case, [SPS]");

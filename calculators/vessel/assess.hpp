@@ -20,7 +20,8 @@ Length ordered(const char* symbol, Length carrying, const WallInput& in, Tracer&
 
 template <class Tracer>
 Length carrying(const WallInput& in, Length delta, Tracer& trace) {
-  return NAMED_STEP("delta_c", delta * (1.0 - in.f_t) - in.c - in.c_t, "what corrosion and mill leave of the wall");
+  return NAMED_STEP("delta_c", delta * (1.0 - in.f_t) - in.c - in.c_t,
+                    "wall thickness less corrosion and mill tolerance");
 }
 
 template <class Tracer>
@@ -43,7 +44,7 @@ double shallowness_of(Length widest, Length flattest, Length delta_c, Tracer& tr
   trace.value("r_a", widest, "widest radius");
   trace.value("rho_a", flattest, "radius of curvature where the shell is flattest");
   const Length r_a = widest, rho_a = flattest;
-  return NAMED_STEP("x_s", r_a / sqrt(rho_a * delta_c), "how often the length over which bending decays goes in");
+  return NAMED_STEP("x_s", r_a / sqrt(rho_a * delta_c), "radius / decay length of edge bending");
 }
 
 /// Sizes and checks the shape that `make(delta_c)` gives for a carrying thickness. `told(e, trace)`

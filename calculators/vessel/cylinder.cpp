@@ -102,7 +102,8 @@ void check_rings(const Input& in, Cylinder::Result& r, Tracer& trace) {
 template <class Tracer>
 void flat_ends(const Input& in, Cylinder::Result& r, Tracer& trace) {
   if (!is_set(in.delta_e) || in.ends == Ends::open) return;
-  STEP(delta_ec, in.delta_e * (1.0 - in.f_t) - in.c - in.c_t, "what corrosion and mill leave of the ends");
+  STEP(delta_ec, in.delta_e * (1.0 - in.f_t) - in.c - in.c_t,
+       "thickness of the ends less corrosion and mill tolerance");
   const Stress p_b = trace.value("p_b", in.p + bottom_pressure(in), "gas and liquid on the lower end");
   STEP_TO(r, sigma_e, 1.24 * p_b * pow<2>(r.R_m / delta_ec), "flat round plate that rests on its edge, [Timoshenko]");
   STEP_TO(r, u_e, sigma_e / r.sigma_all, "strength of flat ends");

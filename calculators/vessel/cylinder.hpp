@@ -54,14 +54,14 @@ sigma_adm = "140 MPa"
     Length delta_e = unset<Length>;
   };
   static constexpr Fields inputs = join(
-      Fields{
-          Field<Input, Length>{&Input::R, "R", mm, "radius of the cylinder, to the surface that `measured` says"}
-              .positive()
-              .usually(5, 50000),
-          Choice<Input, Ends>{&Input::ends, "ends", "what takes the pressure at the ends and across"}.may_be_missing()},
+      Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the cylinder, to the surface that `measured` says"}
+                 .positive()
+                 .usually(5, 50000),
+             Choice<Input, Ends>{&Input::ends, "ends", "end condition: closed ends, open pipe or ring-reinforced"}
+                 .may_be_missing()},
       wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid's surface above the lowest place of the wall"),
       Fields{
-          Choice<Input, Support>{&Input::support, "support", "where a cylinder with liquid is held"}.may_be_missing(),
+          Choice<Input, Support>{&Input::support, "support", "support of a liquid-filled cylinder"}.may_be_missing(),
           Field<Input, Area>{&Input::A_r, "A_r", mm2, "area of the section of one ring"}.positive().may_be_missing(),
           Field<Input, Length>{&Input::l_r, "l_r", mm, "distance of the rings"}.positive().may_be_missing(),
           Field<Input, Length>{&Input::delta_e, "delta_e", mm, "thickness of its ends as ordered, where they are flat"}

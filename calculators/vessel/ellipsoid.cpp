@@ -28,7 +28,7 @@ class EllipsoidShape {
     place.z = equator ? 0.0 * b_m : b_m * std::cos(0.5 * pi * t);
     const Length r = trace.value("r", place.r, "distance of the governing place from the axis");
     const Length z = trace.value("z", place.z, "height above the equator");
-    STEP(w, sqrt(pow<2>(a_m * z / b_m) + pow<2>(b_m * r / a_m)), "how fast the ellipse runs there");
+    STEP(w, sqrt(pow<2>(a_m * z / b_m) + pow<2>(b_m * r / a_m)), "auxiliary value of the radii of curvature");
     STEP_TO(place, rho_o, a_m / b_m * w, "normal to the wall, up to the axis");
     STEP_TO(place, kappa_M, a_m * b_m / pow<3>(w), "curvature of the ellipse");
     STEP_TO(place, q_M, a_m / b_m * w / 2.0, "pressure on the cap over the upright part of the pull");

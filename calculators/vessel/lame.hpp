@@ -101,7 +101,7 @@ void compare(const Thick& thick, const WallInput& in, Result& r, Length R_m, con
       equivalent(thick_stresses(thick, r.p_i, R_i, R_a, strength, trace), strength.hypothesis, trace);
   trace.value("sigma_L", sigma_L, "the thick wall");
   trace.value("sigma_v", r.sigma_v, "the thin wall");
-  STEP_TO(r, e_L, r.sigma_v / sigma_L - 1.0, "what the thin-wall formula misses");
+  STEP_TO(r, e_L, r.sigma_v / sigma_L - 1.0, "error of the thin-wall formula");
   STEP_TO(r, u_L, sigma_L / r.sigma_all, "the same strength condition with the stress of the thick wall");
   const Length least = thickness_of_ratio(least_thickness_ratio(thick, r.p_i, strength), mean);
   r.delta_L = ordered("delta_L", least, in, trace);

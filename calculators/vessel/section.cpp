@@ -218,13 +218,14 @@ Drawing::View wall_view(const WallInput& in, const WallResult& r, const std::str
   Drawing::View view;
   view.title = say("the wall, enlarged").text();
   view.share = 0.42;
-  view.areas.push_back({band(carries_from, carries_to, height), Drawing::Kind::cut, say("what carries").text()});
+  view.areas.push_back({band(carries_from, carries_to, height), Drawing::Kind::cut, say("analysis thickness").text()});
   if (c > 0.0)
-    view.areas.push_back({band(corroded_from, carries_from, height), Drawing::Kind::lost, say("what corrodes").text()});
+    view.areas.push_back(
+        {band(corroded_from, carries_from, height), Drawing::Kind::lost, say("corrosion allowance").text()});
   const double mill_from = in.measured == Measured::outer ? 0.0 : carries_to;
   if (mill > 1e-9 * delta) {
     view.areas.push_back(
-        {band(mill_from, mill_from + mill, height), Drawing::Kind::lost, say("what the mill leaves out").text()});
+        {band(mill_from, mill_from + mill, height), Drawing::Kind::lost, say("mill undertolerance").text()});
   }
   for (const double x : {0.0, delta}) view.paths.push_back({{{x, 0.0}, {x, height}}, Drawing::Line::outline});
   view.lengths.push_back({{0.0, height}, {delta, height}, {"delta", delta, "mm"}, Drawing::Side::above});

@@ -65,7 +65,7 @@ sigma_adm = "120 MPa"
       join(Fields{ListField<Input, List<Point, most_points>>{
                       &Input::points, "points", "meridian, from the free end of the shell to where it is held"}
                       .as_arrays(),
-                  Choice<Input, Start>{&Input::start, "start", "what ends the shell at a first point off the axis"}
+                  Choice<Input, Start>{&Input::start, "start", "end of the shell at a first point off the axis"}
                       .may_be_missing()},
            wall_inputs<Input>(), liquid_inputs<Input>("height z of the liquid's surface"));
 

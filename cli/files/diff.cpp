@@ -73,7 +73,7 @@ void show(const report::ProjectDifference& found, const DiffOptions& options) {
       hidden ? void(++more) : rows.push_back(row_of(d));
     }
     std::cout << terminal::columns(rows);
-    if (more != 0) std::cout << "  and " << more << (more == 1 ? " result" : " results") << " more: --json tells all\n";
+    if (more != 0) std::cout << "  and " << more << (more == 1 ? " result" : " results") << " more: all with --json\n";
   }
 }
 

@@ -128,7 +128,7 @@ int init(const InitOptions& options) {
   std::vector<std::string> settings = options.settings;
   if (options.starter.empty()) {
     if (isatty(STDIN_FILENO) == 0)
-      return refuse("which template?", there_is(names()).text() + "; as in `loadpath init shaft`");
+      return refuse("template?", there_is(names()).text() + "; as in `loadpath init shaft`");
     const Starter* const starter = ask_for_starter();
     std::string file;
     if (starter == nullptr || !ask_for_file(*starter, file) || !ask_for_values(*starter, file, settings))
@@ -137,7 +137,7 @@ int init(const InitOptions& options) {
   }
   const Starter* const starter = find_starter(options.starter);
   if (starter == nullptr)
-    return refuse("there is no template '" + options.starter + "'",
+    return refuse("unknown template '" + options.starter + "'",
                   did_you_mean(options.starter, names(), there_is(names())).text());
   const std::string file = options.file.empty() ? starter->name + ".toml" : options.file;
   if (is_there(file)) return refuse("'" + file + "' is there already, and stays as it is", "name another file");

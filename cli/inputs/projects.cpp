@@ -57,7 +57,7 @@ std::vector<ProjectFile> projects_of(const std::vector<std::string>& named, std:
       continue;
     }
     auto found = projects_in(path);
-    if (found.empty()) wrong = "there is no project file in '" + path + "'";
+    if (found.empty()) wrong = "no project file in '" + path + "'";
     all.insert(all.end(), found.begin(), found.end());
   }
   const auto key = [](const ProjectFile& p) { return fs::path(p.path).lexically_normal(); };

@@ -53,7 +53,7 @@ std::string key_text(const Target& target, const std::string& key) {
 
 std::string mode_text(const Target& target, const std::string& id) {
   for (const ModeInfo& mode : target.calculator->modes) {
-    if (mode.id == id) return "**" + id + "**: " + mode.title + "\n\nthe text is the reason why you answer for it";
+    if (mode.id == id) return "**" + id + "**: " + mode.title + "\n\nthe text is the reason for accepting it";
   }
   return {};
 }

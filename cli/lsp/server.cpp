@@ -96,7 +96,7 @@ Server::Value Server::result_of(const std::string& method, const Object& params)
   if (method == "textDocument/inlayHint") return to_json(hints_in(file_of(params), range_in(params, "range")));
   const bool at_position =
       method == "textDocument/hover" || method == "textDocument/completion" || method == "textDocument/definition";
-  if (!at_position) throw Refusal(Fail::method_not_found, "there is no method '" + method + "'");
+  if (!at_position) throw Refusal(Fail::method_not_found, "unknown method '" + method + "'");
   const OpenFile& file = file_of(params);
   const std::size_t offset = file.document.offset_of(position_in(params, "position"));
   if (method == "textDocument/hover") return to_json(hover_at(file, offset));

@@ -116,14 +116,14 @@ Target target_of(const Outline& outline, std::string_view text, const Path& path
 }
 
 std::vector<StepKey> keys_beside(const Calculator& calculator) {
-  std::vector<StepKey> keys{{"calculator", "what is calculated"}};
+  std::vector<StepKey> keys{{"calculator", "calculator"}};
   if (!calculator.templates.empty()) keys.push_back({"template", "an input known in shape, by its parameters"});
   for (const std::string& group : table_groups(calculator))
     keys.push_back({group, "a row of `loadpath tables`, or of [tables." + group + "s] in the file"});
   keys.push_back({"title", "for the report"});
   keys.push_back({"note", "for the report"});
   if (calculator.result != nullptr) keys.push_back({"display", "units of results"});
-  if (!calculator.modes.empty()) keys.push_back({"accept", "modes of failure that you answer for, with the reason"});
+  if (!calculator.modes.empty()) keys.push_back({"accept", "failure modes accepted by the user, with the reason"});
   if (calculator.result != nullptr)
     keys.push_back({"because", "reason why a typed value is more favourable than its row or record"});
   return keys;

@@ -24,7 +24,7 @@ void setup_run(CLI::App& app, RunOptions& options, Action& action) {
   add_settings(*run_app, options.settings);
   add_output(*run_app, options.output);
   run_app->footer(
-      "Of several projects a * in the name of a report or of a table stands for the name of each: 'reports/*.html'.");
+      "With several projects a * in the name of a report or table is replaced by the name of each: 'reports/*.html'.");
   run_app->callback([&] { action = [&] { return run(options); }; });
 }
 
@@ -45,10 +45,9 @@ void setup_watch(CLI::App& app, WatchOptions& options, Action& action) {
   sub->add_option("--port", options.port, "port on the loopback address; a free one where missing")
       ->type_name("N")
       ->check(CLI::Range(1, 65535));
-  sub->add_flag("--strict", options.strict, "count failure modes that were not considered as not assessed");
+  sub->add_flag("--strict", options.strict, "count failure modes not considered as not assessed (exit code 4)");
   sub->footer(
-      "The page keeps up with the file, at the place that it is read at; what is wrong with the file lies over "
-      "it. Ends by Ctrl-C.");
+      "The page follows the file, at the current scroll position; errors of the file are overlaid. Stop with Ctrl-C.");
   sub->callback([&] { action = [&] { return watch(options); }; });
 }
 
@@ -69,7 +68,7 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
 
 void setup_list(CLI::App& app, ListOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("list", "all calculators, those of an element, or those that words find");
-  sub->add_option("word", options.word, "an element, as in shaft; or what you look for: buckling, S-N, Passfeder");
+  sub->add_option("word", options.word, "an element, e.g. shaft, or a search word: buckling, S-N, Passfeder");
   sub->add_flag("--all", options.all, "those found by a failure mode or the scope, too");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return list(options); }; });
@@ -100,8 +99,8 @@ void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
   sub->add_option("table", options.table, "table, for example materials");
   sub->add_option("key", options.key, "row, for example C45E");
   sub->add_option("--where", options.where,
-                  "rows that hold this, as in \"I_min >= 300 cm^4 and h <= 200 mm\"; a value that depends on the size "
-                  "counts at the smallest")
+                  "rows that satisfy the condition, e.g. \"I_min >= 300 cm^4 and h <= 200 mm\"; a value that depends "
+                  "on the size counts at the smallest")
       ->type_name("CONDITION");
   sub->add_option("--sort", options.sort, "column to sort by, as in mass or h; with - before it from the largest")
       ->type_name("COLUMN");
@@ -112,7 +111,7 @@ void setup_tables(CLI::App& app, TablesOptions& options, Action& action) {
 
 void setup_completion(CLI::App& app, CompletionOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("completion", "completion of words for bash, zsh or fish");
-  sub->add_option("shell", options.shell, "bash, zsh or fish; candidates: what their scripts ask for")
+  sub->add_option("shell", options.shell, "bash, zsh or fish; candidates: requests of their scripts")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish", "candidates"}));
   sub->add_option("words", options.words, "of candidates: the words behind loadpath, the last one begun")

@@ -104,7 +104,7 @@ void add_flags(CLI::App& app, const Calculator& calculator, CalculateOptions& op
         ->allow_extra_args(false);
   }
   app.add_option("--file", options.file,
-                 "project file: its steps of this calculator, and what they refer to; other flags replace their fields")
+                 "project file: its steps of this calculator and their references; other flags replace their fields")
       ->type_name("FILE");
   add_settings(app, options.settings);
   add_output(app, options.output);
@@ -116,7 +116,7 @@ void setup_calculator(CLI::App& element, const Calculator& calculator, Calculate
   CLI::App* sub = element.add_subcommand(name_in_element(calculator), calculator.title);
   sub->allow_extras(false);  // elements report them here, calculators through CLI11
   sub->footer("`loadpath describe " + std::string(calculator.id) +
-              "` tells more, with an example. A quantity is written with its unit: \"30 MPa\".");
+              "` shows more, with an example. A quantity is written with its unit: \"30 MPa\".");
   late[sub] = [sub, &calculator, &options] { add_flags(*sub, calculator, options); };
   sub->preparse_callback([sub, &late](std::size_t) { late.at(sub)(); });
   sub->callback([&] {
@@ -142,7 +142,7 @@ void setup_elements(CLI::App& app, CalculateOptions& options, Action& action, La
     parent->require_subcommand(0, 1);
     parent->allow_extras();
     parent->footer("`loadpath describe " + element +
-                   ".NAME` tells the fields, sources and limits of one, with an example.");
+                   ".NAME` shows inputs, results, sources and limits of one, with an example.");
     late[parent] = [parent, list = calculators, &options, &action, &late] {
       for (const Calculator* c : list) setup_calculator(*parent, *c, options, action, late);
     };

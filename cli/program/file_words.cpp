@@ -6,7 +6,7 @@ namespace loadpath::cli {
 void setup_init(CLI::App& app, InitOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("init", "begin a project: a commented file that runs");
   sub->add_option("template", options.starter,
-                  "belt, column, mechanism, shaft or vessel; on a terminal it is asked for where missing");
+                  "belt, column, mechanism, shaft or vessel; prompted for on a terminal if omitted");
   sub->add_option("file", options.file, "file to write, TEMPLATE.toml where missing; - is standard output");
   sub->add_option("--set", options.settings,
                   "a number of its own: --set T=\"80 N*m\" for one of [values], --set shaft.S_F=2 for another")
@@ -18,7 +18,7 @@ void setup_init(CLI::App& app, InitOptions& options, Action& action) {
 }
 
 void setup_diff(CLI::App& app, DiffOptions& options, Action& action) {
-  CLI::App* sub = app.add_subcommand("diff", "what differs between two projects: inputs, sizes, verdicts, results");
+  CLI::App* sub = app.add_subcommand("diff", "differences between two projects: inputs, sizes, verdicts, results");
   sub->add_option("before", options.before, "project file; - is standard input")->required();
   sub->add_option("after", options.after, "project file; - is standard input")->required();
   sub->add_flag("--json", options.json, "print the differences as one JSON object");

@@ -31,8 +31,8 @@ int unknown_option(const CLI::App& command, const std::string& word) {
     return std::any_of(options.begin(), options.end(), [&](const Known& one) { return one.word == option; });
   };
   if ((name == "--P" || name == "--n") && has("T"))
-    return refuse("there is no option '" + name + "'", "a power and a speed are a torque: --T \"=15 kW/(1450 rpm)\"");
-  return refuse("there is no option '" + name + "'",
+    return refuse("unknown option '" + name + "'", "a power and a speed are a torque: --T \"=15 kW/(1450 rpm)\"");
+  return refuse("unknown option '" + name + "'",
                 meant(name.substr(2), options, say("`{1} --help` shows what there is", path_of(command)), "--").text());
 }
 
@@ -64,7 +64,7 @@ int unknown_command(const CLI::App& app, const CLI::App& command) {
   }
   const bool top = &app == &command;
   const std::string prefix = top ? "" : command.get_name() + " ";
-  return refuse((top ? "there is no command '" : "there is no calculator '") + prefix + words[0] + "'",
+  return refuse((top ? "unknown command '" : "unknown calculator '") + prefix + words[0] + "'",
                 did_you_mean(words[0], names, there_is(names), prefix).text());
 }
 

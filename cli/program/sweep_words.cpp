@@ -7,11 +7,11 @@ namespace {
 /// Adds the options for a goal in place of all points.
 void add_aims(CLI::App& app, SweepOptions& options) {
   app.add_option("--minimise", options.minimise,
-                 "choose the machine with the least of a result: from lists, stocks, words, { min, max }")
+                 "find the design with the minimum of a result: from lists, stocks, words, { min, max }")
       ->type_name("RESULT");
-  app.add_option("--maximise", options.maximise, "the same, the most")->type_name("RESULT");
+  app.add_option("--maximise", options.maximise, "find the design with the maximum of a result")->type_name("RESULT");
   app.add_option("--such-that", options.such_that,
-                 "what it must meet: \"every mode passes\" (where missing), \"rod passes\", \"rod.mass <= 5 kg\"")
+                 "constraint to satisfy: \"every mode passes\" (default), \"rod passes\", \"rod.mass <= 5 kg\"")
       ->type_name("DEMAND")
       ->expected(1)
       ->take_all()
@@ -20,9 +20,10 @@ void add_aims(CLI::App& app, SweepOptions& options) {
                  "objective and constraints at this probability over the uncertain inputs")
       ->type_name("P")
       ->check(CLI::Range(0.5, 0.999999));
-  app.add_option("--seek", options.seek, "where a result has a value: \"shaft.u_tau = 0.9\"")->type_name("GOAL");
+  app.add_option("--seek", options.seek, "goal seek: input at which a result reaches a value: \"shaft.u_tau = 0.9\"")
+      ->type_name("GOAL");
   app.add_flag("--influence", options.influence, "sensitivity of results and sources of scatter");
-  app.add_option("--sobol", options.sobol, "with it, Sobol indices from so many rows of samples")
+  app.add_option("--sobol", options.sobol, "with --influence: Sobol indices from N rows of samples")
       ->type_name("ROWS")
       ->check(CLI::Range(100, 100'000'000));
 }
@@ -32,7 +33,7 @@ void add_folder(CLI::App& app, SweepOptions& options) {
   app.add_option("--out", options.out, "store columns (numpy) and restart state in a folder")->type_name("DIR");
   app.add_flag("--no-columns", options.no_columns, "keep no columns in that folder");
   app.add_flag("--resume", options.resume, "continue the stored sweep");
-  app.add_option("--status", options.status, "how far the sweep in a folder is, and which points are missing")
+  app.add_option("--status", options.status, "progress of the sweep in a folder, and the missing points")
       ->type_name("DIR");
   app.add_option("--save-every", options.save_every, "seconds between states on the disk; 2 where missing")
       ->type_name("S")
@@ -46,8 +47,7 @@ void add_folder(CLI::App& app, SweepOptions& options) {
 void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("sweep", "solve a project at every point of its ranges and distributions");
   sub->add_option("file", options.file, "project file; - is standard input");
-  sub->add_option("--results", options.results,
-                  "a result to read off every point: rod.u, or \"m = rod.mass + pin.mass\"")
+  sub->add_option("--results", options.results, "result recorded at every point: rod.u, or \"m = rod.mass + pin.mass\"")
       ->type_name("RESULT")
       ->expected(1)
       ->take_all()
@@ -57,7 +57,7 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
   sub->add_option("--worst", options.worst, "number of highest-utilisation points listed")
       ->type_name("N")
       ->check(CLI::Range(0, 1'000'000));
-  sub->add_option("--pareto", options.pareto, "the points that no other beats in all of these: m:min,u:min")
+  sub->add_option("--pareto", options.pareto, "Pareto-optimal points for these objectives: m:min,u:min")
       ->type_name("AIMS");
   add_aims(*sub, options);
   sub->add_option("--csv", options.csv, "write every point as a line")->type_name("FILE");
@@ -68,12 +68,10 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
       ->take_all()
       ->allow_extra_args(false);
   add_folder(*sub, options);
-  sub->add_option("--jobs", options.jobs, "threads; as many as the machine has where missing")
-      ->type_name("N")
-      ->check(CLI::Range(1, 1024));
+  sub->add_option("--jobs", options.jobs, "threads (all if omitted)")->type_name("N")->check(CLI::Range(1, 1024));
   sub->add_flag("--json", options.json, "print what is found as one JSON object");
   sub->add_flag("--quiet", options.quiet, "print errors only");
-  sub->add_flag("--strict", options.strict, "count failure modes that were not considered as not assessed");
+  sub->add_flag("--strict", options.strict, "count failure modes not considered as not assessed (exit code 4)");
   sub->callback([&] {
     if (options.file.empty() && options.status.empty()) throw CLI::RequiredError("file");
     action = [&] { return sweep(options); };

@@ -62,7 +62,7 @@ Tree* element_of(Tree& list, const Part& part, std::vector<Issue>& issues) {
     if (number == 0 && name_of(item) == part.key) return &item;
     if (!name_of(item).empty()) names.push_back(name_of(item));
   }
-  add(issues, part.place, say("there is no element '{1}'", part.key),
+  add(issues, part.place, say("unknown element '{1}'", part.key),
       names.empty() ? say("elements are counted from 1: [1] to [{1}]", std::to_string(list.items.size()))
                     : did_you_mean(part.key, names, there_is(names)));
   return nullptr;
@@ -127,7 +127,7 @@ bool has_table(const Tree& project, const Part& part, std::vector<Issue>& issues
   for (const Tree::Entry& entry : project.entries) {
     if (entry.key != "expect") names.push_back(entry.key);
   }
-  add(issues, part.place, say("there is no step '{1}'", part.key), did_you_mean(part.key, names, there_is(names)));
+  add(issues, part.place, say("unknown step '{1}'", part.key), did_you_mean(part.key, names, there_is(names)));
   return false;
 }
 

@@ -64,8 +64,8 @@ std::set<std::string> elements() {
 void show_calculators() {
   std::cout << ".SH CALCULATORS\n"
             << roff(
-                   "Each is a command of two words, `loadpath shaft torsion`, whose flags are the fields of its input; "
-                   "`loadpath describe shaft.torsion` tells them, with their units, limits and sources.")
+                   "Each is a command of two words, `loadpath shaft torsion`, with the fields of its input as flags; "
+                   "`loadpath describe shaft.torsion` shows them, with their units, limits and sources.")
             << "\n";
   for (const Calculator* c : calculators())
     std::cout << ".TP\n\\fB" << roff(c->id) << "\\fR\n" << roff(c->title) << "\n";
@@ -88,15 +88,15 @@ void show_examples(const std::string& footer) {
 int man() {
   const CommandLine line;
   const std::set<std::string> calculators = elements();
-  std::cout << ".TH LOADPATH 1 \"\" \"" << roff(program()) << "\" \"User commands\"\n"
-            << ".SH NAME\nloadpath \\- design calculator for machine elements\n"
-            << ".SH SYNOPSIS\n\\fBloadpath\\fR \\fICOMMAND\\fR [\\fIWORDS\\fR]\n"
-            << ".SH DESCRIPTION\n"
-            << roff(
-                   "A text file describes a machine: a mechanism, its loads, the parts that carry them. `loadpath run` "
-                   "solves the reactions over a cycle, hands them to the calculators as design loads, and writes a "
-                   "design report.")
-            << "\n.SH COMMANDS\n";
+  std::cout
+      << ".TH LOADPATH 1 \"\" \"" << roff(program()) << "\" \"User commands\"\n"
+      << ".SH NAME\nloadpath \\- design calculator for machine elements\n"
+      << ".SH SYNOPSIS\n\\fBloadpath\\fR \\fICOMMAND\\fR [\\fIWORDS\\fR]\n"
+      << ".SH DESCRIPTION\n"
+      << roff(
+             "A text file describes a design: a mechanism, its loads, the parts that carry them. `loadpath run` solves "
+             "the reactions over a cycle, passes them to the calculators as design loads, and writes a design report.")
+      << "\n.SH COMMANDS\n";
   for (const CLI::App* sub : line.app.get_subcommands([](const CLI::App*) { return true; })) {
     if (!calculators.contains(sub->get_name())) show_command(*sub);
   }

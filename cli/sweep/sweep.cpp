@@ -44,7 +44,7 @@ int refuse(const std::string& message, const std::string& hint = {}) {
 
 /// Reports a sweep of a project in which nothing varies.
 void tell_nothing_varies(const std::string& file) {
-  std::cerr << "loadpath: nothing varies in '" << file << "': this sweep has one point, the machine of `loadpath run`\n"
+  std::cerr << "loadpath: nothing varies in '" << file << "': this sweep has one point, that of `loadpath run`\n"
             << "  = help: give an input many values: d = { from = \"20 mm\", to = \"40 mm\", count = 11 }, or "
                "d = [\"20 mm\", \"25 mm\"]\n";
 }
@@ -60,7 +60,7 @@ std::string contradiction(const SweepOptions& options) {
                     options.json))
     return "'--out', '--csv', '--hdf5', '--json' and '--pareto' are about a sweep over all points";
   if (options.minimise.empty() && options.maximise.empty() && (!options.such_that.empty() || options.quantile > 0.0))
-    return "'--such-that' and '--quantile' say what a machine must meet that --minimise or --maximise chooses";
+    return "'--such-that' and '--quantile' are constraints of --minimise or --maximise";
   if (options.out.empty() && (options.resume || !options.shard.empty() || !options.merge.empty() || options.no_columns))
     return "'--resume', '--shard', '--merge' and '--no-columns' are about a folder: name it with --out DIR";
   if (!options.merge.empty() && (!options.shard.empty() || options.resume))
@@ -273,8 +273,8 @@ int Sweeping::tell(const project::Found& found) const {
     terminal::show_tables(document.blocks);
     const std::string file = options_.file == "-" ? "FILE" : options_.file;
     if (!found.worst().empty())
-      std::cout << "\none of the points as a machine: loadpath run " << file << " --point "
-                << found.worst().front().index << "\n";
+      std::cout << "\none point as a design: loadpath run " << file << " --point " << found.worst().front().index
+                << "\n";
   }
   return passed;
 }
@@ -322,7 +322,7 @@ int Sweeping::choose() const {
   std::vector<Issue> issues;
   const auto best = project::find_best(reading(), asked, project_.sweep.samples, project_.sweep.seed, issues);
   if (!best) return refuse_all(issues);
-  const int code = tell_blocks("The best machine", report::best_blocks(*best));
+  const int code = tell_blocks("The best design", report::best_blocks(*best));
   return code == passed && !best->optimum.allowed ? int{not_passed} : code;
 }
 
@@ -330,7 +330,7 @@ int Sweeping::seek() const {
   std::vector<Issue> issues;
   const auto sought = project::seek_value(reading(), {options_.seek, {"--seek", 1, 1, 1}}, issues);
   if (!sought) return refuse_all(issues);
-  const int code = tell_blocks("The value that is sought", report::seek_blocks(*sought));
+  const int code = tell_blocks("The value sought", report::seek_blocks(*sought));
   return code == passed && sought->sought.meetings.empty() ? int{not_passed} : code;
 }
 
@@ -338,7 +338,7 @@ int Sweeping::ask_influence() const {
   std::vector<Issue> issues;
   const auto influence = project::find_influence(reading(), plan_, project_.sweep, options_.sobol, issues);
   if (!influence) return refuse_all(issues);
-  return tell_blocks("What the results hang on", report::influence_blocks(*influence));
+  return tell_blocks("Sensitivity of the results", report::influence_blocks(*influence));
 }
 
 int Sweeping::help(const std::string& text) {

@@ -127,7 +127,7 @@ class Session : public std::enable_shared_from_this<Session> {
     if (target == root) return send(http::status::ok, "text/html", live_page(state_->revision));
     if (target == root + "problem") return send(http::status::ok, "text/plain", state_->revision.problem);
     if (target == root + "events") return listen();
-    send(http::status::not_found, "text/plain", "there is no such page; `loadpath watch` says the address\n");
+    send(http::status::not_found, "text/plain", "unknown page; `loadpath watch` prints the address\n");
   }
   /// Another site's page may direct its own name here; it cannot use ours.
   [[nodiscard]] bool is_for_us() const {

@@ -29,7 +29,7 @@ using Part = Modes::const_iterator;
 /// Modes of one state by their names; by their number where these are more than `most`.
 Message names_of(Part first, Part last, std::ptrdiff_t most) {
   const auto remote = std::count_if(first, last, is_remote);
-  if (last - first - remote > most) return say("{1} modes above", std::to_string(last - first));
+  if (last - first - remote > most) return say("{1} failure modes listed above", std::to_string(last - first));
   std::string names;
   for (auto mode = first; mode != last; ++mode) {
     if (!is_remote(*mode)) names += (names.empty() ? "" : ", ") + mode->step + "." + mode->id;

@@ -125,8 +125,7 @@ json::object heading_schema() {
   properties["tables"] = {{"type", "array"},
                           {"items", text()},
                           {"description", "files with rows of the project's own, relative to this one"}};
-  properties["sweep"] = {{"type", "object"},
-                         {"description", "what `loadpath sweep` reads off, and which points it has: docs/sweeps.md"}};
+  properties["sweep"] = {{"type", "object"}, {"description", "results and points of `loadpath sweep`: docs/sweeps.md"}};
   return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
 }
 

@@ -35,7 +35,7 @@ const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogu
   if (found == nullptr && !text.empty()) {
     std::vector<std::string> ids;
     for (const CatalogueEntry& known : catalogue) ids.emplace_back(known.calculator->id);
-    add_error(issues, id->value.place, entry.key + ".calculator", say("there is no calculator '{1}'", text),
+    add_error(issues, id->value.place, entry.key + ".calculator", say("unknown calculator '{1}'", text),
               did_you_mean(text, ids, say("`loadpath list` shows all")));
   }
   return found;
@@ -56,7 +56,7 @@ bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issu
   if (input.from != nullptr || issues.size() != before) return input.from != nullptr;
   std::vector<std::string> ids;
   for (const Template* t : input.calculator->templates) ids.emplace_back(t->id);
-  add_error(issues, place_in(named->value.place, id, 0, id.size()), key, say("there is no template '{1}'", id),
+  add_error(issues, place_in(named->value.place, id, 0, id.size()), key, say("unknown template '{1}'", id),
             did_you_mean(id, ids, there_is(ids)));
   return false;
 }
@@ -79,7 +79,7 @@ void read_rows_in_turn(const Tree::Entry& row, StepInput& input, std::vector<Iss
       varied.words.push_back(found.row->name);
     if (varied.words.empty())
       return add_error(issues, each->value.place, key,
-                       say("there is no table or kind of {1} '{2}'", row.key, each->value.text),
+                       say("unknown table or kind of {1} '{2}'", row.key, each->value.text),
                        did_you_mean(each->value.text, input.tables->names_of(row.key)));
   }
   if (varied.words.empty()) return add_error(issues, row.value.place, key, say("a list of rows has one at least"));
@@ -93,7 +93,7 @@ void fill_stocks(StepInput& input, std::vector<Issue>& issues) {
     const std::string key = input.name + "." + varied.path;
     const auto series = input.tables->find_series(varied.stock);
     if (!series) {
-      add_error(issues, varied.place, key, say("there is no stock '{1}'", varied.stock),
+      add_error(issues, varied.place, key, say("unknown stock '{1}'", varied.stock),
                 did_you_mean(varied.stock, input.tables->series_names()));
       continue;
     }
@@ -206,7 +206,7 @@ bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
               say("a name has Latin letters, digits and '_', and does not start with a digit"));
   } else if (is_reserved(entry.key)) {
     add_error(issues, entry.place, entry.key, say("'{1}' is a word of the program and cannot name a step", entry.key),
-              say("call it '{1}_1' or by its part of the machine", entry.key));
+              say("call it '{1}_1', or by the part that it describes", entry.key));
   } else if (entry.value.type != Tree::Type::table) {
     add_error(issues, entry.place, entry.key, say("'{1}' is outside of a step", entry.key),
               say("a project file consists of tables: [crankshaft]"));
@@ -221,7 +221,7 @@ void read_paper(const Tree::Entry& entry, const std::string& text, Project& proj
     project.paper = text;
   } else if (!text.empty()) {
     const std::vector<std::string> names(papers.begin(), papers.end());
-    add_error(issues, entry.value.place, "project.paper", say("there is no paper '{1}'", text),
+    add_error(issues, entry.value.place, "project.paper", say("unknown paper size '{1}'", text),
               did_you_mean(text, names, there_is(names)));
   }
 }

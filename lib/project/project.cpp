@@ -44,7 +44,7 @@ Fault Project::unknown_step(const std::string& path) const {
   if (unread.contains(name)) return {};  // its error has been reported
   const std::string near = nearest(name, names_of(*this));
   return {
-      0, path.size(), say("there is no step '{1}'", name),
+      0, path.size(), say("unknown step '{1}'", name),
       near.empty() ? there_is(names_of(*this)) : say("did you mean '{1}'?", rest.empty() ? near : near + "." + rest)};
 }
 

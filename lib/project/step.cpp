@@ -245,8 +245,8 @@ std::optional<Issue> doubt_of(const Operand& operand, const std::string& step, c
   if (field.type != FieldInfo::Type::quantity || operand.of_record) return std::nullopt;
   for (const double x : si) {
     if (std::isfinite(x) && is_out_of_proportion(x))
-      return issue(out_of_proportion(operand.path, field, x),
-                   say("check the unit and the power of ten: no machine has that"), Severity::error);
+      return issue(out_of_proportion(operand.path, field, x), say("check the unit and the power of ten"),
+                   Severity::error);
   }
   const auto rare =
       std::find_if(si.begin(), si.end(), [&](double x) { return !std::isnan(x) && !field.plausible.holds(x); });

@@ -53,7 +53,7 @@ FieldFault fault_of(const Project& project, const std::string& pattern) {
   if (is_value)
     return {pattern, say("'{1}' is one value, not a series", pattern), say("leave it out: JSON lists every value")};
   const Message none = heads.empty() ? say("every result is one value") : there_is(heads);
-  return {pattern, say("there is no series '{1}'", pattern), did_you_mean(pattern, near, none)};
+  return {pattern, say("unknown series '{1}'", pattern), did_you_mean(pattern, near, none)};
 }
 
 }  // namespace

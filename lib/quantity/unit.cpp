@@ -77,7 +77,7 @@ class UnitReader {
 
   bool scale_in_product(std::size_t from) {
     return fail(from, in_.at - from,
-                say("'{1}': a point on a temperature scale cannot stand in a product", since(from)),
+                say("'{1}': a point on a temperature scale cannot be used in a product", since(from)),
                 say("write the temperature difference in K"));
   }
 

@@ -259,8 +259,8 @@ std::vector<ChosenPart> chosen_parts(const Project& project) {
 }
 
 Table chosen_table(const Project& project) {
-  Table table{say("Chosen"),
-              {say("part"), say("size"), say("because"), say("governs"), say("utilisation"), say("verdict")},
+  Table table{say("Sized and selected values"),
+              {say("part"), say("size"), say("basis"), say("governs"), say("utilisation"), say("verdict")},
               {}};
   for (const ChosenPart& part : chosen_parts(project)) {
     const auto& mode = part.governing;

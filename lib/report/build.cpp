@@ -41,7 +41,7 @@ Cell cell_of(const Entry& entry) {
 Cell origin_cell(const account::Origin& origin) {
   std::string text = origin.text.text();
   for (const std::string& key : origin.sources) text += " [" + key + "]";
-  if (origin.recalled) return say("{1}; recalled, its source was not seen", text);
+  if (origin.recalled) return say("{1}; from memory, source not seen", text);
   return text;
 }
 
@@ -79,7 +79,7 @@ std::set<std::string> available_fields(const std::vector<Entry>& entries) {
 }
 
 Table input_table(const Account& account) {
-  Table table{say("Given"), {say("symbol"), say("meaning"), say("value"), say("from")}, {}};
+  Table table{say("Input data"), {say("symbol"), say("meaning"), say("value"), say("source")}, {}};
   for (const Entry& e : account.inputs) {
     if (element_path(e.path)) continue;
     table.rows.push_back({symbol_cell(e), say("{1}", e.doc), cell_of(e), origin_cell(e.origin)});
@@ -138,11 +138,12 @@ void add_step(const Step& step, Detail detail, std::vector<Block>& blocks) {
   add_remarks(step.remarks(), blocks);
   if (!account.derivation.empty()) {
     blocks.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
-    if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Worked out {1}.", account.governing)});
+    if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Calculated {1}.", account.governing)});
     const auto lines = detail == Detail::full ? account.derivation : deciding_lines(account);
     if (lines.size() < account.derivation.size())
       blocks.emplace_back(
-          Paragraph{say("Of lists, what decides is written out; the tables have the rest."), Paragraph::Tone::note});
+          Paragraph{say("For lists, the governing element is shown in full; the tables contain the others."),
+                    Paragraph::Tone::note});
     append(blocks, derivation_blocks(lines));
   }
   blocks.emplace_back(Heading{3, "Results", step.name() + "-results"});
@@ -190,13 +191,13 @@ void add_sources(const Project& project, std::vector<Block>& blocks) {
     for (const auto& line : step->account().derivation) keys.merge(keys_in(line.step.why.text()));
     for (const Entry& e : step->account().inputs) keys.insert(e.origin.sources.begin(), e.origin.sources.end());
   }
-  Table sources{say("Sources"), {}, {}};
+  Table sources{say("References"), {}, {}};
   for (const std::string& key : keys) {
     const std::string citation = table::citation(key);
     if (!citation.empty()) sources.rows.push_back({"[" + key + "]", citation});
   }
   if (sources.rows.empty()) return;
-  blocks.emplace_back(Heading{2, "Sources", "sources"});
+  blocks.emplace_back(Heading{2, "References", "sources"});
   blocks.emplace_back(std::move(sources));
 }
 
@@ -266,7 +267,8 @@ Document build(const Project& project, std::string_view program, Detail detail, 
   document.meta.emplace_back(say("Project file"), project.file);
   for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
   if (project.strict)
-    document.meta.emplace_back(say("Strict"), say("failure modes not considered count as not assessed").text());
+    document.meta.emplace_back(say("Strict"),
+                               say("failure modes not considered count as not assessed (--strict)").text());
   if (!input.empty()) document.meta.emplace_back(say("Input"), fingerprint(input, project));
   document.meta.emplace_back(say("Program"), std::string(program));
   document.paper = project.paper;

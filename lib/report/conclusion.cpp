@@ -19,8 +19,8 @@ Message tally(const Modes& modes) {
     counts += (counts.empty() ? "" : ", ") + std::to_string(last - first) + " " + account::shown(*first).text();
     first = last;
   }
-  return sorted.size() == 1 ? say("Of the one failure mode: {1}.", counts)
-                            : say("Of {1} failure modes: {2}.", std::to_string(sorted.size()), counts);
+  return sorted.size() == 1 ? say("1 failure mode: {1}.", counts)
+                            : say("{1} failure modes: {2}.", std::to_string(sorted.size()), counts);
 }
 
 Message conclusion_of(const Modes& modes) {
@@ -38,8 +38,8 @@ const Mode* most_utilised(const Modes& modes) {
 }
 
 Message utilisation(const Mode& mode) {
-  return say("The highest utilisation is {1}, of {2}: {3}.", format_number(mode.utilisation.value_or(NAN), 3),
-             mode.step, mode.title);
+  return say("Highest utilisation {1}: {2}, {3}.", format_number(mode.utilisation.value_or(NAN), 3), mode.step,
+             mode.title);
 }
 
 bool is_proved(const Mode& mode) { return mode.state == State::pass && !mode.utilisation; }
@@ -71,12 +71,12 @@ std::string names_of(const Modes& modes, bool (*is_meant)(const Mode&)) {
 
 Message proved(const Modes& modes) {
   const std::string names = names_of(modes, is_proved);
-  return names.empty() ? Message{} : say("Excluded by conditions that hold and by proofs: {1}.", names);
+  return names.empty() ? Message{} : say("Excluded by satisfied conditions and proofs: {1}.", names);
 }
 
 Message remote(const Modes& modes) {
   const std::string names = names_of(modes, account::is_remote);
-  return names.empty() ? Message{} : say("Not considered, because nothing says that they apply: {1}.", names);
+  return names.empty() ? Message{} : say("Not considered (applicability not stated): {1}.", names);
 }
 
 std::string Numbering::heading(int level) {

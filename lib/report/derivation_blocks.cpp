@@ -65,7 +65,7 @@ void add_list(const std::vector<Lines>& elements, std::vector<Block>& blocks) {
   const auto largest = std::max_element(elements.begin(), elements.end(), [](const Lines& a, const Lines& b) {
     return std::abs(a.back()->step.value.si) < std::abs(b.back()->step.value.si);
   });
-  blocks.emplace_back(Paragraph{say("Worked out for {1}; all of them follow in the table.", (*largest)[0]->element)});
+  blocks.emplace_back(Paragraph{say("Calculation for {1}; all results follow in the table.", (*largest)[0]->element)});
   blocks.emplace_back(worked(*largest));
   blocks.emplace_back(values_of(elements));
 }

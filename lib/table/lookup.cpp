@@ -72,7 +72,7 @@ const Column* Table::column(std::string_view key) const {
 
 Fault no_row(std::string_view group, std::string_view name, const std::vector<const Library*>& libraries) {
   const std::u32string wanted = folded(name);
-  const Message message = say("there is no {1} '{2}' in the tables", group, name);
+  const Message message = say("unknown {1} '{2}' in the tables", group, name);
   std::vector<std::string> names;
   for (const Library* library : libraries) {
     const Entry close = last_row(*library, group, [&](const Row& row) { return is_among(row.near, wanted); });
@@ -130,7 +130,7 @@ Outcome<const Series*> find_series(const Library& library, std::string_view name
     if (series.name == name) return &series;
     names.push_back(series.name);
   }
-  return fault(say("there is no series '{1}'", name), did_you_mean(name, names));
+  return fault(say("unknown series '{1}'", name), did_you_mean(name, names));
 }
 
 }  // namespace loadpath::table

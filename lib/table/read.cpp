@@ -181,7 +181,7 @@ void Reader::check_citations(const std::function<bool(const std::string&)>& know
   for (const auto& [key, citation] : library_.citations) keys.push_back(key);
   for (const Cited& cited : cited_) {
     if (library_.citations.count(cited.key) != 0 || (known_elsewhere && known_elsewhere(cited.key))) continue;
-    complain(cited.place, "", say("there is no source '{1}'", cited.key),
+    complain(cited.place, "", say("unknown source '{1}'", cited.key),
              did_you_mean(cited.key, keys, say("name it in [sources]")));
   }
 }

@@ -47,7 +47,7 @@ Outcome<const Column*> column_named(std::string_view word, std::size_t at, const
     if (column != nullptr) return column;
   }
   const auto keys = keys_of(tables);
-  return Fault{at, std::max<std::size_t>(1, word.size()), say("there is no column '{1}' in these tables", word),
+  return Fault{at, std::max<std::size_t>(1, word.size()), say("unknown column '{1}' in these tables", word),
                did_you_mean(word, keys, there_is(keys))};
 }
 

@@ -132,7 +132,7 @@ Outcome<Tables::Referred> Tables::value_at(std::string_view path) const {
   const std::string group = group_of(parts[1], groups_);
   if (group.empty()) {
     const auto known = plurals(groups_);
-    return fault(say("there are no tables '{1}'", parts[1]), did_you_mean(parts[1], known, there_is(known)));
+    return fault(say("unknown tables '{1}'", parts[1]), did_you_mean(parts[1], known, there_is(known)));
   }
   const auto entry = find_row(group, parts[2]);
   if (!entry) return entry.fault();

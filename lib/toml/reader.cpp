@@ -113,7 +113,7 @@ Message hint_for(std::string_view line) {
   if (bare) return say("write a quantity in quotes: \"{1}\"", value);
   const bool quotes_within = value.starts_with("\"=") && value.find(".\"") != std::string_view::npos;
   if (quotes_within && value.size() > 2)
-    return say("an expression with quotes in it stands in single quotes: '{1}'", value.substr(1, value.size() - 2));
+    return say("put an expression that contains quotes in single quotes: '{1}'", value.substr(1, value.size() - 2));
   const std::string_view key = line.substr(0, equals);
   return is_foreign(key) && key.find('"') == std::string_view::npos
              ? say("write a key with other than Latin letters in quotes")

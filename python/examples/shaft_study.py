@@ -24,7 +24,7 @@ for d in ("50 mm", "56 mm", "63 mm"):
     share = 1.0 - sweep.passes.mean()
     print(f"{d}: {100 * share:.2f} % fail, stress {sweep.to('tau_max').mean():.1f} MPa in the mean")
 
-# %% Rows that are no machine are marked, not dropped
+# %% Rows that are invalid designs are marked, not dropped
 bores = np.linspace(0.0, 0.07, 8)
 sweep = torsion.sweep(T="1.2 kN*m", d="60 mm", d_bore=bores, tau_adm="40 MPa")
 for bore, state in zip(bores, sweep.state):

@@ -30,7 +30,7 @@ __all__ = [
 
 
 class State(enum.IntEnum):
-    """How a point, a part or a mode of failure came out: the numbers of the column `state`."""
+    """How a point, a part or a failure mode came out: the numbers of the column `state`."""
 
     ABSENT = -1  # the mode does not concern the part
     PASS = 0

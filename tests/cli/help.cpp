@@ -44,28 +44,27 @@ TEST_SUITE("cli help") {
 
   TEST_CASE("an unknown command is told with the nearest one, or with all") {
     CHECK(loadpath_with({"runn", "a.toml"}).error ==
-          "loadpath: there is no command 'runn'\n  = help: did you mean 'run'?\n");
+          "loadpath: unknown command 'runn'\n  = help: did you mean 'run'?\n");
     CHECK(loadpath_with({"teapot"})
               .error.starts_with(
-                  "loadpath: there is no command 'teapot'\n  = help: there is: run, sweep, why, watch, list, "
-                  "describe, convert, verify, tables, completion, man, "
-                  "schema, init, diff, fmt, lsp, mechanism, shaft"));
+                  "loadpath: unknown command 'teapot'\n  = help: there is: run, sweep, why, watch, list, describe, "
+                  "convert, verify, tables, completion, man, schema, init, diff, fmt, lsp, mechanism, shaft"));
     CHECK(loadpath_with({"teapot"}).code == 2);
   }
 
   TEST_CASE("an unknown calculator is told with the nearest one") {
     const Ran o = loadpath_with({"shaft", "torsoin", "--T", "3 N*m"});
     CHECK(o.code == 2);
-    CHECK(o.error == "loadpath: there is no calculator 'shaft torsoin'\n  = help: did you mean 'shaft torsion'?\n");
+    CHECK(o.error == "loadpath: unknown calculator 'shaft torsoin'\n  = help: did you mean 'shaft torsion'?\n");
   }
 
   TEST_CASE("an unknown option is told with the nearest one") {
     CHECK(contains(loadpath_with({"run", "--rport", "a.html", "a.toml"}).error,
-                   "loadpath: there is no option '--rport'\n  = help: did you mean '--report' ("));
+                   "loadpath: unknown option '--rport'\n  = help: did you mean '--report' ("));
     CHECK(contains(loadpath_with({"--versoin"}).error,
-                   "loadpath: there is no option '--versoin'\n  = help: did you mean '--version' ("));
+                   "loadpath: unknown option '--versoin'\n  = help: did you mean '--version' ("));
     CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).error ==
-          "loadpath: there is no option '--T'\n  = help: `loadpath shaft --help` shows what there is\n");
+          "loadpath: unknown option '--T'\n  = help: `loadpath shaft --help` shows what there is\n");
     CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).code == 2);
   }
 

@@ -98,10 +98,10 @@ TEST_SUITE("cli mechanism") {
     const Desk desk;
     const Ran wrong = mechanism(desk, {"--csv", "a.csv", "--series", "drive.M,link.*.N"});
     CHECK(wrong.code == 2);
-    CHECK(wrong.error == "--series: error: there is no series 'link.*.N'\n  = help: did you mean 'links.*.N'?\n");
+    CHECK(wrong.error == "--series: error: unknown series 'link.*.N'\n  = help: did you mean 'links.*.N'?\n");
     CHECK(wrong.out.empty());
     CHECK(desk.files().empty());
-    CHECK(contains(mechanism(desk, {"--json", "--series", "x"}).out, "\"message\": \"there is no series 'x'\""));
+    CHECK(contains(mechanism(desk, {"--json", "--series", "x"}).out, "\"message\": \"unknown series 'x'\""));
     const Ran idle = mechanism(desk, {"--series", "drive.M"});
     CHECK(idle.code == 2);
     CHECK(idle.error ==

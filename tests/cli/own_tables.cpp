@@ -77,9 +77,9 @@ TEST_SUITE("cli own tables") {
   TEST_CASE("a file that cannot be read is told with its place, and nothing is written") {
     const Desk desk;
     desk.put("big.toml", std::string((std::size_t{4} << 20U) + 1, '#'));
-    for (const auto& [file, said] : {std::pair{"no.toml", "there is no file 'no.toml'"},
-                                     {"/dev/zero", "is no file with a text"},
-                                     {".", "is no file with a text"},
+    for (const auto& [file, said] : {std::pair{"no.toml", "no file 'no.toml'"},
+                                     {"/dev/zero", "is not a text file"},
+                                     {".", "is not a text file"},
                                      {"big.toml", "is larger than 4 MiB"}}) {
       const std::string name = file;
       CAPTURE(name);

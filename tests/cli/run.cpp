@@ -145,7 +145,7 @@ TEST_SUITE("cli run") {
     CHECK(contains(shown.out, "\nnot assessed: axle."));
     CHECK_FALSE(contains(shown.out, "not considered"));
     CHECK(contains(desk.get("a.md"), "INCOMPLETE: "));
-    CHECK(contains(desk.get("a.md"), "- Strict: failure modes not considered count as not assessed\n"));
+    CHECK(contains(desk.get("a.md"), "- Strict: failure modes not considered count as not assessed (--strict)\n"));
     CHECK_FALSE(contains(desk.get("a.md"), "not considered\\."));
     CHECK(contains(desk.get("a.html"), "not assessed"));
     const Ran as_json = desk.run({"run", "a.toml", "--strict", "--json"});
@@ -166,9 +166,9 @@ TEST_SUITE("cli run") {
     CHECK(contains(loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa", "--full"}).out,
                    ")\n  found  d = 80 mm  " + reason + "\n"));
     const std::string page = desk.get("a.md");
-    CHECK(page.find("**Table 1.** Chosen") < page.find("mode of failure "));
-    CHECK(contains(page, "smallest of R40 that passes every check; 75 mm fails"));
-    CHECK(contains(desk.get("a.html"), "</b> Chosen</p>"));
+    CHECK(page.find("**Table 1.** Sized and selected values") < page.find("failure mode "));
+    CHECK(contains(page, "smallest of R40 with which no assessed mode fails; 75 mm fails"));
+    CHECK(contains(desk.get("a.html"), "</b> Sized and selected values</p>"));
     CHECK_FALSE(contains(run(failing).out, "found"));
   }
 
@@ -189,10 +189,10 @@ TEST_SUITE("cli run") {
     desk.put("a.toml", passing + right + wrong_one);
     const Ran ran = desk.run({"run", "a.toml"});
     CHECK(ran.code == 0);
-    CHECK(ran.error == "1 of 2 expectations miss: `loadpath verify a.toml` tells\n");
+    CHECK(ran.error == "1 of 2 expectations miss: `loadpath verify a.toml` shows them\n");
     CHECK(desk.run({"run", "a.toml", "--quiet"}).error.empty());
     CHECK(run(passing + right).error.empty());
-    CHECK(run(passing + wrong_one).error == "1 of 1 expectation misses: `loadpath verify -` tells\n");
+    CHECK(run(passing + wrong_one).error == "1 of 1 expectation misses: `loadpath verify -` shows them\n");
   }
 
   TEST_CASE("--json is one object, and a number reads back to the result") {

@@ -84,7 +84,7 @@ TEST_SUITE("cli settings") {
     CHECK(step.code == 2);
     CHECK(step.out.empty());
     CHECK(step.error ==
-          "--set:2:1: error: there is no step 'shaf'\n2 | shaf.T=1 N*m\n  | ^^^^\n  = help: did you mean 'shaft'?\n");
+          "--set:2:1: error: unknown step 'shaf'\n2 | shaf.T=1 N*m\n  | ^^^^\n  = help: did you mean 'shaft'?\n");
     const Ran field = with(plain_shaft(), {"shaft.tau_ad=1 MPa"}, {});
     CHECK(field.code == 2);
     CHECK(contains(field.error, "--set:1:7: error: "));
@@ -92,8 +92,8 @@ TEST_SUITE("cli settings") {
     const Ran unit = with(plain_shaft(), {"shaft.tau_adm=30 mpa"}, {});
     CHECK(unit.code == 2);
     CHECK(contains(unit.error, "--set:1:18: error: unknown unit 'mpa'"));
-    CHECK(contains(with(line_shaft, {"shaft.torques.M3.x=1 mm"}, {}).error, "there is no element 'M3'"));
-    CHECK(contains(with(line_shaft, {"shaft.torques[3].x=1 mm"}, {}).error, "there is no element '[3]'"));
+    CHECK(contains(with(line_shaft, {"shaft.torques.M3.x=1 mm"}, {}).error, "unknown element 'M3'"));
+    CHECK(contains(with(line_shaft, {"shaft.torques[3].x=1 mm"}, {}).error, "unknown element '[3]'"));
     CHECK(contains(with(line_shaft, {"shaft.tau_adm.x=1 mm"}, {}).error, "is a text, and has no fields"));
     CHECK(contains(with(plain_shaft(), {"shaft.d={ stock = "}, {}).error, "--set:1:"));
     for (const char* wrong : {"shaft=1", "shaft.T", "=3", "shaft..T=1", ".T=1"}) {

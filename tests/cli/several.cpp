@@ -102,7 +102,7 @@ TEST_SUITE("cli several projects") {
     std::filesystem::create_directory(desk.folder() / "none");
     const Ran ran = desk.run({"run", "none"});
     CHECK(ran.code == 2);
-    CHECK(contains(ran.error, "there is no project file in 'none'"));
+    CHECK(contains(ran.error, "no project file in 'none'"));
   }
 
   TEST_CASE("a report, a table or a drawing goes to standard output alone") {

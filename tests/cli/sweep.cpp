@@ -147,7 +147,7 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(contains(desk.get("a.csv"), "point,shaft.d [mm],shaft.T [N*m],tau [MPa],shaft.theta_max [deg/m],state,"));
     const Ran point = desk.run({"run", "a.toml", "--point", "13999", "--json"});
     CHECK(contains(point.out, "\"d\""));
-    CHECK(contains(desk.run({"run", "a.toml", "--point", "14000"}).error, "there is no point 14000"));
+    CHECK(contains(desk.run({"run", "a.toml", "--point", "14000"}).error, "point 14000 does not exist"));
     CHECK(contains(desk.run({"run", "a.toml"}).error, "--point 0"));
     CHECK(desk.run({"run", "a.toml", "--point", "5", "--samples", "3", "--quiet"}).code == 1);
   }

@@ -31,9 +31,9 @@ TEST_SUITE("cli tables") {
   TEST_CASE("what does not exist is told with the nearest one") {
     const Ran table = loadpath_with({"tables", "matterials"}), row = loadpath_with({"tables", "materials", "C54E"});
     CHECK(table.code == 2);
-    CHECK(table.error == "loadpath: there is no table 'matterials'\n  = help: did you mean 'materials'?\n");
+    CHECK(table.error == "loadpath: unknown table 'matterials'\n  = help: did you mean 'materials'?\n");
     CHECK(row.code == 2);
-    CHECK(row.error == "loadpath: there is no material 'C54E' in the tables\n  = help: did you mean 'C45E'?\n");
+    CHECK(row.error == "loadpath: unknown material 'C54E' in the tables\n  = help: did you mean 'C45E'?\n");
   }
 
   TEST_CASE("sections are searched by conditions and sorted") {
@@ -48,7 +48,7 @@ TEST_SUITE("cli tables") {
   TEST_CASE("a condition that cannot be read points at its word") {
     const Ran o = loadpath_with({"tables", "sections", "--where", "h > 100 mm and I_mni > 3 cm^4"});
     CHECK(o.code == 2);
-    CHECK(contains(o.error, "--where:1:16: error: there is no column 'I_mni' in these tables"));
+    CHECK(contains(o.error, "--where:1:16: error: unknown column 'I_mni' in these tables"));
     CHECK(contains(o.error, "did you mean 'I_min'?"));
     CHECK(loadpath_with({"tables", "sections", "--sort", "mas"}).code == 2);
     CHECK(loadpath_with({"tables", "--where", "h > 1 mm"}).code == 2);

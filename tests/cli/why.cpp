@@ -122,9 +122,9 @@ TEST_SUITE("cli why") {
       CHECK(ran->code == 2);
       CHECK(ran->out.empty());
     }
-    CHECK(step.error == "loadpath: there is no step 'edn'\n  = help: did you mean 'end'?\n");
-    CHECK(contains(value.error,
-                   "'end' has no result and no mode of failure 'sigma_c'\n  = help: did you mean 'end.sigma_"));
+    CHECK(step.error == "loadpath: unknown step 'edn'\n  = help: did you mean 'end'?\n");
+    CHECK(
+        contains(value.error, "'end' has no result and no failure mode 'sigma_c'\n  = help: did you mean 'end.sigma_"));
     CHECK(why("[end]\nF = 3\n").code == 2);
     CHECK(loadpath_with({"why", "nothing.toml"}).code == 2);
   }

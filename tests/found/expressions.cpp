@@ -134,7 +134,7 @@ TEST_SUITE("found expressions") {
     for (const char* T : {"=values.T", "=2*values.T", "=values.twice", "=1*values.twice"}) {
       const std::string said =
           refused("T = [\"10 N*m\", \"20 N*m\"]\ntwice = \"=2*values.T\"\n", axle + "T = \"" + T + "\"\n");
-      CHECK_MESSAGE(contains(said, "these are 2 values, and one is taken here"), T, said);
+      CHECK_MESSAGE(contains(said, "these are 2 values; a single value is required"), T, said);
     }
     const Solved middle("[values]\nT = { mean = \"10 N*m\", sd = \"1 N*m\" }\n" + axle + "T = \"=2*values.T\"\n");
     CHECK_MESSAGE(contains(middle.messages(), "'values.T' is uncertain; computed at its middle value"),

@@ -364,11 +364,12 @@ TEST_SUITE("found fatigue") {
       return Solved("[h]\ncalculator = \"fatigue.history\"\nsigma_D = \"120 MPa\"\nN_D = 1e6\nk = 5\nsigma = " + sigma)
           .errors();
     };
-    for (const char* const told : {"there is no file", "file = \"-\""})
+    for (const char* const told : {"does not exist or cannot be read", "file = \"-\""})
       CHECK(contains(errors("{ file = \"" + pipe + "\", unit = \"MPa\" }"), told));
-    CHECK(contains(errors("{ file = \"/dev/null\", unit = \"MPa\", form = \"f64\" }"), "there is no file"));
-    CHECK(
-        contains(errors("{ file = \"" + folder.string() + "\", unit = \"MPa\", form = \"csv\" }"), "there is no file"));
+    CHECK(contains(errors("{ file = \"/dev/null\", unit = \"MPa\", form = \"f64\" }"),
+                   "does not exist or cannot be read"));
+    CHECK(contains(errors("{ file = \"" + folder.string() + "\", unit = \"MPa\", form = \"csv\" }"),
+                   "does not exist or cannot be read"));
     CHECK(contains(errors("{ file = \"" + one + "\", unit = \"MPa\" }"), "the file has one value"));
     CHECK(contains(errors("{ values = [180], unit = \"MPa\" }"), "the list has one value"));
     CHECK(contains(errors("{ values = [], unit = \"MPa\" }"), "a history is a list of numbers"));

@@ -25,7 +25,7 @@ bool is_warned(const std::string& list) {
                                        catalogue(), issues);
   project::solve(project, issues);
   return std::any_of(issues.begin(), issues.end(), [](const Issue& issue) {
-    return issue.severity == Severity::warning && issue.message.text().find("does not touch") != std::string::npos;
+    return issue.severity == Severity::warning && issue.message.text().find("is not connected") != std::string::npos;
   });
 }
 

@@ -20,7 +20,7 @@ Press press(const VTypes::Input& in, const VTypes::Result& r, Tracer& trace) {
     return {F_t, N_0};
   }
   STEP(K_P, is_set(in.K_A_1) ? in.K_A_1 : r.K_A,
-       is_set(in.K_A_1) ? "for one shift, as given" : "that of the power: at least that of one shift");
+       is_set(in.K_A_1) ? "for one shift, as given" : "service factor of the power, at least that of one shift");
   STEP(N_0, (2.5 - r.c_alpha) / (2.0 * r.c_alpha) * K_P * in.P / (r.z * r.v),
        "presses a belt into its grooves, [GOST1284.3] (16)");
   return {F_t, N_0};
@@ -76,8 +76,8 @@ template <class Tracer>
 void load_shafts(VTypes::Result& r, Tracer& trace) {
   STEP_TO(r, R_0, 2.0 * r.z * r.F_0 * r.l_s / r.a, "two spans of every belt at standstill, along the line of centres");
   STEP_TO(r, R_new, 2.0 * r.z * r.F_0_new * r.l_s / r.a, "the same of new belts");
-  STEP(N_1, r.z * (r.S_1 - r.F_c), "tight spans: what presses the pulley");
-  STEP(N_2, r.z * (r.S_2 - r.F_c), "slack spans: what presses the pulley");
+  STEP(N_1, r.z * (r.S_1 - r.F_c), "tight side tension less centrifugal tension");
+  STEP(N_2, r.z * (r.S_2 - r.F_c), "slack side tension less centrifugal tension");
   load_shaft(N_1, N_2, r.gamma, r, trace);
 }
 

@@ -90,7 +90,7 @@ enum class Transition { computed, published };
 
 constexpr auto choices_of(Transition) {
   using T = Transition;
-  return std::array{ChoiceName<T>{T::computed, "computed", "where the two meet"},
+  return std::array{ChoiceName<T>{T::computed, "computed", "intersection of both curves"},
                     ChoiceName<T>{T::published, "published", "at lambda_1 of the set, as textbooks do"}};
 }
 

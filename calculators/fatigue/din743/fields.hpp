@@ -55,7 +55,7 @@ constexpr auto din743_steel() {
 template <class Input>
 constexpr auto din743_section() {
   return Fields{
-      Choice<Input, Notch>{&Input::notch, "notch", "what is cut into the section, or sits on it"},
+      Choice<Input, Notch>{&Input::notch, "notch", "notch type"},
       Field<Input, Length>{&Input::d, "d", mm, "diameter of the section, at the root of the notch"}
           .at_most_that_of_source("d, d_max")
           .positive()
@@ -173,7 +173,7 @@ constexpr auto din743_results() {
              din743_range<Result>(&Result::x_Rz, "x_Rz", "roughness over 200 um; own bound")},
       notch_ranges<Result>(),
       Fields{ListField<Result, List<Din743Stress, 3>>{&Result::stresses, "stresses",
-                                                      "tension, bending, torsion: what acts"}});
+                                                      "acting loads: tension, bending, torsion"}});
 }
 
 constexpr auto choices_of(Notch) {

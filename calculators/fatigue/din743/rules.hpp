@@ -26,8 +26,7 @@ constexpr auto din743_steel_rules() {
                     const Stress most = is_set(in.sigma_B) ? in.sigma_B : in.R_m;
                     return !(in.sigma_zdW >= most || in.sigma_bW >= most || in.tau_tW >= most);
                   },
-                  "sigma_zdW, sigma_bW, tau_tW",
-                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"}};
+                  "sigma_zdW, sigma_bW, tau_tW", "fatigue limit must be below the tensile strength R_m"}};
 }
 
 template <class Input>

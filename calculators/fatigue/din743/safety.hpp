@@ -187,7 +187,8 @@ void ranges(const Din743Section& s, Length depth, Safety& r, Tracer& trace) {
     STEP_TO(r, x_t, t / s.d, "0.05 to 0.2, [DIN743] part 2 section 4.2.3");
   }
   if (s.notch == Notch::cross_hole) {
-    STEP_TO(r, x_hole, 2.0 * s.r / s.d, "up to 0.3: what the hole takes off the modulus is a strip, own bound");
+    STEP_TO(r, x_hole, 2.0 * s.r / s.d,
+            "up to 0.3: section modulus reduced by a strip at the hole, limit set by loadpath");
   }
   double largest = 0.0;
   for (const auto& k : r.stresses) largest = is_set(shape_of(k)) ? std::max(largest, shape_of(k)) : largest;

@@ -69,8 +69,8 @@ constexpr auto fkm_demand(double Input::*at, const char* key, const char* doc) {
 template <class Input>
 constexpr auto fkm_service() {
   return Fields{
-      Choice<Input, Overload>{&Input::overload, "overload", "what stays while the load grows"},
-      Choice<Input, Means>{&Input::means, "means", "whose mean stress counts for a stress"}.may_be_missing(),
+      Choice<Input, Overload>{&Input::overload, "overload", "load case of growth (quantity kept constant)"},
+      Choice<Input, Means>{&Input::means, "means", "mean stress used for a stress component"}.may_be_missing(),
       Field<Input, double>{&Input::N, "N", ratio, "cycles that it must last; without end where missing"}
           .at_least(1)
           .usually(1e4, 1e9)
@@ -121,7 +121,7 @@ constexpr auto fkm_results() {
           din743_range<Result>(&Result::x_small, "x_small", "7.5 mm over the diameter: measured notch factors")},
       notch_ranges<Result>(),
       Fields{ListField<Result, List<FkmStress, 3>>{&Result::stresses, "stresses",
-                                                   "tension, bending, torsion: what acts"}});
+                                                   "acting loads: tension, bending, torsion"}});
 }
 
 constexpr auto choices_of(FkmSteelGroup) {

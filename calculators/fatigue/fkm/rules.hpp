@@ -40,8 +40,7 @@ constexpr auto fkm_steel_rules() {
                     const Stress most = is_set(in.R_mN) ? in.R_mN : in.R_m;
                     return !(in.sigma_W >= most || in.tau_W >= most);
                   },
-                  "sigma_W, tau_W",
-                  "a fatigue limit is below the tensile strength: what breaks at once lasts no cycles"},
+                  "sigma_W, tau_W", "fatigue limit must be below the tensile strength R_m"},
       Rule<Input>{[](const Input& in) {
                     return in.notch == Notch::alpha || !(is_set(in.G_zd) || is_set(in.G_b) || is_set(in.G_t));
                   },

@@ -84,7 +84,7 @@ struct FkmStress {
       Field<K, Stress>{&K::sigma_mv, "sigma_mv", MPa, "mean stress that counts"},
       Field<K, double>{&K::K_AK, "K_AK", ratio, "mean stress factor"},
       Field<K, Stress>{&K::sigma_AK, "sigma_AK", MPa, "amplitude that lasts at this mean stress"},
-      Field<K, double>{&K::K_BK, "K_BK", ratio, "what a finite life adds"},
+      Field<K, double>{&K::K_BK, "K_BK", ratio, "factor for finite life"},
       Field<K, Stress>{&K::sigma_BK, "sigma_BK", MPa, "amplitude for the required life"},
       Field<K, double>{&K::a, "a", ratio, "utilisation in fatigue, with its safety"},
       Field<K, double>{&K::N_a, "N_a", ratio, "life under this stress only, with its safety factor"}.may_be_infinite(),

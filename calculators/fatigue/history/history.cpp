@@ -161,7 +161,8 @@ void all_rules(const Input& in, const std::vector<Cycle>& cycles, const OnCurve&
 template <class Tracer>
 void left_out(const Input& in, Result& r, Tracer& trace) {
   if (!History::is_of_part(in) || in.miner != MinerRule::original || !(r.D_original > 0.0)) return;
-  STEP_TO(r, x_O, max(1.0 - r.D_original / r.D_modified, 0.0), "what cycles below the limit do, [Haibach]: it falls");
+  STEP_TO(r, x_O, max(1.0 - r.D_original / r.D_modified, 0.0),
+          "effect of cycles below the fatigue limit, [Haibach]: decreasing limit");
 }
 
 /// The cycle that does most, written out, and the life of the largest one.
@@ -243,7 +244,7 @@ void fracture(const Input& in, Stress largest, Result& r, Tracer& trace) {
   const Stress S_l = trace.value("S_l", largest, "largest amplitude on the curve of a part");
   STEP(sigma_p, in.stress == Stresses::shear ? max(abs(sigma_max), abs(sigma_min)) : sigma_max,
        "largest stress; of normal ones tension breaks");
-  STEP_TO(r, x_B, max(max(sigma_p, S_l), 0.0 * MPa) / S_B, "what breaks at once lasts no cycles");
+  STEP_TO(r, x_B, max(max(sigma_p, S_l), 0.0 * MPa) / S_B, "maximum stress / tensile strength");
 }
 
 }  // namespace

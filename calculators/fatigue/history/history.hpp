@@ -88,7 +88,7 @@ n_req = 1
           .usually(1, 3)
           .factor(),
       Choice{&Input::counting, "counting", "method of counting"}.may_be_missing(),
-      Choice{&Input::residue, "residue", "what becomes of what closes no cycle"}.may_be_missing(),
+      Choice{&Input::residue, "residue", "treatment of the rainflow residue"}.may_be_missing(),
       Field{&Input::gate, "gate", MPa, "ranges below are not counted"}.at_least(0),
       Choice{&Input::curve, "curve", "S-N curve"}.may_be_missing(),
       Field{&Input::sigma_D, "sigma_D", MPa, "curve of a part: fatigue limit, amplitude at r = -1"}
@@ -122,7 +122,7 @@ n_req = 1
       Field{&Input::N_1, "N_1", ratio, "cycles where the branches meet; 1e7 where missing"}
           .at_least(1e4)
           .may_be_missing(),
-      Choice{&Input::mean, "mean", "how mean stresses count, with the curve of a part"}.may_be_missing(),
+      Choice{&Input::mean, "mean", "mean stress correction, with the curve of a part"}.may_be_missing(),
       Field{&Input::M, "M", ratio, "mean stress sensitivity, for mean = \"fkm\": of steel 0.35e-3 R_m/MPa - 0.1"}
           .within(0, 1)
           .usually(0.01, 0.8)
@@ -194,8 +194,8 @@ n_req = 1
           .limit(0, 0.01)
           .where_it_applies(),
       Field{&Result::x_O, "x_O", ratio,
-            "where the original rule decides and a cycle is above the limit: share of the damage that those below do, "
-            "by Haibach; they count for nothing as long as all are below"}
+            "original Miner rule with a cycle above the limit: damage share by Haibach of the cycles below it; they "
+            "are not counted as long as all are below"}
           .limit(0, 0.01)
           .where_it_applies(),
       ListField{&Result::worst, "worst", "cycles that do most damage"},

@@ -69,10 +69,10 @@ struct HistoryTypes {
     static constexpr Fields fields{
         Field{&Worst::sigma_a, "sigma_a", MPa, "amplitude, with the application factor"},
         Field{&Worst::sigma_m, "sigma_m", MPa, "mean stress, with the application factor"},
-        Field{&Worst::n, "n", ratio, "how often, halves as 0.5"},
+        Field{&Worst::n, "n", ratio, "count, half cycles as 0.5"},
         Field{&Worst::share, "share", ratio, "of the damage"},
-        Field{&Worst::from, "from", ratio, "where it begins: sample of a file, position of a turn, counted from 0"},
-        Field{&Worst::to, "to", ratio, "where it ends"}};
+        Field{&Worst::from, "from", ratio, "start: sample of a file, position of a revolution, counted from 0"},
+        Field{&Worst::to, "to", ratio, "end: sample or position"}};
   };
   static constexpr std::size_t most_worst = 10;
 

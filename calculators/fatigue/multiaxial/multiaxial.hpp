@@ -157,7 +157,7 @@ S_F = 1.5
           .where_it_applies(),
       Field{&Result::x_D, "x_D", ratio, "tau_D over sigma_D: of the metals that the criteria are of"}.limit(0.5 - 1e-9,
                                                                                                             0.8 + 1e-9),
-      Field{&Result::x_C, "x_C", ratio, "where Crossland decides: root of 3 tau_D over sigma_D, least 1"}
+      Field{&Result::x_C, "x_C", ratio, "Crossland only: sqrt(3) tau_D / sigma_D, at least 1"}
           .limit(1 - 1e-9, std::numeric_limits<double>::infinity())
           .where_it_applies(),
       Field{&Result::e_p, "e_p", ratio, "planes: difference of two searches from other grids, over the larger"},

@@ -57,7 +57,7 @@ P_s = 0.9
     Stress S = unset<Stress>;
     End end = End::failure;
     static constexpr Fields fields{Field{&Test::S, "S", MPa, "stress that was set"}.positive(),
-                                   Choice{&Test::end, "end", "how the test ended"}};
+                                   Choice{&Test::end, "end", "result of the test"}};
   };
 
   struct Input {
@@ -69,7 +69,7 @@ P_s = 0.9
   static bool goes_up_and_down(const Input& in);
   static constexpr Fields inputs{
       ListField{&Input::tests, "tests", "tests in their order: stress, \"failure\" or \"runout\""}.as_arrays(),
-      Choice{&Input::steps, "steps", "what the steps are equal in"}.may_be_missing(),
+      Choice{&Input::steps, "steps", "equal steps in stress or in its logarithm"}.may_be_missing(),
       Field{&Input::P_s, "P_s", ratio, "probability of survival of the strength for design, with 50 % confidence"}
           .within(0.5, 0.999)
           .usually(0.9, 0.999)};

@@ -42,8 +42,8 @@ Survival::Result Survival::evaluate(const Input& in, Tracer& trace) {
   Result r;
   scatters(in, r, trace);
   const double z_90 = trace.value("z_90", numerics::normal_quantile(0.9), "standard normal deviate of 90 %");
-  const double z_P = trace.value("z_P", numerics::normal_quantile(in.P), "that of P");
-  const double z_0 = trace.value("z_0", numerics::normal_quantile(in.P_0), "that of P_0");
+  const double z_P = trace.value("z_P", numerics::normal_quantile(in.P), "standard normal quantile of P");
+  const double z_0 = trace.value("z_0", numerics::normal_quantile(in.P_0), "standard normal quantile of P_0");
   STEP_TO(r, z, z_P - z_0, "standard deviations between them");
   if (is_set(r.T_S)) {
     STEP_TO(r, s_S, log(r.T_S) / log(10.0) / (2.0 * z_90), "log-normal, 10 % to 90 %, [ISO12107]");

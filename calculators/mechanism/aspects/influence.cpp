@@ -41,7 +41,7 @@ Message name_of(const Cause& cause, const mechanism::Model& model) {
     case Cause::Kind::spring:
       return say("spring {1}", model.springs[cause.index].name);
     case Cause::Kind::induced:
-      return say("what joint {1} induces", model.joints[cause.index].name);
+      return say("friction or tooth and belt forces of joint {1}", model.joints[cause.index].name);
   }
   return say("weights");
 }

@@ -127,7 +127,7 @@ class CourseCheck {
       if (is_guide(joint)) names.emplace_back(joint.name.view());
     }
     if (course.stroke_of.empty())
-      return add(course, "stroke_of", say("which stroke '{1}' goes by is not clear", course.name.view()),
+      return add(course, "stroke_of", say("the stroke that '{1}' depends on is ambiguous", course.name.view()),
                  there_is(names));
     add(course, "stroke_of", say("'{1}' is not a cylinder, prismatic joint or slot", course.stroke_of.view()),
         did_you_mean(course.stroke_of.view(), names, there_is(names)));

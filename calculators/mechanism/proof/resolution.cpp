@@ -154,7 +154,7 @@ account::Verdict unresolved(const Solved& solved) {
                 std::to_string(asked), std::to_string(between.needed));
   return {.step = solved.step,
           .symbol = "resolution",
-          .meaning = say("what laws of loads, drives and cams do between the positions"),
+          .meaning = say("laws of loads, drives and cams between the positions"),
           .value = say("{1} of {2}", std::to_string(asked),
                        between.needed == 0 ? std::string("too many") : std::to_string(between.needed)),
           .bound = say("every largest and least value, every corner"),
@@ -167,7 +167,7 @@ account::Verdict inserted(const Solved& solved) {
   const Between& between = solved.proved.between;
   return {.step = solved.step,
           .symbol = "resolution",
-          .meaning = say("what laws of loads, drives and cams do between the positions"),
+          .meaning = say("laws of loads, drives and cams between the positions"),
           .value = say("{1} positions inserted", std::to_string(between.inserted)),
           .bound = say("every largest and least value, every corner"),
           .state = account::State::pass};

@@ -27,7 +27,8 @@ loads = [{ link = "arm", at = "B", F_x = "0 N", F_y = "-300 N" }]
       Field{&CamArm::pivot, "pivot", mm, "distance of the pivot A from the cam's axis"}.positive(),
       Field{&CamArm::arm, "arm", mm, "length of the arm AB"}.positive(),
       Choice{&CamArm::side, "side", "of the roller: left is above the x axis, right below it"}.may_be_missing(),
-      Choice{&CamArm::sense, "sense", "how the cam turns as the segments follow each other"}.may_be_missing(),
+      Choice{&CamArm::sense, "sense", "direction of rotation of the cam for the order of the segments"}
+          .may_be_missing(),
       ListField{&CamArm::segments, "segments", "rises, dwells and falls over a turn, by their swing"}};
 
   void draw(Sketch& sketch) const {

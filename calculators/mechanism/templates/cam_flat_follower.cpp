@@ -20,7 +20,8 @@ loads = [{ link = "follower", at = "B", F_x = "0 N", F_y = "-150 N" }]
 
   static constexpr Fields fields{
       Field{&CamFlatFollower::base, "base", mm, "radius of the base circle of the cam"}.positive(),
-      Choice{&CamFlatFollower::sense, "sense", "how the cam turns as the segments follow each other"}.may_be_missing(),
+      Choice{&CamFlatFollower::sense, "sense", "direction of rotation of the cam for the order of the segments"}
+          .may_be_missing(),
       ListField{&CamFlatFollower::segments, "segments", "rises, dwells and falls over a turn"}};
 
   void draw(Sketch& sketch) const {

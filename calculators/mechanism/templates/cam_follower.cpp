@@ -25,7 +25,8 @@ springs.spring = { links = ["follower", "ground"], points = ["B", "T"], k = "8 N
       Field{&CamFollower::base, "base", mm, "radius of the base circle of the cam itself"}.positive(),
       Field{&CamFollower::roller, "roller", mm, "radius of the roller; 0: an edge"}.at_least(0),
       Field{&CamFollower::offset, "offset", mm, "of the guide, to the left of the cam's axis"},
-      Choice{&CamFollower::sense, "sense", "how the cam turns as the segments follow each other"}.may_be_missing(),
+      Choice{&CamFollower::sense, "sense", "direction of rotation of the cam for the order of the segments"}
+          .may_be_missing(),
       ListField{&CamFollower::segments, "segments", "rises, dwells and falls over a turn"}};
 
   void draw(Sketch& sketch) const {

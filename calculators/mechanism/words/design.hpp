@@ -18,7 +18,7 @@ struct Tolerance {
   double t_part = unset<double>, sigmas = 3.0;
   static constexpr Fields fields{
       NameField{&Tolerance::name, "name", "name of the tolerance"},
-      Choice{&Tolerance::of, "of", "what has the tolerance"}.may_be_missing(),
+      Choice{&Tolerance::of, "of", "toleranced dimension"}.may_be_missing(),
       NameField{&Tolerance::link, "link", "link: of a length, x, y, angle, mass, J; also ground"}.may_be_missing(),
       NameField{&Tolerance::point, "point", "point of the link that has the coordinate, or that is measured from"}
           .may_be_missing(),
@@ -32,7 +32,7 @@ struct Tolerance {
       Field{&Tolerance::t_part, "t_part", ratio, "half width as a part of the value: mass, J, mu, rate"}
           .within(0, 1)
           .may_be_missing(),
-      Field{&Tolerance::sigmas, "sigmas", ratio, "how many standard deviations the half width is"}.within(0.5, 10)};
+      Field{&Tolerance::sigmas, "sigmas", ratio, "half width of the tolerance / standard deviation"}.within(0.5, 10)};
 };
 enum class Watched { x, y, angle, drive, force };
 struct Accuracy {

@@ -51,7 +51,7 @@ struct Crank {
                 "crank angles over time, in place of a turn at a given speed; smooth, from rest to rest"}
           .as_arrays()
           .may_be_missing(),
-      Choice{&Crank::law_shape, "law_shape", "how 'law' runs between its points"}.may_be_missing(),
+      Choice{&Crank::law_shape, "law_shape", "interpolation of 'law' between its points"}.may_be_missing(),
       FormulaField{&Crank::angle_of_t, "angle_of_t",
                    "crank angle as a formula of the time t, in place of a law by points: 30 deg + 9 deg*sin(t/(1 s))"}
           .may_be_missing(),
@@ -94,7 +94,7 @@ struct Cylinder {
           .may_be_missing(),
       Field{&Cylinder::F, "F", N, "between two points: given force in place of a drive, pushing the ends apart"}
           .may_be_missing(),
-      NameField{&Cylinder::course, "course", "how F varies, one of the courses"}.may_be_missing(),
+      NameField{&Cylinder::course, "course", "load curve of F, one of the courses"}.may_be_missing(),
       Field{&Cylinder::speed, "speed", m_per_s, "speed of the first link along the guide"},
       Field{&Cylinder::acceleration, "acceleration", m_per_s2, "acceleration along the guide"},
       Field{&Cylinder::from, "from", mm, "place at the first position; as assembled where missing"}.may_be_missing(),
@@ -102,7 +102,7 @@ struct Cylinder {
       ListField{&Cylinder::law, "law", "places over time, in place of a stroke; smooth, from rest to rest"}
           .as_arrays()
           .may_be_missing(),
-      Choice{&Cylinder::law_shape, "law_shape", "how 'law' runs between its points"}.may_be_missing(),
+      Choice{&Cylinder::law_shape, "law_shape", "interpolation of 'law' between its points"}.may_be_missing(),
       FormulaField{&Cylinder::place_of_t, "place_of_t",
                    "place along the guide as a formula of the time t, in place of a law by points"}
           .may_be_missing(),

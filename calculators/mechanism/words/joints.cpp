@@ -66,7 +66,7 @@ constexpr std::array specials{
             [](const auto& j) { return in_si(j.clearance) != 0.0; }},
     Special{"c",
             {Type::prismatic, Type::slot, Type::cam, Type::cam_flat},
-            "what slides: prismatic, slot and cams",
+            "sliding joints: prismatic, slot and cams",
             [](const auto& j) { return in_si(j.c) != 0.0; }},
     Special{"c_turn",
             {Type::revolute, Type::rolling, Type::rolling_inside, Type::rolling_on_line},

@@ -40,7 +40,8 @@ struct Load {
                 "shares of F and M over the crank angle, rising, straight from each to the next and round to the first"}
           .as_arrays()
           .may_be_missing(),
-      NameField{&Load::course, "course", "how F and M vary, one of the courses, in place of 'over'"}.may_be_missing(),
+      NameField{&Load::course, "course", "load curve of F and M, one of the courses, in place of 'over'"}
+          .may_be_missing(),
       Choice{&Load::useful, "useful", "useful load (counted as output in the efficiency)"}.may_be_missing()};
 };
 

@@ -118,7 +118,7 @@ F_y = "0 N"
       Count{&Input::positions, "positions", 1, 7200,
             "positions of a stroke, or of a law of motion, of cylinders without a crank"},
       ListField{&Input::loads, "loads", "forces and couples"}.may_be_missing(),
-      ListField{&Input::courses, "courses", "how loads vary over time, a stroke or by a formula, by name"}
+      ListField{&Input::courses, "courses", "load curves over time, a stroke or by a formula, by name"}
           .may_be_missing(),
       ListField{&Input::springs, "springs", "springs and dampers, by name"}.may_be_missing(),
       ListField{&Input::sides, "sides",
@@ -129,8 +129,8 @@ F_y = "0 N"
       ListField{&Input::accuracy, "accuracy",
                 "outputs whose error due to tolerances and clearance is requested, by name"}
           .may_be_missing(),
-      ListField{&Input::counterweights, "counterweights", "where counterweights are wanted, by name"}.may_be_missing(),
-      Choice{&Input::balance, "balance", "what counterweights make as small as it gets"}.may_be_missing(),
+      ListField{&Input::counterweights, "counterweights", "links with counterweights, by name"}.may_be_missing(),
+      Choice{&Input::balance, "balance", "quantity minimised by the counterweights"}.may_be_missing(),
       ListField{&Input::hodographs, "hodographs",
                 "joints whose force is drawn as a hodograph; the busiest where missing"}
           .as_arrays()

@@ -60,7 +60,7 @@ struct Link {
           .as_array()
           .may_be_missing(),
       Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing(),
-      Choice{&Link::mass_line, "mass_line", "how its mass lies along its axis, for its internal forces"}
+      Choice{&Link::mass_line, "mass_line", "mass distribution along its axis, for its internal forces"}
           .may_be_missing(),
       Choice{&Link::masses, "masses", "reduction of its mass to points"}.may_be_missing(),
       Group{&Link::mass_points, "mass_points", "two of its points, on a line with S, that the mass is reduced to"}

@@ -144,7 +144,7 @@ class ValueCheck {
     }
     if (std::abs(rise) > 1e-9 * size) {
       add("segments", say("after a turn the follower is {1} off where it was", format_quantity(rise, unit, 5)),
-          say("what it rises it must fall"));
+          say("total rise and total fall must be equal"));
     } else if (least < -1e-9 * size) {
       add("segments",
           say("the follower sinks {1} below where it is on the base circle", format_quantity(-least, unit, 5)),

@@ -140,7 +140,7 @@ std::vector<draw::Figure> figures(const Sketch& sketch, const Properties& proper
   }
   scheme.points.push_back({"S", centroid});
   const char* caption = sketch.holes.empty() ? "Section with its centroid S and its axes"
-                                             : "Section with its centroid S and its axes; what is cut out is darker";
+                                             : "Section with centroid S and axes; holes are darker";
   return {{"section", caption, scheme}};
 }
 

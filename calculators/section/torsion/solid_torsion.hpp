@@ -26,7 +26,7 @@ constexpr auto contour_inputs() {
   List<Polygon::Corner, 64> Input::*const points = &Polygon::Input::points;
   List<Polygon::Hole, 8> Input::*const holes = &Polygon::Input::holes;
   return Fields{ListField{points, "points", "corners of the contour, in order around it"}.as_arrays(),
-                ListField{holes, "holes", "what is cut out"}.may_be_missing()};
+                ListField{holes, "holes", "holes"}.may_be_missing()};
 }
 
 struct SolidTorsion {
@@ -64,7 +64,7 @@ theta_adm = "4 deg/m"
 
   static constexpr auto inputs =
       join(Fields{Field{&Input::T, "T", N_m, "torque"}.load(),
-                  Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
+                  Field{&Input::K_A, "K_A", ratio, "application factor K_A (1 if the torque includes it)"}
                       .at_least(1)
                       .usually(1, 4)
                       .factor()},
@@ -95,8 +95,8 @@ theta_adm = "4 deg/m"
       Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"},
       Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"},
       Field{&Result::theta, "theta", deg_per_m, "twist per length, positive like T"},
-      Field{&Result::e_I, "e_I", ratio, "how far the fine net is from the torsion constant"}.limit(0, worst_I_t),
-      Field{&Result::e_W, "e_W", ratio, "how far the fine net is from the section modulus"}
+      Field{&Result::e_I, "e_I", ratio, "error estimate of the torsion constant (fine mesh)"}.limit(0, worst_I_t),
+      Field{&Result::e_W, "e_W", ratio, "error estimate of the section modulus (fine mesh)"}
           .limit(0, worst_W_t)
           .where_it_applies(),
       Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}

@@ -65,7 +65,7 @@ theta_adm = "0.5 deg/m"
 
   static constexpr auto inputs =
       join(Fields{Field{&Input::T, "T", N_m, "torque"}.load(),
-                  Field{&Input::K_A, "K_A", ratio, "service factor: what the torque does not contain, once"}
+                  Field{&Input::K_A, "K_A", ratio, "application factor K_A (1 if the torque includes it)"}
                       .at_least(1)
                       .usually(1, 4)
                       .factor(),
@@ -87,7 +87,7 @@ theta_adm = "0.5 deg/m"
       Field{&Result::I_t, "I_t", mm4, "torsion constant of the section"},
       Field{&Result::W_t, "W_t", mm3, "section modulus in torsion: torque over the largest shear stress"},
       Field{&Result::W_s, "W_s", mm3, "the same of the section slit open"},
-      Field{&Result::r_I, "r_I", ratio, "how many times stiffer than slit open"},
+      Field{&Result::r_I, "r_I", ratio, "stiffness ratio to the open (slit) section"},
       Field{&Result::t_max, "t_max", mm, "thickest wall, which the strength of the material belongs to"},
       Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"},
       Field{&Result::tau_s, "tau_s", MPa, "largest shear stress of the section slit open"},

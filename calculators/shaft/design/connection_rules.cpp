@@ -187,7 +187,7 @@ FieldFault Design::other_diameter(const Input& in) {
       return {place_of("seats", in.seats, i, "d_w"),
               say("its forces act at a diameter of {1}, and the shaft has {2} there", told(seat.d_w),
                   told(diameter_under(in, seat))),
-              say("what is one piece with the shaft is integral = true")};
+              say("a component integral with the shaft needs integral = true")};
     }
     if (const Misfit misfit = misfit_of(in, i); fits(in, seat) && *misfit.key != '\0')
       return {place_of("seats", in.seats, i, misfit.key), misfit.message, {}};

@@ -207,7 +207,7 @@ r_T = 0
   static bool torque_runs(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{&held, "supports", "two bearings at least hold a shaft, all at different places"},
-      Rule<Input>{&on_shaft, "supports, seats, notches, pieces", "what is on the shaft lies between its ends",
+      Rule<Input>{&on_shaft, "supports, seats, notches, pieces", "mounted components must lie between the shaft ends",
                   &off_shaft},
       Rule<Input>{&bores_fit, "pieces",
                   "the bore of a piece is smaller than its diameter, and than that of its neighbours"},
@@ -234,7 +234,7 @@ r_T = 0
                   nullptr, true},
       yields_before_it_breaks<Input>(),
       lasts_below_tensile<&Input::sigma_W, Input>("sigma_W, R_m"),
-      Rule<Input>{&discs_are_bodies, "seats", "what turns as a disc is a body of revolution", &no_body},
+      Rule<Input>{&discs_are_bodies, "seats", "a disc must be a body of revolution", &no_body},
       Rule<Input>{[](const Input& in) { return !(in.E < 2.0 * in.G || in.E > 3.0 * in.G); }, "E, G",
                   "E is between 2 G and 3 G: they belong to one material"},
       Rule<Input>{&treated_thick, "d_h, pieces",

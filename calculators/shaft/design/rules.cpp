@@ -85,7 +85,7 @@ struct BodyFault {
 BodyFault fault_of_body(const Seat& s) {
   constexpr double rounding = 1.0 + 1e-6;
   const bool across = is_set(s.I_d) || is_set(s.b);
-  if (across && !is_set(s.I_p)) return {"I_p", say("how it turns about its axis is missing: give I_p")};
+  if (across && !is_set(s.I_p)) return {"I_p", say("the moment of inertia about its axis is missing: give I_p")};
   if (is_set(s.I_p) && !across) return {"I_p", say("it turns about a diameter too: give I_d, or its width b")};
   if (is_set(s.I_d) && is_set(s.b)) return {"b", say("the width is in place of I_d: give one of them")};
   if (s.I_p > rounding * 2.0 * s.I_d)
@@ -93,7 +93,7 @@ BodyFault fault_of_body(const Seat& s) {
   if (!is_set(s.k_T) && s.I_p > rounding * s.J)
     return {"I_p", say("J is of all that turns with it, and this is a part of that")};
   if (s.mass == 0.0 * kg.one && (s.I_p > 0.0 * kg_m2.one || s.I_d > 0.0 * kg_m2.one))
-    return {"mass", say("what has a moment of inertia has a mass")};
+    return {"mass", say("a component with a moment of inertia needs a mass")};
   return {};
 }
 
@@ -168,7 +168,7 @@ FieldFault Design::open_sum(const Input& in) {
     return {
         "seats", say("of the torques {1} are left over", format_quantity(sum, N_m.symbol)),
         say("state the driving component, way = \"drives\", or let a coupling balance the torque, way = \"balances\"")};
-  return {"seats", say("what balances has no torque of its own"), say("leave out its T")};
+  return {"seats", say("a balancing component must not have a given torque"), say("leave out its T")};
 }
 
 bool Design::speeds_agree(const Input& in) {

@@ -105,8 +105,8 @@ void stress(const Input& in, const Felt& felt, const Notched* notch, Section& p,
   p.M_x = trace.value("M_x", from_si<Moment>(felt.M_x), "by the elements of the beam");
   p.M_y = trace.value("M_y", from_si<Moment>(felt.M_y), "the same in the other plane");
   const Force V = trace.value("V", from_si<Force>(felt.V), "across the shaft, both planes together");
-  p.N = trace.value("N", from_si<Force>(felt.N), "along the shaft: what acts on its left");
-  p.T = trace.value("T", from_si<Moment>(felt.T), "around the shaft: what acts on its left");
+  p.N = trace.value("N", from_si<Force>(felt.N), "axial: resultant of the forces on the left");
+  p.T = trace.value("T", from_si<Moment>(felt.T), "torsional: resultant of the torques on the left");
   STEP_TO(p, M, sqrt(p.M_x * p.M_x + p.M_y * p.M_y), "both planes together");
   const auto [A, W, W_t] = moduli_of(p, notch, trace);
   STEP_TO(p, sigma_b, M / W, "extreme fibre");
@@ -142,7 +142,7 @@ Section section_at(const Input& in, const Place& place, const Felt& felt, double
   if (there.notch != nullptr && is_set(there.notch->h)) {
     const Length h = trace.value("h", there.notch->h, "required by the abutting part");
     const Length high = trace.value("high", (sides.larger() - sides.thinner().d) / 2.0, "of the shoulder");
-    STEP_TO(p, u_h, h / high, "what is set against it finds its face");
+    STEP_TO(p, u_h, h / high, "required / actual shoulder height");
   }
   return p;
 }

@@ -244,7 +244,8 @@ Message Design::unsound(const Input& in, std::span<const Sought> sought, std::si
                  format(joint.x), format(step / 2.0), format(joint.least / 2.0));
     const Length passed = max(beyond + joint.least * (1.0 - one_place), trial.over(k));
     if (!joint.tied && trial.away(i) < trial.away(k) && own < passed)
-      return say("what sits on it cannot be pushed over the {1} beyond {2}", format(trial.over(k)), format(joint.x));
+      return say("a component mounted there cannot be pushed over the {1} beyond {2}", format(trial.over(k)),
+                 format(joint.x));
     return {};
   };
   if (!trial.has_thick_middle())

@@ -74,7 +74,7 @@ void along(const Slices& slices, const Yields& yields, Result& r, Tracer& trace)
     const Slice& s = slices[i];
     const Flexibility& f = yields[i];
     const Moment Q = trace.value("Q", s.Q, "loads up to its first end, with the application factor");
-    const Moment M_1 = NAMED_STEP("M_1", -R_1 - Q, "what acts to its right is what acts to its left, turned about");
+    const Moment M_1 = NAMED_STEP("M_1", -R_1 - Q, "the resultant on its right is the opposite of that on its left");
     const auto [M_2, dphi] = end_of(s, f, M_1, trace);
     r.stretches.push_back({s.x, s.l, M_1, M_2, dphi});
     phi += dphi;

@@ -99,7 +99,7 @@ phi_adm = "1 deg"
       Field{&Result::phi_1, "phi_1", deg, "rotation of the first end"},
       Field{&Result::phi_2, "phi_2", deg, "rotation of the second end"},
       Field{&Result::phi_max, "phi_max", deg, "maximum rotation"},
-      Field{&Result::x_phi, "x_phi", mm, "where it is"},
+      Field{&Result::x_phi, "x_phi", mm, "location of the maximum rotation"},
       Field{&Result::s_max, "s_max", ratio, "steepest slope of a cone against the axis"}
           .limit(0, steepest_cone)
           .where_it_applies(),

@@ -63,7 +63,7 @@ void draw_legend(const Chart& chart, Canvas& canvas, Legend& legend, const std::
     add_cross(cross, legend.next(say("fails").text()));
     canvas.strokes("failing", cross);
   }
-  if (!groups[2].empty()) draw_ring(canvas, {legend.next(say("no verdict").text())});
+  if (!groups[2].empty()) draw_ring(canvas, {legend.next(say("no result").text())});
   if (!chart.front.empty()) canvas.dots("front", {legend.next(say("Pareto set").text())});
   if (!chart.worst.empty()) draw_worst(canvas, legend.next(say("largest utilisation").text()));
 }

@@ -183,7 +183,7 @@ void FieldPicture::draw_legend(Legend& legend) {
     canvas_.rectangle("thin", box);
   }
   if (has(Verdict::open) || has(Verdict::none)) {
-    const Point at = legend.next(say("no verdict, or no machine").text());
+    const Point at = legend.next(say("no result, or invalid design").text());
     canvas_.dots("speckle", {at + Point{-6.0, 2.0}, at + Point{0.0, -2.0}, at + Point{6.0, 2.0}});
   }
 }
@@ -202,7 +202,7 @@ Picture FieldPicture::drawn() {
   Legend legend(canvas_, frame_.height() + 12.0);
   draw_legend(legend);
   labels.append(canvas_);
-  const std::string what = chart_.level.empty() ? say("What passes").text() : plain(display_.title(0));
+  const std::string what = chart_.level.empty() ? say("Passing region").text() : plain(display_.title(0));
   const std::string over =
       say("{1} over {2} and {3}", what, plain(frame_.x().title(0)), plain(frame_.y().title(0))).text();
   return {std::move(labels), legend.bottom(), over + "; " + counts_of(chart_)};

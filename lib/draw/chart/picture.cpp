@@ -50,8 +50,8 @@ std::string counts_of(const Chart& chart) {
   for (std::size_t m = 0; m < failing.size(); ++m) {
     if (failing[m] > 0) text += "; " + say("{1} fail by {2}", std::to_string(failing[m]), plain(chart.modes[m])).text();
   }
-  if (open > 0) text += "; " + say("{1} have no verdict", std::to_string(open)).text();
-  if (none > 0) text += "; " + say("{1} are no machine", std::to_string(none)).text();
+  if (open > 0) text += "; " + say("{1} have no result", std::to_string(open)).text();
+  if (none > 0) text += "; " + say("{1} are invalid designs", std::to_string(none)).text();
   return text;
 }
 

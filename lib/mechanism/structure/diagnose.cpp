@@ -104,10 +104,10 @@ std::vector<Finding> spinning_rollers(const Model& model, const Structure& struc
 }
 
 Finding singular(const Model& model, const Structure& structure) {
-  return {
-      Finding::About::model, 0,
-      say("the stated position is singular: {1} can move in more than one way", names_of(model.links, structure.loose)),
-      say("state the assembly a little away from this position, so that it is known which way it goes")};
+  return {Finding::About::model, 0,
+          say("the stated position is singular: {1} can move in more than one direction",
+              names_of(model.links, structure.loose)),
+          say("state the assembly slightly away from this position, so that the direction of motion is determined")};
 }
 
 Finding redundant(const Model& model, const SharedFreedoms& shared) {
@@ -117,12 +117,11 @@ Finding redundant(const Model& model, const SharedFreedoms& shared) {
 }
 
 Finding rubs_without_knowing(const Model& model, std::size_t joint) {
-  return {
-      Finding::About::joint, joint,
-      say("what joint '{1}' induces, friction or the pressing of teeth and belts, hangs on its reaction, and that is "
-          "not unique: other joints hold the same freedom",
-          model.joints[joint].name),
-      say("leave out its friction and pressure angle, or the joints that repeat it")};
+  return {Finding::About::joint, joint,
+          say("friction, tooth or belt forces of joint '{1}' depend on its reaction, which is not unique: other joints "
+              "constrain the same freedom",
+              model.joints[joint].name),
+          say("leave out its friction and pressure angle, or the joints that repeat it")};
 }
 
 /// Reasons why a mechanism with redundant constraints cannot be solved.

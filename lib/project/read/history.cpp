@@ -114,9 +114,10 @@ Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   std::error_code error;
   const fs::file_type type = fs::status(path, error).type();
   if (type != fs::file_type::regular)
-    return told(say("there is no file '{1}' that can be read", path.string()),
-                fs::exists(path, error) ? say("a file that has an end; what is piped in is file = \"-\", with its form")
-                                        : say("its path goes from the folder of the project file"));
+    return told(say("file '{1}' does not exist or cannot be read", path.string()),
+                fs::exists(path, error)
+                    ? say("the file must have an end; for piped input use file = \"-\", with its form")
+                    : say("its path goes from the folder of the project file"));
   return rainflow::open_source(path.string());
 }
 

@@ -236,7 +236,7 @@ Tree Values::in_place(const Tree& tree, std::vector<Issue>& issues) {
     Place place = tree.place;
     ++place.column;
     issues.push_back({place_in(place, tree.text, 0, tree.text.size() - 1), "values." + name,
-                      say("there is no value '{1}'", name), nearest_to(name), Severity::error});
+                      say("unknown value '{1}'", name), nearest_to(name), Severity::error});
     told_.insert(name);
     return tree;
   }
@@ -276,7 +276,7 @@ void Values::write_out_all_numbers(Tree& tree) const {
 Outcome<Signature> Values::signature(const std::string& name) {
   const auto found = all_.find(name);
   if (found == all_.end() && told_.contains(name)) return Fault{};
-  if (found == all_.end()) return Fault{0, name.size(), say("there is no value '{1}'", name), nearest_to(name)};
+  if (found == all_.end()) return Fault{0, name.size(), say("unknown value '{1}'", name), nearest_to(name)};
   found->second.is_used = true;
   if (found->second.expression || found->second.in_circle) return Fault{};  // written out, or reported
   if (!found->second.is_literal) read_several(name, found->second);

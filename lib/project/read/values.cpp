@@ -127,7 +127,7 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
   }
   if (is_out_of_proportion(si)) {
     return say_at(tree.place, path, say("{1} = {2} is out of all proportion", path, format_quantity(si, field.unit)),
-                  say("check the unit and the power of ten: no machine has that"));
+                  say("check the unit and the power of ten"));
   }
   if (!field.plausible.holds(si)) {
     say_at(tree.place, path, unusual(path, field, si), say("check the unit"), Severity::warning);

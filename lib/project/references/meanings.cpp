@@ -126,7 +126,7 @@ class Checking {
     if (there.empty() || here.empty() || there == here) return;
     issues_.push_back({step_.input().reading.typed.at(beside.path).place, step_.name() + "." + beside.path,
                        say("'{1}' is \"{2}\" here, and '{3}' is \"{4}\"", beside.path, here, beside.source, there),
-                       say("leave it out: it comes with the record"), Severity::error});
+                       say("omit it: the record includes it"), Severity::error});
   }
 
   const Step& step_;

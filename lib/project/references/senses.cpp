@@ -78,20 +78,20 @@ void compare_word(const Step& step, const SenseClaim& claim, const std::string& 
   const std::string word = word_in(step, claim.field);
   const auto words = listed_keys(claim.words);
   if (std::find(words.begin(), words.end(), word) == words.end()) return;
-  issues.push_back(issue_of(
-      step, claim, load, say("{1} = \"{2}\", but {3} changes its sense: {4}", claim.field, word, load, reversal.text),
-      say("write {1} = \"{2}\"", claim.field, claim.instead)));
+  issues.push_back(issue_of(step, claim, load,
+                            say("{1} = \"{2}\", but {3} reverses: {4}", claim.field, word, load, reversal.text),
+                            say("write {1} = \"{2}\"", claim.field, claim.instead)));
 }
 
 void compare_number(const Step& step, const SenseClaim& claim, const std::string& load, const Reversal& reversal,
                     std::vector<Issue>& issues) {
   const Leaf leaf = find_leaf(step.input().reading.record, claim.field);
   if (!leaf || std::isnan(leaf.get()) || leaf.get() <= reversal.ratio + ripple) return;
-  issues.push_back(issue_of(
-      step, claim, load,
-      say("{1} = {2}, but {3} changes its sense: {4}", claim.field, format_number(leaf.get(), 4), load, reversal.text),
-      say("write {1} = {2}, or take the series itself", claim.field,
-          format_number(std::floor(reversal.ratio * 1000.0) / 1000.0, 3))));
+  issues.push_back(
+      issue_of(step, claim, load,
+               say("{1} = {2}, but {3} reverses: {4}", claim.field, format_number(leaf.get(), 4), load, reversal.text),
+               say("write {1} = {2}, or take the series itself", claim.field,
+                   format_number(std::floor(reversal.ratio * 1000.0) / 1000.0, 3))));
 }
 
 }  // namespace

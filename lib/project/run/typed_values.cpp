@@ -174,8 +174,8 @@ void refuse_idle_reasons(const Step& of, const std::set<const Typed*>& used, std
     const bool is_for_factor = of.loads().justified.contains(key);
     if (used.contains(&reason) || is_for_factor || answers_for_reduction(step.reading, key)) continue;
     issues.push_back({reason.place, step.name + ".because." + key,
-                      say("because.{1} is not needed: no row or record says less of {1}", key),
-                      say("leave it out; what a mode of failure needs is accept.MODE"), Severity::error});
+                      say("because.{1} is not needed: no row or record has a lower value of {1}", key),
+                      say("omit it; to accept a failure mode use accept.MODE"), Severity::error});
   }
 }
 
@@ -219,9 +219,10 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
     }
     weighed.holds_back = weighed.holds_back || (reason == nullptr && has_results);
     if (!has_results || (reason != nullptr && !wanted.unused)) continue;
-    const Bolder bolder = reason != nullptr ? Bolder{"", weighed.reasons.at(beside.path)}
-                                            : Bolder{"because." + beside.path,
-                                                     say("{1}; say why: because.{2} = \"...\"", excess, beside.path)};
+    const Bolder bolder =
+        reason != nullptr
+            ? Bolder{"", weighed.reasons.at(beside.path)}
+            : Bolder{"because." + beside.path, say("{1}; give the reason: because.{2} = \"...\"", excess, beside.path)};
     const bool is_far = beside.kind == Beside::usual && is_far_from_usual(evaluation, beside);
     const bool only_changes =
         mark_decided(results, results_with(evaluation, beside), bolder, beside.kind, is_far, weighed);

@@ -65,7 +65,7 @@ void find_varying_loads(Project& project, const Declared& declared) {
 }
 
 Issue taken_once(const Place& place, const std::string& key, std::size_t values) {
-  return {place, key, say("these are {1} values, and one is taken here", std::to_string(values)),
+  return {place, key, say("these are {1} values; a single value is required", std::to_string(values)),
           say("`loadpath sweep` goes through all of them, `loadpath run FILE --point 0` takes the first"),
           Severity::error};
 }

@@ -154,7 +154,7 @@ Message lack_of(Variants& variants, const std::vector<double>& point) {
   variants.evaluate(in, out, 1);
   if (!variants.refusals().empty()) {
     const Issue& issue = variants.refusals().front().issue;
-    return say("no machine: {1}: {2}", issue.key, issue.message);
+    return say("invalid design: {1}: {2}", issue.key, issue.message);
   }
   for (std::size_t k = 0; k < found.size(); ++k) {
     const SweptResult& column = variants.columns()[k];

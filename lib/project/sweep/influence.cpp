@@ -12,8 +12,7 @@ std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& 
     issues.push_back({{}, "", std::move(message), std::move(hint), Severity::error});
     return std::nullopt;
   };
-  if (plan.columns.empty())
-    return refuse(say("there is no result to ask about"), say("name one: --results shaft.u_tau"));
+  if (plan.columns.empty()) return refuse(say("no result given"), say("name one: --results shaft.u_tau"));
   std::vector<std::string> texts;
   for (const SweptResult& column : plan.columns) texts.push_back(column.name + " = " + column.text);
   Variants variants(read(), texts);

@@ -127,7 +127,7 @@ void Parser::unit(Node& literal) {
   if (!unit) return fail_unit(unit.fault());
   const auto written = slice(from, end);
   if (unit->offset != 0.0) {
-    return fail(from, end - from, say("'{1}' is a point on a scale and cannot stand in an expression", written),
+    return fail(from, end - from, say("'{1}' is a point on a scale and cannot be used in an expression", written),
                 say("write a temperature difference in K"));
   }
   if (counts_anything(unit->dimension, written)) {

@@ -188,7 +188,7 @@ class Reader {
     if (d == 0.0) return fail(in_.at - bottom.size(), bottom.size(), say("a fraction cannot have the denominator 0"));
     if (mixed && (top.size() > 2 || n >= d))
       return fail(from, in_.at - from, say("'{1}' can be read in two ways", since(start_)),
-                  say("write a decimal number, or a whole number and a fraction less than 1"));
+                  say("write a decimal number, or an integer and a fraction less than 1"));
     ready_ = true;
     value_ = mixed ? number(digits_) + n / d : n / d;
     return true;

@@ -86,7 +86,7 @@ std::optional<Fault> CsvReader::find_name(const std::vector<std::string>& fields
   const bool is_whole = found != fields.end();
   if (!is_whole) found = std::find_if(fields.begin(), fields.end(), is_it);
   if (found == fields.end())
-    return at_line(say("line {1}: there is no column '{2}'", std::to_string(lines_.number()), shown(form_.column)),
+    return at_line(say("line {1}: unknown column '{2}'", std::to_string(lines_.number()), shown(form_.column)),
                    did_you_mean(form_.column, fields, there_is(fields)));
   const auto again =
       is_whole ? std::find(found + 1, fields.end(), form_.column) : std::find_if(found + 1, fields.end(), is_it);

@@ -85,7 +85,7 @@ class Writer {
  private:
   std::string path(const draw::Flow& flow) {
     if (flow.parts.empty()) return {};
-    const Message caption = say("What loads what, and with how much");
+    const Message caption = say("Load path: loads between the steps");
     return "<figure class=\"path\">" + draw::flow_in_page(flow, caption.text()) + "<figcaption>" +
            numbered("Figure", numbering_.figure(), caption) + "</figcaption></figure>\n";
   }

@@ -21,7 +21,7 @@ std::string value(const Mode& mode) {
 std::string table_of(const Modes& rows, const std::set<std::string>& anchors) {
   if (rows.empty()) return {};
   std::string out = "<div class=\"scroll\"><table class=\"verdicts\">\n<thead><tr>";
-  for (const Message& head : {say("mode of failure"), say("utilisation"), say("verdict")}) {
+  for (const Message& head : {say("failure mode"), say("utilisation"), say("verdict")}) {
     out += std::string("<th scope=\"col\"") + (head.id == "utilisation" ? " class=\"number\">" : ">") +
            escaped(head.text()) + "</th>";
   }

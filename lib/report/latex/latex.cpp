@@ -48,7 +48,7 @@ class Writer {
   std::string operator()(const draw::Figure& figure) { return pictured(draw::tikz(figure), say(figure.caption)); }
   std::string operator()(const draw::Flow& flow) {
     if (flow.parts.empty()) return {};
-    return pictured(draw::flow_tikz(flow), say("What loads what, and with how much"));
+    return pictured(draw::flow_tikz(flow), say("Load path: loads between the steps"));
   }
 
   std::string front(const Document& document) {

@@ -32,7 +32,7 @@ std::string table_of(const Modes& modes, const Linked& linked) {
                     mode.utilisation ? latex_text(format_number(*mode.utilisation, 3)) : "–", state_of(mode)});
   }
   return framed("L{0.68\\linewidth}rl",
-                row_of({latex_text(say("mode of failure").text()), latex_text(say("utilisation").text()),
+                row_of({latex_text(say("failure mode").text()), latex_text(say("utilisation").text()),
                         latex_text(say("verdict").text())}),
                 rows);
 }

@@ -63,7 +63,7 @@ std::string conclusion(const Modes& all) {
 
 std::string table_of(const Modes& rows) {
   if (rows.empty()) return {};
-  Grid grid{{text(say("mode of failure").text()), text(say("utilisation").text()), text(say("verdict").text())},
+  Grid grid{{text(say("failure mode").text()), text(say("utilisation").text()), text(say("verdict").text())},
             {},
             {false, true, false}};
   for (const Mode& mode : rows) {
@@ -130,7 +130,7 @@ class Writer {
   }
   void operator()(const Verdicts& rows) { out_.text += verdicts(rows); }
   void operator()(const draw::Flow& flow) {
-    const std::string caption = say("What loads what, and with how much").text();
+    const std::string caption = say("Load path: loads between the steps").text();
     add_figure("path", caption, draw::flow_file(flow, caption));
   }
   void operator()(const draw::Figure& figure) { add_figure(figure.id, say(figure.caption).text(), draw::svg(figure)); }

@@ -17,15 +17,15 @@ Quantity in_unit_of(double si, const std::string& unit) { return {si, unit.empty
 Message reach_of(const sweep::Optimum& optimum) {
   using Reach = sweep::Optimum::Reach;
   const std::string n = std::to_string(optimum.candidates > 0 ? optimum.candidates : optimum.evaluations);
-  if (optimum.budget_spent) return say("the search ended after {1} machines, before it was done", n);
-  if (optimum.reach == Reach::every_point) return say("the best of all {1} machines", n);
+  if (optimum.budget_spent) return say("the search ended after {1} designs, before completion", n);
+  if (optimum.reach == Reach::every_point) return say("the best of all {1} designs", n);
   if (optimum.reach == Reach::every_combination)
     return say("the best of every combination of the values, {1} machines", n);
   return say("better than all neighbouring designs and than the results from other starts; {1} designs", n);
 }
 
 Table chosen_table(const Best& best) {
-  Table table{say("Chosen"), {say("input"), say("value"), say("from")}, {}};
+  Table table{say("Selected values"), {say("input"), say("value"), say("source")}, {}};
   for (std::size_t i = 0; i < best.inputs.size(); ++i) {
     const SweptInput& input = best.inputs[i];
     const bool chosen = std::find(best.chosen.begin(), best.chosen.end(), i) != best.chosen.end();
@@ -45,13 +45,13 @@ Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Messag
   if (neighbour.broken >= best.demands.size()) return say("no nearer to the constraints");
   const std::string& demand = best.demands[neighbour.broken].text;
   const double value = neighbour.outputs[neighbour.broken + 1];
-  if (std::isfinite(value)) return say("breaks '{1}' ({2})", demand, format_number(value, 4));
-  if (lack.empty()) return say("breaks '{1}' ({2})", demand, say("not available"));
+  if (std::isfinite(value)) return say("violates '{1}' ({2})", demand, format_number(value, 4));
+  if (lack.empty()) return say("violates '{1}' ({2})", demand, say("not available"));
   return lack;
 }
 
 Table neighbour_table(const Best& best) {
-  Table table{say("Beside it"), {say("input"), say("value"), say("{1}", best.objective), say("why not")}, {}};
+  Table table{say("Neighbouring values"), {say("input"), say("value"), say("{1}", best.objective), say("why not")}, {}};
   for (std::size_t i = 0; i < best.optimum.neighbours.size(); ++i) {
     const sweep::Neighbour& neighbour = best.optimum.neighbours[i];
     const SweptInput& input = best.inputs[best.chosen[neighbour.variable]];
@@ -95,7 +95,7 @@ std::vector<Block> seek_blocks(const project::SoughtValue& sought) {
                                   Paragraph::Tone::warning});
     return blocks;
   }
-  Table table{say("Where it is met"), {say("{1}", sought.input.name), say("result"), say("how")}, {}};
+  Table table{say("Solution"), {say("{1}", sought.input.name), say("result"), say("how")}, {}};
   for (const sweep::Meeting& meeting : sought.sought.meetings) {
     const Message how = meeting.kind == Kind::crossing   ? say("goes through")
                         : meeting.kind == Kind::touching ? say("touches")

@@ -79,10 +79,10 @@ Chart chart_of(const Project& project, const SweepPlan& plan, const SolvedPoints
       dot.mode = known.first->second;
     }
     const std::string of_mode = mode.empty() ? "" : say(" by {1}", mode).text();
-    said.si.push_back(how.verdict == Verdict::none     ? word(say("no machine").text())
+    said.si.push_back(how.verdict == Verdict::none     ? word(say("invalid design").text())
                       : how.verdict == Verdict::fails  ? word(say("fails{1}", of_mode).text())
                       : how.verdict == Verdict::passes ? word(say("passes").text())
-                                                       : word(say("no verdict{1}", of_mode).text()));
+                                                       : word(say("no result{1}", of_mode).text()));
     chart.dots.push_back(dot);
   }
   chart.told.push_back(std::move(used));
@@ -135,7 +135,7 @@ draw::Figure cloud_of(const Project& project, const SweepPlan& plan, const Found
   for (const auto& point : found.worst()) put(point.index, chart.worst);
   if (chart.more_x) std::reverse(chart.front.begin(), chart.front.end());
   chart.shown = chart.front.empty() ? 0 : chart.front[chart.front.size() / 2];
-  return {"cloud", "Points over two results, with those that no other beats",
+  return {"cloud", "Points over two results, with the Pareto-optimal ones",
           std::make_shared<const Chart>(std::move(chart))};
 }
 
@@ -172,7 +172,7 @@ draw::Figure field_of(const Project& project, const SweepPlan& plan, const Plane
     if (asked > 0) chart.levels = plane.points.results[0];
   }
   chart.shown = last_that_passes(chart);
-  return {"plane", "What two inputs do: lines of equal level; what is hatched fails",
+  return {"plane", "Effect of two inputs: contour lines; hatched: fail",
           std::make_shared<const Chart>(std::move(chart))};
 }
 

@@ -66,9 +66,9 @@ Table budget_table(const Influence& influence, std::size_t k) {
     const bool scatters = influence.inputs[bar.input].distribution.has_value();
     certain = certain && !(scatters && is_in_steps(influence.slopes.at(k, bar.input), bar.swing));
   }
-  Table table{say("{1}: where its scatter comes from, standard deviation {2} by slopes{3}", influence.names[k],
+  Table table{say("{1}: sources of scatter, standard deviation {2} by slopes{3}", influence.names[k],
                   format_quantity(sd, unit, 4), certain ? "" : "; some are not smooth, so it is a guess"),
-              {say("input"), say("share of the variance"), say("standard deviation left if it scattered half as much")},
+              {say("input"), say("share of the variance"), say("remaining standard deviation at half its scatter")},
               {}};
   for (const sweep::BudgetLine& line : budget.lines) {
     if (!influence.inputs[line.input].distribution) continue;
@@ -102,7 +102,7 @@ draw::Figure tornado_figure(const Influence& influence, std::size_t k) {
     const double y = count - static_cast<double>(b);
     plot.curves.push_back({influence.inputs[bar.input].name, {bar.low, tornado.base, bar.high}, {y, y, y}, false});
   }
-  return {"tornado-" + std::to_string(k + 1), "Each input alone, from low to high", std::move(plot)};
+  return {"tornado-" + std::to_string(k + 1), "Each input separately, from low to high", std::move(plot)};
 }
 
 }  // namespace

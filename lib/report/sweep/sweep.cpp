@@ -99,10 +99,9 @@ Table result_table(const SweepPlan& plan, const Found& found) {
 std::string mode_name(const SweptResult& column) { return column.step + "." + column.mode; }
 
 Table mode_table(const Project& project, const SweepPlan& plan, const Found& found) {
-  Table table{
-      say("Modes of failure"),
-      {say("mode"), say("fails"), say("no verdict"), say("passes"), say("largest utilisation"), say("at point")},
-      {}};
+  Table table{say("Failure modes"),
+              {say("mode"), say("fails"), say("no result"), say("passes"), say("largest utilisation"), say("at point")},
+              {}};
   const auto columns = project::verdict_columns(project);
   for (std::size_t t = 1; t < found.tallies().size(); ++t) {
     const Tally& tally = found.tallies()[t];
@@ -121,7 +120,7 @@ Table mode_table(const Project& project, const SweepPlan& plan, const Found& fou
 }
 
 Table refused_table(const Found& found) {
-  Table table{say("Points that are no machine"), {say("why"), say("points"), say("first")}, {}};
+  Table table{say("Invalid designs"), {say("why"), say("points"), say("first")}, {}};
   for (const auto& [id, refused] : found.refusals())
     table.rows.push_back({refused.key + ": " + refused.message, number(refused.count), number(refused.first)});
   return table;
@@ -212,9 +211,9 @@ Paragraph conclusion(const SweepPlan& plan, const Found& found) {
   std::string text = "Of " + number(n) + " points " + number(all.passing()) +
                      " pass: " + share_text(all.passing(), n, is_sample(plan)) + "; " + number(fails) + " fail";
   if (gaps > 0) text += "; " + number(gaps) + " are not assessed, have no valid method or no result";
-  if (all.refused_points() > 0) text += "; " + number(all.refused_points()) + " are no machine";
+  if (all.refused_points() > 0) text += "; " + number(all.refused_points()) + " are invalid designs";
   text += ".";
-  if (plan.inputs.empty()) text += " Nothing varies: it is the one machine of the project.";
+  if (plan.inputs.empty()) text += " Nothing varies: the single design of the project.";
   return {say("{1}", text), Paragraph::Tone::plain};
 }
 

@@ -85,7 +85,7 @@ void show_tables(const project::Step& step) {
 
 void show_derivation(const project::Step& step) {
   const auto& lines = step.account().derivation;
-  if (!step.account().governing.empty()) std::cout << "  worked out " << step.account().governing.text() << ":\n";
+  if (!step.account().governing.empty()) std::cout << "  calculated " << step.account().governing.text() << ":\n";
   const bool several = std::any_of(lines.begin(), lines.end(), [](const auto& d) { return d.scope.ends_with("[2]"); });
   std::vector<Row> rows;
   rows.reserve(lines.size());

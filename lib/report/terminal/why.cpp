@@ -68,7 +68,7 @@ std::vector<Row> rows_about(const Step& step, const std::string& name) {
 void show_reasons(const Step& step, const std::string& path) {
   const report::Reasons reasons = report::reasons_of(step.account(), path);
   if (!step.account().governing.empty() && !reasons.lines.empty())
-    std::cout << "  worked out " << step.account().governing.text() << ":\n";
+    std::cout << "  calculated " << step.account().governing.text() << ":\n";
   show_lines(reasons.lines);
   if (reasons.inputs.empty()) return;
   std::cout << "from\n";

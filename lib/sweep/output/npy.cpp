@@ -70,11 +70,11 @@ Message read_npy(const std::filesystem::path& path, const std::function<bool(std
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(std::fopen(path.c_str(), "rb"), &std::fclose);
   if (!file) return wrong("cannot be read");
   std::array<char, header_size> found{};
-  if (std::fread(found.data(), 1, header_size, file.get()) != header_size) return wrong("it is no column");
+  if (std::fread(found.data(), 1, header_size, file.get()) != header_size) return wrong("not a column");
   const std::string_view text(found.data(), found.size());
   constexpr std::string_view shape = "'shape': (";
   const std::size_t at = text.find(shape);
-  if (at == std::string_view::npos) return wrong("it is no column");
+  if (at == std::string_view::npos) return wrong("not a column");
   std::uint64_t left = std::strtoull(found.data() + at + shape.size(), nullptr, 10);
   if (header(left) != found) return wrong("it is not a column of this program");
   std::array<double, 8192> values{};

@@ -76,7 +76,7 @@ TEST_SUITE("dynamics angular momentum") {
         {"parts = [{ omega_1 = \"1 rad/s\" }]\n", "give one of the two"},
         {"parts = [{ J_1 = \"1 kg*m^2\", m = \"1 kg\", R_1 = \"1 m\" }]\n", "give one of the two"},
         {"M = \"1 N*m\"\nparts = [{ J_1 = \"1 kg*m^2\" }]\n", "give t"},
-        {"M = \"1 N*m\"\nt = \"1 s\"\nparts = [{ J_1 = \"1 kg*m^2\", omega_2 = \"1 rad/s\" }]\n", "leave out t"},
+        {"M = \"1 N*m\"\nt = \"1 s\"\nparts = [{ J_1 = \"1 kg*m^2\", omega_2 = \"1 rad/s\" }]\n", "omit t"},
         {"M = \"1 N*m\"\nparts = [{ J_1 = \"1 kg*m^2\", omega_1 = \"2 rad/s\", omega_2 = \"1 rad/s\" }]\n",
          "change its sign"}};
     check_refusals("dynamics.angular_momentum", rows);

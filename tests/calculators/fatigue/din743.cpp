@@ -304,7 +304,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(says(bar + load + "sigma_B = \"470 MPa\"\nsigma_S = \"355 MPa\"\n", "needs the group of steels"));
     CHECK(says(bar + load + "group = \"structural\"\nsigma_B = \"470 MPa\"\n", "goes with sigma_S"));
     CHECK(says(bar + load + "R_m = \"470 MPa\"\nR_e = \"471 MPa\"\n", "yields below"));
-    CHECK(says(bar + load + steel + "sigma_bW = \"480 MPa\"\n", "breaks at once"));
+    CHECK(says(bar + load + steel + "sigma_bW = \"480 MPa\"\n", "below the tensile strength"));
     CHECK(says(steel + shoulder + "r = \"2 mm\"\nR_z = \"6.3 um\"\n", "needs the larger diameter"));
     CHECK(says(steel + shoulder + "r = \"2 mm\"\nD = \"40 mm\"\nR_z = \"6.3 um\"\n", "above d"));
     CHECK(says(steel + shoulder + "D = \"50 mm\"\nR_z = \"6.3 um\"\n", "needs its radius"));

@@ -301,7 +301,7 @@ TEST_SUITE("fatigue.fkm") {
     CHECK(says(size + bar + load, "say what steel it is"));
     CHECK(says(steel + bar + load + "K_an = 0.9\nfibre = \"across\"\n", "or by fibre, never both"));
     CHECK(says(steel + bar + load + "G_b = \"0.2/mm\"\n", "typed shape factors"));
-    CHECK(says(steel + bar + load + "sigma_W = \"480 MPa\"\n", "breaks at once"));
+    CHECK(says(steel + bar + load + "sigma_W = \"480 MPa\"\n", "below the tensile strength"));
     CHECK(says("steel = \"structural\"\noverload = \"F2\"\nR_m = \"470 MPa\"\nR_e = \"471 MPa\"\n" + bar + load,
                "yields below"));
     CHECK(says(steel + bar + load + "j_D = 0.9\n", "must be"));

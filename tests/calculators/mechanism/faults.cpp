@@ -206,7 +206,7 @@ positions = 12
     CHECK(with("positions = 12", "positions = 4")
               .starts_with("a.toml:3:54: error: crank.positions = 4: must be >= 8 and <= 7200\n"));
     CHECK(with("positions = 12", "positions = 12.5")
-              .starts_with("a.toml:3:54: error: a whole number is expected, not 12.5\n"));
+              .starts_with("a.toml:3:54: error: an integer is expected, not 12.5\n"));
     CHECK(with("\"60 rpm\"", "\"60 Hz\"") == R"(a.toml:3:33: error: '60 Hz' is a frequency, an angular speed is expected
 3 | crank = { joint = "O", speed = "60 Hz", positions = 12 }
   |                                 ^^^^^

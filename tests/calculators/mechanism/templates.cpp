@@ -324,7 +324,7 @@ joints.bore = { type = "prismatic", links = ["plunger", "ground"], points = ["V"
 TEST_SUITE("mechanism template faults") {
   TEST_CASE("a template, a parameter or a link that does not exist is told with the nearest one") {
     CHECK(issues_of(replaced(slider, "slider_crank", "slidercrank")) ==
-          R"(a.toml:4:13: error: there is no template 'slidercrank'
+          R"(a.toml:4:13: error: unknown template 'slidercrank'
 4 | template = "slidercrank"
   |             ^^^^^^^^^^^
   = help: did you mean 'slider_crank'?

@@ -127,7 +127,7 @@ TEST_SUITE("shaft design whirl") {
     CHECK(contains(Solved(shaft("{ l = \"1 m\", d = \"50 mm\" }", "{ x = \"0 m\" }, { x = \"1 m\" }",
                                 "{ x = \"0.5 m\", mass = \"0 kg\", I_p = \"1 kg*m^2\", b = \"0 mm\" }", ""))
                        .errors(),
-                   "has a mass"));
+                   "needs a mass"));
   }
 
   TEST_CASE("moments of inertia beyond reason still come to a number or to none") {

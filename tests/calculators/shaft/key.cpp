@@ -107,7 +107,7 @@ TEST_SUITE("key") {
 
   TEST_CASE("what is missing or contradicts is said") {
     check_says("d = \"50 mm\"\nl = \"70 mm\"\n", "give a key: key = \"14x9\", or b, h and t_1");
-    check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x10\"\n", "there is no key '14x10'");
+    check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x10\"\n", "unknown key '14x10'");
     check_says("d = \"50 mm\"\nl = \"12 mm\"\nkey = \"14x9\"\n",
                "a key with round ends must be longer than it is wide");
     check_says("d = \"50 mm\"\nl = \"70 mm\"\nb = \"14 mm\"\nh = \"5 mm\"\nt_1 = \"5.5 mm\"\n",

@@ -109,16 +109,16 @@ TEST_SUITE("cli describe in full") {
     const std::string head = "Example, a project file that runs:\n\n";
     CHECK(Desk().run({"run", "-"}, o.out.substr(o.out.find(head) + head.size())).code == 0);
     CHECK(loadpath_with({"describe", "mechanism.planar.slidercrank"}).error ==
-          "loadpath: there is no calculator 'mechanism.planar.slidercrank'\n  = help: did you mean "
+          "loadpath: unknown calculator 'mechanism.planar.slidercrank'\n  = help: did you mean "
           "'mechanism.planar.slider_crank'?\n");
   }
 
   TEST_CASE("a calculator that does not exist is told with the nearest one") {
     const Ran o = loadpath_with({"describe", "shaft.torsoin"});
     CHECK(o.code == 2);
-    CHECK(o.error == "loadpath: there is no calculator 'shaft.torsoin'\n  = help: did you mean 'shaft.torsion'?\n");
+    CHECK(o.error == "loadpath: unknown calculator 'shaft.torsoin'\n  = help: did you mean 'shaft.torsion'?\n");
     CHECK(loadpath_with({"describe", "teapot"}).error ==
-          "loadpath: there is no calculator 'teapot'\n  = help: `loadpath list` shows all\n");
+          "loadpath: unknown calculator 'teapot'\n  = help: `loadpath list` shows all\n");
   }
 
   TEST_CASE("the schema is what the program writes") {

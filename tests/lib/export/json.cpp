@@ -96,7 +96,7 @@ TEST_SUITE("json") {
     CHECK(inputs.at("T").at("from") == "given");
     CHECK(inputs.at("R_e").at("from") == "C45E");
     CHECK(inputs.at("K_A").at("from") == "default");
-    CHECK(inputs.at("d").at("from") == "smallest of R40 that passes every check; 14 mm fails: u_tau = 1.181");
+    CHECK(inputs.at("d").at("from") == "smallest of R40 with which no assessed mode fails; 14 mm fails: u_tau = 1.181");
   }
 
   TEST_CASE("a check has value, limit and verdict") {

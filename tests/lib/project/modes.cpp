@@ -50,7 +50,7 @@ TEST_SUITE("project modes") {
     Solved failing(gears + "sigma_adm_1 = \"20 MPa\"\nsigma_adm_2 = \"20 MPa\"\naccept.root_1 = \"it will hold\"\n");
     CHECK(failing.mode("gears.root_1").state == State::fail);
     CHECK(contains(Solved(gears + "accept.piting_1 = \"x\"\n").messages(),
-                   "has no mode of failure 'piting_1' = did you mean 'pitting_1'?"));
+                   "has no failure mode 'piting_1' = did you mean 'pitting_1'?"));
     CHECK(contains(Solved(gears + "accept.pitting_1 = \" \"\n").messages(), "needs a reason"));
     CHECK(contains(Solved(gears + "accept.pitting_1 = true\n").messages(), "needs a reason"));
     CHECK(contains(Solved(gears + "accept = \"pitting_1\"\n").messages(), "is a table of reasons, not a text"));

@@ -21,7 +21,7 @@ TEST_SUITE("project") {
 
   TEST_CASE("an unknown calculator is told with the nearest one") {
     CHECK(issues_of("[axle]\ncalculator = \"shaft.torsoin\"\n") ==
-          R"(a.toml:2:15: error: there is no calculator 'shaft.torsoin'
+          R"(a.toml:2:15: error: unknown calculator 'shaft.torsoin'
 2 | calculator = "shaft.torsoin"
   |               ^^^^^^^^^^^^^
   = help: did you mean 'shaft.torsion'?

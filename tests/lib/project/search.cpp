@@ -31,7 +31,7 @@ TEST_SUITE("project search") {
     const auto project = solved(sized("d = { stock = \"R20\" }\n"));
     for (const account::Entry& e : project.find("axle")->account().inputs) {
       if (e.path == "d")
-        CHECK(e.origin.text.text() == "smallest of R20 that passes every check; 71 mm fails: u_tau = 1.281");
+        CHECK(e.origin.text.text() == "smallest of R20 with which no assessed mode fails; 71 mm fails: u_tau = 1.281");
     }
   }
 
@@ -64,7 +64,7 @@ TEST_SUITE("project search") {
   }
 
   TEST_CASE("an unknown stock is told with the nearest one") {
-    CHECK(issues_of(sized("d = { stock = \"R41\" }\n")) == R"(a.toml:5:16: error: there is no stock 'R41'
+    CHECK(issues_of(sized("d = { stock = \"R41\" }\n")) == R"(a.toml:5:16: error: unknown stock 'R41'
 5 | d = { stock = "R41" }
   |                ^^^
   = help: did you mean 'R40'?
@@ -84,7 +84,7 @@ TEST_SUITE("project search") {
     CHECK(issues_of(pair) == R"(a.toml:1:2: error: 'm_n' cannot be sized: no check is active
 1 | [pair]
   |  ^^^^
-  = help: give m_n itself, or what a check needs: sigma_adm_1, sigma_adm_2
+  = help: give m_n, or an input of a check: sigma_adm_1, sigma_adm_2
 )");
     CHECK(told(pair + "m_n = \"2 mm\"\n").issues.empty());
   }

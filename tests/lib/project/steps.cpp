@@ -48,13 +48,13 @@ TEST_SUITE("project steps") {
   TEST_CASE("a step that does not exist is told with the nearest one, or with all") {
     const std::string source = "[crank]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n";
     CHECK(issues_of(source + axle + "T = \"=crnak.M_max\"\ntau_adm = \"30 MPa\"\n") ==
-          R"says(a.toml:7:7: error: there is no step 'crnak'
+          R"says(a.toml:7:7: error: unknown step 'crnak'
 7 | T = "=crnak.M_max"
   |       ^^^^^^^^^^^
   = help: did you mean 'crank.M_max'?
 )says");
     CHECK(issues_of(source + axle + "T = \"=2 * lever.drive.M\"\ntau_adm = \"30 MPa\"\n") ==
-          R"says(a.toml:7:11: error: there is no step 'lever'
+          R"says(a.toml:7:11: error: unknown step 'lever'
 7 | T = "=2 * lever.drive.M"
   |           ^^^^^^^^^^^^^
   = help: there is: crank, axle

@@ -168,7 +168,7 @@ TEST_SUITE("quantity") {
         {"5 N*m", inertia, 0, 5, "'5 N*m' is a moment, a moment of inertia is expected", "write a unit such as kg*m^2"},
         {"20 °C", kelvin, 0, 6, "'20 °C' is a point on the temperature scale, a difference is expected",
          "write the difference in K"},
-        {"1.2e-5 /°C", expansion, 7, 4, "'/°C': a point on a temperature scale cannot stand in a product",
+        {"1.2e-5 /°C", expansion, 7, 4, "'/°C': a point on a temperature scale cannot be used in a product",
          "write the temperature difference in K"},
         {"30 kg", force, 0, 5, "'30 kg' is a mass, a force is expected",
          "a force is written in N, kgf or lbf, a mass in kg or lb"},

@@ -116,9 +116,9 @@ TEST_SUITE("quantity") {
         {"1/0", 2, 1, "a fraction cannot have the denominator 0", ""},
         {"1/2.5", 3, 1, "a fraction consists of integers", ""},
         {"1 3/2", 1, 4, "'1 3/2' can be read in two ways",
-         "write a decimal number, or a whole number and a fraction less than 1"},
+         "write a decimal number, or an integer and a fraction less than 1"},
         {"1 200/300", 1, 8, "'1 200/300' can be read in two ways",
-         "write a decimal number, or a whole number and a fraction less than 1"},
+         "write a decimal number, or an integer and a fraction less than 1"},
     };
     for (const Row& row : rows) {
       CAPTURE(row.text);

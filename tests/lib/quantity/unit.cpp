@@ -114,7 +114,7 @@ TEST_SUITE("quantity") {
         {"m^13", 1, 3, "'^13' is too large a power for a unit", ""},
         {"((m^9)^9)^9", 1, 7, "'(m^9)^9' is too large a power for a unit", ""},
         {"m*", 2, 1, "a unit is missing at the end", ""},
-        {"1/(m*°C)", 0, 9, "'1/(m*°C)': a point on a temperature scale cannot stand in a product",
+        {"1/(m*°C)", 0, 9, "'1/(m*°C)': a point on a temperature scale cannot be used in a product",
          "write the temperature difference in K"},
         {"mm 5", 3, 1, "a second number '5'", "write one number and one unit; digits are grouped by exactly three"},
     };

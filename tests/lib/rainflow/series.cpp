@@ -172,7 +172,7 @@ TEST_SUITE("rainflow series") {
     CHECK(csv("1,2\n", "3").message == "line 1 has 2 columns, and no column 3");
     CHECK(csv("1,2\n", "0").message == "line 1 has 2 columns, and no column 0");
     const Read unknown = csv("time,force\n1,2\n", "forc");
-    CHECK(unknown.message == "line 1: there is no column 'forc'");
+    CHECK(unknown.message == "line 1: unknown column 'forc'");
     CHECK(unknown.hint == "did you mean 'force'?");
     CHECK(csv("F,F\n1,2\n", "F").message == "line 1: two columns are called 'F'");
     CHECK(csv("1\n\x1b[31m\n").message == "line 2: '?[31m' in column 1 is not a finite number");

@@ -168,7 +168,7 @@ source = "EN 10028-2"
     CHECK(with("\"material\"", "\"v_belt\"").starts_with("2:10: a project can have no tables 'v_belt' of its own"));
     CHECK(with("E = 205", "E = nan").starts_with("6:5: E must be a number"));
     CHECK(with("R_e = 300", "R_e = -300").ends_with("R_e = -300 MPa: must be > 0"));
-    CHECK(with("certificate = ", "certificat = ").starts_with("8:13: there is no source 'certificate'"));
+    CHECK(with("certificate = ", "certificat = ").starts_with("8:13: unknown source 'certificate'"));
     CHECK(told(read("", {"title = \"empty\"\n"}).issues).find("the file has no rows") != std::string::npos);
   }
 
@@ -185,9 +185,9 @@ source = "EN 10028-2"
     CHECK(fault("tables.materials.S235") ==
           "'tables.materials.S235' is not a value of a table | write table, row and column, a row's name in quotes: "
           "tables.sections.\"IPE 330\".I_y");
-    CHECK(fault("tables.section_s.M.E") == "there are no tables 'section_s' | did you mean 'sections'?");
+    CHECK(fault("tables.section_s.M.E") == "unknown tables 'section_s' | did you mean 'sections'?");
     CHECK(fault("tables.sections.\"HEA 155\".A") ==
-          "there is no section 'HEA 155' in the tables | did you mean 'HEA 160'?");
+          "unknown section 'HEA 155' in the tables | did you mean 'HEA 160'?");
     CHECK(fault("tables.materials.S235.e") == "the material 'S235' has no value 'e' | did you mean 'E'?");
     CHECK(fault("tables.materials.S235.R_e") ==
           "R_e of 'S235' depends on the size, which is not given | name the row in a step, which knows its size: "

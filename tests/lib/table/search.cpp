@@ -56,7 +56,7 @@ TEST_SUITE("table search") {
   }
 
   TEST_CASE("what cannot be read is told with its place") {
-    CHECK(fault("I_mni >= 300 cm^4").message.text() == "there is no column 'I_mni' in these tables");
+    CHECK(fault("I_mni >= 300 cm^4").message.text() == "unknown column 'I_mni' in these tables");
     CHECK(fault("I_mni >= 300 cm^4").hint.text() == "did you mean 'I_min'?");
     CHECK(fault("h > 1 mm and bb > 2 mm").at == 13);
     CHECK(fault("h > 30").message.text().find("30") != std::string::npos);

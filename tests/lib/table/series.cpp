@@ -44,7 +44,7 @@ TEST_SUITE("table") {
 
   TEST_CASE("an unknown series names the nearest") {
     const auto unknown = find_series(built_in(), "R21");
-    CHECK(unknown.fault().message.text() == "there is no series 'R21'");
+    CHECK(unknown.fault().message.text() == "unknown series 'R21'");
     CHECK(unknown.fault().hint.text() == "did you mean 'R20'?");
   }
 

@@ -62,7 +62,7 @@ TurnFault fault_of_angle(const Input& in) {
     if (!is_set(seat.psi)) continue;
     for (std::size_t i = 0; i < positions_of(in); ++i) {
       if (std::abs(wrapped(seat.psi.at(i) - told->psi.at(i))) > same)
-        return {"psi", say("what sits on one shaft turns with it, and these do not"), {}};
+        return {"psi", say("components of one shaft must have the same speed, and these have not"), {}};
     }
   }
   if (!told->psi.is_series()) {

@@ -81,7 +81,7 @@ ComputedInput Inputs::companion_input(const Provided& provided) const {
     }
     names += (names.empty() ? "" : ", ") + path;
   }
-  return {provided.path, leaf(provided.path), std::move(most), {say("comes with it: {1}", names), {}, false}};
+  return {provided.path, leaf(provided.path), std::move(most), {say("linked: {1}", names), {}, false}};
 }
 
 void Inputs::take_row(const std::string& group, const std::string& row, std::vector<Issue>& issues) {

@@ -125,7 +125,7 @@ void PreparedStep::check_stock(const Search& search, std::vector<Issue>& issues)
                     say("name one; `loadpath tables` lists them"));
     const auto rows = input().tables->ordered_rows(search.path, search.stock);
     if (rows.empty())
-      return refuse(say("there is no table or kind of {1} '{2}'", search.path, search.stock),
+      return refuse(say("unknown table or kind of {1} '{2}'", search.path, search.stock),
                     did_you_mean(search.stock, input().tables->names_of(search.path)));
     for (const FieldInfo& field : input().calculator->input->fields) {
       if (field.provider.table != search.path || input().reading.typed.count(field.key) == 0) continue;
@@ -136,7 +136,7 @@ void PreparedStep::check_stock(const Search& search, std::vector<Issue>& issues)
                       say("leave out {1}, name the {2}, or search in a table without {1}", field.key, search.path));
     }
   } else if (!search.stock.empty() && stock_values(*input().tables, search.stock).empty()) {
-    refuse(say("there is no stock '{1}'", search.stock), did_you_mean(search.stock, input().tables->series_names()));
+    refuse(say("unknown stock '{1}'", search.stock), did_you_mean(search.stock, input().tables->series_names()));
   }
 }
 

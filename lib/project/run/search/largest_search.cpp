@@ -88,8 +88,8 @@ void LargestSearch::keep(double largest) {
   leaf_.set(1.01 * rounded);
   const Message beyond = fault_of_candidate(evaluation_, passing_).text;
   if (!passes_with(rounded)) leaf_.set(largest);
-  evaluation_.inputs().set_origin(wanted_.path,
-                                  {say("largest that passes every check; 1 % more: {1}", beyond), {}, false, true});
+  evaluation_.inputs().set_origin(
+      wanted_.path, {say("maximum with which no assessed mode fails; 1 % more: {1}", beyond), {}, false, true});
 }
 
 /// Without a value there is neither a result nor a verdict.

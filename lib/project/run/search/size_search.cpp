@@ -215,8 +215,9 @@ void SizeSearch::note_found() {
 void SizeSearch::tell_found(std::size_t found) {
   Passing whole(evaluation_);  // includes the excused ones
   const bool covered = passing_.count_of_excused() == 0 || whole.passes();
-  Message text = covered ? say("smallest of {1} that passes every check", candidates_.source())
-                         : say("smallest of {1} that passes every check that depends on it", candidates_.source());
+  Message text =
+      covered ? say("smallest of {1} with which no assessed mode fails", candidates_.source())
+              : say("smallest of {1} with which no assessed mode that depends on it fails", candidates_.source());
   if (const BodySize* const body = size_of_body())
     text = say("{1}; the body '{2}' has this size: {3}", text, evaluation_.step().input().body.text, body->by);
   std::optional<account::NextSize> next;

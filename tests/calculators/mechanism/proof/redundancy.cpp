@@ -88,9 +88,8 @@ TEST_SUITE("mechanism held too much in a project") {
   TEST_CASE("friction that hangs on a shared reaction is refused") {
     const std::string b = R"(links = ["a", "b"])";
     const std::string text = replaced(parallel, b, b + ", mu = 0.1, pin_radius = \"10 mm\"");
-    CHECK(issues_of(text).find("error: what joint 'B' induces, friction or the pressing of teeth and belts, hangs on "
-                               "its reaction, and that is not unique: other joints hold the same freedom") !=
-          std::string::npos);
+    CHECK(issues_of(text).find("error: friction, tooth or belt forces of joint 'B' depend on its reaction, which is "
+                               "not unique: other joints constrain the same freedom") != std::string::npos);
   }
 
   TEST_CASE("sides do not tell such an assembly") {

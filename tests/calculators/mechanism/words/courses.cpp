@@ -93,7 +93,7 @@ TEST_SUITE("courses") {
       desk.put("diagram.csv", rows);
       return desk.run({"run", "p.toml"}).error;
     };
-    CHECK(desk.run({"run", "p.toml"}).error.find("there is no file 'diagram.csv' that can be read") !=
+    CHECK(desk.run({"run", "p.toml"}).error.find("file 'diagram.csv' does not exist or cannot be read") !=
           std::string::npos);
     CHECK(said("s [mm], share\n").find("'diagram.csv' has no rows") != std::string::npos);
     CHECK(said("s [mm], share\n150, 0\n250\n").find("line 3 of 'diagram.csv' has not as many cells") !=

@@ -30,7 +30,7 @@ Chart cloud() {
   chart.points = {7, 8, 9, 10};
   chart.told = {{"material", "", {0.0, 1.0, 0.0, 1.0}, {"</script><b>", "S\"235\\"}},
                 {"mass", "kg", {1.0, 2.0, 3.0, nan}},
-                {"verdict", "", {0.0, 1.0, 2.0, 2.0}, {"fails", "passes", "no verdict"}}};
+                {"verdict", "", {0.0, 1.0, 2.0, 2.0}, {"fails", "passes", "no result"}}};
   chart.command = "loadpath run a.toml --point ";
   chart.shown = 1;
   return chart;
@@ -68,11 +68,11 @@ TEST_SUITE("charts") {
     CHECK(most_decimals(drawn) <= 2);
     CHECK(has(drawn, "<title>Points</title>"));
     CHECK(has(drawn,
-              "u over mass in kg; 4 points drawn: 1 pass; 1 fail by strut.buckling; 1 have no verdict; 1 are no "
-              "machine; 2 of them in the Pareto set: less mass is better, less u is better"));
+              "u over mass in kg; 4 points drawn: 1 pass; 1 fail by strut.buckling; 1 have no result; 1 are invalid "
+              "designs; 2 of them in the Pareto set: less mass is better, less u is better"));
     for (const char* style : {"passing", "failing", "ring", "hole", "front"})
       CHECK_MESSAGE(count(drawn, "<path class=\"" + std::string(style) + "\"") >= 1, style);
-    for (const char* words : {">passes<", ">fails<", ">no verdict<", ">Pareto set<", ">largest utilisation<"})
+    for (const char* words : {">passes<", ">fails<", ">no result<", ">Pareto set<", ">largest utilisation<"})
       CHECK_MESSAGE(has(drawn, words), words);
     CHECK(!has(drawn, "data-here"));
   }

@@ -230,7 +230,7 @@ TEST_SUITE("mechanism") {
   TEST_CASE("a change point is singular, not redundant") {
     const auto findings = diagnose(parallel_cranks(2, 0.0));
     CHECK(only_message(findings) ==
-          "the stated position is singular: 'coupler', 'crank2' can move in more than one way");
+          "the stated position is singular: 'coupler', 'crank2' can move in more than one direction");
     CHECK(diagnose(parallel_cranks(2, 0.1)).empty());
   }
 
@@ -242,7 +242,7 @@ TEST_SUITE("mechanism") {
     pin(model, "B", right, {}, left, {1.0, 0.0});
     pin(model, "C", right, {1.0, 0.0}, ground, {2.0, 0.0});
     CHECK(only_message(diagnose(model)) ==
-          "the stated position is singular: 'left', 'right' can move in more than one way");
+          "the stated position is singular: 'left', 'right' can move in more than one direction");
   }
 
   TEST_CASE("a dead point of the drive is named with what it does not hold") {

@@ -219,13 +219,13 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
     const std::string remedy =
         "  = help: `loadpath sweep` goes through all of them, `loadpath run FILE --point 0` takes the first\n";
     CHECK(issues_of(axle + "T = { from = \"30 N*m\", to = \"60 N*m\", step = \"1 N*m\" }\ntau_adm = \"30 MPa\"\n") ==
-          "a.toml:3:5: error: these are 31 values, and one is taken here\n"
+          "a.toml:3:5: error: these are 31 values; a single value is required\n"
           "3 | T = { from = \"30 N*m\", to = \"60 N*m\", step = \"1 N*m\" }\n"
           "  |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^\n" +
               remedy);
     CHECK(issues_of(axle + "T = [\"30 N*m\", \"60 N*m\"]\ntau_adm = \"30 MPa\"\n") ==
-          "a.toml:3:5: error: these are 2 values, and one is taken here\n"
-          "3 | T = [\"30 N*m\", \"60 N*m\"]\n  |     ^^^^^^^^^^^^^^^^^^^^\n" +
+          "a.toml:3:5: error: these are 2 values; a single value is required\n3 | T = [\"30 N*m\", \"60 N*m\"]\n  |    "
+          " ^^^^^^^^^^^^^^^^^^^^\n" +
               remedy);
   }
 
@@ -307,14 +307,14 @@ a.toml:4:11: error: '30' has no unit, a stress is expected
 4 | tau_adm = 30
   |           ^^
   = help: write '30 MPa'
-a.toml:7:15: error: there is no calculator 'shaft.overhang'
+a.toml:7:15: error: unknown calculator 'shaft.overhang'
 7 | calculator = "shaft.overhang"
   |               ^^^^^^^^^^^^^^
   = help: did you mean 'shaft.overhung'?
 a.toml:9:2: error: 'tables' is a word of the program and cannot name a step
 9 | [tables]
   |  ^^^^^^
-  = help: call it 'tables_1' or by its part of the machine
+  = help: call it 'tables_1', or by the part that it describes
 )");
   }
 

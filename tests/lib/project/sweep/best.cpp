@@ -140,14 +140,14 @@ TEST_SUITE("the best machine" * test::by_case) {
       CHECK(why.empty() == std::isfinite(best->optimum.neighbours[i].outputs[1]));
       if (why.empty()) continue;
       ++none;
-      CHECK_MESSAGE(why.starts_with("no machine: strut.d"), why);
+      CHECK_MESSAGE(why.starts_with("invalid design: strut.d"), why);
       CHECK_MESSAGE(contains(why, "bore"), why);
     }
     CHECK(none == 1);
     const auto blocks = report::best_blocks(*best);
     const auto& table = std::get<report::Table>(blocks.back());
     const auto told = std::count_if(table.rows.begin(), table.rows.end(), [](const auto& row) {
-      return contains(std::get<Message>(row.back()).text(), "no machine: ");
+      return contains(std::get<Message>(row.back()).text(), "invalid design: ");
     });
     CHECK(told == 1);
   }
@@ -222,7 +222,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(contains(fault("= strut.d", {}), "a name is missing"));
     CHECK(contains(fault("A =", {}), "a result is expected"));
     CHECK(contains(fault("strut.d <= 5 mm", {}), "not a comparison"));
-    CHECK(contains(fault("strut.d", {asked("strut.lambda small")}), "is no demand"));
+    CHECK(contains(fault("strut.d", {asked("strut.lambda small")}), "is not a constraint"));
     CHECK(contains(fault("strut.d", {asked("strut.d <= 5 kg")}), "unlike"));
     CHECK(contains(fault("strut.d", {asked("strut.d <= 0 mm")}), "above zero"));
     CHECK(contains(fault("strut.d", {asked("axle passes")}), "axle"));

@@ -156,7 +156,7 @@ TEST_SUITE("points of a sweep") {
       return Swept(shaft + "d = \"40 mm\"\nT = [\"1 N*m\", \"2 N*m\"]\n", {result}).errors();
     };
     CHECK(contains(fault("shaft.tau_mex"), "tau_max"));
-    CHECK(contains(fault("axle.tau_max"), "there is no step 'axle'"));
+    CHECK(contains(fault("axle.tau_max"), "unknown step 'axle'"));
     CHECK(contains(fault("shaft.modes.yields"), "did you mean"));
     CHECK(contains(fault("2*"), "project.sweep"));
     CHECK(fault("m = 2*shaft.tau_max").empty());

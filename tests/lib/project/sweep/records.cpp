@@ -100,6 +100,6 @@ TEST_SUITE("records in turn") {
     std::vector<Issue> issues;
     project::read_project(press("crank = { each = [" + slow + ", " + fast + "] }\n"), "part.toml", catalogue(), issues);
     REQUIRE(issues.size() == 1);
-    CHECK(contains(issues[0].message.text(), "these are 2 values, and one is taken here"));
+    CHECK(contains(issues[0].message.text(), "these are 2 values; a single value is required"));
   }
 }

@@ -31,7 +31,7 @@ void shift_from_distance(const PairInput& in, double g, PairResult& r, Tracer& t
           "sum of the profile shifts that meshes without backlash, [ISO21771]");
   r.a_w = in.a_w, r.x_2 = in.x_2;
   if (is_set(in.x_2)) return;
-  STEP_TO(r, x_2, x_0 - in.x_1, "profile shift of gear 2");
+  STEP_TO(r, x_2, x_0 - in.x_1, "profile shift coefficient, gear 2");
 }
 
 /// The centre distance follows from the profile shifts.

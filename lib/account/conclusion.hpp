@@ -48,7 +48,7 @@ Message explanation(const Modes& modes, const Telling& telling = {});
 /// Whether another step has assessed the mode, and has it among its own.
 bool is_assessed_elsewhere(const Mode& mode);
 
-/// "fatigue" of "fatigue, at shoulders, keyways and press fits first".
+/// "fatigue" of "fatigue (shoulders, keyways, press fits)".
 std::string short_title(const Mode& mode);
 
 }  // namespace loadpath::account

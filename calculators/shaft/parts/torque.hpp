@@ -15,9 +15,9 @@ enum class Sense { unknown, one_way, reversing };
 
 constexpr auto choices_of(Sense) {
   return std::array{
-      ChoiceName<Sense>{Sense::unknown, "unknown", "it is not known"},
-      ChoiceName<Sense>{Sense::one_way, "one_way", "it never does"},
-      ChoiceName<Sense>{Sense::reversing, "reversing", "it does: starts both ways, or torsional vibration"}};
+      ChoiceName<Sense>{Sense::unknown, "unknown", "not known"},
+      ChoiceName<Sense>{Sense::one_way, "one_way", "one direction only"},
+      ChoiceName<Sense>{Sense::reversing, "reversing", "reversing: starts in both directions, or torsional vibration"}};
 }
 
 /// The least torque over the largest that this allows; unset where nothing is known.
@@ -29,14 +29,13 @@ inline double least_ratio(Sense sense) {
 template <class Input>
 constexpr auto torque_inputs() {
   return Fields{
-      RecordField<Input>{"load", "what gear, belt, chain or drive sits on it, whole: load = \"=gears.gear_2\""},
+      RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
       Field<Input, Moment>{&Input::T, "T", N_m, "torque"}.load(),
-      Field<Input, Moment>{&Input::T_max, "T_max", N_m,
-                           "largest torque of a start or a shock, where it is more than K_A T"}
+      Field<Input, Moment>{&Input::T_max, "T_max", N_m, "peak torque (start, shock), if larger than K_A T"}
           .load()
           .may_be_missing(),
-      Choice{&Input::torque, "torque", "whether the torque changes its sense"}.may_be_missing(),
-      Field<Input, double>{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
+      Choice{&Input::torque, "torque", "torque direction: one-way or reversing"}.may_be_missing(),
+      Field<Input, double>{&Input::K_A, "K_A", ratio, "application factor K_A on T (1 if T includes it)"}
           .at_least(1)
           .usually(1, 4)
           .factor()};

@@ -105,6 +105,7 @@ int convert(const ConvertOptions& options);
 struct VerifyOptions {
   std::vector<std::string> files;
   bool json = false;
+  bool full = false;  // every value of the built-in cases too
 };
 int verify(const VerifyOptions& options);
 

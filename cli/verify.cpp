@@ -35,8 +35,15 @@ std::string deviation_of(const project::Comparison& c) {
   return absolute ? format_quantity(c.ours - e.is.si, e.unit, 2) : format_quantity(c.deviation, "%", 2);
 }
 
-/// The lines of one case.
-void show(const project::Project& project, const std::vector<project::Comparison>& all) {
+/// The lines of one case; in brief, its name and count, and of its values those that miss.
+void show(const project::Project& project, const std::vector<project::Comparison>& values, bool in_full) {
+  std::vector<project::Comparison> all = values;
+  if (!in_full) {
+    std::erase_if(all, [](const project::Comparison& c) { return c.holds; });
+    const std::string count = std::to_string(values.size() - all.size()) + " of " + std::to_string(values.size());
+    std::cout << terminal::columns({{all.empty() ? "ok" : "MISS", count, project.file, project.title}});
+    if (all.empty()) return;
+  }
   std::cout << project.file << (project.title.empty() ? "" : ": " + project.title) << "\n";
   std::vector<std::vector<std::string>> rows{{"  ", "quantity", "published", "ours", "deviation", "source"}};
   for (const project::Comparison& c : all) {
@@ -66,9 +73,9 @@ void write(const project::Project& project, const std::vector<project::Compariso
   }
 }
 
-/// One case: its lines, or its objects if JSON is written, and the number that hold. False if it cannot be run, or
-/// expects nothing though it was requested.
-bool verify_one(const std::string& file, std::string_view text, bool asked_for, Count& count,
+/// One case: its lines, or its objects where JSON is written, and how many hold. False where it cannot be run, or
+/// expects nothing though it was asked for.
+bool verify_one(const std::string& file, std::string_view text, bool asked_for, bool in_full, Count& count,
                 exports::JsonWriter* out) {
   std::vector<Issue> issues;
   project::Project project = project::read_project(text, file, catalogue(), issues);
@@ -83,7 +90,7 @@ bool verify_one(const std::string& file, std::string_view text, bool asked_for, 
   }
   const auto all = project::compare(project);
   for (const project::Comparison& c : all) ++(c.holds ? count.holds : count.misses);
-  out != nullptr ? write(project, all, *out) : show(project, all);
+  out != nullptr ? write(project, all, *out) : show(project, all, in_full);
   return true;
 }
 
@@ -102,7 +109,7 @@ int verify(const VerifyOptions& options) {
     for (const embedded::File& file : embedded::reference()) {
       // The others may need further files, which are not built in.
       if (file.text.find("[[expect]]") == std::string_view::npos) continue;
-      ran = verify_one(std::string(file.name), file.text, false, count, out) && ran;
+      ran = verify_one(std::string(file.name), file.text, false, options.full, count, out) && ran;
     }
   }
   for (const std::string& path : options.files) {
@@ -111,7 +118,7 @@ int verify(const VerifyOptions& options) {
       std::cerr << "loadpath: cannot read '" << path << "'\n";
       return wrong_input;
     }
-    ran = verify_one(path, text, true, count, out) && ran;
+    ran = verify_one(path, text, true, true, count, out) && ran;
   }
   if (!ran) return wrong_input;
   if (out != nullptr) {

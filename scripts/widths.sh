@@ -85,7 +85,7 @@ solve() (
   for file in "$sources"/examples/*/project.toml "$sources"/reference/*.toml "$sources"/reference/init/*.toml; do
     run_project "$1" "$2" "$file"
   done
-  keep verify "$1" "$2" verify
+  keep verify "$1" "$2" verify --full
   sweep_example "$1" "$2" points strut-sweep --csv points.csv --pareto "mass:min,u:min"
   sweep_example "$1" "$2" best strut-sweep --minimise mass --such-that "strut passes" --quantile 0.99 --samples 100
   sweep_example "$1" "$2" influence strut-sweep --influence --sobol 256

@@ -21,6 +21,9 @@ TEST_SUITE("cli verify") {
     CHECK(o.error.empty());
     CHECK(o.out.ends_with(" hold, 0 miss\n"));
     CHECK_FALSE(contains(o.out, "MISS"));
+    const Ran full = loadpath_with({"verify", "--full"});
+    CHECK(contains(full.out, "published"));
+    CHECK(full.out.size() > 4 * o.out.size());
   }
 
   TEST_CASE("a file is compared with its own expectations") {

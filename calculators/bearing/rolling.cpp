@@ -115,7 +115,7 @@ void means(Stages& all, Result& r, Tracer& trace) {
 /// Life in turns and hours; none that a number could tell under almost no load.
 template <class Tracer>
 void life(const Input& in, const Stages& all, Result& r, Tracer& trace) {
-  const Force P_max = trace.value("P_max", largest(all), "largest load in running");
+  const Force P_max = trace.value("P_max", largest(all), "maximum load in running");
   STEP(P_lim, is_set(in.C_0) ? min(0.5 * in.C, in.C_0) : 0.5 * in.C, "beyond, bodies and raceways yield, [ISO281]");
   STEP_TO(r, x_P, P_max / P_lim, "within the validity of the rating life");
   const Force P_m = r.P_m;
@@ -139,7 +139,7 @@ template <class Tracer>
 void running(const Input& in, Stages& all, Result& r, Tracer& trace) {
   means(all, r, trace);
   life(in, all, r, trace);
-  const Force P_low = trace.value("P_low", smallest(all), "smallest load in running");
+  const Force P_low = trace.value("P_low", smallest(all), "minimum load in running");
   const double c = trace.value("c", has_balls(in.kind) ? 0.01 : 0.02, has_balls(in.kind) ? "balls" : "rollers");
   STEP(P_need, is_set(in.P_min) ? in.P_min : c * in.C,
        is_set(in.P_min) ? "manufacturer's value" : "rule of thumb, [SKF-rolling]");
@@ -197,7 +197,7 @@ void axial(const Input& in, double k, Force F_rX, Force F_aX, Result& r, Tracer&
     if (bears_on_ribs(in.kind) && !is_set(in.F_a_adm)) return;
     STEP(F_aa, is_set(in.F_a_adm) ? in.F_a_adm : 0.5 * in.C_0,
          is_set(in.F_a_adm) ? "manufacturer's value" : "of a deep groove ball bearing, [SKF-rolling]");
-    const Force F_a_all = trace.value("F_a_all", std::max(F_aX, abs(F_a0)), "largest axial load");
+    const Force F_a_all = trace.value("F_a_all", std::max(F_aX, abs(F_a0)), "maximum axial load");
     STEP_TO(r, u_a, F_a_all / F_aa, "against the allowed one");
   }
 }
@@ -227,13 +227,13 @@ Rolling::Result Rolling::evaluate(const Input& in, Tracer& trace) {
     k_max = std::max(k_max, b.k);
     if ((is_set(b.n) ? b.n : in.n) > 0.0 * rpm.one) k_run = std::max(k_run, b.k);
   }
-  trace.value("k_max", k_max, "largest of the blocks");
-  trace.value("k_run", k_run, "largest of those in which it turns");
-  if (is_set(r.x_f)) r.x_f = NAMED_STEP("x_f", in.f_0 * k_run * F_ad / in.C_0, "of the largest load in turning");
+  trace.value("k_max", k_max, "maximum of the blocks");
+  trace.value("k_run", k_run, "maximum of those in which it turns");
+  if (is_set(r.x_f)) r.x_f = NAMED_STEP("x_f", in.f_0 * k_run * F_ad / in.C_0, "of the maximum load in turning");
   if (runs(in) == Applies::yes) running(in, all, r, trace);
   if (!in.blocks.empty()) r.blocks = all;
-  STEP(F_rX, k_max * F_rd, "largest radial load of the blocks");
-  STEP(F_aX, k_max * F_ad, "largest axial load of the blocks");
+  STEP(F_rX, k_max * F_rd, "maximum radial load of the blocks");
+  STEP(F_aX, k_max * F_ad, "maximum axial load of the blocks");
   at_rest(in, F_rX, F_aX, r, trace);
   axial(in, k_max, F_rX, F_aX, r, trace);
   by_itself(in, F_rK, F_aK, r, trace);

@@ -242,7 +242,7 @@ s_0 = 2
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.kind != Kind::unstated; }, "kind",
-                  "state the kind of the bearing: its life exponent and the loads that it takes hang on it"},
+                  "state the bearing type: life exponent and permissible loads depend on it"},
       Rule<Input>{&ratings_agree, "C, C_0", "C and C_0 must belong to the same bearing", &odd_ratings},
       Rule<Input>{&factors_once, "f_0, e, Y", "give f_0, or e and Y, never both: f_0 of a deep groove ball bearing"},
       Rule<Input>{&factors_given, "e, Y, X, Y_1, f_0, C_0, F_a, kind", "this load needs the factors of the bearing",

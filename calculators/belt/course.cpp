@@ -92,8 +92,9 @@ void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
   STEP_TO(r, P_1, F_t * r.v, "power of the driving pulley");
   if (is_set(in.mu)) {
     const auto N_0 = least_pressing(in, loop, taken);
-    trace.value("N_0", N_0,
-                "least slack tension with N_large / N_small = e^(mu alpha) nowhere exceeded, mu of each pulley, [B40]");
+    trace.value(
+        "N_0", N_0,
+        "minimum slack side tension with N_large / N_small <= e^(mu alpha) at every pulley, mu of each pulley, [B40]");
     STEP_TO(r, S_0_min, N_0 + F_c, "minimum slack side tension");
   }
   if (!is_set(in.S_0) && !is_set(r.S_0_min)) return;

@@ -22,9 +22,9 @@ FieldFault length_fault(const Input& in, const Circles& circles) {
   const std::string name = path_of(in, moving_one(in));
   if (shift.longest == 0.0)
     return {name, say("wherever '{1}' is along its direction, the belt does not run through these pulleys", name),
-            say("list the pulleys in the order in which the belt runs, and say which are outside of it")};
+            say("list the pulleys in the order of the belt, and state the outside ones")};
   return {"L",
-          say("no place of '{1}' along its direction gives a belt of {2}", name, format_quantity(in_si(in.L), "mm")),
+          say("no position of '{1}' along its direction gives a belt of {2}", name, format_quantity(in_si(in.L), "mm")),
           say("it gives belts from {1} to {2}", format_quantity(shift.shortest, "mm", 6),
               format_quantity(shift.longest, "mm", 6))};
 }

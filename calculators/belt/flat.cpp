@@ -57,7 +57,7 @@ void size(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
     STEP_TO(r, u_b, sigma_b / in.sigma_adm, "bending only");
   }
   if (!(sigma_N > from_si<Stress>(0.0))) return;
-  STEP_TO(r, v_opt, sqrt((in.sigma_adm - sigma_b) / (3.0 * in.rho)), "largest power where F_t v has its maximum");
+  STEP_TO(r, v_opt, sqrt((in.sigma_adm - sigma_b) / (3.0 * in.rho)), "maximum power where F_t v has its maximum");
   STEP_TO(r, b_min, r.F_t / (in.delta * sigma_N * (1.0 - 1.0 / r.m_e)),
           "stress and friction both at their limit, [Shigley-17]");
 }
@@ -67,11 +67,12 @@ template <class Tracer>
 void tighten(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, x_b, r.b / min(in.d_1, in.d_2), "no belt is much wider than its smaller pulley");
   STEP_TO(r, F_c, in.rho * r.b * in.delta * r.v * r.v, "turns the belt around, and does not press the pulleys");
-  STEP(N_min, r.F_t / 2.0 * (r.m_e + 1.0) / (r.m_e - 1.0), "least mean of the tensions that press, [Shigley-17]");
+  STEP(N_min, r.F_t / 2.0 * (r.m_e + 1.0) / (r.m_e - 1.0),
+       "minimum mean of the tensions less centrifugal tension, [Shigley-17]");
   const bool fixed = in.tensioning == Tensioning::fixed;
   STEP(F_lost, in.tensioning == Tensioning::fixed ? F_c : 0.0 * N,
        fixed ? "on fixed centres the centrifugal part relieves the pulleys" : "the tensioner makes up for it");
-  STEP_TO(r, S_0_min, N_min + F_lost, "least initial tension at standstill");
+  STEP_TO(r, S_0_min, N_min + F_lost, "minimum initial tension at standstill");
   STEP_TO(r, S_0, is_set(in.S_0) ? in.S_0 : S_0_min, is_set(in.S_0) ? "as given" : "the least one");
   STEP_TO(r, S_1, S_0 - F_lost + F_c + r.F_t / 2.0, "tight span");
   STEP_TO(r, S_2, S_1 - r.F_t, "slack span");
@@ -107,8 +108,8 @@ template <class Tracer>
 void limit_speed(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   const bool synthetic = in.kind == Flat::Kind::synthetic;
   STEP(v_max, in.kind == Flat::Kind::synthetic ? 100.0 * m_per_s : 30.0 * m_per_s,
-       synthetic ? "largest speed of a synthetic belt, [B40]" : "largest speed, [B40]");
-  STEP_TO(r, x_v, r.v / v_max, "speed over the largest one");
+       synthetic ? "maximum speed of a synthetic belt, [B40]" : "maximum speed, [B40]");
+  STEP_TO(r, x_v, r.v / v_max, "speed / maximum speed");
   r.v_range = r.v;
 }
 

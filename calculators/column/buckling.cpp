@@ -208,13 +208,12 @@ void judge_class(const Input& in, bool is_pressed, Result& r, Tracer& trace) {
 
 template <class Tracer>
 void conclude(const Input& in, Method by, bool is_bent, Result& r, Tracer& trace) {
-  if (!r.methods.empty())
-    r.spread = trace.value("spread", spread_of(r), "largest critical stress over the least, less 1");
+  if (!r.methods.empty()) r.spread = trace.value("spread", spread_of(r), "maximum / minimum critical stress, less 1");
   const bool is_pulled = r.loading == Loading::tension;
   if (is_pulled) {
     r.r_lambda = 0.0;
   } else {
-    STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness over the largest that is allowed");
+    STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness / permissible slenderness");
   }
   judge_class(in, !is_pulled || is_bent, r, trace);
   if (!is_set(r.P_all) && !(r.F > 0.0 * kN) && is_set(r.F)) {
@@ -255,7 +254,7 @@ Result Buckling::judge(const Input& in, bool is_bent, Tracer& trace) {
   trace.value("lambda", lambda, "the larger of both axes governs, [B25]");
   if (is_set(in.E)) {
     STEP_TO(r, sigma_E, pow<2>(pi) * in.E / pow<2>(lambda), "Euler stress, also outside its validity");
-    STEP_TO(r, N_cr, sigma_E * r.A, "least critical force of the elastic bar");
+    STEP_TO(r, N_cr, sigma_E * r.A, "minimum critical force of the elastic bar");
   }
   const Method by = method_of(in);
   take_limits(in, material, by, r, trace);

@@ -61,8 +61,8 @@ std::vector<draw::Figure> Buckling::figures(const Input& in, const Result& r) {
   std::vector<draw::Figure> figures{
       {"critical-stress", "Critical stress against slenderness (no safety factor)", chart(in, r)}};
   draw::Plot shapes;
-  shapes.x = {"x", "place along the bar", "mm"};
-  shapes.y = {"w", "deflection over its largest", "-"};
+  shapes.x = {"x", "position along the bar", "mm"};
+  shapes.y = {"w", "deflection / maximum deflection", "-"};
   for (const auto axis : {AxisName::y, AxisName::z}) add_shape(in, axis, shapes);
   if (auto bar = bar_figure(in, r)) figures.insert(figures.begin(), std::move(*bar));
   if (!shapes.curves.empty()) figures.push_back({"buckled-shape", "Buckling mode shape", std::move(shapes)});

@@ -99,8 +99,8 @@ std::vector<draw::Figure> EffectiveLength::figures(const Input& in, const Result
   Shape shape = buckled_shape(bar_of(in, r), r.u);
   for (double& x : shape.x) x *= in_si(in.l);
   draw::Plot plot;
-  plot.x = {"x", "place along the bar", "mm"};
-  plot.y = {"w", "deflection over its largest", "-"};
+  plot.x = {"x", "position along the bar", "mm"};
+  plot.y = {"w", "deflection / maximum deflection", "-"};
   plot.curves.push_back({"w", std::move(shape.x), std::move(shape.w), false});
   return {{"buckled-shape", "Buckling mode shape", std::move(plot)}};
 }

@@ -122,7 +122,7 @@ end_2 = "pinned"
 
   static constexpr std::array rules{
       Rule<Input>{&ends_or_frame, "end_1, end_2, G_1, G_2",
-                  "say how both ends are held, end_1 and end_2, or give G_1 and G_2 of a frame, never both"},
+                  "state both end conditions, end_1 and end_2, or give G_1 and G_2 of a frame, never both"},
       Rule<Input>{[](const Input& in) { return in.frame == Frame::braced || is_set(in.G_1); }, "frame, G_1, G_2",
                   "a frame that sways goes with G_1 and G_2"},
       Rule<Input>{&springs_fit_ends, "end_1, end_2, c_1, c_2, k_1, k_2",
@@ -143,7 +143,7 @@ end_2 = "pinned"
 
 constexpr auto choices_of(EffectiveLength::End) {
   using E = EffectiveLength::End;
-  return std::array{ChoiceName<E>{E::unsaid, "", "not said"},
+  return std::array{ChoiceName<E>{E::unsaid, "", "not stated"},
                     ChoiceName<E>{E::pinned, "pinned", "pinned (hinged)"},
                     ChoiceName<E>{E::fixed, "fixed", "fixed (built in)"},
                     ChoiceName<E>{E::guided, "guided", "guided: free to translate, fixed against rotation"},

@@ -59,7 +59,7 @@ t_2 = "1.9 s"
       Field{&Input::F_x, "F_x", N, "known forces along x: weight, loads"}.load(),
       Field{&Input::F_y, "F_y", N, "known forces along y"}.load(),
       Field{&Input::F_z, "F_z", N, "known forces along z"}.load(),
-      Field{&Input::t_1, "t_1", sec, "start of the range that the largest force is for, with t_2"}.may_be_missing(),
+      Field{&Input::t_1, "t_1", sec, "start of the range that the maximum force is for, with t_2"}.may_be_missing(),
       Field{&Input::t_2, "t_2", sec, "end of the range, after t_1"}.may_be_missing()};
 
   struct Result {
@@ -91,8 +91,8 @@ t_2 = "1.9 s"
       Field{&Result::R_z, "R_z", N, "force that is missing along z"}.load().with("R_x, R_y"),
       Field{&Result::R, "R", N, "force that is missing: drive, guide, thread"}.load(),
       Field{&Result::N_R, "N_R", W, "power of the missing force"},
-      Field{&Result::R_max, "R_max", N, "largest missing force from t_1 to t_2, at 257 times"}.load(),
-      Field{&Result::t_max, "t_max", sec, "time of the largest missing force, the first where there are several"}};
+      Field{&Result::R_max, "R_max", N, "maximum missing force from t_1 to t_2, at 257 times"}.load(),
+      Field{&Result::t_max, "t_max", sec, "time of the maximum missing force, the first where there are several"}};
 
   static bool laws_read(const Input& in);
   static FieldFault law_fault(const Input& in);

@@ -54,7 +54,7 @@ wheels = [
         NameField{&Weight::name, "name", "name of the body"}.may_be_missing(),
         Field{&Weight::mass, called("m"), kg, "mass"}.load().positive().usually(1e-6, 1e7),
         Field{&Weight::i, "i", ratio, "its path over the path s, positive downwards"},
-        Field{&Weight::alpha, "alpha", deg, "slope of its track: 90 deg hangs, 0 deg level"}.within(0, 90),
+        Field{&Weight::alpha, "alpha", deg, "inclination of its track: 90 deg suspended, 0 deg level"}.within(0, 90),
         Field{&Weight::mu, "mu", ratio, "coefficient of friction on its track"}.at_least(0).usually(0, 1)};
   };
   struct Wheel {
@@ -138,12 +138,12 @@ wheels = [
       Field{&Result::u_s, "u_s", ratio,
             "reach: the path over the one to a standstill; none where it never moves along s"}
           .check(),
-      Field{&Result::T_hang, "T_hang", N, "least force of the threads on what hangs; below zero they are slack"}
+      Field{&Result::T_hang, "T_hang", N, "minimum rope force, suspended bodies; below zero the ropes are slack"}
           .limit(0, std::numeric_limits<double>::infinity())
           .criterion()
           .where_it_applies(),
       Field{&Result::T_slope, "T_slope", N,
-            "least force of the threads on what moves on a slope; below zero they are slack, or pull downwards"}
+            "minimum rope force, bodies on inclines; below zero the ropes are slack, or act downwards"}
           .limit(0, std::numeric_limits<double>::infinity())
           .where_it_applies(),
       ListField{&Result::weight_states, "weight_states", "the weights at the end of the path"},

@@ -43,8 +43,8 @@ bodies = [
     static constexpr Fields fields{
         NameField{&Body::name, "name", "name of the body"}.may_be_missing(),
         Field{&Body::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e7),
-        Field{&Body::x, "x", loadpath::m, "place of its centre of mass before, x"},
-        Field{&Body::y, "y", loadpath::m, "place of its centre of mass, y"},
+        Field{&Body::x, "x", loadpath::m, "position of its centre of mass before, x"},
+        Field{&Body::y, "y", loadpath::m, "position of its centre of mass, y"},
         Field{&Body::s, "s", loadpath::m, "path along the carrier, signed along x; none of the carrier"}};
   };
   static constexpr std::size_t most_bodies = 16;
@@ -60,7 +60,7 @@ bodies = [
     Length Delta_x = unset<Length>, x_2 = unset<Length>;
     static constexpr Fields fields{NameField{&After::name, "name", "name of the body"},
                                    Field{&After::Delta_x, "Delta_x", loadpath::m, "displacement of the body"},
-                                   Field{&After::x_2, "x_2", loadpath::m, "place after, x"}};
+                                   Field{&After::x_2, "x_2", loadpath::m, "position after, x"}};
   };
 
   struct Result {

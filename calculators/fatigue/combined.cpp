@@ -80,7 +80,7 @@ double of(const Result& r, Criterion rule) {
 template <class Tracer>
 void first_cycle(const Input& in, Result& r, Tracer& trace) {
   STEP(sigma_v, sqrt(pow<2>(abs(in.sigma_m) + in.sigma_a) + 3.0 * pow<2>(abs(in.tau_m) + in.tau_a)),
-       "largest stresses at one time, [Mises]");
+       "maximum stresses at one time, [Mises]");
   if (is_set(in.R_m)) {
     STEP_TO(r, x_B, sigma_v / in.R_m, "maximum stress / tensile strength");
   }

@@ -142,7 +142,7 @@ S_F = 1.5
       Field{&Result::x_B, "x_B", ratio, "maximum von Mises stress / tensile strength (static fracture)"}
           .limit(0, 1, "R_m")
           .criterion(),
-      Field{&Result::u_y, "u_y", ratio, "yielding: largest von Mises stress over the yield strength"}.check("R_e"),
+      Field{&Result::u_y, "u_y", ratio, "yielding: maximum von Mises stress / yield strength"}.check("R_e"),
       Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
       modulus_over_steel<Result>(&Result::x_E),
       cycles_over_told<Result>(&Result::x_N)};

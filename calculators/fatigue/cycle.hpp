@@ -71,7 +71,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static constexpr Fields inputs = join(
       Fields{RecordField<Input>{"cycle", "maximum stress of a part: cycle = \"=shaft.cycle\""}}, given_fields<Input>(),
       Fields{Choice<Input, Stresses>{&Input::stress, "stress", "stress component: normal or shear"}.may_be_missing(),
-             Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, to check the largest stress"}
+             Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, to check the maximum stress"}
                  .positive()
                  .usually(50, 2500)
                  .from("material", "R_e", "d_h"),
@@ -113,8 +113,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static constexpr Fields results = join(
       cycle_fields<Result>(),
       Fields{
-          Field<Result, double>{&Result::u_y, "u_y", ratio, "yielding: largest stress over the yield strength"}.check(
-              "R_e"),
+          Field<Result, double>{&Result::u_y, "u_y", ratio, "yielding: maximum stress / yield strength"}.check("R_e"),
           Field<Result, double>{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
           Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: amplitude over the limit, with its safety"}.check(
               "sigma_D"),

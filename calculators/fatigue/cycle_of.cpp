@@ -46,7 +46,7 @@ Objection of_min(Stress sigma_min, double r) {
 
 Objection of_mean(Stress sigma_m, double r) {
   if (r == -1.0) {
-    return {"a symmetric cycle, r = -1, has no mean stress: sigma_m says nothing about its size",
+    return {"a fully reversed cycle, r = -1, has no mean stress: sigma_m does not determine the cycle",
             "give sigma_max, sigma_min or sigma_a with r"};
   }
   if (sigma_m == zero) return {"a mean stress of zero occurs only at r = -1", "give sigma_a in place of sigma_m"};
@@ -58,7 +58,7 @@ Objection of_mean(Stress sigma_m, double r) {
 
 Objection of_amplitude(Stress sigma_a, double r) {
   if (r == 1.0) {
-    return {"a static stress, r = 1, has no amplitude: sigma_a says nothing about its size",
+    return {"a static stress, r = 1, has no amplitude: sigma_a does not determine the cycle",
             "give sigma_max or sigma_m with r"};
   }
   if (sigma_a == zero) return {"an amplitude of zero occurs only at r = 1", "give sigma_m in place of sigma_a"};
@@ -95,7 +95,7 @@ FieldFault wrong_count(const Given& g, const std::string& place) {
   return {n == 0 ? "" : place + typed(g),
           say("a cycle needs exactly two of sigma_max, sigma_min, sigma_m, sigma_a and r; given here: {1}",
               std::to_string(n)),
-          n < 2 ? say("give one more that says how large the cycle is or where it lies") : say("leave the rest out")};
+          n < 2 ? say("give one more value that determines the cycle") : say("leave the rest out")};
 }
 
 FieldFault unsound(const Given& g, const std::string& place) {

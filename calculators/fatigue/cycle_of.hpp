@@ -23,10 +23,10 @@ enum class Kind { symmetric, above, below, constant, alternating, tensile, compr
 
 template <class Owner>
 constexpr auto given_fields() {
-  return Fields{Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "largest stress of the cycle, signed"}
+  return Fields{Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "maximum stress of the cycle, signed"}
                     .load()
                     .may_be_missing(),
-                Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"}
+                Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "minimum stress of the cycle, signed"}
                     .load()
                     .may_be_missing(),
                 Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"}.load().may_be_missing(),
@@ -46,8 +46,8 @@ struct Characteristics {
 template <class Owner>
 constexpr auto cycle_fields() {
   return Fields{
-      Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "largest stress of the cycle, signed"},
-      Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "least stress of the cycle, signed"},
+      Field<Owner, Stress>{&Owner::sigma_max, "sigma_max", MPa, "maximum stress of the cycle, signed"},
+      Field<Owner, Stress>{&Owner::sigma_min, "sigma_min", MPa, "minimum stress of the cycle, signed"},
       Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"},
       Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"},
       Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; infinite where sigma_max is zero"}

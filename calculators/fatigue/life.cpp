@@ -37,7 +37,7 @@ void first_cycle(const Input& in, Result& r, Tracer& trace) {
   if (is_set(in.R_m)) {
     const Stress S_B = trace.value("S_B", tensile(in, trace), "tensile strength, of shear in shear: that of one cycle");
     STEP(sigma_p, in.stress == Stresses::shear ? max(abs(r.sigma_max), abs(r.sigma_min)) : max(r.sigma_max, 0.0 * MPa),
-         "largest stress; of normal ones tension breaks");
+         "maximum stress; for normal stresses the tensile one");
     STEP_TO(r, x_B, sigma_p / S_B, "maximum stress / tensile strength");
   }
   if (is_set(in.R_e)) {

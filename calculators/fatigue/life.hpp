@@ -204,9 +204,7 @@ S_F = 1.5
   static constexpr Fields results = join(
       cycle_fields<Result>(),
       Fields{
-          Field{&Result::u_y, "u_y", ratio, "yielding: largest stress over the yield strength"}
-              .check()
-              .where_it_applies(),
+          Field{&Result::u_y, "u_y", ratio, "yielding: maximum stress / yield strength"}.check().where_it_applies(),
           Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
           Field{&Result::n_y, "n_y", ratio, "safety against yielding at the first cycle (Langer)"},
           Field{&Result::u_D, "u_D", ratio, "fatigue: required safety over the one that is there"}

@@ -22,7 +22,7 @@ constexpr auto choices_of(MeanRule) {
       ChoiceName<R>{R::gerber, "gerber", "a parabola to the tensile strength"},
       ChoiceName<R>{R::elliptic, "elliptic", "an ellipse to the yield strength, ASME"},
       ChoiceName<R>{R::morrow, "morrow", "a line to the fatigue strength coefficient, or to the true fracture stress"},
-      ChoiceName<R>{R::swt, "swt", "Smith, Watson and Topper: largest stress times amplitude"},
+      ChoiceName<R>{R::swt, "swt", "Smith, Watson and Topper: maximum stress times amplitude"},
       ChoiceName<R>{R::walker, "walker", "the same with an exponent of the material"},
       ChoiceName<R>{R::fkm, "fkm", "four fields of the stress ratio, FKM"},
       ChoiceName<R>{R::serensen, "serensen", "a line by psi, Serensen"}};

@@ -126,8 +126,8 @@ void knee(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void life(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
   using std::pow;
-  trace.value("X_low", sums.X_low, "least X of the regression");
-  trace.value("X_high", sums.X_high, "largest X of the regression");
+  trace.value("X_low", sums.X_low, "minimum X of the regression");
+  trace.value("X_high", sums.X_high, "maximum X of the regression");
   if (is_set(in.S)) {
     STEP(X_S, log(in.S / MPa) / log(10.0), "lg of the stress");
     STEP(x_S, (X_S - sums.X_low) / (sums.X_high - sums.X_low), "the line holds between the tested stresses, [E739]");
@@ -140,9 +140,9 @@ void life(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
   if (!is_set(in.N_0)) return;
   STEP_TO(r, S_0, pow(10.0, (log(in.N_0) / log(10.0) - r.A) / r.B) * MPa,
           "conventional fatigue limit, [B20]: the line at N_0");
-  trace.value("Y_high", sums.Y_high, "largest lg N of the regression");
+  trace.value("Y_high", sums.Y_high, "maximum lg N of the regression");
   STEP_TO(r, x_N, in.N_0 / pow(10.0, sums.Y_high), "lives beyond those tested are not on the line, [E739]");
-  STEP(S_most, pow(10.0, sums.X_high) * MPa, "largest stress of the regression");
+  STEP(S_most, pow(10.0, sums.X_high) * MPa, "maximum stress of the regression");
   STEP_TO(r, x_0, S_0 / S_most, "stresses beyond those tested are not on the line, [E739]");
 }
 

@@ -107,12 +107,13 @@ S = "350 MPa"
           .limit(0, 1 + 1e-9, "S"),
       Field{&Result::x_N, "x_N", ratio, "N_0 over the longest life in the regression: no extrapolation"}.limit(
           0, 1 + 1e-9, "N_0"),
-      Field{&Result::x_0, "x_0", ratio, "S_0 over the largest stress in the regression: no extrapolation"}.limit(
+      Field{&Result::x_0, "x_0", ratio, "S_0 over the maximum stress in the regression: no extrapolation"}.limit(
           0, 1 + 1e-9, "N_0"),
       Field{&Result::x_D, "x_D", ratio, "cycles of the knee over the longest test: no extrapolation"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
-      Field{&Result::P_f, "P_f", ratio, "failure probability of the design line: below 5 % a few tests say nothing"}
+      Field{&Result::P_f, "P_f", ratio,
+            "failure probability of the design line: below 5 % few tests give no information"}
           .limit(0.05 - 1e-12, 1)};
 
   static constexpr std::array rules{

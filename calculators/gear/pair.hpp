@@ -173,7 +173,7 @@ sigma_adm_2 = "200 MPa"
                                                       in.A_s2 < 0.0 * mm || in.k_W2 != 0 || is_set(in.d_a2));
                   },
                   "mesh, x_2, d_a2, A_s2, k_W2, Y_2, sigma_adm_2",
-                  "of a rack only the place a_w of its reference line is given: leave out what belongs to a wheel 2"},
+                  "a rack has only the position a_w of its reference line: omit the inputs of gear 2"},
       Rule<Input>{
           [](const Input& in) {
             return in.mesh != Mesh::internal || !(is_set(in.sigma_adm_2) || is_set(in.Y_2) || in.k_W2 != 0);
@@ -201,9 +201,8 @@ sigma_adm_2 = "200 MPa"
       Rule<Input>{[](const Input& in) { return in.cutting == Cutting::none || is_set(in.n_1); }, "cutting, n_1",
                   "the velocity factor needs the speed n_1"},
       Rule<Input>{[](const Input& in) { return in.cutting != Cutting::none || !is_set(in.n_1) || !asks_strength(in); },
-                  "cutting, n_1",
-                  "the gears run, but how their teeth are cut is not said: no velocity factor is counted", nullptr,
-                  true},
+                  "cutting, n_1", "the gears rotate, but the tooth finish is not stated: no velocity factor is applied",
+                  nullptr, true},
       Rule<Input>{[](const Input& in) { return in.rho_fP <= in.h_fP; }, "rho_fP, h_fP",
                   "the root radius does not fit into the dedendum"},
       Rule<Input>{[](const Input& in) { return in.k_W1 < in.z_1 && (in.k_W2 == 0 || in.k_W2 < in.z_2); },

@@ -105,7 +105,7 @@ inline double form_factor(const PairInput& in, double z, double x, double k) {
 }
 
 inline constexpr const char* from_form =
-    "least s^2/(6 h m_n) of the tooth with the load at its tip, z/cos^3(beta) teeth, [Lewis]";
+    "minimum s^2/(6 h m_n) of the tooth with the load at its tip, z/cos^3(beta) teeth, [Lewis]";
 
 /// A tooth that Lewis' formula is applied to, and the symbols that its results are told under.
 struct Tooth {

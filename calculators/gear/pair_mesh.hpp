@@ -96,7 +96,7 @@ void interference(const PairInput& in, double h_Ff, PairResult& r, Tracer& trace
     const double f_t = tips_apart(in, r, trace);
     if (!(f_t >= r.f_int)) r.f_int = f_t;
   }
-  trace.value("f_int", r.f_int, "the least of them");
+  trace.value("f_int", r.f_int, "the minimum of them");
 }
 
 }  // namespace mesh

@@ -102,9 +102,9 @@ void take_energy(const Input& in, Result& r, Tracer& trace) {
   const TurningEnergy energy = energy_of(in);
   const Moment A = r.A = trace.value("A", energy.work * J, "integral of the moment over the period");
   STEP_TO(r, M_m, A / in.period, "mean moment: constant moment of the motor or the load, [Khurmi-16]");
-  const Moment E_low = r.E_low = trace.value("E_low", energy.low * J, "least integral of M - M_m from the start");
-  const Moment E_high = r.E_high = trace.value("E_high", energy.high * J, "largest integral of M - M_m from the start");
-  STEP_TO(r, Delta_E, E_high - E_low, "largest fluctuation of energy, [Khurmi-16]");
+  const Moment E_low = r.E_low = trace.value("E_low", energy.low * J, "minimum integral of M - M_m from the start");
+  const Moment E_high = r.E_high = trace.value("E_high", energy.high * J, "maximum integral of M - M_m from the start");
+  STEP_TO(r, Delta_E, E_high - E_low, "maximum fluctuation of energy, [Khurmi-16]");
   r.M_peak = energy.peak * N_m;
   const bool drives = in.role == Flywheel::Source::drive;
   r.phi_fast = drives ? energy.high_phi : energy.low_phi;
@@ -126,10 +126,10 @@ void take_inertia(const Input& in, Result& r, Tracer& trace) {
     r.u_delta = trace.value("u_delta", 0.0, "an even moment needs no flywheel");
     return;
   }
-  STEP_TO(r, delta_is, r.Delta_E / (J_is * in.omega * in.omega), "unevenness, [Khurmi-16]");
+  STEP_TO(r, delta_is, r.Delta_E / (J_is * in.omega * in.omega), "coefficient of speed fluctuation, [Khurmi-16]");
   STEP_TO(r, n_max, in.omega * (1.0 + 0.5 * delta_is), "mean of maximum and minimum speed");
   STEP_TO(r, n_min, in.omega * (1.0 - 0.5 * delta_is), "mean of maximum and minimum speed");
-  STEP_TO(r, u_delta, delta_is / in.delta, "unevenness over the allowed one");
+  STEP_TO(r, u_delta, delta_is / in.delta, "speed fluctuation: calculated / permissible");
 }
 
 template <class Tracer>
@@ -177,7 +177,7 @@ FieldFault Flywheel::law_fault(const Input& in) {
     const LawEnergy found = energy_of(*law, in.period);
     if (found.settled && shows_all(*law, end, found.energy.peak)) return {};
     return {"M_of_phi", say("the moment has more waves in the period than can be followed"),
-            say("give the least period after which it repeats, or points")};
+            say("give the shortest period after which it repeats, or points")};
   }
   const std::string place = format_quantity(gap.from, deg.symbol, 4);
   if (gap.from < gap.to) {

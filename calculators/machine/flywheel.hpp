@@ -94,7 +94,8 @@ delta = 0.01
             "speed of this shaft over that of the crank over whose angle the series M is given; M is of this shaft"}
           .positive()
           .usually(0.01, 100),
-      Field{&Input::delta, "delta", ratio, "unevenness that is allowed, (omega_max - omega_min)/omega"}
+      Field{&Input::delta, "delta", ratio,
+            "permissible coefficient of speed fluctuation, (omega_max - omega_min)/omega"}
           .positive()
           .below(2)
           .usually(1e-4, 0.3)
@@ -122,24 +123,26 @@ delta = 0.01
   };
   static constexpr Fields results{
       Field{&Result::M_m, "M_m", N_m, "mean moment over the angle"},
-      Field{&Result::M_peak, "M_peak", N_m, "largest magnitude of the moment; of a series, of its positions"}.load(),
+      Field{&Result::M_peak, "M_peak", N_m, "maximum magnitude of the moment; of a series, of its positions"}.load(),
       Field{&Result::A, "A", J, "work over the period"},
       Choice{&Result::work, "work", "sign of the work over the period"},
-      Field{&Result::E_low, "E_low", J, "least work of the moment beyond its mean, from the start"},
-      Field{&Result::E_high, "E_high", J, "largest work of the moment beyond its mean"},
+      Field{&Result::E_low, "E_low", J, "minimum work of the moment beyond its mean, from the start"},
+      Field{&Result::E_high, "E_high", J, "maximum work of the moment beyond its mean"},
       Field{&Result::Delta_E, "Delta_E", J, "energy that the flywheel takes up and gives back"},
-      Field{&Result::phi_fast, "phi_fast", deg, "angle of the largest speed"},
-      Field{&Result::phi_slow, "phi_slow", deg, "angle of the least speed"},
+      Field{&Result::phi_fast, "phi_fast", deg, "angle of the maximum speed"},
+      Field{&Result::phi_slow, "phi_slow", deg, "angle of the minimum speed"},
       Field{&Result::J_F, "J_F", kg_m2, "moment of inertia required for delta, on this shaft"},
       Field{&Result::J_add, "J_add", kg_m2, "of the flywheel itself, in addition to J_0; zero if J_0 suffices"},
-      Field{&Result::delta_is, "delta_is", ratio, "unevenness with the given flywheel, or with J_F"},
-      Field{&Result::n_max, "n_max", rpm, "largest speed"},
-      Field{&Result::n_min, "n_min", rpm, "least speed"},
+      Field{&Result::delta_is, "delta_is", ratio,
+            "coefficient of speed fluctuation with the given flywheel, or with J_F"},
+      Field{&Result::n_max, "n_max", rpm, "maximum speed"},
+      Field{&Result::n_min, "n_min", rpm, "minimum speed"},
       Field{&Result::P_m, "P_m", W, "mean power at the shaft; none without net work"},
       Field{&Result::P, "P", W, "mean power of the motor, or of what is driven"},
       Field{&Result::m_rim, "m_rim", kg, "mass of a rim of that inertia"},
       Field{&Result::v_rim, "v_rim", m_per_s, "speed of the rim"},
-      Field{&Result::u_delta, "u_delta", ratio, "unevenness with the given flywheel, or with J_F, over the allowed one"}
+      Field{&Result::u_delta, "u_delta", ratio,
+            "speed fluctuation with the given flywheel, or with J_F: calculated / permissible"}
           .check(),
       Field{&Result::u_P, "u_P", ratio, "mean power over the rated power of the motor"}.check("P_n"),
       Field{&Result::u_v, "u_v", ratio, "speed of the rim over the allowable one"}.check("v_adm")};
@@ -158,7 +161,7 @@ delta = 0.01
       Rule<Input>{&points_rise, "points, period",
                   "points need two or more angles, none below the one before, and all within one period"},
       Rule<Input>{[](const Input& in) { return is_set(in.delta) || is_set(in.inertia); }, "delta, J",
-                  "give the unevenness delta that is allowed, or the inertia J of the flywheel, or both"},
+                  "give the permissible speed fluctuation delta, or the inertia J of the flywheel, or both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.inertia) || is_set(in.delta); }, "J, delta",
                   "a given flywheel is assessed by the permissible speed fluctuation delta: give it too"},
       Rule<Input>{[](const Input& in) { return !is_set(in.v_adm) || is_set(in.D); }, "v_adm, D",

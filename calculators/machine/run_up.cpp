@@ -141,7 +141,7 @@ RunUp::Result RunUp::evaluate(const Input& in, Tracer& trace) {
   r.M_end = trace.value("M_end", balance.at(in_si(in.n_2)) * N_m, "motor less load at n_2");
   STEP_TO(r, epsilon_1, r.M_start / r.J_red, "J epsilon = M, [B36]");
   follow(in, balance, speeds_of(in, balance), r);
-  trace.value("M_least", r.M_least, "least over the speeds at which a line bends");
+  trace.value("M_least", r.M_least, "minimum over the speeds at which a line bends");
   if (is_set(r.t)) take_energies(in, r, trace);
   return r;
 }

@@ -35,7 +35,7 @@ void MechanismStep::prepare(const project::Declared& declared, const project::Co
   check_operands(input().reading, name(), false, declared, issues);
   for (const project::Taken& taken : input().reading.taken) {
     issues.push_back({taken.place, name() + "." + taken.path,
-                      say("'{1}' of a mechanism is written out: its parts hang on it", taken.path),
+                      say("give '{1}' of a mechanism as a value: its parts depend on it", taken.path),
                       say("share values of several steps in [values]: \"=values.{1}\"", taken.path), Severity::error});
   }
   if (input().from != nullptr) add_faults(check_overrides(*input().from, input().reading), issues);

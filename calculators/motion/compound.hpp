@@ -54,8 +54,8 @@ phi = "60 deg"
     Acceleration a_Ax = 0.0 * m_per_s2, a_Ay = 0.0 * m_per_s2;
   };
   static constexpr Fields inputs{
-      Field{&Input::xi, "xi", m, "place of the point in the frame, along xi from its origin A"},
-      Field{&Input::eta, "eta", m, "place of the point in the frame, along eta"},
+      Field{&Input::xi, "xi", m, "position of the point in the frame, along xi from its origin A"},
+      Field{&Input::eta, "eta", m, "position of the point in the frame, along eta"},
       Field{&Input::v_xi, "v_xi", m_per_s, "relative velocity along xi"},
       Field{&Input::v_eta, "v_eta", m_per_s, "relative velocity along eta"},
       Field{&Input::v_zeta, "v_zeta", m_per_s, "relative velocity along the axis of rotation"},

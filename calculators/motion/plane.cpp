@@ -68,8 +68,8 @@ Plane::Kind kind_of(const Input& in, const Result& r) {
 
 template <class Tracer>
 void tell_A(const Input& in, Tracer& trace) {
-  trace.value("x_A", in.A.x, "place of A");
-  trace.value("y_A", in.A.y, "place of A");
+  trace.value("x_A", in.A.x, "position of A");
+  trace.value("y_A", in.A.y, "position of A");
 }
 
 template <class Tracer>

@@ -45,8 +45,8 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
 )toml";
 
   static constexpr Fields inputs{
-      Group{&Input::A, "A", "place of A: [x, y]"}.as_array(),
-      Group{&Input::B, "B", "place of B: [x, y]"}.as_array().may_be_missing(),
+      Group{&Input::A, "A", "position of A: [x, y]"}.as_array(),
+      Group{&Input::B, "B", "position of B: [x, y]"}.as_array().may_be_missing(),
       Field{&Input::v_A, "v_A", m_per_s, "velocity of A along alpha_A, signed"},
       Field{&Input::alpha_A, "alpha_A", deg, "direction of the velocity of A, from x"},
       Field{&Input::omega, "omega", rad_per_s, "angular velocity, counter-clockwise positive; omitted: from B"}

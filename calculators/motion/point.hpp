@@ -126,8 +126,8 @@ t_2 = "2 s"
       Field{&Result::Delta_r, "Delta_r", m, "displacement from t_1 to t_2, end from start"},
       Field{&Result::v_m, "v_m", m_per_s, "mean velocity from t_1 to t_2, the displacement over the time"},
       Field{&Result::v_L, "v_L", m_per_s, "mean speed from t_1 to t_2, distance / time"},
-      Field{&Result::v_max, "v_max", m_per_s, "largest speed from t_1 to t_2, at 257 times"},
-      Field{&Result::a_max, "a_max", m_per_s2, "largest acceleration from t_1 to t_2, at 257 times"},
+      Field{&Result::v_max, "v_max", m_per_s, "maximum speed from t_1 to t_2, at 257 times"},
+      Field{&Result::a_max, "a_max", m_per_s2, "maximum acceleration from t_1 to t_2, at 257 times"},
       ListField{&Result::states, "states", "states at the given times, or evenly over the range"}};
 
   static bool laws_read(const Input& in);

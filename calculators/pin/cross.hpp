@@ -133,7 +133,7 @@ tau_adm_1 = "40 MPa"
       Rule<Input>{[](const Input& in) { return in.d_w < in.D; }, "D, d_w", "the hub must be thicker than the shaft"},
       Rule<Input>{
           [](const Input& in) { return !is_set(in.R_m) || is_set(in.tau_adm) || in.loading != Loading::unsaid; },
-          "R_m, loading", "the share of R_m that is allowed follows from how the torque varies: say loading"}};
+          "R_m, loading", "the allowable share of R_m depends on the loading type: give loading"}};
 
   static constexpr std::array senses{SenseClaim{"T", "loading", "steady, pulsating", "alternating"}};
   static constexpr std::array meanings{Meaning{"tau_adm", allowable_in_shear}};

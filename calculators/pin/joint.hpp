@@ -171,7 +171,7 @@ p_adm_2 = "100 MPa"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.held != Held::unsaid; }, "held",
-                  "say how the pin is held, which its moment follows from: loose, in_fork, in_eye or one_side"},
+                  "pin support missing: give held = loose, in_fork, in_eye or one_side"},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_i) || !is_set(in.d) || in.d_i < in.d; }, "d_i, d",
                   "the bore must be smaller than the pin"},
       Rule<Input>{[](const Input& in) { return in.spread == Spread::even || in.held == Held::loose; }, "spread, held",
@@ -180,7 +180,7 @@ p_adm_2 = "100 MPa"
                     const bool typed = is_set(in.sigma_adm) && is_set(in.tau_adm);
                     return !is_set(in.R_m) || typed || in.loading != Loading::unsaid;
                   },
-                  "R_m, loading", "the share of R_m that is allowed follows from how the force varies: say loading"},
+                  "R_m, loading", "the allowable share of R_m depends on the loading type: give loading"},
       Rule<Input>{[](const Input& in) { return is_set(in.pv_adm) <= is_set(in.n); }, "pv_adm, n",
                   "pressure times speed needs the speed of turning n"},
       heat_treated_before_turning<Input>()};

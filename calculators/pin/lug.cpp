@@ -37,7 +37,7 @@ Applies Lug::varies(const Input& in) { return std::min(shown_by(in.K_A > 1.0), l
 template <class Tracer>
 Lug::Result Lug::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  STEP_TO(r, F_d, in.K_A * abs(in.F), "with the service factor, as a pull");
+  STEP_TO(r, F_d, in.K_A * abs(in.F), "with the application factor, as a tensile force");
   STEP_TO(r, sigma_n, F_d / ((in.b - in.d) * in.t), "over both sides of the bore, [Bhandari-4]");
   STEP_TO(r, tau_s, F_d / (2.0 * in.a * in.t), "over two planes from the bore to the crown, [Bhandari-4]");
   STEP_TO(r, p, F_d / (in.d * in.t), "over the projected bore, [Bhandari-4]");

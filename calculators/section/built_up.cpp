@@ -39,8 +39,8 @@ BuiltUp::Placed place(const Part& part, const Turned& placed, const Properties& 
   const double sign = trace.value("sign", sign_of(part), "1 of material, -1 of a hole");
   STEP(A, sign * A_0, "counts negative where it is cut out");
   const auto [y_S, z_S] = placed(own.y_S, own.z_S);
-  trace.value("y_S", y_S, "centroid of the part at its place");
-  trace.value("z_S", z_S, "centroid of the part at its place");
+  trace.value("y_S", y_S, "centroid of the part at its position");
+  trace.value("z_S", z_S, "centroid of the part at its position");
   STEP(c, cos(part.angle), "of the turn");
   STEP(s, sin(part.angle), "of the turn");
   STEP(I_y, sign * (I_y0 * c * c + I_z0 * s * s + 2.0 * I_yz0 * s * c), "turned about its centroid, [ME102]");

@@ -39,8 +39,8 @@ struct BuiltUpTypes {
         Field{&Part::r_2, "r_2", mm, "toe of an angle; inner radius of a hollow rectangle"}
             .at_least(0)
             .may_be_missing(),
-        Field{&Part::y, "y", mm, "place of its origin, to the right"}.within(-1e6, 1e6).may_be_missing(),
-        Field{&Part::z, "z", mm, "place of its origin, upwards"}.within(-1e6, 1e6).may_be_missing(),
+        Field{&Part::y, "y", mm, "position of its origin, to the right"}.within(-1e6, 1e6).may_be_missing(),
+        Field{&Part::z, "z", mm, "position of its origin, upwards"}.within(-1e6, 1e6).may_be_missing(),
         Field{&Part::angle, "angle", deg, "turned about its origin, counter-clockwise"}.may_be_missing(),
         Choice{&Part::as, "as", "full, or cut out"}.may_be_missing()};
   };

@@ -171,7 +171,7 @@ FieldFault BuiltUp::overlapping(const Input& in) {
   return {
       path_of(second),
       say("the parts {1} and {2} overlap: the common area would count twice", name_of(in, first), name_of(in, second)),
-      say("move one of them, or cut the common place out once with a part of as = \"hole\"")};
+      say("move one of them, or cut the common area out once with a part of as = \"hole\"")};
 }
 
 bool BuiltUp::all_touch(const Input& in) { return !parts_are_whole(in) || lone(in) == 0; }

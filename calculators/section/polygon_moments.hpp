@@ -52,8 +52,8 @@ Properties centroidal(const Moments& sum, const Place& origin, Tracer& trace) {
   const auto& [A, S_y, S_z, I_yy, I_zz, I_yz_0] = sum;
   const auto& [y_0, z_0] = origin;
   Properties r;
-  trace.value("y_0", y_0, "axes to sum about: through this place of the sketch");
-  trace.value("z_0", z_0, "axes to sum about: through this place of the sketch");
+  trace.value("y_0", y_0, "axes to sum about: through this position of the sketch");
+  trace.value("z_0", z_0, "axes to sum about: through this position of the sketch");
   r.A = trace.value("A", A, "sum of the areas");
   trace.value("S_y", S_y, "sum of the first moments about the axis y there");
   trace.value("S_z", S_z, "sum of the first moments about the axis z there");

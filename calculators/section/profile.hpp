@@ -34,14 +34,14 @@ struct Profile {
       Field{&Profile::I_y, "I_y", mm4, "second moment of area about y"},
       Field{&Profile::I_z, "I_z", mm4, "second moment of area about z"},
       Field{&Profile::I_yz, "I_yz", mm4, "product of area"},
-      Field{&Profile::I_min, "I_min", mm4, "least second moment of area"},
+      Field{&Profile::I_min, "I_min", mm4, "minimum second moment of area"},
       Field{&Profile::I_t, "I_t", mm4, "torsion constant"},
       Field{&Profile::W_y, "W_y", mm3, "elastic section modulus about y"},
       Field{&Profile::W_z, "W_z", mm3, "elastic section modulus about z"},
       Field{&Profile::W_t, "W_t", mm3, "section modulus in torsion"},
       Field{&Profile::i_y, "i_y", mm, "radius of gyration about y"},
       Field{&Profile::i_z, "i_z", mm, "radius of gyration about z"},
-      Field{&Profile::i_min, "i_min", mm, "least radius of gyration"}};
+      Field{&Profile::i_min, "i_min", mm, "minimum radius of gyration"}};
 };
 
 /// The row of a name or alias, whatever the case and the spaces; null where there is none. Allocates nothing once the

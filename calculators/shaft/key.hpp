@@ -166,7 +166,7 @@ R_e_k = "420 MPa"
       Field{&Result::u_k, "u_k", ratio, "key: larger bearing pressure / allowable pressure"}.check("p_adm_k, R_e_k"),
       Field{&Result::u_tau, "u_tau", ratio, "shear of the key: shear stress / allowable shear stress"}.check(
           "tau_adm, p_adm_k, R_e_k"),
-      Field{&Result::u_W, "u_W", ratio, "reversing torque: largest utilisation of the key sides / f_W"}
+      Field{&Result::u_W, "u_W", ratio, "reversing torque: maximum utilisation of the key sides / f_W"}
           .check("f_W")
           .where_it_applies(),
       Field{&Result::u_n, "u_n", ratio, "key length / hub length"}.check("l_n"),

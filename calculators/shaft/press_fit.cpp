@@ -50,16 +50,16 @@ void pressures(const Input& in, Result& r, Tracer& trace) {
   STEP(K_2, (1.0 + pow<2>(Q_2)) / (1.0 - pow<2>(Q_2)) + in.nu_2, "hub under pressure inside, [Lame]");
   const Length U_w_min = r.U_w_min, U_w_max = r.U_w_max;
   if (!is_set(r.U_n)) {
-    STEP_TO(r, p_min, U_w_min / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "smallest pressure, [Lame]");
-    STEP_TO(r, p_max, U_w_max / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "largest pressure, [Lame]");
+    STEP_TO(r, p_min, U_w_min / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "minimum pressure, [Lame]");
+    STEP_TO(r, p_max, U_w_max / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "maximum pressure, [Lame]");
     return;
   }
   const Length U_n = r.U_n;
   STEP_TO(r, p_min, max(U_w_min - max(U_n, 0.0 * mm), 0.0 * mm) / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)),
-          "smallest pressure, at rest or at speed, [Lame]");
-  STEP_TO(r, p_max, U_w_max / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "largest pressure at rest, [Lame]");
+          "minimum pressure, at rest or at speed, [Lame]");
+  STEP_TO(r, p_max, U_w_max / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "maximum pressure at rest, [Lame]");
   STEP_TO(r, p_n, max(U_w_max - U_n, 0.0 * mm) / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)),
-          "largest pressure at speed, [Lame]");
+          "maximum pressure at speed, [Lame]");
 }
 
 template <class Tracer>
@@ -175,7 +175,7 @@ Length PressFit::least_usable(const Input& in) {
 FieldFault PressFit::nothing_left(const Input& in) {
   const auto told = [](Length U) { return format_quantity(in_si(U), um.symbol); };
   return {"U_min",
-          say("of the smallest interference of {1} roughness takes {2} and heat {3}: nothing is left that presses",
+          say("minimum interference {1}, less {2} for roughness and {3} for heating: no usable interference remains",
               told(in.U_min), told(0.8 * (in.Rz_1 + in.Rz_2)), told(std::max(lost_by_heat(in), none))),
           say("take a tighter fit, or smoother surfaces")};
 }

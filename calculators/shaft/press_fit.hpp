@@ -200,12 +200,12 @@ dT_adm = "250 K"
       Field{&Result::U_w_max, "U_w_max", um, "maximum effective interference, cold or in service"},
       Field{&Result::p_min, "p_min", MPa, "minimum joint pressure"},
       Field{&Result::p_max, "p_max", MPa, "maximum joint pressure"},
-      Field{&Result::p_n, "p_n", MPa, "largest pressure at speed"},
+      Field{&Result::p_n, "p_n", MPa, "maximum pressure at speed"},
       Field{&Result::F_res, "F_res", kN, "resultant of circumferential and axial force"}.holding("K_A"),
       Field{&Result::F_slip, "F_slip", kN, "slip force at minimum pressure, axial or circumferential"},
       Field{&Result::T_slip, "T_slip", N_m, "slip torque at minimum pressure, without axial force"},
       Field{&Result::sigma_t2, "sigma_t2", MPa, "hoop stress at the hub bore, maximum pressure"},
-      Field{&Result::sigma_1, "sigma_1", MPa, "equivalent stress of the shaft, largest pressure or speed"},
+      Field{&Result::sigma_1, "sigma_1", MPa, "equivalent stress of the shaft, maximum pressure or speed"},
       Field{&Result::sigma_2, "sigma_2", MPa, "equivalent stress of the hub at its bore, likewise"},
       Field{&Result::F_e, "F_e", kN, "press-in force at full engagement, maximum pressure"},
       Field{&Result::dT_A, "dT_A", kelvin, "heating of the hub for assembly"},
@@ -214,7 +214,7 @@ dT_adm = "250 K"
           .where_it_applies(),
       Field{&Result::u_1, "u_1", ratio, "shaft: S_F x equivalent stress / yield strength"}.check("S_F"),
       Field{&Result::u_2, "u_2", ratio, "hub: S_F x equivalent stress / yield strength"}.check("S_F"),
-      Field{&Result::u_n, "u_n", ratio, "speed: interference lost / smallest usable interference at rest"}
+      Field{&Result::u_n, "u_n", ratio, "speed: interference lost / minimum usable interference at rest"}
           .check("n")
           .sizeless()
           .where_it_applies(),
@@ -236,8 +236,7 @@ dT_adm = "250 K"
                   "the bore of the mounted component must equal the diameter of the fit"},
       Rule<Input>{[](const Input& in) { return in.d_i < in.d && in.d < in.D; }, "d_i, d, D",
                   "the bore of the shaft must be smaller than the fit, and the fit smaller than the hub"},
-      Rule<Input>{[](const Input& in) { return in.U_min <= in.U_max; }, "U_min, U_max",
-                  "the smallest interference is at most the largest"},
+      Rule<Input>{[](const Input& in) { return in.U_min <= in.U_max; }, "U_min, U_max", "U_min must not exceed U_max"},
       Rule<Input>{
           [](const Input& in) { return is_set(in.E_1) && is_set(in.E_2) && is_set(in.nu_1) && is_set(in.nu_2); },
           "E_1, E_2, nu_1, nu_2", "give E and nu of shaft and hub, or a material of both"},
@@ -252,7 +251,7 @@ dT_adm = "250 K"
       Rule<Input>{[](const Input& in) { return is_set(in.dT_adm) ? is_set(in.U_c) && is_set(in.alpha_2) : true; },
                   "dT_adm, U_c, alpha_2", "the heating of the hub needs the clearance U_c and its expansion alpha_2"},
       Rule<Input>{[](const Input& in) { return !(least_usable(in) <= 0.0 * mm.one); }, "U_min, Rz_1, Rz_2, dT_1, dT_2",
-                  "the smallest fit has no usable interference", &nothing_left}};
+                  "no usable interference at U_min; take a tighter fit or smoother surfaces", &nothing_left}};
 
   static constexpr std::array meanings{Meaning{"R_e_1, R_e_2", yield_strength}};
   static constexpr std::array modes{

@@ -165,7 +165,7 @@ S = 2
 
 constexpr auto choices_of(SetScrew::Case) {
   using Case = SetScrew::Case;
-  return std::array{ChoiceName<Case>{Case::unsaid, "unsaid", "it is not said: dynamic where K_A is above 1"},
+  return std::array{ChoiceName<Case>{Case::unsaid, "unsaid", "not stated: dynamic if K_A exceeds 1"},
                     ChoiceName<Case>{Case::at_rest, "static", "they stay, without shocks: a safety of 1.5 at least"},
                     ChoiceName<Case>{Case::dynamic, "dynamic", "they vary or shake: a safety of 4 at least"}};
 }

@@ -14,7 +14,7 @@ inline Strength strength_of(const WallInput& in, Stress sigma_all) {
 template <class Tracer>
 Length ordered(const char* symbol, Length carrying, const WallInput& in, Tracer& trace) {
   const Length delta_0 = carrying;
-  trace.value("delta_0", delta_0, "thickness at which the governing place is just strong enough");
+  trace.value("delta_0", delta_0, "thickness at which the governing location reaches the allowable stress");
   return NAMED_STEP(symbol, (delta_0 + in.c + in.c_t) / (1.0 - in.f_t), "with its allowances, each once");
 }
 
@@ -58,7 +58,7 @@ double assess(const Input& in, Result& r, Length scale, const Make& make, const 
   r.delta_c = carrying(in, r.delta, trace);
   told(offset(in, r.delta, r.delta_c, trace), trace);
   const auto shape = make(r.delta_c);
-  const Length rho_min = trace.value("rho_min", shape.sharpest(), "smallest radius of curvature of the shell");
+  const Length rho_min = trace.value("rho_min", shape.sharpest(), "minimum radius of curvature of the shell");
   STEP_TO(r, t_R, r.delta_c / rho_min, "thin walls are below 1/20, [B24]");
   const double t = governing_place(shape, in.p, r.delta_c, strength);
   const Place place = shape.at(t, trace);
@@ -67,7 +67,7 @@ double assess(const Input& in, Result& r, Length scale, const Make& make, const 
   r.p_i = m.p_i, r.sigma_o = m.o, r.sigma_M = m.M, r.sigma_v = sigma_v;
   STEP_TO(r, u_v, sigma_v / sigma_all, "strength condition, [B24]");
   r.p_max = allowable_pressure(shape, r.delta_c, strength);
-  trace.value("p_max", r.p_max, "the pressure at which the first place is just strong enough");
+  trace.value("p_max", r.p_max, "pressure at which the first location reaches the allowable stress");
   return t;
 }
 

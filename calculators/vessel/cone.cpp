@@ -32,7 +32,7 @@ class ConeShape {
     Place place;
     const Length r = t * R_m_;
     place.r = r, place.z = r / std::tan(in_.alpha);
-    trace.value("r", r, "mean radius at the governing place");
+    trace.value("r", r, "mean radius at the governing location");
     STEP_TO(place, rho_o, r / cos(in_.alpha), "normal to the wall, up to the axis");
     place.kappa_M = trace.value("kappa_M", 0.0 / r, "the meridian is straight");
     STEP_TO(place, q_M, r / (2.0 * cos(in_.alpha)), "pressure on the section over the upright part of the pull");
@@ -64,7 +64,7 @@ class ConeShape {
     using std::cos, std::tan;
     const Acceleration g_n = gravity;
     const Length r = place.r;
-    STEP(r_l, min(r, in_.h_l * tan(in_.alpha)), "radius up to which the liquid loads the wall below the place");
+    STEP(r_l, min(r, in_.h_l * tan(in_.alpha)), "radius up to which the liquid loads the wall below the position");
     STEP_TO(place, n_M,
             in_.rho * g_n * pow<2>(r_l) * (in_.h_l / 2.0 - r_l / (3.0 * tan(in_.alpha))) / (r * cos(in_.alpha)),
             "weight of the liquid below and above the section, [ExpertsMind-cone]");

@@ -78,7 +78,7 @@ template <class Tracer>
 Length rings(const Input& in, Stress sigma_all, Tracer& trace) {
   if (in.ends != Ends::ringed) return 0.0 * mm;
   if (is_set(in.A_r)) return NAMED_STEP("a_r", in.A_r / in.l_r, "section of the rings per length");
-  const Stress p_0 = trace.value("p_0", bottom_pressure(in), "pressure of the liquid at the lowest place");
+  const Stress p_0 = trace.value("p_0", bottom_pressure(in), "pressure of the liquid at the lowest position");
   return NAMED_STEP("a_r", (in.p + p_0) * in.R / sigma_all,
                     "rings that could take the full hoop force, as [B24] assumes");
 }

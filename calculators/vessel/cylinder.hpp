@@ -59,7 +59,8 @@ sigma_adm = "140 MPa"
                  .usually(5, 50000),
              Choice<Input, Ends>{&Input::ends, "ends", "end condition: closed ends, open pipe or ring-reinforced"}
                  .may_be_missing()},
-      wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid's surface above the lowest place of the wall"),
+      wall_inputs<Input>(),
+      liquid_inputs<Input>("height of the liquid's surface above the lowest position of the wall"),
       Fields{
           Choice<Input, Support>{&Input::support, "support", "support of a liquid-filled cylinder"}.may_be_missing(),
           Field<Input, Area>{&Input::A_r, "A_r", mm2, "area of the section of one ring"}.positive().may_be_missing(),

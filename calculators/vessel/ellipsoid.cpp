@@ -26,7 +26,7 @@ class EllipsoidShape {
     Place place;
     place.r = equator ? a_m : a_m * std::sin(0.5 * pi * t);
     place.z = equator ? 0.0 * b_m : b_m * std::cos(0.5 * pi * t);
-    const Length r = trace.value("r", place.r, "distance of the governing place from the axis");
+    const Length r = trace.value("r", place.r, "distance of the governing location from the axis");
     const Length z = trace.value("z", place.z, "height above the equator");
     STEP(w, sqrt(pow<2>(a_m * z / b_m) + pow<2>(b_m * r / a_m)), "auxiliary value of the radii of curvature");
     STEP_TO(place, rho_o, a_m / b_m * w, "normal to the wall, up to the axis");

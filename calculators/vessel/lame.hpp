@@ -19,7 +19,7 @@ constexpr auto lame_results() {
   return Fields{
       Field<Result, Stress>{&Result::sigma_L, "sigma_L", MPa, "thick wall: equivalent stress by Lamé, inside"},
       Field<Result, double>{&Result::e_L, "e_L", ratio, "error of the thin-wall equivalent stress against Lamé"},
-      Field<Result, Length>{&Result::delta_L, "delta_L", mm, "thick wall: least thickness to order by Lamé"},
+      Field<Result, Length>{&Result::delta_L, "delta_L", mm, "thick wall: minimum thickness to order by Lamé"},
       Field<Result, double>{&Result::u_L, "u_L", ratio, "thick wall: equivalent stress over the allowable one"}};
 }
 

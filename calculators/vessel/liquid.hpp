@@ -11,7 +11,7 @@ inline constexpr Acceleration gravity = 9.80665 * m_per_s2;  // standard value, 
 template <class Tracer>
 Stress head(const Liquid& liquid, Length z, Tracer& trace) {
   const Acceleration g_n = trace.value("g_n", gravity, "standard acceleration of free fall");
-  trace.value("z", z, "height of the place");
+  trace.value("z", z, "height of the position");
   return NAMED_STEP("p_l", liquid.rho * g_n * max(liquid.h_l - z, 0.0 * liquid.h_l), "head of the liquid");
 }
 

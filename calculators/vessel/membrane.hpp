@@ -68,8 +68,7 @@ Stress hoop(const Place& place, Stress p_i, Stress sigma_M, Length delta_c, Trac
 template <class Tracer>
 Membrane membrane(const Place& place, Stress p, Length delta_c, const Strength& strength, Tracer& trace) {
   STEP(p_i, p + place.p_l, "gas and liquid");
-  STEP(sigma_M, (p * place.q_M + place.n_M) / delta_c,
-       "balance along the axis of what lies beyond the place, [B24] (11)");
+  STEP(sigma_M, (p * place.q_M + place.n_M) / delta_c, "axial equilibrium of the part beyond the location, [B24] (11)");
   const Stress sigma_o = hoop(place, p_i, sigma_M, delta_c, trace);
   STEP(s_o, sigma_o / strength.z_l, "hoop stress for longitudinal welds");
   STEP(s_M, sigma_M / strength.z_c, "meridional stress for circumferential welds");

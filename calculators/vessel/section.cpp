@@ -266,7 +266,7 @@ draw::Figure section_figure(const WallInput& in, const WallResult& r, const Sect
   }
   const bool flat = s.ring || 1.5 * height_of(wall) < 2.0 * widest_of(wall);
   view.share = flat ? 1.0 : 0.58;
-  view.note = say(s.governing ? "walls to scale; dot: governing place" : "walls to scale").text();
+  view.note = say(s.governing ? "walls to scale; dot: governing location" : "walls to scale").text();
   Drawing::View enlarged = wall_view(in, r, s.radius);
   if (flat) enlarged.share = 0.6, enlarged.most_height = 250.0;
   drawing->views = {std::move(view), std::move(enlarged)};

@@ -55,7 +55,7 @@ class ShellShape {
     } else {
       trace.value("p_l", place.p_l, "no liquid");
     }
-    trace.value("r", r, "distance of the governing place from the axis");
+    trace.value("r", r, "distance of the governing location from the axis");
     trace.value("kappa_M", kappa_M, "curvature of the circle through the point and its neighbours");
     place.rho_o = rho_of(point);
     if (pole) {
@@ -66,8 +66,8 @@ class ShellShape {
       place.n_M = from_si<Tension>(point.liquid / (point.r * point.sine));
     }
     trace.value("rho_o", place.rho_o, "normal to the meridian, up to the axis");
-    trace.value("q_M", place.q_M, "area before the place over the upright part of its circumference");
-    trace.value("n_M", place.n_M, "of the liquid, pressing on what lies before the place");
+    trace.value("q_M", place.q_M, "area before the position over the upright part of its circumference");
+    trace.value("n_M", place.n_M, "axial force of the liquid on the part before the location");
     return place;
   }
 
@@ -175,7 +175,7 @@ Shell::Result Shell::evaluate(const Input& in, Tracer& trace) {
   }
   r.x_s = shallowness_of(widest, flattest, r.delta_c, trace);
   r.w_kappa =
-      trace.value("w_kappa", shell.largest_jump(), "largest change of kappa_M from one point to the next, times rho_o");
+      trace.value("w_kappa", shell.largest_jump(), "maximum change of kappa_M from one point to the next, times rho_o");
   tabulate(shell, in, r);
   knuckle(r, trace);
   return r;

@@ -90,22 +90,21 @@ sigma_adm = "120 MPa"
   };
   static constexpr Fields results = join(
       wall_results<Result>(),
-      Fields{
-          Field{&Result::r, "r", mm, "governing place: distance from the axis"},
-          Field{&Result::z, "z", mm, "governing place: height"},
-          Field{&Result::psi_max, "psi_max", deg, "edges: largest turn of the meridian from one chord to the next"}
-              .limit(0, 15 * (1 + 1e-9)),
-          Field{&Result::s_min, "s_min", ratio,
-                "flatness: largest radius / largest radius of curvature rho_o (validity of membrane theory)"}
-              .limit(0.02, 1.0 + 1e-9),
-          shallowness<Result>(),
-          Field{&Result::w_kappa, "w_kappa", ratio,
-                "jumps: largest change of the meridian's curvature from point to point, times rho_o; finer points, or "
-                "vessel.sphere and vessel.torus for the parts of a head"}
-              .limit(0, 0.2),
-          Field{&Result::w_b, "w_b", ratio, "buckling of a knuckle: 0.002 of the crown radius over the thickness"}
-              .limit(0, 1),
-          ListField<Result, List<Along, most_points>>{&Result::along, "along", "stresses along the meridian"}});
+      Fields{Field{&Result::r, "r", mm, "governing location: distance from the axis"},
+             Field{&Result::z, "z", mm, "governing location: height"},
+             Field{&Result::psi_max, "psi_max", deg, "edges: maximum turn of the meridian from one chord to the next"}
+                 .limit(0, 15 * (1 + 1e-9)),
+             Field{&Result::s_min, "s_min", ratio,
+                   "flatness: largest radius / largest radius of curvature rho_o (validity of membrane theory)"}
+                 .limit(0.02, 1.0 + 1e-9),
+             shallowness<Result>(),
+             Field{&Result::w_kappa, "w_kappa", ratio,
+                   "jumps: maximum change of the meridian's curvature from point to point, times rho_o; finer points, "
+                   "or vessel.sphere and vessel.torus for the parts of a head"}
+                 .limit(0, 0.2),
+             Field{&Result::w_b, "w_b", ratio, "buckling of a knuckle: 0.002 of the crown radius over the thickness"}
+                 .limit(0, 1),
+             ListField<Result, List<Along, most_points>>{&Result::along, "along", "stresses along the meridian"}});
 
   static constexpr std::array rules = join(
       wall_rules<Input>(), liquid_rules<Input>(),

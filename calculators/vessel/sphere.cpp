@@ -36,7 +36,7 @@ class SphereShape {
     STEP_TO(place, kappa_M, 1.0 / R_m, "along the meridian too");
     STEP_TO(place, q_M, R_m / 2.0, "pressure on the cap over its circumference, [B24]");
     if (wet_) {
-      trace.angle("phi", phi, "of the governing place, from the top");
+      trace.angle("phi", phi, "of the governing location, from the top");
       place.p_l = head(in_, place.z, trace);
       place.n_M = phi > in_.phi_s ? below(phi) : above(phi);
     } else {

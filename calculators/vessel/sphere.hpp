@@ -51,7 +51,8 @@ sigma_adm = "160 MPa"
       Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface that `measured` says"}
                  .positive()
                  .usually(5, 50000)},
-      wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid's surface above the lowest place of the wall"),
+      wall_inputs<Input>(),
+      liquid_inputs<Input>("height of the liquid's surface above the lowest position of the wall"),
       Fields{Field<Input, double>{&Input::phi_s, "phi_s", deg, "ring that holds a sphere with liquid: from the top"}
                  .within(20, 160)
                  .may_be_missing()});
@@ -62,7 +63,7 @@ sigma_adm = "160 MPa"
   };
   static constexpr Fields results = join(wall_results<Result>(),
                                          Fields{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
-                                                Field{&Result::phi, "phi", deg, "governing place, from the top"}},
+                                                Field{&Result::phi, "phi", deg, "governing location, from the top"}},
                                          lame_results<Result>());
 
   static constexpr std::array rules =

@@ -114,14 +114,14 @@ template <class Result>
 constexpr auto wall_results() {
   return Fields{
       Field<Result, Stress>{&Result::sigma_all, "sigma_all", MPa, "allowable stress"},
-      Field<Result, Length>{&Result::delta_min, "delta_min", mm, "least thickness to order, with its allowances"},
+      Field<Result, Length>{&Result::delta_min, "delta_min", mm, "minimum thickness to order, with its allowances"},
       Field<Result, Length>{&Result::delta, "delta", mm, "wall thickness as ordered"},
       Field<Result, Length>{&Result::delta_c, "delta_c", mm, "thickness that carries: corroded and thinned"},
-      Field<Result, Stress>{&Result::p_i, "p_i", MPa, "pressure at the governing place"},
-      Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "hoop stress at the governing place"},
-      Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "meridional stress at the governing place"},
+      Field<Result, Stress>{&Result::p_i, "p_i", MPa, "pressure at the governing location"},
+      Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "hoop stress at the governing location"},
+      Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "meridional stress at the governing location"},
       Field<Result, Stress>{&Result::sigma_v, "sigma_v", MPa,
-                            "equivalent stress at the governing place, seams included"},
+                            "equivalent stress at the governing location, seams included"},
       Field<Result, Stress>{&Result::p_max, "p_max", MPa, "allowable gas pressure at that thickness"},
       Field<Result, double>{&Result::t_R, "t_R", ratio, "thin wall: thickness over the mean radius of curvature"}.limit(
           0, 0.05 * (1 + 1e-12)),

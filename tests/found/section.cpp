@@ -134,7 +134,7 @@ walls = [{ cell = "a", l = "400 mm", t = "5 mm" }, { cell = "b", beside = "a", l
       };
       return corner(y, z) + ", " + corner(y + 100, z) + ", " + corner(y + 100, z + 100) + ", " + corner(y, z + 100);
     };
-    const std::string beside = "have a place in common";
+    const std::string beside = "overlap";
     CHECK(fault(box(0, 0), box(100, 0)).empty());  // which share a wall
     CHECK(fault(box(0, 0), box(99, 0)).empty());   // but for rounding
     for (const auto& at : {std::pair{0, 0}, {50, 0}, {0, -50}, {30, 40}, {90, 90}})

@@ -19,16 +19,16 @@ void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, VTypes:
   const VRow& row = section.row;
   const bool iso = section.basis == Basis::iso;
   r.x_d = trace.value("x_d", place_in(d_k, row.d_low, row.d_high),
-                      "place of the smaller pulley in the range that is rated");
-  r.x_n = trace.value("x_n", place_in(n_k, row.n_low, row.n_high), "place of its speed in the range that is rated");
+                      "position of the smaller pulley in the range that is rated");
+  r.x_n = trace.value("x_n", place_in(n_k, row.n_low, row.n_high), "position of its speed in the range that is rated");
   if (!section.lengths.empty()) r.x_L = place_in(r.L, section.lengths.front().L, section.lengths.back().L);
-  trace.value("x_L", r.x_L, "place of the length in the list");
+  trace.value("x_L", r.x_L, "position of the length in the list");
   const double alpha_least =
       trace.value("alpha_least", iso ? pi / 2.0 : least_optibelt_wrap(),
-                  iso ? "least wrap, [GOST1284.3] 3.3.5" : "least wrap of the table, [Optibelt-V] 16");
+                  iso ? "minimum wrap, [GOST1284.3] 3.3.5" : "minimum wrap of the table, [Optibelt-V] 16");
   STEP_TO(r, x_alpha, r.alpha / alpha_least, "smaller wrap over the least one");
-  const auto v_max = trace.value("v_max", row.v_max, "largest speed of the section");
-  STEP_TO(r, x_v, r.v / v_max, "speed over the largest one");
+  const auto v_max = trace.value("v_max", row.v_max, "maximum speed of the section");
+  STEP_TO(r, x_v, r.v / v_max, "speed / maximum speed");
 }
 
 /// Whether pulleys and belts are those of a list, and as many as share a load.
@@ -96,7 +96,7 @@ void build_pulleys(const VSection& section, const VTypes::Input& in, VTypes::Res
   STEP_TO(r, g_r, r.a - (r.d_a1 + r.d_a2) / 2.0, "between the rims");
   STEP_TO(r, g_f, g_r - Delta_2, "left when the pulleys are moved together for fitting");
   STEP_TO(r, f_B, 2.0 * r.v / r.L, "two pulleys bend the belt in each round");
-  trace.value("f_B_max", row.f_B_max, "largest bending frequency of the section");
+  trace.value("f_B_max", row.f_B_max, "maximum bending frequency of the section");
   STEP_TO(r, u_B, f_B / row.f_B_max, "bending frequency condition");
   live(section, in, r, trace);
   if (r.z == 0) return;

@@ -34,7 +34,7 @@ void grip(const VTypes::Input& in, const Press& pressed, VTypes::Result& r, Trac
   STEP(mu_1, in.mu / sin(r.phi_1 / 2.0), "wedge friction of the driving pulley");
   STEP(mu_2, in.mu / sin(r.phi_2 / 2.0), "wedge friction of the driven pulley");
   STEP(m_e, exp(min(mu_1 * r.alpha_1, mu_2 * r.alpha_2)), "Euler's condition at the pulley that slips first, [B40]");
-  STEP(N_min, F_t / 2.0 * (m_e + 1.0) / (m_e - 1.0), "least tension that holds the force");
+  STEP(N_min, F_t / 2.0 * (m_e + 1.0) / (m_e - 1.0), "minimum tension that holds the force");
   STEP_TO(r, u_grip, N_min / N_0, "grip condition");
 }
 

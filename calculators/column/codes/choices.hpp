@@ -12,7 +12,7 @@ enum class Ends { unsaid, pinned_pinned, fixed_free, fixed_pinned, fixed_fixed, 
 
 constexpr auto choices_of(Ends) {
   using E = Ends;
-  return std::array{ChoiceName<E>{E::unsaid, "", "not said"},
+  return std::array{ChoiceName<E>{E::unsaid, "", "not stated"},
                     ChoiceName<E>{E::pinned_pinned, "pinned_pinned", "hinged at both ends"},
                     ChoiceName<E>{E::fixed_free, "fixed_free", "built in at the start, free at the end"},
                     ChoiceName<E>{E::fixed_pinned, "fixed_pinned", "built in at the start, hinged at the end"},
@@ -38,7 +38,7 @@ enum class Method { euler, tetmajer, johnson, rankine, secant, ec3, aisc, sp16, 
 constexpr auto choices_of(Method) {
   using M = Method;
   return std::array{ChoiceName<M>{M::euler, "euler", "Euler, elastic, above the limit slenderness"},
-                    ChoiceName<M>{M::tetmajer, "tetmajer", "Tetmajer-Yasinsky: least of yield, Tetmajer and Euler"},
+                    ChoiceName<M>{M::tetmajer, "tetmajer", "Tetmajer-Yasinsky: minimum of yield, Tetmajer and Euler"},
                     ChoiceName<M>{M::johnson, "johnson", "Johnson's parabola, Euler above it"},
                     ChoiceName<M>{M::rankine, "rankine", "Rankine-Gordon"},
                     ChoiceName<M>{M::secant, "secant", "secant formula, with an eccentricity"},
@@ -53,7 +53,7 @@ enum class Profile { unsaid, rolled_I, welded_I, hot_hollow, cold_hollow, welded
 
 constexpr auto choices_of(Profile) {
   using K = Profile;
-  return std::array{ChoiceName<K>{K::unsaid, "", "not said"},
+  return std::array{ChoiceName<K>{K::unsaid, "", "not stated"},
                     ChoiceName<K>{K::rolled_I, "rolled_I", "rolled I or H section"},
                     ChoiceName<K>{K::welded_I, "welded_I", "welded I or H section"},
                     ChoiceName<K>{K::hot_hollow, "hot_hollow", "hollow section, hot finished"},
@@ -99,7 +99,8 @@ enum class Class { unsaid, steel, cast_iron, wood, other };
 
 constexpr auto choices_of(Class) {
   using C = Class;
-  return std::array{ChoiceName<C>{C::unsaid, "", "not said"}, ChoiceName<C>{C::steel, "steel", "steel: n_st 1.8 to 3"},
+  return std::array{ChoiceName<C>{C::unsaid, "", "not stated"},
+                    ChoiceName<C>{C::steel, "steel", "steel: n_st 1.8 to 3"},
                     ChoiceName<C>{C::cast_iron, "cast_iron", "cast iron: n_st 5 to 5.5"},
                     ChoiceName<C>{C::wood, "wood", "wood: n_st 2.8 to 3.2"},
                     ChoiceName<C>{C::other, "other", "another material, for which the steel codes do not hold"}};

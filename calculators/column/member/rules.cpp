@@ -78,8 +78,7 @@ Message lack_of_safety(const Member& in, Method by) {
   if (!is_loaded(in) || by == Method::aisc) return {};
   if (by == Method::ec3 && in.method == Method::unsaid) return {};  // assumed
   if (by != Method::ec3) return is_set(in.n_st) ? Message{} : say("the safety against buckling n_st");
-  const Message M1 =
-      is_set(in.gamma_M1) ? Message{} : say("the partial factor gamma_M1 (1 or as the national annex says)");
+  const Message M1 = is_set(in.gamma_M1) ? Message{} : say("the partial factor gamma_M1 (1 or by the national annex)");
   const Message F =
       is_set(in.gamma_F) ? Message{} : say("gamma_F, from the force to the design load: 1 where it is one");
   return M1.empty() ? F : F.empty() ? M1 : say("{1}; {2}", M1, F);

@@ -55,7 +55,7 @@ constexpr auto held_rules() {
                     return y && z;
                   },
                   "ends, ends_y, ends_z, beta_y, beta_z",
-                  "say how the ends are held: ends, or ends_y and ends_z, or the factors beta_y and beta_z"},
+                  "state the end conditions: ends, or ends_y and ends_z, or the factors beta_y and beta_z"},
       Rule<Input>{[](const Input& in) {
                     return !(is_set(in.beta_y) && in.ends_y != Ends::unsaid) &&
                            !(is_set(in.beta_z) && in.ends_z != Ends::unsaid);

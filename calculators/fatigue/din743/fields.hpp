@@ -101,29 +101,29 @@ constexpr auto section_actions() {
   return Fields{
       action<Input, Force>(&Input::F_zdm, "F_zdm", N, "mean of the axial force, tension positive").keeps_sign(),
       action<Input, Force>(&Input::F_zda, "F_zda", N, "amplitude of the axial force").at_least(0),
-      action<Input, Force>(&Input::F_zdmax, "F_zdmax", N, "largest axial force that ever comes"),
+      action<Input, Force>(&Input::F_zdmax, "F_zdmax", N, "peak axial force"),
       action<Input, Moment>(&Input::M_bm, "M_bm", N_m, "mean of the bending moment, in axes that turn with the shaft"),
       action<Input, Moment>(&Input::M_ba, "M_ba", N_m,
                             "amplitude of the bending moment; of a shaft that turns under it the moment")
           .at_least(0),
-      action<Input, Moment>(&Input::M_bmax, "M_bmax", N_m, "largest bending moment that ever comes"),
+      action<Input, Moment>(&Input::M_bmax, "M_bmax", N_m, "peak bending moment"),
       action<Input, Moment>(&Input::M_tm, "M_tm", N_m, "mean of the torque"),
       action<Input, Moment>(&Input::M_ta, "M_ta", N_m, "amplitude of the torque").at_least(0),
-      action<Input, Moment>(&Input::M_tmax, "M_tmax", N_m, "largest torque that ever comes"),
+      action<Input, Moment>(&Input::M_tmax, "M_tmax", N_m, "peak torque"),
       action<Input, Stress>(&Input::sigma_zdm, "sigma_zdm", MPa,
                             "mean nominal stress of tension, in place of the force")
           .keeps_sign(),
       action<Input, Stress>(&Input::sigma_zda, "sigma_zda", MPa, "its amplitude").at_least(0),
-      action<Input, Stress>(&Input::sigma_zdmax, "sigma_zdmax", MPa, "its largest magnitude"),
+      action<Input, Stress>(&Input::sigma_zdmax, "sigma_zdmax", MPa, "its maximum magnitude"),
       action<Input, Stress>(&Input::sigma_bm, "sigma_bm", MPa,
                             "mean nominal stress of bending, in place of the moment"),
       action<Input, Stress>(&Input::sigma_ba, "sigma_ba", MPa, "its amplitude").at_least(0),
-      action<Input, Stress>(&Input::sigma_bmax, "sigma_bmax", MPa, "its largest magnitude"),
+      action<Input, Stress>(&Input::sigma_bmax, "sigma_bmax", MPa, "its maximum magnitude"),
       action<Input, Stress>(&Input::tau_tm, "tau_tm", MPa, "mean nominal stress of torsion, in place of the torque"),
       action<Input, Stress>(&Input::tau_ta, "tau_ta", MPa, "its amplitude").at_least(0),
-      action<Input, Stress>(&Input::tau_tmax, "tau_tmax", MPa, "its largest magnitude"),
+      action<Input, Stress>(&Input::tau_tmax, "tau_tmax", MPa, "its maximum magnitude"),
       Field<Input, double>{&Input::f_max, "f_max", ratio,
-                           "largest load over mean plus amplitude (start, jam), where no largest one is given"}
+                           "peak load factor: maximum load / (mean + amplitude) (start, jam), if no peak load is given"}
           .at_least(1)
           .usually(1, 5)
           .may_be_missing()
@@ -141,7 +141,7 @@ template <class Result>
 constexpr auto notch_ranges() {
   return Fields{din743_range<Result>(&Result::x_r, "x_r", "0.03 over r/t: shape factors"),
                 din743_range<Result>(&Result::x_D, "x_D", "d/D over 0.98: shape factors"),
-                din743_range<Result>(&Result::x_alpha, "x_alpha", "largest shape factor over 6"),
+                din743_range<Result>(&Result::x_alpha, "x_alpha", "maximum shape factor over 6"),
                 din743_range<Result>(&Result::x_t, "x_t", "depth of a V-groove over the diameter", 0.05, 0.2),
                 din743_range<Result>(&Result::x_hole, "x_hole", "cross hole over the diameter; own bound", 0.0, 0.3),
                 din743_range<Result>(&Result::x_bore, "x_bore",
@@ -161,7 +161,7 @@ constexpr auto din743_results() {
              Field<Result, Stress>{&Result::tau_mv, "tau_mv", MPa, "equivalent mean stress of shear"},
              Field<Result, double>{&Result::S_D, "S_D", ratio, "safety against fatigue; infinite where nothing varies"}
                  .may_be_infinite(),
-             Field<Result, double>{&Result::S_F, "S_F", ratio, "safety against yielding under the largest load"}
+             Field<Result, double>{&Result::S_F, "S_F", ratio, "required safety factor against yielding at peak load"}
                  .may_be_infinite(),
              Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: required safety over S_D"}.check(),
              Field<Result, double>{&Result::u_F, "u_F", ratio, "yielding: required safety over S_F"}

@@ -40,11 +40,11 @@ Quantity or_zero(Quantity q) {
 template <class Tracer>
 void largest(Stress told, double f, Din743Stress& k, Tracer& trace) {
   if (is_set(told)) {
-    k.sigma_max = trace.value("sigma_max", abs(told), "largest stress, as given");
+    k.sigma_max = trace.value("sigma_max", abs(told), "maximum stress, as given");
   } else if (is_set(f)) {
     const double f_max = f;
     const Stress sigma_m = k.sigma_m, sigma_a = k.sigma_a;
-    STEP_TO(k, sigma_max, f_max * (abs(sigma_m) + sigma_a), "largest over what comes in each cycle");
+    STEP_TO(k, sigma_max, f_max * (abs(sigma_m) + sigma_a), "peak load / maximum of each cycle");
   }
 }
 
@@ -58,8 +58,8 @@ void from_action(const Din743Action<Quantity>& action, const Modulus& Z, double 
                        : NAMED_STEP("sigma_m", L_m / Z, "mean stress, tension positive");
   STEP_TO(k, sigma_a, L_a / Z, "amplitude of the nominal stress");
   if (is_set(action.largest)) {
-    const auto L_max = trace.value("L_max", action.largest, "largest force or moment");
-    STEP_TO(k, sigma_max, abs(L_max) / Z, "largest nominal stress");
+    const auto L_max = trace.value("L_max", action.largest, "maximum force or moment");
+    STEP_TO(k, sigma_max, abs(L_max) / Z, "maximum nominal stress");
   } else {
     largest(unset<Stress>, f, k, trace);
   }

@@ -32,9 +32,8 @@ constexpr auto din743_steel_rules() {
 template <class Input>
 constexpr auto din743_section_rules() {
   return std::array{
-      Rule<Input>{
-          [](const Input& in) { return in.notch != Notch::untold; }, "notch",
-          "say what is cut into the section, or sits on it: notch = \"shoulder\", \"keyway\" ..., or \"smooth\""},
+      Rule<Input>{[](const Input& in) { return in.notch != Notch::untold; }, "notch",
+                  "notch type missing; give notch = \"shoulder\", \"keyway\" ..., or \"smooth\""},
       Rule<Input>{[](const Input& in) { return !has_depth(in.notch) || in.D > in.d; }, "D, d, notch",
                   "a shoulder or a groove needs the larger diameter D, above d"},
       Rule<Input>{[](const Input& in) { return !needs_radius(in.notch) || is_set(in.r); }, "r, notch",
@@ -130,7 +129,7 @@ constexpr auto din743_load_rules() {
                   "F_zdmax, M_bmax, M_tmax, sigma_zdmax, sigma_bmax, tau_tmax",
                   "the maximum load must be at least mean plus amplitude"},
       Rule<Input>{&has_typed_factors<Input>, "alpha_zd, alpha_b, alpha_t, beta_zd, beta_b, beta_t, notch",
-                  "type the factor of each stress that acts: alpha_... or beta_..., as notch says"}};
+                  "give the factor of each acting stress: alpha_... or beta_..., by the notch type"}};
 }
 
 template <class Input>

@@ -193,7 +193,7 @@ void ranges(const Din743Section& s, Length depth, Safety& r, Tracer& trace) {
   double largest = 0.0;
   for (const auto& k : r.stresses) largest = is_set(shape_of(k)) ? std::max(largest, shape_of(k)) : largest;
   if (largest == 0.0) return;
-  const double alpha_max = trace.value("alpha_max", largest, "largest shape factor");
+  const double alpha_max = trace.value("alpha_max", largest, "maximum shape factor");
   STEP_TO(r, x_alpha, alpha_max / 6.0, "alpha up to 6, [DIN743] part 2 tables 2, 3");
 }
 
@@ -205,7 +205,7 @@ void hold_mean(Din743Safety& r, Tracer& trace) {
     const double x = k.sigma_a > 0.0 * MPa ? static_cast<double>(abs(k.sigma_mv) / k.sigma_FK) : unset<double>;
     if (is_set(x) && !(x <= most)) most = x;
   }
-  r.x_m = is_set(most) ? trace.value("x_m", most, "largest sigma_mv/sigma_FK of the alternating stresses")
+  r.x_m = is_set(most) ? trace.value("x_m", most, "maximum sigma_mv/sigma_FK of the alternating stresses")
                        : trace.value("x_m", 0.0, "no alternating stress");
 }
 
@@ -254,7 +254,7 @@ Din743Safety din743(const Din743Steel& steel, const Din743Section& s, const Din7
     hold_amplitude(k, kinds[i].kind == Stressing::torsion ? r.tau_mv : r.sigma_mv, loads.mean, trace);
     if (!is_set(k.sigma_max)) continue;
     const Stress sigma_max = k.sigma_max, sigma_FK = k.sigma_FK;
-    STEP_TO(k, u_max, sigma_max / sigma_FK, "part of the yield limit that the largest stress takes");
+    STEP_TO(k, u_max, sigma_max / sigma_FK, "maximum stress / yield limit");
   }
   safeties(loads, r, trace);
   hold_mean(r, trace);

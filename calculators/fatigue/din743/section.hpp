@@ -94,7 +94,7 @@ struct Din743Stress {
       NameField<K>{&K::name, "name", "tension, bending or torsion, whose stresses are shear"},
       Field<K, Stress>{&K::sigma_m, "sigma_m", MPa, "mean nominal stress"},
       Field<K, Stress>{&K::sigma_a, "sigma_a", MPa, "amplitude of the nominal stress"},
-      Field<K, Stress>{&K::sigma_max, "sigma_max", MPa, "largest nominal stress"},
+      Field<K, Stress>{&K::sigma_max, "sigma_max", MPa, "maximum nominal stress"},
       Field<K, double>{&K::alpha, "alpha", ratio, "shape factor"},
       Field<K, double>{&K::n, "n", ratio, "support of the stress gradient"},
       Field<K, double>{&K::beta, "beta", ratio, "notch factor"},
@@ -107,7 +107,7 @@ struct Din743Stress {
       Field<K, Stress>{&K::sigma_mv, "sigma_mv", MPa, "equivalent mean stress, in torsion tau_mv"},
       Field<K, Stress>{&K::sigma_ADK, "sigma_ADK", MPa, "amplitude that lasts at this mean stress"},
       Field<K, double>{&K::u_a, "u_a", ratio, "amplitude over that"},
-      Field<K, double>{&K::u_max, "u_max", ratio, "largest stress over the yield limit"}};
+      Field<K, double>{&K::u_max, "u_max", ratio, "maximum stress / yield limit"}};
 };
 
 /// How the notch stands within the ranges of what was measured or fitted of its kind: of the x those are set that

@@ -102,15 +102,15 @@ constexpr auto fkm_results() {
           Field<Result, Stress>{&Result::R_ed, "R_ed", MPa, "yield strength of this size and direction"},
           Field<Result, Stress>{&Result::sigma_mv, "sigma_mv", MPa, "one mean stress for all; negative: compression"},
           Field<Result, Stress>{&Result::tau_mv, "tau_mv", MPa, "the same as shear"},
-          Field<Result, double>{&Result::q, "q", ratio, "0: ductile, von Mises; 1: brittle, largest normal stress"},
-          Field<Result, double>{&Result::a_NH, "a_NH", ratio, "utilisation in fatigue by the largest normal stress"},
+          Field<Result, double>{&Result::q, "q", ratio, "0: ductile, von Mises; 1: brittle, maximum normal stress"},
+          Field<Result, double>{&Result::a_NH, "a_NH", ratio, "utilisation in fatigue by the maximum normal stress"},
           Field<Result, double>{&Result::a_GH, "a_GH", ratio, "utilisation in fatigue by von Mises"},
           Field<Result, double>{&Result::S_D, "S_D", ratio, "safety against fatigue; infinite where nothing varies"}
               .may_be_infinite(),
           Field<Result, double>{&Result::j_ges, "j_ges", ratio,
                                 "safety of the static strength, against the yield limit"},
           Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: utilisation with its safety, a_BK"}.check(),
-          Field<Result, double>{&Result::u_S, "u_S", ratio, "largest load: utilisation with its safeties, a_SK"}
+          Field<Result, double>{&Result::u_S, "u_S", ratio, "maximum load: utilisation with its safeties, a_SK"}
               .check()
               .where_it_applies(),
           din743_range<Result>(&Result::x_eff, "x_eff",
@@ -145,9 +145,9 @@ constexpr auto choices_of(Fibre) {
 constexpr auto choices_of(Overload) {
   using O = Overload;
   return std::array{ChoiceName<O>{O::F1, "F1", "the mean stress stays"},
-                    ChoiceName<O>{O::F2, "F2", "the ratio of least to largest stress stays"},
-                    ChoiceName<O>{O::F3, "F3", "the least stress stays"},
-                    ChoiceName<O>{O::F4, "F4", "the largest stress stays"}};
+                    ChoiceName<O>{O::F2, "F2", "the ratio of minimum to maximum stress stays"},
+                    ChoiceName<O>{O::F3, "F3", "the minimum stress stays"},
+                    ChoiceName<O>{O::F4, "F4", "the maximum stress stays"}};
 }
 
 constexpr auto choices_of(Means) {

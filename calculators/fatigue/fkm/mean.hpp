@@ -36,11 +36,11 @@ double mean_stress_factor(Overload overload, FkmStress& k, Tracer& trace) {
   if (overload == Overload::F1) {
     sigma_A = amplitude_left(MeanRule::fkm, h, sigma_m, trace);
   } else if (overload == Overload::F3) {
-    sigma_A = amplitude_along(sigma_m - sigma_a, 1.0, h, "the least stress stays, F3: the fields of [FKM] 2.4 along it",
-                              trace);
+    sigma_A = amplitude_along(sigma_m - sigma_a, 1.0, h,
+                              "the minimum stress stays, F3: the fields of [FKM] 2.4 along it", trace);
   } else {
     sigma_A = amplitude_along(sigma_m + sigma_a, -1.0, h,
-                              "the largest stress stays, F4: the fields of [FKM] 2.4 along it", trace);
+                              "the maximum stress stays, F4: the fields of [FKM] 2.4 along it", trace);
   }
   return NAMED_STEP("K_AK", sigma_A / S_e, "mean stress factor, [FKM] 2.4");
 }

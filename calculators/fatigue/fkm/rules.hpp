@@ -16,7 +16,7 @@ template <class Input>
 constexpr auto fkm_steel_rules() {
   return std::array{
       Rule<Input>{[](const Input& in) { return in.steel != FkmSteelGroup::untold; }, "steel",
-                  "say what steel it is: its fatigue limit, its support and its size factors follow from that"},
+                  "steel group missing: fatigue limit, support and size factors depend on it"},
       Rule<Input>{[](const Input& in) { return is_set(in.R_mN) != is_set(in.R_m); }, "R_mN, R_m",
                   "give the tensile strength: R_mN of the standard, or R_m in this size (or a material), never both"},
       Rule<Input>{

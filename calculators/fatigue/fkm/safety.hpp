@@ -116,7 +116,7 @@ double combined(const char* symbol, FkmSafety& r, double FkmStress::*at, bool ke
   const double a_GH = together("a_GH", r, at, "von Mises, stresses in phase, [FKM] 2.6", trace);
   const double v_zd = of_stress(r, "tension", at, 0.0), v_b = of_stress(r, "bending", at, 0.0);
   const double v_t = of_stress(r, "torsion", at, 0.0);
-  STEP(a_NH, 0.5 * (v_zd + v_b + sqrt(pow<2>(v_zd + v_b) + 4.0 * pow<2>(v_t))), "largest normal stress, [FKM] 2.6");
+  STEP(a_NH, 0.5 * (v_zd + v_b + sqrt(pow<2>(v_zd + v_b) + 4.0 * pow<2>(v_t))), "maximum normal stress, [FKM] 2.6");
   if (keep) r.a_NH = a_NH, r.a_GH = a_GH;
   const double q = r.q;
   return NAMED_STEP(symbol, q * a_NH + (1.0 - q) * a_GH, "between both hypotheses, [FKM] 2.6");

@@ -71,7 +71,7 @@ struct FkmStress {
       NameField<K>{&K::name, "name", "tension, bending or torsion, whose stresses are shear"},
       Field<K, Stress>{&K::sigma_m, "sigma_m", MPa, "mean nominal stress"},
       Field<K, Stress>{&K::sigma_a, "sigma_a", MPa, "amplitude of the nominal stress"},
-      Field<K, Stress>{&K::sigma_max, "sigma_max", MPa, "largest nominal stress"},
+      Field<K, Stress>{&K::sigma_max, "sigma_max", MPa, "maximum nominal stress"},
       Field<K, double>{&K::K_t, "K_t", ratio, "shape factor"},
       Field<K, double>{&K::n, "n", ratio, "support of the gradient of the notch"},
       Field<K, double>{&K::n_d, "n_d", ratio, "support of the gradient of bending or torsion over the diameter"},

@@ -219,8 +219,8 @@ void equivalent(const Input& in, const OnCurve& on, Result& r, Tracer& trace) {
 
 template <class Tracer>
 void yield(const Input& in, const Collective& all, Result& r, Tracer& trace) {
-  const Stress sigma_1 = trace.value("sigma_1", from_si<Stress>(all.largest), "largest of the history");
-  const Stress sigma_2 = trace.value("sigma_2", from_si<Stress>(all.least), "least of the history");
+  const Stress sigma_1 = trace.value("sigma_1", from_si<Stress>(all.largest), "maximum of the history");
+  const Stress sigma_2 = trace.value("sigma_2", from_si<Stress>(all.least), "minimum of the history");
   STEP_TO(r, sigma_max, in.K_A * sigma_1, "with the application factor");
   STEP_TO(r, sigma_min, in.K_A * sigma_2, "with the application factor");
   if (!is_set(in.R_e)) return;
@@ -241,9 +241,9 @@ void fracture(const Input& in, Stress largest, Result& r, Tracer& trace) {
   if (!is_set(in.R_m)) return;
   const Stress sigma_max = r.sigma_max, sigma_min = r.sigma_min;
   const Stress S_B = trace.value("S_B", haigh_of(in).R_m, "tensile strength, of shear in shear: that of one cycle");
-  const Stress S_l = trace.value("S_l", largest, "largest amplitude on the curve of a part");
+  const Stress S_l = trace.value("S_l", largest, "maximum amplitude on the curve of a part");
   STEP(sigma_p, in.stress == Stresses::shear ? max(abs(sigma_max), abs(sigma_min)) : sigma_max,
-       "largest stress; of normal ones tension breaks");
+       "maximum stress; for normal stresses the tensile one");
   STEP_TO(r, x_B, max(max(sigma_p, S_l), 0.0 * MPa) / S_B, "maximum stress / tensile strength");
 }
 

@@ -174,20 +174,20 @@ n_req = 1
       Field{
           &Result::S_eq, "S_eq", MPa,
           "stress of one size that does in N_eq cycles what n_req passages do: amplitude of a part, range of a detail"},
-      Field{&Result::u_y, "u_y", ratio, "yielding: largest stress over the yield strength"}.check("R_e"),
+      Field{&Result::u_y, "u_y", ratio, "yielding: maximum stress / yield strength"}.check("R_e"),
       Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
-      Field{&Result::u_m, "u_m", ratio, "largest mean stress over the strength that its rule ends at"}
+      Field{&Result::u_m, "u_m", ratio, "maximum mean stress / strength at which its rule ends"}
           .check()
           .where_it_applies(),
       Field{&Result::u_D, "u_D", ratio, "damage of n_req passages over the allowable sum"}.check("n_req"),
-      Field{&Result::x_N, "x_N", ratio, "least life of a cycle: below some 1e3 the curve is another one"}
+      Field{&Result::x_N, "x_N", ratio, "minimum life of a cycle: below about 1e3 the curve differs"}
           .limit(1e3, std::numeric_limits<double>::infinity())
           .where_it_applies(),
       Field{&Result::x_B, "x_B", ratio,
-            "largest stress, or amplitude on the curve of a part, over the tensile strength, where every curve ends"}
+            "maximum stress, or amplitude on the curve of a part, over the tensile strength, where every curve ends"}
           .limit(0, 1, "R_m")
           .criterion(),
-      Field{&Result::x_R, "x_R", ratio, "largest range of a detail over 1.5 R_e, [EN1993-1-9] 8"}
+      Field{&Result::x_R, "x_R", ratio, "maximum range of a detail over 1.5 R_e, [EN1993-1-9] 8"}
           .limit(0, 1)
           .where_it_applies(),
       Field{&Result::x_g, "x_g", ratio, "damage of the cycles that the gate leaves out, over that of all"}
@@ -200,7 +200,7 @@ n_req = 1
           .where_it_applies(),
       ListField{&Result::worst, "worst", "cycles that do most damage"},
       ListField{&Result::matrix, "matrix", "rainflow matrix, non-empty classes, with the application factor"},
-      ListField{&Result::range_pairs, "range_pairs", "range pairs, the largest first"},
+      ListField{&Result::range_pairs, "range_pairs", "range pairs, in descending order"},
       ListField{&Result::crossings, "crossings", "level crossings, the highest first, without the gate"}};
 
   static bool one_source(const Input& in);

@@ -49,10 +49,11 @@ void findley(const Input& in, const StressPath& path, Result& r, Tracer& trace) 
   STEP_TO(r, k, s / sqrt(1.0 - pow<2>(s)), "both fatigue limits lie on the criterion, [Findley]");
   STEP(f, in.tau_D * sqrt(1.0 + pow<2>(k)), "its strength");
   const WorstPlane worst = worst_plane(path, k);
-  r.theta_F = trace.angle("theta_F", worst.plane.normal.theta, "of all planes the one of the largest tau + k sigma");
+  r.theta_F = trace.angle("theta_F", worst.plane.normal.theta, "plane of maximum tau + k sigma");
   r.phi_F = trace.angle("phi_F", worst.plane.normal.phi, "the same, along the surface");
-  const Stress tau_F1 = trace.value("tau_F1", pascals(worst.plane.tau_a), "radius of the smallest circle, on it");
-  const Stress sigma_F1 = trace.value("sigma_F1", pascals(worst.plane.sigma_n), "largest normal stress on it, from 0");
+  const Stress tau_F1 =
+      trace.value("tau_F1", pascals(worst.plane.tau_a), "radius of the minimum circumscribed circle, on it");
+  const Stress sigma_F1 = trace.value("sigma_F1", pascals(worst.plane.sigma_n), "maximum normal stress on it, from 0");
   STEP_TO(r, tau_F, in.K_A * tau_F1, "with the application factor");
   STEP_TO(r, sigma_F, in.K_A * sigma_F1, "with the application factor");
   STEP_TO(r, sigma_eF, (tau_F + k * sigma_F) / f * in.sigma_D, "in symmetric tension the same, [Findley]");
@@ -64,10 +65,11 @@ template <class Tracer>
 void matake(const Input& in, const StressPath& path, Result& r, Tracer& trace) {
   STEP_TO(r, mu, 2.0 * in.tau_D / in.sigma_D - 1.0, "from sigma_D (1 + mu)/2 = tau_D, [Matake]");
   const WorstPlane worst = plane_of_most_shear(path, mu);
-  r.theta_M = trace.angle("theta_M", worst.plane.normal.theta, "plane of the largest tau, of several the worst");
+  r.theta_M = trace.angle("theta_M", worst.plane.normal.theta, "plane of maximum tau, of several the most critical");
   r.phi_M = trace.angle("phi_M", worst.plane.normal.phi, "the same, along the surface");
-  const Stress tau_M1 = trace.value("tau_M1", pascals(worst.plane.tau_a), "radius of the smallest circle, on it");
-  const Stress sigma_M1 = trace.value("sigma_M1", pascals(worst.plane.sigma_n), "largest normal stress on it, from 0");
+  const Stress tau_M1 =
+      trace.value("tau_M1", pascals(worst.plane.tau_a), "radius of the minimum circumscribed circle, on it");
+  const Stress sigma_M1 = trace.value("sigma_M1", pascals(worst.plane.sigma_n), "maximum normal stress on it, from 0");
   STEP_TO(r, tau_M, in.K_A * tau_M1, "with the application factor");
   STEP_TO(r, sigma_M, in.K_A * sigma_M1, "with the application factor");
   STEP_TO(r, sigma_eM, (tau_M + mu * sigma_M) / in.tau_D * in.sigma_D, "in symmetric tension the same, [Matake]");
@@ -80,9 +82,10 @@ bool crossland_holds(const Input& in) { return std::sqrt(3.0) * in.tau_D >= (1.0
 
 template <class Tracer>
 void crossland(const Input& in, const StressPath& path, const DeviatorBall& ball, Result& r, Tracer& trace) {
-  const Stress tau_C1 = trace.value("tau_C1", pascals(ball.radius), "radius of the smallest ball around the deviators");
+  const Stress tau_C1 =
+      trace.value("tau_C1", pascals(ball.radius), "radius of the minimum circumscribed sphere of the deviators");
   const Stress sigma_H1 =
-      trace.value("sigma_H1", pascals(largest_hydrostatic(path)), "largest third of the sum, from 0");
+      trace.value("sigma_H1", pascals(largest_hydrostatic(path)), "maximum hydrostatic stress, from 0");
   STEP_TO(r, tau_C, in.K_A * tau_C1, "with the application factor");
   STEP_TO(r, sigma_H, in.K_A * sigma_H1, "with the application factor");
   if (!crossland_holds(in)) return;
@@ -95,7 +98,7 @@ template <class Tracer>
 void dang_van(const Input& in, const StressPath& path, const DeviatorBall& ball, Result& r, Tracer& trace) {
   STEP_TO(r, a, 3.0 * in.tau_D / in.sigma_D - 1.5, "both fatigue limits lie on the criterion, [DangVan]");
   const Stress tau_DV1 = trace.value("tau_DV1", pascals(largest_mesoscopic(path, ball, a)),
-                                     "largest along the path: shear stress from the centre of the ball + a sigma_H");
+                                     "maximum along the path: shear stress from the centre of the ball + a sigma_H");
   STEP_TO(r, tau_DV, in.K_A * tau_DV1, "with the application factor");
   STEP_TO(r, sigma_eDV, tau_DV / in.tau_D * in.sigma_D, "in symmetric tension the same, [DangVan]");
   r.n_DV = told_safety("n_DV", in, sigma_eDV, trace);
@@ -119,13 +122,13 @@ void decide(const Input& in, Result& r, Tracer& trace) {
         : in.criterion == Criterion::matake    ? NAMED_STEP("n", r.n_M, "Matake decides")
         : in.criterion == Criterion::crossland ? NAMED_STEP("n", r.n_C, "Crossland decides")
         : in.criterion == Criterion::dang_van  ? NAMED_STEP("n", r.n_DV, "Dang Van decides")
-        : is_set(r.n_C) ? NAMED_STEP("n", min(min(r.n_F, r.n_M), min(r.n_C, r.n_DV)), "the least of all four")
-                        : NAMED_STEP("n", min(min(r.n_F, r.n_M), r.n_DV), "the least of those that hold");
+        : is_set(r.n_C) ? NAMED_STEP("n", min(min(r.n_F, r.n_M), min(r.n_C, r.n_DV)), "minimum of all four")
+                        : NAMED_STEP("n", min(min(r.n_F, r.n_M), r.n_DV), "minimum of the valid criteria");
   STEP_TO(r, u_D, in.S_D / r.n, "required safety over the one that is there");
 }
 
 draw::Curve circle(const numerics::Ball<2>& ball, double K_A) {
-  draw::Curve curve{"smallest circle", {}, {}};
+  draw::Curve curve{"minimum circumscribed circle", {}, {}};
   constexpr int points = 96;
   for (int i = 0; i <= points; ++i) {
     const double angle = 2.0 * pi * i / points;
@@ -200,7 +203,7 @@ std::vector<draw::Figure> Multiaxial::figures(const Input& in, const Result& r) 
     way.x.push_back(in.K_A * shear[0]), way.y.push_back(in.K_A * shear[1]);
   }
   plot.curves = {std::move(way), circle(shear_circle(path, view), in.K_A)};
-  return {{"plane", "Shear stress on the plane of Findley, and the smallest circle around it", std::move(plot)}};
+  return {{"plane", "Shear stress on the Findley plane with its minimum circumscribed circle", std::move(plot)}};
 }
 
 }  // namespace loadpath::fatigue

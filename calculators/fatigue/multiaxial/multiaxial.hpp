@@ -120,29 +120,30 @@ S_F = 1.5
       Field{&Result::k, "k", ratio, "weight of the normal stress by Findley, of both fatigue limits"},
       Field{&Result::theta_F, "theta_F", deg, "plane of Findley: its normal from that of the surface"},
       Field{&Result::phi_F, "phi_F", deg, "plane of Findley: its normal along the surface, from x to y"},
-      Field{&Result::tau_F, "tau_F", MPa, "amplitude of its shear stress: radius of the smallest circle"}.holding(
-          "K_A"),
-      Field{&Result::sigma_F, "sigma_F", MPa, "its largest normal stress, compression as 0"}.holding("K_A"),
+      Field{&Result::tau_F, "tau_F", MPa, "amplitude of its shear stress: radius of the minimum circumscribed circle"}
+          .holding("K_A"),
+      Field{&Result::sigma_F, "sigma_F", MPa, "its maximum normal stress, compression as 0"}.holding("K_A"),
       Field{&Result::sigma_eF, "sigma_eF", MPa, "equivalent amplitude in symmetric tension by Findley"}.holding("K_A"),
       Field{&Result::mu, "mu", ratio, "weight of the normal stress by Matake"},
-      Field{&Result::theta_M, "theta_M", deg, "plane of Matake, of the largest amplitude of shear"},
+      Field{&Result::theta_M, "theta_M", deg, "plane of Matake, of the maximum amplitude of shear"},
       Field{&Result::phi_M, "phi_M", deg, "the same along the surface"},
       Field{&Result::tau_M, "tau_M", MPa, "amplitude of its shear stress"}.holding("K_A"),
-      Field{&Result::sigma_M, "sigma_M", MPa, "its largest normal stress, compression as 0"}.holding("K_A"),
+      Field{&Result::sigma_M, "sigma_M", MPa, "its maximum normal stress, compression as 0"}.holding("K_A"),
       Field{&Result::sigma_eM, "sigma_eM", MPa, "equivalent amplitude in symmetric tension by Matake"}.holding("K_A"),
       Field{&Result::kappa, "kappa", ratio, "weight of the hydrostatic stress by Crossland"},
-      Field{&Result::tau_C, "tau_C", MPa, "amplitude of the root of J_2: radius of the smallest ball"}.holding("K_A"),
-      Field{&Result::sigma_H, "sigma_H", MPa, "largest hydrostatic stress, compression as 0"}.holding("K_A"),
+      Field{&Result::tau_C, "tau_C", MPa, "amplitude of sqrt(J_2): radius of the minimum circumscribed sphere"}.holding(
+          "K_A"),
+      Field{&Result::sigma_H, "sigma_H", MPa, "maximum hydrostatic stress, compression as 0"}.holding("K_A"),
       Field{&Result::sigma_eC, "sigma_eC", MPa, "equivalent amplitude in symmetric tension by Crossland"}.holding(
           "K_A"),
       Field{&Result::a, "a", ratio, "weight of the hydrostatic stress by Dang Van"},
-      Field{&Result::tau_DV, "tau_DV", MPa, "largest of shear stress in grains and a times hydrostatic stress"}.holding(
+      Field{&Result::tau_DV, "tau_DV", MPa, "maximum of shear stress in grains and a times hydrostatic stress"}.holding(
           "K_A"),
       Field{&Result::sigma_eDV, "sigma_eDV", MPa, "equivalent amplitude in symmetric tension by Dang Van"}.holding(
           "K_A"),
       Field{&Result::sigma_va, "sigma_va", MPa, "von Mises stress of the amplitudes, as if all were in phase"}.holding(
           "K_A"),
-      Field{&Result::sigma_v, "sigma_v", MPa, "largest von Mises stress"}.holding("K_A"),
+      Field{&Result::sigma_v, "sigma_v", MPa, "maximum von Mises stress"}.holding("K_A"),
       Field{&Result::n_F, "n_F", ratio, "safety by Findley"}.may_be_infinite(),
       Field{&Result::n_M, "n_M", ratio, "safety by Matake"}.may_be_infinite(),
       Field{&Result::n_C, "n_C", ratio, "safety by Crossland; none where tau_D is below sigma_D over root of 3"}
@@ -161,7 +162,7 @@ S_F = 1.5
           .limit(1 - 1e-9, std::numeric_limits<double>::infinity())
           .where_it_applies(),
       Field{&Result::e_p, "e_p", ratio, "planes: difference of two searches from other grids, over the larger"},
-      Field{&Result::u_y, "u_y", ratio, "yielding: largest von Mises stress over the yield strength"}.check("R_e"),
+      Field{&Result::u_y, "u_y", ratio, "yielding: maximum von Mises stress / yield strength"}.check("R_e"),
       Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
       cycles_over_told<Result>(&Result::x_N)};
 
@@ -200,8 +201,8 @@ S_F = 1.5
 constexpr auto choices_of(Multiaxial::Criterion) {
   using C = Multiaxial::Criterion;
   return std::array{ChoiceName<C>{C::worst, "worst", "the lowest safety factor of all rules valid for tau_D/sigma_D"},
-                    ChoiceName<C>{C::findley, "findley", "the plane of the largest tau_a + k sigma_n"},
-                    ChoiceName<C>{C::matake, "matake", "the plane of the largest tau_a, and its sigma_n"},
+                    ChoiceName<C>{C::findley, "findley", "the plane of the maximum tau_a + k sigma_n"},
+                    ChoiceName<C>{C::matake, "matake", "the plane of the maximum tau_a, and its sigma_n"},
                     ChoiceName<C>{C::crossland, "crossland", "root of J_2 of the amplitude and hydrostatic stress"},
                     ChoiceName<C>{C::dang_van, "dang-van", "shear stress in grains and hydrostatic stress"}};
 }

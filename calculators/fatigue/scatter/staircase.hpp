@@ -98,7 +98,7 @@ P_s = 0.9
           0.3 - 1e-9, std::numeric_limits<double>::infinity()),
       Field{&Result::x_n, "x_n", ratio, "number of tests, at least 15 for a scatter"}.limit(15, most_tests),
       Field{&Result::P_f, "P_f", ratio,
-            "failure probability of the strength for design: below 5 % few tests say nothing"}
+            "failure probability of the design strength: below 5 % few tests give no information"}
           .limit(0.05 - 1e-12, 1)};
 
   static constexpr std::array rules{

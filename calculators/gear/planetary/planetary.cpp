@@ -109,7 +109,7 @@ void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
     return;
   }
   const double least = trace.value("least", std::floor(q), "integer steps between the closest planets");
-  STEP(phi_min, 2.0 * pi * least / (in.z_s + r.z_r), "the smallest angle between two neighbours");
+  STEP(phi_min, 2.0 * pi * least / (in.z_s + r.z_r), "the minimum angle between two neighbours");
   STEP_TO(r, u_N, (in.z_p + 2.0 * (in.h_aP + in.x_p)) / ((in.z_s + in.z_p) * sin(phi_min / 2.0)),
           "tip circle of a planet over the distance to its neighbour, [Assembly]");
 }

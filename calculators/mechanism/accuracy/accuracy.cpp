@@ -82,9 +82,9 @@ Output output_at(const Mechanism::Input& in, std::size_t index, const char* path
 Message output_words(const planar::Accuracy& wanted) {
   switch (wanted.of) {
     case Watched::x:
-      return say("{1}: place of {2} along x", wanted.name.view(), wanted.point.view());
+      return say("{1}: position of {2} along x", wanted.name.view(), wanted.point.view());
     case Watched::y:
-      return say("{1}: place of {2} along y", wanted.name.view(), wanted.point.view());
+      return say("{1}: position of {2} along y", wanted.name.view(), wanted.point.view());
     case Watched::angle:
       return say("{1}: angle of {2}", wanted.name.view(), wanted.link.view());
     case Watched::force:
@@ -152,7 +152,7 @@ Table largest_table(const Mechanism::Input& in, const Errors& errors, const Axis
   if (axis != nullptr) table.head.push_back(say("at"));
   table.head.push_back(say("statistical, ± 3 standard deviations"));
   if (axis != nullptr) table.head.push_back(say("at"));
-  table.head.insert(table.head.end(), {say("largest part, there"), say("how")});
+  table.head.insert(table.head.end(), {say("maximum contribution there"), say("how")});
   for (std::size_t n = 0; n < in.accuracy.size(); ++n) {
     const auto& at = errors.at[n];
     const Measure measure = measure_of(in, in.accuracy[n]);

@@ -194,7 +194,7 @@ void check_drive(const planar::Accuracy& wanted, const std::string& path, NameFa
   if (!wanted.joint.empty()) return require_driven(wanted.joint, path + ".joint", faults);
   if (drives == 0) faults.add(path, say("the mechanism has no drive whose effort could have an error"));
   if (drives > 1)
-    faults.add(path, say("there are {1} drives: say which", std::to_string(drives)),
+    faults.add(path, say("{1} drives: state which one", std::to_string(drives)),
                say("add joint = \"...\", the driven joint"));
 }
 

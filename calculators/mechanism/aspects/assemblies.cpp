@@ -56,7 +56,7 @@ std::vector<FieldFault> choose_assembly(const Mechanism::Input& in, const mechan
     return {{"sides",
              say("assembly modes do not apply with redundant constraints: {1}",
                  names_of(model.joints, structure.redundant[0])),
-             say("state the rough place and angle of the links, or draw them")}};
+             say("state the approximate position and angle of the links, or draw them")}};
   const auto list = mechanism::assemblies(model).list;
   const auto sides = all_sides(list);
   std::vector<FieldFault> faults;

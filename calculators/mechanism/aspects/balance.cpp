@@ -97,15 +97,14 @@ constexpr std::array frame_rows{
     Single{declare("frame.F_rms", "shaking force, root mean square over the turn", N, with_counterweights,
                    {.detail = true}),
            [](const Balanced& b) { return b.before.rms_force; }},
-    Single{declare("frame.F_peak", "its largest magnitude", N, with_counterweights, {.detail = true}),
+    Single{declare("frame.F_peak", "its maximum magnitude", N, with_counterweights, {.detail = true}),
            [](const Balanced& b) { return b.before.peak_force; }},
     Single{declare("frame.F_rms_balanced", "residual with counterweights, root mean square", N, with_counterweights,
                    {.detail = true}),
            [](const Balanced& b) { return b.after.rms_force; }},
-    Single{declare("frame.F_peak_balanced", "the largest magnitude that they leave", N, with_counterweights,
-                   {.detail = true}),
+    Single{declare("frame.F_peak_balanced", "maximum residual magnitude", N, with_counterweights, {.detail = true}),
            [](const Balanced& b) { return b.after.peak_force; }},
-    Single{declare("frame.M_peak_balanced", "largest shaking moment with them, about the global origin", N_m,
+    Single{declare("frame.M_peak_balanced", "maximum shaking moment with them, about the global origin", N_m,
                    with_counterweights, {.detail = true}),
            [](const Balanced& b) { return b.after.peak_moment; }, true}};
 constexpr Declaration left_over =

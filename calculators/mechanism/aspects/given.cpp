@@ -109,11 +109,11 @@ Table drive_table(const Mechanism::Input& in) {
     table.rows.push_back({text(c.name), text(c.joint)});
     add_sense(say("{1} is about to move", text(c.name)), c.impending, table);
     if (!c.place_of_t.empty()) {
-      table.rows.push_back({say("place of {1} at t", text(c.name)), std::string(c.place_of_t.view())});
+      table.rows.push_back({say("position of {1} at t", text(c.name)), std::string(c.place_of_t.view())});
       table.rows.push_back({say("for"), Quantity{in_si(c.duration), "s"}});
     }
     for (const auto& moment : c.law) {
-      table.rows.push_back({say("place of {1} at {2}", text(c.name), format_quantity(in_si(moment.t), "s")),
+      table.rows.push_back({say("position of {1} at {2}", text(c.name), format_quantity(in_si(moment.t), "s")),
                             Quantity{in_si(moment.place), "mm"}});
     }
   }

@@ -85,7 +85,7 @@ class Drawing {
     return {"hodograph-" + joint_.name,
             axis_.cyclic() ? "Hodograph of the joint force in link and fixed coordinates; arrow: maximum"
                            : "The end of a joint's force over the positions, seen from either part and in fixed axes; "
-                             "the arrow is its largest",
+                             "the arrow is its maximum",
             std::move(plans)};
   }
 

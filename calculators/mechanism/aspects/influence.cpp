@@ -123,7 +123,7 @@ constexpr std::array wordings{Wording{Of::point_i_x, "{1} on {2}, x", Measure::l
                               Wording{Of::inertia, "moment of inertia of {1}", Measure::part},
                               Wording{Of::centre_x, "mass centre of {1}, x", Measure::length},
                               Wording{Of::centre_y, "mass centre of {1}, y", Measure::length},
-                              Wording{Of::offset, "place of the drive {1}", Measure::angle},
+                              Wording{Of::offset, "position of the drive {1}", Measure::angle},
                               Wording{Of::spring_i_x, "an end of spring {1}", Measure::length},
                               Wording{Of::spring_i_y, "an end of spring {1}", Measure::length},
                               Wording{Of::spring_j_x, "an end of spring {1}", Measure::length},
@@ -134,13 +134,13 @@ constexpr std::array wordings{Wording{Of::point_i_x, "{1} on {2}, x", Measure::l
                               Wording{Of::load_x, "force of load {1}", Measure::part},
                               Wording{Of::load_y, "force of load {1}", Measure::part},
                               Wording{Of::load_moment, "couple of load {1}", Measure::part},
-                              Wording{Of::load_at_x, "place of load {1}, x", Measure::length},
-                              Wording{Of::load_at_y, "place of load {1}, y", Measure::length}};
+                              Wording{Of::load_at_x, "position of load {1}, x", Measure::length},
+                              Wording{Of::load_at_y, "position of load {1}, y", Measure::length}};
 
 /// That of the kind at hand, where kinds differ.
 Wording wording_of(const Parameter& p, const mechanism::Model& model) {
   if (p.dimension == Of::offset && model.drivers[p.index].kind == mechanism::Driver::Kind::linear)
-    return {p.dimension, "place of the drive {1}", Measure::length};
+    return {p.dimension, "position of the drive {1}", Measure::length};
   if (p.dimension == Of::free && model.springs[p.index].kind == mechanism::Spring::Kind::turning)
     return {p.dimension, "free angle of {1}", Measure::angle};
   return *std::find_if(wordings.begin(), wordings.end(), [&](const Wording& w) { return w.dimension == p.dimension; });

@@ -29,7 +29,7 @@ struct Guide {
 
 constexpr std::array guide_rows{
     row<Guide>(
-        "joints.NAME.s", "place of the pin along the guide, from the second link's point", mm,
+        "joints.NAME.s", "position of the pin along the guide, from the second link's point", mm,
         [](const Guide&, const RelativeMotion& m) { return m.s; }, nullptr, "slots and slides"),
     row<Guide>(
         "joints.NAME.v_r", "relative velocity, along the guide", m_per_s,

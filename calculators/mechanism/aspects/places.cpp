@@ -34,9 +34,9 @@ struct MovingPoint {
 };
 
 constexpr std::array point_rows{
-    row<MovingPoint>("points.NAME.x", "place along x", mm, {.detail = true},
+    row<MovingPoint>("points.NAME.x", "position along x", mm, {.detail = true},
                      [](const MovingPoint&, const PointMotion& m) { return m.place.x; }),
-    row<MovingPoint>("points.NAME.y", "place along y", mm, {.detail = true},
+    row<MovingPoint>("points.NAME.y", "position along y", mm, {.detail = true},
                      [](const MovingPoint&, const PointMotion& m) { return m.place.y; }),
     row<MovingPoint>("points.NAME.v", "speed", m_per_s, {.detail = true},
                      [](const MovingPoint&, const PointMotion& m) { return mechanism::length(m.velocity); }),

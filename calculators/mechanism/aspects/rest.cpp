@@ -73,13 +73,13 @@ Output::Values with_reason(std::vector<double> values) {
 constexpr Declaration drive_least =
     declare("drive.M_min", "minimum moment of the drive, friction of joints at rest in either direction", N_m,
             "with friction and a crank", {.is_load = true, .loads_crank = true});
-constexpr Declaration drive_most = declare("drive.M_max", "largest moment of the drive so", N_m,
+constexpr Declaration drive_most = declare("drive.M_max", "maximum moment of the drive in this state", N_m,
                                            "with friction and a crank", {.is_load = true, .loads_crank = true});
 constexpr Declaration cylinder_least =
     declare("cylinders.NAME.F_min", "minimum force of the drive, friction of joints at rest in either direction", N,
             "with friction", {.is_load = true});
 constexpr Declaration cylinder_most =
-    declare("cylinders.NAME.F_max", "largest force of the drive so", N, "with friction", {.is_load = true});
+    declare("cylinders.NAME.F_max", "maximum force of the drive in this state", N, "with friction", {.is_load = true});
 constexpr Declaration joint_most =
     declare("joints.NAME.F_max", "maximum magnitude of the joint force, friction of joints at rest in either direction",
             N, "with friction", {.tabled = Tabled::at_one_position, .is_load = true});
@@ -154,7 +154,7 @@ class StandingTable {
     add_jamming(say("no effort starts it backward"), &StandingEffort::backward);
     const auto stands = [this](std::size_t k) { return cycle_.standing[k].stands(); };
     add(say("at rest without its drive"), where(stands));
-    add_threshold(say("least friction with which its load does not drive it back, as a part of what it has"),
+    add_threshold(say("minimum friction for self-locking, as a fraction of the given friction"),
                   cycle_.stands_somewhere);
     if (axis_ != nullptr) add_threshold(say("the same for every position"), cycle_.stands_everywhere);
     return std::move(table_);
@@ -183,8 +183,8 @@ class StandingTable {
     if (!at) return;
     const Quantity value{cycle_.standing[*at].*effort, unit_};
     if (axis_ == nullptr) return add(std::move(what), value);
-    const Message extreme = largest ? say("{1}: largest, at {2}", what, place_of(*at, *axis_))
-                                    : say("{1}: smallest, at {2}", what, place_of(*at, *axis_));
+    const Message extreme = largest ? say("{1}: maximum, at {2}", what, place_of(*at, *axis_))
+                                    : say("{1}: minimum, at {2}", what, place_of(*at, *axis_));
     add(extreme, value);
   }
 

@@ -68,7 +68,7 @@ class CourseCheck {
 
   void check(const planar::Load& load, std::size_t k) {
     if (load.over.empty() || load.course.empty()) return;
-    faults_.push_back({path_of(load, k) + ".course", say("'over' and 'course' both say how the load varies"),
+    faults_.push_back({path_of(load, k) + ".course", say("'over' and 'course' both give the load curve"),
                        say("leave out one of the two")});
   }
 

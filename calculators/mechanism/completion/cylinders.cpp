@@ -34,7 +34,7 @@ class CylinderCheck {
     check_way(c);
     if (!lies_between_points(c)) return check_joint(c);
     if (!c.joint.empty())
-      return add(c, "joint", say("'joint' and 'links' both say what '{1}' moves", c.name.view()),
+      return add(c, "joint", say("'joint' and 'links' both state the parts moved by '{1}'", c.name.view()),
                  say("leave out 'joint' for a cylinder between two points, or 'links' and 'points' for a slide"));
     check_ends(c);
     check_name(c);
@@ -102,7 +102,7 @@ class CylinderCheck {
       add(c, "F", say("the force of '{1}' is given, and so is its motion", c.name.view()),
           say("leave out 'F', and its force is a result; or leave out speed, from, to, law and place_of_t"));
     if (!is_set(c.F) && !c.course.empty())
-      add(c, "course", say("'course' says how F varies, and '{1}' has none", c.name.view()),
+      add(c, "course", say("'course' is the load curve of F, and '{1}' has no F", c.name.view()),
           say("add F, or leave it out"));
     if (!c.course.empty()) faults_.require_course(c.course, path_of("cylinders", c.name, "course"));
   }

@@ -41,8 +41,7 @@ std::pair<mechanism::Vec, mechanism::Vec> ends_of(const Mechanism::Input& in, co
 }
 
 FieldFault no_centre(const std::string& name) {
-  return {path_of("links", name, "mass"),
-          say("the link '{1}' has a mass, and nothing says where its mass centre lies", name),
+  return {path_of("links", name, "mass"), say("link '{1}' has a mass, but its mass centre is missing", name),
           say("give it a point S, name it with S = \"S\", and J = \"... kg*m^2\" about it; only a bar between two "
               "joints, a slide and a link of one point need neither")};
 }

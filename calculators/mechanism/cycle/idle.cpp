@@ -45,7 +45,8 @@ class IdleFields {
     if (in_.crank.law.empty() && !formula) return;
     for (const char* const path : {"crank.speed", "crank.acceleration", "crank.start", "crank.at"}) {
       if (!typed_(path)) continue;
-      add(path, say("'{1}' and '{2}' both say how the crank moves", path, formula ? "crank.angle_of_t" : "crank.law"),
+      add(path,
+          say("'{1}' and '{2}' both define the motion of the crank", path, formula ? "crank.angle_of_t" : "crank.law"),
           say("leave out one of the two"));
     }
   }
@@ -75,7 +76,8 @@ class IdleFields {
     for (const char* const field : {"speed", "acceleration", "from", "to"}) {
       const std::string path = path_of("cylinders", cylinder.name, field);
       if (!typed_(path)) continue;
-      add(path, say("'{1}' and '{2}' both say how the cylinder moves", path, law), say("leave out one of the two"));
+      add(path, say("'{1}' and '{2}' both define the motion of the cylinder", path, law),
+          say("leave out one of the two"));
     }
   }
 
@@ -85,7 +87,7 @@ class IdleFields {
     if (several && !in_.cylinders.empty() && !is_set(in_.cylinders.front().to))
       add("positions",
           say("'positions' is of a stroke, and the cylinder '{1}' has no end of it", text(in_.cylinders.front().name)),
-          say("add 'to', the place at the last position"));
+          say("add 'to', the end position"));
     for (const auto& cylinder : in_.cylinders) {
       if (several || !is_set(cylinder.to)) continue;
       add(path_of("cylinders", cylinder.name, "to"),

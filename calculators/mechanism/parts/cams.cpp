@@ -73,17 +73,16 @@ void judge_pressure_angle(const Solved& solved, std::size_t k, std::vector<accou
     at = i;
   }
   const mechanism::Joint& joint = solved.given.joints[k];
-  verdicts.push_back(
-      {.step = solved.step,
-       .symbol = "pressure_" + joint.name,
-       .meaning = say("largest pressure angle of the cam, joint '{1}': it does not jam the follower", joint.name),
-       .value = Quantity{most, "deg"},
-       .bound = say("up to {1}", format_quantity(steepest, "deg")),
-       .state = account::pass_if(most <= steepest * (1.0 + 1e-9)),
-       .note =
-           solved.axis == nullptr || at >= solved.axis->at.size()
-               ? Message{}
-               : say("at {1} ({2})", format_quantity(solved.axis->at[at], solved.axis->unit, 5), solved.axis->name())});
+  verdicts.push_back({.step = solved.step,
+                      .symbol = "pressure_" + joint.name,
+                      .meaning = say("maximum pressure angle of the cam, joint '{1}'", joint.name),
+                      .value = Quantity{most, "deg"},
+                      .bound = say("up to {1}", format_quantity(steepest, "deg")),
+                      .state = account::pass_if(most <= steepest * (1.0 + 1e-9)),
+                      .note = solved.axis == nullptr || at >= solved.axis->at.size()
+                                  ? Message{}
+                                  : say("at {1} ({2})", format_quantity(solved.axis->at[at], solved.axis->unit, 5),
+                                        solved.axis->name())});
 }
 
 /// That the profile can be made, and the roller reaches all of it.
@@ -98,8 +97,7 @@ void judge_cams(const Solved& solved, std::vector<account::Verdict>& verdicts) {
     verdicts.push_back(
         {.step = solved.step,
          .symbol = "profile_" + joint.name,
-         .meaning = say("least radius of curvature of the profile where it bulges, joint '{1}': it is not undercut",
-                        joint.name),
+         .meaning = say("minimum radius of curvature of the convex profile, joint '{1}': not undercut", joint.name),
          .value = Quantity{bends.bulge, "mm"},
          .bound = say("more than 0"),
          .state = account::pass_if(bends.bulge > 0.0),
@@ -109,15 +107,15 @@ void judge_cams(const Solved& solved, std::vector<account::Verdict>& verdicts) {
                  ? say("undercut at a cam angle of {1}: make the base circle larger, or the segment longer", angle)
                  : say("undercut at a cam angle of {1}: make the base circle larger, or the roller smaller", angle)});
     if (!std::isfinite(bends.hollow) || flat || joint.radius_i == 0.0) continue;
-    verdicts.push_back({.step = solved.step,
-                        .symbol = "hollow_" + joint.name,
-                        .meaning = say("least radius of curvature where the profile is hollow: the roller of joint "
-                                       "'{1}' reaches into it",
-                                       joint.name),
-                        .value = Quantity{bends.hollow, "mm"},
-                        .bound = say("more than {1}", format_quantity(joint.radius_i, "mm")),
-                        .state = account::pass_if(bends.hollow > joint.radius_i),
-                        .note = say("at a cam angle of {1}", angle_text(joint, bends.hollow_at))});
+    verdicts.push_back(
+        {.step = solved.step,
+         .symbol = "hollow_" + joint.name,
+         .meaning =
+             say("minimum radius of curvature of the concave profile: fit of the roller of joint '{1}'", joint.name),
+         .value = Quantity{bends.hollow, "mm"},
+         .bound = say("more than {1}", format_quantity(joint.radius_i, "mm")),
+         .state = account::pass_if(bends.hollow > joint.radius_i),
+         .note = say("at a cam angle of {1}", angle_text(joint, bends.hollow_at))});
   }
 }
 

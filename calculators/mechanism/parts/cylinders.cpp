@@ -40,7 +40,7 @@ constexpr std::array pushed_rows{row<Ram>("cylinders.NAME.F", "given force, push
                                           {.tabled = Tabled::always},
                                           [](const Ram&, const Ram::State& now) { return now.F; })};
 
-constexpr std::array ram_rows{row<Ram>("cylinders.NAME.s", "length between its two points, or place along its guide",
+constexpr std::array ram_rows{row<Ram>("cylinders.NAME.s", "length between its two points, or position along its guide",
                                        mm, {.detail = true}, [](const Ram&, const Ram::State& now) { return now.s; }),
                               row<Ram>("cylinders.NAME.v", "speed with which it gets longer", m_per_s, {.detail = true},
                                        [](const Ram&, const Ram::State& now) { return now.v; }),

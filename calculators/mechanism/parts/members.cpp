@@ -71,17 +71,17 @@ struct Bar {
 
 constexpr std::array bar_rows{
     row<Bar>(
-        "links.NAME.N", "axial force of the largest magnitude over the link's length, tension positive", N,
+        "links.NAME.N", "axial force of the maximum magnitude over the link's length, tension positive", N,
         {.tabled = Tabled::always, .is_load = true, .is_tension = true, .with = "V, M_b"},
         [](const Bar&, const MemberLoads::Peaks& most) { return most.N.N; }, nullptr,
         "links with two joints in different places, or with one joint and another point"),
     row<Bar>(
-        "links.NAME.V", "shear force of the largest magnitude over its length", N,
+        "links.NAME.V", "shear force of the maximum magnitude over its length", N,
         {.tabled = Tabled::always, .is_load = true, .with = "N, M_b"},
         [](const Bar&, const MemberLoads::Peaks& most) { return most.V.V; }, nullptr,
         "links with two joints in different places, or with one joint and another point"),
     row<Bar>(
-        "links.NAME.M_b", "bending moment of the largest magnitude over its length", N_m,
+        "links.NAME.M_b", "bending moment of the maximum magnitude over its length", N_m,
         {.tabled = Tabled::always, .is_load = true, .with = "N, V"},
         [](const Bar&, const MemberLoads::Peaks& most) { return most.M.M; }, nullptr,
         "links with two joints in different places, or with one joint and another point")};
@@ -120,7 +120,7 @@ void check(const Mechanism::Input& in, const mechanism::Model& model, std::vecto
     faults.push_back({"links." + model.links[k].name + ".mass_line",
                       say("link '{1}' is not a uniform bar of {2}, which has its mass centre in the middle and J = {3}",
                           model.links[k].name, format_quantity(l, "mm", 4), format_quantity(J, "kg*m^2", 4)),
-                      say("correct S and J, or say mass_line = \"lumped\"")});
+                      say("correct S and J, or give mass_line = \"lumped\"")});
   }
 }
 

@@ -111,8 +111,8 @@ std::vector<draw::Figure> plan_figures(const PlanSubject& subject) {
     const bool all = forces.panels.size() < most_panels;
     figures.push_back({"force-plans",
                        all ? "Force polygons at the same position: loads, weight, inertia and joint forces of each link"
-                           : "Force plans at the same position, of the links with the largest forces: loads, weight "
-                             "and inertia and the forces of the joints close a polygon",
+                           : "Force polygons at the same position, links with the maximum forces: loads, weight, "
+                             "inertia and joint forces",
                        std::move(forces)});
   }
   if (!moves(subject)) return figures;

@@ -18,7 +18,7 @@ using account::Quantity;
 
 Message why_open(const Mechanism::Input& in, const Cycle& cycle) {
   if (cycle.first_failure == mechanism::Status::singular) return say("the drive cannot hold the mechanism there");
-  if (cycle.gap.joint < 0) return say("the drive could not be followed to its place");
+  if (cycle.gap.joint < 0) return say("the drive could not be moved to its position");
   const auto type = in.joints[static_cast<std::size_t>(cycle.gap.joint)].type;
   if (type == planar::Type::belt || type == planar::Type::crossed_belt) {
     return say("the belt '{1}' keeps its length, and its centres would have to move apart or together",

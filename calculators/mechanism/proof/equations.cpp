@@ -79,15 +79,15 @@ struct MethodText {
 std::array<MethodText, mechanism::Proof::methods> method_texts() {
   using mechanism::Proof;
   return {{{Proof::whole_system, "whole_system",
-            say("forces found again from the equilibrium of all links at once: largest difference"), false},
+            say("forces recalculated from the simultaneous equilibrium of all links: maximum difference"), false},
            {Proof::opened_chain, "opened_chain",
-            say("forces found again from moments about the joints of the opened chain: largest difference"), false},
+            say("forces recalculated from moments about the joints of the opened chain: maximum difference"), false},
            {Proof::released_constraints, "released_constraints",
             say("each reaction recomputed by virtual work with its constraint released: largest difference"), false},
            {Proof::virtual_power, "virtual_power",
-            say("driving effort found again from the powers of all that acts: largest difference"), true},
+            say("driving effort recalculated from the power balance: maximum difference"), true},
            {Proof::zhukovsky, "zhukovsky_lever",
-            say("driving effort found again with Zhukovsky's lever: largest difference"), true}}};
+            say("driving effort recalculated with the Zhukovsky lever: maximum difference"), true}}};
 }
 
 /// The position where this is largest; what is not a number counts as largest of all.
@@ -126,7 +126,7 @@ account::Verdict trust(const std::string& step, const Cycle& cycle, const Axis* 
   account::Verdict v{
       .step = step,
       .symbol = "trustworthy",
-      .meaning = say("motion and forces are proved: differences over the largest force times the condition number"),
+      .meaning = say("verification of motion and forces: differences / (maximum force x condition number)"),
       .value = say("{1} of {2}", std::to_string(closed - doubtful.size()), std::to_string(closed)),
       .bound = say("every position"),
       .state = closed == 0 ? account::State::not_available : account::pass_if(doubtful.empty())};
@@ -143,7 +143,7 @@ std::vector<account::Verdict> methods(const std::string& step, const Mechanism::
   const bool driven = !in.crank.joint.empty() || !in.cylinders.empty();
   std::vector<account::Verdict> verdicts;
   verdicts.push_back(at_worst(
-      step, "motion", say("joints closed, velocities and accelerations as joints and drives allow: largest error"),
+      step, "motion", say("joints closed, velocities and accelerations as joints and drives allow: maximum error"),
       cycle, axis, [](const mechanism::Proof& p) { return p.motion; }));
   for (const MethodText& text : method_texts()) {
     if (!driven && text.of_drives) continue;
@@ -163,10 +163,10 @@ void judge_equations(const Solved& solved, std::vector<account::Verdict>& verdic
   }
   const auto part = [&](double residual, double scale) { return left.any ? part_of(residual, scale) : none; };
   verdicts.push_back(limit(solved.step, "force_balance",
-                           say("equilibrium of every link: unbalanced force over the largest reaction"),
+                           say("equilibrium of every link: unbalanced force / maximum reaction"),
                            part(left.force, left.largest_force), 1e-9));
   verdicts.push_back(limit(solved.step, "moment_balance",
-                           say("equilibrium of every link: unbalanced moment over the largest"),
+                           say("equilibrium of every link: unbalanced moment / maximum moment"),
                            part(left.moment, left.largest_moment), 1e-9));
   if (!in.crank.joint.empty() || !in.cylinders.empty()) {
     verdicts.push_back(limit(solved.step, "power_balance",

@@ -135,7 +135,7 @@ std::optional<account::Verdict> hidden_corner(const Solved& solved) {
   const double by_reaction = over(there.reaction, shown.reaction);
   const double by_effort = driven ? over(there.effort, shown.effort) : 0.0;
   if (std::max(by_reaction, by_effort) <= 1.0 + most_missed) return std::nullopt;
-  const Message meaning = say("largest reaction or effort where loads rise and fall, over the one at the positions");
+  const Message meaning = say("maximum reaction or effort between the positions / at the positions");
   return by_effort > by_reaction
              ? verdict_of(solved, meaning, by_effort, more_positions(solved, there.effort, shown.effort.force, "N*m"))
              : verdict_of(solved, meaning, by_reaction,
@@ -157,7 +157,7 @@ account::Verdict unresolved(const Solved& solved) {
           .meaning = say("laws of loads, drives and cams between the positions"),
           .value = say("{1} of {2}", std::to_string(asked),
                        between.needed == 0 ? std::string("too many") : std::to_string(between.needed)),
-          .bound = say("every largest and least value, every corner"),
+          .bound = say("every extreme value and every corner"),
           .state = account::State::not_judged,
           .note = note};
 }
@@ -169,7 +169,7 @@ account::Verdict inserted(const Solved& solved) {
           .symbol = "resolution",
           .meaning = say("laws of loads, drives and cams between the positions"),
           .value = say("{1} positions inserted", std::to_string(between.inserted)),
-          .bound = say("every largest and least value, every corner"),
+          .bound = say("every extreme value and every corner"),
           .state = account::State::pass};
 }
 
@@ -188,7 +188,7 @@ void judge_resolution(const Solved& solved, std::vector<account::Verdict>& verdi
   if (!top) return;
   const Peak peak = peak_beside(solved, *top);
   const double shown = largest_reaction(solved.cycle.positions[*top]);
-  verdicts.push_back(verdict_of(solved, say("the largest reaction between the positions over the one at them"),
+  verdicts.push_back(verdict_of(solved, say("maximum reaction between the positions / at the positions"),
                                 peak.force / shown, more_positions(solved, peak, shown, "N")));
 }
 

@@ -80,7 +80,7 @@ Table determinacy_table(const mechanism::Model& model, const mechanism::Structur
                           std::to_string(steps)});
   }
   if (cycle.worst_condition == 0.0) return table;
-  const Message largest = say("largest condition number of constraints and drives, 1-norm");
+  const Message largest = say("maximum condition number of constraints and drives, 1-norm");
   table.rows.push_back({axis == nullptr
                             ? largest
                             : say("{1}, at {2}", largest, format_quantity(axis->at[cycle.worst_at], axis->unit, 5)),

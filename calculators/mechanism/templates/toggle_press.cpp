@@ -7,8 +7,8 @@ struct TogglePress {
   static constexpr auto id = "toggle_press";
   static constexpr auto title = "Toggle press";
   static constexpr auto doc =
-      "Crank OA turns about the origin O; the rod AB moves the knee B of a toggle. Its upper lever CB hangs on the "
-      "fixed pin C, its lower lever BD pushes the ram D along the vertical through C.";
+      "Crank OA turns about the origin O; the rod AB moves the knee B of a toggle. The upper lever CB is suspended "
+      "from the fixed pin C, the lower lever BD pushes the ram D along the vertical through C.";
   static constexpr auto example = R"([press]
 calculator = "mechanism.planar"
 template = "toggle_press"

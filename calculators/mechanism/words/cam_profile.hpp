@@ -114,7 +114,7 @@ constexpr auto choices_of(CamProfile::Law) {
       ChoiceName<T>{T::polynomial_345, "3-4-5", "polynomial, no acceleration at the ends"},
       ChoiceName<T>{T::polynomial_4567, "4-5-6-7", "polynomial, neither acceleration nor jerk at the ends"},
       ChoiceName<T>{T::modified_sine, "modified_sine", "sines of the acceleration, low peaks of velocity and torque"},
-      ChoiceName<T>{T::modified_trapezoid, "modified_trapezoid", "the least peak of acceleration of these laws"},
+      ChoiceName<T>{T::modified_trapezoid, "modified_trapezoid", "the minimum peak of acceleration of these laws"},
       ChoiceName<T>{T::constant_velocity, "constant_velocity", "refused: its acceleration at the ends is infinite"}};
 }
 constexpr auto choices_of(CamProfile::Sense) {

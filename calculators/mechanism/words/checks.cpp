@@ -207,7 +207,7 @@ void check_shared_points(NameFaults& faults) {
 std::vector<FieldFault> check_gravity(const Mechanism::Input& in) {
   if (!(in_si(in.gravity) < 0.0)) return {};
   return {{"gravity", say("gravity = {1}: must be ≥ 0 m/s²", format_quantity(in_si(in.gravity), "m/s^2")),
-           say("it is a magnitude: write gravity = \"{1}\"; it points down, or as gravity_direction says",
+           say("it is a magnitude: write gravity = \"{1}\"; direction: downwards, or gravity_direction",
                format_quantity(-in_si(in.gravity), "m/s^2"))}};
 }
 
@@ -225,7 +225,7 @@ std::vector<FieldFault> check_drawing(const Mechanism::Input& in, const mechanis
     if (j.kind != mechanism::JointKind::revolute || !drawn(j.i) || !drawn(j.j) || apart <= 0.01 * size) continue;
     faults.push_back({path_of("joints", in.joints[k].name, ""),
                       say("the pin '{1}' is drawn at two places, {2} apart", j.name, format_quantity(apart, "mm", 4)),
-                      say("draw it at one place on both links, or give the links their angles")});
+                      say("draw it at one position on both links, or give the links their angles")});
   }
   check_lengths(in, model, size, faults);
   return faults;

@@ -19,7 +19,7 @@ struct Course {
   struct AtPlace {
     Length s = unset<Length>;
     double share = unset<double>;
-    static constexpr Fields fields{Field{&AtPlace::s, "s", mm, "length of the cylinder, or place along the guide"},
+    static constexpr Fields fields{Field{&AtPlace::s, "s", mm, "length of the cylinder, or position along the guide"},
                                    Field{&AtPlace::share, "share", ratio, "share of F and M there"}};
   };
   std::vector<AtPlace> over_stroke;
@@ -40,7 +40,7 @@ struct Course {
           .may_be_missing(),
       FormulaField{&Course::share_of_s, "share_of_s", "share as a formula of the stroke s: (80 mm)/s"}.may_be_missing(),
       NameField{&Course::stroke_of, "stroke_of",
-                "cylinder, prismatic joint or slot whose length or place the stroke is; where missing the only one"}
+                "cylinder, prismatic joint or slot whose length or position the stroke is; where missing the only one"}
           .may_be_missing()};
 };
 

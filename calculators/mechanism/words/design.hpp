@@ -87,12 +87,12 @@ constexpr auto choices_of(Toleranced) {
                     ChoiceName<T>{T::direction, "direction", "direction of a guide, slot or rack"},
                     ChoiceName<T>{T::mu, "mu", "coefficient of friction of a joint"},
                     ChoiceName<T>{T::rate, "rate", "rate of a spring"},
-                    ChoiceName<T>{T::drive, "drive", "place of the drive"}};
+                    ChoiceName<T>{T::drive, "drive", "position of the drive"}};
 }
 constexpr auto choices_of(Watched) {
   using T = Watched;
-  return std::array{ChoiceName<T>{T::x, "x", "place of a point along x"},
-                    ChoiceName<T>{T::y, "y", "place of a point along y"},
+  return std::array{ChoiceName<T>{T::x, "x", "position of a point along x"},
+                    ChoiceName<T>{T::y, "y", "position of a point along y"},
                     ChoiceName<T>{T::angle, "angle", "angle of a link"},
                     ChoiceName<T>{T::drive, "drive", "moment or force of the drive"},
                     ChoiceName<T>{T::force, "force", "magnitude of a joint's force"}};
@@ -100,7 +100,7 @@ constexpr auto choices_of(Watched) {
 constexpr auto choices_of(Balance) {
   using T = Balance;
   return std::array{ChoiceName<T>{T::rms, "rms", "the root mean square of the shaking force over the cycle"},
-                    ChoiceName<T>{T::peak, "peak", "its largest magnitude"}};
+                    ChoiceName<T>{T::peak, "peak", "its maximum magnitude"}};
 }
 
 }  // namespace loadpath::planar

@@ -71,7 +71,7 @@ struct Cylinder {
     Time t = unset<Time>;
     Length place = unset<Length>;
     static constexpr Fields fields{Field{&Moment::t, "t", sec, "time"},
-                                   Field{&Moment::place, "place", mm, "place along the guide then"}};
+                                   Field{&Moment::place, "place", mm, "position along the guide then"}};
   };
   std::vector<Moment> law;
   LawShape law_shape = LawShape::spline;
@@ -97,8 +97,8 @@ struct Cylinder {
       NameField{&Cylinder::course, "course", "load curve of F, one of the courses"}.may_be_missing(),
       Field{&Cylinder::speed, "speed", m_per_s, "speed of the first link along the guide"},
       Field{&Cylinder::acceleration, "acceleration", m_per_s2, "acceleration along the guide"},
-      Field{&Cylinder::from, "from", mm, "place at the first position; as assembled where missing"}.may_be_missing(),
-      Field{&Cylinder::to, "to", mm, "place at the last position of a stroke"}.may_be_missing(),
+      Field{&Cylinder::from, "from", mm, "start position; as assembled if omitted"}.may_be_missing(),
+      Field{&Cylinder::to, "to", mm, "end position of a stroke"}.may_be_missing(),
       ListField{&Cylinder::law, "law", "places over time, in place of a stroke; smooth, from rest to rest"}
           .as_arrays()
           .may_be_missing(),

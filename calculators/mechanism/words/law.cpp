@@ -71,7 +71,7 @@ class LawCheck {
   void check(const Drive& drive, Whole positions) {
     const std::string path = path_of(drive), formula = path + "." + formula_key(drive);
     if (!drive.law.empty() && !formula_of(drive).empty())
-      return add(formula, say("'law' and '{1}' both say how the drive moves", formula_key(drive)),
+      return add(formula, say("'law' and '{1}' both define the motion of the drive", formula_key(drive)),
                  say("leave out one of the two"));
     if (drive.law.empty() && drive.law_shape != planar::LawShape::spline)
       add(path + ".law_shape", say("'law_shape' is of a law by points, and there is none"), say("leave it out"));
@@ -121,7 +121,7 @@ class LawCheck {
       const double t = positions > 1 ? in_si(drive.duration) * k / (positions - 1) : 0.0;
       const Jet at = law->at(t);
       if (std::isfinite(at.value) && std::isfinite(at.first) && std::isfinite(at.second)) continue;
-      return add(path, say("the law has no place, speed or acceleration at t = {1}", format_quantity(t, "s", 4)),
+      return add(path, say("the law has no position, speed or acceleration at t = {1}", format_quantity(t, "s", 4)),
                  say("it divides by zero there, or takes a root or an arc of what has none"));
     }
   }

@@ -56,7 +56,7 @@ struct Link {
                 "point that is the mass centre; where missing the middle S_LINK of a bar between two joints, of a "
                 "block of one point that"}
           .may_be_missing(),
-      Group{&Link::origin, "origin", "rough place of the link's origin in the stated assembly"}
+      Group{&Link::origin, "origin", "rough position of the link's origin in the stated assembly"}
           .as_array()
           .may_be_missing(),
       Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing(),
@@ -110,8 +110,7 @@ struct Joint {
   Damping c = 0.0 * N_s_per_m.one;
   TurningDamping c_turn = 0.0 * N_m_s.one;
   static constexpr Fields fields{
-      NameField{&Joint::name, "name",
-                "name of the joint; also of its point on both links unless points says otherwise"},
+      NameField{&Joint::name, "name", "name of the joint; also of its point on both links unless points are given"},
       Choice{&Joint::type, "type", "kind of joint"},
       Group{&Joint::links, "links", "the two links; the ground is called ground"}.as_array(),
       Group{&Joint::points, "points", "point of the first and of the second link; of wheels their centres"}

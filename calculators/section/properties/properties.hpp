@@ -63,14 +63,16 @@ constexpr auto property_fields() {
       field(&P::W_y_bottom, "W_y_bottom", mm3, "elastic section modulus I_y over the distance of the lowest fibre"),
       field(&P::W_z_left, "W_z_left", mm3, "elastic section modulus I_z over the distance of the leftmost fibre"),
       field(&P::W_z_right, "W_z_right", mm3, "elastic section modulus I_z over the distance of the rightmost fibre"),
-      field(&P::alpha, "alpha", deg, "angle from y to the principal axis of the largest second moment"),
-      field(&P::I_max, "I_max", mm4, "largest second moment of area: about that principal axis"),
-      field(&P::I_min, "I_min", mm4, "least second moment of area: about the other principal axis"),
-      field(&P::i_min, "i_min", mm, "least radius of gyration"),
-      field(&P::W_max, "W_max", mm3, "elastic section modulus about the principal axis of I_max, least of both sides"),
-      field(&P::W_min, "W_min", mm3, "elastic section modulus about the principal axis of I_min, least of both sides"),
+      field(&P::alpha, "alpha", deg, "angle from y to the principal axis of the maximum second moment"),
+      field(&P::I_max, "I_max", mm4, "maximum second moment of area: about that principal axis"),
+      field(&P::I_min, "I_min", mm4, "minimum second moment of area: about the other principal axis"),
+      field(&P::i_min, "i_min", mm, "minimum radius of gyration"),
+      field(&P::W_max, "W_max", mm3,
+            "elastic section modulus about the principal axis of I_max, minimum of both sides"),
+      field(&P::W_min, "W_min", mm3,
+            "elastic section modulus about the principal axis of I_min, minimum of both sides"),
       field(&P::I_t, "I_t", mm4, "torsion constant of Saint-Venant"),
-      field(&P::W_t, "W_t", mm3, "section modulus in torsion: torque over the largest shear stress")};
+      field(&P::W_t, "W_t", mm3, "torsional section modulus: torque / maximum shear stress")};
 }
 
 inline constexpr auto results_of_properties = property_fields<Properties>();
@@ -118,8 +120,8 @@ void turn_to_principal_axes(Properties& r, Tracer& trace) {
     return;
   }
   STEP(I_R, sqrt(pow<2>((r.I_y - r.I_z) / 2.0) + r.I_yz * r.I_yz), "radius of Mohr's circle");
-  STEP_TO(r, I_max, (r.I_y + r.I_z) / 2.0 + I_R, "largest, by Mohr's circle");
-  STEP_TO(r, I_min, (r.I_y + r.I_z) / 2.0 - I_R, "least, by Mohr's circle");
+  STEP_TO(r, I_max, (r.I_y + r.I_z) / 2.0 + I_R, "maximum, by Mohr's circle");
+  STEP_TO(r, I_min, (r.I_y + r.I_z) / 2.0 - I_R, "minimum, by Mohr's circle");
   STEP_TO(r, alpha, atan(-2.0 * r.I_yz / (r.I_y - r.I_z + 2.0 * I_R)), "half the angle on Mohr's circle");
 }
 
@@ -139,7 +141,7 @@ void complete(Properties& r, const Extremes& extremes, Tracer& trace) {
   trace.value("e_right", e_right, "from the centroid to the rightmost fibre");
   STEP_TO(r, W_z_right, r.I_z / e_right, "bending about z, right side");
   turn_to_principal_axes(r, trace);
-  STEP_TO(r, i_min, sqrt(r.I_min / r.A), "least radius of gyration");
+  STEP_TO(r, i_min, sqrt(r.I_min / r.A), "minimum radius of gyration");
   const Reach from_axis = r.alpha == 0.0 ? along_y
                           : r.I_yz == from_si<SecondMoment>(0.0)
                               ? along_y.turned_left()

@@ -15,7 +15,7 @@ Ellipse::Result Ellipse::own(const Input& in, Tracer& trace) {
   STEP_TO(r, I_z, pi / 64.0 * h * pow<3>(b), "a circle, stretched");
   STEP_TO(r, I_t, pi / 16.0 * pow<3>(b) * pow<3>(h) / (b * b + h * h), "torsion of an ellipse, [Anexa-BMOM]");
   STEP(a_t, max(b, h), "longer axis");
-  STEP(b_t, min(b, h), "shorter axis, at whose ends the shear is the largest");
+  STEP(b_t, min(b, h), "minor axis, at the ends of which the shear is maximum");
   STEP_TO(r, W_t, pi / 16.0 * a_t * b_t * b_t, "torsion of an ellipse, [Anexa-BMOM]");
   return r;
 }

@@ -17,7 +17,7 @@ Rectangle::Result Rectangle::own(const Input& in, Tracer& trace) {
   const auto [k_1, k_2] = rectangle_factors(a_t / b_t);
   trace.value("k_1", k_1, "series of Saint-Venant for these sides: 0.1406 of a square, 1/3 of a strip, [Oasys]");
   STEP_TO(r, I_t, k_1 * a_t * pow<3>(b_t), "torsion of a rectangle");
-  trace.value("k_2", k_2, "series of Saint-Venant: the largest shear is in the middle of the longer side");
+  trace.value("k_2", k_2, "Saint-Venant series: maximum shear at the middle of the longer side");
   STEP_TO(r, W_t, k_2 * a_t * b_t * b_t, "torsion of a rectangle");
   return r;
 }

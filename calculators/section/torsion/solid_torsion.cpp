@@ -73,11 +73,11 @@ template <class Tracer>
 void strength(const Input& in, const Nets& nets, Result& r, Tracer& trace) {
   r.tau_all = allowable_shear(in, unset<Stress>, trace);
   if (SolidTorsion::has_inner_corner(in)) return;
-  const Length e_1 = trace.value("e_1", from_si<Length>(nets.coarse.stress), "largest stress over G theta, coarse net");
+  const Length e_1 = trace.value("e_1", from_si<Length>(nets.coarse.stress), "maximum stress over G theta, coarse net");
   const Length e_2 = trace.value("e_2", from_si<Length>(nets.fine.stress), "the same, elements of half the size");
   STEP(e, e_2 + (e_2 - e_1) / 3.0, "extrapolated: the error falls with the square of the size");
   STEP_TO(r, e_W, abs(e - e_2) / e, "the fine net against it");
-  STEP_TO(r, W_t, r.I_t / e, "torque over the largest stress");
+  STEP_TO(r, W_t, r.I_t / e, "torque over the maximum stress");
   r.y_t = from_si<Length>(nets.fine.at.x), r.z_t = from_si<Length>(nets.fine.at.y);
   STEP_TO(r, tau_max, in.K_A * abs(in.T) / W_t, "on the contour, [B19] (2)");
   const Stress tau_all = r.tau_all;

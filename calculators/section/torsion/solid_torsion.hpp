@@ -89,22 +89,20 @@ theta_adm = "4 deg/m"
   static constexpr Fields results{
       Field{&Result::I_t, "I_t", mm4, "torsion constant of Saint-Venant"},
       Field{&Result::W_t, "W_t", mm3, "section modulus in torsion; none where the section has an inner corner"},
-      Field{&Result::y_t, "y_t", mm, "place of the largest stress, to the right"},
-      Field{&Result::z_t, "z_t", mm, "place of the largest stress, upwards"},
+      Field{&Result::y_t, "y_t", mm, "position of the maximum stress, to the right"},
+      Field{&Result::z_t, "z_t", mm, "position of the maximum stress, upwards"},
       Field{&Result::d_s, "d_s", mm, "size whose strength the material has: the larger side of a box around it"},
-      Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"},
+      Field{&Result::tau_max, "tau_max", MPa, "maximum shear stress"},
       Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"},
       Field{&Result::theta, "theta", deg_per_m, "twist per length, positive like T"},
       Field{&Result::e_I, "e_I", ratio, "error estimate of the torsion constant (fine mesh)"}.limit(0, worst_I_t),
       Field{&Result::e_W, "e_W", ratio, "error estimate of the section modulus (fine mesh)"}
           .limit(0, worst_W_t)
           .where_it_applies(),
-      Field{&Result::u_tau, "u_tau", ratio, "strength: largest shear stress over the allowable one"}
-          .check()
-          .where_it_applies(),
+      Field{&Result::u_tau, "u_tau", ratio, "strength: maximum / allowable shear stress"}.check().where_it_applies(),
       Field{&Result::u_theta, "u_theta", ratio, "stiffness: twist per length over the allowable one"}.check(
           "theta_adm"),
-      Group{&Result::cycle, "cycle", "largest stress of the section, for fatigue.cycle: cycle"}.handed_over()};
+      Group{&Result::cycle, "cycle", "maximum stress of the section, for fatigue.cycle: cycle"}.handed_over()};
 
   static bool sides_fit(const Input& in);
   static bool has_inner_corner(const Input& in);

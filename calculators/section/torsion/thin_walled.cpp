@@ -76,11 +76,11 @@ void stresses(const Input& in, const Flows& flows, Result& r, Tracer& trace) {
     const Area flow = flow_of(in, flows, s.cell) - flow_of(in, flows, s.beside);
     surface = max(surface, abs(flow) / s.t + modulus_ratio(in, s) * s.t);
   }
-  trace.value("tau_max", r.tau_max, "largest of the walls");
-  trace.value("u_tau", r.u_tau, "largest of the walls");
-  trace.value("e", surface, "largest stress over G theta");
+  trace.value("tau_max", r.tau_max, "maximum of the walls");
+  trace.value("u_tau", r.u_tau, "maximum of the walls");
+  trace.value("e", surface, "maximum stress over G theta");
   const Length e = surface;
-  STEP_TO(r, W_t, r.I_t / e, "torque over the largest stress");
+  STEP_TO(r, W_t, r.I_t / e, "torque over the maximum stress");
   trace.value("t_n", t_n, "thickest wall, by its shear modulus");
   STEP_TO(r, W_s, r.I_s / t_n, "slit open");
   STEP_TO(r, tau_s, in.K_A * abs(in.T) / W_s, "slit open");
@@ -102,8 +102,8 @@ void thinness(const Input& in, Result& r, Tracer& trace) {
       w = max(w, reduced(wall.t * perimeter_of(in, cell) / (2.0 * area_of(in.cells[cell]))));
     }
   }
-  if (!in.cells.empty()) r.w = trace.value("w", w, "thickness by U/(2 A) of its cell, the largest");
-  if (any_free) r.w_s = trace.value("w_s", w_s, "thickness over length of a free wall, the largest");
+  if (!in.cells.empty()) r.w = trace.value("w", w, "thickness by U/(2 A) of its cell, the maximum");
+  if (any_free) r.w_s = trace.value("w_s", w_s, "thickness over length of a free wall, the maximum");
 }
 
 }  // namespace

@@ -85,24 +85,24 @@ theta_adm = "0.5 deg/m"
       Field{&Result::I_B, "I_B", mm4, "torsion constant of the cells, by Bredt"},
       Field{&Result::I_s, "I_s", mm4, "torsion constant of the walls as strips: of the section slit open"},
       Field{&Result::I_t, "I_t", mm4, "torsion constant of the section"},
-      Field{&Result::W_t, "W_t", mm3, "section modulus in torsion: torque over the largest shear stress"},
+      Field{&Result::W_t, "W_t", mm3, "torsional section modulus: torque / maximum shear stress"},
       Field{&Result::W_s, "W_s", mm3, "the same of the section slit open"},
       Field{&Result::r_I, "r_I", ratio, "stiffness ratio to the open (slit) section"},
       Field{&Result::t_max, "t_max", mm, "thickest wall, which the strength of the material belongs to"},
-      Field{&Result::tau_max, "tau_max", MPa, "largest shear stress"},
-      Field{&Result::tau_s, "tau_s", MPa, "largest shear stress of the section slit open"},
+      Field{&Result::tau_max, "tau_max", MPa, "maximum shear stress"},
+      Field{&Result::tau_s, "tau_s", MPa, "maximum shear stress of the section slit open"},
       Field{&Result::theta, "theta", deg_per_m, "twist per length, positive like T"},
-      Field{&Result::w, "w", ratio, "walls of cells: thickness over 2 A/U of the cell, largest"}
+      Field{&Result::w, "w", ratio, "walls of cells: thickness over 2 A/U of the cell, maximum"}
           .limit(0, thickest_of_cell)
           .where_it_applies(),
-      Field{&Result::w_s, "w_s", ratio, "free walls: thickness over length, largest"}
+      Field{&Result::w_s, "w_s", ratio, "free walls: thickness over length, maximum"}
           .limit(0, thickest_free_wall)
           .where_it_applies(),
-      Field{&Result::u_tau, "u_tau", ratio, "strength: shear stress over the allowable one, largest of the walls"}
+      Field{&Result::u_tau, "u_tau", ratio, "strength: shear stress / allowable shear stress, maximum of the walls"}
           .check(),
       Field{&Result::u_theta, "u_theta", ratio, "stiffness: twist per length over the allowable one"}.check(
           "theta_adm"),
-      Group{&Result::cycle, "cycle", "largest stress of the section, for fatigue.cycle: cycle"}.handed_over(),
+      Group{&Result::cycle, "cycle", "maximum stress of the section, for fatigue.cycle: cycle"}.handed_over(),
       ListField{&Result::cells, "cells", "cells"},
       ListField{&Result::walls, "walls", "walls"}};
 

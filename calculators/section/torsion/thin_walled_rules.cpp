@@ -112,7 +112,7 @@ FieldFault ThinWalled::covered_twice(const Input& in) {
             say("give its corners in order around it")};
   const auto [first, second] = doubled(in);
   return {"cells[" + std::to_string(second + 1) + "].points",
-          say("the cells '{1}' and '{2}' have a place in common", named(first), named(second)),
+          say("the cells '{1}' and '{2}' overlap", named(first), named(second)),
           say("give the corners of all cells in one system of axes, or their areas A")};
 }
 

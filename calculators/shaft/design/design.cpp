@@ -110,8 +110,8 @@ class Movement {
 
 template <class Tracer>
 void stiffness(const Input& in, Result& r, Tracer& trace) {
-  trace.value("v_max", r.v_max, "largest of the shaft, with shear");
-  trace.value("theta_max", r.theta_max, "largest of the shaft");
+  trace.value("v_max", r.v_max, "maximum of the shaft, with shear");
+  trace.value("theta_max", r.theta_max, "maximum of the shaft");
   if (is_set(in.v_adm)) {
     STEP_TO(r, u_y, r.v_max / in.v_adm, "deflection");
   }

@@ -30,8 +30,8 @@ void concentrate(const Notched& notch, const Sides& sides, Length r_n, const Sec
     const auto in_torsion = shoulder ? fatigue::concentration(fatigue::shoulder_in_torsion, h, r_n, D)
                                      : fatigue::concentration(fatigue::groove_in_torsion, h, r_n, D);
     s.K_t = in_bending.K, s.K_ts = in_torsion.K;
-    s.x_b = trace.value("x_b", in_bending.place, "place within the fit, [Peterson]");
-    if (twisted) s.x_t = trace.value("x_t", in_torsion.place, "place within the fit, [Peterson]");
+    s.x_b = trace.value("x_b", in_bending.place, "position within the fit, [Peterson]");
+    if (twisted) s.x_t = trace.value("x_t", in_torsion.place, "position within the fit, [Peterson]");
   } else if (is_keyed(notch.kind)) {
     const double k_2 = notch.kind == Notch::two_keyways ? 1.15 : 1.0;
     s.K_t = k_2 * 2.14, s.K_ts = k_2 * 3.0;
@@ -188,7 +188,7 @@ Stresses stresses_of(const Section& p, const There& there, const Swings& swings,
   const Moment T_m = trace.value("T_m", swings.T.m, "mean");
   trace.value("d_bore", p.d_bore, "bore");
   const auto [A, W, W_t] = moduli_of(p, there.notch, trace);
-  STEP(sigma_na, M_a / W + N_a / A, "as if both were largest at once");
+  STEP(sigma_na, M_a / W + N_a / A, "both maxima at the same time");
   STEP(sigma_nm, abs(M_m) / W + abs(N_m) / A, "pressure counts as pull");
   STEP(tau_a, T_a / W_t, "amplitude of torsion");
   STEP(tau_m, abs(T_m) / W_t, "mean of torsion");

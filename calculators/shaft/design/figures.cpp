@@ -27,7 +27,7 @@ draw::Curve along(const Loaded& loaded, const char* label, double (*of)(const Lo
 
 draw::Plot diagram(draw::Scale up, std::vector<draw::Curve> curves) {
   draw::Plot plot;
-  plot.x = {"z", "place along the shaft", "mm"};
+  plot.x = {"z", "position along the shaft", "mm"};
   plot.y = std::move(up);
   plot.curves = std::move(curves);
   return plot;

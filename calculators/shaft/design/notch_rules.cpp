@@ -33,7 +33,7 @@ Message fault_of_fields(const Notched& notch) {
     return say("K_t and K_ts are given together, only with kind = \"given\"");
   if ((kind == Kind::beta) != is_set(notch.beta_b) || is_set(notch.beta_b) != is_set(notch.beta_t))
     return say("beta_b and beta_t are given together, only with kind = \"beta\"");
-  if (is_set(notch.h) && kind != Kind::shoulder) return say("h is the least height of a shoulder");
+  if (is_set(notch.h) && kind != Kind::shoulder) return say("h is the minimum height of a shoulder");
   if (is_keyed(kind) && is_set(notch.r))
     return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give K_t and K_ts of another");
   if (const bool rootless = kind == Kind::v_groove || kind == Kind::press_fit; rootless && is_set(notch.r))
@@ -250,7 +250,7 @@ Message fault_of(const Input& in, const Notched& notch) {
   if (Message fault = fault_of_wall(in, notch, there); !fault.empty()) return fault;
   if (Message fault = fault_of_place(in, notch); !fault.empty()) return fault;
   if (notch.r_T < in.r_T)
-    return say("its torque runs back to {1} of the largest, and that of the shaft, r_T, to {2}",
+    return say("its torque falls to {1} of the maximum, and that of the shaft, r_T, to {2}",
                format_number(notch.r_T, 3), format_number(in.r_T, 3));
   return fault_of_meeting(in, notch, there);
 }
@@ -323,10 +323,10 @@ FieldFault Design::bare_step(const Input& in) {
     const char* const given = "kind = \"given\", K_t = ..., K_ts = ..., r = \"...\" }";
     const bool charted = d != D && !is_bored(in, m.x);
     fault = {"notches",
-             m.is_hollow() ? say("at {1} a taper begins in a hollow edge, and no notch says how", format(m.x))
-             : d == D      ? say("at {1} the bore changes, and no notch says how", format(m.x))
-                           : say("at {1} the diameter changes from {2} to {3}, and no notch says how", format(m.x),
-                                 format(d), format(D)),
+             m.is_hollow() ? say("at {1} a taper begins in a re-entrant edge without a notch", format(m.x))
+             : d == D      ? say("at {1} the bore changes without a notch", format(m.x))
+                           : say("at {1} the diameter changes from {2} to {3} without a notch", format(m.x), format(d),
+                                 format(D)),
              say("add {1} to notches",
                  "{ x = \"" + format(m.x) + "\", " + (charted ? "kind = \"shoulder\", r = \"...\" }" : given))};
     return true;

@@ -87,7 +87,7 @@ BodyFault fault_of_body(const Seat& s) {
   const bool across = is_set(s.I_d) || is_set(s.b);
   if (across && !is_set(s.I_p)) return {"I_p", say("the moment of inertia about its axis is missing: give I_p")};
   if (is_set(s.I_p) && !across) return {"I_p", say("it turns about a diameter too: give I_d, or its width b")};
-  if (is_set(s.I_d) && is_set(s.b)) return {"b", say("the width is in place of I_d: give one of them")};
+  if (is_set(s.I_d) && is_set(s.b)) return {"b", say("the width replaces I_d: give one of them")};
   if (s.I_p > rounding * 2.0 * s.I_d)
     return {"I_d", say("of no body is the moment of inertia about a diameter below half of that about the axis")};
   if (!is_set(s.k_T) && s.I_p > rounding * s.J)

@@ -36,7 +36,7 @@ draw::Shaft side(const Input& in, const Slices& slices, const Held::Result& r) {
 }
 
 draw::Plot along(const draw::Scale& up, draw::Curve curve) {
-  draw::Plot plot{{"x", "place along the bar", "mm"}, up};
+  draw::Plot plot{{"x", "position along the bar", "mm"}, up};
   plot.curves.push_back(std::move(curve));
   return plot;
 }

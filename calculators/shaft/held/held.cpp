@@ -81,7 +81,7 @@ void along(const Slices& slices, const Yields& yields, Result& r, Tracer& trace)
     r.sections.push_back({s.x + s.l, i + 1 < slices.size() ? phi : r.phi_2});
     M_max = max(M_max, max(abs(M_1), abs(M_2)));
   }
-  r.M_max = trace.value("M_max", M_max, "largest of the bar");
+  r.M_max = trace.value("M_max", M_max, "maximum of the bar");
 }
 
 /// Where a function of the place is the largest: at an end of a cylinder; along a cone by search.
@@ -169,8 +169,8 @@ void judge_members(const Input& in, const Slices& slices, Result& r, Tracer& tra
     r.tau_max = max(r.tau_max, member.tau);
     r.u_tau = larger_use(r.u_tau, member.u_tau);
   }
-  trace.value("tau_max", r.tau_max, "largest of the members");
-  trace.value("u_tau", r.u_tau, "largest of the members");
+  trace.value("tau_max", r.tau_max, "maximum of the members");
+  trace.value("u_tau", r.u_tau, "maximum of the members");
 }
 
 Twist largest_twist(const Input& in, const Slices& slices, const Result& r) {
@@ -225,7 +225,7 @@ void judge(const Input& in, const Slices& slices, Result& r, Tracer& trace) {
   for (const Segment& s : in.segments) r.d_s = max(r.d_s, max(s.d, is_set(s.d_2) ? s.d_2 : s.d));
   for (const Sleeve& s : in.sleeves) r.d_s = max(r.d_s, s.d);
   judge_members(in, slices, r, trace);
-  const Twist theta_max = r.theta_max = trace.value("theta_max", largest_twist(in, slices, r), "largest of the bar");
+  const Twist theta_max = r.theta_max = trace.value("theta_max", largest_twist(in, slices, r), "maximum of the bar");
   if (is_set(in.theta_adm)) {
     STEP_TO(r, u_theta, theta_max / in.theta_adm, "stiffness condition, [B19] (8)");
   }

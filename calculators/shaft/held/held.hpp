@@ -144,7 +144,7 @@ phi_adm = "1 deg"
       Rule<Input>{&on_bar, "torques, sleeves, segments", "torques and sleeves lie on the bar", &off_bar},
       Rule<Input>{&on_cylinders, "sleeves, segments", "a sleeve goes with cylinders, not with cones"},
       Rule<Input>{&side_by_side, "sleeves, segments",
-                  "a sleeve fits around what it encloses, or inside of the bore: two members fill the same place"}};
+                  "a sleeve must fit around the enclosed part, or inside of the bore: two members overlap"}};
 
   static constexpr std::array meanings{all_in_shear, all_in_normal,
                                        Meaning{"segments.tau_adm, sleeves.tau_adm", allowable_in_shear}};

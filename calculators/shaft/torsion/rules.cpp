@@ -32,8 +32,8 @@ FieldFault Torsion::torque_off_shaft(const Input& in) {
   const auto off =
       std::find_if(in.torques.begin(), in.torques.end(), [&](const Torque& t) { return is_beyond(in, t); });
   if (off == in.torques.end()) {
-    return {"torques", say("all torques act at one place, and the shaft has no length"),
-            say("give each torque the place x that it acts at, from the left end")};
+    return {"torques", say("all torques act at one position, and the shaft has no length"),
+            say("give each torque its position x, from the left end")};
   }
   const std::string number = std::to_string(off - in.torques.begin() + 1);
   const std::string name = off->name.empty() ? number : "'" + std::string(off->name.view()) + "'";

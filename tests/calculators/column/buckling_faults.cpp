@@ -39,7 +39,7 @@ TEST_SUITE("column buckling faults") {
     says(
         "calculator = \"column.buckling\"\nl = \"900 mm\"\nE = \"210 GPa\"\nR_e = \"235 MPa\"\nd = \"40 mm\"\n"
         "method = \"johnson\"\n",
-        "say how the ends are held");
+        "state the end conditions");
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nends_y = \"fixed_free\"\nbeta_y = 2\n",
          "give the ends of an axis or its factor beta, never both");
     const std::string soft =

@@ -300,7 +300,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(says(steel + bar + load + "M_bmax = \"99 N*m\"\n", "at least mean plus amplitude"));
     CHECK(says(steel + bar + "M_ba = \"-1 N*m\"\n", "must be"));
     CHECK(says(bar + load, "give the tensile strength"));
-    CHECK(says(steel + load + "d = \"40 mm\"\nR_z = \"6.3 um\"\n", "say what is cut into the section"));
+    CHECK(says(steel + load + "d = \"40 mm\"\nR_z = \"6.3 um\"\n", "notch type missing"));
     CHECK(says(bar + load + "sigma_B = \"470 MPa\"\nsigma_S = \"355 MPa\"\n", "needs the group of steels"));
     CHECK(says(bar + load + "group = \"structural\"\nsigma_B = \"470 MPa\"\n", "goes with sigma_S"));
     CHECK(says(bar + load + "R_m = \"470 MPa\"\nR_e = \"471 MPa\"\n", "yields below"));
@@ -314,7 +314,7 @@ TEST_SUITE("fatigue.din743") {
     CHECK(says(steel + bar + load + "S_min = 1.1\n", "must be"));
     CHECK(says(steel + bar + load + "d_bore = \"40 mm\"\n", "must be smaller"));
     CHECK(says(steel + load + "notch = \"beta\"\nbeta_t = 2\nd = \"40 mm\"\nR_z = \"6.3 um\"\nmean = \"constant\"\n",
-               "type the factor of each stress"));
+               "give the factor of each acting stress"));
     CHECK(says(steel + load + "notch = \"cross-hole\"\nr = \"12 mm\"\nd = \"40 mm\"\nR_z = \"6.3 um\"\n",
                "leaves no section"));
   }

@@ -298,7 +298,7 @@ TEST_SUITE("fatigue.fkm") {
     CHECK(says("steel = \"nitriding\"\noverload = \"F2\"\nR_mN = \"900 MPa\"\nR_eN = \"700 MPa\"\n" + bar + load,
                "are not known here"));
     CHECK(says("steel = \"structural\"\n" + size + bar + load + "a_dm = 0.2\n", "they belong to R_mN"));
-    CHECK(says(size + bar + load, "say what steel it is"));
+    CHECK(says(size + bar + load, "steel group missing"));
     CHECK(says(steel + bar + load + "K_an = 0.9\nfibre = \"across\"\n", "or by fibre, never both"));
     CHECK(says(steel + bar + load + "G_b = \"0.2/mm\"\n", "typed shape factors"));
     CHECK(says(steel + bar + load + "sigma_W = \"480 MPa\"\n", "below the tensile strength"));

@@ -89,7 +89,7 @@ TEST_SUITE("gear pair") {
     const std::string runs =
         "z_1 = 20\nz_2 = 57\nm_n = \"2.5 mm\"\nb = \"28 mm\"\nT_1 = \"60 N*m\"\nsigma_adm_1 = \"200 MPa\"\n"
         "n_1 = \"1450 rpm\"\n";
-    CHECK(says(runs, "how their teeth are cut is not said"));
+    CHECK(says(runs, "the tooth finish is not stated"));
     CHECK(issues_of(runs + "cutting = \"hobbed\"\n").empty());
   }
 
@@ -298,7 +298,7 @@ TEST_SUITE("gear pair") {
   TEST_CASE("what a user can get wrong is told") {
     says("z_1 = 20\nm_n = \"2 mm\"\n", "two wheels, or wheel and ring, need z_2");
     says("mesh = \"internal\"\nz_1 = 40\nz_2 = 30\nm_n = \"2 mm\"\n", "a ring has more teeth than the wheel inside it");
-    says("mesh = \"rack\"\nz_1 = 40\nx_2 = 0.2\nm_n = \"2 mm\"\n", "only the place a_w");
+    says("mesh = \"rack\"\nz_1 = 40\nx_2 = 0.2\nm_n = \"2 mm\"\n", "only the position a_w");
     says("z_1 = 20\nz_2 = 40\nm_n = \"2 mm\"\na_w = \"50 mm\"\n", "give more than 56.3816 mm");
     says("z_1 = 20\nz_2 = 20\nm_n = \"2 mm\"\nx_1 = -0.9\n", "closer than their base circles allow");
     says("z_1 = 20\nz_2 = 40\nm_n = \"2 mm\"\nP = \"3 kW\"\n", "a power needs the speed n_1");

@@ -105,7 +105,7 @@ TEST_SUITE("machine flywheel") {
         {rest + "points = [[\"0 deg\", \"1 N*m\"], [\"400 deg\", \"2 N*m\"]]\n", "within one period"},
         {rest + "M = \"=line.M_max\"\n[line]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n",
          "a moment over a cycle is required"},
-        {"omega = \"10 rad/s\"\nM_of_phi = \"5 N*m\"\n", "give the unevenness"},
+        {"omega = \"10 rad/s\"\nM_of_phi = \"5 N*m\"\n", "give the permissible speed fluctuation"},
         {rest + "M_of_phi = \"5 N*m\"\nv_adm = \"35 m/s\"\n", "diameter"}};
     for (const auto& row : rows) {
       CAPTURE(row[0]);

@@ -192,7 +192,7 @@ positions = 12
           R"(a.toml:7:13: error: 'positions' is of a stroke, and the cylinder 'c' has no end of it
 7 | positions = 12
   |             ^^
-  = help: add 'to', the place at the last position
+  = help: add 'to', the end position
 )");
     CHECK(without("positions = 12\n") ==
           R"(a.toml:6:53: error: 'to' is the end of a stroke, and only one position is solved

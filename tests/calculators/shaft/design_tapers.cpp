@@ -195,7 +195,7 @@ TEST_SUITE("shaft tapers") {
   }
 
   TEST_CASE("a hollow edge asks for a notch, a full one does not; what is steep is not covered") {
-    CHECK(contains(messages(cone_end(tired, "d = \"50 mm\", d_2 = \"40 mm\"")), "a taper begins in a hollow edge"));
+    CHECK(contains(messages(cone_end(tired, "d = \"50 mm\", d_2 = \"40 mm\"")), "a taper begins in a re-entrant edge"));
     const std::string round = "notches = [{ x = \"100 mm\", kind = \"given\", K_t = 1, K_ts = 1 }]\n";
     CHECK_MESSAGE(Solved(cone_end(tired + round, "d = \"50 mm\", d_2 = \"40 mm\"")).errors().empty(),
                   messages(cone_end(tired + round, "d = \"50 mm\", d_2 = \"40 mm\"")));

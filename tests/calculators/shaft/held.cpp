@@ -266,8 +266,8 @@ TEST_SUITE("shaft held") {
           std::string::npos);
     CHECK(fault("sleeves = [{ x = \"800 mm\", " + bush + ", tau_adm = \"30 MPa\" }]").find("beyond") !=
           std::string::npos);
-    CHECK(fault("sleeves = [{ x = \"0 mm\", l = \"90 mm\", d = \"75 mm\", d_bore = \"59 mm\" }]").find("same place") !=
-          std::string::npos);
+    CHECK(fault("sleeves = [{ x = \"0 mm\", l = \"90 mm\", d = \"75 mm\", d_bore = \"59 mm\" }]")
+              .find("two members overlap") != std::string::npos);
     CHECK(fault("segments = [{ l = \"1 m\", d = \"40 mm\", d_2 = \"20 mm\", d_bore = \"20 mm\" }]\nsleeves = \n"
                 "torques = ")
               .find("bore must be smaller") != std::string::npos);

@@ -23,8 +23,8 @@ Meant of_stress(const char* symbol, const char* meaning) {
 TEST_SUITE("quantity kinds") {
   TEST_CASE("a stress is told by its meaning, else by its symbol") {
     CHECK(of_stress("tau_max", "largest") == Meant::shear_stress);
-    CHECK(of_stress("sigma_max", "largest nominal stress") == Meant::normal_stress);
-    CHECK(of_stress("sigma_v", "largest von Mises stress") == Meant::equivalent_stress);
+    CHECK(of_stress("sigma_max", "maximum nominal stress") == Meant::normal_stress);
+    CHECK(of_stress("sigma_v", "maximum von Mises stress") == Meant::equivalent_stress);
     CHECK(of_stress("sigma_T", "by Tresca, extreme fibre") == Meant::equivalent_stress);
     CHECK(of_stress("sigma_1", "equivalent stress of the shaft") == Meant::equivalent_stress);
     CHECK(of_stress("sigma_a", "amplitude of the shear stress") == Meant::shear_stress);

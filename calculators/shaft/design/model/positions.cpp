@@ -56,7 +56,7 @@ TurnFault fault_of_angle(const Input& in) {
   constexpr double same = 1e-6;  // rad
   const Seat* const told = angled(in);
   if (told == nullptr)
-    return {"psi", say("the loads vary over a turn, and nothing says how far the shaft has turned"),
+    return {"psi", say("the loads vary over a revolution, but the angle of the shaft is missing"),
             say("load = \"=press.shafts.O\" includes psi; psi = \"0 deg\": the shaft is at rest")};
   for (const Seat& seat : in.seats) {
     if (!is_set(seat.psi)) continue;

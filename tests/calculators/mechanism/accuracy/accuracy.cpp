@@ -133,7 +133,7 @@ TEST_SUITE("mechanism accuracy") {
     }
     REQUIRE(found != nullptr);
     REQUIRE(found->rows.size() == 1);
-    CHECK(std::get<Message>(found->rows[0][0]).text() == "place: place of B along x");
+    CHECK(std::get<Message>(found->rows[0][0]).text() == "place: position of B along x");
     CHECK(std::get<Message>(found->rows[0][5]).text().starts_with("rod, 7"));
   }
 

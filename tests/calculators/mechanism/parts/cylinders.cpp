@@ -85,7 +85,7 @@ cylinders.ram = { joint = "bore", from = "1 m", to = "1.2 m", speed = "50 mm/s" 
       return first_error(boom + "cylinders.ram = { " + cylinder + " }\n");
     };
     CHECK(with("speed = \"1 mm/s\"") == "'ram' names neither the links that it lies between nor a joint");
-    CHECK(with("joint = \"O\", " + between) == "'joint' and 'links' both say what 'ram' moves");
+    CHECK(with("joint = \"O\", " + between) == "'joint' and 'links' both state the parts moved by 'ram'");
     CHECK(with("links = [\"ground\", \"boom\"]") == "a cylinder between two points needs 'links' and 'points'");
     CHECK(with("links = [\"ground\", \"bom\"], points = [\"C\", \"P\"]") == "unknown link 'bom'");
     CHECK(with("links = [\"ground\", \"boom\"], points = [\"C\", \"Q\"]") == "the link 'boom' has no point 'Q'");
@@ -93,6 +93,6 @@ cylinders.ram = { joint = "bore", from = "1 m", to = "1.2 m", speed = "50 mm/s" 
           "a cylinder lies between two links, or a link and the ground");
     CHECK(with(between + ", F = \"1 kN\", speed = \"1 mm/s\"") == "the force of 'ram' is given, and so is its motion");
     CHECK(with("joint = \"O\", F = \"1 kN\"") == "'F' is of a cylinder between two points, and 'ram' drives a joint");
-    CHECK(with(between + ", course = \"x\"") == "'course' says how F varies, and 'ram' has none");
+    CHECK(with(between + ", course = \"x\"") == "'course' is the load curve of F, and 'ram' has no F");
   }
 }

@@ -94,12 +94,12 @@ TEST_SUITE("mechanism law") {
     CHECK(says(crank("angle_of_t = \"30 deg*abs(t/(1 s))\", duration = \"1 s\""),
                "error: 'abs' has kinks, or is of a series"));
     CHECK(says(crank("angle_of_t = \"30 deg*sqrt(t/(1 s))\", duration = \"1 s\""),
-               "error: the law has no place, speed or acceleration at t = 0 s"));
+               "error: the law has no position, speed or acceleration at t = 0 s"));
     CHECK(says(crank("angle_of_t = \"30 deg/s*t\""), "error: a law by a formula needs the time for which it holds"));
     CHECK(says(crank("duration = \"1 s\", speed = \"1 rad/s\""),
                "error: 'duration' belongs to a formula, and 'angle_of_t' is missing"));
     CHECK(says(crank("angle_of_t = \"30 deg/s*t\", duration = \"1 s\", speed = \"1 rad/s\""),
-               "error: 'crank.speed' and 'crank.angle_of_t' both say how the crank moves"));
+               "error: 'crank.speed' and 'crank.angle_of_t' both define the motion of the crank"));
     CHECK(says(crank("angle_of_t = \"30 deg/s*t\", duration = \"1 s\", impending = \"forward\""),
                "error: 'impending' is of a drive that rests, and this one follows a law"));
     CHECK(says(crank("law_shape = \"monotone\", speed = \"1 rad/s\""),

@@ -61,6 +61,6 @@ ground = { O = ["0 mm", "0 mm"] }
 links.arm = { points = { O = ["0 mm", "0 mm"], T = ["100 mm", "0 mm"] }, angle = "0 deg", mass = "1 kg" }
 joints.O = { type = "revolute", links = ["ground", "arm"] }
 )";
-    CHECK(first_error(pendulum) == "the link 'arm' has a mass, and nothing says where its mass centre lies");
+    CHECK(first_error(pendulum) == "link 'arm' has a mass, but its mass centre is missing");
   }
 }

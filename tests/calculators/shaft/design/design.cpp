@@ -267,7 +267,7 @@ TEST_SUITE("shaft design") {
     CHECK(contains(Solved(shaft + notched + key + "d = \"42 mm\"\n").errors(),
                    "it is made for 42 mm, and the shaft has 40 mm"));
     const std::string reversing = test::with(key, "torque", "\"reversing\"");
-    CHECK(contains(Solved(shaft + notched + reversing + "d = \"40 mm\"\n").errors(), "its torque runs back to -1"));
+    CHECK(contains(Solved(shaft + notched + reversing + "d = \"40 mm\"\n").errors(), "its torque falls to -1"));
   }
 
   // Each of these passed once.

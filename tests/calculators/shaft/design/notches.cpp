@@ -110,7 +110,7 @@ TEST_SUITE("shaft design notches") {
     CHECK(contains(errors(R"(kind = "press-fit", r = "1 mm")"), "leave out r"));
     CHECK(contains(errors(R"(kind = "beta", beta_b = 2)"), "give beta_b and beta_t together"));
     CHECK(contains(errors(R"(kind = "press-fit", beta_b = 2, beta_t = 2)"), "give beta_b and beta_t together"));
-    CHECK(contains(errors(R"(kind = "keyway", h = "2 mm")"), "least height of a shoulder"));
+    CHECK(contains(errors(R"(kind = "keyway", h = "2 mm")"), "minimum height of a shoulder"));
   }
 
   TEST_CASE("a shoulder is as high as what is set against it asks") {

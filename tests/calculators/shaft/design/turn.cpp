@@ -255,7 +255,8 @@ TEST_SUITE("shaft over a turn") {
   TEST_CASE("what is open of a turn is said") {
     const auto errors = [](const std::string& crank) { return Solved(crank_press + seats(crank)).errors(); };
     const std::string forces = "{ x = \"200 mm\", F_x = \"=press.shafts.O.F_x\", F_y = \"=press.shafts.O.F_y\", ";
-    CHECK(errors(forces + "T = \"=press.shafts.O.T\" }").find("how far the shaft has turned") != std::string::npos);
+    CHECK(errors(forces + "T = \"=press.shafts.O.T\" }").find("the angle of the shaft is missing") !=
+          std::string::npos);
     CHECK(errors(forces + "T = \"=press.shafts.O.T\", psi = \"0 deg\", n = \"60 rpm\" }")
               .find("a single angle means standstill") != std::string::npos);
     CHECK(

@@ -289,10 +289,10 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
   = help: x counts from the left end: correct it, or the lengths of the segments
 )");
     CHECK(issues_of(torques + "{ x = \"0 m\", T = \"-90 N*m\" }]\n") ==
-          R"(a.toml:4:11: error: all torques act at one place, and the shaft has no length
+          R"(a.toml:4:11: error: all torques act at one position, and the shaft has no length
 4 | torques = [{ x = "0 m", T = "90 N*m" }, { x = "0 m", T = "-90 N*m" }]
   |           ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
-  = help: give each torque the place x that it acts at, from the left end
+  = help: give each torque its position x, from the left end
 )");
   }
 

@@ -1,6 +1,10 @@
 // How much the terminal answers: in short, every mode, in full, the verdict alone.
 #include "tests/cli/process.hpp"
 
+#include <filesystem>
+#include <string>
+#include <vector>
+
 using namespace loadpath::test;
 
 namespace {
@@ -29,6 +33,18 @@ TEST_SUITE("cli answer") {
     CHECK(contains(modes.out, "\n  pass            line_shaft.yield "));
     CHECK(contains(modes.out, "\n  not considered  line_shaft.brittle "));
     CHECK(loadpath_with({"run", shaft, "--full", "--modes"}).code == 2);
+  }
+
+  TEST_CASE("the designs of examples/failing fail") {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(LOADPATH_ROOT "/examples/failing")) {
+      CAPTURE(entry.path().string());
+      const Ran ran = loadpath_with({"run", (entry.path() / "project.toml").string(), "--quiet"});
+      CHECK(ran.code == 1);
+      CHECK(ran.out.starts_with("FAIL  "));
+      ++count;
+    }
+    CHECK(count >= 3);
   }
 
   TEST_CASE("--quiet prints the verdict line where it is no pass") {

@@ -36,7 +36,7 @@ struct Read {
   std::string heading, message;
 };
 
-Read read(const std::string& text, const Form& form) {
+Read read(const std::string& text, const rainflow::Form& form) {
   Read result;
   const auto reader = read_series(std::make_unique<Bytes>(text), form);
   if (!reader) return {{}, "", reader.fault().message.text()};
@@ -46,14 +46,14 @@ Read read(const std::string& text, const Form& form) {
   return result;
 }
 
-Form column(const std::string& name) {
-  Form form;
+rainflow::Form column(const std::string& name) {
+  rainflow::Form form;
   form.column = name;
   return form;
 }
 
-Form row(const std::string& name) {
-  Form form;
+rainflow::Form row(const std::string& name) {
+  rainflow::Form form;
   form.row = name;
   return form;
 }

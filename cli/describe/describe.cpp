@@ -2,6 +2,7 @@
 #include "cli/commands.hpp"
 #include "cli/describe/field.hpp"
 #include "cli/describe/full.hpp"
+#include "cli/describe/rows.hpp"
 #include "cli/describe/short.hpp"
 #include "cli/describe/templates.hpp"
 #include "lib/export/json_catalogue.hpp"

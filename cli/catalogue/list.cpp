@@ -62,7 +62,7 @@ void show_elements() {
       rows.back()[1] += " " + name;
   }
   std::cout << calculators().size() << " calculators of " << rows.size()
-            << " elements; `loadpath list WORD` searches, e.g. buckling, S-N, Welle\n\n"
+            << " elements; `loadpath list WORD` searches, e.g. buckling, S-N\n\n"
             << terminal::columns(rows, screen_width)
             << "\nMore: loadpath list shaft (titles), loadpath describe shaft.torsion\n";
 }

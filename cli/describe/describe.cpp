@@ -2,6 +2,7 @@
 #include "cli/commands.hpp"
 #include "cli/describe/field.hpp"
 #include "cli/describe/full.hpp"
+#include "cli/describe/rows.hpp"
 #include "cli/describe/short.hpp"
 #include "cli/describe/templates.hpp"
 #include "lib/export/json_catalogue.hpp"
@@ -13,7 +14,7 @@ namespace loadpath::cli {
 namespace {
 
 int refuse(const std::string& id, const Message& hint) {
-  std::cerr << "loadpath: there is no calculator '" << id << "'\n  = help: " << hint.text() << "\n";
+  std::cerr << "loadpath: unknown calculator '" << id << "'\n  = help: " << hint.text() << "\n";
   return wrong_input;
 }
 

@@ -3,6 +3,7 @@
 #include "cli/describe/example.hpp"
 #include "cli/describe/full.hpp"
 #include "cli/describe/lines.hpp"
+#include "cli/describe/rows.hpp"
 #include "cli/exit.hpp"
 #include "cli/fields/words.hpp"
 #include "lib/quantity/format.hpp"

@@ -1,7 +1,7 @@
 #include "cli/describe/templates.hpp"
 
 #include "calculators/catalogue.hpp"
-#include "cli/describe/full.hpp"
+#include "cli/describe/rows.hpp"
 #include "lib/report/terminal/terminal.hpp"
 
 #include <iostream>

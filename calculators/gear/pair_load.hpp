@@ -131,10 +131,10 @@ Bending bend(const PairInput& in, const PairResult& r, const Tooth& tooth, Trace
   if (!is_set(tooth.sigma_adm)) return bent;
   const double Y_A = tooth.both_ways ? 0.7 : 1.0;
   trace.value("sigma_F", sigma_F, "this stress");
-  trace.value("sigma_adm", tooth.sigma_adm, "allowable for teeth that bend one way");
-  trace.value(
-      "Y_A", Y_A,
-      tooth.both_ways ? "teeth under reversed bending: 0.7 of it, from memory (ISO 6336-5)" : "the teeth bend one way");
+  trace.value("sigma_adm", tooth.sigma_adm, "allowable for teeth bent in one direction");
+  trace.value("Y_A", Y_A,
+              tooth.both_ways ? "teeth under reversed bending: 0.7 of it, from memory (ISO 6336-5)"
+                              : "teeth bent in one direction");
   bent.u = NAMED_STEP(tooth.u, sigma_F / (Y_A * tooth.sigma_adm), "bending by Lewis");
   return bent;
 }

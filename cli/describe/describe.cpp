@@ -13,7 +13,7 @@ namespace loadpath::cli {
 namespace {
 
 int refuse(const std::string& id, const Message& hint) {
-  std::cerr << "loadpath: there is no calculator '" << id << "'\n  = help: " << hint.text() << "\n";
+  std::cerr << "loadpath: unknown calculator '" << id << "'\n  = help: " << hint.text() << "\n";
   return wrong_input;
 }
 

@@ -334,7 +334,7 @@ bool show_field(const Calculator& calculator, const std::string& name) {
 
 int refuse_field(const Calculator& calculator, const std::string& name) {
   const Message hint =
-      meant(name, known_names(calculator), say("`loadpath describe {1} --full` tells all", calculator.id));
+      meant(name, known_names(calculator), say("`loadpath describe {1} --full` shows all", calculator.id));
   std::cerr << "loadpath: '" << calculator.id << "' has no input, result, failure mode or part '" << name
             << "'\n  = help: " << hint.text() << "\n";
   return wrong_input;

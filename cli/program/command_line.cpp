@@ -61,7 +61,7 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
       "sources, example");
   sub->add_option("part", options.part, "the same, where the id is two words");
   sub->add_flag("--full", options.full, "every field, rule, result, failure mode and source");
-  sub->add_flag("--toml", options.toml, "the example alone, a project file that runs");
+  sub->add_flag("--toml", options.toml, "only the example, a project file that runs");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return describe(options); }; });
 }

@@ -68,7 +68,7 @@ TEST_SUITE("cli why") {
   }
 
   TEST_CASE("a size that was found tells why, by its step, by its name, and by the result of that name") {
-    const std::string reason = "smallest of R40 that passes every check; 26.5 mm fails: u_v = 1.157";
+    const std::string reason = "smallest of R40 with which no assessed mode fails; 26.5 mm fails: u_v = 1.157";
     CHECK(contains(why(end, "end").out, "\n* d = 28 mm; 26.5 mm fails: "));
     CHECK(contains(why(end, "end.d").out, reason));
     CHECK_FALSE(contains(why(end, "end.d").out, "\n  d  28 mm  outer diameter\n"));
@@ -76,7 +76,7 @@ TEST_SUITE("cli why") {
 
   TEST_CASE("a row that was found tells why") {
     CHECK(contains(why(strut, "strut").out, "\n* IPE "));
-    CHECK(contains(why(strut, "strut.section").out, " smallest of sections/ipe that passes every check"));
+    CHECK(contains(why(strut, "strut.section").out, " smallest of sections/ipe with which no assessed mode fails"));
   }
 
   TEST_CASE("a mode is told with its formulas, and beside it what decides over the step") {

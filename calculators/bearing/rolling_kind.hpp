@@ -40,7 +40,7 @@ constexpr auto choices_of(Kind) {
       ChoiceName<Kind>{Kind::cylindrical_roller_NJ, "cylindrical_roller_NJ",
                        "cylindrical roller bearing NJ: ribs in one direction"},
       ChoiceName<Kind>{Kind::cylindrical_roller_NUP, "cylindrical_roller_NUP",
-                       "cylindrical roller bearing NUP, or NJ with HJ: ribs both ways"},
+                       "cylindrical roller bearing NUP, or NJ with HJ: ribs in both directions"},
       ChoiceName<Kind>{Kind::needle_roller, "needle_roller", "needle roller bearing: no axial load"},
       ChoiceName<Kind>{Kind::tapered_roller, "tapered_roller",
                        "tapered roller bearing, single row: axial load in one direction"},

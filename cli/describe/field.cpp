@@ -69,7 +69,7 @@ std::string short_bounds(const FieldInfo& field) {
 /// What fills an input that nobody types.
 std::string filled_by(const FieldInfo& field) {
   const Provider& from = field.provider;
-  if (from.kind == Provider::Kind::companion) return std::string("what ") + from.column + " is taken from";
+  if (from.kind == Provider::Kind::companion) return std::string("the source of ") + from.column;
   if (from.kind != Provider::Kind::table) return "";
   std::string text = std::string(from.table) + " = \"NAME\", column " + from.column;
   if (*from.size != '\0') text += std::string(" at the size of ") + from.size;

@@ -17,7 +17,7 @@ constexpr auto choices_of(Sense) {
   return std::array{
       ChoiceName<Sense>{Sense::unknown, "unknown", "it is not known"},
       ChoiceName<Sense>{Sense::one_way, "one_way", "it never does"},
-      ChoiceName<Sense>{Sense::reversing, "reversing", "it does: starts both ways, or torsional vibration"}};
+      ChoiceName<Sense>{Sense::reversing, "reversing", "reversing: starts in both directions, or torsional vibration"}};
 }
 
 /// The least torque over the largest that this allows; unset where nothing is known.

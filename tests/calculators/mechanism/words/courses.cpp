@@ -111,7 +111,7 @@ TEST_SUITE("courses") {
   }
   TEST_CASE("what a course cannot say is told") {
     CHECK(first_error(by_course("stroke_of = \"guide\"")) ==
-          "a course has its shares in one of five ways, and 'it' in none");
+          "a load curve has its shares in one of five forms, and 'it' in none");
     CHECK(first_error(by_course("over_stroke = [[\"250 mm\", 0], [\"150 mm\", 1]]")) ==
           "the places of 'over_stroke' must rise from each to the next");
     CHECK(first_error(by_course("over_time = [[\"0 s\", 1]]")) == "one point is not a load curve");

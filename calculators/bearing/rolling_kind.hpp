@@ -28,12 +28,12 @@ enum class Kind {
 
 constexpr auto choices_of(Kind) {
   return std::array{
-      ChoiceName<Kind>{Kind::unstated, "unstated", "not stated, and refused"},
-      ChoiceName<Kind>{Kind::deep_groove_ball, "deep_groove_ball", "deep groove ball bearing, one row"},
+      ChoiceName<Kind>{Kind::unstated, "unstated", "not stated (refused)"},
+      ChoiceName<Kind>{Kind::deep_groove_ball, "deep_groove_ball", "deep groove ball bearing, single row"},
       ChoiceName<Kind>{Kind::angular_contact_ball, "angular_contact_ball",
                        "angular contact ball bearing, single row: axial load in one direction"},
       ChoiceName<Kind>{Kind::angular_contact_pair, "angular_contact_pair",
-                       "two rows of balls at an angle, face to face or back to back; C and C_0 of both"},
+                       "paired angular contact ball bearings, face to face or back to back; C and C_0 of the pair"},
       ChoiceName<Kind>{Kind::self_aligning_ball, "self_aligning_ball", "self-aligning ball bearing"},
       ChoiceName<Kind>{Kind::cylindrical_roller_NU, "cylindrical_roller_NU",
                        "cylindrical roller bearing NU or N: a ring without ribs, no axial load"},
@@ -45,7 +45,7 @@ constexpr auto choices_of(Kind) {
       ChoiceName<Kind>{Kind::tapered_roller, "tapered_roller",
                        "tapered roller bearing, single row: axial load in one direction"},
       ChoiceName<Kind>{Kind::tapered_pair, "tapered_pair",
-                       "two rows of tapered rollers, face to face or back to back; C and C_0 of both"},
+                       "paired tapered roller bearings, face to face or back to back; C and C_0 of the pair"},
       ChoiceName<Kind>{Kind::spherical_roller, "spherical_roller", "spherical roller bearing, two rows"},
       ChoiceName<Kind>{Kind::thrust_ball, "thrust_ball", "thrust ball bearing: axial load only, one direction"},
       ChoiceName<Kind>{Kind::thrust_roller, "thrust_roller",

@@ -211,7 +211,7 @@ Row by_rule(const Input& in, const Haigh& h, const Result& r, MeanRule rule, Tra
   row.n = load_factor(rule, h, s, row.sigma_ar, trace);
   row.sigma_A = amplitude_left(rule, h, s.sigma_m, trace);
   const Stress sigma_A = row.sigma_A;
-  row.n_m = NAMED_STEP("n_m", sigma_A / r.sigma_a, "the mean stress stays");
+  row.n_m = NAMED_STEP("n_m", sigma_A / r.sigma_a, "constant mean stress");
   row.N = life_at(in, r, row.sigma_ar, trace);
   return row;
 }

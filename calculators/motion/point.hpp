@@ -151,8 +151,7 @@ constexpr auto choices_of(Point::Change) {
   using C = Point::Change;
   return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the point rests at this time"},
                     ChoiceName<C>{C::steady, "steady", "the speed does not change at this time"},
-                    ChoiceName<C>{C::faster, "faster", "the speed grows"},
-                    ChoiceName<C>{C::slower, "slower", "the speed falls"}};
+                    ChoiceName<C>{C::faster, "faster", "accelerated"}, ChoiceName<C>{C::slower, "slower", "retarded"}};
 }
 
 }  // namespace loadpath::motion

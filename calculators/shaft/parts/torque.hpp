@@ -15,8 +15,7 @@ enum class Sense { unknown, one_way, reversing };
 
 constexpr auto choices_of(Sense) {
   return std::array{
-      ChoiceName<Sense>{Sense::unknown, "unknown", "it is not known"},
-      ChoiceName<Sense>{Sense::one_way, "one_way", "it never does"},
+      ChoiceName<Sense>{Sense::unknown, "unknown", "unknown"}, ChoiceName<Sense>{Sense::one_way, "one_way", "one-way"},
       ChoiceName<Sense>{Sense::reversing, "reversing", "reversing: starts in both directions, or torsional vibration"}};
 }
 

@@ -65,7 +65,7 @@ void forces(const PairInput& in, Moment T_1, PairResult& r, Tracer& trace) {
   STEP_TO(r, F_a, F_t * tan(in.beta), "axial, [Vortarus]");
   STEP_TO(r, F_bn, F_tw / cos(r.alpha_wt) * sqrt(1.0 + pow<2>(tan(in.beta) * cos(r.alpha_t))),
           "along the normal of the tooth");
-  STEP_TO(r, F_x1, -F_rw, "a tooth is pushed towards its own wheel, away from its mate");
+  STEP_TO(r, F_x1, -F_rw, "radial force on a tooth, towards its own gear centre");
   STEP_TO(r, F_y1, -w * 2.0 * T_1 / r.d_w1, "against the rotation where gear 1 drives");
   STEP_TO(r, F_z1, -h * F_y1 * r.d_w1 / r.d_1 * tan(in.beta), "along the axis: the force is normal to the helix");
   r.F_x2 = -F_x1, r.F_y2 = -F_y1, r.F_z2 = -F_z1;

@@ -113,7 +113,7 @@ TEST_SUITE("cli why") {
   TEST_CASE("a mode that does not concern the part is not denied") {
     const Ran told = why(strut, "strut.tension");
     CHECK(told.code == 0);
-    CHECK(contains(told.out, "\n  does not apply here  tension  yield in tension\n"));
+    CHECK(contains(told.out, "\n  does not apply here  tension  yielding in tension\n"));
   }
 
   TEST_CASE("an unknown name is refused before anything is said") {

@@ -287,7 +287,7 @@ s_0 = 2
       Mode<Input>{"film", "lubrication and contamination (a_ISO)", &unseen<Input>}.special(),
       Mode<Input>{"heat", "operating temperature and grease life", &unseen<Input>}.special(),
       Mode<Input>{"tilt", "misalignment of the rings", &unseen<Input>}.special().assessed_beside("shaft.design"),
-      Mode<Input>{"seats", "ring creep on the seats", &unseen<Input>}.special(),
+      Mode<Input>{"seats", "ring creep on the shaft and housing seats", &unseen<Input>}.special(),
       Mode<Input>{"standstill", "false brinelling, electrical erosion, corrosion", &unseen<Input>}.special()};
 
   template <class Tracer>

@@ -84,9 +84,8 @@ struct CourseTypes {
 
 constexpr auto choices_of(CourseTypes::Side) {
   using Side = CourseTypes::Side;
-  return std::array{
-      ChoiceName<Side>{Side::inside, "inside", "inside of the belt"},
-      ChoiceName<Side>{Side::outside, "outside", "outside: the belt's back runs on it, and it turns back"}};
+  return std::array{ChoiceName<Side>{Side::inside, "inside", "inside of the belt"},
+                    ChoiceName<Side>{Side::outside, "outside", "outside: runs on the belt's back, opposite rotation"}};
 }
 constexpr auto choices_of(CourseTypes::Turns) {
   using Turns = CourseTypes::Turns;

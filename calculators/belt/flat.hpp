@@ -247,8 +247,9 @@ E_b = "40 MPa"
 };
 
 constexpr auto choices_of(Arrangement) {
-  return std::array{ChoiceName<Arrangement>{Arrangement::open, "open", "both shafts turn alike"},
-                    ChoiceName<Arrangement>{Arrangement::crossed, "crossed", "the shafts turn against each other"}};
+  return std::array{
+      ChoiceName<Arrangement>{Arrangement::open, "open", "open: same direction of rotation"},
+      ChoiceName<Arrangement>{Arrangement::crossed, "crossed", "crossed: opposite directions of rotation"}};
 }  // namespace belt
 constexpr auto choices_of(Flat::Kind) {
   return std::array{ChoiceName<Flat::Kind>{Flat::Kind::conventional, "conventional", "leather, rubber: to 30 m/s"},

@@ -40,7 +40,7 @@ Drawing::View bar_view(const BucklingInput& in, const MemberResult& r, AxisName 
   Drawing::View view;
   view.is_scaled = false;
   view.room = 34.0;
-  view.title = say(axis == AxisName::y ? "bends about y" : "bends about z").text();
+  view.title = say(axis == AxisName::y ? "buckling about y" : "buckling about z").text();
   view.paths.push_back({{{0.0, 0.0}, {0.0, l}}, Drawing::Line::hidden});
   Points line;
   for (std::size_t i = 0; i < shape.x.size(); ++i) line.push_back({reach * shape.w[i], l * shape.x[i]});

@@ -138,9 +138,9 @@ constexpr auto choices_of(TrainTypes::EtaRange) {
 }
 constexpr auto choices_of(TrainTypes::Works) {
   using Works = TrainTypes::Works;
-  return std::array{ChoiceName<Works>{Works::reducer, "reducer", "a reducer: the last shaft is slower"},
-                    ChoiceName<Works>{Works::multiplier, "multiplier", "a multiplier: the last shaft is faster"},
-                    ChoiceName<Works>{Works::neither, "neither", "neither: both shafts are equally fast"}};
+  return std::array{ChoiceName<Works>{Works::reducer, "reducer", "reducer: the last shaft is slower"},
+                    ChoiceName<Works>{Works::multiplier, "multiplier", "speed increaser: the last shaft is faster"},
+                    ChoiceName<Works>{Works::neither, "neither", "neither: equal speeds"}};
 }
 
 }  // namespace loadpath::drive

@@ -183,9 +183,9 @@ wheels = [
 
 constexpr auto choices_of(Lift::Moves) {
   using M = Lift::Moves;
-  return std::array{ChoiceName<M>{M::forwards, "forwards", "along s"},
-                    ChoiceName<M>{M::backwards, "backwards", "against s: the weights drive in the opposite direction"},
-                    ChoiceName<M>{M::stands, "stands", "friction holds it at rest"}};
+  return std::array{ChoiceName<M>{M::forwards, "forwards", "positive direction of s"},
+                    ChoiceName<M>{M::backwards, "backwards", "negative direction of s, driven by the weights"},
+                    ChoiceName<M>{M::stands, "stands", "at rest, held by friction"}};
 }
 
 }  // namespace loadpath::dynamics

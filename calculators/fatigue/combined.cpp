@@ -119,7 +119,7 @@ Combined::Result Combined::evaluate(const Input& in, Tracer& trace) {
   if (!varies(in)) return r;
   compare_cycles(in, r, trace);
   STEP(sigma_t, max(in.sigma_m, 0.0 * MPa), "compression has no benefit");
-  STEP(tau_t, abs(in.tau_m), "shear of either sense");
+  STEP(tau_t, abs(in.tau_m), "shear of either sign");
   serensen(in, sigma_t, tau_t, r, trace);
   gough(in, sigma_t, tau_t, r, trace);
   mises(in, sigma_t, tau_t, r, trace);

@@ -52,7 +52,7 @@ constexpr auto cycle_fields() {
       Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"},
       Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; infinite where sigma_max is zero"}
           .may_be_infinite(),
-      Choice<Owner, Kind>{&Owner::kind, "kind", "kind of cycle"}};
+      Choice<Owner, Kind>{&Owner::kind, "kind", "cycle type"}};
 }
 
 /// Why two characteristics do not make a cycle, and what would; empty where they do.
@@ -162,13 +162,14 @@ double part_of_yield(const Input& in, const Characteristics& r, Tracer& trace) {
 }
 
 constexpr auto choices_of(Kind) {
-  return std::array{ChoiceName<Kind>{Kind::symmetric, "symmetric", "r = -1: as far below zero as above"},
-                    ChoiceName<Kind>{Kind::above, "pulsating-above", "r = 0: between zero and tension"},
-                    ChoiceName<Kind>{Kind::below, "pulsating-below", "r infinite: between zero and compression"},
-                    ChoiceName<Kind>{Kind::constant, "static", "r = 1: constant stress"},
-                    ChoiceName<Kind>{Kind::alternating, "asymmetric-alternating", "r < 0: through zero, not symmetric"},
-                    ChoiceName<Kind>{Kind::tensile, "asymmetric-above", "0 < r < 1: always above zero"},
-                    ChoiceName<Kind>{Kind::compressive, "asymmetric-below", "r > 1: always below zero"}};
+  return std::array{
+      ChoiceName<Kind>{Kind::symmetric, "symmetric", "r = -1: fully reversed"},
+      ChoiceName<Kind>{Kind::above, "pulsating-above", "r = 0: pulsating tension"},
+      ChoiceName<Kind>{Kind::below, "pulsating-below", "r infinite: pulsating compression"},
+      ChoiceName<Kind>{Kind::constant, "static", "r = 1: static"},
+      ChoiceName<Kind>{Kind::alternating, "asymmetric-alternating", "r < 0: alternating, with a mean stress"},
+      ChoiceName<Kind>{Kind::tensile, "asymmetric-above", "0 < r < 1: fluctuating tension"},
+      ChoiceName<Kind>{Kind::compressive, "asymmetric-below", "r > 1: fluctuating compression"}};
 }
 
 }  // namespace loadpath::fatigue

@@ -52,7 +52,7 @@ double sensitivity(const Input& in, Result& r, Tracer& trace) {
     return NAMED_STEP("q", 1.0 / (1.0 + a_P / in.r_n), "notch sensitivity, Peterson, from memory");
   }
   if (!is_set(in.r_n))
-    return NAMED_STEP("q", is_set(in.q) ? in.q : 1.0, is_set(in.q) ? "as given" : "no effect: there is no notch");
+    return NAMED_STEP("q", is_set(in.q) ? in.q : 1.0, is_set(in.q) ? "as given" : "not applicable without a notch");
   STEP_TO(r, x_r, 0.1 * mm / in.r_n, "sharper notches count as cracks, own bound");
   const Length a_N = neuber_length(in, r, trace);
   return NAMED_STEP("q", 1.0 / (1.0 + sqrt(a_N / in.r_n)), "notch sensitivity, Neuber, [Shigley6] (6-34)");

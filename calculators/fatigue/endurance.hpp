@@ -64,13 +64,13 @@ R_z = "6.3 um"
       modulus_of_material(&Input::E),
       density_of_material(&Input::rho),
       Choice{&Input::group, "group", "group of materials"},
-      Choice{&Input::loading, "loading", "kind of stress that varies"},
+      Choice{&Input::loading, "loading", "loading type"},
       Choice{&Input::rule, "rule", "rule that estimates the fatigue limit"}.may_be_missing(),
       Field{&Input::sigma_W, "sigma_W", MPa, "measured fatigue limit of smooth specimens, r = -1, in place of a rule"}
           .positive()
           .usually(10, 1500)
           .may_be_missing(),
-      Choice{&Input::school, "school", "school that goes from the specimen to the part"}.may_be_missing(),
+      Choice{&Input::school, "school", "method of correction factors"}.may_be_missing(),
       Field{&Input::d, "d", mm, "diameter of the part at the section"}.positive().usually(1, 1000).may_be_missing(),
       diameter_at_heat_treatment(&Input::d_h),
       Field{&Input::epsilon, "epsilon", ratio, "size factor, in place of one from d"}

@@ -78,7 +78,7 @@ constexpr auto choices_of(EnduranceTypes::Group) {
                     ChoiceName<G>{G::stainless_steel, "stainless-steel", "stainless steel"},
                     ChoiceName<G>{G::cast_steel, "cast-steel", "cast steel"},
                     ChoiceName<G>{G::grey_iron, "grey-iron", "grey cast iron"},
-                    ChoiceName<G>{G::ductile_iron, "ductile-iron", "cast iron with spheroidal graphite"},
+                    ChoiceName<G>{G::ductile_iron, "ductile-iron", "ductile (spheroidal graphite) cast iron"},
                     ChoiceName<G>{G::malleable_iron, "malleable-iron", "malleable cast iron"},
                     ChoiceName<G>{G::wrought_aluminium, "wrought-aluminium", "wrought aluminium alloy"},
                     ChoiceName<G>{G::cast_aluminium, "cast-aluminium", "cast aluminium alloy"},
@@ -123,7 +123,7 @@ constexpr auto choices_of(EnduranceTypes::Edition) {
 
 constexpr auto choices_of(EnduranceTypes::Turning) {
   using T = EnduranceTypes::Turning;
-  return std::array{ChoiceName<T>{T::rotating, "rotating", "it turns: all of its rim is stressed"},
+  return std::array{ChoiceName<T>{T::rotating, "rotating", "rotating: its full rim is stressed"},
                     ChoiceName<T>{T::standing, "standing", "non-rotating: two sides of the rim are stressed"}};
 }
 

@@ -187,7 +187,7 @@ Stress counted_mean(const Input& in, const Result& r, MeanRule rule, Tracer& tra
   if (in.compression == Life::Compression::counted && rule == MeanRule::fkm && !in_shear(in))
     return trace.value("sigma_m", r.sigma_m, "compression counts, in the fields of FKM");
   const Stress sigma_t = in_shear(in) ? abs(r.sigma_m) : max(r.sigma_m, 0.0 * MPa);
-  trace.value("sigma_t", sigma_t, in_shear(in) ? "shear of either sense" : "compression has no benefit");
+  trace.value("sigma_t", sigma_t, in_shear(in) ? "shear of either sign" : "compression has no benefit");
   const bool raised = is_set(in.K_m) && rule <= MeanRule::morrow;
   const double K_m = trace.value("K_m", raised ? in.K_m : 1.0, "notch effect on the mean stress");
   return NAMED_STEP("sigma_m", K_m * sigma_t, "as the rule counts it");
@@ -211,7 +211,7 @@ Row by_rule(const Input& in, const Haigh& h, const Result& r, MeanRule rule, Tra
   row.n = load_factor(rule, h, s, row.sigma_ar, trace);
   row.sigma_A = amplitude_left(rule, h, s.sigma_m, trace);
   const Stress sigma_A = row.sigma_A;
-  row.n_m = NAMED_STEP("n_m", sigma_A / r.sigma_a, "the mean stress stays");
+  row.n_m = NAMED_STEP("n_m", sigma_A / r.sigma_a, "constant mean stress");
   row.N = life_at(in, r, row.sigma_ar, trace);
   return row;
 }

@@ -298,7 +298,7 @@ constexpr auto choices_of(Life::Line) {
 
 constexpr auto choices_of(Life::Compression) {
   using C = Life::Compression;
-  return std::array{ChoiceName<C>{C::ignored, "ignored", "nothing: it counts as none"},
+  return std::array{ChoiceName<C>{C::ignored, "ignored", "not counted"},
                     ChoiceName<C>{C::counted, "counted", "mean stress fields of FKM"}};
 }
 

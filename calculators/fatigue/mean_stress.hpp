@@ -33,8 +33,8 @@ enum class MeanStress { constant, proportional };
 
 constexpr auto choices_of(MeanStress) {
   using M = MeanStress;
-  return std::array{ChoiceName<M>{M::constant, "constant", "case 1: the mean stays, the amplitude grows"},
-                    ChoiceName<M>{M::proportional, "proportional", "case 2: mean and amplitude grow together"}};
+  return std::array{ChoiceName<M>{M::constant, "constant", "case 1: constant mean stress"},
+                    ChoiceName<M>{M::proportional, "proportional", "case 2: constant stress ratio"}};
 }
 
 /// What the rules hold a cycle against: the strength in symmetric cycles and what the material has beside; unset where

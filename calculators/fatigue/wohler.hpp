@@ -145,7 +145,7 @@ S = "350 MPa"
 constexpr auto choices_of(Wohler::End) {
   using End = Wohler::End;
   return std::array{ChoiceName<End>{End::failure, "failure", "the specimen failed"},
-                    ChoiceName<End>{End::runout, "runout", "it did not fail: a run-out"}};
+                    ChoiceName<End>{End::runout, "runout", "run-out"}};
 }
 
 }  // namespace loadpath::fatigue

@@ -15,8 +15,8 @@ enum class Cutting { none, cast, milled, hobbed, ground };
 enum class Idler { none, gear_1, gear_2, both };
 
 constexpr auto choices_of(Mesh) {
-  return std::array{ChoiceName<Mesh>{Mesh::external, "external", "a wheel with outer teeth"},
-                    ChoiceName<Mesh>{Mesh::internal, "internal", "a ring with inner teeth"},
+  return std::array{ChoiceName<Mesh>{Mesh::external, "external", "external gear"},
+                    ChoiceName<Mesh>{Mesh::internal, "internal", "internal gear (ring gear)"},
                     ChoiceName<Mesh>{Mesh::rack, "rack", "a rack"}};
 }
 constexpr auto choices_of(Hand) {

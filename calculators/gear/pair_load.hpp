@@ -65,7 +65,7 @@ void forces(const PairInput& in, Moment T_1, PairResult& r, Tracer& trace) {
   STEP_TO(r, F_a, F_t * tan(in.beta), "axial, [Vortarus]");
   STEP_TO(r, F_bn, F_tw / cos(r.alpha_wt) * sqrt(1.0 + pow<2>(tan(in.beta) * cos(r.alpha_t))),
           "along the normal of the tooth");
-  STEP_TO(r, F_x1, -F_rw, "a tooth is pushed towards its own wheel, away from its mate");
+  STEP_TO(r, F_x1, -F_rw, "radial force on a tooth, towards its own gear centre");
   STEP_TO(r, F_y1, -w * 2.0 * T_1 / r.d_w1, "against the rotation where gear 1 drives");
   STEP_TO(r, F_z1, -h * F_y1 * r.d_w1 / r.d_1 * tan(in.beta), "along the axis: the force is normal to the helix");
   r.F_x2 = -F_x1, r.F_y2 = -F_y1, r.F_z2 = -F_z1;
@@ -131,10 +131,10 @@ Bending bend(const PairInput& in, const PairResult& r, const Tooth& tooth, Trace
   if (!is_set(tooth.sigma_adm)) return bent;
   const double Y_A = tooth.both_ways ? 0.7 : 1.0;
   trace.value("sigma_F", sigma_F, "this stress");
-  trace.value("sigma_adm", tooth.sigma_adm, "allowable for teeth that bend one way");
-  trace.value(
-      "Y_A", Y_A,
-      tooth.both_ways ? "teeth under reversed bending: 0.7 of it, from memory (ISO 6336-5)" : "the teeth bend one way");
+  trace.value("sigma_adm", tooth.sigma_adm, "allowable for teeth bent in one direction");
+  trace.value("Y_A", Y_A,
+              tooth.both_ways ? "teeth under reversed bending: 0.7 of it, from memory (ISO 6336-5)"
+                              : "teeth bent in one direction");
   bent.u = NAMED_STEP(tooth.u, sigma_F / (Y_A * tooth.sigma_adm), "bending by Lewis");
   return bent;
 }

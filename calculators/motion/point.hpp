@@ -122,7 +122,7 @@ t_2 = "2 s"
       Field{&Result::rho, "rho", m, "radius of curvature; none where the path is straight"},
       Field{&Result::gamma, "gamma", deg, "direction of the velocity in the plane xy, from x"},
       Choice{&Result::change, "change", "the point accelerates or decelerates"},
-      Field{&Result::L, "L", m, "way along the path from t_1 to t_2"},
+      Field{&Result::L, "L", m, "distance travelled from t_1 to t_2"},
       Field{&Result::Delta_r, "Delta_r", m, "displacement from t_1 to t_2, end from start"},
       Field{&Result::v_m, "v_m", m_per_s, "mean velocity from t_1 to t_2, the displacement over the time"},
       Field{&Result::v_L, "v_L", m_per_s, "mean speed from t_1 to t_2, distance / time"},
@@ -151,8 +151,7 @@ constexpr auto choices_of(Point::Change) {
   using C = Point::Change;
   return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the point rests at this time"},
                     ChoiceName<C>{C::steady, "steady", "the speed does not change at this time"},
-                    ChoiceName<C>{C::faster, "faster", "the speed grows"},
-                    ChoiceName<C>{C::slower, "slower", "the speed falls"}};
+                    ChoiceName<C>{C::faster, "faster", "accelerated"}, ChoiceName<C>{C::slower, "slower", "retarded"}};
 }
 
 }  // namespace loadpath::motion

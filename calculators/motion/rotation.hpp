@@ -115,8 +115,7 @@ constexpr auto choices_of(Rotation::Change) {
   using C = Rotation::Change;
   return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the body is at rest at this time"},
                     ChoiceName<C>{C::steady, "steady", "the angular speed does not change at this time"},
-                    ChoiceName<C>{C::faster, "faster", "the body gets faster"},
-                    ChoiceName<C>{C::slower, "slower", "the body gets slower"}};
+                    ChoiceName<C>{C::faster, "faster", "accelerated"}, ChoiceName<C>{C::slower, "slower", "retarded"}};
 }
 
 }  // namespace loadpath::motion

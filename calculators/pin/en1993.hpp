@@ -190,7 +190,7 @@ e_c2 = "35 mm"
 constexpr auto choices_of(En1993::Replaceable) {
   using Replaceable = En1993::Replaceable;
   return std::array{ChoiceName<Replaceable>{Replaceable::no, "no", "permanently installed"},
-                    ChoiceName<Replaceable>{Replaceable::yes, "yes", "it is to be drawn and replaced"}};
+                    ChoiceName<Replaceable>{Replaceable::yes, "yes", "replaceable"}};
 }
 
 }  // namespace loadpath::pin

@@ -97,7 +97,7 @@ void seats(const Input& in, Result& r, Tracer& trace) {
        in.held == Held::loose    ? max(p_1, p_2)
        : in.held == Held::in_eye ? p_2
                                  : p_1,
-       "pressure of the seat that slides; of a loose pin the larger");
+       "pressure of the sliding contact; for a loose pin the larger");
   STEP_TO(r, pv, p_s * v, "pressure times speed");
   if (is_set(in.pv_adm)) {
     STEP_TO(r, u_pv, pv / in.pv_adm, "against what the pair of materials allows");

@@ -13,8 +13,8 @@ enum class Loading { unsaid, steady, pulsating, alternating };
 
 constexpr auto choices_of(Loading) {
   return std::array{ChoiceName<Loading>{Loading::unsaid, "", "not stated"},
-                    ChoiceName<Loading>{Loading::steady, "steady", "it stays as it is"},
-                    ChoiceName<Loading>{Loading::pulsating, "pulsating", "it comes and goes from one side"},
+                    ChoiceName<Loading>{Loading::steady, "steady", "static"},
+                    ChoiceName<Loading>{Loading::pulsating, "pulsating", "pulsating"},
                     ChoiceName<Loading>{Loading::alternating, "alternating", "reversing, or rotating around the pin"}};
 }
 

@@ -56,7 +56,7 @@ void reversal(const Input& in, Result& r, Tracer& trace) {
 /// The shaft itself: the round that lies inside of the seats.
 template <class Tracer>
 void torsion_of_shaft(const Input& in, Result& r, Tracer& trace) {
-  STEP(d_k, in.d - (in.i > 1 ? 2.0 : 1.0) * in.t_1, "the round inside of the seats");
+  STEP(d_k, in.d - (in.i > 1 ? 2.0 : 1.0) * in.t_1, "the circle inside of the keyways");
   STEP_TO(r, tau_t, 16.0 * r.T_eq / (pi * pow<3>(d_k)), "of a shaft of that diameter, on the safe side");
   if (is_set(in.R_e_1)) {
     STEP_TO(r, u_t, sqrt(3.0) * r.tau_t / in.R_e_1, "equivalent stress of pure shear, [Mises]");
@@ -86,7 +86,8 @@ void fits(const Input& in, Result& r, Tracer& trace) {
     STEP_TO(r, x_t, in.t_1 / in.d, "as deep as the standard's at most");
   }
   if (in.d_bore > 0.0 * mm) {
-    STEP_TO(r, x_w, in.t_1 / ((in.d - in.d_bore) / 2.0 - in.t_1), "a wall as thick as the seat is deep is left");
+    STEP_TO(r, x_w, in.t_1 / ((in.d - in.d_bore) / 2.0 - in.t_1),
+            "remaining wall at least as thick as the keyway depth");
   }
   if (!is_set(in.t_2)) return;
   STEP_TO(r, x_h, in.h / (in.t_1 + in.t_2), "with clearance above the key");

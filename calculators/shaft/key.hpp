@@ -208,9 +208,9 @@ R_e_k = "420 MPa"
                       "the bore of the mounted component must equal the shaft diameter"},
           Rule<Input>{&sizes_given, "b, h, t_1", "give a key: key = \"14x9\", or b, h and t_1"},
           Rule<Input>{[](const Input& in) { return !sizes_given(in) || in.t_1 < in.h; }, "t_1, h",
-                      "the seat in the shaft must be less deep than the key is high"},
+                      "keyway depth t_1 must be less than key height h"},
           Rule<Input>{[](const Input& in) { return !sizes_given(in) || 2.0 * in.t_1 < in.d - in.d_bore; },
-                      "t_1, d, d_bore", "the seat cuts the shaft through, or the wall of a hollow one"},
+                      "t_1, d, d_bore", "keyway depth t_1 must be less than d/2 or the wall of a hollow shaft"},
           Rule<Input>{
               [](const Input& in) { return !is_set(in.b) || !is_set(in.l) || in.form == Form::B || in.l > in.b; },
               "l, b, form", "a key with round ends must be longer than it is wide"},

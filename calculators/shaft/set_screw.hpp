@@ -166,8 +166,8 @@ S = 2
 constexpr auto choices_of(SetScrew::Case) {
   using Case = SetScrew::Case;
   return std::array{ChoiceName<Case>{Case::unsaid, "unsaid", "not stated: dynamic if K_A exceeds 1"},
-                    ChoiceName<Case>{Case::at_rest, "static", "they stay, without shocks: a safety of 1.5 at least"},
-                    ChoiceName<Case>{Case::dynamic, "dynamic", "they vary or shake: a safety of 4 at least"}};
+                    ChoiceName<Case>{Case::at_rest, "static", "static, without shocks: safety factor at least 1.5"},
+                    ChoiceName<Case>{Case::dynamic, "dynamic", "dynamic: safety factor at least 4"}};
 }
 constexpr auto choices_of(SetScrew::Point) {
   using Point = SetScrew::Point;

@@ -241,9 +241,8 @@ R_e_2 = "300 MPa"
 
 constexpr auto choices_of(Spline::Hub) {
   using Hub = Spline::Hub;
-  return std::array{ChoiceName<Hub>{Hub::unknown, "unknown", "it is not known"},
-                    ChoiceName<Hub>{Hub::fixed, "fixed", "it stays where it is"},
-                    ChoiceName<Hub>{Hub::slides, "slides", "it is shifted along the shaft"}};
+  return std::array{ChoiceName<Hub>{Hub::unknown, "unknown", "unknown"}, ChoiceName<Hub>{Hub::fixed, "fixed", "fixed"},
+                    ChoiceName<Hub>{Hub::slides, "slides", "sliding"}};
 }
 constexpr auto choices_of(Spline::Centring) {
   using Centring = Spline::Centring;

@@ -124,9 +124,10 @@ sigma_adm = "140 MPa"
 
 constexpr auto choices_of(Cylinder::Ends) {
   using Ends = Cylinder::Ends;
-  return std::array{ChoiceName<Ends>{Ends::closed, "closed", "ends that the wall holds together"},
-                    ChoiceName<Ends>{Ends::open, "open", "a pipe: no pull along the axis"},
-                    ChoiceName<Ends>{Ends::ringed, "ringed", "closed, with rings that take part of the hoop force"}};
+  return std::array{
+      ChoiceName<Ends>{Ends::closed, "closed", "closed ends"},
+      ChoiceName<Ends>{Ends::open, "open", "open pipe: no axial force"},
+      ChoiceName<Ends>{Ends::ringed, "ringed", "ring-reinforced: closed, with rings that take part of the hoop force"}};
 }
 
 constexpr auto choices_of(Cylinder::Support) {

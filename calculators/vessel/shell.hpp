@@ -130,8 +130,8 @@ sigma_adm = "120 MPa"
 
 constexpr auto choices_of(Shell::Start) {
   using Start = Shell::Start;
-  return std::array{ChoiceName<Start>{Start::closed, "closed", "a lid that the shell holds"},
-                    ChoiceName<Start>{Start::open, "open", "nothing: no pull along the meridian there"}};
+  return std::array{ChoiceName<Start>{Start::closed, "closed", "closed by a lid"},
+                    ChoiceName<Start>{Start::open, "open", "open: no meridional force there"}};
 }
 
 }  // namespace loadpath::vessel

@@ -91,8 +91,7 @@ constexpr auto wall_inputs() {
           .usually(1, 6)
           .may_be_missing()
           .factor(),
-      Choice<Input, Measured>{&Input::measured, "measured", "surface of the wall that the given radii belong to"}
-          .may_be_missing(),
+      Choice<Input, Measured>{&Input::measured, "measured", "reference surface of the radii"}.may_be_missing(),
       Choice<Input, Hypothesis>{&Input::hypothesis, "hypothesis", "strength hypothesis of the equivalent stress"}
           .may_be_missing()};
 }
@@ -172,8 +171,8 @@ bool has_liquid(const Input& in) {
 }
 
 constexpr auto choices_of(Measured) {
-  return std::array{ChoiceName<Measured>{Measured::mean, "mean", "middle of the wall as ordered"},
-                    ChoiceName<Measured>{Measured::inner, "inner", "inside of the wall, before it corrodes"},
+  return std::array{ChoiceName<Measured>{Measured::mean, "mean", "middle of the nominal wall"},
+                    ChoiceName<Measured>{Measured::inner, "inner", "inside of the wall, uncorroded"},
                     ChoiceName<Measured>{Measured::outer, "outer", "outside of the wall"}};
 }
 

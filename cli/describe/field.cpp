@@ -70,7 +70,7 @@ std::string short_bounds(const FieldInfo& field) {
 /// What fills an input that nobody types.
 std::string filled_by(const FieldInfo& field) {
   const Provider& from = field.provider;
-  if (from.kind == Provider::Kind::companion) return std::string("what ") + from.column + " is taken from";
+  if (from.kind == Provider::Kind::companion) return std::string("the source of ") + from.column;
   if (from.kind != Provider::Kind::table) return "";
   std::string text = std::string(from.table) + " = \"NAME\", column " + from.column;
   if (*from.size != '\0') text += std::string(" at the size of ") + from.size;
@@ -335,7 +335,7 @@ bool show_field(const Calculator& calculator, const std::string& name) {
 
 int refuse_field(const Calculator& calculator, const std::string& name) {
   const Message hint =
-      meant(name, known_names(calculator), say("`loadpath describe {1} --full` tells all", calculator.id));
+      meant(name, known_names(calculator), say("`loadpath describe {1} --full` shows all", calculator.id));
   std::cerr << "loadpath: '" << calculator.id << "' has no input, result, failure mode or part '" << name
             << "'\n  = help: " << hint.text() << "\n";
   return wrong_input;

@@ -274,7 +274,7 @@ Lines example_lines(const Calculator& calculator) {
       from = end + 1;
     }
   }
-  lines.emplace_back("In a file: --toml prints a project that runs; --full tells all");
+  lines.emplace_back("In a file: --toml prints a project that runs; --full shows all");
   return lines;
 }
 

@@ -44,7 +44,7 @@ void show_templates(const Calculator& calculator) {
     rows.push_back({std::string("  ") + t->id, t->title, joined(keys)});
   }
   std::cout << "Templates, template = \"NAME\" with its parameters in place of what it makes\n"
-            << terminal::columns(rows) << "  `loadpath describe " << calculator.id << ".NAME` tells more\n\n";
+            << terminal::columns(rows) << "  `loadpath describe " << calculator.id << ".NAME` shows one\n\n";
 }
 
 const Template* template_of(const std::string& id, const Calculator*& calculator) {

@@ -49,7 +49,7 @@ std::string type_of(const FieldInfo& field) {
     case Type::quantity:
       return field.unit;
     case Type::count:
-      return "whole number";
+      return "integer";
     case Type::choice:
       return words_of(field);
     case Type::name:

@@ -44,7 +44,7 @@ std::optional<std::string> ask(const std::string& question, const std::string& p
 
 /// The template selected by the user, by its name or its number.
 const Starter* ask_for_starter() {
-  std::cerr << "What is it?\n";
+  std::cerr << "Type of project?\n";
   for (std::size_t i = 0; i < starters().size(); ++i)
     std::cerr << "  " << i + 1 << "  " << starters()[i].name << ": " << starters()[i].title << "\n";
   while (const auto answer = ask("name or number", "")) {

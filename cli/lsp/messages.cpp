@@ -15,12 +15,12 @@ const json::value& member(const json::object& all, std::string_view key) {
 }
 
 [[noreturn]] void refuse(std::string_view key, const char* what) {
-  throw Refusal(Fail::invalid_params, "'" + std::string(key) + "' is no " + what);
+  throw Refusal(Fail::invalid_params, "'" + std::string(key) + "' is not " + what);
 }
 
 std::size_t count_in(const json::object& all, std::string_view key) {
   const json::value& value = member(all, key);
-  if (!value.is_int64() || value.as_int64() < 0) refuse(key, "whole number of 0 or more");
+  if (!value.is_int64() || value.as_int64() < 0) refuse(key, "an integer of 0 or more");
   return static_cast<std::size_t>(value.as_int64());
 }
 
@@ -57,19 +57,19 @@ json::object to_json(const Symbol& symbol) {
 
 const json::object& object_in(const json::object& all, std::string_view key) {
   const json::value& value = member(all, key);
-  if (!value.is_object()) refuse(key, "object");
+  if (!value.is_object()) refuse(key, "an object");
   return value.get_object();
 }
 
 const json::array& array_in(const json::object& all, std::string_view key) {
   const json::value& value = member(all, key);
-  if (!value.is_array()) refuse(key, "array");
+  if (!value.is_array()) refuse(key, "an array");
   return value.get_array();
 }
 
 std::string text_in(const json::object& all, std::string_view key) {
   const json::value& value = member(all, key);
-  if (!value.is_string()) refuse(key, "string");
+  if (!value.is_string()) refuse(key, "a string");
   return std::string(std::string_view(value.get_string()));
 }
 

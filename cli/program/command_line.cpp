@@ -56,12 +56,11 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
   sub->add_option("id", options.id, "calculator, for example shaft.torsion")->required();
   sub->add_option(
       "name", options.name,
-      "its name where the id is an element alone, as in shaft torsion; else an input, a result or a failure "
-      "mode, as in shaft.torsion theta_adm; or a part: inputs, keys, templates, rules, results, modes, "
-      "sources, example");
+      "its name if the id is only an element, e.g. shaft torsion; else an input, a result or a failure mode, e.g. "
+      "shaft.torsion theta_adm; or a part: inputs, keys, templates, rules, results, modes, sources, example");
   sub->add_option("part", options.part, "the same, where the id is two words");
   sub->add_flag("--full", options.full, "every field, rule, result, failure mode and source");
-  sub->add_flag("--toml", options.toml, "the example alone, a project file that runs");
+  sub->add_flag("--toml", options.toml, "only the example, a project file that runs");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return describe(options); }; });
 }

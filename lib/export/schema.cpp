@@ -117,7 +117,7 @@ json::object any_step(Calculators calculators, Definitions& definitions) {
 json::object heading_schema() {
   json::object properties;
   for (const std::string& key : project::heading_keys()) properties[key] = text();
-  properties["paper"] = {{"enum", json::array{"A4", "letter"}}, {"description", "what reports are printed on"}};
+  properties["paper"] = {{"enum", json::array{"A4", "letter"}}, {"description", "paper size of reports"}};
   properties["report"] = {
       {"type", "string"},
       {"pattern", "\\.(html|md|tex|pdf)$"},

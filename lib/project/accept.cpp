@@ -20,7 +20,7 @@ void read_reason(const Tree::Entry& entry, StepInput& input, std::vector<Issue>&
                       did_you_mean(entry.key, ids, say("`loadpath describe {1}` lists them", input.calculator->id)),
                       Severity::error});
   } else if (!is_reason(entry.value)) {
-    issues.push_back({entry.value.place, key, say("what is accepted needs a reason, a text of one line"),
+    issues.push_back({entry.value.place, key, say("an accepted mode needs a reason, a text of one line"),
                       say("write {1} = \"rated by the manufacturer, drawing 12\"", entry.key), Severity::error});
   } else {
     input.accepted[entry.key] = {entry.value.text, entry.place};

@@ -277,11 +277,11 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
   }
   if (info.by_rest && !step.loads().left.empty()) {
     mode.note = *info.use != '\0'
-                    ? say("not included, although it acts with the load: {1}; use {2}, or assess it by hand: "
+                    ? say("acting with the load: {1}; replace by a step of {2}, or assess them separately: "
                           "accept.{3} = \"...\"",
                           step.loads().left, info.use, info.id)
-                    : say("not included, although it acts with the load: {1}; assess it by hand: accept.{2} = \"...\"",
-                          step.loads().left, info.id);
+                    : say("acting with the load: {1}; assess them separately: accept.{2} = \"...\"", step.loads().left,
+                          info.id);
   }
   // A row that assesses nothing says itself why.
   if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();

@@ -35,7 +35,7 @@ void add(std::vector<Issue>& issues, const Place& place, Message message, Messag
 /// Why a file cannot be read, before it is tried: a device has no end.
 Message why_not(const fs::path& path) {
   std::error_code error;
-  if (!fs::exists(path, error)) return say("there is no file '{1}'", path.string());
+  if (!fs::exists(path, error)) return say("no file '{1}'", path.string());
   if (!fs::is_regular_file(path, error)) return say("'{1}' is not a text file", path.string());
   if (fs::file_size(path, error) > toml::largest_file)
     return say("'{1}' is larger than 4 MiB, which no table needs", path.string());

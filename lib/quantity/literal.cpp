@@ -119,8 +119,7 @@ Outcome<Literal> rotational_speed(Written w) {
     return refuse(w, say("'{1}' is a frequency, an angular speed is expected", w.text),
                   say("write it in rpm or in rad/s"));
   if (w.unit.names != 1 || !w.unit.has(Mark::minute))
-    return refuse(w, say("'{1}' can be read in two ways: in radians or in revolutions", w.text),
-                  say("write 'rad/s' or 'rev/s'"));
+    return refuse(w, say("'{1}' is ambiguous: radians or revolutions", w.text), say("write 'rad/s' or 'rev/s'"));
   w.unit.factor = find_unit("rpm").row->factor;
   w.unit.dimension = angular_speed;
   return in_si(w);

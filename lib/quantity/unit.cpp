@@ -169,7 +169,7 @@ class UnitReader {
     Power power;
     if (!exponent(power)) return false;
     if (row.mark == Mark::run_together && !power.is_one())
-      return fail(from, in_.at - from, say("'{1}' can be read in two ways", since(from)),
+      return fail(from, in_.at - from, say("'{1}' is ambiguous", since(from)),
                   say("write '{1}'", split(name) + std::string(in_.text.substr(end, in_.at - end))));
     return raise(out, power) || too_large(from);
   }

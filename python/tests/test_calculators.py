@@ -186,7 +186,7 @@ class Arrays(unittest.TestCase):
         inputs = {**example_of(key), "i": np.array([1.0, 1.5, 2.0])}
         sweep = key.sweep(inputs)
         np.testing.assert_array_equal(sweep.is_refused, [False, True, False])
-        self.assertIn("is no whole number", sweep.refused[0].message)
+        self.assertIn("is not an integer", sweep.refused[0].message)
 
 
 class Names(unittest.TestCase):

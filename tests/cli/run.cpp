@@ -160,7 +160,7 @@ TEST_SUITE("cli run") {
   TEST_CASE("what a search has found stands at the top, with its reason") {
     const Desk desk;
     desk.put("a.toml", passing);
-    const std::string reason = "smallest of R40 that passes every check; 75 mm fails: u_tau = 1.086";
+    const std::string reason = "smallest of R40 with which no assessed mode fails; 75 mm fails: u_tau = 1.086";
     const Ran ran = desk.run({"run", "a.toml", "--full", "--report", "a.md", "--report", "a.html"});
     CHECK(contains(ran.out, ")\n  found  d = 80 mm  " + reason + "\n"));
     CHECK(contains(loadpath_with({"shaft", "torsion", "--T", "2700 N*m", "--tau_adm", "30 MPa", "--full"}).out,

@@ -100,7 +100,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
         0);
     for (const std::string folder : {"other", "letters"}) {
       refused(sweep(desk, folder), "there is something already");
-      refused(sweep(desk, folder, {"--resume"}), "no sweep exists there");
+      refused(sweep(desk, folder, {"--resume"}), "no sweep in this folder");
     }
     CHECK(desk.has("other/columns/3-tau.npy"));
     CHECK(desk.shell("ls -A letters").out == "one\n");
@@ -204,7 +204,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     REQUIRE(sweep(desk, "s1", {"--shard", "1/3"}).code == 0);
     REQUIRE(sweep(desk, "s3", {"--shard", "3/3"}).code == 0);
     refused(sweep(desk, "m", {"--merge", "s1", "s3"}), "the points 140032-280063 are in no shard");
-    refused(sweep(desk, "m", {"--merge", "s1", "s2", "s3"}), "'s2': no sweep exists there");
+    refused(sweep(desk, "m", {"--merge", "s1", "s2", "s3"}), "'s2': no sweep in this folder");
     const Ran killed = shell(desk,
                              "$P sweep a.toml --quiet --out s2 --shard 2/3 --save-every 0 & at=$!; "
                              "while [ ! -e s2/state ]; do :; done; kill -9 $at; wait $at");

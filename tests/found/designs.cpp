@@ -205,7 +205,8 @@ TEST_SUITE("found factors") {
     CHECK(mode_of(idler, "first", "root_1") == "pass");
     const auto apart = solved_as_found(two_pairs(torque + "z_1 = 40\nx_1 = 0.1\nidler = \"none\"\n"));
     CHECK(mode_of(apart, "second", "root_1") == "pass");
-    CHECK(holds(first_error_of(two_pairs(torque + "z_1 = \"=first.z_2\"\nidler = \"none\"\n")), "bend both ways"));
+    CHECK(holds(first_error_of(two_pairs(torque + "z_1 = \"=first.z_2\"\nidler = \"none\"\n")),
+                "reversed tooth bending"));
     for (const char* teeth : {"z_1 = 40\n", "z_1 = \"=40\"\n", "z_1 = \"=2*20\"\n"})
       CHECK(holds(first_error_of(two_pairs(torque + teeth)), "the same module and number of teeth"));
   }

@@ -115,7 +115,7 @@ TEST_SUITE("found fatigue limits") {
          {"lg_a = 10.970", "lg_a = 12.192\nN_1 = 1e6", "lg_a = 14.885\nm_1 = 4", "lg_a = 12.0"})
       CHECK_MESSAGE(limit_fault("fatigue.history", dnv + sound).empty(), sound);
     refuses_limit("fatigue.history", dnv + "detail = \"C\"\nlg_a = 12.592", "has its own lg a");
-    refuses_limit("fatigue.history", "detail = \"C\"", "only the data of the chosen curve");
+    refuses_limit("fatigue.history", "detail = \"C\"", "only the numbers of the chosen curve");
   }
 
   TEST_CASE("P3: a history is repeated once at least, and every block of it occurs") {

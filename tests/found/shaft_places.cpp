@@ -107,7 +107,7 @@ TEST_SUITE("found places on shafts") {
     CHECK(set_at_20.mode("shaft.fatigue").state == account::State::fail);
     CHECK(std::abs(set_at_20.mode("shaft.fatigue").utilisation.value_or(0.0) - 1.37) < 0.01);  // found by attack: 1.37
     CHECK(set_at_55.mode("shaft.fatigue").state == account::State::fail);
-    refuses_shaft(keyed_shaft("x = \"100 mm\", part = \"=key.notch\""), "no seat is held by a key");
+    refuses_shaft(keyed_shaft("x = \"100 mm\", part = \"=key.notch\""), "no mounted component has a key");
     refuses_shaft(keyed_shaft("x = \"20 mm\", kind = \"keyway\""), "the shaft carries no torque at 20 mm");
     CHECK(Solved(keyed_shaft("x = \"55 mm\", kind = \"keyway\"")).errors().empty());
     refuses_shaft(keyed_shaft("x = \"40 mm\", part = \"=key.notch\"",
@@ -119,7 +119,7 @@ TEST_SUITE("found places on shafts") {
 
   TEST_CASE("the end of a press-fitted hub lies beside what it carries, toward the torque") {
     refuses_shaft(keyed_shaft("x = \"150 mm\", kind = \"press-fit\""),
-                  "no seat and no bearing is near a hub that ends at 150 mm");
+                  "no mounted component and no bearing near a hub that ends at 150 mm");
     refuses_shaft(keyed_shaft("x = \"15 mm\", kind = \"press-fit\""), "the shaft carries no torque at 15 mm");
     CHECK(Solved(keyed_shaft("x = \"45 mm\", kind = \"press-fit\"")).errors().empty());
   }
@@ -128,7 +128,7 @@ TEST_SUITE("found places on shafts") {
     const std::string hollow = R"({ l = "300 mm", d = "32 mm", d_bore = "26 mm" })",
                       thick = R"({ l = "300 mm", d = "32 mm", d_bore = "8 mm" })",
                       thin = R"({ l = "300 mm", d = "32 mm", d_bore = "18 mm" })";
-    refuses_shaft(keyed_shaft("x = \"55 mm\", kind = \"keyway\"", hollow), "give the depth t");
+    refuses_shaft(keyed_shaft("x = \"55 mm\", kind = \"keyway\"", hollow), "give the keyway depth t");
     refuses_shaft(keyed_shaft("x = \"55 mm\", part = \"=key.notch\"", hollow), "cuts through the wall of 3 mm");
     refuses_shaft(keyed_shaft("x = \"55 mm\", part = \"=key.notch\"", thin), "2 mm of wall are left");
     CHECK(Solved(keyed_shaft("x = \"55 mm\", part = \"=key.notch\"", thick)).errors().empty());

@@ -100,7 +100,7 @@ TEST_SUITE("found tables") {
     const std::string parts = "[g]\ncalculator = \"section.built_up\"\nparts = [{ section = \"IPE 200\" }]\n";
     CHECK(first_error_of(parts).empty());
     CHECK(first_error_of("[tables.sections.\"IPE 200\"]\nsource = \"maker\"\nA = \"20 cm^2\"\n" + parts)
-              .starts_with("'IPE 200' is a section of the project's own, and 'section.built_up' takes those"));
+              .starts_with("'IPE 200' is a section of the project, but 'section.built_up' takes only those"));
   }
 
   TEST_CASE("values of tables stand in expressions, with their dimension known when the file is read") {

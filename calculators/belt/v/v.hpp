@@ -201,7 +201,7 @@ L = "2650 mm"
           Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},
           Rule<Input>{&class_fits, "belt_class, basis", "the class of the belt goes with the basis iso", &wrong_class},
           Rule<Input>{&service_is_given, "K_A, duty, motor, h_day",
-                      "give K_A; on the basis optibelt duty, motor and h_day may stand in its place, never both"},
+                      "give K_A; on the basis optibelt duty, motor and h_day may replace it, never both"},
           Rule<Input>{[](const Input& in) { return !is_set(in.K_A_1) || in.basis == Basis::iso; }, "K_A_1, basis",
                       "K_A_1 belongs to the basis iso; the tension of the basis optibelt takes the one K_A"},
           Rule<Input>{[](const Input& in) { return in.C_K_end == End::low || in.basis == Basis::iso; },

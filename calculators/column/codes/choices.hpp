@@ -13,12 +13,12 @@ enum class Ends { unsaid, pinned_pinned, fixed_free, fixed_pinned, fixed_fixed, 
 constexpr auto choices_of(Ends) {
   using E = Ends;
   return std::array{ChoiceName<E>{E::unsaid, "", "not stated"},
-                    ChoiceName<E>{E::pinned_pinned, "pinned_pinned", "hinged at both ends"},
-                    ChoiceName<E>{E::fixed_free, "fixed_free", "built in at the start, free at the end"},
-                    ChoiceName<E>{E::fixed_pinned, "fixed_pinned", "built in at the start, hinged at the end"},
-                    ChoiceName<E>{E::fixed_fixed, "fixed_fixed", "built in at both ends"},
-                    ChoiceName<E>{E::fixed_guided, "fixed_guided", "sway: built in, the other end only moves across"},
-                    ChoiceName<E>{E::pinned_guided, "pinned_guided", "sway: hinged, the other end only moves across"}};
+                    ChoiceName<E>{E::pinned_pinned, "pinned_pinned", "pinned at both ends"},
+                    ChoiceName<E>{E::fixed_free, "fixed_free", "fixed at the start, free at the end"},
+                    ChoiceName<E>{E::fixed_pinned, "fixed_pinned", "fixed at the start, pinned at the end"},
+                    ChoiceName<E>{E::fixed_fixed, "fixed_fixed", "fixed at both ends"},
+                    ChoiceName<E>{E::fixed_guided, "fixed_guided", "sway: fixed at the start, guided at the end"},
+                    ChoiceName<E>{E::pinned_guided, "pinned_guided", "sway: pinned at the start, guided at the end"}};
 }
 
 /// Where the effective length factors of these cases come from.
@@ -37,14 +37,14 @@ enum class Method { euler, tetmajer, johnson, rankine, secant, ec3, aisc, sp16, 
 
 constexpr auto choices_of(Method) {
   using M = Method;
-  return std::array{ChoiceName<M>{M::euler, "euler", "Euler, elastic, above the limit slenderness"},
+  return std::array{ChoiceName<M>{M::euler, "euler", "Euler, elastic, above the limiting slenderness"},
                     ChoiceName<M>{M::tetmajer, "tetmajer", "Tetmajer-Yasinsky: minimum of yield, Tetmajer and Euler"},
                     ChoiceName<M>{M::johnson, "johnson", "Johnson's parabola, Euler above it"},
                     ChoiceName<M>{M::rankine, "rankine", "Rankine-Gordon"},
                     ChoiceName<M>{M::secant, "secant", "secant formula, with an eccentricity"},
                     ChoiceName<M>{M::ec3, "ec3", "EN 1993-1-1:2005, 6.3.1, flexural buckling"},
                     ChoiceName<M>{M::aisc, "aisc", "AISC 360, E3, allowable strength"},
-                    ChoiceName<M>{M::sp16, "sp16", "SP 16.13330, 7.1.3, its coefficients recalled"},
+                    ChoiceName<M>{M::sp16, "sp16", "SP 16.13330, 7.1.3, coefficients from memory"},
                     ChoiceName<M>{M::unsaid, "", "ec3 of a steel section of the tables, else johnson"}};
 }
 
@@ -103,14 +103,14 @@ constexpr auto choices_of(Class) {
                     ChoiceName<C>{C::steel, "steel", "steel: n_st 1.8 to 3"},
                     ChoiceName<C>{C::cast_iron, "cast_iron", "cast iron: n_st 5 to 5.5"},
                     ChoiceName<C>{C::wood, "wood", "wood: n_st 2.8 to 3.2"},
-                    ChoiceName<C>{C::other, "other", "another material, for which the steel codes do not hold"}};
+                    ChoiceName<C>{C::other, "other", "another material, not covered by the steel codes"}};
 }
 
 enum class AxisName { y, z };
 
 constexpr auto choices_of(AxisName) {
-  return std::array{ChoiceName<AxisName>{AxisName::y, "y", "bends about y"},
-                    ChoiceName<AxisName>{AxisName::z, "z", "bends about z"}};
+  return std::array{ChoiceName<AxisName>{AxisName::y, "y", "buckling about y"},
+                    ChoiceName<AxisName>{AxisName::z, "z", "buckling about z"}};
 }
 
 enum class Loading { none, compression, tension };

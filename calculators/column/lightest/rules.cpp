@@ -179,10 +179,10 @@ FieldFault Lightest::none_carries(const Input& in) {
                 names, format_quantity(in_si(r.F), kN.symbol), r.section.view()),
             say("name heavier families, or hold the bar better")};
   }
-  return {"",
-          say("no section of {1} carries the bar: {2} comes nearest, and there {3}", names, r.section.view(),
-              choice_of(failure).doc),
-          remedy_of(failure)};
+  return {
+      "",
+      say("no section of {1} carries the bar; nearest is {2}: {3}", names, r.section.view(), choice_of(failure).doc),
+      remedy_of(failure)};
 }
 
 namespace {

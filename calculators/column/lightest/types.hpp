@@ -69,16 +69,15 @@ struct LightestTypes {
 
 constexpr auto choices_of(LightestTypes::Failure) {
   using Failure = LightestTypes::Failure;
-  return std::array{
-      ChoiceName<Failure>{Failure::none, "none", "it carries the bar"},
-      ChoiceName<Failure>{Failure::load, "load", "the force is above the allowable one"},
-      ChoiceName<Failure>{Failure::tension, "tension", "it yields in tension"},
-      ChoiceName<Failure>{Failure::range, "range", "it is outside of the range of the method"},
-      ChoiceName<Failure>{Failure::open, "open", "its buckling curve is open: give the kind"},
-      ChoiceName<Failure>{Failure::strength, "strength", "no strength is given for its thickness"},
-      ChoiceName<Failure>{Failure::beyond, "beyond", "it is more slender than the table of the code goes"},
-      ChoiceName<Failure>{Failure::slenderness, "slenderness", "it is more slender than is allowed"},
-      ChoiceName<Failure>{Failure::thin, "thin", "a wall buckles locally"}};
+  return std::array{ChoiceName<Failure>{Failure::none, "none", "none: the section passes"},
+                    ChoiceName<Failure>{Failure::load, "load", "allowable force exceeded"},
+                    ChoiceName<Failure>{Failure::tension, "tension", "yielding in tension"},
+                    ChoiceName<Failure>{Failure::range, "range", "outside the range of the method"},
+                    ChoiceName<Failure>{Failure::open, "open", "buckling curve unknown: give the section type"},
+                    ChoiceName<Failure>{Failure::strength, "strength", "no strength given for its thickness"},
+                    ChoiceName<Failure>{Failure::beyond, "beyond", "slenderness beyond the code table"},
+                    ChoiceName<Failure>{Failure::slenderness, "slenderness", "slenderness limit exceeded"},
+                    ChoiceName<Failure>{Failure::thin, "thin", "local buckling"}};
 }
 
 }  // namespace loadpath::column

@@ -163,7 +163,7 @@ FieldFault support_outside(const Member& in) {
   const std::string path = std::string(at.list) + "[" + std::to_string(at.place + 1) + "].x";
   return {path,
           say("supports lie between the ends of the bar, 0 and {1}, in order", format_quantity(in_si(in.l), mm.symbol)),
-          say("the ends are no supports of this list; sort the others by x")};
+          say("omit the ends from this list; sort the others by x")};
 }
 
 bool supports_need_ends(const Member& in) {
@@ -196,7 +196,7 @@ FieldFault assumed_factors(const Member& in) {
           say("partial factors of EN 1993-1-1 assumed: {1}", both                 ? "gamma_M1 = 1.0, gamma_F = 1"
                                                              : is_set(in.gamma_F) ? "gamma_M1 = 1.0"
                                                                                   : "gamma_F = 1"),
-          say("give gamma_F where the force is no design value, gamma_M1 where 6.1 or the national annex has another")};
+          say("give gamma_F if the force is not a design value, gamma_M1 if 6.1 or the national annex has another")};
 }
 
 bool method_suits_class(const Member& in) {

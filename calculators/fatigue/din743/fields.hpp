@@ -179,7 +179,7 @@ constexpr auto din743_results() {
 constexpr auto choices_of(Notch) {
   using N = Notch;
   return std::array{
-      ChoiceName<N>{N::untold, "untold", "not given, so that no section is rated by it"},
+      ChoiceName<N>{N::untold, "untold", "not stated: no section is assessed with it"},
       ChoiceName<N>{N::smooth, "smooth", "no notch"},
       ChoiceName<N>{N::shoulder, "shoulder", "shoulder from d to D with the radius r"},
       ChoiceName<N>{N::round_groove, "round-groove", "round groove with radius r, outer diameter D"},
@@ -188,10 +188,10 @@ constexpr auto choices_of(Notch) {
       ChoiceName<N>{N::v_groove, "v-groove", "sharp V-groove, r about 0.1 mm, outer diameter D"},
       ChoiceName<N>{N::keyway, "keyway", "one keyway with its hub"},
       ChoiceName<N>{N::two_keyways, "two-keyways", "two keyways with their hub"},
-      ChoiceName<N>{N::press_fit, "press-fit", "hub pressed on, at its edge"},
-      ChoiceName<N>{N::cross_hole, "cross-hole", "hole across with the radius r"},
-      ChoiceName<N>{N::alpha, "alpha", "shape factors as typed"},
-      ChoiceName<N>{N::beta, "beta", "notch factors as typed: splines, undercuts, tests"}};
+      ChoiceName<N>{N::press_fit, "press-fit", "press-fitted hub, at its edge"},
+      ChoiceName<N>{N::cross_hole, "cross-hole", "cross hole of radius r"},
+      ChoiceName<N>{N::alpha, "alpha", "stress concentration factors as given"},
+      ChoiceName<N>{N::beta, "beta", "fatigue notch factors as given: splines, undercuts, tests"}};
 }
 
 constexpr auto choices_of(SteelGroup) {

@@ -26,7 +26,7 @@ constexpr auto fkm_reference(Length Input::*at, const char* key, const char* doc
 template <class Input>
 constexpr auto fkm_steel() {
   return Fields{
-      Choice<Input, FkmSteelGroup>{&Input::steel, "steel", "kind of steel, for size, support and fatigue limit"},
+      Choice<Input, FkmSteelGroup>{&Input::steel, "steel", "steel group, for size, support and fatigue limit"},
       fkm_strength<Input>(&Input::R_mN, "R_mN", "tensile strength of the standard, at its reference diameter", 250,
                           2000),
       fkm_strength<Input>(&Input::R_eN, "R_eN", "yield strength of the standard, at its reference diameter", 150, 1800),
@@ -127,7 +127,7 @@ constexpr auto fkm_results() {
 constexpr auto choices_of(FkmSteelGroup) {
   using G = FkmSteelGroup;
   return std::array{
-      ChoiceName<G>{G::untold, "untold", "not given, so that no section is rated by it"},
+      ChoiceName<G>{G::untold, "untold", "not stated: no section is assessed with it"},
       ChoiceName<G>{G::structural, "structural", "structural steel, at 40 mm"},
       ChoiceName<G>{G::quenched_tempered, "quenched-tempered", "quenched and tempered, at 16 mm"},
       ChoiceName<G>{G::normalised, "normalised", "steel for quenching, normalised, at 16 mm"},
@@ -144,10 +144,9 @@ constexpr auto choices_of(Fibre) {
 
 constexpr auto choices_of(Overload) {
   using O = Overload;
-  return std::array{ChoiceName<O>{O::F1, "F1", "the mean stress stays"},
-                    ChoiceName<O>{O::F2, "F2", "the ratio of minimum to maximum stress stays"},
-                    ChoiceName<O>{O::F3, "F3", "the minimum stress stays"},
-                    ChoiceName<O>{O::F4, "F4", "the maximum stress stays"}};
+  return std::array{
+      ChoiceName<O>{O::F1, "F1", "constant mean stress"}, ChoiceName<O>{O::F2, "F2", "constant stress ratio"},
+      ChoiceName<O>{O::F3, "F3", "constant minimum stress"}, ChoiceName<O>{O::F4, "F4", "constant maximum stress"}};
 }
 
 constexpr auto choices_of(Means) {

@@ -128,7 +128,7 @@ constexpr auto choices_of(HistoryTypes::Counting) {
 constexpr auto choices_of(HistoryTypes::Residue) {
   using R = HistoryTypes::Residue;
   return std::array{ChoiceName<R>{R::repeated, "repeated", "the history repeats: full cycles only"},
-                    ChoiceName<R>{R::half_cycles, "half-cycles", "each range is half a cycle, of a history that ends"},
+                    ChoiceName<R>{R::half_cycles, "half-cycles", "each range is half a cycle (history not repeated)"},
                     ChoiceName<R>{R::ignored, "ignored", "not counted: on the unsafe side"}};
 }
 constexpr auto choices_of(HistoryTypes::Curve) {
@@ -153,12 +153,12 @@ constexpr auto choices_of(HistoryTypes::Means) {
 }
 constexpr auto choices_of(HistoryTypes::MinerRule) {
   using M = HistoryTypes::MinerRule;
-  return std::array{ChoiceName<M>{M::original, "original",
-                                  "cycles below the fatigue limit do no damage: true while none is above it"},
-                    ChoiceName<M>{M::elementary, "elementary", "the slope k for all: no fatigue limit"},
-                    ChoiceName<M>{M::modified, "modified", "Haibach: slope 2 k - 1 below the fatigue limit"},
-                    ChoiceName<M>{M::consistent, "consistent", "the fatigue limit falls with the damage"},
-                    ChoiceName<M>{M::liu_zenner, "liu-zenner", "one slope (k + 3.6)/2, down to half of the limit"}};
+  return std::array{
+      ChoiceName<M>{M::original, "original", "no damage below the fatigue limit: valid if no cycle exceeds it"},
+      ChoiceName<M>{M::elementary, "elementary", "slope k throughout: no fatigue limit"},
+      ChoiceName<M>{M::modified, "modified", "Haibach: slope 2 k - 1 below the fatigue limit"},
+      ChoiceName<M>{M::consistent, "consistent", "the fatigue limit falls with the damage"},
+      ChoiceName<M>{M::liu_zenner, "liu-zenner", "one slope (k + 3.6)/2, down to half of the limit"}};
 }
 
 }  // namespace loadpath::fatigue

@@ -122,7 +122,7 @@ P_s = 0.9
 constexpr auto choices_of(Staircase::End) {
   using End = Staircase::End;
   return std::array{ChoiceName<End>{End::failure, "failure", "the specimen failed"},
-                    ChoiceName<End>{End::runout, "runout", "it did not fail: a run-out"}};
+                    ChoiceName<End>{End::runout, "runout", "run-out"}};
 }
 constexpr auto choices_of(Staircase::Steps) {
   using S = Staircase::Steps;

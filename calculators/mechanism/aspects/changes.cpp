@@ -62,7 +62,7 @@ void judge_changes(const Solved& solved, std::vector<account::Verdict>& verdicts
                       .value = say("passed {1} times", std::to_string(found.size())),
                       .bound = say("no change point"),
                       .state = account::State::not_covered,
-                      .note = say("change point: direction of motion not determined by the drive at {1}", places)});
+                      .note = say("change point: direction of motion not determined by the drive: {1}", places)});
 }
 
 }  // namespace

@@ -77,7 +77,7 @@ class CourseCheck {
     for (const Written& written : formulas()) ways += (course.*written.text).empty() ? 0 : 1;
     if (ways != 1)
       return add(course, "",
-                 say("a course has its shares in one of five ways, and '{1}' in {2}", course.name.view(),
+                 say("a load curve has its shares in one of five forms, and '{1}' in {2}", course.name.view(),
                      ways == 0 ? "none" : std::to_string(ways)),
                  say("give over_time, over_stroke, share_of_phi, share_of_t or share_of_s"));
     check_points(course, "over_time", course.over_time, [](const auto& p) { return in_si(p.t); });

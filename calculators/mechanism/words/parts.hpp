@@ -165,11 +165,11 @@ struct Joint {
 constexpr auto choices_of(Type) {
   using T = Type;
   return std::array{
-      ChoiceName<T>{T::revolute, "revolute", "pin: the points coincide, the links turn"},
-      ChoiceName<T>{T::prismatic, "prismatic", "slide along a line of the second link, no turning"},
+      ChoiceName<T>{T::revolute, "revolute", "pin: coincident points"},
+      ChoiceName<T>{T::prismatic, "prismatic", "slide along a line of the second link, no rotation"},
       ChoiceName<T>{T::slot, "slot", "pin of the first link in a slot of the second"},
-      ChoiceName<T>{T::rigid, "rigid", "the points coincide, no turning"},
-      ChoiceName<T>{T::gear, "gear", "spur gears that mesh outside; other joints hold their centres"},
+      ChoiceName<T>{T::rigid, "rigid", "coincident points, no rotation"},
+      ChoiceName<T>{T::gear, "gear", "external spur gears; centres held by other joints"},
       ChoiceName<T>{T::ring_gear, "ring_gear", "spur gear of the first link inside the ring of the second"},
       ChoiceName<T>{T::rack, "rack", "spur gear of the first link on a rack of the second"},
       ChoiceName<T>{T::belt, "belt",
@@ -185,8 +185,9 @@ constexpr auto choices_of(Type) {
 }
 constexpr auto choices_of(Holding) {
   using T = Holding;
-  return std::array{ChoiceName<T>{T::one_side, "one_side", "the cam only pushes: elsewhere the follower lifts off"},
-                    ChoiceName<T>{T::groove, "groove", "it holds the follower on both sides"}};
+  return std::array{
+      ChoiceName<T>{T::one_side, "one_side", "force-closed: the cam only pushes, else the follower lifts off"},
+      ChoiceName<T>{T::groove, "groove", "form-closed (groove)"}};
 }
 constexpr auto choices_of(MassLine) {
   using T = MassLine;

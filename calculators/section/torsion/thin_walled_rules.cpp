@@ -195,7 +195,7 @@ FieldFault ThinWalled::too_much_area(const Input& in) {
           say("the walls of cell '{1}' go around {2} at most, and it has {3}", std::string(in.cells[i].name.view()),
               format_quantity(in_si(largest_area(in, i)), mm2.symbol),
               format_quantity(in_si(area_of(in.cells[i])), mm2.symbol)),
-          say("give all of its walls, with beside for those that another cell has named")};
+          say("give all of its walls, with 'beside' for those that another cell has named")};
 }
 
 bool ThinWalled::outlines_fit(const Input& in) {

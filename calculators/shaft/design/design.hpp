@@ -213,7 +213,7 @@ r_T = 0
                   "the bore of a piece is smaller than its diameter, and than that of its neighbours"},
       Rule<Input>{&bearings_sit, "supports, pieces", "bearings sit on cylinders", &slips},
       Rule<Input>{&turn_is_known, "seats", "loads over a turn are known at all of its positions", &open_turn},
-      Rule<Input>{&torques_close, "seats", "what drives the shaft and what it drives take the same torque", &open_sum},
+      Rule<Input>{&torques_close, "seats", "driving and driven torques must balance", &open_sum},
       Rule<Input>{&thrust_is_held, "seats, supports", "exactly one bearing takes axial forces: holds = \"both\""},
       Rule<Input>{&speeds_agree, "n, seats", "all that sits on one shaft turns at one speed, which is not zero"},
       Rule<Input>{&notches_fit, "notches, pieces, r_T, group", "the notches fit the shaft", &misfit},

@@ -25,7 +25,7 @@ Message fault_of_fields(const Notched& notch) {
   if (kind == Kind::cross_hole && !is_set(notch.r)) return say("a cross hole needs its radius r");
   const bool cuts = is_groove(kind) || is_keyed(kind) || kind == Kind::beta;
   if (is_groove(kind) && !is_set(notch.t)) return say("a groove has a depth t");
-  if (!cuts && is_set(notch.t)) return say("t is the depth of a groove, of a key's seat or of splines");
+  if (!cuts && is_set(notch.t)) return say("t is the depth of a groove, a keyway or splines");
   if (is_set(notch.l) && !is_keyed(kind)) return say("l is the length of a key");
   if ((kind == Kind::rectangular_groove) != is_set(notch.w))
     return say("a rectangular groove has a width w, and nothing else has");
@@ -143,11 +143,11 @@ Message fault_of_typed_step(const Input& in, const Notched& notch, const Around&
 Message fault_of_wall(const Input& in, const Notched& notch, const Around& there) {
   const bool keyed = is_keyed(notch.kind);
   if (!is_bored(in, notch.x) || !(keyed || is_set(notch.t))) return {};
-  if (!is_set(notch.t)) return say("in a hollow shaft give the depth t of the key's seat, or part = \"=key.notch\"");
+  if (!is_set(notch.t)) return say("in a hollow shaft give the keyway depth t, or part = \"=key.notch\"");
   const Length wall = (there.sides.thinner().d - max(there.sides.left.d_bore, there.sides.right.d_bore)) / 2.0;
   const Length left = keyed ? wall - notch.t : wall;
   if (!(left > 0.0 * mm))
-    return say("a seat of {1} cuts through the wall of {2} at {3}", format(notch.t), format(wall), format(notch.x));
+    return say("a keyway of {1} cuts through the wall of {2} at {3}", format(notch.t), format(wall), format(notch.x));
   if (left < notch.t)
     return say(
         "{1} of wall are left under a depth of {2} at {3}: no factor is given for so thin a wall: "
@@ -183,7 +183,7 @@ Message fault_of_hub(const Input& in, const Notched& notch, Length d) {
   };
   for (const Support& support : in.supports) meet(support.x, false);
   for (const Seat& seat : in.seats) meet(seat.x, is_set(seat.T) || seat.way == Way::balances);
-  if (!found) return say("no seat and no bearing is near a hub that ends at {1}", format(notch.x));
+  if (!found) return say("no mounted component and no bearing near a hub that ends at {1}", format(notch.x));
   if (twists && !torque_beside(in, notch.x))
     return say("the shaft carries no torque at {1}: the governing end of a hub is the one towards the torque",
                format(notch.x));
@@ -198,13 +198,13 @@ Message fault_of_place(const Input& in, const Notched& notch) {
     if (torque_beside(in, notch.x)) return {};
     return say(
         "the shaft carries no torque at {1}: the governing end of a key is the one towards the torque; give that, or "
-        "the "
-        "length l of the key under its seat",
+        "the key length l",
         format(notch.x));
   }
   if (in.seats.empty()) return {};  // nothing loads it
   const Length end = other_end(in, notch);
-  if (!is_set(end)) return say("no seat is held by a key of {1} that ends at {2}", format(notch.l), format(notch.x));
+  if (!is_set(end))
+    return say("no mounted component has a key of {1} that ends at {2}", format(notch.l), format(notch.x));
   const Length aside = 10.0 * one_place * length_of(in), low = min(notch.x, end) + aside,
                high = max(notch.x, end) - aside;
   if (index_of_piece(in, max(low, 0.0 * mm)) != index_of_piece(in, min(high, length_of(in) - aside)))

@@ -160,7 +160,8 @@ bool Design::torques_close(const Input& in) {
 }
 
 FieldFault Design::open_sum(const Input& in) {
-  if (count_balancing(in) > 1) return {"seats", say("more than one seat balances the torque"), say("one is enough")};
+  if (count_balancing(in) > 1)
+    return {"seats", say("more than one component balances the torque"), say("one is enough")};
   const bool typed = std::any_of(in.seats.begin(), in.seats.end(),
                                  [](const Seat& s) { return s.way == Way::balances && is_set(s.T); });
   const double sum = in_si(balance(in));

@@ -249,7 +249,7 @@ Message Design::unsound(const Input& in, std::span<const Sought> sought, std::si
     return {};
   };
   if (!trial.has_thick_middle())
-    return say("a bearing seat is the thickest piece: no shoulder towards the middle holds its ring");
+    return say("a bearing seat is the thickest segment: no shoulder towards the middle for its ring");
   Message fault = i == 0 ? Message{} : beside(joint_after(in, i - 1), i - 1);
   if (fault.empty() && i + 1 < in.pieces.size()) fault = beside(joint_after(in, i), i + 1);
   return fault;

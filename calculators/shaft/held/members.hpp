@@ -18,9 +18,8 @@ inline constexpr Unit<Force> N_m_per_m{"N*m/m", from_si<Force>(1.0)};
 enum class End { free, held, elastic };
 
 constexpr auto choices_of(End) {
-  return std::array{ChoiceName<End>{End::free, "free", "turns freely"},
-                    ChoiceName<End>{End::held, "held", "does not turn"},
-                    ChoiceName<End>{End::elastic, "elastic", "held by a spring"}};
+  return std::array{ChoiceName<End>{End::free, "free", "free"}, ChoiceName<End>{End::held, "held", "fixed"},
+                    ChoiceName<End>{End::elastic, "elastic", "elastic (spring)"}};
 }
 
 /// A cylinder or a cone of the bar.

@@ -222,7 +222,7 @@ struct Notched {
       NameField{&Notched::name, "name", "name of the notch"}.may_be_missing(),
       Field{&Notched::x, "x", mm, "position from the left end of the shaft (keyway: its end)"}.at_least(0),
       RecordField<Notched>{"part", "part that forms the notch: part = \"=key.notch\""},
-      Choice{&Notched::kind, "kind", "kind of notch"},
+      Choice{&Notched::kind, "kind", "notch type"},
       Field{&Notched::d, "d", mm, "shaft diameter at the notch"}.positive().may_be_missing(),
       Field{&Notched::r, "r", mm, "notch radius, or radius of a cross hole; keyway: 0.02 d"}
           .positive()
@@ -253,17 +253,16 @@ struct Notched {
 
 constexpr auto choices_of(Holds) {
   return std::array{ChoiceName<Holds>{Holds::radial, "radial", "radial forces: floating bearing"},
-                    ChoiceName<Holds>{Holds::both, "both", "radial and axial forces: fixed bearing"}};
+                    ChoiceName<Holds>{Holds::both, "both", "radial and axial forces: locating bearing"}};
 }
 constexpr auto choices_of(On) {
   return std::array{ChoiceName<On>{On::cylinder, "cylinder", "a cylinder, as bores of bearings are"},
                     ChoiceName<On>{On::taper, "taper", "a taper: its own bore is one, or that of its sleeve"}};
 }
 constexpr auto choices_of(Way) {
-  return std::array{
-      ChoiceName<Way>{Way::takes, "takes", "takes the torque from the shaft"},
-      ChoiceName<Way>{Way::drives, "drives", "drives the shaft"},
-      ChoiceName<Way>{Way::balances, "balances", "balances the torques of the other components: a coupling"}};
+  return std::array{ChoiceName<Way>{Way::takes, "takes", "driven component, torque output"},
+                    ChoiceName<Way>{Way::drives, "drives", "driving component, torque input"},
+                    ChoiceName<Way>{Way::balances, "balances", "balancing component (coupling)"}};
 }
 constexpr auto choices_of(Integral) {
   return std::array{ChoiceName<Integral>{Integral::no, "false", "separate part, fastened to the shaft"},
@@ -290,7 +289,7 @@ struct KeyNotch {
   Length d = unset<Length>, t = unset<Length>, l = unset<Length>;
   double r_T = unset<double>;
   static constexpr Fields fields{
-      Choice{&KeyNotch::kind, "kind", "kind of notch"}, Field{&KeyNotch::d, "d", mm, "shaft diameter"},
+      Choice{&KeyNotch::kind, "kind", "notch type"}, Field{&KeyNotch::d, "d", mm, "shaft diameter"},
       Field{&KeyNotch::t, "t", mm, "keyway depth"}, Field{&KeyNotch::l, "l", mm, "length of the key"},
       Field{&KeyNotch::r_T, "r_T", ratio, "torque ratio T_min/T_max: -1 for a reversing torque"}};
 };
@@ -301,7 +300,7 @@ struct SplineNotch {
   Length d = unset<Length>, t = unset<Length>;
   double beta_b = unset<double>, beta_t = unset<double>, r_T = unset<double>;
   static constexpr Fields fields{
-      Choice{&SplineNotch::kind, "kind", "kind of notch"},
+      Choice{&SplineNotch::kind, "kind", "notch type"},
       Field{&SplineNotch::d, "d", mm, "shaft diameter"},
       Field{&SplineNotch::t, "t", mm, "depth of the teeth below the shaft diameter"},
       Field{&SplineNotch::beta_b, "beta_b", ratio, "fatigue notch factor in bending"},
@@ -314,7 +313,7 @@ struct RingNotch {
   Notch kind = Notch::rectangular_groove;
   Length d = unset<Length>, t = unset<Length>, w = unset<Length>, r = unset<Length>;
   static constexpr Fields fields{
-      Choice{&RingNotch::kind, "kind", "kind of notch"},
+      Choice{&RingNotch::kind, "kind", "notch type"},
       Field{&RingNotch::d, "d", mm, "shaft diameter next to the groove"}, Field{&RingNotch::t, "t", mm, "groove depth"},
       Field{&RingNotch::w, "w", mm, "groove width"}, Field{&RingNotch::r, "r", mm, "fillet radius of the groove"}};
 };

@@ -15,8 +15,7 @@ enum class Sense { unknown, one_way, reversing };
 
 constexpr auto choices_of(Sense) {
   return std::array{
-      ChoiceName<Sense>{Sense::unknown, "unknown", "not known"},
-      ChoiceName<Sense>{Sense::one_way, "one_way", "one direction only"},
+      ChoiceName<Sense>{Sense::unknown, "unknown", "unknown"}, ChoiceName<Sense>{Sense::one_way, "one_way", "one-way"},
       ChoiceName<Sense>{Sense::reversing, "reversing", "reversing: starts in both directions, or torsional vibration"}};
 }
 
@@ -31,11 +30,12 @@ constexpr auto torque_inputs() {
   return Fields{
       RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
       Field<Input, Moment>{&Input::T, "T", N_m, "torque"}.load(),
-      Field<Input, Moment>{&Input::T_max, "T_max", N_m, "peak torque (start, shock), if larger than K_A T"}
+      Field<Input, Moment>{&Input::T_max, "T_max", N_m,
+                           "largest torque of a start or a shock, where it is more than K_A T"}
           .load()
           .may_be_missing(),
       Choice{&Input::torque, "torque", "torque direction: one-way or reversing"}.may_be_missing(),
-      Field<Input, double>{&Input::K_A, "K_A", ratio, "application factor K_A on T (1 if T includes it)"}
+      Field<Input, double>{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
           .at_least(1)
           .usually(1, 4)
           .factor()};
@@ -44,13 +44,12 @@ constexpr auto torque_inputs() {
 /// Each side has one strength, and a factor of the reversal wants one.
 template <class Input>
 constexpr auto rules_of_sides() {
-  return std::array{
-      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_1) && is_set(in.R_e_1)); }, "p_adm_1, R_e_1",
-                  "give p_adm_1 or R_e_1, never both"},
-      Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_2) && is_set(in.R_e_2)); }, "p_adm_2, R_e_2",
-                  "give p_adm_2 or R_e_2, never both"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.f_W) || in.torque == Sense::reversing; }, "f_W, torque",
-                  "f_W belongs to a torque that changes its sense: torque = \"reversing\""}};
+  return std::array{Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_1) && is_set(in.R_e_1)); },
+                                "p_adm_1, R_e_1", "give p_adm_1 or R_e_1, never both"},
+                    Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_2) && is_set(in.R_e_2)); },
+                                "p_adm_2, R_e_2", "give p_adm_2 or R_e_2, never both"},
+                    Rule<Input>{[](const Input& in) { return !is_set(in.f_W) || in.torque == Sense::reversing; },
+                                "f_W, torque", "f_W belongs to a reversing torque: torque = \"reversing\""}};
 }
 
 /// Something to carry: T, or T_max where it is given.

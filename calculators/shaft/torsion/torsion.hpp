@@ -139,7 +139,7 @@ theta_adm = "0.004 rad/m"
                       },
                       "tau_adm, sigma_adm, R_e, S, G",
                       "give tau_adm, or S with the yield strength R_e (or a material), or sigma_adm with behaviour; or "
-                      "theta_adm alone, or the diameter and G for the twist, which leaves the strength open"},
+                      "only theta_adm, or the diameter and G for the twist, without assessment of the strength"},
           Rule<Input>{[](const Input& in) {
                         return is_set(in.sigma_adm) == (in.behaviour != Behaviour::unsaid) &&
                                !(is_set(in.sigma_adm) && (is_set(in.tau_adm) || is_set(in.S)));

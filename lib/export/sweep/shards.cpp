@@ -11,7 +11,7 @@ namespace fs = std::filesystem;
 
 Outcome<SweepStore> SweepStore::open_shard(const fs::path& folder, SweepStore shard) {
   std::error_code error;
-  if (!fs::exists(folder / state_name, error)) return refused(folder, say("there is no sweep"));
+  if (!fs::exists(folder / state_name, error)) return refused(folder, say("no sweep in this folder"));
   auto lock = FolderLock::to_read(folder);
   if (!lock) return lock.fault();
   shard.lock_ = std::move(*lock);

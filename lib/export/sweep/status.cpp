@@ -39,7 +39,7 @@ Outcome<FolderStatus> status_of(const fs::path& folder) {
   const auto lock = FolderLock::to_read(folder);
   std::ifstream in(folder / manifest_name, std::ios::binary);
   if (!in)
-    return refused(folder, is_unbegun(folder) ? say("nothing is saved there yet") : say("there is no sweep"),
+    return refused(folder, is_unbegun(folder) ? say("nothing is saved there yet") : say("no sweep in this folder"),
                    say("name the folder that a sweep was given by --out"));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   boost::system::error_code error;

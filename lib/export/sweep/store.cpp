@@ -144,7 +144,9 @@ Outcome<SweepStore> SweepStore::create(const fs::path& folder, const SweepPlan& 
 
 Outcome<SweepStore> SweepStore::resume(const fs::path& folder, const SweepPlan& plan, const StoredSweep& sweep,
                                        Found none) {
-  const auto none_there = [&] { return refused(folder, say("there is no sweep"), say("begin it without --resume")); };
+  const auto none_there = [&] {
+    return refused(folder, say("no sweep in this folder"), say("begin it without --resume"));
+  };
   std::error_code error;
   const auto has_state = [&] { return fs::exists(folder / state_name, error); };
   if (!has_state() && !is_unbegun(folder)) return none_there();

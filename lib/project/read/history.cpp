@@ -48,7 +48,7 @@ Outcome<double> unit_of(const Tree& table, const FieldInfo& field, std::string_v
   }
   if (unit == nullptr && field.dimension.is_number()) return 1.0;
   const auto wanted = [&](std::string_view text) {
-    return told(say("'{1}' is no {2}", text, name_of(field.dimension)),
+    return told(say("'{1}' is not a valid {2}", text, name_of(field.dimension)),
                 say("name the unit in the header, F [{1}], or give the unit of the numbers in the file: unit = "
                     "\"{1}\", or unit = \"2.5 {1}\"",
                     field.unit));

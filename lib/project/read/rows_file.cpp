@@ -299,7 +299,7 @@ std::optional<Tree> read_rows_file(const Tree& tree, std::span<const FieldInfo> 
     return std::nullopt;
   }
   if (!there || !toml::read_file(path.string(), text)) {
-    wrong = issue_at(named.place, say("there is no file '{1}' that can be read", path.string()),
+    wrong = issue_at(named.place, say("file '{1}' does not exist or cannot be read", path.string()),
                      say("its path goes from the folder of the project file"));
     return std::nullopt;
   }

@@ -288,7 +288,7 @@ Outcome<Signature> Values::signature(const std::string& name) {
     return Fault{0, name.size(), say("'values.{1}' is not a number or quantity: {2}", name, fault->message.text()),
                  fault->hint};
   return Fault{0, name.size(), say("'values.{1}' is not a number or quantity", name),
-               say("it can be used alone: \"=values.{1}\"", name)};
+               say("use it without operators: \"=values.{1}\"", name)};
 }
 
 /// Reads a range, a list, an uncertain value, when an expression uses it.

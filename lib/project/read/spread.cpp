@@ -58,8 +58,7 @@ std::optional<std::uint64_t> Many::count(const Tree::Entry& entry) const {
   const double n = entry.value.number;
   if (entry.value.type == Tree::Type::number && n == std::floor(n) && n >= 2.0 && n <= most)
     return static_cast<std::uint64_t>(n);
-  refuse(entry.value.place, say("'{1}' is an integer of values, 2 or more", entry.key),
-         say("write {1} = 11", entry.key));
+  refuse(entry.value.place, say("'{1}' must be an integer, 2 or more", entry.key), say("write {1} = 11", entry.key));
   return std::nullopt;
 }
 

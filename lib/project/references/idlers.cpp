@@ -34,7 +34,7 @@ void set(Step& step, const Found& found, std::vector<Issue>& issues) {
   const bool typed = step.input().reading.typed.contains("idler");
   if (typed && leaf.get() != static_cast<double>(number))
     return issues.push_back(issue_at(
-        step.input(), "idler", say("a gear of this pair is one of '{1}' too: its teeth bend both ways", found.other),
+        step.input(), "idler", say("a gear of this pair is one of '{1}' too: reversed tooth bending", found.other),
         say("write idler = \"{1}\", or leave it out", word)));
   leaf.set(static_cast<double>(number));
   step.remark(say("idler = {1}: that gear is one of '{2}' too", word, found.other));
@@ -81,9 +81,8 @@ void ask_for_idlers(const Project& project, std::vector<Issue>& issues) {
     issues.push_back(
         issue_at(step->input(), "z_1",
                  say("gear 1 turns with gear 2 of '{1}' and has the same module and number of teeth", other->name()),
-                 say("if it is the same gear, write z_1 = \"={1}.z_2\": its teeth bend both ways; if both are on one "
-                     "shaft, write "
-                     "idler = \"none\"",
+                 say("if it is the same gear, write z_1 = \"={1}.z_2\" (reversed tooth bending); if both are on one "
+                     "shaft, write idler = \"none\"",
                      other->name())));
   }
 }

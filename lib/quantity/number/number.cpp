@@ -110,7 +110,7 @@ class Reader {
     const std::string whole = digits_, part(in_.digits());
     if (is_mark(in_.peek()) && in_.digit(1)) return two_marks(from);
     if (could_be_thousands && part.size() == 3)
-      return fail(from, in_.at - from, say("'{1}' can be read in two ways", since(from)),
+      return fail(from, in_.at - from, say("'{1}' is ambiguous", since(from)),
                   say("write '{1}' or '{2}'", whole + "." + part, whole + part));
     digits_ += '.' + part;
     plain_ = false;
@@ -187,7 +187,7 @@ class Reader {
     const double n = number(top), d = number(bottom);
     if (d == 0.0) return fail(in_.at - bottom.size(), bottom.size(), say("a fraction cannot have the denominator 0"));
     if (mixed && (top.size() > 2 || n >= d))
-      return fail(from, in_.at - from, say("'{1}' can be read in two ways", since(start_)),
+      return fail(from, in_.at - from, say("'{1}' is ambiguous", since(start_)),
                   say("write a decimal number, or an integer and a fraction less than 1"));
     ready_ = true;
     value_ = mixed ? number(digits_) + n / d : n / d;

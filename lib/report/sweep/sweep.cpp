@@ -208,8 +208,8 @@ Paragraph conclusion(const SweepPlan& plan, const Found& found) {
   const Tally& all = found.tallies().front();
   const std::uint64_t n = all.total(), fails = all.of(State::fail);
   const std::uint64_t gaps = n - fails - all.passing() - all.refused_points();
-  std::string text = "Of " + number(n) + " points " + number(all.passing()) +
-                     " pass: " + share_text(all.passing(), n, is_sample(plan)) + "; " + number(fails) + " fail";
+  std::string text = number(n) + " points: " + number(all.passing()) + " pass, " +
+                     share_text(all.passing(), n, is_sample(plan)) + "; " + number(fails) + " fail";
   if (gaps > 0) text += "; " + number(gaps) + " are not assessed, have no valid method or no result";
   if (all.refused_points() > 0) text += "; " + number(all.refused_points()) + " are invalid designs";
   text += ".";

@@ -244,8 +244,8 @@ TEST_SUITE("fatigue.endurance") {
     CHECK(says(steel + "loading = \"bending\"\nP_s = 0.99\n", "belong to Marin's school"));
     CHECK(says(marin + "loading = \"bending\"\nh = \"20 mm\"\n", "height h and width b"));
     CHECK(says(marin + stands + square + "loading = \"bending\"\nd = \"20 mm\"\n", "height h and width b"));
-    CHECK(says(marin + square + "loading = \"bending\"\n", "of non-rotating parts"));
-    CHECK(says(marin + stands + square + "loading = \"torsion\"\n", "of non-rotating parts"));
+    CHECK(says(marin + square + "loading = \"bending\"\n", "of a non-rotating part"));
+    CHECK(says(marin + stands + square + "loading = \"torsion\"\n", "of a non-rotating part"));
     CHECK(says(marin + "loading = \"tension\"\nk_c = 0.85\n", "load factors in them"));
     CHECK(
         says("R_m = \"300 MPa\"\ngroup = \"cast-aluminium\"\nloading = \"bending\"\nsigma_W = \"80 MPa\"\n"

@@ -299,7 +299,7 @@ k = 5
   }
 
   TEST_CASE("rules refuse what contradicts") {
-    CHECK(errors_of_history("\"40 MPa\"").find("a history is required") != std::string::npos);
+    CHECK(errors_of_history("\"40 MPa\"").find("not a load history") != std::string::npos);
     CHECK(errors_of_history(R"({ values = [50], unit = "MPa" })").find("has one value") != std::string::npos);
     CHECK(errors_of_history(R"({ values = [0, 300], unit = "MPa" })",
                             part + "counting = \"hcm\"\nresidue = \"half-cycles\"")

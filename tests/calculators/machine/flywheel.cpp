@@ -88,11 +88,11 @@ TEST_SUITE("machine flywheel") {
     CHECK(near(r("u_P"), 0.875));
   }
 
-  TEST_CASE("what is a moment over a cycle is required is refused with its reason") {
+  TEST_CASE("what is a single value is not a moment over a cycle is refused with its reason") {
     const std::string rest = "omega = \"10 rad/s\"\ndelta = 0.05\n";
     const std::string rows[][2] = {
         {rest, "give the moment once"},
-        {rest + "M = \"5 N*m\"\n", "a moment over a cycle is required"},
+        {rest + "M = \"5 N*m\"\n", "a single value is not a moment over a cycle"},
         {rest + "M_of_phi = \"5 N*m\"\npoints = [[\"0 deg\", \"1 N*m\"], [\"9 deg\", \"2 N*m\"]]\n",
          "give the moment once"},
         {rest + "M_of_phi = \"5 N*t\"\n", "t"},
@@ -104,7 +104,7 @@ TEST_SUITE("machine flywheel") {
         {rest + "points = [[\"9 deg\", \"1 N*m\"], [\"0 deg\", \"2 N*m\"]]\n", "none below the one before"},
         {rest + "points = [[\"0 deg\", \"1 N*m\"], [\"400 deg\", \"2 N*m\"]]\n", "within one period"},
         {rest + "M = \"=line.M_max\"\n[line]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\n",
-         "a moment over a cycle is required"},
+         "a single value is not a moment over a cycle"},
         {"omega = \"10 rad/s\"\nM_of_phi = \"5 N*m\"\n", "give the permissible speed fluctuation"},
         {rest + "M_of_phi = \"5 N*m\"\nv_adm = \"35 m/s\"\n", "diameter"}};
     for (const auto& row : rows) {

@@ -164,7 +164,7 @@ TEST_SUITE("pin joint") {
 
   TEST_CASE("what is missing or contradicts is said") {
     says("held = \"loose\"\nd = \"20 mm\"\nd_i = \"20 mm\"\n", "the bore must be smaller than the pin");
-    says("held = \"in_eye\"\nd = \"20 mm\"\nspread = \"falling\"\n", "applies only to a loose pin");
+    says("held = \"in_eye\"\nd = \"20 mm\"\nspread = \"falling\"\n", "needs a loose pin");
     says("held = \"loose\"\nd = \"20 mm\"\nR_m = \"500 MPa\"\n", "give loading");
     says("held = \"loose\"\nd = \"20 mm\"\npv_adm = \"1 MPa*m/s\"\n", "needs the speed of turning n");
     says("d = \"20 mm\"\n", "say support of the pin: loose, fixed in the clevis or in the eye, or cantilevered");

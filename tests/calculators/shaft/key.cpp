@@ -111,8 +111,8 @@ TEST_SUITE("key") {
     check_says("d = \"50 mm\"\nl = \"12 mm\"\nkey = \"14x9\"\n",
                "a key with round ends must be longer than it is wide");
     check_says("d = \"50 mm\"\nl = \"70 mm\"\nb = \"14 mm\"\nh = \"5 mm\"\nt_1 = \"5.5 mm\"\n",
-               "less deep than the key is high");
-    check_says("d = \"10 mm\"\nl = \"70 mm\"\nkey = \"14x9\"\n", "the seat cuts the shaft through");
+               "must be less than key height h");
+    check_says("d = \"10 mm\"\nl = \"70 mm\"\nkey = \"14x9\"\n", "must be less than d/2");
     check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x9\"\nR_e_2 = \"300 MPa\"\np_adm_2 = \"100 MPa\"\n",
                "never both");
     check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x9\"\ni = 3\n", "k.i: ");

@@ -68,8 +68,8 @@ TEST_SUITE("cli describe in full") {
 
   TEST_CASE("a count that must be given, or may be left out, has no default") {
     const std::string shown = described("gear.pair").out;
-    CHECK(std::regex_search(shown, std::regex("\n  z_1 +whole number +required ")));
-    CHECK(std::regex_search(shown, std::regex("\n  z_2 +whole number +optional ")));
+    CHECK(std::regex_search(shown, std::regex("\n  z_1 +integer +required ")));
+    CHECK(std::regex_search(shown, std::regex("\n  z_2 +integer +optional ")));
     CHECK(contains(shown, "\"?\""));  // of T_1, which may be as large as passes
   }
 
@@ -99,7 +99,7 @@ TEST_SUITE("cli describe in full") {
   TEST_CASE("a calculator lists its templates, and each is described with what it makes and an example that runs") {
     const std::string planar = described("mechanism.planar").out;
     CHECK(contains(planar, "\n  slider_crank          Slider-crank, central or offset"));
-    CHECK(contains(planar, "`loadpath describe mechanism.planar.NAME` tells more\n"));
+    CHECK(contains(planar, "`loadpath describe mechanism.planar.NAME` shows one\n"));
     const Ran o = loadpath_with({"describe", "mechanism.planar.slider_crank"});
     CHECK(o.code == 0);
     CHECK(o.out.starts_with("mechanism.planar.slider_crank: Slider-crank, central or offset\n"));

@@ -154,6 +154,6 @@ TEST_SUITE("cli describe") {
     CHECK(contains(near.error, "'shaft.torsion' has no input, result, failure mode or part 'thetaadm'"));
     CHECK(contains(near.error, "did you mean 'theta_adm' (allowable "));
     CHECK(contains(loadpath_with({"describe", "shaft.torsion", "teapot"}).error,
-                   "`loadpath describe shaft.torsion --full` tells all"));
+                   "`loadpath describe shaft.torsion --full` shows all"));
   }
 }

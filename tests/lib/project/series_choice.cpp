@@ -80,6 +80,6 @@ TEST_SUITE("series choice") {
           "'joints.guide.stroke' is one value, not a series; leave it out: JSON lists every value");
     const std::string shaft = axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\n";
     CHECK(said(shaft, "*") == "'*' is one value, not a series; leave it out: JSON lists every value");
-    CHECK(said(shaft, "drive.M") == "there is no series 'drive.M'; every result is one value");
+    CHECK(said(shaft, "drive.M") == "unknown series 'drive.M'; every result is one value");
   }
 }

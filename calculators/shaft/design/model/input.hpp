@@ -44,8 +44,8 @@ constexpr auto choices_of(School) {
       ChoiceName<School>{School::soderberg, "soderberg", "a line to the yield strength: on the safe side"},
       ChoiceName<School>{School::gerber, "gerber", "a parabola to the tensile strength"},
       ChoiceName<School>{School::elliptic, "elliptic", "an ellipse to the yield strength, of ASME"},
-      ChoiceName<School>{School::din743, "din743", "DIN 743, its case 2: the ratio stays"},
-      ChoiceName<School>{School::fkm, "fkm", "FKM, its case F2: the ratio stays; steels, no castings"},
+      ChoiceName<School>{School::din743, "din743", "DIN 743, case 2: constant stress ratio"},
+      ChoiceName<School>{School::fkm, "fkm", "FKM, case F2: constant stress ratio; steels, no castings"},
       ChoiceName<School>{School::serensen, "serensen", "Serensen, with size and surface of DIN 743"}};
 }
 

@@ -125,7 +125,7 @@ double turns_of(const Input& in) {
 TurnFault fault_of_turn(const Input& in) {
   for (const Seat& seat : in.seats) {
     if (!seat.T.is_series() && seat.T.one < 0.0 * N_m.one)
-      return {"T", say("a torque has no sign of its own"), say("way states whether it drives or is driven")};
+      return {"T", say("a torque has no sign of its own"), say("'way' states whether it drives or is driven")};
   }
   if (!varies(in)) return {};
   const TurnFault fault = fault_of_series(in);

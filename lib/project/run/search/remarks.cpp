@@ -31,9 +31,8 @@ Issue aimless_search(const PreparedStep& step, const Search& wanted) {
   }
   std::string names;
   for (const std::string& inputs : asking) names += ", " + inputs;
-  return issue_at(
-      step.input(), wanted.path, say("'{1}' cannot be sized: no check is active", wanted.path),
-      say("give {1} itself, or what a check needs: {2}", wanted.path, names.empty() ? "" : names.substr(2)));
+  return issue_at(step.input(), wanted.path, say("'{1}' cannot be sized: no check is active", wanted.path),
+                  say("give {1}, or an input of a check: {2}", wanted.path, names.empty() ? "" : names.substr(2)));
 }
 
 void warn_of_found(Evaluation& evaluation, const Search& wanted, std::vector<Issue>& issues) {

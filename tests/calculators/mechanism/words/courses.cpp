@@ -111,13 +111,13 @@ TEST_SUITE("courses") {
   }
   TEST_CASE("what a course cannot say is told") {
     CHECK(first_error(by_course("stroke_of = \"guide\"")) ==
-          "a course has its shares in one of five ways, and 'it' in none");
+          "a load curve has its shares in one of five forms, and 'it' in none");
     CHECK(first_error(by_course("over_stroke = [[\"250 mm\", 0], [\"150 mm\", 1]]")) ==
           "the places of 'over_stroke' must rise from each to the next");
     CHECK(first_error(by_course("over_time = [[\"0 s\", 1]]")) == "one point is not a load curve");
     CHECK(first_error(by_course("over_stroke = [[\"0 mm\", 0], [\"1 m\", 1]]\ncourses.it.stroke_of = \"A\"")) ==
           "'A' is not a cylinder, prismatic joint or slot");
-    CHECK(first_error(press(", course = \"ti\"", "courses.it.share_of_phi = \"phi\"\n")) == "there is no course 'ti'");
+    CHECK(first_error(press(", course = \"ti\"", "courses.it.share_of_phi = \"phi\"\n")) == "unknown load curve 'ti'");
     CHECK(first_error(press("", "courses.it.share_of_phi = \"1 - 0.1*phi\"\n")) == "no load goes by the course 'it'");
     CHECK(first_error(replaced(by_course("share_of_t = \"exp(-t/(2 s))\""), "speed = \"60 rpm\", ", "")) ==
           "'it' is a function of time, but the motion is not given over time");

@@ -87,9 +87,9 @@ TEST_SUITE("mechanism faults") {
     CHECK(message_of("points = [\"B\", \"B\"] }", "points = [\"B\", \"B\"], mu = 0.1 }") ==
           "joint 'guide' of type prismatic needs 'guide_length'");
     CHECK(message_of(", radii = [\"20 mm\", \"50 mm\"]", "") == "joint 'mesh' of type gear needs 'radii'");
-    CHECK(message_of("\"gear\"", "\"ring_gear\"").find("the centres of the gears of 'mesh' are 70 mm apart") == 0);
+    CHECK(message_of("\"gear\"", "\"ring_gear\"").find("the centre distance of 'mesh' is 70 mm") == 0);
     CHECK(message_of("\"20 mm\", \"50 mm\"", "\"25 mm\", \"50 mm\"") ==
-          "the centres of the gears of 'mesh' are 70 mm apart, their radii ask for 75 mm");
+          "the centre distance of 'mesh' is 70 mm, but the radii require 75 mm");
     CHECK(
         message_of("\"gear\", links = [\"pinion\", \"wheel\"], points = [\"O\", \"C\"], radii = [\"20 mm\", \"50 mm\"]",
                    "\"ring_gear\", links = [\"pinion\", \"wheel\"], points = [\"O\", \"C\"], radii = [\"50 mm\", \"20 "

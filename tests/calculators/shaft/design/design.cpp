@@ -156,9 +156,9 @@ TEST_SUITE("shaft design") {
                    "must not have a given torque"));
     CHECK(contains(messages("supports = [{ x = \"10 mm\" }, { x = \"190 mm\" }]\nseats = [{ x = \"50 mm\", F_z = \"9 "
                             "N\" }]\n"),
-                   "only one bearing takes axial forces"));
+                   "exactly one bearing takes axial forces"));
     CHECK(contains(messages("supports = [{ x = \"10 mm\", holds = \"both\" }, { x = \"190 mm\", holds = \"both\" }]\n"),
-                   "only one bearing takes axial forces"));
+                   "exactly one bearing takes axial forces"));
     CHECK(
         contains(messages("supports = [{ x = \"10 mm\", k = \"1e-9 N/mm\" }, { x = \"190 mm\", k = \"1e-9 N/mm\" }]\n"),
                  "too soft compared with the shaft"));
@@ -182,7 +182,8 @@ TEST_SUITE("shaft design") {
                    "does not change at 50 mm"));
     CHECK(contains(says("notches = [{ x = \"90 mm\", kind = \"keyway\" }]\n"), "a notch of both"));
     CHECK(contains(says("notches = [{ x = \"50 mm\", kind = \"groove\", r = \"1 mm\", t = \"20 mm\" }]\n"), "deeper"));
-    CHECK(contains(says("notches = [{ x = \"50 mm\", kind = \"given\", K_t = 2 }]\n"), "give K_t and K_ts together"));
+    CHECK(contains(says("notches = [{ x = \"50 mm\", kind = \"given\", K_t = 2 }]\n"),
+                   "K_t and K_ts are given together"));
     CHECK(contains(says("S_D = 1.5\n"), "how the torque runs"));
     CHECK(contains(says("d_h = \"35 mm\"\n"), "not below that of the finished part"));
   }

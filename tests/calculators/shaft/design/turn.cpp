@@ -258,7 +258,7 @@ TEST_SUITE("shaft over a turn") {
     CHECK(errors(forces + "T = \"=press.shafts.O.T\" }").find("the angle of the shaft is missing") !=
           std::string::npos);
     CHECK(errors(forces + "T = \"=press.shafts.O.T\", psi = \"0 deg\", n = \"60 rpm\" }")
-              .find("a single angle means standstill") != std::string::npos);
+              .find("a single angle means a shaft at rest") != std::string::npos);
     CHECK(
         errors(forces + "T = \"=press.shafts.O.T\", psi = \"=2.5*press.shafts.O.psi\" }").find("is not where it was") !=
         std::string::npos);

@@ -140,7 +140,7 @@ TEST_SUITE("points of a sweep") {
     CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 N*m\" }"), "one of step, count, log"));
     CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 N*m\", step = \"-1 N*m\" }"), "leads away"));
     CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 mm\", count = 3 }"), "300 mm"));
-    CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 N*m\", count = 2.5 }"), "whole number"));
+    CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 N*m\", count = 2.5 }"), "integer"));
     CHECK(contains(fault("[]"), "empty"));
     CHECK(contains(fault("{ mean = \"100 N*m\", sd = \"-5 N*m\" }"), "> 0"));
     CHECK(contains(fault("{ mean = \"100 N*m\", sd = \"5 mm\" }"), "moment"));

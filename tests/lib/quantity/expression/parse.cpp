@@ -201,7 +201,7 @@ TEST_SUITE("quantity") {
         {"30 mm ^ 2", "^", "'^' does not belong in a unit", unit_hint},
         {"5 mm²^2", "^", "'^' does not belong in a unit", unit_hint},
         {"3 mm^lever.mass", "^", "an integer must follow '^'", unit_hint},
-        {"20 °C", "°C", "'°C' is a point on a scale and cannot stand in an expression",
+        {"20 °C", "°C", "'°C' is a point on a scale and cannot be used in an expression",
          "write a temperature difference in K"},
         {"(shaft.d + 2 mm) mm", "mm", "the unit 'mm' must follow a number directly",
          "write * 1 mm, as in (a + b) * 1 mm"},

@@ -1,4 +1,4 @@
-// What the sources of column.buckling share.
+// Declarations shared by the sources of column.buckling.
 #pragma once
 
 #include "calculators/column/buckling_input.hpp"

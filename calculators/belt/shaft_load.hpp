@@ -26,8 +26,8 @@ void load_shaft(Force N_1, Force N_2, double psi, Result& r, Tracer& trace) {
   STEP_TO(r, theta_R, atan(R_y / R_x), "direction of the shaft load to the line of centres");
 }
 
-/// The largest pull on each shaft: R in running, or one along the line of centres at standstill (R_0, of new belts
-/// R_new), which is larger where the belts are new or where centrifugal force relieves the pulleys in running.
+/// The largest resultant on each shaft: R in operation, or one along the line of centres at standstill (R_0, new
+/// belts R_new), larger for new belts or where centrifugal force relieves the pulleys.
 template <class Result>
 ShaftForces largest_pull(const Result& r, Force at_standstill) {
   const Force none = 0.0 * N.one;

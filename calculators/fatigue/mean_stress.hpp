@@ -28,7 +28,7 @@ constexpr auto choices_of(MeanRule) {
       ChoiceName<R>{R::serensen, "serensen", "a line by psi, Serensen"}};
 }
 
-/// What stays as it is while the load grows to its limit: the mean stress (case 1), or its ratio to the amplitude (2).
+/// Constant quantity while the load grows to its limit: mean stress (case 1), ratio to the amplitude (2).
 enum class MeanStress { constant, proportional };
 
 constexpr auto choices_of(MeanStress) {

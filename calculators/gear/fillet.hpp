@@ -15,7 +15,7 @@ class Fillet {
  public:
   struct Touched {
     double x, y;
-    double sine, cosine;  // angle of the fillet's direction, from across the tooth
+    double sine, cosine;  // direction of the fillet, from across the tooth
     double turn, size;    // rates with the lean: of that direction, and along the fillet
   };
 
@@ -32,11 +32,11 @@ class Fillet {
     return {st * py - ct * px, st * px + ct * py, st * c + ct * s,
             ct * c - st * s,   1.0 + turn,        turn * (depth_ * root + rho_) + rho_};
   }
-  /// Point on the gear, from the tooth space to the tooth.
+  /// Angle of the gear at the lowest point, from the tooth space to the tooth.
   [[nodiscard]] double turned() const { return (std::numbers::pi - 2.0 * corner_) / z_; }
 
  private:
-  /// Distance of the corner's centre from the middle of the space.
+  /// Angle on the gear or offset of the corner's centre from the middle of the space.
   static double corner_of(const Rack& rack, numerics::SineCosine alpha) {
     return std::numbers::pi / 4.0 - (rack.h_f * alpha.sine + (1.0 - alpha.sine) * rack.rho) / alpha.cosine;
   }

@@ -15,7 +15,7 @@ class WeakestSection {
   WeakestSection(const Fillet& fillet, double y_load, double steepest)
       : fillet_(fillet), y_load_(y_load), end_(steepest), high_(steepest * (1.0 + 1e-9)) {
     const double lean = within(usual_direction - fillet.turned(), 0.05, 1.1);
-    t_ = within(lean / (1.0 - lean * lean / 3.0), 0.0, 0.99 * end_);  // parabola of this size is its tangent
+    t_ = within(lean / (1.0 - lean * lean / 3.0), 0.0, 0.99 * end_);  // approximate tangent of the lean
   }
 
   /// s^2/(6 h). Three steps find it to rounding for usual gears.

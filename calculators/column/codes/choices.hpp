@@ -94,7 +94,7 @@ constexpr auto choices_of(Transition) {
                     ChoiceName<T>{T::published, "published", "at lambda_1 of the set, as textbooks do"}};
 }
 
-/// Materials with a customary safety factor; the steel codes apply to steel or if no material is given.
+/// Material class for the customary safety factor; the steel codes apply to steel or if no class is given.
 enum class Class { unsaid, steel, cast_iron, wood, other };
 
 constexpr auto choices_of(Class) {

@@ -6,7 +6,7 @@
 
 namespace loadpath::column {
 
-/// Data of a section, as far as known.
+/// Dimensions of a section, as far as known.
 struct Plates {
   Profile kind = Profile::unsaid;
   Grade grade = Grade::to_S420;

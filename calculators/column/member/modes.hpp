@@ -9,7 +9,7 @@
 
 namespace loadpath::column {
 
-/// The outline of a section, as far as the input tells it. Of several sections the last of these that one of them has.
+/// The outline of a section, if the input gives it. For several sections the last of these present in one.
 enum class Outline { solid, closed, unknown, two_flanges, open };
 
 template <class Input>

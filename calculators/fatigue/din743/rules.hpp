@@ -75,7 +75,7 @@ Din743Loads din743_loads(const Input& in) {
   return l;
 }
 
-/// Whether a test is true for each action; absent actions are skipped.
+/// Whether a test is true for each acting load; absent actions are skipped.
 template <class Test>
 bool each_acting(const Din743Loads& l, const Test& test) {
   const auto passes = [&](const auto& action) { return !action.acts() || test(action); };

@@ -10,7 +10,7 @@ namespace loadpath::fatigue {
 
 /// In Pa, without any factor; `where` of the samples or positions of the series, of blocks their place in the list.
 struct Collective {
-  std::vector<rainflow::Cycle> cycles, small;  // number of these below the omission level
+  std::vector<rainflow::Cycle> cycles, small;  // small: below the omission level
   double largest = 0.0, least = 0.0;
 };
 Collective collective_of(const HistoryTypes::Input& in);

@@ -6,7 +6,7 @@ namespace loadpath {
 
 /// Every calculator of the program with the step that runs it, in the order in which `list` shows them.
 project::Catalogue catalogue();
-/// The same calculators alone.
+/// The calculators only.
 Calculators calculators();
 
 }  // namespace loadpath

@@ -1,11 +1,11 @@
 // A rolling bearing by its load ratings: rating life, static safety, least load, speed, axial load that its kind takes.
 //
 // Decides L_10 = (C/P)^p of [ISO281] with the reliability a_1, for one load or for blocks of load and speed, against
-// the life that is asked for; s_0 = C_0/P_0 of [ISO76]; the least load without which it skids. C, C_0, the factors and
-// the speed are those of the maker's table; deep groove ball bearings have theirs by f_0. Of a bearing that takes axial
-// load one way F_a is positive that way, and holds what its own radial load makes; of the others its sign is nothing.
-// K_A acts once: on all loads but those at rest, F_r0 and F_a0.
-// Not covered: a_ISO (lubricant, dirt, fatigue limit), swinging, clearance, tilt, spherical thrust bearings.
+// the required life; s_0 = C_0/P_0 of [ISO76]; the minimum load against skidding. C, C_0, the factors and the speed
+// are those of the maker's table; deep groove ball bearings have theirs by f_0. For a bearing with one axial load
+// direction F_a is positive in that direction and includes the induced axial force; for others its sign has no
+// effect. K_A acts once: on all loads but those at rest, F_r0 and F_a0. Not covered: a_ISO (lubricant, dirt, fatigue
+// limit), swinging, clearance, tilt, spherical thrust bearings.
 #pragma once
 
 #include "calculators/bearing/rolling_bounds.hpp"

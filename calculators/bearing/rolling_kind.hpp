@@ -100,19 +100,18 @@ constexpr double static_radial_factor(Kind kind) {
   return at_an_angle(kind) ? 0.5 : 1.0;
 }
 
-/// Y_0 of a kind: 0 where the static load is the radial one alone; none where the maker's table has it.
+/// Y_0 of a kind: 0 if the static load is only the radial one; none if it is in the maker's table.
 constexpr double static_axial_factor(Kind kind) {
   if (kind == Kind::deep_groove_ball) return 0.5;
   return takes_radial_alone(kind) || bears_on_ribs(kind) ? 0.0 : unset<double>;
 }
 
-/// What C_0/C of a kind lies between: above with a margin of a quarter or so, below loosely, where C_0 is not
-/// overrated.
+/// Bounds of C_0/C of a kind: above with a margin of a quarter or so, below loosely, where C_0 is not overrated.
 struct RatioOfRatings {
   double least, most;
 };
-/// Of 1,600 bearings in the catalogues of [Koyo] and SKF; of needles and thrust rollers recalled. Balls bear the more
-/// at rest the larger the bearing is: C in kN.
+/// From 1,600 bearings in the catalogues of [Koyo] and SKF; needles and thrust rollers recalled. The static rating of
+/// balls grows with the bearing size: C in kN.
 inline RatioOfRatings ratio_of_ratings(Kind kind, double C) {
   const double of_balls = 1.15 * std::pow(C / 10.0, 0.15);
   switch (kind) {

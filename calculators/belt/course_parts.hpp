@@ -1,4 +1,4 @@
-// What the evaluation and the rules of belt.course share: the pulleys as circles, and the one that moves.
+// Data shared by the evaluation and the rules of belt.course: the pulleys as circles, and the movable pulley.
 #pragma once
 
 #include "calculators/belt/course_types.hpp"

@@ -1,4 +1,4 @@
-// What belt.course takes and gives.
+// Input and result of belt.course.
 #pragma once
 
 #include "calculators/belt/loop.hpp"

@@ -27,7 +27,7 @@ constexpr auto driven_inputs() {
                     .may_be_missing()};
 }
 
-/// What they lead to.
+/// Derived quantities.
 template <class Result>
 constexpr auto driven_results(const char* of_pulley) {
   return Fields{Field<Result, Length>{&Result::d_2, "d_2", mm, of_pulley},

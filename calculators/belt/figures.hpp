@@ -10,8 +10,8 @@
 
 namespace loadpath::belt {
 
-/// A drive of two wheels in SI. What is not known stays NaN and is not drawn. Drawn is 1 turning clockwise, so that the
-/// tight span lies below.
+/// A drive of two pulleys in SI. Unknown values stay NaN and are not drawn. Pulley 1 is drawn rotating clockwise, so
+/// that the tight span lies below.
 struct TwoWheels {
   double d_1 = unset<double>, d_2 = unset<double>, a = unset<double>;
   double d_a1 = unset<double>, d_a2 = unset<double>;  // rims, where they are not the wheels themselves
@@ -25,7 +25,7 @@ struct TwoWheels {
 struct Pulls {
   double tight = unset<double>, slack = unset<double>;
   std::string tight_symbol = "S_1", slack_symbol = "S_2";
-  bool of_one_belt = false;  // then they are told, not drawn: the shaft takes those of all belts
+  bool of_one_belt = false;  // then they are listed, not drawn: the shaft carries those of all belts
   double R = unset<double>, R_x = unset<double>, R_y = unset<double>;
   std::string symbol = "R";
 };

@@ -1,11 +1,11 @@
 // A flat belt drive, open or crossed: course, tensions by friction, width of the belt, shaft load.
 //
 // Decides the width by the allowable stress of the belt and the initial tension by Euler's condition at the smaller
-// wrap, with the part of the tension that turns the belt around (centrifugal) kept out of the friction.
-// Tensions: S_1 tight, S_2 slack; the mean of the two stays that of standstill on fixed centres, while a tensioner that
-// pulls with a constant force lets it rise by the centrifugal part.
-// Not covered: rollers on the belt (belt.course), crowning, fatigue life of the belt, shafts that are not parallel.
-// The linked shaft load is the larger pull, in operation or at standstill.
+// wrap, with the part of the tension that turns the belt around (centrifugal) kept out of the friction. Tensions: S_1
+// tight, S_2 slack; the mean of the two stays that of standstill on fixed centres, while a tensioner with a constant
+// force lets it rise by the centrifugal part. Not covered: rollers on the belt (belt.course), crowning, fatigue life
+// of the belt, shafts that are not parallel. The linked shaft load is the larger resultant, in operation or at
+// standstill.
 #pragma once
 
 #include "calculators/belt/driven.hpp"

@@ -13,7 +13,7 @@ namespace loadpath::belt {
 
 enum class Arrangement { open, crossed };
 
-/// What a course is laid from: one of `a` and `L` is set.
+/// Input of a course: one of `a` and `L` is set.
 struct Pulleys {
   Length d_1, d_2;
   Length a;
@@ -25,9 +25,9 @@ struct Pulleys {
 /// NaN where no distance is long enough for straight spans. Newton from the right: L(a) rises and is convex.
 Length centre_of_length(const Pulleys& pulleys);
 
-/// Whether the pulleys of a course stand clear of each other.
+/// Whether the pulleys of a course have clearance between each other.
 bool stand_clear(const Pulleys& pulleys);
-/// What to say where they do not: the least centre distance, or the least length.
+/// Message for overlapping pulleys: the minimum centre distance, or the minimum length.
 FieldFault overlap(const Pulleys& pulleys);
 
 /// Spans, wraps, and what is missing of a and L. gamma is the inclination of the spans to the line of centres: open,

@@ -17,7 +17,7 @@ namespace loadpath::belt {
 
 inline constexpr std::size_t most_pulleys = 16;
 
-/// Of the middle of the belt; m.
+/// Length of the middle line of the belt; m.
 struct Circle {
   draw::Point at;
   double radius = 0.0;
@@ -46,8 +46,8 @@ struct Loop {
 /// inside of it, -1 clockwise.
 Loop lay_loop(std::span<const Circle> circles, double turn);
 
-/// The shortest way, forth or back, of a pulley along a direction at which the belt has this length, m; what lengths
-/// there are along it without a flaw, where it has not.
+/// The shortest displacement, forward or back, of a pulley along a direction at which the belt has this length, m; if
+/// there is none, the belt lengths possible along it without a flaw.
 struct Shift {
   std::optional<double> way;
   double shortest = 0.0, longest = 0.0;

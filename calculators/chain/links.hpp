@@ -1,13 +1,13 @@
 // Links and centre distance of a chain around two sprockets, each exactly from the other.
 //
-// The chain lies on circles whose circumference is z pitches. With the lean gamma of the strands the centre distance is
-// p (z_2 - z_1)/(2 pi sin gamma), and the number of links depends on cot gamma + gamma alone, the involute function of
-// the complement of gamma: so both ways are closed.
+// The chain lies on circles whose circumference is z pitches. With the lean gamma of the strands the centre distance
+// is p (z_2 - z_1)/(2 pi sin gamma), and the number of links depends only on cot gamma + gamma, the involute function
+// of the complement of gamma: so both directions have a closed form.
 #pragma once
 
 namespace loadpath::chain {
 
-/// Links, not whole, at the centre distance of `pitches` > |z_2 - z_1|/(2 pi).
+/// Number of links, not rounded, at the centre distance of `pitches` > |z_2 - z_1|/(2 pi).
 [[nodiscard]] double links_at(double pitches, double z_1, double z_2);
 
 /// Centre distance in pitches of a chain with so many links; NaN where it does not reach around.

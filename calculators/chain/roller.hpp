@@ -1,12 +1,11 @@
-// A drive with a roller chain: geometry, chain pull, pressure in the joints, safety against breaking, load of the
-// shafts.
+// A drive with a roller chain: geometry, chain tension, pressure in the joints, safety against breaking, shaft loads.
 //
-// Decides the even number of links and the centre distance that belongs to it, exactly both ways for a chain that lies
-// on circles of z p/(2 pi); speeds, polygon effect, pull with centrifugal force and sag, and what the chain may bear.
-// Wear and fatigue of plates and rollers decide about a chain, not its breaking load: that safety is no design
-// criterion alone. The rated power of the chain maker goes in as P_R, on the basis of ISO 10823 (19 teeth, 15 000 h,
-// 120 links). K_A acts once: on the pull that the power brings. Not covered: idlers, more than two sprockets, vertical
-// drives' sag.
+// Decides the even number of links and the centre distance that belongs to it, exactly in both directions for a chain
+// that lies on circles of z p/(2 pi); speeds, chordal action, tension with centrifugal force and sag, and the
+// capacity of the chain. Wear and fatigue of plates and rollers govern a chain, not its breaking load: that safety
+// factor is not a sufficient criterion. The rated power of the chain maker goes in as P_R, on the basis of ISO 10823
+// (19 teeth, 15 000 h, 120 links). K_A acts once: on the tension from the power. Not covered: idlers, more than two
+// sprockets, vertical drives' sag.
 #pragma once
 
 #include "calculators/load/shaft_load.hpp"
@@ -81,7 +80,7 @@ P_R = "5.5 kW"
   static bool links_reach(const Input& in);
   static FieldFault too_few_links(const Input& in);
   static Applies loaded(const Input& in) { return where(is_set(in.P) || is_set(in.T_1)); }
-  /// What wears out or breaks by running alone.
+  /// Wear and fatigue by running only.
   static Applies runs_loaded(const Input& in) {
     return loaded(in) == Applies::yes ? shown_by(is_set(in.n_1)) : Applies::no;
   }

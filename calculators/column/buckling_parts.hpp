@@ -1,4 +1,4 @@
-// What the sources of column.buckling share.
+// Declarations shared by the sources of column.buckling.
 #pragma once
 
 #include "calculators/column/buckling_input.hpp"
@@ -62,7 +62,7 @@ inline Method method_of(const BucklingInput& in) {
   return in.method != Method::unsaid ? in.method : default_method(in, is_structural(in));
 }
 
-/// The bar as it buckles about each axis whose ends are known, beside its section; nothing where none is.
+/// The buckled bar about each axis with known ends, next to its section; none if no ends are known.
 std::optional<draw::Figure> bar_figure(const BucklingInput& in, const MemberResult& r);
 
 }  // namespace loadpath::column

@@ -1,10 +1,10 @@
 // The effective length of a column whose ends are held by springs, with rigid supports between them.
 //
 // Decides beta = s/l from the smallest root of the characteristic equation of the uniform bar: ends that are hinged,
-// built in, guided, free or elastic (against turning, across the bar, or both), or the stiffness ratios G of the joints
-// of a frame, braced or free to sway. Elastic, central load, all columns of a frame buckle together (the assumption of
-// the alignment charts).
-// Not covered: bars of changing section or force, supports that give way between the ends.
+// built in, guided, free or elastic (against turning, across the bar, or both), or the stiffness ratios G of the
+// joints of a frame, braced or free to sway. Elastic, central load, all columns of a frame buckle together (the
+// assumption of the alignment charts). Not covered: bars of changing section or force, elastic supports between the
+// ends.
 #pragma once
 
 #include "calculators/column/member/stability.hpp"

@@ -1,4 +1,4 @@
-// What a stage of a train makes of its kind.
+// Stage data of a train by its kind.
 #pragma once
 
 #include "calculators/drive/train_types.hpp"

@@ -1,11 +1,11 @@
 // A train of drives, one behind the other: gears, belts with slip, chains, worms, planetary sets.
 //
-// Decides the ratio, speed, torque and power of every shaft, the efficiency of the whole, whether it reduces or
-// multiplies, and what the wheels on each shaft pull: T_k = T_1 i eta over the stages before. Loads are nominal: the
-// service factor belongs to the part that is designed with them. An efficiency that is left out is 1,
-// of a belt 1 - slip: the slip lowers the speed, not the ratio of the torques. Given, it contains the slip.
-// Signs: torque and speed of a shaft are positive in the sense of the first one; a stage's ratio is negative where it
-// turns its second shaft the other way. Not covered: branches, power that circulates, losses of bearings.
+// Decides the ratio, speed, torque and power of every shaft, the total efficiency, whether it reduces or multiplies,
+// and the loads of the wheels on each shaft: T_k = T_1 i eta over the stages before. Loads are nominal: the service
+// factor belongs to the part that is designed with them. An efficiency that is left out is 1, of a belt 1 - slip: the
+// slip lowers the speed, not the ratio of the torques. Given, it contains the slip. Signs: torque and speed of a
+// shaft are positive in the direction of the first one; a stage's ratio is negative where its second shaft rotates in
+// the opposite direction. Not covered: branches, power that circulates, losses of bearings.
 #pragma once
 
 #include "calculators/drive/train_types.hpp"

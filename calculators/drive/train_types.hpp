@@ -1,4 +1,4 @@
-// What drive.train takes and gives.
+// Input and result of drive.train.
 #pragma once
 
 #include "lib/calculator/field.hpp"

@@ -1,7 +1,7 @@
-// The force that a known motion of a point asks for: the first problem of dynamics.
+// The force that produces a known motion of a point: the first problem of dynamics.
 //
 // Resultant, inertia force of d'Alembert, and what is left for the unknown force when known ones (weight, a load) are
-// given. Sign: along the axes. Source: [B32]. Not covered: laws with kinks or jumps (they ask for impacts).
+// given. Sign: along the axes. Source: [B32]. Not covered: laws with kinks or jumps (they cause impacts).
 #pragma once
 
 #include "calculators/motion/laws.hpp"

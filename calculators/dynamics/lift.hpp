@@ -2,9 +2,9 @@
 //
 // Every part moves i times as far (at the radius r of a wheel) as the path s, the coordinate of the lift. A pulley
 // whose axis moves is a weight and a wheel. Friction in the bearings and on tracks is against the motion; a lift that
-// its weights cannot move stands. Sign: i is positive where a weight goes down for growing s, and a wheel turns
-// forwards. A thread pulls what hangs, or is on a slope, upwards: else it is slack. Source: [B37]. Not covered: slip
-// and weight of the threads, a thread that pulls down a slope, and whether one along a level track is tight.
+// its weights cannot move is at rest. Sign: i is positive where a weight goes down for growing s, and a wheel turns
+// forwards. A thread acts upwards on a hanging part, or one on a slope: else it is slack. Source: [B37]. Not covered:
+// slip and weight of the threads, a thread acting down a slope, and whether one along a level track is tight.
 #pragma once
 
 #include "lib/calculator/field.hpp"

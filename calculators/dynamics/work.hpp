@@ -1,9 +1,9 @@
 // Work, power and kinetic energy of a body that slides along a straight path: weight, friction, a driving force, a
 // spring.
 //
-// Theorem of kinetic energy over the path s. Sign: forwards along the path; alpha is positive where the path rises; the
-// spring pushes or pulls along the path, z is its deformation at the start and at the end. Source: [B34].
-// The work of the spring is -c (z_2^2 - z_1^2)/2; -c (z_2 - z_1)^2/2 holds from the unloaded spring only.
+// Theorem of kinetic energy over the path s. Sign: forwards along the path; alpha is positive where the path rises;
+// the spring acts along the path, z is its deformation at the start and at the end. Source: [B34]. The work of the
+// spring is -c (z_2^2 - z_1^2)/2; -c (z_2 - z_1)^2/2 holds from the unloaded spring only.
 #pragma once
 
 #include "lib/calculator/field.hpp"

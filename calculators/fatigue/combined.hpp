@@ -1,12 +1,11 @@
 // Safety of a section where normal and shear stresses vary together, by Serensen, von Mises or Gough and Pollard.
 //
-// Decides how many times as large the whole load may be, without end: Serensen's n = n_sigma n_tau/sqrt(n_sigma^2 +
-// n_tau^2) with psi (GOST 25.504, the school of [B20]); von Mises stresses of amplitudes and of means by Goodman,
-// Soderberg, Gerber or the ellipse of ASME [Shigley6]; the ellipse of Gough and Pollard with Goodman's line in each
-// stress; and yielding at the first cycle. All stand side by side. Normal and shear stresses rise and fall together,
-// of ductile metals; stresses are nominal, as sigma_D and tau_D are.
-// Not covered: stresses out of phase, brittle metals, finite life, two normal stresses.
-// From memory, source not seen: psi from R_m.
+// Decides the load factor for infinite life: Serensen's n = n_sigma n_tau/sqrt(n_sigma^2 + n_tau^2) with psi (GOST
+// 25.504, the school of [B20]); von Mises stresses of amplitudes and of means by Goodman, Soderberg, Gerber or the
+// ellipse of ASME [Shigley6]; the ellipse of Gough and Pollard with Goodman's line in each stress; and yielding at
+// the first cycle. All are listed next to each other. Normal and shear stresses rise and fall together, of ductile
+// metals; stresses are nominal, as sigma_D and tau_D are. Not covered: stresses out of phase, brittle metals, finite
+// life, two normal stresses. From memory, source not seen: psi from R_m.
 #pragma once
 
 #include "calculators/fatigue/mean_stress.hpp"

@@ -2,9 +2,9 @@
 //
 // Decides sigma_max, sigma_min, mean, amplitude and ratio r, and the kind of the cycle, [B20]; for shear stresses
 // alike. Cycles of one ratio are similar; +inf and -inf are one ratio, that of a pulsation below zero. The largest
-// stress is held against a yield strength, the amplitude against the fatigue limit of the part in symmetric cycles,
-// each with its safety. Tension is positive, and lowers that limit: such a cycle is not covered; what compression adds
-// to it is not counted. Not covered: mean stress and life (fatigue.life takes the cycle whole), histories.
+// stress is compared with a yield strength, the amplitude against the fatigue limit of the part in symmetric cycles,
+// each with its safety. Tension is positive, and lowers that limit: such a cycle is not covered; what compression
+// adds to it is not counted. Not covered: mean stress and life (fatigue.life takes the full cycle), histories.
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"

@@ -3,13 +3,12 @@
 //
 // Decides sigma_-1 of the smooth polished specimen by one published rule, the notch factor K_f, and the fatigue limit
 // of the part by one school: Serensen's K_D (GOST 25.504, the school of [B20]) or Marin's factors (Shigley): surface
-// by either edition, size of parts that turn or stand, load, temperature, reliability. Torsion alike, with tau for
-// sigma. Limits hold for r = -1 and one half of the parts, unless P_s says more.
-// Without size or roughness it is a specimen's limit still, and not judged as a part's; of what is as small and as
-// smooth say epsilon = 1, beta_F = 1.
-// Not covered: mean stress, life (fatigue.life), histories, safety, corrosion, press fits.
-// From memory, source not seen: Peterson's notch sensitivity, that of cast iron, the surface factors of the 11th
-// edition except for ground surfaces.
+// by either edition, size of rotating or stationary parts, load, temperature, reliability. Torsion alike, with tau
+// for sigma. Limits are for r = -1 and a survival of 50 %, unless P_s says more. Without size or roughness it stays
+// the specimen's limit, and is not assessed as the part's; for a part as small and smooth give epsilon = 1, beta_F =
+// 1. Not covered: mean stress, life (fatigue.life), histories, safety, corrosion, press fits. From memory, source not
+// seen: Peterson's notch sensitivity, that of cast iron, the surface factors of the 11th edition except for ground
+// surfaces.
 #pragma once
 
 #include "calculators/fatigue/endurance_types.hpp"

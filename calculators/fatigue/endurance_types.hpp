@@ -1,4 +1,4 @@
-// What fatigue.endurance takes and gives.
+// Input and result of fatigue.endurance.
 #pragma once
 
 #include "calculators/load/heat_treatment.hpp"

@@ -6,7 +6,7 @@
 
 namespace loadpath::fatigue {
 
-/// What a rule makes of the tensile strength: a band of factors, or one factor twice.
+/// Fatigue limit over tensile strength by a rule: a band of factors, or one factor twice.
 struct Factors {
   double low = unset<double>, high = unset<double>;
   const char* why = "";

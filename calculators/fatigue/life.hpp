@@ -1,13 +1,13 @@
 // Safety and life of a part in one stress cycle that comes again and again, by ten rules for its mean stress.
 //
-// Decides how many times as large the load may be for a life of N cycles, or without end, by the rule that is chosen:
-// mean stress and amplitude grow together, or the mean stays; the life at this load; the amplitude that is allowed; and
-// yielding at the first cycle. All rules stand side by side. Stresses are nominal, as sigma_D is, amplitudes, and N is
-// in cycles. The line of finite life goes from f R_m at 1e3 cycles to the fatigue limit at N_D [Shigley6], by Basquin
-// over reversals 2 N, or with a slope k. Compression is no help. Below 1e3 cycles, of low cycles, nothing is said.
-// Safety and life are those of the share of parts that sigma_D holds for: one half, but where P_s is in it.
-// Not covered: histories (one cycle alone), shear beside normal stresses (fatigue.combined), creep, corrosion.
-// From memory, source not seen: the fit of f, of gamma, and of psi.
+// Decides the load factor for a life of N cycles, or infinite life, by the chosen rule: mean stress and amplitude
+// grow together, or the mean stays; the life at this load; the amplitude that is allowed; and yielding at the first
+// cycle. All rules are listed next to each other. Stresses are nominal, as sigma_D is, amplitudes, and N is in
+// cycles. The line of finite life goes from f R_m at 1e3 cycles to the fatigue limit at N_D [Shigley6], by Basquin
+// over reversals 2 N, or with a slope k. Compression gives no benefit. Below 1e3 cycles, of low cycles, nothing is
+// said. Safety and life are for the survival probability of sigma_D: 50 %, unless it includes P_s. Not covered:
+// histories (only one cycle), shear with normal stresses (fatigue.combined), creep, corrosion. From memory, source
+// not seen: the fit of f, of gamma, and of psi.
 #pragma once
 
 #include "calculators/fatigue/cycle_of.hpp"
@@ -62,7 +62,7 @@ S_F = 1.5
   struct Input : Given {
     Stresses stress = Stresses::normal;
     Stress sigma_D = unset<Stress>;
-    Group group = Group::other_non_ferrous;  // nothing is promised without end where no group is told
+    Group group = Group::other_non_ferrous;  // infinite life is excluded unless a group is given
     Stress R_m = unset<Stress>, R_e = unset<Stress>;
     Length d_h = unset<Length>;
     double S_D = unset<double>, S_F = unset<double>;

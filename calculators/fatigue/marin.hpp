@@ -58,7 +58,7 @@ double marin_surface(const EnduranceTypes::Input& in, Tracer& trace) {
   return NAMED_STEP("k_a", min(k_s, 1.0), "no surface is better than polished");
 }
 
-/// Of what stands only two sides are highly stressed in bending: it is as strong as a thinner bar that turns.
+/// A stationary part has only two highly stressed sides in bending: it is as strong as a thinner rotating bar.
 template <class Tracer>
 Length marin_diameter(const EnduranceTypes::Input& in, Tracer& trace) {
   const bool bends = in.loading == EnduranceTypes::Loading::bending;
@@ -107,7 +107,7 @@ double marin_reliability(const EnduranceTypes::Input& in, Tracer& trace) {
   return NAMED_STEP("k_e", 1.0 - 0.08 * z_a, "fatigue limits scatter by 8 %, [Shigley6] (6-29)");
 }
 
-/// The whole of K_D where load, temperature or reliability take part.
+/// The full K_D including load, temperature or reliability.
 template <class Tracer>
 double marin_service(const EnduranceTypes::Input& in, EnduranceTypes::Result& r, Tracer& trace) {
   r.k_c = is_set(in.k_c) ? trace.value("k_c", in.k_c, "load: sigma_W was measured in rotating bending")

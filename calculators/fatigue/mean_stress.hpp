@@ -1,6 +1,6 @@
-// What a mean stress takes of a fatigue strength: the rules of the Haigh diagram, each as the amplitude of symmetric
-// cycles that a cycle stands for, as a factor on the whole load, and as the amplitude that its mean stress leaves.
-// A mean stress is counted here as the caller counts it: zero or tension; FKM alone knows what compression gives.
+// Effect of a mean stress on a fatigue strength: the rules of the Haigh diagram, each as the equivalent fully
+// reversed amplitude of a cycle, as a factor on the full load, and as the allowable amplitude at its mean stress. A
+// mean stress is counted here as the caller counts it: zero or tension; only FKM includes the benefit of compression.
 #pragma once
 
 #include "lib/calculator/field.hpp"
@@ -28,7 +28,7 @@ constexpr auto choices_of(MeanRule) {
       ChoiceName<R>{R::serensen, "serensen", "a line by psi, Serensen"}};
 }
 
-/// What stays as it is while the load grows to its limit: the mean stress (case 1), or its ratio to the amplitude (2).
+/// Constant quantity while the load grows to its limit: mean stress (case 1), ratio to the amplitude (2).
 enum class MeanStress { constant, proportional };
 
 constexpr auto choices_of(MeanStress) {
@@ -37,8 +37,8 @@ constexpr auto choices_of(MeanStress) {
                     ChoiceName<M>{M::proportional, "proportional", "case 2: constant stress ratio"}};
 }
 
-/// What the rules hold a cycle against: the strength in symmetric cycles and what the material has beside; unset where
-/// it is not known.
+/// Strengths that the rules compare a cycle with: the fully reversed strength and further material strengths; unset
+/// if unknown.
 struct Haigh {
   Stress S_e = unset<Stress>, R_m = unset<Stress>, R_e = unset<Stress>, sigma_f = unset<Stress>;
   double gamma = unset<double>, M = unset<double>, psi_D = unset<double>;
@@ -120,7 +120,7 @@ double elliptic(const char* symbol, Stress sigma_a, Stress sigma_m, Stress S_e, 
   return NAMED_STEP(symbol, 1.0 / sqrt(pow<2>(sigma_a / S_e) + pow<2>(sigma_m / R_e)), why);
 }
 
-/// By the four fields of FKM, told apart by the stress ratio.
+/// By the four fields of FKM, distinguished by the stress ratio.
 template <class Tracer>
 Stress equivalent_by_fkm(Stress sigma_a, Stress sigma_m, double M, Tracer& trace) {
   if (sigma_m <= -sigma_a) return NAMED_STEP("sigma_ar", sigma_a * (1.0 - M), "always pressed, r > 1, [FKM]");
@@ -131,7 +131,7 @@ Stress equivalent_by_fkm(Stress sigma_a, Stress sigma_m, double M, Tracer& trace
   return NAMED_STEP("sigma_ar", 3.0 * sigma_a * pow<2>(1.0 + M) / (3.0 + M), "r from 0.5 on, [FKM]");
 }
 
-/// The amplitude of symmetric cycles that does the same; unset where the mean stress alone breaks it.
+/// The equivalent fully reversed amplitude; unset if the mean stress reaches the strength by itself.
 template <class Tracer>
 Stress equivalent(MeanRule rule, const Haigh& h, const Swing& s, Tracer& trace) {
   using std::pow;
@@ -164,7 +164,7 @@ Stress equivalent(MeanRule rule, const Haigh& h, const Swing& s, Tracer& trace) 
   return unset<Stress>;
 }
 
-/// The factor on the whole load, mean stress and amplitude, that the strength bears: `n`.
+/// The allowable factor on the full load, mean stress and amplitude: `n`.
 template <class Tracer>
 double load_factor(MeanRule rule, const Haigh& h, const Swing& s, Stress sigma_ar, Tracer& trace) {
   const auto [S_e, R_m, R_e, sigma_f, gamma, M, psi_D, n_y] = h;

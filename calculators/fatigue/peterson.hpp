@@ -42,7 +42,7 @@ inline constexpr std::array groove_in_torsion{
 
 struct Concentration {
   double K;
-  double place;  // of h/r within the fits: 0 least, 1 largest, on a logarithmic scale
+  double place;  // position of h/r within the fits: 0 minimum, 1 maximum, on a logarithmic scale
 };
 
 /// By one fit, at y = h/r and s = 2 h/D.
@@ -52,8 +52,8 @@ inline double by_fit(const Fit& fit, double y, double s) {
   return K;
 }
 
-/// Of a notch of height h and radius r on the larger diameter D. Below 1 a fit says nothing, and 1 is meant; where two
-/// of them meet the larger counts, for they differ by a percent there.
+/// Factor of a notch of height h and radius r on the larger diameter D. A fit below 1 is invalid and gives 1; where
+/// two fits meet the larger counts, for they differ by a percent there.
 inline Concentration concentration(std::span<const Fit> fits, Length h, Length r, Length D) {
   constexpr double seam = 1e-6;
   const double y = h / r, s = 2.0 * h / D;

@@ -1,6 +1,6 @@
-// What a polished bar of steel bears by DIN 743-3, and what the size of a section and its roughness leave of that by
-// DIN 743-2: shared by those who take the tables of Serensen for theirs, term for term, and by those who rate a section
-// by the standard.
+// Fatigue limit of a polished steel bar by DIN 743-3, and its reduction by section size and roughness by DIN 743-2:
+// shared by the calculators that use these tables for those of Serensen, term for term, and by those that rate a
+// section by the standard.
 #pragma once
 
 #include "lib/calculator/trace.hpp"
@@ -38,7 +38,7 @@ double roughness_factor(const char* symbol, Stress R_m, Length R_z, const char* 
   return NAMED_STEP(symbol, 1.0 - 0.22 * lg_R * max(lg_S - 1.0, 0.0), why);
 }
 
-/// What of the tensile strength a polished bar of steel bears in symmetric cycles, part 3.
+/// Fully reversed fatigue limit of a polished steel bar over its tensile strength, part 3.
 struct PolishedBar {
   double tension, bending, torsion;
 };

@@ -1,5 +1,5 @@
-// What several calculators make of the strengths of a static test: strengths in shear, the sensitivity to mean stress
-// by Serensen and by FKM, and the kpsi that American fits are published in.
+// Values derived from the static strengths by several calculators: strengths in shear, the sensitivity to mean stress
+// by Serensen and by FKM, and the kpsi of American fits.
 #pragma once
 
 #include "lib/calculator/trace.hpp"

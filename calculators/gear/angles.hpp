@@ -1,5 +1,5 @@
-// The functions of angles that the formulas of gears use: in this folder they stand before those of the C library, so
-// that a sweep of pairs goes through wide registers and gives what a single run gives.
+// The functions of angles that the formulas of gears use: in this folder they take precedence over those of the C
+// library, so that a sweep of pairs goes through wide registers and gives what a single run gives.
 #pragma once
 
 #include "calculators/gear/trigonometry.hpp"

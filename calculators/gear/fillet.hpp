@@ -15,7 +15,7 @@ class Fillet {
  public:
   struct Touched {
     double x, y;
-    double sine, cosine;  // of the fillet's direction, from across the tooth
+    double sine, cosine;  // direction of the fillet, from across the tooth
     double turn, size;    // rates with the lean: of that direction, and along the fillet
   };
 
@@ -32,17 +32,17 @@ class Fillet {
     return {st * py - ct * px, st * px + ct * py, st * c + ct * s,
             ct * c - st * s,   1.0 + turn,        turn * (depth_ * root + rho_) + rho_};
   }
-  /// Of the gear at the lowest point, from the space to the tooth.
+  /// Angle of the gear at the lowest point, from the tooth space to the tooth.
   [[nodiscard]] double turned() const { return (std::numbers::pi - 2.0 * corner_) / z_; }
 
  private:
-  /// Of the corner's centre from the middle of the space.
+  /// Angle on the gear or offset of the corner's centre from the middle of the space.
   static double corner_of(const Rack& rack, numerics::SineCosine alpha) {
     return std::numbers::pi / 4.0 - (rack.h_f * alpha.sine + (1.0 - alpha.sine) * rack.rho) / alpha.cosine;
   }
 
   double z_, rho_;
-  double depth_;  // of the corner's centre below the pitch line
+  double depth_;  // depth of the corner's centre below the pitch line
   double corner_;
 };
 

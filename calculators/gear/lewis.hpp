@@ -15,7 +15,7 @@ class WeakestSection {
   WeakestSection(const Fillet& fillet, double y_load, double steepest)
       : fillet_(fillet), y_load_(y_load), end_(steepest), high_(steepest * (1.0 + 1e-9)) {
     const double lean = within(usual_direction - fillet.turned(), 0.05, 1.1);
-    t_ = within(lean / (1.0 - lean * lean / 3.0), 0.0, 0.99 * end_);  // of that size is its tangent
+    t_ = within(lean / (1.0 - lean * lean / 3.0), 0.0, 0.99 * end_);  // approximate tangent of the lean
   }
 
   /// s^2/(6 h). Three steps find it to rounding for usual gears.
@@ -29,7 +29,7 @@ class WeakestSection {
   /// As std::clamp, by value: one by reference keeps a loop out of wide registers.
   static double within(double x, double low, double high) { return x < low ? low : (x > high ? high : x); }
 
-  static constexpr double usual_direction = 1.1;  // of the fillet where it is weakest, rad
+  static constexpr double usual_direction = 1.1;  // angle at the weakest point of the fillet, rad
 
   /// A step of Newton's method for the slope of s^2/h over the lean, kept between the ends of the fillet and between
   /// the points that are known to lie on either side; the end is taken where the slope has no zero.

@@ -24,8 +24,8 @@ struct Body {
 [[nodiscard]] std::vector<draw::Point> wheel_outline(const Body& body);
 /// The closed inner outline of a ring.
 [[nodiscard]] std::vector<draw::Point> ring_outline(const Body& body);
-/// The closed outline of a piece of a rack whose reference line stands at x = at.x, teeth to the left; y = at.y is the
-/// middle of the piece: of a space where the number of teeth is even.
+/// The closed outline of a rack segment with its reference line at x = at.x, teeth to the left; y = at.y is the
+/// middle of the segment: a space if the number of teeth is even.
 [[nodiscard]] std::vector<draw::Point> rack_outline(const Rack& rack, double m_t, double h_a, int teeth,
                                                     draw::Point at);
 

@@ -1,4 +1,4 @@
-// What a pair of gears lets the user choose.
+// Choices of a gear pair.
 #pragma once
 
 #include "lib/calculator/field.hpp"
@@ -45,7 +45,7 @@ constexpr auto choices_of(Idler) {
                     ChoiceName<Idler>{Idler::gear_2, "gear_2", "gear 2, between two mates"},
                     ChoiceName<Idler>{Idler::both, "both", "both gears"}};
 }
-/// Whether the teeth of gear 1 or 2 bend both ways.
+/// Idler gear, with reversed tooth bending: gear 1, gear 2 or none.
 constexpr bool is_idler(Idler idler, Idler gear) { return idler == gear || idler == Idler::both; }
 
 }  // namespace loadpath::gear

@@ -1,4 +1,4 @@
-// What gear.pair takes.
+// Input of gear.pair.
 #pragma once
 
 #include "calculators/gear/pair_choices.hpp"

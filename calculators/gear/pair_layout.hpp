@@ -70,7 +70,7 @@ void diameters(const PairInput& in, double g, PairResult& r, Tracer& trace) {
   STEP_TO(r, c_2, g * (r.a_w - r.d_a2 / 2.0) - d_f1 / 2.0, "from the tip of gear 2 to the root of gear 1");
 }
 
-/// Against a rack the pitch circle is the reference circle wherever the rack stands.
+/// With a rack the pitch circle is the reference circle at any rack position.
 template <class Tracer>
 void lay_out_rack(const PairInput& in, PairResult& r, Tracer& trace) {
   r.a = 0.5 * r.d_1, r.a_w = in.a_w, r.k = 0.0;

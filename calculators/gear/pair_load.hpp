@@ -35,12 +35,12 @@ void speeds(const PairInput& in, PairResult& r, Tracer& trace) {
   STEP_TO(r, n_2, -g * in.n_1 * in.z_1 / in.z_2, "wheels turn against each other, wheel and ring alike");
 }
 
-/// What the shafts take, each in its own frame. The axes of the results point from axis 1 to the pitch point, which is
-/// toward axis 2 where that is of a wheel, away from it where a ring is around gear 1. `w`: 1 where gear 1 turns
+/// Loads on the shafts, each in its own frame. The axes of the results point from axis 1 to the pitch point, towards
+/// axis 2 of an external gear, away from the axis of a ring gear around gear 1. `w`: 1 where gear 1 turns
 /// counter-clockwise, else -1.
 inline void hand_over(const PairInput& in, Moment T_1, double w, PairResult& r) {
   const double K_A = in.K_A, to_2 = K_A * sign_of(in.mesh);
-  const double forward = turns_back(in) ? -w : w;  // of the speeds, which have their sign
+  const double forward = turns_back(in) ? -w : w;  // direction of the speeds, which are signed
   r.gear_1 =
       shaft_load(K_A * T_1, {to_2 * r.F_x1, to_2 * r.F_y1, K_A * r.F_z1}, r.d_w1, forward * in.n_1, sign_of(in.mesh));
   r.gear_1.d_f = r.d_f1, r.gear_1.h_t = (r.d_a1 - r.d_f1) / 2.0;
@@ -51,7 +51,7 @@ inline void hand_over(const PairInput& in, Moment T_1, double w, PairResult& r) 
   if (in.mesh == Mesh::external) r.gear_2.d_f = r.d_f2, r.gear_2.h_t = (r.d_a2 - r.d_f2) / 2.0;
 }
 
-/// [Vortarus], with the hand of the helix and the sense of rotation; the working circle gives what the bearings feel.
+/// [Vortarus], with the hand of the helix and the direction of rotation; the working circle gives the bearing loads.
 template <class Tracer>
 void forces(const PairInput& in, Moment T_1, PairResult& r, Tracer& trace) {
   const double w = turns_back(in)
@@ -107,7 +107,7 @@ inline double form_factor(const PairInput& in, double z, double x, double k) {
 inline constexpr const char* from_form =
     "minimum s^2/(6 h m_n) of the tooth with the load at its tip, z/cos^3(beta) teeth, [Lewis]";
 
-/// A tooth that Lewis' formula is applied to, and the symbols that its results are told under.
+/// A tooth for Lewis' formula, and the symbols of its results.
 struct Tooth {
   double z, x, k, Y_given;
   Stress sigma_adm;

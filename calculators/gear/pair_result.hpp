@@ -1,4 +1,4 @@
-// What is found of a pair of gears.
+// Result of a gear pair.
 #pragma once
 
 #include "calculators/load/shaft_load.hpp"
@@ -7,7 +7,7 @@
 
 namespace loadpath::gear {
 
-inline constexpr double most_shift = 3.0;  // of a wheel, in normal modules
+inline constexpr double most_shift = 3.0;  // for one gear, in normal modules
 
 struct PairResult {
   double u = unset<double>;

@@ -7,7 +7,7 @@ namespace loadpath::gear {
 
 namespace teeth {
 
-/// The symbols under which the formulas of one wheel are told.
+/// The symbols in the formulas of one gear.
 struct Symbols {
   const char *s_n, *s_an, *k_W, *W;
 };
@@ -39,7 +39,7 @@ Length tip_thickness(const PairInput& in, const PairResult& r, const Wheel& w, L
 template <class Tracer>
 double spanned_teeth(const PairInput& in, const PairResult& r, const Wheel& w, Tracer&) {
   if (w.spanned > 0) return w.spanned;
-  const double tan_b = tan(in.beta) * cos(r.alpha_t);  // of the helix at the base cylinder
+  const double tan_b = tan(in.beta) * cos(r.alpha_t);  // tangent of the helix angle at the base cylinder
   const double ratio_v = w.d_b / (w.d + 2.0 * w.x * in.m_n);
   const double tan_v = ratio_v < 1.0 ? std::sqrt(1.0 / (ratio_v * ratio_v) - 1.0) : 0.0;
   const double inv_t = tan(r.alpha_t) - r.alpha_t;

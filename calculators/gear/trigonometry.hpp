@@ -18,7 +18,7 @@ struct Parted {
   double value, rest;
 };
 
-/// a + b; |a| >= |b| is not asked for.
+/// a + b; |a| >= |b| is not required.
 inline Parted sum_of(double a, double b) {
   const double sum = a + b, of_b = sum - a;
   return {sum, (a - (sum - of_b)) + (b - of_b)};
@@ -54,7 +54,7 @@ inline Reduced reduced(double angle) {
   return {fine.value, fine.rest, std::bit_cast<std::uint64_t>(shifted)};
 }
 
-/// Of a reduced angle.
+/// Sine and cosine of a reduced angle.
 struct Sides {
   double sine, sine_rest, cosine, cosine_rest;
 };
@@ -65,7 +65,7 @@ inline Sides sides_of(double x, double x_rest) {
   constexpr double of_cosine[] = {0.041666666666666664,    -0.0013888888888887398, 2.480158729876456e-05,
                                   -2.7557317271145144e-07, 2.087614614655861e-09,  -1.1382623647474604e-11};
   const double z = x * x, half = 0.5 * z, whole = 1.0 - half, h = upper_half(x);
-  const double cut_off = (h * h - z) + (x - h) * (x + h);  // of z
+  const double cut_off = (h * h - z) + (x - h) * (x + h);  // digits missing in z
   const double sine = x * z * polynomial(of_sine, z) + x_rest * whole;
   const double cosine = ((1.0 - whole) - half) + (z * z * polynomial(of_cosine, z) - (x * x_rest + 0.5 * cut_off));
   const double s = x + sine, c = whole + cosine;
@@ -125,7 +125,7 @@ inline double arc_tangent(double x) {
   constexpr double c[] = {-0.33333333333333326,  0.19999999999987655, -0.14285714283127662, 0.11111110899049664,
                           -0.0909090014058555,   0.07692086204975024, -0.06663224869084483, 0.05847612444521365,
                           -0.050334165154982353, 0.0378116004846169,  -0.017532295994972764};
-  // beside the angle whose tangent is 0, 1/2, 1, 3/2 or none
+  // relative to the angle whose tangent is 0, 1/2, 1, 3/2 or none
   const double a = std::abs(x);
   double over = a, under = 1.0, base = 0.0, base_rest = 0.0;
   const auto beyond = [&](double bound, double o, double u, double b, double rest) {

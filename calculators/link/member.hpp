@@ -16,7 +16,7 @@
 
 namespace loadpath::link {
 
-/// Its largest stress, for fatigue.cycle to take whole: cycle = "=rod.cycle". How it varies is said there.
+/// Its largest stress, an input record of fatigue.cycle: cycle = "=rod.cycle". The cycle type is given there.
 struct LinkCycle {
   Stresses stress = Stresses::normal;
   Stress sigma_max = unset<Stress>, E = unset<Stress>;

@@ -1,5 +1,5 @@
-// What fastens a hub to a shaft, for the seat of a shaft to take whole: connection = "=key.connection". Keys, splines,
-// press fits, set screws and pins across the shaft give it.
+// Hub-shaft connections, input record of a component on a shaft: connection = "=key.connection". Keys, splines,
+// interference fits, set screws and cross pins give it.
 #pragma once
 
 #include "calculators/load/hub.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath {
 
-/// What fastens a hub.
+/// Connection types of a hub.
 enum class Fastening { unsaid, key, two_keys, spline, press_fit, set_screw, pin };
 
 constexpr auto choices_of(Fastening) {
@@ -49,7 +49,7 @@ struct Connection {
       Field{&Connection::R_c, "R_c", MPa, "yield strength of the shaft in the calculation"}};
 };
 
-/// Of a torque with the service factor, which may be of zero: that fastens nothing.
+/// Rating of a torque with application factor, possibly zero: no fastening.
 inline Connection connection_for(Fastening fastening, Moment T, Length d, Length bore) {
   Connection c;
   c.fastening = fastening;

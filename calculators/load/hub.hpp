@@ -1,4 +1,4 @@
-// Dimensions of the gear, sprocket or pulley that a hub carries: root circle, rim and bore. They come with its load.
+// Dimensions of the gear, sprocket or pulley of a hub: root circle, rim and bore. They accompany its load.
 #pragma once
 
 #include "lib/calculator/field.hpp"
@@ -20,7 +20,7 @@ constexpr auto choices_of(Mounted) {
                     ChoiceName<Mounted>{Mounted::sprocket, "sprocket", "the sprocket of a chain"}};
 }
 
-/// Inputs d_f, h_t, b_r and bore. They also come with a torque that is taken alone.
+/// Inputs d_f, h_t, b_r and bore. They also accompany a torque given as a single value.
 template <class Input>
 constexpr auto hub_inputs() {
   using Size = Field<Input, Length>;

@@ -1,4 +1,4 @@
-// What the fatigue limits and notch factors of different loadings are, so that none is taken for another.
+// Meanings of the fatigue limits and notch factors of different loadings, so that they are not interchanged.
 #pragma once
 
 #include "lib/calculator/meaning.hpp"
@@ -11,7 +11,7 @@ using loadpath::limit_in_shear;
 using loadpath::specimen_in_bending;
 using loadpath::specimen_in_tension;
 using loadpath::specimen_in_torsion;
-/// Of metals without a fatigue limit; the choices that decide are two, "loading, group", their words joined by "/".
+/// Limits of metals without a fatigue limit; the two governing choices are "loading, group", joined by "/".
 inline constexpr auto strength_in_normal = "a fatigue strength at some number of cycles, of a metal without a limit";
 inline constexpr auto strength_in_shear = "the same in shear: a fatigue strength at some number of cycles";
 inline constexpr auto factor_in_normal = "a factor between specimen and part in normal stresses";

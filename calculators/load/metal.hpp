@@ -1,6 +1,6 @@
-// What tells that a metal has no fatigue limit: its modulus of elasticity and its density, which the row of a material
-// brings along. Of irons and steels the curve runs level; aluminium, copper, magnesium, titanium and zinc break at any
-// stress that comes often enough, [B20]: they are judged at a number of cycles, or not at all.
+// Recognition of metals without fatigue limit: by the modulus of elasticity and density from the row of a material.
+// For irons and steels the curve becomes level; aluminium, copper, magnesium, titanium and zinc fail at any stress
+// with enough cycles, [B20]: they are assessed at a number of cycles, or not at all.
 #pragma once
 
 #include "calculators/load/steel.hpp"
@@ -18,8 +18,8 @@ constexpr auto density_of_material(Density Input::*at) {
       .where_it_has();
 }
 
-/// Whether it is no iron and no steel; what is not known tells nothing. Grey iron has from some 78 GPa and 6.9 g/cm3
-/// on, steels up to some 235 GPa and 8.2 g/cm3; aluminium bronzes are as dense as steels, with the modulus of irons.
+/// Whether it is neither iron nor steel; false if unknown. Grey iron has from some 78 GPa and 6.9 g/cm3 on, steels up
+/// to some 235 GPa and 8.2 g/cm3; aluminium bronzes are as dense as steels, with the modulus of irons.
 inline bool lacks_fatigue_limit(Stress E, Density rho) {
   const bool odd_modulus = E < 75.0 * GPa || E > 240.0 * GPa;
   const bool odd_density = rho < 6800.0 * kg_per_m3 || rho > 8250.0 * kg_per_m3;
@@ -63,7 +63,7 @@ constexpr Mode<Input> fatigue_of_metal() {
       .wanting("N, N_D");
 }
 
-/// What the group says of the metal must be true of it. Of steels the modulus is held against theirs.
+/// The given group must be true of the metal. For steels the modulus is compared with theirs.
 template <class Input>
 constexpr Rule<Input> group_of_metal() {
   return {[](const Input& in) {

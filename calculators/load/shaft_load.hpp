@@ -1,5 +1,5 @@
-// What one thing on a shaft does to it, for a shaft to take whole: load = "=gears.gear_2". Gears, belts, chains and the
-// drives of mechanisms give it.
+// Load of one component on a shaft, an input record of the shaft: load = "=gears.gear_2". Gears, belts, chains and
+// the drives of mechanisms give it.
 #pragma once
 
 #include "calculators/load/hub.hpp"
@@ -9,12 +9,12 @@
 
 namespace loadpath {
 
-/// A design load: the nominal one times the service factor of who gives it, which is so in all of its parts. Its frame
-/// is that of the loaded shaft and stands in space while the shaft turns: x points from the axis of this shaft to that
-/// of its mate, or along the line of pull, z along the shaft, the same way on both shafts of a drive, and y makes a
-/// right hand with them. On the two shafts x and y thus point against each other: what acts between them has the same
-/// F_x on both and the same F_y, and opposite F_z. F_x is positive where it draws the shafts together (belt, chain, a
-/// wheel in a ring) and negative where it parts them (two wheels).
+/// A design load: the nominal one times the service factor of who gives it, which is so in all of its parts. Its
+/// frame is that of the loaded shaft and is fixed in space while the shaft rotates: x points from the axis of this
+/// shaft to that of its mate, or along the line of action, z along the shaft, in the same direction on both shafts of
+/// a drive, and y makes a right hand with them. On the two shafts x and y thus point against each other: what acts
+/// between them has the same F_x on both and the same F_y, and opposite F_z. F_x is positive where it draws the
+/// shafts together (belt, chain, a wheel in a ring) and negative where it parts them (two wheels).
 struct ShaftLoad {
   Moment T = unset<Moment>;
   Force F = unset<Force>, F_x = unset<Force>, F_y = unset<Force>, F_z = unset<Force>;
@@ -58,8 +58,8 @@ struct ShaftForces {
   Force x, y, z;
 };
 
-/// Of design loads, with the service factor. `side`: 1 where they act at the point next to the mate, -1 at the one away
-/// from it, as on a wheel in a ring, 0 at the axis, as the pull of a belt.
+/// Record of design loads, with the service factor. `side`: 1 where they act at the point next to the mate, -1 at the
+/// one away from it, as on a wheel in a ring, 0 at the axis, as for a belt.
 inline ShaftLoad shaft_load(Moment T, const ShaftForces& own, Length d_w, AngularSpeed n, double side = 1.0) {
   ShaftLoad load;
   load.T = abs(T), load.F = sqrt(own.x * own.x + own.y * own.y);

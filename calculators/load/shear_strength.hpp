@@ -56,10 +56,10 @@ constexpr auto shear_strength_inputs(const char* size) {
           .factor()};
 }
 
-/// What a material bounds of them.
+/// Fields with bounds from a material.
 inline constexpr Meaning all_in_shear{"tau_adm", allowable_in_shear}, all_in_normal{"sigma_adm", allowable_in_normal};
 
-/// One way of saying the strength, and whole; none where every part has its own.
+/// Exactly one complete definition of the strength; none if every part has its own.
 inline bool one_shear_strength(const ShearStrength& in, bool all_have_their_own) {
   const bool by_sigma = is_set(in.sigma_adm), by_yield = is_set(in.S);
   const int ways = (is_set(in.tau_adm) ? 1 : 0) + (by_sigma ? 1 : 0) + (by_yield ? 1 : 0);
@@ -67,7 +67,7 @@ inline bool one_shear_strength(const ShearStrength& in, bool all_have_their_own)
   return whole && (ways == 1 || (ways == 0 && all_have_their_own));
 }
 
-/// Of a part with its own allowable stress, or with that of all.
+/// Strength of a part with its own allowable stress, or with the common one.
 template <class Tracer>
 Stress allowable_shear(const ShearStrength& in, Stress own, Tracer& trace) {
   if (is_set(own)) return trace.value("tau_all", own, "its own, as given");
@@ -75,7 +75,7 @@ Stress allowable_shear(const ShearStrength& in, Stress own, Tracer& trace) {
   if (is_set(in.S))
     return NAMED_STEP("tau_all", in.R_e / (sqrt(3.0) * in.S),
                       "yielding in shear by the distortion energy hypothesis, [Mises]");
-  if (!is_set(in.sigma_adm)) return unset<Stress>;  // of stiffness alone
+  if (!is_set(in.sigma_adm)) return unset<Stress>;  // stiffness only
   if (in.behaviour == Behaviour::brittle) return NAMED_STEP("tau_all", 0.75 * in.sigma_adm, "brittle material, [B19]");
   return NAMED_STEP("tau_all", 0.6 * in.sigma_adm, "ductile material, [B19]");
 }

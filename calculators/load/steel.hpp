@@ -1,5 +1,5 @@
-// What tells that a material is a steel, where formulas are those of steels alone: its modulus of elasticity, which the
-// row of a material brings along. That of irons, aluminium, bronzes and titanium lies outside.
+// Recognition of steels, for formulas only for steels: by the modulus of elasticity from the row of a material. That
+// of irons, aluminium, bronzes and titanium lies outside.
 #pragma once
 
 #include "lib/calculator/field.hpp"

@@ -1,5 +1,5 @@
-// The largest stress of a part, for fatigue.cycle to take whole: cycle = "=shaft.cycle". How it varies is said there,
-// and handed on to fatigue.life with both its ends.
+// The largest stress of a part, an input record of fatigue.cycle: cycle = "=shaft.cycle". The cycle type is given
+// there, and passed to fatigue.life with both extremes.
 #pragma once
 
 #include "lib/calculator/field.hpp"

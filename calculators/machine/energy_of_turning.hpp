@@ -18,15 +18,15 @@ struct Sample {
 
 /// SI numbers of one cycle.
 struct TurningEnergy {
-  double mean = 0.0;                     // of the moment over the angle; zero where it is nothing but rounding
+  double mean = 0.0;                     // integral of the moment over the angle; zero if it is only rounding
   double peak = 0.0, peak_phi = 0.0;     // largest magnitude of the moment among the samples, and where
   double work = 0.0;                     // over the cycle
   double low = 0.0, high = 0.0;          // least and largest work of the moment beyond its mean
   double low_phi = 0.0, high_phi = 0.0;  // where they are reached
 };
 
-/// Of so many ascending samples, closed after `period`: the last goes on to the first. Exact for straight lines and
-/// cubics.
+/// Energy from ascending samples, closed after `period`: the last continues to the first. Exact for straight lines
+/// and cubics.
 TurningEnergy turning_energy(const std::function<Sample(std::size_t)>& sample, std::size_t count, double period);
 TurningEnergy turning_energy(std::span<const Sample> samples, double period);
 

@@ -75,7 +75,7 @@ delta = 0.01
     Power P_n = unset<Power>;
     Length D = unset<Length>;
     Speed v_adm = unset<Speed>;
-    Samples series;  // of M, filled by the step; no field of its own
+    Samples series;  // samples of M, filled by the step; not a field
   };
   static constexpr Fields inputs{
       Field{&Input::M, "M", N_m, "moment over a cycle, a series: \"=press.drive.M\""}.load().may_be_missing(),

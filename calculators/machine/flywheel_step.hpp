@@ -1,4 +1,4 @@
-// The step of a flywheel: it takes the moment as a whole series, where other calculators run once a position.
+// The step of a flywheel: its input is the full series of the moment; other calculators run once per position.
 #pragma once
 
 #include "lib/project/run/calculator_step.hpp"
@@ -18,9 +18,9 @@ class FlywheelStep : public project::CalculatorStep {
  private:
   /// Takes the moment's expression away from the inputs that are lifted, and checks that it is a series.
   void take_series(const project::Declared& declared, std::vector<Issue>& issues);
-  /// Puts the series into the input; false and an issue where it is no cycle, or not known everywhere.
+  /// Puts the series into the input; false and an issue if it is not a cycle, or not known everywhere.
   bool fill(const Value& series, const project::Known& known, std::vector<Issue>& issues);
-  /// Of an input that is typed, or an expression.
+  /// Moment of a typed input, or an expression.
   [[nodiscard]] double number(const char* key, double typed, const project::Known& known) const;
 };
 

@@ -25,15 +25,15 @@ struct Written {
   const LawText* text;
 };
 
-/// Whether a formula is a law; an empty one, which stands for zero, is.
+/// Whether a formula is a law; an empty one, equal to zero, is.
 bool reads(const Written& written);
-/// What is wrong with the first formula that is no law, at its key; empty where all are.
+/// Error of the first invalid law, at its key; empty if all are valid.
 FieldFault reading_fault(std::span<const Written> laws);
 
-/// Value and derivatives at a time, SI: zero of an empty formula, NaN of one that is no law.
+/// Value and derivatives at a time, SI: zero for an empty formula, NaN for an invalid law.
 Jet at(const Written& written, double t);
 
-/// The value, or zero where it is nothing but rounding beside `scale`.
+/// The value, or zero if it is only rounding relative to `scale`.
 double without_rounding(double value, double scale);
 
 /// Whether value and both derivatives are there, and of sizes that machines have.
@@ -47,7 +47,7 @@ struct Gap {
 };
 /// The first of `count` places from t_1 to t_2, their ends included, or between two of them.
 Gap first_gap(const std::function<Jet(double)>& law, double t_1, double t_2, int count = 257);
-/// None too where the formula is no law, which another rule says.
+/// None also if the formula is an invalid law, which another rule reports.
 Gap first_gap(const Written& written, double t_1, double t_2);
 /// A message for the first law that has one.
 FieldFault gap_fault(std::span<const Written> laws, double t_1, double t_2);

@@ -35,7 +35,7 @@ draw::Figure path_figure(const PointPath& path, double t, double t_1, double t_2
 /// Speed, and the parts of the acceleration, over the range.
 draw::Figure speed_figure(const PointPath& path, double t, double t_1, double t_2);
 draw::Figure acceleration_figure(const PointPath& path, double t, double t_1, double t_2);
-/// The plans of velocities and accelerations beside each other.
+/// The plans of velocities and accelerations, next to each other.
 draw::Figure plan_figure(const std::vector<Vectors>& panels);
 
 }  // namespace loadpath::motion

@@ -1,9 +1,9 @@
 // Plane motion of a body at one instant: angular speed, pole of velocities, velocities and accelerations of its points.
 //
-// The angular speed is given, or follows from the velocities of two points A and B: by the theorem of projections where
-// the perpendiculars to them meet, by the tips of the velocities where both are perpendicular to AB. Equal velocities
-// are a translation, without a pole; equal magnitudes alone are not (opposite velocities turn about the middle of AB).
-// Sign: angles counter-clockwise from x. Source: [B29].
+// The angular speed is given, or follows from the velocities of two points A and B: by the theorem of projections
+// where the perpendiculars to them meet, by the tips of the velocities where both are perpendicular to AB. Equal
+// velocities are a translation, without a pole; equal magnitudes do not suffice (opposite velocities turn about the
+// middle of AB). Sign: angles counter-clockwise from x. Source: [B29].
 #pragma once
 
 #include "calculators/motion/plane_types.hpp"

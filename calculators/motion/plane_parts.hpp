@@ -1,4 +1,4 @@
-// What calculation and rules of motion.plane ask of its input: the line AB, and what is told of B.
+// Input queries common to calculation and rules of motion.plane: the line AB, and the given data of B.
 #pragma once
 
 #include "calculators/motion/plane_types.hpp"

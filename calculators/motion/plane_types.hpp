@@ -1,4 +1,4 @@
-// What motion.plane takes and gives.
+// Input and result of motion.plane.
 #pragma once
 
 #include "lib/calculator/field.hpp"

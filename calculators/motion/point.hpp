@@ -1,9 +1,9 @@
 // Motion of a point whose coordinates are laws of time: path, velocity, acceleration and its parts along the path.
 //
-// Decides nothing: it gives the state at one time with its derivation, a table of states at given times or evenly over
-// a range, and over the range the way, the displacement and the extremes of speed. Derivatives are exact.
-// Sign: a_tau is positive where the speed grows; a_n and kappa are magnitudes. Source: [B26], [B28].
-// Not covered: laws with kinks or jumps; where the point rests there is no tangent, hence no a_tau, a_n and rho.
+// Decides nothing: it gives the state at one time with its derivation, a table of states at given times or evenly
+// over a range, and over the range the path length, the displacement and the extremes of speed. Derivatives are
+// exact. Sign: a_tau is positive where the speed grows; a_n and kappa are magnitudes. Source: [B26], [B28]. Not
+// covered: laws with kinks or jumps; where the point rests there is no tangent, hence no a_tau, a_n and rho.
 #pragma once
 
 #include "calculators/motion/laws.hpp"

@@ -15,7 +15,7 @@ struct PointState {
   double a_tau = 0.0, a_n = 0.0, kappa = 0.0;  // NaN where the point rests: there is no tangent
 };
 
-/// What an input says of the motion of a point; an empty formula is a coordinate that stays zero.
+/// Motion of a point as given by an input; an empty formula is a coordinate that stays zero.
 struct PointPath {
   Written x, y, z;
 
@@ -27,7 +27,7 @@ struct PointPath {
   [[nodiscard]] FieldFault gap_fault(double t_1, double t_2) const { return motion::gap_fault(all(), t_1, t_2); }
 
   [[nodiscard]] PointState at(double t) const;
-  /// The length of the way from t_1 to t_2, both ways of a return counted, m.
+  /// The path length from t_1 to t_2, with both directions of a return counted, m.
   [[nodiscard]] double length(double t_1, double t_2) const;
 };
 

@@ -2,8 +2,8 @@
 //
 // Decides as [RM-9] does: shear in both sections at the surface of the shaft, a pressure in the shaft that grows from
 // its axis to its surface, an even one in the wall of the hub at the middle of that wall. The torsion of the shaft
-// counts with the section modulus that its cross hole leaves, [DIN743]. What is allowed is typed; in shear also a share
-// of R_m by how the torque varies. K_A acts once, on T. Not covered: tapered and grooved pins but by their mean
+// counts with the section modulus that its cross hole leaves, [DIN743]. Allowable values are typed; in shear also a
+// share of R_m by how the torque varies. K_A acts once, on T. Not covered: tapered and grooved pins but by their mean
 // diameter and lower allowable values, the notch of the hole in fatigue, the wall of the hub, bending of the shaft.
 #pragma once
 

@@ -3,9 +3,9 @@
 // Decides as [RM-9] does, by beams whose moment follows from how the pin is held: loose, fixed in the fork, fixed in
 // the eye; with a gap c on either side of the eye. A pin held on one side is a cantilever that bears in its wall by
 // force and moment. The load is even over eye and cheeks, or falls towards the outside of the cheeks, [Bhandari-4].
-// Shear is that of the neutral axis, of a bore too. What is allowed is typed, or a share of R_m by how the force
-// varies, [RM-9]. The equivalent stress is that of the extreme fibre in bending or of the neutral axis in shear: over a
-// section it is lower between them. K_A acts once, on F. Not covered: a bored pin that turns oval, forces along it,
+// Shear is that of the neutral axis, of a bore too. Allowable values are typed, or a share of R_m by how the force
+// varies, [RM-9]. The equivalent stress is that of the extreme fibre in bending or of the neutral axis in shear: over
+// a section it is lower between them. K_A acts once, on F. Not covered: a bored pin that turns oval, forces along it,
 // heat, what keeps it in its place.
 #pragma once
 
@@ -23,7 +23,7 @@
 
 namespace loadpath::pin {
 
-/// What an eye, or one cheek of a fork, has to carry: for pin.lug to take whole, load = "=pin.eye".
+/// Load of an eye, or of one cheek of a fork: an input record of pin.lug, load = "=pin.eye".
 struct LugLoad {
   Force F = unset<Force>;
   Length d = unset<Length>, t = unset<Length>;

@@ -18,7 +18,7 @@ constexpr auto choices_of(Loading) {
                     ChoiceName<Loading>{Loading::alternating, "alternating", "reversing, or rotating around the pin"}};
 }
 
-/// Of R_m; unset where the loading is not said.
+/// Share of R_m; unset if the loading is not given.
 struct Shares {
   double bending = unset<double>, shear = unset<double>;
 };
@@ -37,7 +37,7 @@ constexpr Shares shares_of(Loading loading) {
   return {};
 }
 
-/// What is typed, else the share of R_m; unset where neither is known.
+/// The typed value, else the share of R_m; unset if neither is known.
 template <class Tracer>
 Stress allowed_stress(const char* symbol, Stress typed, Stress R_m, double share, const char* why, Tracer& trace) {
   if (is_set(typed)) return trace.value(symbol, typed, "given");

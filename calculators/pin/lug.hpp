@@ -1,11 +1,11 @@
-// The eye that a pin pulls: net section beside the bore, shear-out before it, pressure in it.
+// The eye under the tension of a pin: net section next to the bore, shear-out ahead of it, bearing pressure.
 //
 // Decides the three nominal stresses of textbooks, [Bhandari-4]: the force over both sides of the bore, over the two
-// planes from the bore to the crown, and over the projected bore. What is allowed is typed, or R_e over a safety, in
-// shear by [Mises]. These hold for eyes of the usual shape, whose crown is not thinner than their sides and whose width
-// is at most 2.5 times the bore, as table 3.9 of [EN1993-1-8] draws them: others are not covered. The force acts along
-// the axis of the eye and counts as a pull. An eye, or one cheek of a fork: each is a step of its own. Not covered:
-// forces across the axis, the notch of the bore in fatigue, bushes, welds.
+// planes from the bore to the crown, and over the projected bore. Allowable values are typed, or R_e over a safety,
+// in shear by [Mises]. These apply to eyes of the usual shape, whose crown is not thinner than their sides and whose
+// width is at most 2.5 times the bore, as table 3.9 of [EN1993-1-8] draws them: others are not covered. The force
+// acts along the axis of the eye and counts as tension. An eye, or one cheek of a fork: each is a step of its own.
+// Not covered: forces across the axis, the notch of the bore in fatigue, bushes, welds.
 #pragma once
 
 #include "calculators/load/stress_cycle.hpp"

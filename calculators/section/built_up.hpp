@@ -2,10 +2,9 @@
 //
 // Second moments by Steiner, exact. Sign: an angle turns a part counter-clockwise about its own origin, which is then
 // put to y, z. The parts act as one: their connection is not checked. Parts that overlap are refused, for what both
-// cover would count twice; one that stands apart is told. Not covered: torsion of closed cells that parts form,
-// warping, the shear centre.
-// Each part has the origin of its own calculator: a channel the middle of its back, an angle its corner, a T the middle
-// of its upper face, the others their centre.
+// cover would count twice; a separate one is reported. Not covered: torsion of closed cells that parts form, warping,
+// the shear centre. Each part has the origin of its own calculator: a channel the middle of its back, an angle its
+// corner, a T the middle of its upper face, the others their centre.
 #pragma once
 
 #include "calculators/section/built_up_types.hpp"

@@ -1,4 +1,4 @@
-// What section.built_up takes and gives.
+// Input and result of section.built_up.
 #pragma once
 
 #include "calculators/section/properties/outline.hpp"
@@ -48,7 +48,7 @@ struct BuiltUpTypes {
     List<Part, 20> parts;
   };
 
-  /// A part at its place: about its own centroid, in the axes of the whole.
+  /// A part at its place: about its own centroid, in the axes of the built-up section.
   struct Placed {
     Name name;
     Area A = unset<Area>;

@@ -9,7 +9,7 @@
 
 namespace loadpath::section {
 
-/// Twice the area of the triangle, positive where c lies on the left of the way from a to b.
+/// Twice the area of the triangle, positive if c lies to the left of the line from a to b.
 template <class Corner>
 double side_of(const Corner& a, const Corner& b, const Corner& c) {
   return in_si(b.y - a.y) * in_si(c.z - a.z) - in_si(b.z - a.z) * in_si(c.y - a.y);

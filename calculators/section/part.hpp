@@ -14,13 +14,13 @@ struct Shaped {
   Extremes extremes;
 };
 
-/// What is wrong with a part; nothing where it is whole.
+/// Error of a part; none if it is complete.
 std::optional<FieldFault> fault_of(const BuiltUpTypes::Part& part);
 
-/// The shape that a whole part has, or that its row of a table stands for.
+/// The shape of a complete part, or of its row of a table.
 BuiltUpTypes::Part as_shape(const BuiltUpTypes::Part& part);
 
-/// Of a part that is whole.
+/// Properties of a complete part.
 Shaped shaped(const BuiltUpTypes::Part& part);
 /// For drawing, in the same axes.
 Contours contours(const BuiltUpTypes::Part& part);

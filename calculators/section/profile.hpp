@@ -1,4 +1,4 @@
-// A row of the section tables. What a family does not have (r of W, e_z of I) is unset.
+// A row of the section tables. Values that a family does not have (r of W, e_z of I) are unset.
 #pragma once
 
 #include "lib/calculator/field.hpp"

@@ -1,11 +1,11 @@
 // A parallel key: pressure on its sides in shaft and hub, shear, what fits the shaft and the hub.
 //
-// Decides by method C of [DIN6892]: an even pressure over the length that bears and over the height that stands in the
-// seat of the shaft, t_1, and in that of the hub, h - t_1, each against what its own part allows, 0.9 R_e or typed;
-// two keys bear 1.5 times one. Sizes are those of DIN 6885-1 by `key = "14x9"`, or typed. K_A acts once, on T and not
-// on T_max, which is what the largest shock brings, whole. Without the friction of the seat, and without chamfers. Not
-// covered: a torque that changes its sense, but by the factor f_W of method B that is typed; how uneven the pressure is
-// along the key (method B); keys that are pressed in; three keys and more.
+// Decides by method C of [DIN6892]: a uniform pressure over the effective length and over the height in the shaft
+// keyway, t_1, and in the hub keyway, h - t_1, each against the permissible pressure of its part, 0.9 R_e or typed;
+// two keys carry 1.5 times one. Sizes are those of DIN 6885-1 by `key = "14x9"`, or typed. K_A acts once, on T and
+// not on T_max, which is the full peak torque. Without friction of the fit, and without chamfers. Not covered:
+// reversing torque, except by the factor f_W of method B that is typed; how uneven the pressure is along the key
+// (method B); keys that are pressed in; three keys and more.
 #pragma once
 
 #include "calculators/load/connection.hpp"

@@ -1,9 +1,9 @@
 // A round shaft end that carries a transverse force on an overhang and a torque: bending and torsion together.
 //
-// Decides the least diameter at the bearing, where the bending moment F a and the torque T act at the same time, by
-// von Mises or Tresca; checks the neutral axis, where transverse shear and torsion add, and torsion alone where
-// tau_adm is given. Static strength with allowable stresses that already hold their safety.
-// Not covered: fatigue of the rotating shaft, notches and keyways, deflection, the bearing side of the shaft.
+// Decides the minimum diameter at the bearing, where the bending moment F a and the torque T act at the same time, by
+// von Mises or Tresca; checks the neutral axis, where transverse shear and torsion add, and torsion only where
+// tau_adm is given. Static strength with allowable stresses (safety factor included). Not covered: fatigue of the
+// rotating shaft, notches and keyways, deflection, the bearing side of the shaft.
 #pragma once
 
 #include "calculators/shaft/parts/modes.hpp"

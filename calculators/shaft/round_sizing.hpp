@@ -17,7 +17,7 @@ struct SizingReasons {
   const char *solid, *ratio, *size;
 };
 
-/// The least diameter with the modulus W_t in torsion, told under the caller's symbol. In bending W = W_t/2.
+/// The minimum diameter with the torsional section modulus W_t, under the caller's symbol. In bending W = W_t/2.
 template <class Tracer>
 Length size_for_modulus(const char* symbol, SectionModulus W_t, const Bore& bore, const SizingReasons& why,
                         Tracer& trace) {

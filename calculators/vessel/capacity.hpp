@@ -1,4 +1,4 @@
-// What a wall just carries: the strength condition, solved for the pressure, the thickness or the ratio of the radii.
+// Load capacity of a wall: the strength condition, solved for the pressure, the thickness or the ratio of the radii.
 //
 // Its stresses grow linearly with the pressure of the gas, with the reciprocal of the thickness where the radii stay as
 // they are, and in thick walls with a function of the radii. So the condition has a closed form: straight lines for
@@ -22,7 +22,7 @@ struct Growing {
   friend constexpr Growing operator-(Growing a, Growing b) { return {a.at - b.at, a.by - b.by}; }
 };
 
-/// Hoop and meridional stress as the seams feel them, and the radial one at the inner surface.
+/// Hoop and meridional stress including the weld joint efficiency, and the radial stress at the inner surface.
 struct GrowingStresses {
   Growing o, M, r;
 };
@@ -66,7 +66,7 @@ inline Growing growing(Stress without, Stress with, double load) {
   return {in_si(without), in_si(with - without) / load};
 }
 
-/// The gas pressure that a wall just carries; zero where the liquid alone is too much.
+/// The allowable gas pressure of a wall; zero where the liquid by itself is too much.
 template <class Shape>
 Stress allowable_pressure(const Shape& shape, Length delta_c, const Strength& strength) {
   const auto one_over_load = [&](double t) {
@@ -98,7 +98,7 @@ Length needed_thickness(const Shape& shape, Stress p, Length unit, const Strengt
 /// the vessel.
 template <class Make>
 Length least_thickness(const Make& make, Stress p, Length scale, const Strength& strength) {
-  constexpr double thickest = 16.0, thinnest = 1e-9;  // beside rings a wall of no thickness would need none
+  constexpr double thickest = 16.0, thinnest = 1e-9;  // between rings a wall of zero thickness would be enough
   const double most = thickest * in_si(scale);
   const auto needed = [&](Length delta_c) { return in_si(needed_thickness(make(delta_c), p, scale, strength)); };
   if constexpr (requires { make(scale).is_straight(); }) {

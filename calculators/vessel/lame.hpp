@@ -1,6 +1,6 @@
-// The thick-walled answer beside the membrane one: Lamé's stresses at the inner surface of cylinders and spheres. It is
-// always printed, so that nothing jumps where the thin wall ends; but not of spheres with liquid, whose weight on the
-// ring it leaves out.
+// The thick-walled result next to the membrane one: Lamé's stresses at the inner surface of cylinders and spheres. It
+// is always printed, so that nothing jumps where the thin wall ends; but not of spheres with liquid, whose weight on
+// the ring it leaves out.
 #pragma once
 
 #include "calculators/vessel/assess.hpp"
@@ -28,9 +28,9 @@ struct Principal {
   Stress o, M;
 };
 
-/// A cylinder, with or without the pull of its ends.
+/// A cylinder, with or without the axial force of its ends.
 struct ThickCylinder {
-  static constexpr int power = 2;  // of the radii in the function that its stresses grow linearly with
+  static constexpr int power = 2;  // power of the radii in the function that its stresses grow linearly with
   bool closed;
 
   template <class Tracer>

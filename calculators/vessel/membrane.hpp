@@ -20,11 +20,11 @@ using Tension = Stiffness;  // force per length of a section
 struct Place {
   Length rho_o = unset<Length>;                 // radius of curvature across the meridian
   Curvature kappa_M = from_si<Curvature>(0.0);  // curvature of the meridian, 0 where it is straight
-  Length q_M = unset<Length>;                   // of the gas
-  Tension n_M = from_si<Tension>(0.0);          // of the liquid
+  Length q_M = unset<Length>;                   // share of the gas
+  Tension n_M = from_si<Tension>(0.0);          // share of the liquid
   Stress p_l = from_si<Stress>(0.0);            // pressure of the liquid
   Length r = unset<Length>, z = unset<Length>;  // where it is: from the axis, along it
-  double w_o = 1.0;                             // part of the hoop force that the wall carries beside rings
+  double w_o = 1.0;                             // share of the hoop force in the wall next to rings
 };
 
 struct Strength {
@@ -33,7 +33,7 @@ struct Strength {
   Hypothesis hypothesis;
 };
 
-/// In the wall: the pressure on it, hoop and meridional stress, and both as the seams feel them.
+/// Wall stresses: the pressure on it, hoop and meridional stress, and both divided by the weld joint efficiency.
 struct Membrane {
   Stress p_i, o, M, s_o, s_M;
 };
@@ -44,7 +44,7 @@ Stress allowable(const WallInput& in, Tracer& trace) {
   return NAMED_STEP("sigma_all", in.R_e / in.S, "yield strength over the safety factor");
 }
 
-/// Of the principal stresses s_o, s_M in the wall and -p_i at its inner surface.
+/// Equivalent of the principal stresses s_o, s_M in the wall and -p_i at its inner surface.
 template <class Tracer>
 Stress equivalent(Stress s_o, Stress s_M, Stress p_i, Hypothesis hypothesis, Tracer& trace) {
   if (hypothesis == Hypothesis::membrane)

@@ -1,4 +1,4 @@
-// In which ways the wall of a vessel can fail, alike for all shapes.
+// Failure modes of the wall of a vessel, common to all shapes.
 #pragma once
 
 #include "calculators/vessel/membrane.hpp"
@@ -25,9 +25,9 @@ constexpr auto wall_modes(const char* strength, Own... own) {
                     M{"creep", "creep at elevated temperature", &unseen<Input>}.special()};
 }
 
-/// Where a wall is pressed, in one direction or both. It follows from the balance alone, whatever the thickness.
+/// Where a wall is in compression, in one direction or both. It follows only from the balance, at any thickness.
 struct Pressed {
-  bool in_knuckle = false;  // by the gas alone, around the axis: the meridian is bent too sharply there
+  bool in_knuckle = false;  // by the gas itself, around the axis: the meridian is bent too sharply there
   bool elsewhere = false;
 };
 

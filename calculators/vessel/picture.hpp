@@ -1,4 +1,4 @@
-// What the figures of the vessels share: stresses along the meridian.
+// Figures common to the vessels: stresses along the meridian.
 #pragma once
 
 #include "calculators/vessel/assess.hpp"

@@ -10,7 +10,7 @@
 
 namespace loadpath::vessel {
 
-/// What a section shows beside its wall.
+/// Data of a section figure in addition to its wall.
 struct Section {
   std::vector<draw::Point> middle;  // m, middle of the carrying wall, right of the axis, along the meridian
   draw::Point within;               // a place inside, right of the axis or on it
@@ -18,7 +18,7 @@ struct Section {
   bool broken_start = false, broken_end = false;  // where the vessel goes on
   std::optional<double> surface = {};             // height of the liquid
   std::optional<draw::Point> governing = {};      // on the middle
-  std::string radius = "R";                       // what is measured to the surface that `measured` says
+  std::string radius = "R";                       // radius to the surface given by `measured`
   draw::Drawing::View dimensioned = {};           // dimensions of the shape, supports: what the view has besides
 };
 

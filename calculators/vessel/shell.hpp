@@ -1,12 +1,12 @@
 // A thin shell of revolution whose meridian is given by points, under internal pressure of gas and liquid.
 //
-// Decides stresses along the meridian, the least thickness, the governing place and the allowable gas pressure: [B24]
-// (9) with radii of curvature from circles through three neighbouring points, and the balance of what lies before each
-// point. The points run from the free end of the shell to where it is held. Tension is positive.
-// Not covered: edges of the meridian and jumps of its curvature (limits), weight of the wall, external pressure,
-// fatigue. Where the curvature changes, points tell the hoop stress to some 5 % while it changes by less than 0.2/rho_o
-// from one to the next; a real jump, as from the crown to the knuckle of a torispherical head, they would smooth away.
-// Give finer points, or take the parts as vessel.sphere and vessel.torus.
+// Decides stresses along the meridian, the minimum thickness, the governing place and the allowable gas pressure:
+// [B24] (9) with radii of curvature from circles through three neighbouring points, and the balance of what lies
+// before each point. The points run from the free end of the shell to its support. Tension is positive. Not covered:
+// edges of the meridian and jumps of its curvature (limits), weight of the wall, external pressure, fatigue. Where
+// the curvature changes, points give the hoop stress to some 5 % while it changes by less than 0.2/rho_o from one to
+// the next; a real jump, as from the crown to the knuckle of a torispherical head, they would smooth away. Give finer
+// points, or take the parts as vessel.sphere and vessel.torus.
 #pragma once
 
 #include "calculators/vessel/assess.hpp"

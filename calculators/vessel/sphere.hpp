@@ -1,9 +1,9 @@
 // A thin-walled sphere under internal pressure of gas and liquid, on a ring.
 //
-// Decides the least thickness, the equivalent stress at the governing place and the allowable gas pressure, with
-// Lamé's thick-walled answer beside. Membrane stresses of [B24]; the liquid by the balance of the cap beyond a section:
-// below the ring the lower one, above it the upper one. Tension is positive.
-// Not covered: bending beside the ring and at nozzles, weight of the wall, external pressure, fatigue.
+// Decides the minimum thickness, the equivalent stress at the governing place and the allowable gas pressure, and
+// Lamé's thick-walled result for comparison. Membrane stresses of [B24]; the liquid by the balance of the cap beyond
+// a section: below the ring the lower one, above it the upper one. Tension is positive. Not covered: bending next to
+// the ring and at nozzles, weight of the wall, external pressure, fatigue.
 #pragma once
 
 #include "calculators/vessel/lame.hpp"

@@ -30,7 +30,7 @@ struct WallInput {
   Hypothesis hypothesis = Hypothesis::tresca;
 };
 
-/// A liquid beside the gas: its surface lies h_l above the lowest point of the shell.
+/// A liquid in addition to the gas: its surface lies h_l above the lowest point of the shell.
 struct Liquid {
   Density rho = unset<Density>;
   Length h_l = unset<Length>;
@@ -96,7 +96,7 @@ constexpr auto wall_inputs() {
           .may_be_missing()};
 }
 
-/// What a material bounds of them.
+/// Fields with bounds from a material.
 inline constexpr std::array wall_meanings{Meaning{"sigma_adm", allowable_in_normal}};
 
 template <class Input>
@@ -127,7 +127,7 @@ constexpr auto wall_results() {
       Field<Result, double>{&Result::u_v, "u_v", ratio, "strength: equivalent stress over the allowable one"}.check()};
 }
 
-/// Of what has x_s.
+/// Shallowness, for results with x_s.
 template <class Result>
 constexpr auto shallowness() {
   return Field<Result, double>{

@@ -1,4 +1,4 @@
-// V-belts as the tables have them: what each basis rates, and what belongs to its rating alone.
+// V-belts by the tables: the ratings of each basis, and the data that belong only to its rating.
 //
 // A basis is a system of ratings with the factors that were made for it. Nothing of one basis is ever used with
 // another: a wrap factor of one with the rating of another overstates a drive by up to 15 %.
@@ -18,7 +18,7 @@ namespace loadpath::belt {
 
 enum class Basis { unstated, iso, optibelt };
 
-/// A section as a result tells it.
+/// A section as listed in a result.
 enum class SectionWord { none, Z, A, B, C, D, E, SPZ, SPA, SPB, SPC };
 
 /// A section on a basis: constants of its rated power, its mass, its groove, its limits. Meaning:

@@ -5,7 +5,7 @@
 
 namespace loadpath::belt {
 
-/// 0 at the lower end of a range, 1 at the upper one. `zero` is a value that rounding put beside an end.
+/// 0 at the lower end of a range, 1 at the upper one. `zero` is a value that rounding moved next to an end.
 template <class Quantity>
 double place_in(Quantity value, Quantity low, Quantity high) {
   const double x = (in_si(value) - in_si(low)) / (in_si(high) - in_si(low));

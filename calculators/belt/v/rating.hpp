@@ -1,4 +1,4 @@
-// What one V-belt carries on its basis, and how many are needed.
+// Power rating of one V-belt on its basis, and the required number of belts.
 #pragma once
 
 #include "calculators/belt/v/types.hpp"

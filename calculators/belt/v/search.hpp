@@ -25,13 +25,13 @@ struct Nearest {
   Lack lack{std::numeric_limits<int>::max(), 0.0};
 };
 
-/// The input of belt.v that a drive of the list stands for; diameters, length and section are still open.
+/// The input of belt.v that corresponds to a drive of the list; diameters, length and section are still open.
 V::Input drive_of(const VSizingTypes::Input& in);
 
 /// Every pair of pulleys of a section that meets the speed: counts, ranks, and keeps the nearest.
 void try_section(const VSection& section, const VSizingTypes::Input& in, VSizingTypes::Result& r, Nearest& nearest);
 
-/// What a drive is ranked by.
+/// Ranking key of a drive.
 double measure_of(const VSizingTypes::Candidate& c, VSizingTypes::Rank rank);
 
 inline double share_off(double value, double wanted) { return std::abs(value / wanted - 1.0); }

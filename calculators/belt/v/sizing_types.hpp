@@ -1,4 +1,4 @@
-// What belt.v_sizing takes and gives.
+// Input and result of belt.v_sizing.
 #pragma once
 
 #include "calculators/belt/v/v.hpp"
@@ -62,7 +62,7 @@ struct VSizingTypes {
   };
   using Candidates = List<Candidate, 20>;
 
-  /// What belt.v takes of a drive.
+  /// Input that belt.v takes from a drive.
   struct Drive : V::Input {
     static constexpr const auto& fields = V::inputs;
   };

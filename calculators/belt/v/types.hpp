@@ -1,4 +1,4 @@
-// What belt.v takes and gives, and the words of its choices.
+// Input and result of belt.v, and the words of its choices.
 #pragma once
 
 #include "calculators/belt/shaft_load.hpp"

@@ -4,8 +4,8 @@
 // Decides how many belts of a section carry the power (or whether the given number does), by the rated power of one
 // belt with the wrap, length and count factors of the same basis; the initial tension by the rule of that basis; and
 // whether the grooves hold it by Euler's condition with the wedge factor of each pulley's own groove. Not covered:
-// crossed belts, more than two pulleys, classes 0 to II, joined belts, raw-edge belts.
-// The linked shaft load is the largest pull: in operation, at standstill or with new belts.
+// crossed belts, more than two pulleys, classes 0 to II, joined belts, raw-edge belts. The linked shaft load is the
+// largest resultant: in operation, at standstill or with new belts.
 #pragma once
 
 #include "calculators/belt/driven.hpp"

@@ -32,7 +32,7 @@ constexpr auto choices_of(Basis) {
       ChoiceName<B>{B::recommended, "recommended", "for real ends, [AISC360]: 1, 2.1, 0.80, 0.65, 1.2, 2"}};
 }
 
-/// The last stands for none: the input tells which it is (default_method).
+/// The last value means none: the method follows from the input (default_method).
 enum class Method { euler, tetmajer, johnson, rankine, secant, ec3, aisc, sp16, unsaid };
 
 constexpr auto choices_of(Method) {
@@ -48,7 +48,7 @@ constexpr auto choices_of(Method) {
                     ChoiceName<M>{M::unsaid, "", "ec3 of a steel section of the tables, else johnson"}};
 }
 
-/// What the buckling curve of EN 1993-1-1 and the limits of local buckling follow from.
+/// Inputs of the buckling curve of EN 1993-1-1 and of the limits of local buckling.
 enum class Profile { unsaid, rolled_I, welded_I, hot_hollow, cold_hollow, welded_box, channel, tee, angle, solid };
 
 constexpr auto choices_of(Profile) {
@@ -94,7 +94,7 @@ constexpr auto choices_of(Transition) {
                     ChoiceName<T>{T::published, "published", "at lambda_1 of the set, as textbooks do"}};
 }
 
-/// What the custom for the safety factor is known for; the codes of steel hold where it is steel or not said.
+/// Material class for the customary safety factor; the steel codes apply to steel or if no class is given.
 enum class Class { unsaid, steel, cast_iron, wood, other };
 
 constexpr auto choices_of(Class) {

@@ -15,7 +15,7 @@ struct Sp16Type {
   double alpha = unset<double>, beta = unset<double>;
 };
 
-/// What the curves of one bar and material need; unset is what is not known.
+/// Data for the curves of one bar and material; unknown values are unset.
 struct Material {
   Stress E = unset<Stress>, R_e = unset<Stress>;
   Stress a_T = unset<Stress>, b_T = unset<Stress>, c_T = from_si<Stress>(0.0);

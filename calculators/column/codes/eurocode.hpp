@@ -1,4 +1,4 @@
-// What EN 1993-1-1:2005 says of a section in compression: its buckling curves and how thin its parts may be.
+// Sections in compression by EN 1993-1-1:2005: buckling curves and limits of the plate slenderness.
 #pragma once
 
 #include "calculators/column/codes/choices.hpp"
@@ -6,7 +6,7 @@
 
 namespace loadpath::column {
 
-/// Of a section, as far as it is known.
+/// Dimensions of a section, as far as known.
 struct Plates {
   Profile kind = Profile::unsaid;
   Grade grade = Grade::to_S420;
@@ -22,9 +22,9 @@ double imperfection(Curve curve);
 /// "curve b, [...] table 6.1" as the reason of a step.
 const char* imperfection_reason(Curve curve);
 
-/// The largest width-to-thickness ratio of the parts over the limit of class 3, table 5.2: above 1 the section buckles
-/// locally. Of a round tube that of d over its wall, whatever the kind; of a welded box between its plates. NaN where
-/// the thicknesses are not known.
+/// The largest width-to-thickness ratio of the parts over the limit of class 3, table 5.2: above 1 the section
+/// buckles locally. For a round tube of any kind d over its wall; for a welded box between its plates. NaN if the
+/// thicknesses are unknown.
 double class_ratio(const Plates& section, Stress R_e);
 
 }  // namespace loadpath::column

@@ -23,7 +23,7 @@ using TableSection = table::Typed<SectionRow>;
 /// The rows of all section tables that have a mass, lightest first. Allocates nothing once the tables are read.
 const std::vector<TableSection>& sections_by_mass();
 
-/// What the name of a row begins with: "IPE" of "IPE 200", "W" of "W4X13".
+/// Beginning of the name of a row: "IPE" of "IPE 200", "W" of "W4X13".
 std::string_view family_of(std::string_view name);
 
 /// The families of the tables, each once.

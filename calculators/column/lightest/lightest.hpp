@@ -1,12 +1,11 @@
 // The lightest section of a family, or of several, that carries a compressed bar.
 //
-// Every row of the section tables of these families is judged as column.buckling judges it, by the method that is
-// chosen; those that pass are ranked by their mass, those that are lighter say why they fail, and the best one is
-// worked out whole. The strength of a material falls with the thickness: all are judged with that of the thickest one
-// up to the section found, which is on the safe side for the others.
-// Not covered: what column.buckling does not cover, and so torsional buckling, which can decide for channels and
-// angles.
-// Sections thicker than the material is given for are not assessed.
+// Every row of the section tables of these families is assessed as in column.buckling, by the chosen method; those
+// that pass are ranked by mass, lighter ones list the reason of failure, and the best one is calculated in full. The
+// strength of a material falls with the thickness: all are judged with that of the thickest one up to the section
+// found, which is on the safe side for the others. Not covered: what column.buckling does not cover, and so torsional
+// buckling, which can decide for channels and angles. Sections thicker than the material is given for are not
+// assessed.
 #pragma once
 
 #include "calculators/column/bounds.hpp"

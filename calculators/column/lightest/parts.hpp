@@ -1,4 +1,4 @@
-// What the sources of column.lightest share.
+// Declarations shared by the sources of column.lightest.
 #pragma once
 
 #include "calculators/column/lightest/families.hpp"
@@ -12,7 +12,7 @@ bool belongs(const TableSection& section, const LightestTypes::Input& in);
 /// The yield strength at a thickness; unset beyond the last one.
 Stress strength_of(const LightestTypes::Input& in, Length t);
 
-/// The input of column.buckling that the section stands for.
+/// The input of column.buckling that corresponds to the section.
 Buckling::Input bar_of(const LightestTypes::Input& in, const TableSection& section);
 
 /// The largest check or limit of column.buckling of those that are known; each is kept up to 1.

@@ -1,4 +1,4 @@
-// What column.lightest takes and gives.
+// Input and result of column.lightest.
 #pragma once
 
 #include "calculators/column/buckling.hpp"

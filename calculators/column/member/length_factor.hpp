@@ -1,5 +1,5 @@
-// The effective length factor beta = s/l of a column: the cases of its ends, on the basis that is chosen, or the
-// characteristic equation where supports stand between the ends.
+// The effective length factor beta = s/l of a column: the cases of its ends, on the chosen basis, or the
+// characteristic equation for supports between the ends.
 #pragma once
 
 #include "calculators/column/codes/choices.hpp"
@@ -13,7 +13,7 @@ namespace loadpath::column {
 /// The ends of a case as springs; both hinged for Ends::unsaid.
 Bar bar_of(Ends ends);
 
-/// Of a case; NaN for Ends::unsaid.
+/// The factor of a case; NaN for Ends::unsaid.
 inline double length_factor(Ends ends, Basis basis) {
   struct Case {
     double exact, text, recommended;

@@ -1,5 +1,5 @@
-// A compressed bar but for its section: load, length and ends, material, and the method that judges it. What
-// column.buckling and column.lightest ask alike; their Inputs derive from it, and every field is declared here once.
+// A column without its section: load, length and ends, material, and the governing method. Inputs common to
+// column.buckling and column.lightest; their Inputs derive from it, and every field is declared here once.
 #pragma once
 
 #include "calculators/column/codes/choices.hpp"
@@ -78,7 +78,7 @@ constexpr auto held_inputs() {
           .may_be_missing()};
 }
 
-/// What every method takes of the material.
+/// Material data of every method.
 template <class Input>
 constexpr auto strength_inputs() {
   return Fields{
@@ -144,10 +144,10 @@ constexpr auto rankine_and_secant_inputs() {
           .may_be_missing()};
 }
 
-/// What a material bounds of them.
+/// Fields with bounds from a material.
 inline constexpr std::array member_meanings{Meaning{"sigma_c", crushing_stress}};
 
-/// What the bar is made of, its eccentricities with it.
+/// Material of the bar, and its eccentricities.
 template <class Input>
 constexpr auto material_inputs() {
   return join(strength_inputs<Input>(), tetmajer_inputs<Input>(), rankine_and_secant_inputs<Input>());

@@ -1,5 +1,5 @@
-// The ways in which a bar under a normal force can fail. column.buckling and column.lightest have the same; what their
-// sections are, each says itself.
+// The failure modes of a bar under a normal force, common to column.buckling and column.lightest; each states its own
+// sections.
 #pragma once
 
 #include "calculators/column/member/member.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath::column {
 
-/// The outline of a section, as far as the input tells it. Of several sections the last of these that one of them has.
+/// The outline of a section, if the input gives it. For several sections the last of these present in one.
 enum class Outline { solid, closed, unknown, two_flanges, open };
 
 template <class Input>
@@ -51,8 +51,8 @@ Applies thin_walled(const Input& in) {
   return compressed(in);
 }
 
-/// Open sections of one symmetry or none twist when they buckle, and those of which nothing is known may be such; those
-/// of two flanges do so where the ends or the supports about the weak axis hold them, which no input tells.
+/// Open sections of one symmetry or none twist when they buckle, and unknown sections may be such; sections of two
+/// flanges do so where the ends or the supports about the weak axis restrain them, which no input gives.
 template <class Input, auto outline_of>
 Applies twisting(const Input& in) {
   const Outline outline = outline_of(in);
@@ -66,7 +66,7 @@ Applies twisting_when_bent(const Input& in) {
   return outline <= Outline::closed ? Applies::no : bent(in);
 }
 
-/// What judges buckling, and what the walls want: of a section of the tables they are known.
+/// Calculators that assess buckling, and data that the walls need: known for a section of the tables.
 template <class Input, auto outline_of>
 constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
   return std::array{

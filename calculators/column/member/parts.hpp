@@ -1,4 +1,4 @@
-// What the inputs of a compressed bar stand for.
+// Values derived from the inputs of a column.
 #pragma once
 
 #include "calculators/column/codes/curves.hpp"
@@ -33,12 +33,12 @@ inline const Member::Supports& supports_of(const Member& in, AxisName axis) {
 Bar bar_of(const Member& in, AxisName axis);
 /// Whether its modulus is that of steel, as far as it is known.
 bool has_modulus_of_steel(const Member& in);
-/// Whether the codes for steel structures hold for the material.
+/// Whether the codes for steel structures apply to the material.
 bool is_steel(const Member& in);
 
-/// Where no method is named: tetmajer with the constants of a set; ec3 of a steel section that has a buckling curve;
-/// Johnson's parabola, and Euler above it, of any other bar whose yield strength is known; Euler with a proportional
-/// limit alone.
+/// Default method: tetmajer with the constants of a set; ec3 for a steel section with a buckling curve; Johnson's
+/// parabola, and Euler above it, for any other bar with known yield strength; Euler if only a proportional limit is
+/// known.
 inline Method default_method(const Member& in, bool is_structural) {
   if (is_set(in.a_T)) return Method::tetmajer;
   if (is_set(in.R_e)) return is_structural && is_steel(in) ? Method::ec3 : Method::johnson;

@@ -1,5 +1,4 @@
-// What column.buckling and column.lightest find of a compressed bar, each declared here once; their Results derive from
-// it.
+// Results common to column.buckling and column.lightest, each declared here once; their Results derive from it.
 #pragma once
 
 #include "calculators/column/codes/choices.hpp"
@@ -8,7 +7,7 @@
 
 namespace loadpath::column {
 
-/// What counts as the modulus of steel, over 210 GPa: the codes of steel and their classes of sections hold within.
+/// Range of the modulus of steel, around 210 GPa: the steel codes and their section classes apply within.
 inline constexpr Stress steel_modulus = from_si<Stress>(210e9);
 inline constexpr double least_steel = 0.85, most_steel = 1.1;
 

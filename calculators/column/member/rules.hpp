@@ -20,13 +20,13 @@ bool set_is_of_material(const Member& in);
 FieldFault modulus_of_set(const Member& in);
 bool usual_safety(const Member& in);
 FieldFault unusual_safety(const Member& in);
-/// EN 1993-1-1, AISC 360 and SP 16 hold for steel alone.
+/// EN 1993-1-1, AISC 360 and SP 16 apply only to steel.
 bool method_suits_class(const Member& in);
 /// S460 has 400 MPa in plates of 100 mm, EN 10025-3 (recalled).
 inline bool yields_as_graded(const Member& in) { return in.grade != Grade::S460 || !(in.R_e < 400.0 * MPa); }
 FieldFault method_of_steel(const Member& in);
 
-/// What the method that decides lacks; empty where it has all. `curves`: whether the buckling curves are known.
+/// Inputs that the governing method lacks; empty if none. `curves`: whether the buckling curves are known.
 Message lack(const Member& in, Method by, bool curves);
 FieldFault missing_for_method(const Member& in, Method by, bool curves);
 
@@ -94,14 +94,14 @@ constexpr auto method_rules() {
                   &of<Input, &unusual_safety>, true}};
 }
 
-/// What is assumed where no method is named.
+/// Assumptions if no method is named.
 template <class Input, auto factors_given>
 constexpr auto assumption_rules() {
   return std::array{Rule<Input>{factors_given, "method, gamma_M1, gamma_F", "partial factors are assumed",
                                 &of<Input, &assumed_factors>, true, "buckling, bent"}};
 }
 
-/// Of a bar with eccentricities.
+/// Rules of a bar with eccentricities.
 template <class Input>
 constexpr auto eccentricity_rules() {
   return std::array{Rule<Input>{[](const Input& in) { return !(in.e_y > 0.0 * mm && in.e_z > 0.0 * mm); }, "e_y, e_z",
@@ -112,13 +112,13 @@ constexpr auto eccentricity_rules() {
 bool is_one_section(const Section& in);
 FieldFault two_sections(const Section& in);
 
-/// Whether the kind is that of a bar whose outline alone is given.
+/// Whether the kind is that of a bar with only its outline given.
 bool is_solid_if_full(const Section& in);
 /// Whether the extreme fibre is farther from the axis than the radius of gyration.
 bool fibres_reach(const Section& in);
 bool is_least_moment(const Section& in);
 
-/// Of a bar whose section is typed, or a row of the tables.
+/// Rules of a bar with a typed section, or a row of the tables.
 template <class Input, auto given, auto missing, auto fit>
 constexpr auto section_rules() {
   return std::array{

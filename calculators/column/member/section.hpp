@@ -74,7 +74,7 @@ constexpr auto section_inputs() {
       Field<Input, Length>{&Input::r, "r", mm, "root radius"}.at_least(0).from("section", "r").where_it_has()};
 }
 
-/// What follows from the section where it is not said.
+/// Defaults derived from the section.
 template <class Input>
 constexpr auto derived_section_inputs() {
   return Fields{

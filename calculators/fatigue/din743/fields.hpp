@@ -23,7 +23,7 @@ constexpr auto action(Quantity Input::*at, const char* key, Unit<Quantity> unit,
   return Field<Input, Quantity>{at, key, unit, doc}.load().may_be_missing();
 }
 
-/// Of what is a Din743Steel.
+/// Fields of a Din743Steel.
 template <class Input>
 constexpr auto din743_steel() {
   return Fields{
@@ -51,7 +51,7 @@ constexpr auto din743_steel() {
       diameter_at_heat_treatment<Input>(&Input::d_h)};
 }
 
-/// Of what is a Din743Section.
+/// Fields of a Din743Section.
 template <class Input>
 constexpr auto din743_section() {
   return Fields{
@@ -95,7 +95,7 @@ constexpr auto din743_section() {
           .may_be_missing()};
 }
 
-/// Of what is SectionActions.
+/// Fields of SectionActions.
 template <class Input>
 constexpr auto section_actions() {
   return Fields{
@@ -136,7 +136,7 @@ constexpr auto din743_range(double Result::*at, const char* key, const char* doc
   return Field<Result, double>{at, key, ratio, doc}.limit(low, high).where_it_applies();
 }
 
-/// Of what has NotchRanges.
+/// Fields of a result with NotchRanges.
 template <class Result>
 constexpr auto notch_ranges() {
   return Fields{din743_range<Result>(&Result::x_r, "x_r", "0.03 over r/t: shape factors"),
@@ -148,7 +148,7 @@ constexpr auto notch_ranges() {
                                      "bore over the diameter: notch factors are of solid shafts", 0.0, 1e-9)};
 }
 
-/// Of what is a Din743Safety.
+/// Fields of a Din743Safety.
 template <class Result>
 constexpr auto din743_results() {
   return join(

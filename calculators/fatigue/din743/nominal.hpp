@@ -5,7 +5,7 @@
 
 namespace loadpath::fatigue {
 
-/// Of a bar with a hole of radius r across, which takes a strip off it.
+/// Section of a bar with a transverse hole of radius r, which removes a strip.
 template <class Tracer>
 Area area_beside_hole(const char* symbol, Length d, Length r, Tracer& trace) {
   return NAMED_STEP(symbol, pi * pow<2>(d) / 4.0 - 2.0 * r * d, "net area, [DIN743] part 2 section 5.2.3");
@@ -36,7 +36,7 @@ Quantity or_zero(Quantity q) {
   return is_set(q) ? q : 0.0 * q.from_value(1.0);
 }
 
-/// The largest stress, where one is told.
+/// The maximum stress, if given.
 template <class Tracer>
 void largest(Stress told, double f, Din743Stress& k, Tracer& trace) {
   if (is_set(told)) {

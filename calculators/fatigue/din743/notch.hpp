@@ -10,7 +10,7 @@
 
 namespace loadpath::fatigue {
 
-/// What the notch functions take beside the section.
+/// Arguments of the notch functions in addition to the section.
 struct Din743Root {
   Length t = unset<Length>;  // depth
   double phi = unset<double>;

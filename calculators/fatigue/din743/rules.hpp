@@ -1,4 +1,4 @@
-// What inputs of DIN 743 have to keep between them, for every calculator that rates sections by it.
+// Constraints between inputs of DIN 743, for every calculator that rates sections by it.
 #pragma once
 
 #include "calculators/fatigue/din743/nominal.hpp"
@@ -52,7 +52,7 @@ constexpr auto din743_section_rules() {
                   "the diameter at heat treatment is not below that of the finished part"}};
 }
 
-/// What acts on a section, by the keys of SectionActions.
+/// Actions on a section, by the keys of SectionActions.
 template <class Input>
 Din743Loads acting_loads(const Input& in) {
   Din743Loads l;
@@ -73,14 +73,14 @@ Din743Loads din743_loads(const Input& in) {
   return l;
 }
 
-/// Whether a test holds for each action; of one that does not act it is not asked.
+/// Whether a test is true for each acting load; absent actions are skipped.
 template <class Test>
 bool each_acting(const Din743Loads& l, const Test& test) {
   const auto passes = [&](const auto& action) { return !action.acts() || test(action); };
   return passes(l.F_zd) && passes(l.M_b) && passes(l.M_t) && passes(l.sigma_zd) && passes(l.sigma_b) && passes(l.tau_t);
 }
 
-/// Fatigue concerns what varies: amplitudes are typed, 0 where a load stands still.
+/// Fatigue concerns varying loads: amplitudes are typed, 0 for a static load.
 template <class Input>
 Applies any_varies(const Input& in) {
   const auto stands = [](const auto& a) { return !(a.amplitude > 0.0 * a.amplitude.from_value(1.0)); };

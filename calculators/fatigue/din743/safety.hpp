@@ -1,7 +1,7 @@
 // Part 1 of DIN 743: from the nominal stresses of a section to its safeties against fatigue and against yielding.
 //
-// din743(steel, section, loads, trace) rates one section. Tension is positive. In bending and torsion the sign is of no
-// account: a round section has a fibre of each sign. Of compression the magnitude is held against yielding as well,
+// din743(steel, section, loads, trace) rates one section. Tension is positive. In bending and torsion the sign has no
+// effect: a round section has a fibre of each sign. The magnitude of compression is checked against yielding as well,
 // which the standard leaves to the static proof.
 #pragma once
 
@@ -84,7 +84,7 @@ void yield_limit(const Din743Section& s, Stress strength, Stressing kind, Din743
   STEP_TO(k, sigma_FK, K_2F * gamma_F * sigma_Sd, "yield limit of the section, [DIN743] part 1 (31)");
 }
 
-/// What part of its limit the amplitude is.
+/// Amplitude over its limit.
 template <class Tracer>
 void hold_amplitude(Din743Stress& k, Stress mean_v, MeanStress mean, Tracer& trace) {
   k.sigma_mv = trace.value("sigma_mv", mean_v, "equivalent mean stress, in torsion that of shear");
@@ -127,7 +127,7 @@ Stress mean_as_one(const Safety& r, Stress Stresses::*at, const char* why, Trace
   const Stress tau_tm = trace.value("tau_tm", of_stress(r, "torsion", at, none), "mean of torsion");
   STEP(sigma_n, sigma_zdm + sigma_bm, "on the tension side of bending");
   if (sigma_n >= none) return NAMED_STEP("sigma_mv", sqrt(pow<2>(sigma_n) + 3.0 * pow<2>(tau_tm)), why);
-  if (3.0 * pow<2>(tau_tm) >= pow<2>(sigma_n))  // torsion outweighs the compression beside it
+  if (3.0 * pow<2>(tau_tm) >= pow<2>(sigma_n))  // torsion outweighs the simultaneous compression
     return NAMED_STEP("sigma_mv", sqrt(3.0 * pow<2>(tau_tm) - pow<2>(sigma_n)), why);
   return NAMED_STEP("sigma_mv", -sqrt(pow<2>(sigma_n) - 3.0 * pow<2>(tau_tm)), why);
 }
@@ -220,7 +220,7 @@ void depth(const Din743Section& s, Din743Root& root, Tracer& trace) {
                           "a shallow notch, [DIN743] part 2 tables 2, 3");
 }
 
-/// What of the root does not depend on the kind of stress.
+/// Notch root data independent of the kind of stress.
 template <class Tracer>
 Din743Root root_of(const Din743Section& s, const Din743Safety& r, Tracer& trace) {
   Din743Root root;

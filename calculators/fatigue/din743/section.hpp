@@ -1,5 +1,5 @@
-// A section of a shaft as DIN 743 sees it, the steel that it is of, what acts there, and what comes out: plain data, so
-// that a whole shaft can have its sections rated one by one.
+// A shaft section by DIN 743, its steel, its actions and its results: plain data, so that the sections of a full
+// shaft can be rated one by one.
 #pragma once
 
 #include "calculators/fatigue/mean_stress.hpp"
@@ -58,7 +58,7 @@ struct Din743Action {
   [[nodiscard]] bool acts() const { return is_set(mean) || is_set(amplitude) || is_set(largest); }
 };
 
-/// What acts as it is typed: forces and moments, or their nominal stresses.
+/// Actions as typed: forces and moments, or their nominal stresses.
 struct SectionActions {
   Force F_zdm = unset<Force>, F_zda = unset<Force>, F_zdmax = unset<Force>;
   Moment M_bm = unset<Moment>, M_ba = unset<Moment>, M_bmax = unset<Moment>;
@@ -69,8 +69,8 @@ struct SectionActions {
   double f_max = unset<double>;
 };
 
-/// What acts, as forces and moments, or as nominal stresses where these are set. Where no largest one is told it is
-/// f_max times the sum of mean and amplitude; without f_max nothing is said of it.
+/// Actions, as forces and moments, or as nominal stresses where these are set. If no maximum is given, it is f_max
+/// times the sum of mean and amplitude; without f_max it is unknown.
 struct Din743Loads {
   Din743Action<Force> F_zd;
   Din743Action<Moment> M_b, M_t;
@@ -110,8 +110,7 @@ struct Din743Stress {
       Field<K, double>{&K::u_max, "u_max", ratio, "maximum stress / yield limit"}};
 };
 
-/// How the notch stands within the ranges of what was measured or fitted of its kind: of the x those are set that
-/// concern it.
+/// Position of the notch within the measured or fitted ranges of its kind: only the x that concern it are set.
 struct NotchRanges {
   double x_r = unset<double>, x_D = unset<double>, x_alpha = unset<double>, x_t = unset<double>;
   double x_hole = unset<double>, x_bore = unset<double>;
@@ -134,9 +133,9 @@ constexpr bool has_shape_factors(Notch n) { return n == Notch::shoulder || n == 
 constexpr bool is_keyed(Notch n) { return n == Notch::keyway || n == Notch::two_keyways; }
 constexpr bool is_typed(Notch n) { return n == Notch::alpha || n == Notch::beta; }
 constexpr bool is_groove(Notch n) { return n == Notch::rectangular_groove || n == Notch::v_groove; }
-/// Notches that run around the shaft: at their root the yield limit rises. Of a typed one that is not known.
+/// Notches around the full circumference: the yield limit rises at their root. Unknown for a typed notch.
 constexpr bool runs_around(Notch n) { return has_shape_factors(n) || is_groove(n) || n == Notch::press_fit; }
-/// What is measured with its hub holds whatever roughness is under it.
+/// Notches measured with their hub: valid for any roughness under the hub.
 constexpr bool needs_roughness(Notch n) { return !is_keyed(n) && n != Notch::press_fit; }
 constexpr bool has_depth(Notch n) { return has_shape_factors(n) || is_groove(n); }
 constexpr bool needs_radius(Notch n) {

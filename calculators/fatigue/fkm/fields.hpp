@@ -22,7 +22,7 @@ constexpr auto fkm_reference(Length Input::*at, const char* key, const char* doc
   return Field<Input, Length>{at, key, mm, doc}.within(7.5, 250).may_be_missing();
 }
 
-/// Of what is an FkmSteel.
+/// Fields of an FkmSteel.
 template <class Input>
 constexpr auto fkm_steel() {
   return Fields{
@@ -65,7 +65,7 @@ constexpr auto fkm_demand(double Input::*at, const char* key, const char* doc) {
   return Field<Input, double>{at, key, ratio, doc}.at_least(1).usually(1.2, 4).factor();
 }
 
-/// Of what is an FkmService.
+/// Fields of an FkmService.
 template <class Input>
 constexpr auto fkm_service() {
   return Fields{
@@ -89,7 +89,7 @@ constexpr auto fkm_service() {
       fkm_gradient<Input>(&Input::G_t, "G_t", "stress gradient of alpha_t, in addition to that over the diameter")};
 }
 
-/// Of what is an FkmSafety.
+/// Fields of an FkmSafety.
 template <class Result>
 constexpr auto fkm_results() {
   return join(

@@ -1,6 +1,6 @@
-// What a steel bears in a part of this size by [FKM]: strength with size factor and anisotropy, fatigue limit,
-// sensitivity to mean stress. The constants of the size factor of the tensile strength are those of [PragTic]; those of
-// the yield strength are recalled, and may be typed.
+// Strength of a steel in a part of this size by [FKM]: strength with size factor and anisotropy, fatigue limit,
+// sensitivity to mean stress. The constants of the size factor of the tensile strength are those of [PragTic]; those
+// of the yield strength are recalled, and may be typed.
 #pragma once
 
 #include "calculators/fatigue/estimate.hpp"
@@ -111,7 +111,7 @@ double shear_over_normal(const FkmSteel& s, bool shear, Tracer& trace) {
   return trace.value("f_W", shear ? fkm_row(s.steel).tau : 1.0, "in torsion shear over normal, [FKM] 2.2");
 }
 
-/// The fatigue limit of the material in symmetric cycles of tension, or of shear. What is typed is of this size.
+/// The fatigue limit of the material in symmetric cycles of tension, or of shear. Typed values are for this size.
 template <class Tracer>
 Stress fkm_limit(const FkmSteel& s, bool shear, double shear_factor, Stress strength, Tracer& trace) {
   const Stress typed = shear ? s.tau_W : s.sigma_W;

@@ -1,6 +1,6 @@
-// What a mean stress leaves of a fatigue limit by the four fields of [FKM], in each of its four ways to grow. The limit
-// falls with the mean stress in straight lines, so that where it is reached follows line by line: the least and largest
-// of the lines are those of what they give.
+// Fatigue limit under a mean stress by the four fields of [FKM], for each of its four types of overloading. The limit
+// falls with the mean stress in straight lines, so that where it is reached follows line by line: the least and
+// largest of the lines are those of what they give.
 #pragma once
 
 #include "calculators/fatigue/fkm/section.hpp"

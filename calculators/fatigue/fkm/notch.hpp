@@ -1,7 +1,7 @@
-// What a notch, its roughness and the gradient of the stress do to a fatigue limit by [FKM]: K_f, K_R and the design
+// Effect of a notch, its roughness and the stress gradient on a fatigue limit by [FKM]: K_f, K_R and the design
 // factor K_WK of nominal stresses. Shape factors and gradients of shoulders, grooves and holes are those that DIN 743
-// has as well; of notch factors that were measured the support of bending over the diameter is not counted, which is
-// on the safe side. That both gradients are counted one after the other is recalled.
+// has as well; for measured notch factors the support of bending over the diameter is not counted, which is on the
+// safe side. That both gradients are counted one after the other is recalled.
 #pragma once
 
 #include "calculators/fatigue/din743/notch.hpp"
@@ -9,7 +9,7 @@
 
 namespace loadpath::fatigue {
 
-/// What the functions take that is alike for the section, and what it is of this stress.
+/// Common arguments of the functions for the section, and those of this stress.
 struct FkmRoot {
   Din743Root din743;
   Stress R_md = unset<Stress>;
@@ -38,7 +38,7 @@ inline Twist typed_gradient(const FkmService& l, Stressing kind) {
   return kind == Stressing::tension ? l.G_zd : kind == Stressing::bending ? l.G_b : l.G_t;
 }
 
-/// The shape factor, and the gradient beside the notch where it has one.
+/// The stress concentration factor, and the gradient next to the notch if there is one.
 template <class Tracer>
 Twist fkm_shape(const Din743Section& s, const FkmService& l, const FkmRoot& root, Stressing kind, FkmStress& k,
                 Tracer& trace) {
@@ -111,7 +111,7 @@ void fkm_surface(const Din743Section& s, const FkmRoot& root, FkmStress& k, Trac
 /// Whether the notch factor is that of tests.
 constexpr bool is_measured(Notch n) { return n == Notch::beta || is_keyed(n) || n == Notch::press_fit || is_groove(n); }
 
-/// The design factor of nominal stresses; the gradient beside the notch is handed back, unset where none is told.
+/// The design factor of nominal stresses; the gradient next to the notch is returned, unset if not given.
 template <class Tracer>
 Twist fkm_design_factor(const Din743Section& s, FkmSteelGroup group, const FkmService& l, const FkmRoot& root,
                         Stressing kind, FkmStress& k, Tracer& trace) {

@@ -1,4 +1,4 @@
-// What inputs of FKM have to keep between them, for every calculator that rates sections by it.
+// Constraints between inputs of FKM, for every calculator that rates sections by it.
 #pragma once
 
 #include "calculators/fatigue/din743/rules.hpp"

@@ -21,7 +21,7 @@ double slope_of_life(Stressing kind, Tracer& trace) {
                      "slope of finite life, 5, in torsion 8, [FKM] 2.4, from memory");
 }
 
-/// What part of its limit the amplitude is, and how long it lasts.
+/// Amplitude over its limit, and the resulting life.
 template <class Tracer>
 void hold_amplitude(const FkmService& l, Stressing kind, FkmStress& k, Tracer& trace) {
   using std::pow;
@@ -177,8 +177,8 @@ void fatigue_utilisation(const FkmService& l, FkmSafety& r, Tracer& trace) {
                      : trace.value("S_D", any_safety, "nothing varies");
 }
 
-/// The utilisations of one section. Its stresses stand in a list "stresses" of the result, one that acts after the
-/// other.
+/// The utilisations of one section. Its stresses are in a list "stresses" of the result, in order, only those that
+/// act.
 template <class Tracer>
 FkmSafety fkm_section(const FkmSteel& steel, const Din743Section& s, const Din743Loads& loads, const FkmService& l,
                       Tracer& trace) {

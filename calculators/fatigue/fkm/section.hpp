@@ -1,6 +1,6 @@
-// A section of a shaft or rod as FKM sees it by nominal stresses: its steel, how it is loaded and how safe it has to
-// be, and what comes out. The section itself and what acts on it are those of DIN 743. Plain data, so that a whole
-// shaft can have its sections rated one by one.
+// A section of a shaft or rod by FKM, nominal stresses: its steel, loading, required safety factors and results. The
+// section itself and its actions are those of DIN 743. Plain data, so that the sections of a full shaft can be rated
+// one by one.
 #pragma once
 
 #include "calculators/fatigue/din743/section.hpp"
@@ -19,9 +19,9 @@ enum class FkmSteelGroup {
 };
 /// The fibre of the rolled bar, against the normal stresses.
 enum class Fibre { along, across };
-/// What stays as it is while the load grows: mean stress, stress ratio, least or largest stress.
+/// Type of overloading, the quantity kept constant: mean stress, stress ratio, minimum or maximum stress.
 enum class Overload { F1, F2, F3, F4 };
-/// Whether each stress has its own mean stress, or all of them that of the whole.
+/// Whether each stress has its own mean stress, or all stresses the common equivalent one.
 enum class Means { together, each };
 
 /// R_mN and R_eN are those of the standard, at its reference diameters, R_m and R_e those of a part of this size. a_dm,
@@ -95,7 +95,7 @@ struct FkmStress {
 
 inline double shape_of(const FkmStress& k) { return k.K_t; }
 
-/// S_D is infinite where nothing varies. Of the x those are set whose range concerns the section.
+/// S_D is infinite without amplitude. Only the x with a range for the section are set.
 struct FkmSafety : NotchRanges {
   Length d_eff = unset<Length>;
   double K_dm = unset<double>, K_dp = unset<double>, K_an = unset<double>;

@@ -1,4 +1,4 @@
-// The collective of a history beside the curve that it is held against.
+// The load spectrum of a history next to its S-N curve.
 #pragma once
 
 #include "lib/figure/figure.hpp"

@@ -18,7 +18,7 @@ inline bool counts_means(const HistoryTypes::Input& in) {
   return HistoryTypes::is_of_part(in) && in.mean != HistoryTypes::Means::none;
 }
 
-/// Of shear its own strengths.
+/// Shear has its own strengths.
 inline Haigh haigh_of(const HistoryTypes::Input& in) {
   Haigh h;
   NoTrace quiet;

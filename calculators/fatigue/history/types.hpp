@@ -1,4 +1,4 @@
-// What fatigue.history takes and gives.
+// Input and result of fatigue.history.
 #pragma once
 
 #include "calculators/fatigue/history/dnv.hpp"

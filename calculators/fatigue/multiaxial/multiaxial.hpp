@@ -53,7 +53,7 @@ S_D = 1.5
 S_F = 1.5
 )";
 
-  /// Which decides; the worst of those that hold for tau_D/sigma_D.
+  /// Governing criterion: the worst of those valid for tau_D/sigma_D.
   enum class Criterion { worst, findley, matake, crossland, dang_van };
 
   struct Input {

@@ -13,7 +13,7 @@ struct PlaneStress {
   double x = 0.0, y = 0.0, xy = 0.0;
 };
 
-/// Three stresses in step, of which some may stand still. It looks at them where they are.
+/// Three stresses in step, some of which may be constant. The path refers to the arrays of its caller.
 class StressPath {
  public:
   StressPath(const Varying<Stress>& x, const Varying<Stress>& y, const Varying<Stress>& xy);

@@ -1,4 +1,4 @@
-// What a path of plane stress does on the planes through its point, and the plane on which it does most.
+// Stresses of a path of plane stress on the planes through its point, and the critical plane.
 #pragma once
 
 #include "calculators/fatigue/multiaxial/path.hpp"
@@ -36,9 +36,9 @@ struct OnPlane {
 OnPlane on_plane(const StressPath& path, const Normal& normal);
 numerics::Ball<2> shear_circle(const StressPath& path, const PlaneView& view);
 
-/// The plane on which tau_a + k sigma_n is largest, of all in space; by symmetry to the surface half of them are looked
-/// at. Two searches from grids that share no plane, each followed from its highest places until the angles stand to
-/// 1e-4 deg: `apart` is their difference over the larger one.
+/// The plane on which tau_a + k sigma_n is largest, of all in space; by symmetry to the surface half of them are
+/// searched. Two searches from grids that share no plane, each followed from its highest places until the angles
+/// converge to 1e-4 deg: `apart` is their difference over the larger one.
 struct WorstPlane {
   OnPlane plane;
   double apart = 0.0;

@@ -1,11 +1,11 @@
 // A fatigue limit by a staircase test: its mean and scatter by Dixon and Mood, the strength at a survival probability.
 //
-// Decides the mean and the standard deviation of the fatigue strength at the cycles of the run-outs from bars that were
-// tested one after the other, a step lower after a failure and a step higher after a run-out [DixonMood]: of the rarer
-// of both outcomes, of failures less half a step, of run-outs more. Steps are equal in stress or in its logarithm, and
-// the strength is normal, or log-normal. The formula of the standard deviation holds from D = 0.3 on, which few tests
-// and wide steps do not reach: then it is not told. S is the stress that was set, amplitude or largest.
-// Not covered: the confidence of a small sample, maximum likelihood, survivals of the tail.
+// Decides the mean and the standard deviation of the fatigue strength at the cycles of the run-outs from bars that
+// were tested one after the other, a step lower after a failure and a step higher after a run-out [DixonMood]: of the
+// rarer of both outcomes, of failures less half a step, of run-outs more. Steps are equal in stress or in its
+// logarithm, and the strength is normal, or log-normal. The formula of the standard deviation holds from D = 0.3 on,
+// which few tests and wide steps do not reach: then it is not reported. S is the stress that was set, amplitude or
+// largest. Not covered: the confidence of a small sample, maximum likelihood, survivals of the tail.
 #pragma once
 
 #include "lib/calculator/field.hpp"
@@ -49,7 +49,7 @@ P_s = 0.9
 )";
 
   enum class End { failure, runout };
-  /// What the steps are equal in.
+  /// Scale of equal steps.
   enum class Steps { linear, logarithmic };
   static constexpr std::size_t most_tests = 128;
 

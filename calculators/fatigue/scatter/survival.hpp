@@ -1,10 +1,10 @@
 // A fatigue strength, a life and a knee at another survival probability than they are known at.
 //
 // Decides how a strength sigma and a life N move from the survival P_0 that they are known at to the survival P: both
-// are log-normal, with the scatter T_S of strengths and T_N of lives, each the value at 10 % over that at 90 % survival
-// and so above 1; one of them gives the other by the slope of the line, T_N = T_S^k. The knee keeps its place on the
-// moved line. What P_0 is, the source of sigma says: of single tests 50 %, of FKM 97.5 %.
-// Not covered: that T_S itself is known of few tests, tails beyond one in a thousand.
+// are log-normal, with the scatter T_S of strengths and T_N of lives, each the value at 10 % over that at 90 %
+// survival and so above 1; one of them gives the other by the slope of the line, T_N = T_S^k. The knee keeps its
+// place on the moved line. P_0 follows from the source of sigma: of single tests 50 %, of FKM 97.5 %. Not covered:
+// the uncertainty of T_S from few tests, tails beyond one in a thousand.
 #pragma once
 
 #include "lib/calculator/field.hpp"

@@ -1,4 +1,4 @@
-// One mesh of a planetary set as a pair of gears, for gear.pair to take whole: pair = "=set.sun_mesh".
+// One mesh of a planetary set as a gear pair, input record of gear.pair: pair = "=set.sun_mesh".
 #pragma once
 
 #include "calculators/gear/pair_choices.hpp"
@@ -7,8 +7,8 @@
 
 namespace loadpath::gear {
 
-/// As it runs where the carrier stands still: gear 1 is the sun, or the planet inside the ring. Of the planet that
-/// carries most; the service factor is still to come.
+/// The mesh relative to a stationary carrier: gear 1 is the sun, or the planet inside the ring. Loads of the planet
+/// with the largest share; the application factor is not included yet.
 struct MeshOfSet {
   Mesh mesh = Mesh::external;
   double z_1 = unset<double>, z_2 = unset<double>;

@@ -1,12 +1,12 @@
 // A simple planetary gear set: sun, planets on a carrier, ring.
 //
 // Decides the speeds of all members by Willis, their torques with losses by the direction of the rolling power, the
-// powers and the efficiency; whether the planets can be put in evenly, fit beside each other, and lie on one circle.
-// Signs: speeds and torques are positive in one sense of rotation; a torque is what acts on the member from outside,
-// so power enters where T n > 0. Losses: eta_0 of the set with the carrier at rest, from sun to ring or back alike;
-// bearings, seals and churning are not covered. Sun and planet, planet and ring mesh as gear.pair has it: the sun with
-// its planet without backlash, the ring with the shift that the same centre distance asks for. Planets stand as evenly
-// as whole steps of assembly let them; those that touch each other, or that the ring interferes with, fail.
+// powers and the efficiency; whether the planets can be put in evenly, have clearance to each other, and lie on one
+// circle. Signs: speeds and torques are positive in one direction of rotation; a torque is what acts on the member
+// from outside, so power enters where T n > 0. Losses: eta_0 of the set with the carrier at rest, from sun to ring or
+// back alike; bearings, seals and churning are not covered. Sun and planet, planet and ring mesh as gear.pair has it:
+// the sun with its planet without backlash, the ring with the shift for the same centre distance. Planets are spaced
+// as evenly as integer assembly steps allow; those that touch each other, or that the ring interferes with, fail.
 #pragma once
 
 #include "calculators/gear/planetary/mesh_of_set.hpp"
@@ -53,7 +53,7 @@ eta_0 = 0.97
 h_ar = 0.9
 )";
 
-  static constexpr double most_shifted = 4.0;  // teeth that profile shift can still mend
+  static constexpr double most_shifted = 4.0;  // teeth that profile shift can still correct
 
   static bool speeds_determined(const Input& in);
   static FieldFault wrong_speeds(const Input& in);
@@ -166,7 +166,7 @@ h_ar = 0.9
                   true},
       Rule<Input>{[](const Input& in) {
                     const double gap = ring_teeth(in) - in.z_s - 2 * in.z_p;
-                    return gap == 0 || std::abs(gap) > most_shifted;  // a limit tells of more
+                    return gap == 0 || std::abs(gap) > most_shifted;  // a limit reports larger gaps
                   },
                   "z_r, z_s, z_p",
                   "z_r is not z_s + 2 z_p: only profile shift brings sun, planets and ring to one axis", nullptr,

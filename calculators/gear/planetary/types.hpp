@@ -1,4 +1,4 @@
-// What gear.planetary takes and gives.
+// Input and result of gear.planetary.
 #pragma once
 
 #include "calculators/gear/planetary/mesh_of_set.hpp"

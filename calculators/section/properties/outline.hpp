@@ -32,7 +32,7 @@ struct Contours {
   Outline hole;  // empty where it has none
 };
 
-/// What is drawn: contours of material, and of holes in it.
+/// Drawn contours: of material, and of holes in it.
 struct Sketch {
   std::vector<Outline> material;
   std::vector<Outline> holes;

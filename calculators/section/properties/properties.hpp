@@ -1,4 +1,4 @@
-// What every section has: area, centroid, second moments, radii of gyration, moduli and principal axes.
+// Properties of every section: area, centroid, second moments, radii of gyration, moduli and principal axes.
 //
 // Axes as in EN 1993: y to the right, z upwards, in the plane of the section. I_y is about the axis y through the
 // centroid, I_yz the integral of y z; a part of the section on the upper right and one on the lower left make it
@@ -27,7 +27,7 @@ struct Properties {
   SectionModulus W_t = unset<SectionModulus>;
 };
 
-/// Of a section whose centroid is the origin of the sketch and whose axes are principal.
+/// Properties of a section whose centroid is the origin of the sketch and whose axes are principal.
 inline Properties centred() {
   Properties p;
   p.y_S = p.z_S = from_si<Length>(0.0);
@@ -125,7 +125,7 @@ void turn_to_principal_axes(Properties& r, Tracer& trace) {
   STEP_TO(r, alpha, atan(-2.0 * r.I_yz / (r.I_y - r.I_z + 2.0 * I_R)), "half the angle on Mohr's circle");
 }
 
-/// What follows from A, the centroid, I_y, I_z, I_yz and the contour.
+/// Results that follow from A, the centroid, I_y, I_z, I_yz and the contour.
 template <class Tracer>
 void complete(Properties& r, const Extremes& extremes, Tracer& trace) {
   STEP_TO(r, i_y, sqrt(r.I_y / r.A), "radius of gyration");

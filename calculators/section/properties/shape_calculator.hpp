@@ -1,5 +1,5 @@
-// What the calculators of single shapes share: a shape says its own area, second moments and contour; moduli, principal
-// axes and figures follow.
+// Common base of the calculators of single shapes: a shape gives its own area, second moments and contour; moduli,
+// principal axes and figures follow.
 #pragma once
 
 #include "calculators/section/properties/outline.hpp"

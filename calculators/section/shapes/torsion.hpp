@@ -40,7 +40,7 @@ constexpr Mode<Input> torsion_mode(const char* limits) {
   return Mode<Input>{"torsion", "applicability of the torsion constant", &always<Input>}.judged_by(limits).of_shape();
 }
 
-/// The properties of a section whose torsion constant holds for thin open walls only.
+/// The properties of a section whose torsion constant is valid for thin open walls only.
 struct OpenWalls : Properties {
   double w = unset<double>;
 };

@@ -1,10 +1,10 @@
-// A thin-walled section in torsion: one cell or several that share walls, walls that stand free, or both.
+// A thin-walled section in torsion: one cell or several that share walls, open branches, or both.
 //
-// Decides the flow of shear of every cell by Bredt: all cells twist alike, n linear equations; to its torsion constant
-// the walls add that of thin strips, l t^3/3, and the sum of these alone is that of the section slit open. Stress of a
-// wall: the flow over its thickness, which books give, and at its surface what it has of its own twist more. Each wall
-// may have a shear modulus of its own. Saint-Venant: the section is free to warp and keeps its shape. Not covered:
-// warping that is held, distortion, stress at inner corners and welds, buckling, fatigue, bending.
+// Decides the flow of shear of every cell by Bredt: all cells twist alike, n linear equations; to its torsion
+// constant the walls add that of thin strips, l t^3/3, and the sum of only these is that of the section slit open.
+// Stress of a wall: the flow over its thickness, which books give, and at its surface what it has of its own twist
+// more. Each wall may have a shear modulus of its own. Saint-Venant: the section is free to warp and keeps its shape.
+// Not covered: warping that is held, distortion, stress at inner corners and welds, buckling, fatigue, bending.
 #pragma once
 
 #include "calculators/load/shear_strength.hpp"

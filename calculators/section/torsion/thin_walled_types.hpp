@@ -1,4 +1,4 @@
-// What section.thin_walled takes and gives.
+// Input and result of section.thin_walled.
 #pragma once
 
 #include "calculators/load/shear_strength.hpp"

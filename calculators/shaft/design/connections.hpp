@@ -1,5 +1,5 @@
-// What fastens gears, pulleys and couplings to the shaft: the torque that each connection is assessed for, the diameter
-// that it is made for, and the rim that it leaves of a gear.
+// Connections of gears, pulleys and couplings to the shaft: the torque that each is assessed for, its diameter, and
+// the remaining rim of a gear.
 #pragma once
 
 #include "calculators/shaft/design/model/input.hpp"

@@ -10,7 +10,7 @@
 
 namespace loadpath::shaft {
 
-/// What changes at a place; no notch: null.
+/// Node and notch at a place of change; no notch: null.
 struct There {
   std::size_t node = 0;
   const Notched* notch = nullptr;

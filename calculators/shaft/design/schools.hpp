@@ -1,4 +1,4 @@
-// A section of a shaft by schools that stand beside those of [Shigley7] and DIN 743: FKM and Serensen.
+// A section of a shaft by methods in addition to [Shigley7] and DIN 743: FKM and Serensen.
 #pragma once
 
 #include "calculators/fatigue/din743/section.hpp"
@@ -10,7 +10,7 @@
 
 namespace loadpath::shaft {
 
-/// What varies of each stress, and what stays; bending and torsion as magnitudes.
+/// Amplitude and mean of each stress; bending and torsion as magnitudes.
 struct Stressed {
   Swing<Stress> bending, axial, torsion;
 };
@@ -27,8 +27,8 @@ double ranges_left(const Rated& rated, const Fields& fields) {
   return loadpath::apply([&](const auto&... field) { return (0.0 + ... + (is_outside(field) ? 1.0 : 0.0)); }, fields);
 }
 
-/// `section` is that of DIN 743, `rated` what was found of it, `outside` how many of its ranges were left. Where the
-/// method is one of both x_DIN tells the ranges that it has left.
+/// `section` is that of DIN 743, `rated` its result, `outside` the number of its ranges exceeded. If the method is
+/// one of both, x_DIN reports the exceeded ranges.
 template <class Tracer>
 void other_schools(const DesignInput& in, const fatigue::Din743Section& section, const Stressed& stressed,
                    const fatigue::Din743Safety& rated, double outside, Safety& s, Tracer& trace);

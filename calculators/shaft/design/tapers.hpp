@@ -5,7 +5,7 @@
 
 namespace loadpath::shaft {
 
-/// Of each taper the place where it is stressed most, and where it tires first if that is elsewhere.
+/// The most stressed place of each taper, and the place of lowest fatigue strength if that is elsewhere.
 Weakest weakest_of_tapers(const DesignInput& in);
 
 }  // namespace loadpath::shaft

@@ -14,10 +14,10 @@ namespace loadpath::shaft {
 /// Nothing where the inertia of a seat, or the density, is not known.
 std::optional<beam::Swing> swing_of(const DesignInput& in);
 
-/// Whether what comes h times in a turn meets more than the lowest frequency on the way to the speed of the shaft.
+/// Whether an order h passes more than the lowest frequency on the run-up to the speed of the shaft.
 Applies resonance_on_the_way(const DesignInput& in);
 
-/// Of the lowest frequency, and of each order at the speed of the shaft.
+/// Check of the lowest frequency, and of each order at the speed of the shaft.
 template <class Tracer>
 void judge_torsion(const DesignInput& in, DesignResult& r, Tracer& trace);
 

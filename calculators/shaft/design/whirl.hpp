@@ -15,7 +15,7 @@ namespace loadpath::shaft {
 /// Nothing where no seat says how it turns as a disc, or a mass is not known.
 std::optional<beam::Whirl> whirl_of(const DesignInput& in, const Elastic& elastic);
 
-/// Of the lowest modes critical speeds, and frequencies at the speed of the shaft.
+/// Critical speeds of the lowest modes, and frequencies at the speed of the shaft.
 template <class Tracer>
 void judge_whirl(const DesignInput& in, const Elastic& elastic, DesignResult& r, Tracer& trace);
 

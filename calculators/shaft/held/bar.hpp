@@ -1,4 +1,4 @@
-// The bar of shaft.held cut where it, its load or its members change, and how far each stretch gives way.
+// The bar of shaft.held, divided where it, its load or its members change, and the flexibility of each stretch.
 #pragma once
 
 #include "calculators/shaft/held/types.hpp"
@@ -30,7 +30,7 @@ Moment sum_of_loads(const HeldTypes::Input& in);
 Ring ring_at(const Segment& s, Length from_its_end);
 bool is_around(const Sleeve& sleeve, const Slice& s);
 inline Stress modulus(const HeldTypes::Input& in, Stress own) { return is_set(own) ? own : in.G; }
-/// Of the whole section, at a place of a stretch.
+/// Stiffness of the full section, at a place of a stretch.
 TorsionalStiffness stiffness_at(const HeldTypes::Input& in, const Slice& s, Length from_its_end);
 
 /// The rotation over a stretch by a moment of 1, and by a torque per length of 1 that its second end holds.
@@ -40,7 +40,7 @@ struct Flexibility {
 };
 
 inline constexpr SpreadYielding no_spread = from_si<SpreadYielding>(0.0);
-/// Whether a torque is spread over it; without one f_1 is not asked for.
+/// Whether a torque is distributed over it; otherwise f_1 is not required.
 inline bool is_spread(const Slice& s) { return in_si(s.m) != 0.0; }
 
 /// Integrals of 1/(G I_p) and of x/(G I_p) over a cone whose bore is not in proportion.

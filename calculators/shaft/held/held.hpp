@@ -1,4 +1,4 @@
-// A bar in torsion that one end or both hold, rigidly or by a spring: what statics alone does not solve.
+// A bar in torsion fixed at one end or both, rigidly or by a spring: statically indeterminate in general.
 //
 // Parts in series, cylinders and cones, solid or bored, each of its own material; sleeves or cores beside them that
 // turn as one with them; torques at places and spread over a part. Decides the reactions, the moment and the rotation

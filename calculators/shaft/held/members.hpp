@@ -1,4 +1,4 @@
-// What a bar held in torsion is made of: segments in series, sleeves beside them, torques.
+// Members of a bar fixed in torsion: segments in series, sleeves in parallel, torques.
 #pragma once
 
 #include "calculators/shaft/parts/ring.hpp"
@@ -50,7 +50,7 @@ struct Segment {
       Field{&Segment::m, "m", N_m_per_m, "torque per length along it, signed"}.load()};
 };
 
-/// A cylinder around the bar, or inside of its bore, that turns as one with it along its whole length.
+/// A cylinder around the bar, or inside its bore, that rotates as one with it along its full length.
 struct Sleeve {
   Name name;
   Length x = unset<Length>, l = unset<Length>, d = unset<Length>, d_bore = 0.0 * mm;

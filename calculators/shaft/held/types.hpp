@@ -1,4 +1,4 @@
-// What shaft.held takes and gives.
+// Input and result of shaft.held.
 #pragma once
 
 #include "calculators/load/shear_strength.hpp"

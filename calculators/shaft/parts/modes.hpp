@@ -1,4 +1,4 @@
-// The ways in which any shaft can fail or stop serving; what its calculator judges stands before them.
+// The failure and serviceability modes of any shaft; the modes of its calculator precede them.
 #pragma once
 
 #include "lib/calculator/fields.hpp"
@@ -38,7 +38,7 @@ constexpr Mode<Input> fatigue_of_shaft() {
   return Mode<Input>{"fatigue", "fatigue (shoulders, keyways, press fits)", &load_varies<Input>}.in_service();
 }
 
-/// What the calculator judges, and what concerns every shaft.
+/// Modes of the calculator, and those of every shaft.
 template <class Input, std::size_t judged>
 constexpr auto with_modes_of_shafts(const std::array<Mode<Input>, judged>& own) {
   const std::array common{

@@ -13,7 +13,7 @@ struct NotchFactors {
   double bending = 1.0, torsion = 1.0;
 };
 
-/// Of straight-sided splines, DIN 743-2, recalled.
+/// Fatigue notch factors of straight-sided splines, DIN 743-2, recalled.
 inline NotchFactors factors_of_splines(Stress R_m) {
   const double R = in_si(R_m) / 1e6, torsion = std::exp(4.2e-7 * R * R);
   return {1.0 + 0.45 * (torsion - 1.0), torsion};

@@ -1,4 +1,4 @@
-// What a shaft is made of and what sits on it: pieces, bearings, seats, notches.
+// Parts of a shaft: shaft segments, bearings, mounted components, notches.
 #pragma once
 
 #include "calculators/load/connection.hpp"
@@ -57,8 +57,8 @@ enum class Way { takes, drives, balances };
 /// Whether what sits there is one piece with the shaft.
 enum class Integral { no, yes };
 
-/// What sits on the shaft and loads it: a gear, a pulley, a sprocket, a coupling, a weight; a crank, whose forces are
-/// known over a turn.
+/// A mounted component that loads the shaft: a gear, a pulley, a sprocket, a coupling, a weight; a crank, whose
+/// forces are known over a revolution.
 struct Seat {
   Name name;
   Length x = unset<Length>;
@@ -178,7 +178,7 @@ struct Seat {
       Choice{&Seat::kind, "kind", "mounted component"}.of_body().may_be_missing()};
 };
 
-/// What comes h times in a turn and can make the shaft swing.
+/// Excitation order h that can make the shaft vibrate.
 struct Order {
   Name name;
   double h = unset<double>;
@@ -204,7 +204,7 @@ constexpr bool is_keyed(Notch n) { return n == Notch::keyway || n == Notch::two_
 constexpr bool is_groove(Notch n) {
   return n == Notch::groove || n == Notch::rectangular_groove || n == Notch::v_groove;
 }
-/// Those whose notch factor is told by DIN 743, or typed, and not made of K_t.
+/// Notches whose fatigue notch factor is from DIN 743, or typed, and not derived from K_t.
 constexpr bool has_factors(Notch n) {
   return n == Notch::rectangular_groove || n == Notch::v_groove || n == Notch::press_fit || n == Notch::cross_hole ||
          n == Notch::beta;
@@ -283,7 +283,7 @@ constexpr auto choices_of(Notch) {
       ChoiceName<Notch>{Notch::beta, "beta", "other notch (e.g. spline), by fatigue notch factors from tests"}};
 }
 
-/// The end of the seat of a key, for a shaft to take whole.
+/// The end of a keyway, an input record of a shaft.
 struct KeyNotch {
   Notch kind = Notch::keyway;
   Length d = unset<Length>, t = unset<Length>, l = unset<Length>;
@@ -294,7 +294,7 @@ struct KeyNotch {
       Field{&KeyNotch::r_T, "r_T", ratio, "torque ratio T_min/T_max: -1 for a reversing torque"}};
 };
 
-/// The end of a spline, for a shaft to take whole; its notch factors are those of tests.
+/// The end of a spline, an input record of a shaft; its notch factors are those of tests.
 struct SplineNotch {
   Notch kind = Notch::beta;
   Length d = unset<Length>, t = unset<Length>;
@@ -308,7 +308,7 @@ struct SplineNotch {
       Field{&SplineNotch::r_T, "r_T", ratio, "torque ratio T_min/T_max: -1 for a reversing torque"}};
 };
 
-/// The groove of a retaining ring, for a shaft to take whole.
+/// The groove of a retaining ring, an input record of a shaft.
 struct RingNotch {
   Notch kind = Notch::rectangular_groove;
   Length d = unset<Length>, t = unset<Length>, w = unset<Length>, r = unset<Length>;

@@ -34,7 +34,7 @@ inline Moment given_sum(const TorsionTypes::Input& in) {
   return sum;
 }
 
-/// Whether a torque stands beyond the end of the shaft.
+/// Whether a torque lies beyond the end of the shaft.
 inline bool is_beyond(const TorsionTypes::Input& in, const TorsionTypes::Torque& t) {
   return !(t.x <= total_length(in) * (1.0 + 1e-12));
 }
@@ -49,7 +49,7 @@ inline Torques torques_of(const TorsionTypes::Input& in) {
   return torques;
 }
 
-/// The short form: one torque goes through the whole shaft.
+/// The short form: one torque through the full shaft length.
 inline Stretches stretches_of_short_form(const TorsionTypes::Input& in) {
   NoTrace quiet;
   const Moment T = torque_of(in, quiet);

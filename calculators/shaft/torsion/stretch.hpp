@@ -7,7 +7,7 @@
 
 namespace loadpath::shaft {
 
-/// What sizing and checking of one stretch need beside its moment.
+/// Data for sizing and checking of one stretch in addition to its moment.
 struct Allowed {
   Stress tau_all;
   Stress G;

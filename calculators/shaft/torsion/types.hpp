@@ -1,4 +1,4 @@
-// What shaft.torsion takes and gives.
+// Input and result of shaft.torsion.
 #pragma once
 
 #include "calculators/load/shear_strength.hpp"

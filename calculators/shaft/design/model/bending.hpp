@@ -1,4 +1,4 @@
-// The shaft as a beam in two planes: where its nodes are, what its bearings carry, and what every section feels.
+// The shaft as a beam in two planes: its nodes, its bearing reactions, and the internal forces of every section.
 #pragma once
 
 #include "calculators/shaft/design/model/stretches.hpp"
@@ -9,7 +9,7 @@ namespace loadpath::shaft {
 
 Stations stations_of(const DesignInput& in, const Weakest& weakest = {});
 
-/// What a section feels, of both sides the larger: planes X and Y, along the shaft and around it.
+/// Internal forces at a section, the larger of both sides: planes X and Y, along the shaft and around it.
 struct Felt {
   double M_x = 0.0, M_y = 0.0, V = 0.0, N = 0.0, T = 0.0;
 };
@@ -20,18 +20,18 @@ struct Elastic {
   beam::Row<Stretch> stretches;
   beam::Beam beam;
 };
-/// Nothing where the bearings are so soft beside the shaft that they hold nothing.
+/// None if the bearings are so soft compared with the shaft that they give no support.
 std::optional<Elastic> elastic_shaft(const DesignInput& in, const Weakest& weakest = {});
 
 /// The shaft under all of its loads at a position of its turn, with the service factor.
 struct Loaded {
   Stations stations;
   beam::Bent x, y;
-  beam::Row<double> T, N;  // of every span
+  beam::Row<double> T, N;  // values of every span
   beam::Row<double> phi;   // twist of every node against the first
   double thrust = 0.0;     // that the fixed bearing takes, signed
   double twist = 0.0;      // the largest per length, rad/m
-  /// Of a span at its left end, or its right one.
+  /// Internal forces of a span at its left or right end.
   [[nodiscard]] Felt side(std::size_t span, bool right_end) const;
   [[nodiscard]] Felt felt(std::size_t node) const;
   [[nodiscard]] double deflection(std::size_t node) const;
@@ -46,7 +46,7 @@ std::size_t most_bent(const DesignInput& in, const Elastic& elastic);
 std::optional<Loaded> loaded_shaft(const DesignInput& in);
 bool bears(const DesignInput& in);
 
-/// Of the shaft and what sits on it, at the nodes.
+/// Masses of the shaft and its mounted components, at the nodes.
 beam::Row<double> masses_of(const DesignInput& in, const Elastic& elastic);
 beam::Frequencies critical_speeds(const DesignInput& in, const Elastic& elastic);
 

@@ -1,4 +1,4 @@
-// What shaft.design takes.
+// Input of shaft.design.
 #pragma once
 
 #include "calculators/fatigue/endurance.hpp"

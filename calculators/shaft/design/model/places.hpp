@@ -9,7 +9,7 @@
 
 namespace loadpath::shaft {
 
-inline constexpr double one_place = 1e-6;  // of the length: places that are meant to be one
+inline constexpr double one_place = 1e-6;  // share of the length: closer places count as one
 
 inline bool are_one(const DesignInput& in, Length a, Length b) { return abs(a - b) <= one_place * length_of(in); }
 
@@ -33,9 +33,9 @@ struct Meeting {
   const Piece& after;
   [[nodiscard]] Sides sides() const { return {{right_diameter(before), before.d_bore}, {after.d, after.d_bore}}; }
   [[nodiscard]] bool steps() const { return right_diameter(before) != after.d || before.d_bore != after.d_bore; }
-  /// Whether the surface has a hollow edge there: how much steeper it is behind the place than before it. What is
-  /// flatter than 1 : 50 on the diameter counts for none: at a hollow edge stresses grow with the power 0.57 times the
-  /// angle of the distance, where a root is d/1000 round by 4 %.
+  /// Whether the surface has a hollow edge there: how much steeper it is behind the place than before it. Slopes
+  /// below 1 : 50 on the diameter are neglected: at a hollow edge stresses grow with the power 0.57 times the angle
+  /// of the distance, where a root is d/1000 round by 4 %.
   [[nodiscard]] bool is_hollow() const {
     constexpr double flat = 0.01;
     return !steps() && slope_of(after) - slope_of(before) > flat;

@@ -8,7 +8,7 @@
 
 namespace loadpath::shaft {
 
-/// Of the loads of seats and their angle any series; null where nothing varies.
+/// Any series among the loads of mounted components and their angle; null for constant loads.
 const Value* any_series(const DesignInput& in);
 /// 1 where nothing varies.
 std::size_t positions_of(const DesignInput& in);
@@ -16,13 +16,13 @@ bool varies(const DesignInput& in);
 bool torque_varies(const DesignInput& in);
 /// The share of the turn's time that belongs to a position.
 double share_of(const DesignInput& in, std::size_t position);
-/// Angle of the shaft; 0 where no seat tells it.
+/// Angle of the shaft; 0 if no mounted component gives it.
 double psi_of(const DesignInput& in, std::size_t position);
 
-/// How often the shaft turns over all positions, signed; 0 where it swings or stands.
+/// Revolutions of the shaft over all positions, signed; 0 if it oscillates or is at rest.
 double turns_of(const DesignInput& in);
 
-/// What may be wrong with loads over a turn; empty: nothing.
+/// Fault in the loads over a revolution; empty: none.
 struct TurnFault {
   const char* key = "";
   Message message, hint;
@@ -35,9 +35,9 @@ void for_each_load(const Seat& seat, const Take& take) {
   take("T", seat.T), take("F_x", seat.F_x), take("F_y", seat.F_y), take("F_z", seat.F_z);
 }
 
-/// Of the shaft, or the first seat that has one; its magnitude.
+/// Speed of the shaft, or of the first mounted component that has one; its magnitude.
 AngularSpeed speed_of(const DesignInput& in);
-/// What the seat gives to the shaft at a position: positive where it drives.
+/// Torque of the mounted component on the shaft at a position: positive if it drives.
 Moment torque_of(const DesignInput& in, std::size_t seat, std::size_t position);
 
 }  // namespace loadpath::shaft

@@ -1,4 +1,4 @@
-// What is found of a shaft between its bearings: what they carry, how it bends, how each section stands.
+// Result of a shaft between its bearings: bearing loads, deformation, assessment of each section.
 #pragma once
 
 #include "calculators/shaft/design/model/input.hpp"
@@ -8,7 +8,7 @@ namespace loadpath::shaft {
 
 inline constexpr std::size_t most_places = 3 * most_pieces + 1 + most_supports + most_seats + 2 * most_notches;
 
-/// What a bearing carries, for bearing calculators to take whole.
+/// Load of a bearing, an input record of bearing calculators.
 struct Carried {
   Name name;
   Length x = unset<Length>;
@@ -112,7 +112,7 @@ struct Section {
       Field{&Section::u_h, "u_h", ratio, "required / actual shoulder height"}.check().where_it_applies()};
 };
 
-/// What comes h times in a turn, against the natural frequencies in torsion on both sides of it.
+/// Excitation of order h, compared with the torsional natural frequencies on both sides of it.
 struct Harmonic {
   Name name;
   double h = unset<double>;
@@ -141,7 +141,7 @@ struct Whirled {
       Field{&Whirled::f_B, "f_B", Hz, "frequency of backward whirl at shaft speed"}};
 };
 
-/// How a section stands against fatigue, by each school.
+/// Fatigue assessment of a section, by each method.
 struct Safety {
   Name name;
   Length x = unset<Length>;

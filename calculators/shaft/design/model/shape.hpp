@@ -14,7 +14,7 @@ inline Length right_diameter(const Piece& p) { return is_set(p.d_2) ? p.d_2 : p.
 inline bool is_taper(const Piece& p) { return right_diameter(p) != p.d; }
 inline Length thickest(const Piece& p) { return max(p.d, right_diameter(p)); }
 inline Length thinnest(const Piece& p) { return min(p.d, right_diameter(p)); }
-/// Of its surface against the axis, positive where it widens to the right.
+/// Slope of its surface to the axis, positive where it widens to the right.
 inline double slope_of(const Piece& p) { return in_si(right_diameter(p) - p.d) / (2.0 * in_si(p.l)); }
 
 inline Ring ring_at(const Piece& p, Length from_its_left) {

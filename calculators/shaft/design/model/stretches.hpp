@@ -1,4 +1,4 @@
-// What each stretch of a shaft between two neighbouring places is: how it bends, twists, and what it weighs.
+// Each stretch of a shaft between two neighbouring places: its bending, twist and weight.
 #pragma once
 
 #include "calculators/shaft/design/model/shape.hpp"
@@ -18,7 +18,7 @@ using Weakest = List<Weak, 2 * most_pieces>;
 /// The places where something changes, and points between them; the piece of every span. SI.
 struct Stations {
   beam::Row<double> x;
-  beam::Row<std::size_t> piece;                      // of the span to the right of each x but the last
+  beam::Row<std::size_t> piece;                      // segment to the right of each x but the last
   Weakest weakest = {};                              // that are among them
   [[nodiscard]] std::size_t at(Length place) const;  // the nearest
 };
@@ -27,8 +27,8 @@ struct Stretch {
   beam::Span bends;
   double twists = 0.0;                       // the integral of 1/(G I_p), rad/(N m)
   double most_twist = 0.0;                   // 1/(G I_p) where it is thinnest, rad/(N m^2)
-  double left_mass = 0.0, right_mass = 0.0;  // of its ends, together its own, kg; NaN without the density
-  double left_I_d = 0.0, right_I_d = 0.0;    // of its halves, slice by slice about their diameters, kg m^2
+  double left_mass = 0.0, right_mass = 0.0;  // lumped at its ends, sum: its own, kg; NaN without the density
+  double left_I_d = 0.0, right_I_d = 0.0;    // halves, slice by slice about their diameters, kg m^2
   beam::OfEnds weighs{};                     // forces and couples on its ends under gravity of 1 m/s^2
 };
 beam::Row<Stretch> stretches_of(const DesignInput& in, const Stations& stations);

@@ -1,5 +1,5 @@
-// What acts on a shaft over a turn: the positions at which its loads are known, how far it has turned at each, and what
-// its sections feel there. Of loads that stand in space and stay there is one position.
+// Loads on a shaft over a revolution: the positions with known loads, the rotation at each, and the internal forces
+// of its sections there. Constant loads fixed in space have one position.
 #pragma once
 
 #include "calculators/shaft/design/model/bending.hpp"
@@ -10,19 +10,19 @@
 
 namespace loadpath::shaft {
 
-/// What of one load varies around its middle.
+/// Amplitude and mean of one load.
 template <class Quantity>
 struct Swing {
   Quantity a{}, m{};
 };
-/// What a section feels between the ends of a turn: of bending at a point of the circumference, fixed to the shaft.
+/// Stresses of a section over a revolution: bending at a point of the circumference, fixed to the shaft.
 struct Swings {
-  double theta = unset<double>;  // of the point, from X where psi is 0
+  double theta = unset<double>;  // angle of the point, from X where psi is 0
   Swing<Moment> M, T;
   Swing<Force> N;
 };
 
-/// What the nodes of a shaft feel at all positions. Nothing is allocated for one position.
+/// Internal forces of the nodes of a shaft at all positions. Nothing is allocated for one position.
 class Turn {
  public:
   Turn(const DesignInput& in, std::size_t nodes);
@@ -35,12 +35,12 @@ class Turn {
   [[nodiscard]] const Felt& felt(std::size_t node, std::size_t position) const {
     return felt_[position * nodes_ + node];
   }
-  /// Of one position none.
+  /// Unset for a single position.
   [[nodiscard]] double psi(std::size_t position) const { return psi_.empty() ? unset<double> : psi_[position]; }
-  /// What bends a point that is fixed to the shaft in direction theta, N m.
+  /// Bending moment on a point fixed to the shaft in direction theta, N m.
   [[nodiscard]] double moment(std::size_t node, std::size_t position, double theta) const;
 
-  /// Of the points around a node those that no other one exceeds in both amplitude and mean.
+  /// The points around a node that no other point exceeds in both amplitude and mean.
   [[nodiscard]] std::vector<Swings> swings(std::size_t node, double r_T) const;
 
  private:

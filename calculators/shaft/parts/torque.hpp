@@ -31,11 +31,11 @@ constexpr auto torque_inputs() {
       RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
       Field<Input, Moment>{&Input::T, "T", N_m, "torque"}.load(),
       Field<Input, Moment>{&Input::T_max, "T_max", N_m,
-                           "largest torque of a start or a shock, where it is more than K_A T"}
+                           "peak torque (start, shock), if larger than K_A T"}
           .load()
           .may_be_missing(),
       Choice{&Input::torque, "torque", "torque direction: one-way or reversing"}.may_be_missing(),
-      Field<Input, double>{&Input::K_A, "K_A", ratio, "service factor on T: what it does not contain, once"}
+      Field<Input, double>{&Input::K_A, "K_A", ratio, "application factor K_A on T (1 if T includes it)"}
           .at_least(1)
           .usually(1, 4)
           .factor()};

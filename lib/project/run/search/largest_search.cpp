@@ -61,7 +61,9 @@ void LargestSearch::run(bool in_words, std::vector<Issue>& issues) {
     (passes_with(middle) ? low : high) = middle;
   }
   keep(low);
-  if (in_words) warn_of_found(evaluation_, wanted_, issues);
+  if (!in_words) return;
+  warn_of_customs(evaluation_, issues);
+  warn_of_found(evaluation_, wanted_, issues);
 }
 
 /// Ignores limits that fail for any load, and checks that no smaller load satisfies.

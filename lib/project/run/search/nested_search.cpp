@@ -95,6 +95,7 @@ void NestedSearch::run(std::vector<Issue>& issues) {
   if (in_words_) tell(choice);
   take(choice);
   evaluation_.settle_sizes();
+  if (in_words_) warn_of_customs(evaluation_, issues);
   for (const Candidates& candidates : all_) {
     if (in_words_) warn_of_found(evaluation_, candidates.wanted, issues);
   }

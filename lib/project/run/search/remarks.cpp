@@ -35,12 +35,15 @@ Issue aimless_search(const PreparedStep& step, const Search& wanted) {
                   say("give {1}, or an input of a check: {2}", wanted.path, names.empty() ? "" : names.substr(2)));
 }
 
-void warn_of_found(Evaluation& evaluation, const Search& wanted, std::vector<Issue>& issues) {
+void warn_of_customs(Evaluation& evaluation, std::vector<Issue>& issues) {
   const auto& rules = evaluation.calculator().rules;
   for (std::size_t rule = 0; rule < rules.size(); ++rule) {
     if (!rules[rule].only_warns || !waits_for_search(evaluation.step(), rule)) continue;
     if (!holds_throughout(evaluation, rule)) issues.push_back(evaluation.broken_rule(rule));
   }
+}
+
+void warn_of_found(Evaluation& evaluation, const Search& wanted, std::vector<Issue>& issues) {
   if (!wanted.leaf) return;
   const FieldInfo& field = *wanted.leaf.field;
   const double found = evaluation.inputs().leaf(wanted.path).get();

@@ -9,7 +9,9 @@ namespace loadpath::project {
 
 /// The issue of a search without a check; its hint names inputs that activate one.
 Issue aimless_search(const PreparedStep& step, const Search& wanted);
-/// Customs that the result violates, in the words of the warning for a typed value.
+/// Customs that the sizes found violate, worded as for typed values.
+void warn_of_customs(Evaluation& evaluation, std::vector<Issue>& issues);
+/// The same of an unusual size.
 void warn_of_found(Evaluation& evaluation, const Search& wanted, std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

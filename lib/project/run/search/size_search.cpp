@@ -77,6 +77,7 @@ void SizeSearch::run(std::vector<Issue>& issues) {
   candidates_.take(evaluation_.inputs(), found);
   evaluation_.settle_sizes();
   if (!in_words_) return note_found();
+  warn_of_customs(evaluation_, issues);
   warn_of_found(evaluation_, wanted_, issues);
   tell_found(found);
 }

@@ -96,6 +96,7 @@ const char* const pressed_hub =
     R"(seats = [{ name = "coupling", x = "0 mm", way = "balances", integral = true }, { name = "gear", x = "100 mm", T = "50 N*m", T_c = "60 N*m", n_c = "2900 rpm" }])";
 
 const Case bars[] = {
+    {"shaft.torsion", "torques = \nP = \"1 kW\"\nn = \"1 rad/s\"\nK_A = 1", "M_max", 1000.0},
     {"shaft.torsion", "d = \"2 m\"\ntorques = [{ x = \"0 m\", T = \"1 MN*m\" }, { x = \"1 m\", T = \"-1 MN*m\" }]",
      "tau_max", 1e6 / (pi / 2)},
     {"shaft.overhung", "a = \"0 mm\"\nd = \"40 mm\"", "sigma_b", 0.0},
@@ -406,6 +407,8 @@ const Case drives[] = {
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"\narrangement = \"crossed\"", "gamma",
      0.2526802551420786},  // arcsin 0.25
     {"belt.flat", "b = \"100 mm\"\nd_2 = \"200 mm\"\nS_0 = \"900 N\"", "R_0", 1800.0},
+    {"belt.flat", "b = \"100 mm\"\nd_2 = \ni_set = 2", "i_w", 2.0},
+    {"belt.flat", "b = \"100 mm\"\nd_2 = \nn_1 = \"1000 rpm\"\nn_2_set = \"500 rpm\"", "i_w", 2.0},
     {"belt.flat", "b = \"100 mm\"\nE_b = \"80 MPa\"", "sigma_b", 80e6 * 2.5 / 200},  // strain of the outer fibre
     {"belt.v", "d_1 = \"200 mm\"\nd_2 = \"200 mm\"\nL = \nepsilon = 0\na = \"800 mm\"", "i", 1.0},
     {"belt.v",  // the mean life of GOST 1284.2, annex 3, under a medium load

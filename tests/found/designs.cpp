@@ -244,9 +244,7 @@ TEST_SUITE("found columns and bearings") {
     const std::string bar =
         "[c]\ncalculator = \"column.buckling\"\nP = \"100 kN\"\nl = \"3 m\"\nends = \"pinned_pinned\"\n"
         "section = \"HEA 140\"\nmaterial = \"S235JR\"\n";
-    const std::string first = first_error_of(bar);
-    CHECK_MESSAGE(holds(first, "method = aisc, which needs nothing more"), first);
-    CHECK_MESSAGE(holds(first, "gamma_M1"), first);
+    CHECK(first_error_of(bar).empty());  // a section of the tables goes by EN 1993-1-1
     const std::string both = first_error_of(bar + "method = \"ec3\"\n");
     CHECK_MESSAGE(holds(both, "gamma_M1"), both);
     CHECK_MESSAGE(holds(both, "gamma_F"), both);

@@ -67,7 +67,7 @@ int refuse_for_several(const RunOptions& options, const std::vector<ProjectFile>
   const std::vector<std::string> paths = paths_of(options.output);
   const std::string shared = shared_output(paths);
   if (!shared.empty())
-    return refuse("'" + shared + "' is one output, and every project has its own",
+    return refuse("'" + shared + "' is one output, but every project needs its own",
                   "a * is replaced by the name of each: 'reports/*.html'");
   std::set<std::string> names;
   for (const ProjectFile& project : projects) {

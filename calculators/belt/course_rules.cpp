@@ -46,7 +46,7 @@ bool Course::tensioner_fits(const Input& in) {
 FieldFault Course::wrong_tensioner(const Input& in) {
   const std::size_t moving = moving_one(in);
   if (!is_set(in.L))
-    return {path_of(in, moving) + ".along", say("this pulley moves, and the length of the belt is not given"),
+    return {path_of(in, moving) + ".along", say("this pulley moves, and the belt length is not given"),
             say("give L, or leave out the direction")};
   if (moving == in.pulleys.size())
     return {"L", say("the length of the belt is given, and no pulley moves"),

@@ -219,7 +219,7 @@ E_b = "40 MPa"
       std::array{
           Rule<Input>{[](const Input& in) { return is_set(in.P) != is_set(in.T_1); }, "P, T_1", "give either P or T_1"},
           Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
-                      "give either the centre distance a or the length of the belt L"},
+                      "give either the centre distance a or the belt length L"},
           Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching},
           Rule<Input>{&is_thin, "delta, d_1, d_2, n_2_set, i_set",
                       "the belt must be thinner than half of the smaller pulley"}});

@@ -34,7 +34,7 @@ void FlywheelStep::take_series(const project::Declared& declared, std::vector<Is
   const std::size_t before = issues.size();
   const Axis* const axis = project::check_operands(alone, name(), true, declared, issues);
   if (axis == nullptr && issues.size() == before)
-    issues.push_back(project::issue_at(input(), "M", say("this is one value, and no moment over a cycle"), hint));
+    issues.push_back(project::issue_at(input(), "M", say("a single value is not a moment over a cycle"), hint));
   reading.whole = std::move(alone.operands);
   data_of(own()).M = 0.0 * N_m;  // given, for the rules; its values come when the project is solved
 }

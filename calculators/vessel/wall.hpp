@@ -155,7 +155,7 @@ constexpr auto liquid_rules() {
   return std::array{Rule<Input>{[](const Input& in) { return is_set(in.rho) == is_set(in.h_l); }, "rho, h_l",
                                 "a liquid needs both its density rho and the height h_l of its surface"},
                     Rule<Input>{[](const Input& in) { return in.p > 0.0 * MPa || in.h_l > 0.0 * mm; }, "p, rho, h_l",
-                                "nothing loads the wall: give a pressure p, or a liquid by rho and h_l"}};
+                                "the wall has no load: give a pressure p, or a liquid by rho and h_l"}};
 }
 
 template <class Input>

@@ -89,7 +89,7 @@ void setup_verify(CLI::App& app, VerifyOptions& options, Action& action) {
   CLI::App* sub =
       app.add_subcommand("verify", "published reference cases: published and computed value, deviation, source");
   sub->add_option("file", options.files, "project files with [[expect]] entries; the built-in manual where missing");
-  sub->add_flag("--full", options.full, "print every value of the built-in cases, not the misses and the counts alone");
+  sub->add_flag("--full", options.full, "print every value of the built-in cases, not only the misses and the counts");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return verify(options); }; });
 }

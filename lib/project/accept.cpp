@@ -16,7 +16,7 @@ void read_reason(const Tree::Entry& entry, StepInput& input, std::vector<Issue>&
   if (std::none_of(modes.begin(), modes.end(), [&](const ModeInfo& m) { return entry.key == m.id; })) {
     std::vector<std::string> ids;
     for (const ModeInfo& mode : modes) ids.emplace_back(mode.id);
-    issues.push_back({entry.place, key, say("'{1}' has no mode of failure '{2}'", input.calculator->id, entry.key),
+    issues.push_back({entry.place, key, say("'{1}' has no failure mode '{2}'", input.calculator->id, entry.key),
                       did_you_mean(entry.key, ids, say("`loadpath describe {1}` lists them", input.calculator->id)),
                       Severity::error});
   } else if (!is_reason(entry.value)) {

@@ -15,7 +15,7 @@ struct ChosenPart {
   std::string step;  // or the body that several steps describe
   std::string body = {};
   std::string sizes;              // "d = 45 mm", "IPE 200"; may be empty
-  std::string reasons;            // "smallest of R40 that passes every check; 42.5 mm fails: u_theta = 1.065"
+  std::string reasons;            // "smallest of R40 with which no assessed mode fails; 42.5 mm fails: u_theta = 1.065"
   std::optional<Mode> governing;  // governing mode with a utilisation
   State state = State::open;      // combined state of all its modes
 };

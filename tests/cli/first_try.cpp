@@ -30,7 +30,8 @@ TEST_SUITE("cli first try") {
   }
 
   TEST_CASE("a shaft takes power and speed") {
-    const Ran o = loadpath_with({"shaft", "torsion", "--P", "5.5 kW", "--n", "1450 rpm", "--tau_adm", "30 MPa"});
+    const Ran o =
+        loadpath_with({"shaft", "torsion", "--P", "5.5 kW", "--n", "1450 rpm", "--tau_adm", "30 MPa", "--full"});
     CHECK(o.code == 0);
     CHECK(holds(o.out, "T = P / n"));
   }

@@ -48,7 +48,8 @@ TEST_SUITE("contract" * test::by_element) {
     std::size_t seen = 0;
     for (const test::Known& known : test::known_projects()) {
       if (!test::takes(test::elements_of_project(known.text).front())) continue;
-      CHECK(told(known) == right_for(known));
+      for (const std::string& input : told(known)) CHECK_MESSAGE(right_for(known).contains(input), input);
+      for (const std::string& input : right_for(known)) CHECK_MESSAGE(told(known).contains(input), input);
       seen += right_for(known).size();
     }
     if (!test::is_part()) CHECK(seen == right.size());

@@ -207,7 +207,7 @@ L = "2650 mm"
           Rule<Input>{[](const Input& in) { return in.C_K_end == End::low || in.basis == Basis::iso; },
                       "C_K_end, basis", "the count factor belongs to the basis iso; the basis optibelt has none"},
           Rule<Input>{[](const Input& in) { return is_set(in.a) != is_set(in.L); }, "a, L",
-                      "give either the centre distance a or the length of the belt L"},
+                      "give either the centre distance a or the belt length L"},
           Rule<Input>{&clear_of_each_other, "a, L", "the pulleys must not overlap", &touching}});
 
   static constexpr bool turns = true;

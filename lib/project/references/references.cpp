@@ -279,8 +279,10 @@ bool has_reversed_ratio(const Step& step, const std::string& beside) {
   const Reading& reading = step.input().reading;
   const std::string path = beside + "r";
   const auto is_it = [&](const Operand& operand) { return operand.path == path; };
+  const auto operand = std::find_if(reading.operands.begin(), reading.operands.end(), is_it);
+  if (operand != reading.operands.end()) return operand->early == -1.0;  // unknown where other steps decide
   const Leaf r = find_leaf(reading.record, path);
-  return std::none_of(reading.operands.begin(), reading.operands.end(), is_it) && r && r.get() == -1.0;
+  return r && r.get() == -1.0;
 }
 
 }  // namespace loadpath::project

@@ -97,7 +97,8 @@ std::optional<Names::Known> Names::find_outwards(std::string scope, std::string_
 
 std::optional<Names::Known> Names::find(const std::string& scope, std::string_view name) const {
   if (name.starts_with("in.")) {  // a calculator that another one runs has an input that is not this one
-    if (const auto known = found_in(input_, name.substr(3))) return known;
+    const auto known = found_in(input_, name.substr(3));
+    if (known && !std::isnan(known->si)) return known;  // else the calculator has replaced an open input
   }
   if (name.starts_with("r.")) return find_outwards(scope, name.substr(2), &Names::find_result);
   return find_outwards(scope, formula::symbol_of(name), &Names::find_any);

@@ -118,7 +118,8 @@ TEST_SUITE("shaft design whirl") {
 
   TEST_CASE("what is no body is refused") {
     CHECK(contains(refused(", I_p = \"0.1 kg*m^2\""), "axle.seats.hub.I_p: it turns about a diameter too"));
-    CHECK(contains(refused(", I_d = \"0.1 kg*m^2\""), "axle.seats.hub.I_p: how it turns about its axis is missing"));
+    CHECK(contains(refused(", I_d = \"0.1 kg*m^2\""),
+                   "axle.seats.hub.I_p: the moment of inertia about its axis is missing"));
     CHECK(contains(refused(", b = \"100 mm\""), "give I_p"));
     CHECK(contains(refused(", I_p = \"0.3 kg*m^2\", I_d = \"0.14 kg*m^2\""), "below half of that about the axis"));
     CHECK(contains(refused(", I_p = \"0.3 kg*m^2\", I_d = \"0.2 kg*m^2\", b = \"1 mm\""), "replaces I_d"));

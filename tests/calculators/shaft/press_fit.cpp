@@ -167,8 +167,7 @@ TEST_SUITE("press fit") {
     check_says(sizes + "U_min = \"70 um\"\nU_max = \"60 um\"\n" + steel, "U_min must not exceed U_max");
     check_says("d = \"50 mm\"\nD = \"45 mm\"\nRz_1 = \"0 um\"\nRz_2 = \"0 um\"\n" + fit + steel,
                "the fit smaller than the hub");
-    check_says(sizes + fit + steel + "d_i = \"50 mm\"\n",
-               "the bore diameter of the shaft must be smaller than the fit");
+    check_says(sizes + fit + steel + "d_i = \"50 mm\"\n", "the bore of the shaft must be smaller than the fit");
     check_says(sizes + "U_min = \"8 um\"\nU_max = \"60 um\"\n" + steel, "no usable interference remains");
     check_says(
         sizes + fit + steel + "alpha_1 = \"12e-6 1/K\"\nalpha_2 = \"17e-6 1/K\"\ndT_1 = \"50 K\"\ndT_2 = \"60 K\"\n",

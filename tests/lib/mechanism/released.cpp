@@ -120,7 +120,7 @@ TEST_SUITE("mechanism held too much") {
     const auto findings = diagnose(model);
     REQUIRE(findings.size() == 1);
     CHECK(findings[0].index == 2);
-    CHECK(findings[0].message.text().starts_with("friction or tooth and belt forces of joint 'O2'"));
+    CHECK(findings[0].message.text().starts_with("friction, tooth or belt forces of joint 'O2'"));
   }
 
   TEST_CASE("two pairs of gears that do the same share the moment as they like") {

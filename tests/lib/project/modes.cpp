@@ -136,10 +136,10 @@ TEST_SUITE("project modes") {
     add(State::pass, "9");
     add(State::open, "5");
     for (int k = 1; k <= 9; ++k) add(State::not_judged, "n" + std::to_string(k));
-    CHECK(
-        account::brief_scope(modes).text() ==
-        "not assessed: part.n1, part.n2, part.n3, part.n4, part.n5, part.n6, part.n7, part.n8, part.n9; pass: 9 modes "
-        "above; not considered: 5 modes above");
+    CHECK(account::brief_scope(modes).text() ==
+          "not assessed: part.n1, part.n2, part.n3, part.n4, part.n5, part.n6, part.n7, part.n8, part.n9; pass: 9 "
+          "failure "
+          "modes listed above; not considered: 5 failure modes listed above");
   }
 
   TEST_CASE("customs that an input breaks stand with its step") {

@@ -307,7 +307,8 @@ void JointSearch::leave_open(SizeIndices nearest) {
 /// Reports for each the result, and the reason why it is not smaller.
 void JointSearch::tell(const SizeIndices& least) {
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
-    Message text = say("smallest of {1} that passes every check, with the others", sizes_.stock(i));
+    Message text =
+        say("smallest of {1} with which no assessed mode fails, in combination with the other sizes", sizes_.stock(i));
     std::optional<account::NextSize> next;
     if (sizes_.at(i).at > 0) {
       next = next_of(least, i);

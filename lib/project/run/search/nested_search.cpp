@@ -112,7 +112,8 @@ Message NestedSearch::name(const Choice& choice) const {
 /// Reports for each the result, and the check that the candidate before it fails with the others unchanged.
 void NestedSearch::tell(const Choice& found) {
   for (std::size_t k = 0; k < all_.size(); ++k) {
-    Message text = say("smallest of {1} that passes every check, with the others", all_[k].source());
+    Message text =
+        say("smallest of {1} with which no assessed mode fails, in combination with the other sizes", all_[k].source());
     std::optional<account::NextSize> next;
     if (found[k] > 0) {
       Choice less = found;

@@ -332,7 +332,8 @@ TEST_SUITE("column lightest") {
     says("families = [\"CHS\"]\nkind = \"rolled_I\"\n" + text,
          "kind: round tubes are hot_hollow or cold_hollow, not rolled_I");
     says("families = [\"HEA\"]\nkind = \"rolled_I\"\n" + text, "'kind' has no effect here");
-    says("families = [\"HEA\", \"UPN\"]\ne_z = \"5 mm\"\n" + text, "the extreme fibre of UPN 80 is not half its side");
+    says("families = [\"HEA\", \"UPN\"]\ne_z = \"5 mm\"\n" + text,
+         "the extreme fibre of UPN 80 is not at half the side");
     CHECK(complaints("families = [\"HEA\"]\ne_z = \"5 mm\"\n" + text).empty());
     says("families = [\"HEA\"]\nmaterial_class = \"wood\"\n" + text, "the method 'ec3' is for steel");
     std::string pulled = "families = [\"HEA\"]\nE = \"210 GPa\"\nsigma_P = \"200 MPa\"\nn_st = 2\n" + text;

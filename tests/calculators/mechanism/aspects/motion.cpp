@@ -68,7 +68,7 @@ TEST_SUITE("mechanism motion") {
     CHECK(text_of(table->rows[1][0]) == "B_right");
     CHECK(text_of(table->rows[1][1]) == "–");
     CHECK(value_of(stated, "points.B.y").si[0] == doctest::Approx(-value_of(other, "points.B.y").si[0]));
-    CHECK(text_of(table_of(other, "Assemblies")->rows[0][0]) == "B_right");
+    CHECK(text_of(table_of(other, "Assembly modes")->rows[0][0]) == "B_right");
   }
 
   TEST_CASE("a side that no group has, and sides that exclude each other") {

@@ -68,7 +68,7 @@ TEST_SUITE("mechanism faults") {
     CHECK(verdict_of(once, "returns").state == account::State::fail);
     CHECK(verdict_of(once, "returns").note.text() ==
           "give the revolutions of the crank per cycle, crank = { turns = ... }; if these are too many, give crank "
-          "angles in position of a cycle, crank = { at = [...] }, without mean values");
+          "angles in place of a cycle, crank = { at = [...] }, without mean values");
     CHECK(find_verdict(solved(replaced(press, "positions = 72", "positions = 72, turns = 5")), "returns") == nullptr);
     const auto given = solved(replaced(press, "positions = 72", "at = [\"10 deg\", \"20 deg\", \"40 deg\"]"));
     CHECK(find_verdict(given, "returns") == nullptr);

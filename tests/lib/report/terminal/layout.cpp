@@ -11,7 +11,7 @@ TEST_SUITE("terminal layout") {
   }
 
   TEST_CASE("a cell that does not fit is broken between its words, in its column") {
-    CHECK(columns({{"  d", "mm", "outer shaft diameter"}}, 24) ==
+    CHECK(columns({{"  d", "mm", "outer diameter of the shaft"}}, 24) ==
           "  d  mm  outer diameter\n"
           "         of the shaft\n");
   }

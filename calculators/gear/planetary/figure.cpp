@@ -25,7 +25,7 @@ struct Set {
   double carrier = 0.0;  // radius of the circle of the planets' axes
 };
 
-/// How far the teeth of a wheel, whose tooth stands at `turn`, have gone past the direction, in teeth.
+/// Rotation of a gear, whose tooth lies at `turn`, past the direction, in teeth.
 double past(double direction, double turn, double z) { return (direction - turn) * z / (2.0 * pi); }
 
 Set set_of(const Planetary::Input& in, const SetMeshes& m, const Planetary::Result& r) {

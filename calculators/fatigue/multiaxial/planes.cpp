@@ -164,7 +164,7 @@ WorstPlane worst_plane(const StressPath& path, double k) {
 }
 
 WorstPlane plane_of_most_shear(const StressPath& path, double mu) {
-  constexpr double hardly = 1e-4, somewhat = 0.02;  // of mu: does not move the plane, and chooses among several
+  constexpr double hardly = 1e-4, somewhat = 0.02;  // shares of mu: keeps the plane, chooses between several
   constexpr double alike = 2e-3, apart = 5.0 * pi / 180.0;
   const WorstPlane first = worst_plane(path, hardly * mu), other = worst_plane(path, somewhat * mu);
   if (angle_between(first.plane.normal, other.plane.normal) < apart) return first;

@@ -17,7 +17,7 @@ using mechanism::Position;
 struct Turning {
   std::string name;  // name of its joint with the frame
   std::size_t joint = 0, link = 0;
-  double sign = 1.0;                                   // of the joint's reaction, as the force of the link on the frame
+  double sign = 1.0;                                   // sign of the joint's reaction as link on frame
   std::vector<std::pair<std::size_t, double>> drives;  // that turn it, and the sign of their effort
 
   /// Sum of all drives, positive in the direction of rotation of the link.

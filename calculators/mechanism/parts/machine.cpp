@@ -37,7 +37,7 @@ struct Machine {
 
   struct Now {
     const Position* at = nullptr;
-    mechanism::Reduced reduced;  // inertia of a machine with a crank
+    mechanism::Reduced reduced;  // reduced inertia and moment, with a crank
     mechanism::Shaking shaking;  // shaking force of an unbalanced one
   };
   [[nodiscard]] Now now(const Reached& reached) const {

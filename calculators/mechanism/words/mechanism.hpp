@@ -105,7 +105,7 @@ F_y = "0 N"
     Acceleration gravity = 0.0 * m_per_s2.one;
     double gravity_direction = -pi / 2.0;
     Analysis analysis = Analysis::kinetostatic;
-    std::vector<Actuator> actuators;  // what cylinders have become (words/cylinders.hpp): no field
+    std::vector<Actuator> actuators;  // from cylinders (words/cylinders.hpp): not a field
   };
   static constexpr Fields inputs{
       ListField{&Input::ground, "ground", "points of the fixed link"}.as_arrays().may_be_missing(),

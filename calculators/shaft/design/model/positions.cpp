@@ -17,7 +17,7 @@ const Seat* angled(const Input& in) {
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * pi); }
 
-/// Whether the shaft returns to its first position after the last: the last step is no larger than others.
+/// Whether the shaft returns to its first position after the last: the last step is not larger than others.
 bool closes(const Varying<double>& psi) {
   const std::size_t n = psi.positions();
   double largest = 0.0;

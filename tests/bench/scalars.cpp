@@ -1,4 +1,4 @@
-// Sweeps of scalar calculators beside plain loops over doubles, written by hand for the one case: at most twice as
+// Sweeps of scalar calculators next to plain loops over doubles, written by hand for the one case: at most twice as
 // slow. In forms of their own a stress cycle makes 150 million points a second, a cylinder and a column 40 million, a
 // pair of gears 2 million.
 #include "calculators/belt/flat.hpp"

@@ -19,7 +19,7 @@ namespace {
 
 const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n";
 const std::string old_pdf = "an old PDF\n";
-/// Where the browser is told to print to.
+/// Print target of the browser.
 const std::string target = "for word in \"$@\"; do case $word in --print-to-pdf=*) out=${word#*=};; esac; done\n";
 
 /// A desk with a project, an old PDF, a folder for temporary files and a browser.

@@ -72,7 +72,7 @@ double some_value(const FieldInfo& f, std::mt19937& random, bool wild) {
 
 bool alike(double a, double b) { return same_bits(a, b) || (std::isnan(a) && std::isnan(b)); }
 
-/// A sweep of a form: which inputs it gives vary, and which of its results are asked for, is drawn.
+/// A sweep of a form: the varied inputs and the requested results are drawn at random.
 class FormSweep {
  public:
   FormSweep(const Calculator& c, const Form& form, std::size_t points, std::mt19937& random)

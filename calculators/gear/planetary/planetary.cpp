@@ -43,8 +43,8 @@ void ratio_of(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
   if (in.fixed == Member::sun) r.i = NAMED_STEP("i", 1.0 - 1.0 / r.i_0, "ring over carrier, sun held");
 }
 
-/// Which way the power rolls in the set as seen from the carrier: 1 from sun to ring, -1 back, 0 where nothing rolls.
-/// The torque on the sun has the sign of that on the ring and the opposite of that on the carrier, whatever the losses.
+/// Rolling power in the set, seen from the carrier: 1 from sun to ring, -1 back, 0 where nothing rolls. The torque on
+/// the sun has the sign of that on the ring and the opposite of that on the carrier, whatever the losses.
 double way_of_power(const Planetary::Input& in, const Planetary::Result& r) {
   const Moment like_sun = is_set(in.T_s) ? in.T_s : is_set(in.T_r) ? in.T_r : -in.T_c;
   const Power rolling = like_sun * (r.n_s - r.n_c);

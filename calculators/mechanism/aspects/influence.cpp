@@ -1,4 +1,4 @@
-// What the forces of a mechanism hang on, at its governing position: who causes them, and what changes them.
+// Dependence of the forces of a mechanism at its governing position: causes and parameters.
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/governing.hpp"
 #include "lib/mechanism/accuracy/sensitivity.hpp"

@@ -242,7 +242,7 @@ void list_rest(std::vector<ResultPattern>& patterns) {
     patterns.push_back(d.pattern);
 }
 
-/// What starts the mechanism and where it stands without its drive; nothing without friction or with several drives.
+/// Efforts to start the mechanism, and its rest without drive; none without friction or with several drives.
 std::optional<Table> standing_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis) {
   if (cycle.standing.empty() || std::find(cycle.closed.begin(), cycle.closed.end(), true) == cycle.closed.end())
     return {};

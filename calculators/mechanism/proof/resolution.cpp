@@ -15,7 +15,7 @@ namespace loadpath::planar {
 
 namespace {
 
-constexpr double most_bend = 0.1;     // of neighbouring values over the largest: a wave of 20 positions has as much
+constexpr double most_bend = 0.1;     // over the largest: a wave of 20 positions has as much
 constexpr double most_missed = 0.02;  // by which the largest reaction may be larger between the positions
 constexpr std::size_t parts = 32;     // parts of the two steps next to the largest one
 

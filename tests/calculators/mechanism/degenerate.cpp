@@ -47,7 +47,7 @@ cylinders.push = { joint = "guide", speed = "1 m/s", from = "-50 mm", to = "50 m
 )";
 }
 
-/// What the table of the drive says of the crank angle.
+/// Crank angle in the table of the drive.
 std::string crank_angle_of(const project::Project& project) {
   for (const account::Block& block : project.steps[0]->account().input_blocks) {
     const auto* table = std::get_if<account::Table>(&block);

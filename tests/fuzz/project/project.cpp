@@ -46,7 +46,7 @@ bool shows_no_number(std::string_view text, std::string_view project) {
   for (const std::string_view word : {"nan", "inf"}) {
     if (project.find(word) != std::string_view::npos) continue;
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-      const bool said = text.substr(0, at).ends_with("may be ");  // what a field says of itself
+      const bool said = text.substr(0, at).ends_with("may be ");  // the description of a field
       if (stands_alone(text, at, word.size()) && !said) return true;
     }
   }

@@ -179,7 +179,7 @@ struct Ordinary::Parts {
   bool tell(const Solved& solved, account::Account& account);
   bool solve(const Mechanism::Input& in, const mechanism::Model& model, Axis& axis, account::Account& account);
 
-  bool by_forces;  // all requested results
+  bool by_forces;  // whether all requested results follow from forces
   mechanism::CycleColumns columns;
   account::Modes modes;
   Verdicts verdicts;  // verdicts to be recomputed

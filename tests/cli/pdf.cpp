@@ -1,4 +1,4 @@
-// A PDF is printed by a browser, which may fail: browsers of shell script stand in for it here.
+// A PDF is printed by a browser, which may fail: browsers of shell script replace it here.
 #include "tests/cli/process.hpp"
 #include "tests/waiting.hpp"
 

@@ -1,4 +1,4 @@
-// What the two ways of evaluating share: with a trace or without, one by one or swept, results are the same to the bit.
+// Both forms of evaluation, with a trace or without, one by one or swept, give the same results to the bit.
 #include "tests/allocations.hpp"
 #include "tests/contract/calculators.hpp"
 

@@ -31,7 +31,7 @@ const Lightest::Family* stranger(const Input& in) {
   return found == in.families.end() ? nullptr : &*found;
 }
 
-/// The first family already in the list; the end if each is named once.
+/// The first repeated family in the list; the end if each is named once.
 auto repeated(const Input& in) {
   const auto& all = in.families;
   return std::find_if(all.begin(), all.end(), [&](const Lightest::Family& f) {

@@ -233,7 +233,7 @@ bool Design::forces_turn_alike(const Input& in) {
   return true;
 }
 
-/// Loads with a direction: forces off the axis, which rotate with it, and cranks.
+/// Whether components with a direction (forces off the axis, which rotate with it, or a crank) rotate alike.
 bool Design::turn_alike(const Input& in) {
   double sense = 0.0;
   for (const Seat& seat : in.seats) {

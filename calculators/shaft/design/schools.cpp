@@ -67,7 +67,7 @@ void other_schools(const Input& in, const fatigue::Din743Section& section, const
     s.n_Serensen = trace.value("n_Serensen", rated_by_serensen(in, rated, stressed),
                                "Serensen, as fatigue.combined finds it with K_sigma of DIN 743 for K_D");
   if (in.method == School::serensen) s.x_DIN = outside;
-  double left = 1.0;  // share of a casting
+  double left = 1.0;  // value for a casting
   if (steel_of(in.group) != FkmSteelGroup::untold) {
     static constexpr auto fields = fatigue::fkm_results<fatigue::FkmSafety>();
     const fatigue::FkmSafety by_fkm = rated_by_fkm(in, section, stressed);

@@ -1,5 +1,5 @@
-// What has no size: links without length, springs without direction, lists without items, tolerances as wide as what
-// they are of; and what is said where a mechanism does not close, jams or has no forces.
+// Degenerate sizes: links without length, springs without direction, lists without items, tolerances as wide as their
+// dimension; and messages for a mechanism that does not close, jams or has no forces.
 #include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
 

@@ -1,5 +1,5 @@
-// Regression tests of fatigue: stresses of shafts that turn, taken as if they stood; limits that hold no notch, are
-// means of tests, or lie above what a steel has in shear.
+// Regression tests of fatigue: stresses of shafts that turn, assessed as static; limits that hold no notch, are means
+// of tests, or lie above what a steel has in shear.
 #include "tests/found/modes.hpp"
 
 using namespace loadpath;

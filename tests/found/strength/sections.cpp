@@ -1,4 +1,4 @@
-// Regression tests of bars: section values that are impossible beside others, curves and ends that are better than
+// Regression tests of bars: section values that are impossible next to others, curves and ends that are better than
 // those of the section and of a link.
 #include "tests/found/modes.hpp"
 

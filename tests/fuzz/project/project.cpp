@@ -1,5 +1,5 @@
-// Any text is a project or is told what is wrong; what can be read can be solved and written, at every position and
-// with all of its report, without a number that is none.
+// Any text is a project or has its errors reported; a readable project can be solved and written, at every position
+// and with its full report, without NaN or infinity.
 #include "lib/project/project.hpp"
 
 #include "calculators/catalogue.hpp"

@@ -1,4 +1,4 @@
-// What a step takes from others beside numbers: counts, words, rows of tables, lists, records, shared values.
+// References of a step other than numbers: counts, words, rows of tables, lists, records, shared values.
 #include "tests/lib/project/solved.hpp"
 
 #include <doctest/doctest.h>

@@ -15,7 +15,7 @@ using Input = DesignInput;
 
 constexpr double g_n = 9.80665;  // standard gravity, m/s^2
 constexpr double finest = 1e-6;  // share of the length: closer places are one
-constexpr double parts = 120.0;  // per length, at least: deflection and masses between the places
+constexpr double parts = 120.0;  // parts of the length, at least: deflection and masses between the places
 
 beam::Row<double> named_places(const Input& in, const Weakest& weakest) {
   beam::Row<double> x{0.0};

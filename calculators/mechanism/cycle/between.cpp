@@ -48,7 +48,7 @@ class Inserting {
     watch();
     if (watched_.empty()) return found;
     const std::size_t asked = places_.size();
-    // Arguments found by closing the mechanism are not counted beyond the solved ones.
+    // If arguments require closing the mechanism, positions beyond the solvable number are not counted.
     const std::size_t most = closes_ ? asked + most_inserted : most_counted;
     while (insert_once() && places_.size() <= most) find_arguments();
     const bool too_many = places_.size() > asked + most_inserted || !in_.crank.at.empty();

@@ -17,7 +17,7 @@ void* operator new(std::size_t size) {
   if (void* const memory = std::malloc(size == 0 ? 1 : size)) return memory;
   throw std::bad_alloc();
 }
-// The standard library takes memory this way too, and gives it back by the plain delete.
+// The standard library also allocates by this form, and releases by the plain delete.
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   ++count;
   return std::malloc(size == 0 ? 1 : size);

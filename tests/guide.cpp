@@ -46,7 +46,7 @@ bool leads_somewhere(const std::string& page, const std::string& target) {
   return std::find(anchors.begin(), anchors.end(), target.substr(hash + 1)) != anchors.end();
 }
 
-/// "[B19]" of a text, where it is no link: the keys of sources.
+/// "[B19]" in a text, where it is not a link: the keys of sources.
 std::vector<std::string> keys_of(const std::string& page) {
   std::vector<std::string> keys;
   for (const Block& block : blocks_of(page)) {
@@ -76,7 +76,7 @@ TEST_SUITE("guide") {
       shown.merge(pictures_of(page));
     }
     CHECK(chapters().size() == 10);
-    // A change of a picture is a decision: a command of a chapter writes it anew.
+    // A change of a picture is a decision: a command of a chapter rewrites it.
     for (const std::string& name : shown) {
       CAPTURE(name);
       CHECK(desk.get("figures/" + name) == text_of(guide / "figures" / name));

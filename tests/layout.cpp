@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t largest_room = 26;  // files
 
 using Graph = std::map<std::string, std::set<std::string>>;  // a room, or a module, and those that it needs
-using Texts = std::map<std::string, std::string>;            // of files: "lib/draw/svg.cpp"
+using Texts = std::map<std::string, std::string>;            // texts of files: "lib/draw/svg.cpp"
 using Homes = std::map<std::string, std::string>;            // the modules of sources that have no header of their name
 struct Arrow {
   std::string from;  // a file: "lib/draw/svg.cpp"
@@ -79,7 +79,7 @@ std::vector<std::string> files_of(const Texts& texts) {
   return files;
 }
 
-/// What the sources include of the program.
+/// Includes of the program's sources.
 std::vector<Arrow> includes_of(const Texts& texts) {
   std::vector<Arrow> arrows;
   const std::regex include("#include \"([^\"]+)\"");
@@ -137,8 +137,8 @@ std::set<std::string> headers_of(const std::string& file, const std::vector<Arro
   return found;
 }
 
-/// A source without a header of its name belongs to the header that names most of the functions that it defines; where
-/// none does it stands alone.
+/// A source without a header of its name belongs to the header that names most of the functions that it defines;
+/// otherwise it has a home of its own.
 Homes homes_of(const Texts& texts, const std::vector<Arrow>& arrows) {
   Homes homes;
   for (const auto& [file, text] : texts) {
@@ -156,7 +156,7 @@ Homes homes_of(const Texts& texts, const std::vector<Arrow>& arrows) {
   return homes;
 }
 
-/// A way from `room` back to it; empty where there is none.
+/// A path from `room` back to it; empty if there is none.
 std::string circle_through(const Graph& graph, const std::string& room) {
   std::vector<std::vector<std::string>> ways{{room}};
   std::set<std::string> seen;

@@ -51,7 +51,7 @@ std::vector<std::vector<std::string>> runs_of(const std::vector<std::string>& sh
   return runs;
 }
 
-/// The code between two "`" of a line is no link.
+/// The code between two "`" of a line is not a link.
 std::string without_code(const std::string& line) {
   std::string text;
   bool code = false;
@@ -75,7 +75,7 @@ std::string anchor_of(const std::string& heading) {
   return anchor;
 }
 
-/// The file that a block of TOML is, told by its first line; none otherwise.
+/// The file that a block of TOML is, given by its first line; none otherwise.
 void write(const Desk& desk, const std::string& toml) {
   const std::size_t end = std::min(toml.find('\n'), toml.size());
   const std::string first = toml.substr(0, end), more = ", continued";

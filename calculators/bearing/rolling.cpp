@@ -16,7 +16,7 @@ using Stages = List<Stage, Rolling::most_blocks>;
 
 constexpr Force none = 0.0 * N.one;
 
-/// What a load does to the bearing while it turns.
+/// Equivalent load of the rotating bearing.
 struct Equivalent {
   double x_f = unset<double>, e = unset<double>, Y = unset<double>;
   Force P = unset<Force>;
@@ -76,7 +76,7 @@ Stages stages(const Input& in, Force F_rd, Force F_ad, const Equivalent& whole, 
   return all;
 }
 
-/// What has no speed has a life in revolutions, and turns.
+/// Without a given speed the bearing rotates, and its life is in revolutions.
 bool turns(const Stage& s) { return !(s.n <= 0.0 * rpm.one); }
 
 Force largest(const Stages& all) {
@@ -112,7 +112,7 @@ void means(Stages& all, Result& r, Tracer& trace) {
                       "(sum P^p n q / sum n q)^(1/p) over the blocks, by linear damage, [SEED-bearings]");
 }
 
-/// Life in turns and hours; none that a number could tell under almost no load.
+/// Life in revolutions and hours; none if under almost no load it exceeds the range of numbers.
 template <class Tracer>
 void life(const Input& in, const Stages& all, Result& r, Tracer& trace) {
   const Force P_max = trace.value("P_max", largest(all), "maximum load in running");
@@ -176,7 +176,7 @@ void at_rest(const Input& in, Force F_rX, Force F_aX, Result& r, Tracer& trace) 
   STEP_TO(r, u_0, in.s_0 * r.P_0 / in.C_0, "no dents of more than 1/10000 of a ball or roller, [ISO76]");
 }
 
-/// What of an axial load the kind cannot take: the way, or more than half of the radial load on ribs.
+/// Axial load beyond the kind: in the wrong direction, or more than half of the radial load on ribs.
 Force refused(Kind kind, Force F_r, Force F_a) {
   if (takes_radial_alone(kind)) return abs(F_a);
   Force over = none;
@@ -185,7 +185,7 @@ Force refused(Kind kind, Force F_r, Force F_a) {
   return over;
 }
 
-/// The axial load of a kind, its way and its size.
+/// The axial load of a kind, its direction and its size.
 template <class Tracer>
 void axial(const Input& in, double k, Force F_rX, Force F_aX, Result& r, Tracer& trace) {
   const Force F_a0 = is_set(in.F_a0) ? in.F_a0 : none, F_r0 = is_set(in.F_r0) ? in.F_r0 : none;

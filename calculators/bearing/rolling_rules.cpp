@@ -1,4 +1,4 @@
-// What bearing.rolling asks of its input beyond the bounds of its fields, and which modes concern it.
+// Rules of bearing.rolling beyond the bounds of its fields, and its applicable failure modes.
 #include "calculators/bearing/rolling.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -26,7 +26,7 @@ double sum_of_shares(const Rolling::Input& in) {
   return sum;
 }
 
-/// Sums of typed thirds end beside 1.
+/// Sums of typed thirds deviate slightly from 1.
 constexpr double rounding = 1e-3 * (1.0 + 1e-9);
 
 }  // namespace
@@ -106,7 +106,7 @@ FieldFault Rolling::open_shares(const Input& in) {
 /// A life in revolutions is one of a bearing that turns, however fast.
 Applies Rolling::runs(const Input& in) { return where(is_set(in.L_m) || highest_speed(in) > 0.0 * rpm.one); }
 
-/// Of a speed that is not given nothing is known.
+/// Unknown if no speed is given.
 Applies Rolling::runs_fast(const Input& in) {
   const AngularSpeed n = highest_speed(in);
   return is_set(n) ? where(n > 0.0 * rpm.one) : Applies::unseen;

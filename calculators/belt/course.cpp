@@ -18,7 +18,7 @@ void move(Circle& circle, double way, double direction) {
   circle.at.y += way * std::sin(direction);
 }
 
-/// What all pulleys but the first take out of the belt up to one of them, N; from nothing behind the first.
+/// Force taken out of the belt by all pulleys but the first, up to each, N; zero behind the first.
 List<Force, most_pulleys> taken_forces(const Input& in, Speed v) {
   List<Force, most_pulleys> taken{0.0 * N};
   for (std::size_t k = 1; k < in.pulleys.size(); ++k)
@@ -151,7 +151,7 @@ namespace {
 
 using draw::Drawing;
 
-/// The way of the pulley that moves, and where it came from.
+/// The displacement of the movable pulley, and its initial position.
 void draw_way(const Input& in, const Result& r, Drawing::View& view) {
   if (!is_set(in.L)) return;
   const std::size_t moving = moving_one(in);

@@ -92,7 +92,7 @@ void judge(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP(N_2, r.S_2 - r.F_c, "slack side tension less centrifugal tension");
   load_shaft(N_1, N_2, in.arrangement == Arrangement::crossed ? -r.gamma : r.gamma, r, trace);
   hand_over(r.F_t * in.d_1 / 2.0, r.F_t * in.d_2 / 2.0, largest_pull(r, r.R_0), in.d_1, in.d_2, in.n_1, r);
-  constexpr double widest_face = 1.28;  // of the belt: pulleys of DIN 111, recalled
+  constexpr double widest_face = 1.28;  // times the belt width: pulleys of DIN 111, recalled
   r.shaft_1.b_r = r.shaft_2.b_r = widest_face * r.b;
   STEP_TO(r, f_B, 2.0 * r.v / r.L, "two pulleys bend the belt in each round");
 }
@@ -127,7 +127,7 @@ FieldFault Flat::touching(const Input& in) { return overlap(pulleys_of(in)); }
 
 namespace {
 
-/// Of a drive whose pulleys are known.
+/// Results of a drive whose pulleys are known.
 template <class Tracer>
 Flat::Result drive(const Flat::Input& in, Tracer& trace) {
   Flat::Result r;

@@ -10,8 +10,8 @@ namespace {
 
 /// The length of a belt whose spans rise by `rise` over the centre distance, with arcs of `arcs` at equal wrap.
 struct Shape {
-  double rise;  // of a span, times two: difference of the diameters, or their sum where the belt is crossed
-  double sum;   // of the diameters
+  double rise;  // rise of a span, times two: difference of the diameters, or their sum where the belt is crossed
+  double sum;   // sum of the diameters
 
   [[nodiscard]] double length(double a) const {
     const double gamma = std::asin(rise / (2.0 * a));

@@ -153,7 +153,7 @@ class Moved {
     if (loop.flaw != Flaw::none) return {};
     return loop.length;
   }
-  /// Beyond it the length only grows with the way.
+  /// Beyond it the length only grows with the displacement.
   [[nodiscard]] double farthest() const {
     double most = 0.0;
     for (std::size_t k = 0; k < count_; ++k)
@@ -169,12 +169,12 @@ class Moved {
   Point start_, step_;
 };
 
-/// A way, and the length of the belt there.
+/// A displacement, and the length of the belt there.
 struct Sample {
   double way = 0.0, length = 0.0;
 };
 
-/// Between two ways, of which one gives a longer and one a shorter belt.
+/// Bisection between two displacements, one of a longer and one of a shorter belt.
 double bisect(Moved& loop, double length, Sample low, Sample high) {
   const bool rises = high.length > low.length;
   for (int n = 0; n < 200; ++n) {
@@ -186,7 +186,7 @@ double bisect(Moved& loop, double length, Sample low, Sample high) {
   return 0.5 * (low.way + high.way);
 }
 
-/// The last way without a flaw between one without and one with it.
+/// The last displacement without a flaw between one without and one with it.
 Sample border(Moved& loop, Sample clean, double flawed) {
   for (int n = 0; n < 60; ++n) {
     const double middle = 0.5 * (clean.way + flawed);
@@ -201,12 +201,12 @@ Sample border(Moved& loop, Sample clean, double flawed) {
   return clean;
 }
 
-/// One direction of a pulley's way, step by step, until the belt has the length or runs into a pulley.
+/// One direction of displacement of a pulley, step by step, until the belt has the length or runs into a pulley.
 class Walk {
  public:
   Walk(Moved& loop, double length, double step) : loop_(&loop), length_(length), step_(step) {}
 
-  /// The way, where the belt has its length within the next step.
+  /// The displacement, if the belt has its length within the next step.
   std::optional<double> go_on(Shift& seen) {
     if (blocked_) return {};
     const double way = steps_++ * step_;
@@ -237,7 +237,7 @@ class Walk {
   double length_, step_;
   int steps_ = 0;
   std::optional<Sample> before_;
-  bool blocked_ = false;  // by a pulley, behind which there may be places again, but no way to them
+  bool blocked_ = false;  // by a pulley; positions behind it cannot be reached
 };
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace loadpath::belt {
 
 inline constexpr std::size_t most_pulleys = 16;
 
-/// Length of the middle line of the belt; m.
+/// A pulley as the circle of the belt's middle line; m.
 struct Circle {
   draw::Point at;
   double radius = 0.0;

@@ -16,7 +16,7 @@ namespace {
 using Input = Roller::Input;
 using Result = Roller::Result;
 
-/// The closest that the sprockets may stand: their tips touch, about 0.6 p above the half pitch circles.
+/// The minimum centre distance of the sprockets: their tips touch, about 0.6 p above the half pitch circles.
 Length closest(const Input& in) {
   const double pitch_radii = 0.5 / std::sin(pi / in.z_1) + 0.5 / std::sin(pi / in.z_2);
   return (pitch_radii + 0.6) * in.p;
@@ -71,7 +71,7 @@ Moment torque(const Input& in, Tracer& trace) {
   return NAMED_STEP("T_1", in.P / in.n_1, "torque from the power, nominal");
 }
 
-/// Without the mass of the chain its sag and centrifugal force stay out of the largest pull, which is told.
+/// Without the mass of the chain, sag and centrifugal force are excluded from the largest tension, as reported.
 template <class Tracer>
 void pulls(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, F_t, 2.0 * pi * r.T_1 / (in.z_1 * in.p), "mean pull: the work of a turn over its z_1 pitches");
@@ -130,7 +130,7 @@ void rating(const Input& in, Result& r, Tracer& trace) {
 
 }  // namespace
 
-/// Of link plates and of rollers, the smaller, with 19 teeth; strands count 1.7, 2.5 and 3.3 times one.
+/// Rating of link plates and of rollers, the smaller, with 19 teeth; strands count 1.7, 2.5 and 3.3 times one.
 double Roller::most_rating(const Input& in) {
   constexpr double horsepower = 745.7, inch = 0.0254, teeth = 19.0, at_best = 2.0;
   constexpr std::array of_strands{1.0, 1.7, 2.5, 3.3, 3.9, 4.6};

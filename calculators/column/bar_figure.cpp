@@ -1,4 +1,4 @@
-// The bar with its ends, supports and load, as it buckles about each axis, beside its section.
+// The bar with its ends, supports and load, in its buckled shape about each axis, next to its section.
 #include "calculators/column/buckling_parts.hpp"
 #include "calculators/column/member/length_factor.hpp"
 #include "lib/figure/drawing.hpp"
@@ -17,7 +17,7 @@ using draw::Point;
 using Kind = Drawing::Support::Kind;
 using Points = std::vector<Point>;
 
-/// What holds an end. The upper one is free to come nearer, or the load would not reach the bar.
+/// Support of an end. The upper one is free to come nearer, or the load would not reach the bar.
 std::optional<Drawing::Support> support_of(const End& end, Point at, bool is_upper) {
   const bool across = end.across > 0.0, turning = end.turning > 0.0;
   const Point down{0.0, -1.0}, aside{-1.0, 0.0}, up{0.0, 1.0};
@@ -156,7 +156,7 @@ std::optional<Drawing::View> section_view(const BucklingInput& in) {
 
 bool is_shown(const BucklingInput& in, const MemberResult& r, AxisName axis) {
   const bool about_y = axis == AxisName::y;
-  if (is_set(about_y ? in.beta_y : in.beta_z)) return false;  // the factor alone does not say how the ends are held
+  if (is_set(about_y ? in.beta_y : in.beta_z)) return false;  // the factor does not give the end conditions
   return r.axes.size() == 2 && std::isfinite(buckling_parameter(bar_of(in, axis)));
 }
 

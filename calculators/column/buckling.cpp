@@ -53,7 +53,7 @@ double tension_safety(const Input& in, Tracer& trace) {
   return NAMED_STEP("n", gamma_F * in.n_t, "partial factors on the load and on the resistance");
 }
 
-/// What holds a bar in tension: its plain stress alone.
+/// Check of a bar in tension: its plain stress only.
 template <class Tracer>
 void take_tension(const Input& in, Result& r, Tracer& trace) {
   r.x_t = 0.0;
@@ -150,7 +150,7 @@ void take_limits(const Input& in, const Material& material, Method by, Result& r
   }
 }
 
-/// What EN 1993-1-1 and the secant formula need of each axis.
+/// Data of each axis for EN 1993-1-1 and the secant formula.
 template <class Tracer>
 void take_curves(const Input& in, const Material& material, AxisName axis, Axis& a, Tracer& trace) {
   if (!is_set(in.R_e)) return;

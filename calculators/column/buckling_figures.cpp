@@ -48,7 +48,7 @@ draw::Plot chart(const Buckling::Input& in, const Buckling::Result& r) {
 
 void add_shape(const Buckling::Input& in, AxisName axis, draw::Plot& plot) {
   const bool about_y = axis == AxisName::y;
-  if (is_set(about_y ? in.beta_y : in.beta_z)) return;  // the factor alone does not say how the ends are held
+  if (is_set(about_y ? in.beta_y : in.beta_z)) return;  // the factor does not give the end conditions
   const Bar bar = bar_of(in, axis);
   Shape shape = buckled_shape(bar, buckling_parameter(bar));
   for (double& x : shape.x) x *= in_si(in.l);

@@ -36,7 +36,7 @@ column::End rigid(End end) {
   return {end == End::free || end == End::guided ? 0.0 : held, end == End::fixed || end == End::guided ? held : 0.0};
 }
 
-/// An elastic end: what is missing is no spring against turning, and held across the bar.
+/// An elastic end: a missing stiffness means free rotation, and no lateral displacement.
 column::End end_of(End end, double mu, double kappa) {
   if (end != End::elastic) return rigid(end);
   return {is_set(mu) ? mu : held, is_set(kappa) ? kappa : 0.0};

@@ -18,7 +18,7 @@ bool is_known(const Stage& s) {
   return s.kind == StageKind::planetary ? has_planets(s) : is_set(s.i) || s.has_teeth() || has_diameters(s);
 }
 
-/// The ratio is said in no more than one way; what belongs to another kind of stage is not there.
+/// The ratio is given at most once; inputs of other kinds of stage are absent.
 bool is_single(const Stage& s) {
   const bool planets = s.z_s > 0 || s.z_r > 0, teeth = s.z_1 > 0 || s.z_2 > 0, sizes = is_set(s.d_1) || is_set(s.d_2);
   if (s.kind == StageKind::planetary) return !teeth && !sizes && !is_set(s.i);

@@ -31,7 +31,7 @@ double missing_at(const ForceOfMotion::Input& in, const PointState& s) {
 
 /// Even times, and those between them at which an acceleration rises or falls.
 std::vector<double> times_of(const ForceOfMotion::Input& in) {
-  constexpr double followed = 5e-3;  // of the largest acceleration
+  constexpr double followed = 5e-3;  // share of the largest acceleration
   constexpr std::size_t even = 65;   // corners of a law that is followed without more
   std::vector<double> times;
   times.reserve(samples);
@@ -54,7 +54,7 @@ void find_largest(const ForceOfMotion::Input& in, ForceOfMotion::Result& r) {
   double most = -1.0;
   for (const double t : times_of(in)) {
     const double R = missing_at(in, path.at(t));
-    if (!(R > most * (1.0 + 1e-12))) continue;  // of equal ones the first
+    if (!(R > most * (1.0 + 1e-12))) continue;  // the first of equal ones
     most = R;
     r.R_max = R * N;
     r.t_max = t * sec;

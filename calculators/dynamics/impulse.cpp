@@ -18,7 +18,7 @@ using motion::Written;
 
 std::array<Written, 2> laws_of(const Impulse::Input& in) { return {{{"F_x", &in.F_x}, {"F_y", &in.F_y}}}; }
 
-constexpr double followed = 1e-5;  // of the largest force: what is less is no pulse that could be missed
+constexpr double followed = 1e-5;  // share of the largest force: smaller pulses may be missed
 
 /// Nothing where the law is empty or is none.
 Resolved resolved(const Written& law, const Impulse::Input& in) {
@@ -26,7 +26,7 @@ Resolved resolved(const Written& law, const Impulse::Input& in) {
   return read == nullptr ? Resolved{} : resolve(*read, in_si(in.t_1), in_si(in.t_2), followed);
 }
 
-/// Places between two corners that lie denser towards both: the tail of a pulse ends in a long piece beside it.
+/// Places between two corners, denser towards both: the tail of a pulse ends next to a long interval.
 template <class Take>
 void for_each_graded(double from, double to, const Take& take) {
   constexpr int halvings = 24;

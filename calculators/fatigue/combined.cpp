@@ -11,7 +11,7 @@ using Input = Combined::Input;
 using Result = Combined::Result;
 using Criterion = Combined::Criterion;
 
-/// What each stress takes of its limit, and both together by squares.
+/// Utilisation of each stress, and of both together by squares.
 template <class Tracer>
 void serensen(const Input& in, Stress sigma_t, Stress tau_t, Result& r, Tracer& trace) {
   if (!is_set(in.tau_D) || (!is_set(in.R_m) && !(is_set(in.psi_sigma) && is_set(in.psi_tau)))) return;

@@ -114,7 +114,7 @@ FieldFault Cycle::objectionable(const Input& in) {
   return unsound(given(in, i), place_of(in, i));
 }
 
-/// What stands still does not tire: nothing is judged by it.
+/// A static stress causes no fatigue: nothing is assessed by it.
 Applies Cycle::varies(const Input& in) {
   NoTrace quiet;
   const bool known = two_given(in) && sound(in);

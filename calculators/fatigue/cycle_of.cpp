@@ -73,7 +73,7 @@ int count(const Given& g) {
 
 namespace {
 
-/// A field of the cycle that was typed, for the message to stand at.
+/// A typed field of the cycle, as the position of the message.
 std::string typed(const Given& g) {
   if (is_set(g.r)) return "r";
   if (is_set(g.sigma_min)) return "sigma_min";

@@ -100,7 +100,7 @@ void serensen(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, sigma_D, r.sigma_m1 / K_D, "fatigue limit of the part");
 }
 
-/// What the notch and all factors take together.
+/// Total reduction by the notch and all factors.
 template <class Tracer>
 void marin(const Input& in, Result& r, Tracer& trace) {
   const double k_a = r.k_a = marin_surface(in, trace);

@@ -19,7 +19,7 @@ using Line = Life::Line;
 bool in_shear(const Input& in) { return in.stress == Stresses::shear; }
 bool is_grey(const Input& in) { return in.group == Life::Group::grey_iron; }
 
-/// What of the tensile strength shear has, and what of the yield strength.
+/// Shear strengths from the tensile strength and from the yield strength.
 template <class Tracer>
 Stress tensile(const Input& in, Tracer& trace) {
   if (!is_set(in.R_m) || !in_shear(in)) return in.R_m;
@@ -56,7 +56,7 @@ void first_cycle(const Input& in, Result& r, Tracer& trace) {
   }
 }
 
-/// Of steels by their strength: the exponent of Walker, psi of Serensen; FKM's of every group.
+/// Material constants of steels by their strength: the exponent of Walker, psi of Serensen; FKM's of every group.
 template <class Tracer>
 void sensitivities(const Input& in, Haigh& h, Tracer& trace) {
   const bool known = is_set(in.R_m), steel = known && is_steel(in.group), shear = in_shear(in);
@@ -146,7 +146,7 @@ Stress line_at(const Input& in, const Haigh& h, const Result& r, Tracer& trace) 
   return NAMED_STEP("S_N", min(S_l, S_1), "no line goes above it");
 }
 
-/// The strength in symmetric cycles for the life that is asked for.
+/// The fully reversed strength for the required life.
 template <class Tracer>
 void strength_for_life(const Input& in, const Haigh& h, Result& r, Tracer& trace) {
   const double N_D = cycles_of_limit(in);

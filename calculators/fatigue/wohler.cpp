@@ -24,7 +24,7 @@ Stress highest_runout(const Input& in) {
   return highest;
 }
 
-/// What the regression needs of the failures above the run-outs.
+/// Sums of the regression over the failures above the run-outs.
 struct Sums {
   int n = 0;
   double X = 0.0, Y = 0.0;              // means of lg S and lg N
@@ -153,7 +153,7 @@ draw::Curve line(const std::string& label, double A, double B, double X_from, do
   return {label, {N(X_from), N(X_to)}, {S(X_from), S(X_to)}};
 }
 
-/// Points of one kind; each stands alone.
+/// Points of one kind, not joined.
 draw::Curve dots(const Input& in, End end, const std::string& label) {
   draw::Curve points{label, {}, {}};
   for (const auto& t : in.tests) {

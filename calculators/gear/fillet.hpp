@@ -36,7 +36,7 @@ class Fillet {
   [[nodiscard]] double turned() const { return (std::numbers::pi - 2.0 * corner_) / z_; }
 
  private:
-  /// Angle on the gear or offset of the corner's centre from the middle of the space.
+  /// Distance of the corner's centre from the middle of the space.
   static double corner_of(const Rack& rack, numerics::SineCosine alpha) {
     return std::numbers::pi / 4.0 - (rack.h_f * alpha.sine + (1.0 - alpha.sine) * rack.rho) / alpha.cosine;
   }

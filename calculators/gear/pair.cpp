@@ -18,15 +18,15 @@ Length base_distance(const Pair::Input& in) {
   return in.m_n * (in.z_2 + sign_of(in.mesh) * in.z_1) / 2.0 * cos(alpha_t) / cos(in.beta);
 }
 
-/// Involute function of the working pressure angle that the profile shifts ask for.
+/// Involute function of the working pressure angle that the profile shifts require.
 double working_involute(const Pair::Input& in) {
   const double g = sign_of(in.mesh), x_2 = is_set(in.x_2) ? in.x_2 : 0.0;
   const double alpha_t = atan(tan(in.alpha_n) / cos(in.beta));
   return involute(alpha_t) + 2.0 * (in.x_1 + x_2) * tan(in.alpha_n) * g / (in.z_2 + g * in.z_1);
 }
 
-/// What is left between the root circle and the bore, over the keyway. From 1.2 heights of a tooth on a rim does not
-/// bend with it (AGMA 2001; recalled).
+/// Rim between the root circle and the bore, over the keyway. From 1.2 tooth depths on a rim does not bend with the
+/// tooth (AGMA 2001; recalled).
 template <class Tracer>
 void rims(const Pair::Input& in, PairResult& r, Tracer& trace) {
   const auto d_f1 = r.d_f1, d_a1 = r.d_a1, d_f2 = r.d_f2, d_a2 = r.d_a2;

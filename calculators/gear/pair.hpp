@@ -3,12 +3,12 @@
 // Decides the centre distance or the profile shift, all diameters, contact ratios, tooth thickness and base-tangent
 // length, the tooth forces in space, and Lewis' bending stress; undercut, pointed tips, interference and lost contact
 // are limits. ISO 21771 with all tooth counts positive: g = 1 for a wheel, -1 for a ring. A positive profile shift
-// thickens the tooth, that of a ring too (KHK counts the shift of a ring the other way). Axes of the forces: x from
-// axis 1 to the pitch point, z along the axes towards the viewer, y to make a right hand; gear_1 and gear_2 have them
-// in the frame of each shaft instead (ShaftLoad). Lewis: static, load at the tip of one tooth, no stress
-// concentration unless K_f is given: a first estimate that under-reports the fatigue stress at the fillet by 50 to
-// 100 %. Not covered: pitting, the rating of ISO 6336, teeth of rings and racks in bending, radial assembly of a gear
-// into its ring (trimming), the fillet that a shaper leaves.
+// thickens the tooth, that of a ring too (KHK: opposite sign for a ring). Axes of the forces: x from axis 1 to the
+// pitch point, z along the axes towards the viewer, y to make a right hand; gear_1 and gear_2 have them in the frame
+// of each shaft instead (ShaftLoad). Lewis: static, load at the tip of one tooth, no stress concentration unless K_f
+// is given: a first estimate that under-reports the fatigue stress at the fillet by 50 to 100 %. Not covered:
+// pitting, the rating of ISO 6336, teeth of rings and racks in bending, radial assembly of a gear into its ring
+// (trimming), the fillet that a shaper leaves.
 #pragma once
 
 #include "calculators/gear/pair_choices.hpp"

@@ -45,7 +45,7 @@ constexpr auto choices_of(Idler) {
                     ChoiceName<Idler>{Idler::gear_2, "gear_2", "gear 2, between two mates"},
                     ChoiceName<Idler>{Idler::both, "both", "both gears"}};
 }
-/// Idler gear, with reversed tooth bending: gear 1, gear 2 or none.
+/// Whether gear 1 or gear 2 is an idler gear (reversed tooth bending).
 constexpr bool is_idler(Idler idler, Idler gear) { return idler == gear || idler == Idler::both; }
 
 }  // namespace loadpath::gear

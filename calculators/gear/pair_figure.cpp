@@ -1,4 +1,4 @@
-// The pair drawn in the transverse plane: whole, with its circles, and where it meshes, with the path of contact.
+// The pair drawn in the transverse plane: in full, with its circles, and at the mesh, with the path of contact.
 #include "calculators/gear/pair.hpp"
 #include "calculators/gear/pair_bodies.hpp"
 #include "lib/figure/drawing.hpp"
@@ -22,7 +22,7 @@ Rack transverse(const Pair::Input& in, const Pair::Result& r) {
 
 double side_of(const Pair::Input& in) { return in.turns == Turns::ccw ? 1.0 : -1.0; }
 
-/// Of the shift that cuts teeth thinner by the allowance, in normal modules.
+/// Profile shift equal to the tooth thinning by the allowance, in normal modules.
 double shift_of(const Pair::Input& in, Length A_s) { return in_si(A_s) / (2.0 * in_si(in.m_n) * std::tan(in.alpha_n)); }
 
 /// By how much gear 1 is to be turned so that the flanks that drive touch: half the backlash.
@@ -31,12 +31,12 @@ double turn_to_contact(const Pair::Input& in, const Pair::Result& r) {
   return side_of(in) * 0.5 * in_si(r.j_bn) / std::cos(base_helix) / (0.5 * in_si(r.d_b1));
 }
 
-/// What both views are made of.
+/// Data common to both views.
 struct Mate {
   Point at;
   std::vector<Point> outline;
   bool is_ring = false;
-  double rim = 0.0;  // of a ring: drawn so far out, as no input says
+  double rim = 0.0;  // outside of a ring as drawn; no input gives it
 };
 
 struct Scene {
@@ -45,7 +45,7 @@ struct Scene {
   std::vector<Point> first;
   Mate mate;
   Point pitch;           // the pitch point
-  Point along;           // of the line of action, as the contact moves where gear 1 drives: into gear 2
+  Point along;           // direction of the line of action, as the contact moves where gear 1 drives: into gear 2
   double g_f, g_a, m_t;  // m
 
   Scene(const Pair::Input& input, const Pair::Result& result)
@@ -91,7 +91,7 @@ void add_pitch_circles(const Scene& s, Drawing::View& view) {
   view.paths.push_back({{{s.pitch.x, low}, {s.pitch.x, high}}, Drawing::Line::centre});
 }
 
-/// The whole width of the pair, over which its teeth are small or large.
+/// The full width of the pair, over which its teeth are small or large.
 double width_of(const Scene& s) {
   if (s.in.mesh == Mesh::internal) return 2.0 * s.mate.rim;
   if (s.in.mesh == Mesh::rack) return in_si(s.r.d_a1);
@@ -123,7 +123,7 @@ void add_turns(const Scene& s, Drawing::View& view) {
   view.turns.push_back(std::move(two));
 }
 
-/// What the flanks do to gear 1, in the plane: along the pitch circles and away from gear 2.
+/// Forces of the flanks on gear 1, in the plane: along the pitch circles and away from gear 2.
 void add_forces(const Scene& s, Drawing::View& view) {
   if (!is_set(s.r.F_x1) || !(s.r.F_tw > 0.0 * N)) return;
   view.forces.push_back({s.pitch, {0.0, in_si(s.r.F_y1)}, {"F_tw", in_si(s.r.F_tw), "N"}, false});

@@ -65,7 +65,7 @@ inline Sides sides_of(double x, double x_rest) {
   constexpr double of_cosine[] = {0.041666666666666664,    -0.0013888888888887398, 2.480158729876456e-05,
                                   -2.7557317271145144e-07, 2.087614614655861e-09,  -1.1382623647474604e-11};
   const double z = x * x, half = 0.5 * z, whole = 1.0 - half, h = upper_half(x);
-  const double cut_off = (h * h - z) + (x - h) * (x + h);  // digits missing in z
+  const double cut_off = (h * h - z) + (x - h) * (x + h);  // rounding error of z
   const double sine = x * z * polynomial(of_sine, z) + x_rest * whole;
   const double cosine = ((1.0 - whole) - half) + (z * z * polynomial(of_cosine, z) - (x * x_rest + 0.5 * cut_off));
   const double s = x + sine, c = whole + cosine;

@@ -13,7 +13,7 @@ using Input = Member::Input;
 using Result = Member::Result;
 using column::AxisName;
 
-/// What carries the shear of a section that is known by its plates; unset of another.
+/// Shear area of a section with known plates; unset for others.
 Area web_area(const Input& in, Area A) {
   using column::Profile;
   const bool two = in.kind == Profile::hot_hollow || in.kind == Profile::cold_hollow || in.kind == Profile::welded_box;
@@ -95,7 +95,7 @@ void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_i, u + S_M * k * sigma_M / in.R_e, "buckling about the weaker axis, and bending: their sum is safe");
 }
 
-/// Across the plane of a rectangle that stands on edge: fork ends, an even moment, warping free.
+/// Lateral-torsional buckling of a rectangle on edge: fork ends, uniform moment, warping free.
 template <class Tracer>
 void tilting(const Input& in, Result& r, Tracer& trace) {
   if (!Member::stands_on_edge(in)) return;
@@ -137,7 +137,7 @@ bool Member::shear_inside(const Input& in) {
   return !(in.A_v > rounding * area_of(in));
 }
 
-/// Of a web with its fillets, of the webs of a box, of a tube; else no bound but the whole section.
+/// Bound: web with its fillets, webs of a box, a tube; otherwise only the full section.
 double Member::most_shear_area(const Input& in) {
   using column::Profile;
   constexpr double rounding = 1.01;
@@ -188,8 +188,8 @@ bool Member::stands_on_edge(const Input& in) {
   return rectangle && in.h > in.b;
 }
 
-/// Second moments of a section that no row and no outline tells, as different as those of a rectangle of h = 2 b: it
-/// bends about its stronger axis, and may tip over.
+/// Second moments of a section without row or outline, as different as those of a rectangle of h = 2 b: it bends
+/// about its stronger axis, and may buckle laterally.
 bool Member::is_lean(const Input& in) {
   constexpr double lean = 4.0;
   const bool is_bare = column::Buckling::outline_of(in) != column::Outline::closed && !is_set(in.d) && !is_set(in.h);

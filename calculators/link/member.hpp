@@ -1,12 +1,12 @@
 // A link of a mechanism under normal force, shear force and bending moment: yield, buckling with bending.
 //
 // Decides the extreme fibre under N and M_b, the neutral axis under N and V, buckling about both axes as
-// column.buckling does, and buckling with bending: in the plane of motion by the secant formula, whose eccentricity is
-// M_b/|N|, and by the sum of buckling about the weaker axis and of the bending stress that the compression raises. M_b
-// bends the link about y, in the plane of its height h. It counts as if it were the same along the whole link, which
-// bounds every other moment of hinged ends and of a link built in at one end; N, V and M_b each with the largest size
-// along the link, as mechanisms give them, and as if at one place. The moment has the safety of yield, the compression
-// that of buckling. A rectangle on edge is judged against tilting sideways too. N is positive in tension. Not covered:
+// column.buckling does, and buckling with bending: in the plane of motion by the secant formula, whose eccentricity
+// is M_b/|N|, and by the sum of buckling about the weaker axis and of the bending stress that the compression raises.
+// M_b bends the link about y, in the plane of its height h. It counts as constant along the link, which bounds every
+// other moment of hinged ends and of a link built in at one end; N, V and M_b each with the largest size along the
+// link, as mechanisms give them, and as if at one place. The moment has the safety of yield, the compression that of
+// buckling. A rectangle on edge is judged against tilting sideways too. N is positive in tension. Not covered:
 // bending out of the plane, sections of class 4, open sections that twist, curved links, what holes take away.
 #pragma once
 

@@ -49,7 +49,7 @@ struct Connection {
       Field{&Connection::R_c, "R_c", MPa, "yield strength of the shaft in the calculation"}};
 };
 
-/// Rating of a torque with application factor, possibly zero: no fastening.
+/// Connection for a torque with application factor, possibly zero: then it fastens nothing.
 inline Connection connection_for(Fastening fastening, Moment T, Length d, Length bore) {
   Connection c;
   c.fastening = fastening;

@@ -1,4 +1,4 @@
-// What strengths of one material keep between them, and what a safety needs, for every calculator that asks for them.
+// Constraints between strengths of one material, and inputs of a safety factor, common to calculators.
 #pragma once
 
 #include "lib/calculator/field.hpp"

@@ -9,7 +9,7 @@ namespace loadpath::machine {
 
 namespace {
 
-constexpr double no_mean = 1e-9;  // of the largest moment: below, the mean is rounding
+constexpr double no_mean = 1e-9;  // share of the largest moment: below, the mean is rounding
 
 /// The moment between two samples, less a mean.
 class Piece {
@@ -20,14 +20,14 @@ class Piece {
   }
 
   [[nodiscard]] bool changes_sign() const { return a_ * b_ < 0.0; }
-  /// Where it does, as a part of the way.
+  /// The zero, as a fraction of the interval.
   [[nodiscard]] double zero() const {
     double s = a_ / (a_ - b_);
     if (from_ == 0.0 && to_ == 0.0) return s;
     for (double low = 0.0, high = 1.0; high - low > 1e-9; s = 0.5 * (low + high)) (at(s) * a_ > 0.0 ? low : high) = s;
     return s;
   }
-  /// The work over this part of the way.
+  /// The work over this fraction of the interval.
   [[nodiscard]] double work(double s = 1.0) const {
     const double s2 = s * s, s3 = s2 * s, s4 = s3 * s;
     const double straight = a_ * s + 0.5 * (b_ - a_) * s2;

@@ -70,7 +70,7 @@ LawEnergy energy_of(const Law& law, double period) {
 
 /// Whether the samples have met every pulse of the law.
 bool shows_all(const Law& law, double end, double peak) {
-  constexpr double missed = 0.01;  // of the largest moment
+  constexpr double missed = 0.01;  // share of the largest moment
   const Resolved resolved = resolve(law, 0.0, end, 1e-3);
   return resolved.complete && std::all_of(resolved.corners.begin(), resolved.corners.end(), [&](const auto& corner) {
            return std::abs(corner.second) <= (1.0 + missed) * peak;
@@ -113,7 +113,7 @@ void take_energy(const Input& in, Result& r, Tracer& trace) {
   r.work = out > 0.0 ? Flywheel::Work::delivered : out < 0.0 ? Flywheel::Work::absorbed : Flywheel::Work::none;
 }
 
-/// What delta asks for, and what the given wheel makes of it.
+/// Inertia required by delta, and delta of the given flywheel.
 template <class Tracer>
 void take_inertia(const Input& in, Result& r, Tracer& trace) {
   const auto given = in.inertia;
@@ -218,7 +218,7 @@ bool Flywheel::points_rise(const Input& in) {
 template <class Tracer>
 Flywheel::Result Flywheel::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  if (is_set(in.M) && in.series.empty()) return r;  // one value of a moment is no cycle: the step says so
+  if (is_set(in.M) && in.series.empty()) return r;  // a single moment is not a cycle: the step reports it
   take_energy(in, r, trace);
   if (is_set(in.delta)) take_inertia(in, r, trace);
   take_power(in, r, trace);

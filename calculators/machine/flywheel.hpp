@@ -1,9 +1,9 @@
 // The flywheel that keeps a machine even: its moment of inertia for a given unevenness, from the moment over a cycle.
 //
 // The moment is that of the drive at constant speed, a series of a mechanism's cycle ("=press.drive.M"), a formula or
-// points; it holds the inertia of the moving links already, so that no reduced inertia is taken off again (R17). What
-// turns with the shaft at a constant ratio (rotor, pulley) is J_0. The unevenness is (omega_max - omega_min)/omega.
-// Not covered: the fall of the motor's moment with the speed, and the change of the links' inertia forces by it.
+// points; it includes the inertia of the moving links, so that no reduced inertia is taken off again (R17). J_0
+// rotates with the shaft at a constant ratio (rotor, pulley). The unevenness is (omega_max - omega_min)/omega. Not
+// covered: the fall of the motor's moment with the speed, and the change of the links' inertia forces by it.
 #pragma once
 
 #include "calculators/machine/energy_of_turning.hpp"

@@ -10,7 +10,7 @@ namespace loadpath::machine {
 
 namespace {
 
-constexpr double most_apart = 0.01;  // of the speeds of shaft and crank, for they are typed twice
+constexpr double most_apart = 0.01;  // share of the speeds of shaft and crank, for they are typed twice
 
 Flywheel::Input& data_of(project::StepInput& input) {
   return *static_cast<Flywheel::Input*>(input.reading.record.data.get());
@@ -68,7 +68,7 @@ bool FlywheelStep::fill(const Value& series, const project::Known& known, std::v
   Flywheel::Input& in = data_of(own());
   const double own_speed = number("omega", in_si(in.omega), known);
   const double per_turn = number("ratio", in.turns_per_turn, known), speed = per_turn * axis.speed;
-  if (!(per_turn > 0.0)) return true;  // what its field refuses
+  if (!(per_turn > 0.0)) return true;  // a value that its field refuses
   if (axis.speed > 0.0 && std::abs(own_speed - speed) > most_apart * own_speed) {
     return refuse(say("the moment runs over the turn of a crank at {1}, and this shaft turns at {2}",
                       format_quantity(axis.speed, "rpm", 5), format_quantity(own_speed, "rpm", 5)),
@@ -78,7 +78,7 @@ bool FlywheelStep::fill(const Value& series, const project::Known& known, std::v
   in.period = per_turn * std::abs(axis.period);
   in.series.clear();
   for (std::size_t i = 0; i < series.si.size(); ++i) in.series.push_back({per_turn * axis.at[i], series.si[i]});
-  if (axis.period < 0.0) {  // a crank that turns backwards: the angle is counted the way it turns
+  if (axis.period < 0.0) {  // a crank with reverse rotation: the angle is counted in its direction
     for (Sample& sample : in.series) sample.phi = -sample.phi, sample.M = -sample.M;
   }
   return true;
@@ -90,7 +90,7 @@ void FlywheelStep::solve(const project::Known& known, const project::Wanted& wan
   const auto series = project::evaluate_operand(moment, name(), known, issues);
   if (!series || !fill(*series, known, issues)) return;
   CalculatorStep::solve(known, wanted, issues);
-  // The samples have taken both in, so that the calculator alone depends on neither.
+  // The samples include both, so that the calculator depends on neither.
   std::erase_if(issues, [&](const Issue& issue) {
     const bool taken = issue.key == name() + ".M" || issue.key == name() + ".ratio";
     return taken && issue.severity == Severity::warning;

@@ -20,7 +20,7 @@ class FlywheelStep : public project::CalculatorStep {
   void take_series(const project::Declared& declared, std::vector<Issue>& issues);
   /// Puts the series into the input; false and an issue if it is not a cycle, or not known everywhere.
   bool fill(const Value& series, const project::Known& known, std::vector<Issue>& issues);
-  /// Moment of a typed input, or an expression.
+  /// Value of a typed input, or of an expression.
   [[nodiscard]] double number(const char* key, double typed, const project::Known& known) const;
 };
 

@@ -14,7 +14,7 @@ struct LinePoint {
 /// The moment at a speed; one point is a constant, none is zero. The ends go on level.
 double moment_at(std::span<const LinePoint> line, double omega);
 
-/// Energy of a run from one speed to another.
+/// A run from one speed to another.
 struct Stretch {
   double time = 0.0;   // s
   double angle = 0.0;  // rad

@@ -48,7 +48,7 @@ Speeds speeds_of(const Input& in, const Balance& balance) {
   return speeds;
 }
 
-/// What stands against the run over what is for it, at one speed: motor and load each on the side of their sign.
+/// Resistance over driving moment, at one speed: motor and load each on the side of their sign.
 double resistance(const Balance& balance, double omega, double sense) {
   const double motor = sense * balance.motor_at(omega), load = -sense * balance.load_at(omega);
   const double with = std::max(motor, 0.0) + std::max(load, 0.0);
@@ -56,7 +56,7 @@ double resistance(const Balance& balance, double omega, double sense) {
   return with > 0.0 ? against / with : unset<double>;
 }
 
-/// Time, angle and works of the whole run; nothing where it does not get to its end.
+/// Time, angle and works of the full run; none if it does not reach its end.
 void follow(const Input& in, const Balance& balance, const Speeds& speeds, Result& r) {
   const double inertia = in_si(r.J_red), sense = in.n_2 > in.n_1 ? 1.0 : -1.0;
   r.u_M = 0.0;
@@ -64,12 +64,12 @@ void follow(const Input& in, const Balance& balance, const Speeds& speeds, Resul
   for (const double omega : speeds) {
     least = std::min(least, sense * balance.at(omega));
     const double u = resistance(balance, omega, sense);
-    if (!(u <= r.u_M)) r.u_M = u;  // what is not available stays so
+    if (!(u <= r.u_M)) r.u_M = u;  // an unavailable value stays unavailable
     if (std::isnan(u)) break;
   }
   r.M_least = least * N_m;
   if (!(least > 0.0)) {
-    if (r.u_M <= 1.0) r.u_M = unset<double>;  // just balanced: it stands there, or never gets there
+    if (r.u_M <= 1.0) r.u_M = unset<double>;  // just balanced: it stays there, or never gets there
     return;
   }
   Stretch whole;

@@ -20,13 +20,13 @@ void ask_all(void (*Aspect::*function)(Takes...), Given&&... given) {
   }
 }
 
-/// The results of a mechanism; what is read off other results stands behind all that is not.
+/// The results of a mechanism; results derived from others come after all others.
 std::vector<Output> outputs_of(const Mechanism::Input& in, const mechanism::Model& model);
 
 /// The same before there is a mechanism, as they are documented.
 std::vector<ResultPattern> result_patterns();
 
-/// What a mechanism cites beyond what every one does: all that it may, and what this one uses.
+/// Sources cited in addition to the common ones: all possible ones, and those of this mechanism.
 std::vector<std::string> occasional_sources();
 std::vector<std::string> sources_used(const Mechanism::Input& in, const mechanism::Structure& structure);
 

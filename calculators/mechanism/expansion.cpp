@@ -17,7 +17,7 @@ bool is_one_of(std::string_view word, std::initializer_list<std::string_view> wo
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-/// A point has its coordinates in one of two ways: what is said of one of them is said of the point.
+/// A point has its coordinates in one of two forms: a message on one of them applies to the point.
 std::string told_path(const std::string& path) {
   const bool of_point =
       path.starts_with("ground.") || (path.starts_with("links.") && path.find(".points.") != std::string::npos);
@@ -36,7 +36,7 @@ void put(const Mechanism::Input& drawn, Mechanism::Input& in) {
   }
 }
 
-/// Of a bar; with a mass centre of its own it is none (words/masses.hpp).
+/// For a bar; a link with a mass centre of its own is none (words/masses.hpp).
 void set_inertia(planar::Link& link, Length l, const Reading& reading) {
   const std::string path = "links." + std::string(link.name.view());
   if (reading.typed.count(path + ".J") != 0 || reading.typed.count(path + ".S") != 0) return;

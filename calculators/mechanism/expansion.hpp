@@ -11,16 +11,16 @@
 
 namespace loadpath::planar {
 
-/// What the template lays out, before any value is known.
+/// Layout by the template, before any value is known.
 Record laid_out(const Template& from);
 /// Whether that has the value at this path, so that the user may not give it.
 bool is_given_in(const Record& laid, const std::string& path);
 /// Typed fields that the template gives. Needs no values.
 std::vector<FieldFault> check_overrides(const Template& from, const project::Reading& reading);
 
-/// Puts pins, angles and directions into the input that the template laid out, for the assembly at the first position,
-/// and the moment of inertia of a slender bar where a bar has a mass and none is typed. What does not fit together, or
-/// keeps a crank from the whole turn that is asked for, is told; the input is left alone then.
+/// Puts pins, angles and directions into the input that the template laid out, for the assembly at the first
+/// position, and the moment of inertia of a slender bar where a bar has a mass and none is typed. Faults of the
+/// geometry, or of a crank without its required full revolution, are returned; then the input is left unchanged.
 std::vector<FieldFault> expand(const Template& from, const project::Reading& reading, Mechanism::Input& in);
 
 /// The template and its parameters as a table of the report.

@@ -21,7 +21,7 @@ using Verdicts = std::vector<account::Verdict>;
 
 constexpr mechanism::Kept everything{
     .forces = true, .poses = true, .velocities = true, .accelerations = true, .pins = true};
-// Of what is read off forces alone: what tells how large rounding is, and of that what is read.
+// For results from forces only: data for the size of rounding, and the subset that is read.
 constexpr mechanism::Kept sizes{
     .forces = true, .poses = true, .angles = false, .velocities = true, .accelerations = true};
 constexpr mechanism::Kept forces{.forces = true, .velocities = true};
@@ -119,13 +119,13 @@ std::vector<bool> heavy_links(const mechanism::Model& model) {
   return heavy;
 }
 
-/// An aspect with results that are asked for.
+/// An aspect with requested results.
 struct Wanted {
   const Aspect* aspect;
   std::vector<std::string> paths;
 };
 
-/// Those of an aspect that are asked for.
+/// The requested outputs of an aspect.
 std::vector<Output> outputs_of(const Wanted& wanted, const Mechanism::Input& in, const mechanism::Model& model) {
   std::vector<Output> outputs;
   wanted.aspect->add_outputs(in, model, outputs);
@@ -135,7 +135,7 @@ std::vector<Output> outputs_of(const Wanted& wanted, const Mechanism::Input& in,
   return outputs;
 }
 
-/// Nothing where something that is asked for is not read off positions: an input, a size of the whole cycle.
+/// None if a requested result is not read off positions: an input, a size of the full cycle.
 std::optional<std::vector<Wanted>> wanted_of(const Solved& solved, const std::set<std::string>& asked) {
   std::vector<Wanted> all;
   std::size_t found = 0;
@@ -179,18 +179,18 @@ struct Ordinary::Parts {
   bool tell(const Solved& solved, account::Account& account);
   bool solve(const Mechanism::Input& in, const mechanism::Model& model, Axis& axis, account::Account& account);
 
-  bool by_forces;  // all that is asked for
+  bool by_forces;  // whether all requested results follow from forces
   mechanism::CycleColumns columns;
   account::Modes modes;
-  Verdicts verdicts;  // that are judged anew
+  Verdicts verdicts;  // verdicts to be recomputed
   std::vector<Wanted> wanted;
   std::vector<Output> told;  // that of all of them
   mechanism::Structure structure;
   Cycle cycle;
-  Kinematics kinematics;  // nothing that is asked for reads it
+  Kinematics kinematics;  // no requested result reads it
   std::optional<mechanism::Prover> prover;
   std::vector<mechanism::Drive> drives;
-  std::vector<double> numbers;    // of each position, for a moment
+  std::vector<double> numbers;    // values of each position, for a moment
   std::vector<double> scheduled;  // by which numbers of the crank the places were found
   std::vector<bool> heavy;        // which links have mass and inertia: what has none may be refused
   std::string step;
@@ -207,7 +207,7 @@ void Ordinary::Parts::lay_cycle(const Solved& solved) {
       std::vector<bool>(count, false);
 }
 
-/// Where the drives stand, and how they move; the places anew only where they follow from other numbers.
+/// Positions and motion of the drives; the positions are recomputed only if they follow from other numbers.
 void Ordinary::Parts::take_schedule(const Mechanism::Input& in, Axis& axis) {
   const double assembled = columns.coordinate(0);
   const double first = first_crank_angle(in.crank);
@@ -224,7 +224,7 @@ void Ordinary::Parts::take_schedule(const Mechanism::Input& in, Axis& axis) {
   for (const auto& at_position : schedule.drives) drives.push_back(at_position[0]);
 }
 
-/// The crank at the places where it stands already.
+/// The crank at its present places.
 void Ordinary::Parts::set_motion(const planar::Crank& crank) {
   for (std::size_t k = 0; k < drives.size(); ++k)
     drives[k] = cycle.drives[k][0] = drive_of(crank, drives[k].coordinate);
@@ -254,7 +254,7 @@ bool Ordinary::Parts::is_proved(const Mechanism::Input& in, const mechanism::Mod
   return prover->prove({drives.data(), 1}, statics, columns.first()).trustworthy();
 }
 
-/// What is read off forces alone hangs on no number of the model.
+/// Results from forces only depend on no number of the model.
 void Ordinary::Parts::find_told(const Solved& solved) {
   if (by_forces && !told.empty()) return;
   told.clear();
@@ -282,7 +282,7 @@ bool Ordinary::Parts::tell(const Solved& solved, account::Account& account) {
 bool Ordinary::Parts::solve(const Mechanism::Input& in, const mechanism::Model& model, Axis& axis,
                             account::Account& account) {
   if (heavy_links(model) != heavy || columns.take(model) != mechanism::Status::closed) return false;
-  if (!columns.stands_clear()) return false;  // where the stated position is singular that is told
+  if (!columns.stands_clear()) return false;  // a singular stated position is reported
   if (has_short_segments(in)) return false;   // there may be positions to insert
   take_schedule(in, axis);
   if (drives.size() != cycle.positions.size() || !run(in)) return false;
@@ -308,7 +308,7 @@ std::unique_ptr<Ordinary> Ordinary::of(const Solved& solved, const account::Acco
 
 bool Ordinary::solve(const Mechanism::Input& in, const mechanism::Model& model, Axis& axis, account::Account& account) {
   const bool done = parts_->solve(in, model, axis, account);
-  if (!done) parts_->scheduled.clear();  // who solves it whole leaves other places on the axis
+  if (!done) parts_->scheduled.clear();  // the full solution leaves other places on the axis
   return done;
 }
 

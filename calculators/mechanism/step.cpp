@@ -62,8 +62,8 @@ bool MechanismStep::is_known() const {
   return input().reading.varied.empty() && std::none_of(operands.begin(), operands.end(), is_pending);
 }
 
-/// What names hang on must see that a value is given; which one is known when the project is solved. A fault is told
-/// where it is one whatever the values will be: small or large, rising or falling, nothing.
+/// Objects behind names must see that a value is given; its number is known when the project is solved. A fault is
+/// reported early only if it is one for all values: small or large, rising or falling, zero.
 std::vector<FieldFault> MechanismStep::faults_whatever_comes(const std::vector<Issue>& issues) {
   for (const project::Operand& operand : input().reading.operands)
     if (!is_pending(operand)) operand.leaf.set(operand.early);
@@ -100,7 +100,7 @@ std::vector<FieldFault> MechanismStep::faults_whatever_comes(const std::vector<I
   return faults;
 }
 
-/// Of names and drives, with the values as they are.
+/// Faults of names and drives, with the values as they are.
 std::vector<FieldFault> MechanismStep::faults_of_values(const std::vector<Issue>& issues) const {
   std::vector<FieldFault> faults = faults_of_names(issues);
   append(idle_fields(data(), [this](const std::string& path) { return is_typed(path); }), faults);
@@ -136,7 +136,7 @@ bool MechanismStep::expand_template(std::vector<Issue>& issues) {
   return faults.empty();
 }
 
-/// What is wrong with names and points, but for what follows from an error that is there already.
+/// Faults of names and points, except those that follow from an error already present.
 std::vector<FieldFault> MechanismStep::faults_of_names(const std::vector<Issue>& issues) const {
   std::vector<std::string> wrong;
   for (const Issue& issue : issues) {
@@ -181,7 +181,7 @@ static std::string path_of(const mechanism::Finding& finding, const mechanism::M
   return "";
 }
 
-/// Places of a series must follow one another, so that what lies between them can be told.
+/// Places of a series must follow one another, so that the motion between them is defined.
 static bool in_order(const planar::Crank& crank) {
   const auto rising = [](const auto& a, const auto& b) { return a.angle >= b.angle; };
   const auto falling = [](const auto& a, const auto& b) { return a.angle <= b.angle; };
@@ -290,7 +290,7 @@ void MechanismStep::tell(const Solved& solved, const project::Wanted& wanted) {
   ask_all(&Aspect::judge, solved, account.verdicts);
   outputs_ = outputs_of(in_, solved.given);
   const auto wants = [&](const std::string& path) { return wanted.holds(name(), path); };
-  // What was released of the given model is read from what was solved.
+  // Released parts of the given model are read from the solved one.
   fill_results(outputs_, outputs_of(in_, solved.model), solved, magnitudes_of(solved.given, solved.cycle), wants,
                account);
   fill_inputs();

@@ -49,12 +49,12 @@ class MechanismStep : public project::Step {
   /// Whether every value is known before the project is solved.
   [[nodiscard]] bool is_known() const;
   void restore();
-  /// What is solved, from what is given: with the inertia and middles of bars, and the parts of cylinders.
+  /// Completes the given input for the solution: with the inertia and middles of bars, and the parts of cylinders.
   void complete();
   [[nodiscard]] account::Origin origin_of(const Record* laid, const std::string& path, const Leaf& leaf) const;
   void fill_inputs();
   void set_axis_speed();
-  /// A mechanism like the one before, of which numbers alone are wanted; false where it is to be solved whole.
+  /// Solves a mechanism like the previous one, if only numbers are wanted; false if it needs a full solution.
   bool solve_ordinary(const mechanism::Model& model, const project::Wanted& wanted);
   [[nodiscard]] std::set<std::string> asked(const project::Wanted& wanted) const;
   /// Verdicts, results, inputs; tables and figures where they are wanted.
@@ -66,8 +66,8 @@ class MechanismStep : public project::Step {
   std::vector<Output> outputs_;
   mechanism::Structure structure_;
   std::unique_ptr<Axis> axis_;          // null: one position
-  std::unique_ptr<Ordinary> ordinary_;  // of the last mechanism that was solved whole for numbers alone; null: none
-  project::Wanted ordinary_for_;        // what was wanted then
+  std::unique_ptr<Ordinary> ordinary_;  // from the last mechanism solved in full for numbers only; null: none
+  project::Wanted ordinary_for_;        // the results wanted then
 };
 
 std::unique_ptr<project::Step> make_step(project::StepInput&& input);

@@ -1,4 +1,4 @@
-// What other steps may take of a mechanism: signatures, records, and what acts together.
+// Values of a mechanism for other steps: signatures, records, and simultaneous results.
 #include "calculators/mechanism/results/values.hpp"
 #include "calculators/mechanism/step.hpp"
 
@@ -8,7 +8,7 @@
 namespace loadpath::planar {
 
 Outcome<Signature> MechanismStep::signature(const std::string& path) const {
-  if (outputs_.empty()) return Fault{};  // the model has holes, which are told
+  if (outputs_.empty()) return Fault{};  // the model has holes, which are reported
   const auto found = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.path == path; });
   if (found != outputs_.end())
     return Signature{found->what.dimension, found->is_single ? nullptr : axis_.get(),

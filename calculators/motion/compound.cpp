@@ -45,7 +45,7 @@ void add_accelerations(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, a_y, a_axi * sin(in.phi) + a_aeta * cos(in.phi), "in the fixed axes");
 }
 
-/// Where the Coriolis acceleration points, beside the normal transport acceleration -omega^2 (xi, eta).
+/// Direction of the Coriolis acceleration, compared with the normal transport acceleration -omega^2 (xi, eta).
 Compound::Sense sense_of(const Input& in, const Result& r) {
   using S = Compound::Sense;
   constexpr double rounding = 1e-9;

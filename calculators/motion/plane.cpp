@@ -57,7 +57,7 @@ void take_velocity_of_B(const Input& in, const Span& span, Result& r, Tracer& tr
   STEP_TO(r, omega, (v_nB - v_nA) / AB, "B turns about A, [B29]");
 }
 
-/// Whether a speed at the distance that matters is nothing beside the velocities.
+/// Whether a speed at the relevant distance is negligible compared with the velocities.
 Plane::Kind kind_of(const Input& in, const Result& r) {
   const double fastest = std::max(std::abs(in_si(in.v_A)), is_set(r.v_B) ? std::abs(in_si(r.v_B)) : 0.0);
   const double turning = std::abs(in_si(r.omega)) * (uses_B(in) ? distance(in) : 1.0);

@@ -1,4 +1,4 @@
-// What motion.plane asks of its input beyond the bounds of its fields.
+// Rules of motion.plane beyond the bounds of its fields.
 #include "calculators/motion/plane.hpp"
 #include "calculators/motion/plane_parts.hpp"
 #include "lib/quantity/format.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using Input = Plane::Input;
 
-constexpr double rigid = 1e-3;  // of the larger speed: what rounded velocities of a rigid body may differ by
+constexpr double rigid = 1e-3;  // share of the larger speed: tolerance for rounded velocities of a rigid body
 
 double projection_of_A(const Input& in) { return in_si(in.v_A) * cosine_to_AB(in, in.alpha_A); }
 double projection_of_B(const Input& in) { return rests_in_B(in) ? 0.0 : in_si(in.v_B) * cosine_to_AB(in, in.alpha_B); }

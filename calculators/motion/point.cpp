@@ -28,7 +28,7 @@ Point::State state_at(const PointPath& path, double t) {
   return state;
 }
 
-/// Place, velocity and acceleration from the laws; a plane motion is not told of z.
+/// Position, velocity and acceleration from the laws; a plane motion does not show z.
 template <class Tracer>
 void take_state(const PointState& s, bool plane, Point::Result& r, Tracer& trace) {
   r.z_M = s.r[2] * m, r.v_z = s.v[2] * m_per_s, r.a_z = s.a[2] * m_per_s2;

@@ -19,7 +19,7 @@ void drop_rounding(Vector& a) {
   for (double& component : a) component = without_rounding(component, scale);
 }
 
-/// Whether a speed is nothing but rounding, beside the acceleration and the distances and times at hand.
+/// Whether a speed is only rounding, compared with the acceleration and the distances and times involved.
 bool is_rest(const PointState& s, double t) {
   constexpr double rounding = 1e-12;
   return s.speed <= rounding * (std::sqrt(s.acceleration * size(s.r)) + s.acceleration * std::abs(t));

@@ -12,7 +12,7 @@ namespace {
 Written law_of(const Rotation::Input& in) { return {"phi", &in.phi}; }
 std::array<Written, 1> laws_of(const Rotation::Input& in) { return {law_of(in)}; }
 
-/// Counter-clockwise and getting faster are two things: the signs of omega and epsilon tell.
+/// Counter-clockwise and accelerating are two properties: given by the signs of omega and epsilon.
 Rotation::Change change_of(double omega, double epsilon, double t) {
   constexpr double rounding = 1e-12;
   if (std::abs(omega) <= rounding * std::abs(epsilon * t)) return Rotation::Change::at_rest;

@@ -53,7 +53,7 @@ void plates(const Input& in, Result& r, Tracer& trace) {
   }
 }
 
-/// What a pin that can be replaced needs besides, under the force without its partial factor.
+/// Additional checks of a replaceable pin, under the force without its partial factor.
 template <class Tracer>
 void in_service(const Input& in, Result& r, Tracer& trace) {
   STEP(F_ser, abs(in.F), "force in service");

@@ -1,4 +1,4 @@
-// Whether the parts of a built-up section overlap, or stand apart: rules of section.built_up.
+// Whether the parts of a built-up section overlap, or are separate: rules of section.built_up.
 //
 // Every shape is rectangles and rings; fillets and roundings are left out.
 #include "calculators/section/built_up.hpp"
@@ -87,7 +87,7 @@ double gap_to_ring(const Piece& p, const Piece& ring) {
   return std::max(nearest - ring.outer, ring.inner - std::hypot(along + p.b, across + p.h));
 }
 
-/// Negative where the pieces overlap. Of turned rectangles at most their distance.
+/// Negative where the pieces overlap. For turned rectangles at most their distance.
 double gap(const Piece& p, const Piece& q) {
   if (!p.is_ring()) return q.is_ring() ? gap_to_ring(p, q) : std::max(gap_along(p, q), gap_along(q, p));
   if (!q.is_ring()) return gap_to_ring(q, p);

@@ -96,7 +96,7 @@ Contours contours_of(const Part& part) {
 
 Length or_none(Length length) { return is_set(length) ? length : from_si<Length>(0.0); }
 
-/// The shape that a row of a table stands for: contours follow from its sizes, the values are the table's.
+/// The shape of a row of a table: contours follow from its sizes, the values are the table's.
 Part shape_of(const table::Typed<Profile>& row) {
   Part p;
   p.h = row.h, p.b = row.b, p.t_w = row.t_w, p.t_f = row.t_f, p.t = row.t_w, p.d = row.h;

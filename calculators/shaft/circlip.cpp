@@ -9,7 +9,7 @@ namespace {
 using Input = Circlip::Input;
 using Result = Circlip::Result;
 
-constexpr double q_long = 1.2;  // of a shoulder of three depths or more
+constexpr double q_long = 1.2;  // factor of a shoulder of three depths or more
 
 template <class Tracer>
 void groove(const Input& in, Result& r, Tracer& trace) {

@@ -72,7 +72,7 @@ void wall_of(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, x_R, t_n / s_N, "wall at least as thick as the keyway is deep");
 }
 
-/// What fits: shaft, hub, seats.
+/// Fit of the sizes: shaft, hub, keyways.
 template <class Tracer>
 void fits(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, x_l, r.l_tr / in.d, "uniform pressure up to 1.3, [DIN6892]");

@@ -39,7 +39,7 @@ void growth(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_n, max(U_n, 0.0 * mm) / U_w_min, "relative to the interference at rest");
 }
 
-/// The pressure under which both rings give way by the interference, [Lame].
+/// The pressure at which the deformation of both rings equals the interference, [Lame].
 template <class Tracer>
 void pressures(const Input& in, Result& r, Tracer& trace) {
   interferences(in, r, trace);
@@ -120,7 +120,7 @@ void yield(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_2, in.S_F * sigma_2 / in.R_e_2, "hub against yield");
 }
 
-/// The shaft beside the hub, which takes the torque alone.
+/// The shaft next to the hub, with the full torque.
 template <class Tracer>
 void torsion_of_shaft(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, tau_t, 16.0 * in.K_A * abs(in.T) * in.d / (pi * (pow<4>(in.d) - pow<4>(in.d_i))), "torsion of the ring");

@@ -9,7 +9,7 @@ namespace {
 using Input = SetScrew::Input;
 using Result = SetScrew::Result;
 
-/// What a point holds over what a cup point does, [SPS].
+/// Holding capacity of a point over that of a cup point, [SPS].
 double share_of(SetScrew::Point point) {
   using Point = SetScrew::Point;
   switch (point) {

@@ -37,8 +37,8 @@ double knuckle_slenderness(Length rho_c, Length delta_c, Tracer& trace) {
                     "knuckles in compression thinner than 0.002 of the crown radius may buckle, [UG-32]");
 }
 
-/// Of a shell without hole: bending decays from its edge over some sqrt(rho t), to exp(-1.29 x) at the distance
-/// x sqrt(rho t), [Timoshenko]; from x = 4 on, 0.6 %, its middle is a membrane. A shallow dish bends throughout.
+/// Shell without hole: bending decays from its edge over some sqrt(rho t), to exp(-1.29 x) at the distance x sqrt(rho
+/// t), [Timoshenko]; from x = 4 on, 0.6 %, its middle is a membrane. A shallow dish bends throughout.
 template <class Tracer>
 double shallowness_of(Length widest, Length flattest, Length delta_c, Tracer& trace) {
   trace.value("r_a", widest, "widest radius");

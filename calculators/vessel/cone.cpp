@@ -58,7 +58,7 @@ class ConeShape {
     std::sort(places_.begin(), places_.end());
   }
 
-  /// The liquid that hangs below the place: all that stands on the section, and the point below it.
+  /// The liquid suspended below the place: all above the section, and the point below it.
   template <class Tracer>
   void hang(Place& place, Tracer& trace) const {
     using std::cos, std::tan;

@@ -11,7 +11,7 @@ namespace {
 using Input = Cylinder::Input;
 using Ends = Cylinder::Ends;
 
-/// Of the liquid on the lowest place.
+/// Liquid pressure at the lowest place.
 Stress bottom_pressure(const Input& in) { return has_liquid(in) ? Stress(in.rho * gravity * in.h_l) : 0.0 * MPa; }
 
 class CylinderShape {
@@ -21,7 +21,7 @@ class CylinderShape {
   [[nodiscard]] std::size_t places() const { return 1; }
   [[nodiscard]] double place(std::size_t) const { return 0.0; }  // the bottom, where the liquid presses most
   [[nodiscard]] Length sharpest() const { return R_m_; }
-  /// Whether the thickness that it needs is a straight line over that which gives its radius: not beside rings.
+  /// Whether the required thickness is linear in the thickness that gives its radius: not next to rings.
   [[nodiscard]] bool is_straight() const { return in_.ends != Ends::ringed; }
 
   template <class Tracer>
@@ -73,7 +73,7 @@ class CylinderShape {
   Length R_m_, delta_c_, a_r_;
 };
 
-/// The rings that are there, or those that could take the hoop force alone, as the textbook assumes.
+/// The existing rings, or rings that could carry the full hoop force, as the textbook assumes.
 template <class Tracer>
 Length rings(const Input& in, Stress sigma_all, Tracer& trace) {
   if (in.ends != Ends::ringed) return 0.0 * mm;

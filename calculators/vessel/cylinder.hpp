@@ -1,8 +1,8 @@
 // A thin-walled cylinder under internal pressure of gas and liquid, without ends, with ends, or strengthened by rings.
 //
-// Decides the least thickness, the equivalent stress at the lowest place and the allowable gas pressure, with Lamé's
-// thick-walled answer beside. Membrane stresses of [B24]; the axis is vertical where a liquid stands in it. Tension is
-// positive. Not covered: weight of the wall, nozzles, junctions with the ends, external pressure, temperature, fatigue.
+// Decides the least thickness, the equivalent stress at the lowest place and the allowable gas pressure, Lamé's
+// thick-walled result. Membrane stresses of [B24]; the axis is vertical with a liquid. Tension is positive. Not
+// covered: weight of the wall, nozzles, junctions with the ends, external pressure, temperature, fatigue.
 #pragma once
 
 #include "calculators/vessel/lame.hpp"

@@ -16,7 +16,7 @@ double cross(Pair a, Pair b) { return a.r * b.z - a.z * b.r; }
 double dot(Pair a, Pair b) { return a.r * b.r + a.z * b.z; }
 double length(Pair a) { return std::hypot(a.r, a.z); }
 
-/// The circle through three points in order, at one of them: direction of the way and curvature, positive to the left.
+/// The circle through three points in order, at one of them: its direction and curvature, positive to the left.
 struct Bend {
   Pair tangent;
   double kappa;

@@ -25,7 +25,7 @@ Peak largest_over(const Shape& shape, const Function& f) {
     if (numerics::exceeds(here.f, best.f)) best = here;
   }
   if constexpr (requires { Shape::continuous; }) {
-    constexpr double worth = 0.99, flat = 1e-12;  // of the largest: a lower peak stays lower; no peak, but rounding
+    constexpr double worth = 0.99, flat = 1e-12;  // shares: a lower peak stays lower; no peak, but rounding
     const double low = worth * best.f;
     Peak before, here{shape.place(0), f(shape.place(0))};
     for (std::size_t i = 0; i < count; ++i) {

@@ -127,7 +127,7 @@ Points break_line(double half, double z) {
           {beyond, z}};
 }
 
-/// What one sees of a free end behind the section, or that the vessel goes on.
+/// View of a free end behind the section, or a sign that the vessel goes on.
 void add_ends(const Wall& wall, const Section& s, Drawing::View& view) {
   for (const bool start : {true, false}) {
     if (wall.ring || (start ? wall.starts_on_axis : wall.ends_on_axis)) continue;

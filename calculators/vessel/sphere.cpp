@@ -58,7 +58,7 @@ class SphereShape {
     std::sort(places_.begin(), places_.end());
   }
 
-  /// What the liquid presses on the lower cap, over its circumference; written so that the pole is no exception.
+  /// Force of the liquid on the lower cap, over its circumference; written so that the pole needs no exception.
   [[nodiscard]] Tension below(double phi) const {
     const Length h = in_.h_l, R = R_m_;
     const double surface = in_si((R - h) / R);  // cosine of the liquid's edge, from the bottom

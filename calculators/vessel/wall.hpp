@@ -1,4 +1,4 @@
-// What all vessels share: pressure, wall, seams and strength as inputs, stresses and thicknesses as results, and the
+// Common vessel data: pressure, wall, seams and strength as inputs, stresses and thicknesses as results, and the
 // rules between them. The Inputs and Results of the shapes derive from these; every field is declared here once.
 #pragma once
 

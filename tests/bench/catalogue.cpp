@@ -1,4 +1,4 @@
-// What one point of a sweep costs, for every calculator of the catalogue at the input of its example.
+// Cost of one point of a sweep, for every calculator of the catalogue at the input of its example.
 #include "calculators/catalogue.hpp"
 
 #include "lib/project/project.hpp"

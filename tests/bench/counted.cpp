@@ -91,7 +91,7 @@ void by_groups(int blocks, const mech::Model& model) {
   if (!closed) std::exit(EXIT_FAILURE);
 }
 
-/// A whole turn at once.
+/// A full turn at once.
 void in_lanes(int blocks, const mech::Model& model) {
   std::vector<mech::Drive> turn;
   for (int k = 0; k < positions; ++k) turn.push_back(drive_at(k));
@@ -102,7 +102,7 @@ void in_lanes(int blocks, const mech::Model& model) {
 }
 
 struct Kernel {
-  std::size_t points;  // of a block
+  std::size_t points;  // points of a block
   std::function<void(int)> run;
 };
 

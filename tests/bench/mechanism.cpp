@@ -1,6 +1,6 @@
-// A cycle of 720 positions through the general solvers, by groups and by the whole system at once, beside closed forms
-// written for the one linkage. Per position: coordinates, velocities, accelerations, all reactions, driving moment; in
-// lanes all reactions and the driving moment, in columns. By groups at most 4 times as long as by hand.
+// A cycle of 720 positions through the general solvers, by groups and by the full system at once, next to closed
+// forms written for the one linkage. Per position: coordinates, velocities, accelerations, all reactions, driving
+// moment; in lanes all reactions and the driving moment, in columns. By groups at most 4 times as long as by hand.
 #include "lib/mechanism/accuracy/sensitivity.hpp"
 #include "lib/mechanism/columns/cycle.hpp"
 #include "lib/mechanism/groups/system.hpp"
@@ -105,7 +105,7 @@ std::vector<Drive> whole_turn() {
   return drives;
 }
 
-/// Of a variant: what it takes before the first position, and each position with all joint forces in columns.
+/// Cost of a variant: before the first position, and each position with all joint forces in columns.
 struct InColumns {
   double ns_position = 0.0, ns_variant = 0.0;
   bool in_lanes = true;
@@ -166,7 +166,7 @@ void alone(benchmark::State& state, const Model& model) {
   state.counters["ns_per_link"] = by_groups / static_cast<double>(model.links.size());
 }
 
-// What a design needs besides: all derivatives, the split by cause.
+// Additional results of a design: all derivatives, the split by cause.
 void six_bar_design(benchmark::State& state) {
   const Model model = models::six_bar();
   GeneralCycle<GroupSystem> groups(model);

@@ -71,7 +71,7 @@ double add_up(const std::vector<double>& x) {
   return sum;
 }
 
-/// Of this thread's work: what else the machine does meanwhile does not count.
+/// Time of this thread: other work of the computer does not count.
 double worked() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

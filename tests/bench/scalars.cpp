@@ -1,4 +1,4 @@
-// Sweeps of scalar calculators beside plain loops over doubles, written by hand for the one case: at most twice as
+// Sweeps of scalar calculators next to plain loops over doubles, written by hand for the one case: at most twice as
 // slow. In forms of their own a stress cycle makes 150 million points a second, a cylinder and a column 40 million, a
 // pair of gears 2 million.
 #include "calculators/belt/flat.hpp"
@@ -137,7 +137,7 @@ void flat_belt(benchmark::State& state) {
   race(state, sweep, by_hand, general, plain);
 }
 
-/// Helical wheels on a given centre distance, with forces and Lewis' stresses, every result; beside the geometry alone.
+/// Helical gears on a given centre distance, with forces and Lewis' stresses, every result; or only geometry.
 void gear_pair(benchmark::State& state) {
   constexpr double z_1 = 20.0, z_2 = 57.0, m_n = 2.5e-3, a_w = 0.1, T = 60.0;
   const auto x_1 = spread(0.1, 0.5, 12), beta = spread(0.17, 0.22, 13), alpha = spread(0.34, 0.36, 14);

@@ -67,7 +67,7 @@ void two_by_latin_hypercube(benchmark::State& state) {
 }
 void two_by_sobol(benchmark::State& state) { compare(state, Points{scattered(0.0, Sampling::sobol)}, PlainPoints{}); }
 
-/// Beside Boost.Math's quantile.
+/// Compared with Boost.Math's quantile.
 void normal_quantile(benchmark::State& state) {
   const std::vector<double> p = spread(0.0, 1.0, 3);
   std::vector<double> own(points), boosts(points);

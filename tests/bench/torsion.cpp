@@ -1,4 +1,4 @@
-// Sweeps of the shaft calculators beside plain loops over doubles, written by hand for the one case.
+// Sweeps of the shaft calculators next to plain loops over doubles, written by hand for the one case.
 #include "calculators/shaft/torsion/torsion.hpp"
 
 #include "calculators/shaft/overhung.hpp"

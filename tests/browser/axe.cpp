@@ -11,13 +11,13 @@ using namespace loadpath::test;
 
 namespace {
 
-/// What is serious, a line each; rules by WCAG 2 A and AA, and what is best practice.
+/// Serious findings, a line each; rules by WCAG 2 A and AA, and best practice.
 const std::string findings = R"(axe.run(document, RULES).then((all) => all.violations
   .filter((v) => v.impact === "serious" || v.impact === "critical")
   .map((v) => `${v.id}: ${v.help}: ${v.nodes.slice(0, 3).map((n) => n.html.slice(0, 120)).join(" ; ")}`)
   .join("\n")))";
 
-/// Colours alone change with the light, and places with the width.
+/// Only colours change with the light, and places with the width.
 struct Look {
   int width;
   bool dark;

@@ -38,7 +38,7 @@ const std::string broken_links = R"((() => {
   return said.slice(0, 5).join("\n");
 })())";
 
-/// Text in figures that stands over other text of the same figure, or out of it.
+/// Text in figures that lies over other text of the same figure, or out of it.
 const std::string covered_text = R"((() => {
   const said = [];
   for (const svg of document.querySelectorAll("figure svg")) {
@@ -58,7 +58,7 @@ const std::string covered_text = R"((() => {
   return said.slice(0, 8).join("\n");
 })())";
 
-/// Reasons beside a formula, letter below letter: half of a word wide.
+/// Reasons next to a formula, letter below letter: half of a word wide.
 const std::string squeezed = R"((() => {
   const said = [];
   for (const p of document.querySelectorAll("main p")) {

@@ -51,7 +51,7 @@ const Law bars[] = {
     {"shaft.torsion", R"(d = "70 mm")", R"(d = "140 mm")", "u_theta", 1.0 / 16},
     {"shaft.overhung", R"(d = "40 mm")", "d = \"40 mm\"\nF = \"7308 N\"\nT = \"156.6 N*m\"", "u_v", 2},
     {"shaft.overhung", R"(d = "40 mm")", "d = \"40 mm\"\nF = \"7308 N\"\nT = \"156.6 N*m\"", "u_Q", 2},
-    {"shaft.design", "g_angle = ", "g_angle = \nK_A = 2", "M_max", 2},  // weight is no load of service
+    {"shaft.design", "g_angle = ", "g_angle = \nK_A = 2", "M_max", 2},  // weight is not a service load
     {"shaft.design", "", "K_A = 2", "phi", 2},
     {"shaft.design", WITHOUT_MATERIAL "E = \"210 GPa\"\nG = \"81 GPa\"",
      WITHOUT_MATERIAL "E = \"420 GPa\"\nG = \"162 GPa\"", "v_max", 1.0 / 2},
@@ -295,7 +295,7 @@ const Law solids[] = {
 const std::span<const Law> laws[] = {pins, solids,  twists,  fits,   keys,   sections,
                                      bars, fatigue, vessels, drives, motion, bearings};
 
-/// What `result` does over the values of a key, one after the other.
+/// Trend of `result` over the values of a key, one after the other.
 enum class Sense { rises, falls };
 using enum Sense;
 struct Trend {

@@ -143,7 +143,7 @@ const Case tubes[] = {
      std::cbrt(16e3 / (pi * 30e6 * (1 - fourth_of_bore)))},
     {"shaft.torsion", "torques = \nT = \"1 kN*m\"\nchi = 0.8\ntau_adm = \"1 GPa\"", "d_stiffness",
      std::sqrt(std::sqrt(32e3 / (pi * 80e9 * 0.004 * (1 - fourth_of_bore))))},
-    {"shaft.torsion", "torques = \nT = \"1 kN*m\"\ntau_adm = ", "d_min",  // stiffness alone is asked for
+    {"shaft.torsion", "torques = \nT = \"1 kN*m\"\ntau_adm = ", "d_min",  // only stiffness is required
      std::sqrt(std::sqrt(32e3 / (pi * 80e9 * 0.004)))},
     {"shaft.torsion", "torques = \nT = \"1 kN*m\"\ntau_adm = \nR_e = \"300 MPa\"\nS = 2", "tau_all",
      150e6 / std::sqrt(3.0)},
@@ -189,7 +189,7 @@ const Case vessels[] = {
      "sigma_M", 1000 * g_n * 10 * 0.6 / (2 * 0.01)},
 };
 
-// One cycle, from -40 to 120 MPa, told by any two of its numbers.
+// One cycle, from -40 to 120 MPa, given by any two of its numbers.
 const Case cycles[] = {
     {"fatigue.cycle", "sigma_min = \nsigma_m = \"40 MPa\"", "sigma_min", -40e6},
     {"fatigue.cycle", "sigma_min = \nsigma_a = \"80 MPa\"", "sigma_min", -40e6},
@@ -251,7 +251,7 @@ const Case fatigue[] = {
      1.3 * (80e6 + 0.1 * 100e6) / 1.1},
     {"fatigue.life", "sigma_max = \"180 MPa\"\nsigma_min = \"120 MPa\"\nrule = \"fkm\"\nM = 0.3", "sigma_ar",
      3 * 30e6 * 1.69 / 3.3},
-    {"fatigue.life", "sigma_max = \"180 MPa\"\nsigma_min = \"180 MPa\"", "u_y", 180.0 / 490},  // it stands still
+    {"fatigue.life", "sigma_max = \"180 MPa\"\nsigma_min = \"180 MPa\"", "u_y", 180.0 / 490},  // it is static
     {"fatigue.life", "stress = \"shear\"\nsigma_max = \"0 MPa\"\nsigma_min = \"-200 MPa\"", "n",
      1 / (100 / 190.0 + 100 / (0.67 * 690))},
     {"fatigue.life", "stress = \"shear\"\nN = 1000\nf = 0.8", "S_e", 0.8 * 0.67 * 690e6},
@@ -340,7 +340,7 @@ const Case racks[] = {
     {"gear.pair", rack, "d_w1", 50e-3},
     {"gear.pair", rack, "d_a1", 2 * (25e-3 + 1.3 * 2.5e-3)},
     {"gear.pair", rack, "d_f1", 2 * (25e-3 - 0.95 * 2.5e-3)},
-    {"gear.pair", rack, "c_1", 0.25 * 2.5e-3},  // what the basic rack leaves
+    {"gear.pair", rack, "c_1", 0.25 * 2.5e-3},  // clearance of the basic rack
     {"gear.pair", rack, "c_2", 0.25 * 2.5e-3},
     {"gear.pair", rack, "g_f", 0.7 * 2.5e-3 / std::sin(pi / 9)},
     {"gear.pair", rack, "q_a", 56.5 / (50 * std::cos(pi / 9))},
@@ -402,7 +402,7 @@ const Case drives[] = {
     {"drive.train", R"(stages = [{ kind = "worm", z_1 = 2, z_2 = 40, eta = 0.72 }])", "stages[1].x_eta",
      0.8},  // usual up to 0.9
     {"chain.roller", "z_1 = 38", "f_2", std::pow(0.5, 1.08)},
-    {"belt.course", R"(n_1 = "12.5 rad/s")", "v", 1.0},  // of a radius of 80 mm
+    {"belt.course", R"(n_1 = "12.5 rad/s")", "v", 1.0},  // with a radius of 80 mm
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"", "L", 2.4 + 0.3 * pi},
     {"belt.flat", "b = \"100 mm\"\nd_1 = \"300 mm\"\nd_2 = \"300 mm\"\narrangement = \"crossed\"", "gamma",
      0.2526802551420786},  // arcsin 0.25
@@ -469,7 +469,7 @@ const Case motion[] = {
     {"dynamics.impulse", blow, "F_m", std::sqrt(500.0)},
     {"dynamics.impulse", blow, "q_2y", -36.0},
     {"dynamics.impulse", blow, "v_2", std::hypot(11.0, 18.0)},
-    {"dynamics.impulse", blow, "A", 10.0 * 12 + 20 * 16},  // forces by their ways
+    {"dynamics.impulse", blow, "A", 10.0 * 12 + 20 * 16},  // forces by their paths
     {"dynamics.impulse", "F_x = \"0 N\"", "v_2x", -1.0},
     {"dynamics.momentum", R"(bodies = [{ m = "5 kg", v_1 = "4 m/s", v_2 = "4 m/s" }, { m = "1 kg", v_1 = "4 m/s" }])",
      "Delta_E", 0.0},

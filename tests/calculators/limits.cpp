@@ -18,7 +18,7 @@ struct Side {
   const char* calculator;
   const char* field;
   State state;        // beyond the bound
-  const char* key;    // what is changed
+  const char* key;    // changed input
   const char* keeps;  // its value on the side that passes
   const char* leaves;
   const char* lines = "";  // changes of the calculator's example before
@@ -50,7 +50,7 @@ const Side vessels[] = {
     {"vessel.shell", "s_min", outside, "points",  // a cone that rises by 2.1 % and by 1.9 %
      R"([["0.1 m", "0 m"], ["0.6 m", "0.0105 m"], ["1.1 m", "0.0210 m"]])",
      R"([["0.1 m", "0 m"], ["0.6 m", "0.0095 m"], ["1.1 m", "0.0190 m"]])", "p = \"0.001 MPa\"\ndelta = \"0.5 mm\""},
-    {"vessel.shell", "w_kappa", outside, "points",  // a barrel beside a cylinder: radii of 2.6 m and of 2.4 m
+    {"vessel.shell", "w_kappa", outside, "points",  // a barrel next to a cylinder: radii of 2.6 m and of 2.4 m
      R"([["1.000000 m", "0.000000 m"], ["1.000000 m", "0.100000 m"], ["1.000000 m", "0.200000 m"], ["0.998077 m", "0.299975 m"], ["0.992311 m", "0.399803 m"], ["0.982712 m", "0.499335 m"]])",
      R"([["1.000000 m", "0.000000 m"], ["1.000000 m", "0.100000 m"], ["1.000000 m", "0.200000 m"], ["0.997917 m", "0.299971 m"], ["0.991671 m", "0.399769 m"], ["0.981274 m", "0.499219 m"]])"},
     {"vessel.shell", "w_b", outside, "delta", R"("2.1 mm")", R"("1.9 mm")",  // crown of 1 m, knuckle of 0.1 m

@@ -28,7 +28,7 @@ const std::string press =
 const std::string old_text = "what stood here before\n";
 const std::map<std::string, std::string> endings{{"a.html", "</html>\n"}, {"a.csv", "\n"}};
 
-/// Tells when a file comes into being in the folder.
+/// Detects when a file comes into being in the folder.
 class Watch {
  public:
   explicit Watch(const std::filesystem::path& folder) : queue_(inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
@@ -79,7 +79,7 @@ void check_outputs(const Desk& desk) {
   }
 }
 
-/// Whether a file is there that is not yet whole.
+/// Whether there is an incomplete file.
 bool has_parts(const Desk& desk) {
   const std::vector<std::string> files = desk.files();
   return std::any_of(files.begin(), files.end(), [](const std::string& name) { return name.ends_with(".part"); });

@@ -1,4 +1,4 @@
-// What differs between two projects, from the shell.
+// Differences between two projects, from the shell.
 #include "tests/cli/process.hpp"
 
 #include <boost/json.hpp>

@@ -1,4 +1,4 @@
-// Projects that are begun: every template solves, and what the shell or its answers set stands in it.
+// New projects: every template solves, and contains the values set by the shell or its answers.
 #include "tests/cli/process.hpp"
 
 #include <pty.h>

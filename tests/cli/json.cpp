@@ -1,4 +1,4 @@
-// What the program knows, for programs: --json of list, describe, tables and verify; and describe by parts.
+// Program data for other programs: --json of list, describe, tables and verify; and describe by parts.
 #include "tests/cli/process.hpp"
 
 #include <boost/json.hpp>

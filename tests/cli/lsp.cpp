@@ -30,7 +30,7 @@ d = "40 mm"
 std::string text_of(const json::value& value) { return std::string(std::string_view(value.as_string())); }
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// The text with a bar in front of what stands behind `before`.
+/// The text with a bar in front of the part behind `before`.
 std::string with_bar(std::string text, const std::string& before) {
   const std::size_t at = text.find(before);
   REQUIRE(at != std::string::npos);

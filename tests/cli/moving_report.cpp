@@ -17,7 +17,7 @@ namespace {
 
 namespace json = boost::json;
 
-/// The page as it stands after its scripts have run.
+/// The page after its scripts have run.
 std::string opened(const Desk& desk, const std::string& browser, const std::string& page) {
   const std::string root = "$([ \"$(id -u)\" = 0 ] && echo --no-sandbox)";  // its sandbox refuses root
   const Ran ran =

@@ -1,4 +1,4 @@
-// Outputs come into being whole or not at all.
+// Outputs come into being completely or not at all.
 #include "tests/cli/process.hpp"
 
 #include <cstdlib>

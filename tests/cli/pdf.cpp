@@ -1,4 +1,4 @@
-// A PDF is printed by a browser, which may fail: browsers of shell script stand in for it here.
+// A PDF is printed by a browser, which may fail: browsers of shell script replace it here.
 #include "tests/cli/process.hpp"
 #include "tests/waiting.hpp"
 
@@ -19,7 +19,7 @@ namespace {
 
 const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\n";
 const std::string old_pdf = "an old PDF\n";
-/// Where the browser is told to print to.
+/// Print target of the browser.
 const std::string target = "for word in \"$@\"; do case $word in --print-to-pdf=*) out=${word#*=};; esac; done\n";
 
 /// A desk with a project, an old PDF, a folder for temporary files and a browser.

@@ -1,4 +1,4 @@
-// Rows and series in files beside a project: what is read, and one error a file with its fix.
+// Rows and series in files next to a project: their reading, and one error a file with its fix.
 #include "tests/cli/process.hpp"
 
 #include <doctest/doctest.h>

@@ -36,7 +36,7 @@ Ran run(const std::string& project, std::vector<std::string> words = {}) {
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// Whether a number that is none stands in a text as a word.
+/// Whether a text contains NaN or infinity as a word.
 bool has_no_number(const std::string& text) {
   for (const char* word : {"nan", "NaN", "inf", "Infinity", "-nan"}) {
     for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos; ++at) {

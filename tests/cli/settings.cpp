@@ -47,7 +47,7 @@ Ran with(const std::string& project, const std::vector<std::string>& settings,
 
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 
-/// What the program makes of the same fields when the file itself says them.
+/// Output of the program for the same fields given in the file itself.
 std::string without_heading(const std::string& json) { return json.substr(json.find("\"verdict\"")); }
 
 }  // namespace

@@ -21,7 +21,7 @@ bool has(const std::string& offered, const std::string& word) {
   return contains(offered, "\n" + word + "\n") || contains(offered, "\n" + word + "\t");
 }
 
-/// What bash makes of a line that ends where the tabulator is struck.
+/// Completion by bash of a line that ends where the tabulator is struck.
 std::string in_bash(const Desk& desk, const std::string& words) {
   desk.put("try.bash",
            "loadpath() { '" LOADPATH_PROGRAM "' \"$@\"; }\nsource <(loadpath completion bash)\nCOMP_WORDS=(" + words +

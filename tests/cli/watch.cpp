@@ -32,13 +32,13 @@ void save(const Desk& desk, const std::string& name, const std::string& text) {
 std::string port_of(const std::string& address) { return address.substr(17, address.find('/', 17) - 17); }
 std::string path_of(const std::string& address) { return address.substr(address.find('/', 17)); }
 
-/// What is answered to a request, as it comes.
+/// Answer to a request, as it arrives.
 std::string answer(const std::string& address, const std::string& request) {
   asio::io_context context;
   asio::ip::tcp::socket socket(context);
   socket.connect({asio::ip::address_v4::loopback(), static_cast<unsigned short>(std::stoi(port_of(address)))});
   std::string text;
-  boost::system::error_code end;  // what is too long is not read to its end
+  boost::system::error_code end;  // too long an answer is not read to its end
   asio::write(socket, asio::buffer(request), end);
   asio::read(socket, asio::dynamic_buffer(text), end);
   return text;
@@ -146,7 +146,7 @@ TEST_SUITE("watch in a browser") {
         "scrollTo(0, 250)");
     save(desk, "a.toml", with("200 N*m", "231 N*m"));
     CHECK(browser.becomes_true("document.querySelector('main').textContent.includes('231')"));
-    CHECK(browser.value("window.kept") == 1);  // no page was loaded anew
+    CHECK(browser.value("window.kept") == 1);  // no page was reloaded
     CHECK(browser.value("scrollY") == 250);
     CHECK(browser.value("[...document.querySelectorAll('details')].every((d) => d.open)") == true);
     save(desk, "a.toml", with("30 MPa", "30 MPaa"));

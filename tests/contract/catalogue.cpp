@@ -1,4 +1,4 @@
-// What the catalogue keeps: fields are complete, ids and sources are sound, every example runs.
+// Invariants of the catalogue: fields are complete, ids and sources are sound, every example runs.
 #include "lib/project/solving/solve.hpp"
 #include "lib/quantity/unit.hpp"
 #include "lib/report/build.hpp"

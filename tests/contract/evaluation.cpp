@@ -1,4 +1,4 @@
-// What the two ways of evaluating share: with a trace or without, one by one or swept, results are the same to the bit.
+// Both forms of evaluation, with a trace or without, one by one or swept, give the same results to the bit.
 #include "tests/allocations.hpp"
 #include "tests/contract/calculators.hpp"
 
@@ -72,7 +72,7 @@ double some_value(const FieldInfo& f, std::mt19937& random, bool wild) {
 
 bool alike(double a, double b) { return same_bits(a, b) || (std::isnan(a) && std::isnan(b)); }
 
-/// A sweep of a form: which inputs it gives vary, and which of its results are asked for, is drawn.
+/// A sweep of a form: the varied inputs and the requested results are drawn at random.
 class FormSweep {
  public:
   FormSweep(const Calculator& c, const Form& form, std::size_t points, std::mt19937& random)

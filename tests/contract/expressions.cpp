@@ -30,7 +30,7 @@ void show(const Value& value, std::ostream& to) {
   }
 }
 
-/// What was found, but for where it comes from.
+/// Results, without their origin.
 std::string shown(const project::Project& project, const std::vector<Issue>& issues) {
   std::ostringstream to;
   std::vector<std::string> said;  // at once or later, of a step before another or behind it

@@ -40,7 +40,7 @@ void use_file(const fs::path& file, const Use& use) {
 
 void use_run(const Run& run, const Use& use) {
   const ExampleStep step(run.calculator, run.lines);
-  if (step.fault().empty()) use(step.project());  // a fault is for the test that owns the row to tell
+  if (step.fault().empty()) use(step.project());  // a fault is reported by the test that owns the row
 }
 
 /// A project that can be solved, and the elements of its steps.
@@ -74,7 +74,7 @@ std::vector<Source> sources() {
   return all;
 }
 
-/// The formula of a line over the numbers that are printed beside it.
+/// The formula of a line over the numbers that are printed next to it.
 double value_of(const account::Step& step) {
   const auto tree = formula::parse(step.formula);
   REQUIRE(tree);
@@ -124,7 +124,7 @@ std::string name_of(const std::string& folder, const std::string& symbol, const 
   return folder + ": " + symbol + " = " + text;
 }
 
-const std::string shared_folder = "load";  // of formulas that calculators of all folders share
+const std::string shared_folder = "load";  // formulas that calculators of all folders share
 
 /// The names under which the sources may have the formula of a line.
 void add_names(std::string_view folder, const account::Step& step, std::set<std::string>& names) {
@@ -183,7 +183,7 @@ TEST_SUITE("contract: formulas" * by_element) {
     }
     const auto has_run = [&](const SourceFormula& f) { return ran(f, names); };
     std::erase_if(missing, has_run);
-    for (const Source& source : all) {  // a formula of one element may run in a project of another alone
+    for (const Source& source : all) {  // a formula of one element may run only in a project of another
       if (takes(source.elements.front()) || !may_run(source, missing)) continue;
       source.solve(check);
       std::erase_if(missing, has_run);

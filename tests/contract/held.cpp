@@ -47,7 +47,7 @@ std::string list_text(const FieldInfo& list, void* owner, double load_factor) {
   return text.empty() ? "" : "[" + text + "]";
 }
 
-/// A series that a step takes whole.
+/// A series that a step uses in full.
 std::string series_text(const FieldInfo& field, const Value& series, double load_factor) {
   std::string values;
   for (const double si : series.si)

@@ -25,7 +25,7 @@ struct Keys {
   std::size_t count = 0;
 };
 
-/// The keys that stand beside a pointer to a member. One that is called otherwise on purpose is `called("m")`.
+/// The keys next to a pointer to a member. One that is called otherwise on purpose is `called("m")`.
 Keys keys_in(const std::string& text) {
   static const std::regex field(R"(\{\s*&[\w:]+::(\w+),\s*"([^"]*)\")");
   Keys keys;

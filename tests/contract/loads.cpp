@@ -1,4 +1,4 @@
-// Loads travel with what acts beside them, and with the factors that they hold.
+// Loads travel with their simultaneous loads, and with the factors that they include.
 #include "tests/contract/calculators.hpp"
 
 #include <doctest/doctest.h>
@@ -18,7 +18,7 @@ struct Reason {
   std::string_view of, why;
 };
 
-/// Results that load a part and name nothing that acts beside them, "calculator path".
+/// Results that load a part and name no simultaneous load, "calculator path".
 constexpr const char* is_whole = "it is the whole force on the body";
 constexpr const char* at_an_end =
     "a coupling takes it over; where a wheel sits, shafts tell its force beside the torque";
@@ -58,7 +58,7 @@ constexpr std::array alone{
     Reason{"machine.flywheel M_peak", "what else acts comes along with the moments that it is the peak of"},
 };
 
-/// Calculators that take loads and do not mind what comes along with them.
+/// Calculators of loads for which simultaneous loads do not matter.
 constexpr const char* of_a_body = "its bodies are rigid: loads move them and do not bend them";
 constexpr const char* of_a_drive = "power and torque pass through it; its results tell the forces on its shafts";
 constexpr const char* of_a_wall = "the pressure is the load of its wall, and comes alone";
@@ -131,7 +131,7 @@ bool lists(const List& list, std::string_view of) {
   return std::any_of(list.begin(), list.end(), [&](const Reason& reason) { return reason.of == of; });
 }
 
-/// Each of these stands in the list, and nothing else of the elements that this run covers does.
+/// Each of these is in the list, and nothing else of the elements that this run covers is.
 template <class List>
 void check_listed(const List& list, const std::vector<std::string>& found) {
   for (const std::string& one : found) CHECK_MESSAGE(lists(list, one), one, " needs a reason");

@@ -1,4 +1,4 @@
-// What fields are, beyond their dimension: said of fields that are there, at words that their choices have.
+// Meanings of fields, beyond their dimension: defined for existing fields, at existing words of their choices.
 #include "lib/calculator/strength_bounds.hpp"
 #include "tests/contract/calculators.hpp"
 

@@ -1,4 +1,4 @@
-// What must hold of the modes of failure of every calculator, whatever it computes.
+// Invariants of the failure modes of every calculator, whatever it computes.
 #include "lib/project/modes.hpp"
 
 #include "tests/contract/calculators.hpp"
@@ -43,7 +43,7 @@ bool takes_records(std::span<const FieldInfo> fields) {
   });
 }
 
-/// What is left to another calculator names records of this one, and modes of that one, which takes a record.
+/// A mode left to another calculator names records of this one, and modes of that one, which takes a record.
 void check_left(const Calculator& calculator, const ModeInfo& mode) {
   const auto keys = listed_keys(mode.taken);
   CHECK_MESSAGE((*mode.judge == '\0') == keys.empty(), "the judge, and what of it judges");

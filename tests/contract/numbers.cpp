@@ -14,7 +14,7 @@ using toml::Tree;
 
 namespace {
 
-/// A step beside the others: what refers to it waits until it is solved.
+/// A step next to the others: a reference to it waits until it is solved.
 constexpr std::string_view other_step = "contract_one";
 
 bool is_number(const Tree& tree) {
@@ -37,7 +37,7 @@ void find_numbers(const Tree& tree, const Number& here, std::vector<Number>& fou
   for (std::size_t i = 0; i < tree.items.size(); ++i) enter(tree.items[i], i, "[" + std::to_string(i + 1) + "]");
 }
 
-/// Whether a key of a step is no field of its calculator: a row may be called "6208".
+/// Whether a key of a step is not a field of its calculator: a row may be called "6208".
 bool is_beside_fields(const Calculator& calculator, const std::string& key) {
   constexpr std::string_view beside[] = {"calculator", "template", "title", "note", "display", "accept", "material"};
   const auto groups = table_groups(calculator);

@@ -1,5 +1,5 @@
-// What the reader keeps for every calculator: a record written as text reads back the same, and what no field can take
-// is refused at its place.
+// Invariants of the reader for every calculator: a record written as text reads back the same, and invalid values are
+// refused at their place.
 #include "lib/project/solving/read_project.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/quantity/literal.hpp"

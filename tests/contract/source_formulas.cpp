@@ -62,7 +62,7 @@ std::string printed(const std::string& formula) {
   return formula::shown(text);
 }
 
-/// What stands between quotation marks; nothing where the argument is no literal.
+/// The text between quotation marks; none if the argument is not a literal.
 std::string literal(const std::string& argument) {
   const std::size_t from = argument.find('"'), to = argument.rfind('"');
   return from < to ? argument.substr(from + 1, to - from - 1) : "";

@@ -112,7 +112,7 @@ bool same(double a, double b) {
   return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b) || (a != a && b != b);
 }
 
-/// What a machine of its own says of a column.
+/// Value of a column from a design of its own.
 double alone(project::Project& project, const project::SweptResult& column, bool refused) {
   using Kind = project::SweptResult::Kind;
   if (refused) return column.kind == Kind::state ? account::refused_state : std::nan("");
@@ -222,7 +222,7 @@ TEST_SUITE("sweeps and machines of their own" * test::by_element) {
   }
 }
 
-// Of each machine everything is solved again: that takes long where the compiler does not optimise.
+// Everything is solved again for each design: that takes long where the compiler does not optimise.
 #ifdef __OPTIMIZE__
 constexpr bool is_fast = true;
 #else

@@ -27,7 +27,7 @@ std::set<std::string> told(const test::Known& known) {
   return all;
 }
 
-/// Inputs of the reference cases that are right to be told: the book gives them, and nothing comes of them.
+/// Inputs of the reference cases that are rightly reported: the book gives them, but they have no effect.
 const std::set<std::string> right{
     "reference/drives-khurmi.toml: half_path.shortening",  // the profile shifts make up for one another
     "reference/histories.toml: astm.counting",             // four points close the same loops

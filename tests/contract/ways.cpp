@@ -119,7 +119,7 @@ Tree with_values(const Tree& tree, const Tree& value) {
   return other;
 }
 
-/// What does not pass where the number is a literal, and passes otherwise; empty: nothing.
+/// Name of a mode that fails where the number is a literal, and passes otherwise; empty: none.
 std::string passed_otherwise(const Outcome& literal, const Outcome& other) {
   if (other.is_refused) return "";
   if (literal.is_refused) return "all of it, which is refused";

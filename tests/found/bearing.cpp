@@ -1,4 +1,4 @@
-// What must not pass of rolling bearings: designs that an engineer rejects.
+// Faulty rolling bearing designs that must not pass: an engineer rejects them.
 #include "tests/found/modes.hpp"
 
 using namespace loadpath;
@@ -22,7 +22,7 @@ TEST_SUITE("found bearing") {
     CHECK(mode_with(id, tapered + "F_a = \"2 kN\"", "axial") == "pass");
     CHECK(mode_with(id, tapered + "F_a = \"-2 kN\"", "axial") == "fail");
     CHECK(mode_with(id, tapered + "F_a = \"-2 kN\"", "mate") == "not-covered");
-    CHECK(mode_with(id, "F_a = \"-1 kN\"", "axial") == "pass");  // a deep groove takes it both ways
+    CHECK(mode_with(id, "F_a = \"-1 kN\"", "axial") == "pass");  // a deep groove takes it in both directions
   }
 
   TEST_CASE("ribs take half of the radial load, and what the maker allows") {

@@ -1,4 +1,4 @@
-// What must not pass again of belts: rows of the list of what was found by use.
+// Regression tests of belts: faults found in use.
 #include "calculators/belt/v/sizing.hpp"
 #include "tests/found/modes.hpp"
 
@@ -19,7 +19,7 @@ std::string course(const std::string& lines) {
          "{ x = \"500 mm\", y = \"0 mm\", d = \"160 mm\", P = \"5 kW\" }]";
 }
 
-/// Of the sections of the basis Optibelt: height of the groove above the datum diameter, datum width; mm.
+/// Sections of the basis Optibelt: height of the groove above the datum diameter, datum width; mm.
 struct Groove {
   double h_a, w_d;
 };

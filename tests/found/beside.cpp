@@ -1,4 +1,4 @@
-// What must not pass again: values that are typed next to a row of a table or a record that has them too.
+// Regression tests of values typed next to a row of a table or a record that has them too.
 #include "lib/table/library.hpp"
 #include "lib/table/tables.hpp"
 #include "tests/found/modes.hpp"

@@ -1,4 +1,4 @@
-// What must not pass again of chains: rows of the list of what was found by use.
+// Regression tests of chains: faults found in use.
 #include "tests/found/modes.hpp"
 
 using namespace loadpath;

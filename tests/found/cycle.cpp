@@ -1,4 +1,4 @@
-// What must not pass again of loads over a cycle: reductions of series, laws between positions.
+// Regression tests of loads over a cycle: reductions of series, laws between positions.
 #include "tests/found/modes.hpp"
 
 #include <string>

@@ -1,4 +1,4 @@
-// What must not be told wrongly again of drives: rows of the list of what was found by use.
+// Regression tests of messages on drives: faults found in use.
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
 #include "tests/found/modes.hpp"

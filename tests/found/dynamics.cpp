@@ -1,4 +1,4 @@
-// What must not pass again of lifts: rows of the list of what was found by use.
+// Regression tests of lifts: faults found in use.
 #include "tests/found/modes.hpp"
 
 #include <cmath>

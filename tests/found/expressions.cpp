@@ -17,7 +17,7 @@ using test::contains;
 using test::Solved;
 
 const std::string fan =
-    "[fan]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"2 m/s\"\n";  // omega is asked for
+    "[fan]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"2 m/s\"\n";  // omega is required
 const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"40 mm\"\n";
 
 /// The angular speed of a frame that an expression gives.

@@ -1,4 +1,4 @@
-// What must not pass again of stress cycles: rows of the list of what was found by use.
+// Regression tests of stress cycles: faults found in use.
 #include "tests/cli/process.hpp"
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/solved.hpp"
@@ -66,7 +66,7 @@ TEST_SUITE("found fatigue") {
     CHECK(state("S_F = \nR_e = ", "yield") == "not-judged");
     CHECK(state("sigma_max = \"500 MPa\"\nsigma_min = \"460 MPa\"", "yield") == "fail");
     CHECK(state("sigma_max = \"20 MPa\"\nsigma_min = \"-700 MPa\"", "yield") == "fail");
-    // mean stresses beyond strength, in either way to grow, and by rules that know no such bound
+    // mean stresses beyond strength, in both overload types, and by rules without such a bound
     CHECK(state("sigma_max = \"740 MPa\"\nsigma_min = \"739 MPa\"", "fatigue") == "fail");
     CHECK(state("sigma_max = \"740 MPa\"\nsigma_min = \"739 MPa\"\nmean = \"constant\"", "fatigue") == "fail");
     CHECK(state("sigma_max = \"740 MPa\"\nsigma_min = \"739 MPa\"\nrule = \"fkm\"", "yield") == "fail");
@@ -299,7 +299,7 @@ TEST_SUITE("found fatigue") {
     CHECK(state("", "yield") == "pass");
     CHECK(state("M_ba = \"3000 N*m\"", "fatigue") == "fail");
     CHECK(state("f_max = 20", "yield") == "fail");
-    CHECK(state("M_bmax = \"9 kN*m\"", "yield") == "fail");  // one is told, f_max tells the other
+    CHECK(state("M_bmax = \"9 kN*m\"", "yield") == "fail");  // one is given, f_max gives the other
     CHECK(state("r = \"0.2 mm\"\nM_ba = \"1500 N*m\"", "fatigue") == "fail");
     // a mean stress beyond yielding leaves nothing to vary, in either way to grow
     CHECK(state("M_tm = \"9000 N*m\"\nM_ta = \"0.001 N*m\"\nM_ba = \"0.001 N*m\"", "fatigue") == "fail");

@@ -1,4 +1,4 @@
-// What must not pass again of fatigue limits: metals that have none, curves that are mixed, rules beyond their range.
+// Regression tests of fatigue limits: metals that have none, curves that are mixed, rules beyond their range.
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/solved.hpp"
 

@@ -1,4 +1,4 @@
-// What must not pass again of gears and trains: rows of the list of what was found by use.
+// Regression tests of gears and trains: faults found in use.
 #include "calculators/gear/planetary/planetary.hpp"
 #include "tests/found/modes.hpp"
 
@@ -39,7 +39,7 @@ TEST_SUITE("found gear") {
     CHECK(mode_with("gear.pair", "sigma_adm_2 = ", "root_1") == "pass");
     CHECK(mode_with("gear.pair", "sigma_adm_2 = ", "root_2") == "not-judged");
     CHECK(mode_with("gear.pair", "", "root_2") == "pass");
-    CHECK(mode_with("gear.pair", bare + "T_1 = ", "root_1") == "none");  // geometry alone
+    CHECK(mode_with("gear.pair", bare + "T_1 = ", "root_1") == "none");  // only geometry
   }
 
   TEST_CASE("A7: a face 50 times as wide as the pinion is not judged") {

@@ -1,4 +1,4 @@
-// What must not pass on a load path: signs of another meaning, parts of what acts together, loads that vary unseen,
+// Regression tests of load paths: signs of another meaning, parts of simultaneous loads, loads that vary unseen,
 // courses of loads without a value.
 #include "tests/lib/project/solved.hpp"
 

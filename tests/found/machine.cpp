@@ -1,4 +1,4 @@
-// What must not pass again of flywheels and runs: rows of the list of what was found by use.
+// Regression tests of flywheels and runs: faults found in use.
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
 #include "tests/found/modes.hpp"

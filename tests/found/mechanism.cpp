@@ -1,4 +1,4 @@
-// What must not pass again of mechanisms and of what takes their loads: rows of the list of what was found by use.
+// Regression tests of mechanisms and of what takes their loads: faults found in use.
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
 #include "tests/cli/process.hpp"
@@ -134,7 +134,7 @@ TEST_SUITE("found mechanism") {
           "[[\"0 deg\", 0], "
           "[\"318 deg\", 0], [\"322 deg\", 1], [\"358 deg\", 1], [\"360 deg\", 0]] }]\n");
     };
-    CHECK(mode_of(punched("36"), "press", "resolution") == "pass");  // positions stand where it strikes
+    CHECK(mode_of(punched("36"), "press", "resolution") == "pass");  // positions lie at the impact
     CHECK(mode_of(punched("180"), "press", "resolution") == "pass");
   }
 

@@ -1,5 +1,4 @@
-// What must not come back of projects as a whole: expressions, warnings, references, reports; rows of the list of what
-// was found by use.
+// Regression tests of complete projects: expressions, warnings, references, reports; faults found in use.
 #include "lib/export/json.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
@@ -34,7 +33,7 @@ sigma_min = "-20 MPa"
 others = [{ name = "below", sigma_max = "10 MPa", r = -1 }]
 )";
 
-/// What is wrong with a project; empty where nothing is.
+/// Error of a project; empty if none.
 std::string refusal(const std::string& text) {
   std::vector<Issue> issues;
   project::Project project = project::read_project(text, "found.toml", catalogue(), issues);
@@ -53,7 +52,7 @@ std::string endurance(const std::string& limit) {
          "\"\n";
 }
 
-/// A warning in every place that tells a step.
+/// A warning in every place that reports a step.
 void check_told(const project::Project& project, const std::string& warning) {
   CAPTURE(warning);
   const report::Document document = report::build(project, "found");

@@ -1,4 +1,4 @@
-// Values that reach a step by another way than the one that is looked at: a size, a speed, a sign, a factor.
+// Values that reach a step by another path than the checked one: a size, a speed, a sign, a factor.
 #include "tests/found/modes.hpp"
 
 using namespace loadpath;

@@ -1,4 +1,4 @@
-// What must not pass again of built-up sections: rows of the list of what was found by use.
+// Regression tests of built-up sections: faults found in use.
 #include "calculators/section/built_up.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"

@@ -6,7 +6,7 @@ using namespace loadpath::test;
 
 namespace {
 
-/// A slider that its inertia alone loads: the moment of the crank is as large both ways.
+/// A slider with only inertia load: the moment of the crank is as large in both directions.
 const std::string press = R"([press]
 calculator = "mechanism.planar"
 template = "slider_crank"

@@ -1,4 +1,4 @@
-// What must not pass again of shafts: rows of the list of what was found by use.
+// Regression tests of shafts: faults found in use.
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
 #include "tests/found/modes.hpp"
@@ -31,7 +31,7 @@ tau_adm = "20 MPa"
     CHECK(mode_of(project, "axle", "yield") == "pass");
     for (const char* id : {"fatigue", "critical_bending", "critical_torsion"})
       CHECK(mode_of(project, "axle", id) == "not-judged");
-    CHECK(mode_of(project, "axle", "bending") == "not-covered");  // the forces of the teeth come with the torque
+    CHECK(mode_of(project, "axle", "bending") == "not-covered");  // the forces of the teeth accompany the torque
   }
 
   TEST_CASE("a torque that is typed passes with its scope") {
@@ -74,7 +74,7 @@ TEST_SUITE("found key") {
     CHECK(mode_with("shaft.key", "d = \"44 mm\"", "fit") == "fail");
     CHECK(mode_with("shaft.key", "d = \"55 mm\"", "fit") == "fail");
     CHECK(mode_with("shaft.key", "d = \"45 mm\"", "fit") == "pass");
-    CHECK_FALSE(ExampleStep("shaft.key", "t_2 = \"3 mm\"").fault().empty());  // of the row 14x9 it is 3.8 mm
+    CHECK_FALSE(ExampleStep("shaft.key", "t_2 = \"3 mm\"").fault().empty());  // it is 3.8 mm in the row 14x9
     const std::string typed = "key = \nb = \"14 mm\"\nh = \"9 mm\"\nt_1 = \"5.5 mm\"\n";
     CHECK(mode_with("shaft.key", typed + "t_2 = \"3 mm\"", "depth") == "fail");
     CHECK(mode_with("shaft.key", typed + "t_2 = \"3.8 mm\"", "depth") == "pass");

@@ -1,4 +1,4 @@
-// What must not pass again of notches of shafts: factors that no step has, keys that end elsewhere, walls cut through.
+// Regression tests of notches of shafts: factors that no step has, keys that end elsewhere, walls cut through.
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/solved.hpp"
 

@@ -1,4 +1,4 @@
-// What must not pass again of kinds of stress: shear that is taken for a normal stress, and the reverse.
+// Regression tests of kinds of stress: shear that is taken for a normal stress, and the reverse.
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/solved.hpp"
 
@@ -50,7 +50,7 @@ TEST_SUITE("found kinds of stress") {
         "R_m = \"690 MPa\"\nS_D = 1.2\nsigma_m = \"0 MPa\"\ntau_m = \"0 MPa\"\n";
     refuses_stress(twisted_bar + combined + "sigma_a = \"=s.tau_max\"\ntau_a = \"0 MPa\"\n", wrong);
     takes_stress(twisted_bar + combined + "sigma_a = \"0 MPa\"\ntau_a = \"=0.5*s.tau_max\"\n");
-    // told as shear, or made a normal stress of
+    // given as shear, or converted to a normal stress
     takes_stress(twisted_bar + cycle_of_it + "stress = \"shear\"\nsigma_max = \"=s.tau_max\"\n");
     takes_stress(twisted_bar + cycle_of_it + "sigma_max = \"=mises(0 MPa, s.tau_max)\"\n");
   }
@@ -77,7 +77,7 @@ TEST_SUITE("found kinds of stress") {
                    "'stress' is \"normal\" here, and 's.cycle.stress' is \"shear\"");
     takes_stress(twisted_bar + cycle_of_it + "cycle = \"=s.cycle\"\nstress = \"shear\"\n");
     takes_stress(twisted_bar + cycle_of_it + "cycle = \"=s.cycle\"\n");
-    // through a cycle, whole, to the life of it
+    // through a cycle, in full, to its life
     refuses_stress(twisted_bar + cycle_of_it +
                        "cycle = \"=s.cycle\"\n[l]\ncalculator = \"fatigue.life\"\ncycle = \"=c.cycle\"\nstress = "
                        "\"normal\"\nsigma_D = \"150 MPa\"\ngroup = \"carbon-steel\"\nR_m = \"690 MPa\"\nS_D = 1.2\n",

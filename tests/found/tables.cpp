@@ -1,4 +1,4 @@
-// What must not stop a user again at the tables: rows of the list of what was found by use.
+// Regression tests of tables: faults found in use that stopped a user.
 #include "lib/table/tables.hpp"
 
 #include "lib/table/library.hpp"

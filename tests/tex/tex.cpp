@@ -26,7 +26,7 @@ std::string errors_of(const Desk& desk) {
   return errors;
 }
 
-/// Which lines stand out of the page, and letters that were not set.
+/// Lines that extend beyond the page, and letters that were not set.
 std::string blemishes_of(const Desk& desk) {
   constexpr std::string_view overfull = "Overfull \\hbox (";
   constexpr double most = 20.0;  // points

@@ -11,7 +11,7 @@ using Rank = VSizingTypes::Rank;
 
 namespace {
 
-/// What one field of a result of belt.v adds to it; a check that is not available counts as a limit.
+/// Contribution of one result field of belt.v; a check that is not available counts as a limit.
 template <class F>
 void take(const F& field, const V::Result& r, bool grip_asked, Lack& lack) {
   if constexpr (requires { field.asked_by; }) {

@@ -26,7 +26,7 @@ V::Input without_geometry(const Input& in) {
 
 Name name_of(SectionWord word) { return choices_of(SectionWord{})[static_cast<std::size_t>(word)].key; }
 
-/// What a drive does better than the first, all the same.
+/// Advantage of a drive over the first in the list.
 Merit merit_of(const Candidate& c, const Candidate& first, const Input& in) {
   NoTrace quiet;
   const double n = in_si(in.n_1) / wanted_ratio(in, quiet), a = in_si(in.a_set);
@@ -54,7 +54,7 @@ V::Input drive_of(const Input& in, const Candidate& c) {
   return drive;
 }
 
-/// One drive whole: the first of the list, or the one that comes nearest.
+/// One drive in full: the first of the list, or the one that comes nearest.
 template <class Tracer>
 void check(const Input& in, const V::Input& drive, const char* which, Result& r, Tracer& trace) {
   r.d_1 = trace.value("d_1", drive.d_1, which);

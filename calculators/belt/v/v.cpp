@@ -105,7 +105,7 @@ FieldFault V::touching(const Input& in) { return overlap(pulleys_of(in)); }
 
 namespace {
 
-/// Of a drive whose pulleys are known.
+/// Results of a drive whose pulleys are known.
 template <class Tracer>
 V::Result drive(const V::Input& in, Tracer& trace) {
   V::Result r;

@@ -1,6 +1,6 @@
 // Table B4.1a: cases 1, 2 and 5 (flanges of rolled and welded I, webs) as applied in public programs; legs of angles,
-// stems of tees, walls of tubes and boxes recalled. E7 (2016 and later): a part is whole up to lambda_r sqrt(F_y/F_cr);
-// a round tube up to 0.11 E/F_y, whatever the stress.
+// stems of tees, walls of tubes and boxes recalled. E7 (2016 and later): a part is fully effective up to lambda_r
+// sqrt(F_y/F_cr); a round tube up to 0.11 E/F_y, whatever the stress.
 #include "calculators/column/codes/aisc.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 
 double over(Length width, Length thickness) { return width / thickness; }
 
-/// Of the parts over their lambda_r/sqrt(E/F_y).
+/// Width-to-thickness ratio of the parts over their lambda_r/sqrt(E/F_y).
 double thinness(const Plates& s, Length web) {
   const Length r = is_set(s.r) ? s.r : 0.0 * mm, flange = is_set(s.t_f) ? s.t_f : web;
   const double clear = over(s.h - 2.0 * (s.t_f + r), s.t_w), half = over(0.5 * s.b, s.t_f);

@@ -38,7 +38,7 @@ bool nearer(const Candidate& a, const Candidate& b) {
   return rank(a) < rank(b);
 }
 
-/// What is known of all sections: the best one, and the lists.
+/// Data of all sections: the best one, and the lists.
 struct Search {
   const TableSection* best = nullptr;  // the first that carries the bar, else the one that lacks least
   Candidate nearest;

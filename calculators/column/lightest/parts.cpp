@@ -19,7 +19,7 @@ struct Bound {
   Failure failure;
 };
 
-/// In the order in which the reason is told.
+/// In the order of the reported reason.
 constexpr std::array bounds{
     Bound{&MemberResult::u, Failure::load},      Bound{&MemberResult::x_t, Failure::tension},
     Bound{&MemberResult::u_t, Failure::tension}, Bound{&MemberResult::r_1, Failure::range},

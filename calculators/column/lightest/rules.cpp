@@ -31,7 +31,7 @@ const Lightest::Family* stranger(const Input& in) {
   return found == in.families.end() ? nullptr : &*found;
 }
 
-/// The first family that stands in the list before; the end where each is named once.
+/// The first repeated family in the list; the end if each is named once.
 auto repeated(const Input& in) {
   const auto& all = in.families;
   return std::find_if(all.begin(), all.end(), [&](const Lightest::Family& f) {
@@ -53,7 +53,7 @@ bool is_open_tube(const TableSection& section) {
   return is_set(s.d) && s.kind == Profile::unsaid;
 }
 
-/// The first section whose extreme fibre the eccentricity needs and the table does not tell; null where there is none.
+/// The first section without the extreme fibre that the eccentricity needs; null if none.
 const TableSection* fibreless(const Input& in) {
   if (!(in.e_y > 0.0 * mm) && !(in.e_z > 0.0 * mm)) return nullptr;
   const auto& all = sections_by_mass();
@@ -155,7 +155,7 @@ bool Lightest::strength_in_tension(const Input& in) {
   return !(in.N > 0.0 * kN) || is_set(in.R_e) || !in.strengths.empty();
 }
 
-/// Which sections have a buckling curve, and a strength, is told of each.
+/// Missing buckling curves and strengths are reported per section.
 bool Lightest::needs_of_method(const Input& in) { return lack(with_a_strength(in), method_of(in), true).empty(); }
 FieldFault Lightest::missing_for_method(const Input& in) {
   return column::missing_for_method(with_a_strength(in), method_of(in), true);
@@ -200,7 +200,7 @@ std::pair<Outline, bool> outlines_of(const Lightest::Input& in) {
 
 }  // namespace
 
-/// Of the section found, where they are not all alike: the first that carries the bar.
+/// Outline of the section found, if the sections differ: the first that carries the bar.
 Outline Lightest::outline_of(const Input& in) {
   const auto [most, is_only] = outlines_of(in);
   if (is_only) return most;

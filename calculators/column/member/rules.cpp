@@ -10,7 +10,7 @@ namespace loadpath::column {
 
 namespace {
 
-/// The first support that is out of order, and in which list; -1 where all stand well.
+/// The first misplaced support, and its list; -1 if all are in order.
 struct Astray {
   const char* list = "";
   int place = -1;
@@ -49,7 +49,7 @@ Custom custom_of(Class material) {
 
 bool is_loaded(const Member& in) { return is_set(in.N) || is_set(in.P); }
 
-/// What is missing for the critical stress.
+/// Missing input for the critical stress.
 Message lack_of_stress(const Member& in, Method by, bool curves) {
   const bool yields = is_set(in.R_e);
   if (by == Method::euler) {
@@ -73,7 +73,7 @@ Message lack_of_stress(const Member& in, Method by, bool curves) {
   return {};
 }
 
-/// What is missing for the allowable force; AISC has its safety by itself.
+/// Missing input for the allowable force; AISC includes its safety factor.
 Message lack_of_safety(const Member& in, Method by) {
   if (!is_loaded(in) || by == Method::aisc) return {};
   if (by == Method::ec3 && in.method == Method::unsaid) return {};  // assumed
@@ -91,7 +91,7 @@ bool asks_for_no_method(const Member& in) {
   return !is_loaded(in) && !is_set(in.E);
 }
 
-/// Of a bar whose method follows from what is given: what to give, and one alternative.
+/// Message for a bar whose method follows from its input: the input to give, and one alternative.
 FieldFault missing_by_default(const Member& in, bool curves) {
   const bool is_open = !is_set(in.R_e) && !is_set(in.sigma_P) && !is_set(in.a_T);
   if (is_open) {

@@ -39,7 +39,7 @@ Span span_at(double u, double a) {
           clamped_below(h, f1)};
 }
 
-/// The symmetric stiffness of all nodes, deflection and angle in turn; a band of four beside the diagonal.
+/// The symmetric stiffness of all nodes, deflection and angle in turn; a band of four next to the diagonal.
 template <std::size_t nodes>
 struct Stiffness {
   static constexpr std::size_t most = 2 * nodes, band = 4;
@@ -55,7 +55,7 @@ struct Stiffness {
     add(v, t, s.cross), add(v, t2, s.cross), add(t, v2, -s.cross), add(v2, t2, -s.cross);
   }
 
-  /// What is held takes no part: its row and column are cleared, its own pivot is 1.
+  /// Fixed degrees of freedom are removed: row and column are cleared, the pivot is 1.
   void hold(std::size_t i) {
     for (std::size_t k = 0; k < band; ++k) {
       rows[i][k] = 0.0;
@@ -134,9 +134,9 @@ bool is_held(const Bar& bar) {
 
 constexpr double least_parameter = 1e-3;  // below: an effective length of more than 3000 l is a mechanism
 
-constexpr std::size_t parts = 48;  // of a bar in one span; at least 6 in each
+constexpr std::size_t parts = 48;  // elements of a bar in one span; at least 6 in each
 
-/// The places at which the shape is told: every span in even parts.
+/// The points of the mode shape: every span in equal parts.
 std::vector<double> stations(const Bar& bar) {
   const std::size_t each = std::max<std::size_t>(6, parts / (bar.supports.size() + 1));
   std::vector<double> x{0.0};
@@ -164,7 +164,7 @@ double buckling_parameter(const Bar& bar) {
   return 0.5 * (low + high);
 }
 
-/// Inverse iteration just below the critical force, where the stiffness is nearly singular in the mode alone.
+/// Inverse iteration just below the critical force, where the stiffness is nearly singular only in the mode.
 Shape buckled_shape(const Bar& bar, double u) {
   constexpr std::size_t most_nodes = 7 * (most_supports + 1) + 1;
   Shape shape{stations(bar), {}};

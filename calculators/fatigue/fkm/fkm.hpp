@@ -1,13 +1,13 @@
 // The utilisation of one section of a shaft or rod in fatigue and under the largest load, by FKM, factor by factor.
 //
-// Decides, after [FKM] chapters 1 and 2, nominal stresses of tension, bending and torsion, what size, anisotropy, notch
-// with its support, roughness and surface treatment leave of the fatigue limit, how the mean stress counts in the four
-// fields and the four ways to grow, what a finite life adds (k = 5, in torsion 8, knee 1e6), and the plastic support of
-// the section. Steel, not welded, up to 100 degC (fine grain 60), stresses in phase, one amplitude. Tension is
-// positive; in bending and torsion the sign is of no account. Not covered: spectra, local stresses, castings, coatings,
-// shear by transverse forces, the crack of a hard layer. The guideline was not read itself: numbers are those of
-// programs and pages that quote it; recalled are size constants of the yield strength, one mean stress for all, both
-// supports in bending, slopes and knee of finite life, q, plastic support by strain, 250 mm, 1050 MPa.
+// Decides, after [FKM] chapters 1 and 2, nominal stresses of tension, bending and torsion, what size, anisotropy,
+// notch with its support, roughness and surface treatment leave of the fatigue limit, how the mean stress counts in
+// the four fields and four overload types, what a finite life adds (k = 5, in torsion 8, knee 1e6), and the plastic
+// support of the section. Steel, not welded, up to 100 degC (fine grain 60), stresses in phase, one amplitude.
+// Tension is positive; in bending and torsion the sign has no effect. Not covered: spectra, local stresses, castings,
+// coatings, shear by transverse forces, the crack of a hard layer. Guideline not read: numbers are those of programs
+// and pages that quote it; recalled are size constants of the yield strength, one mean stress for all, both supports
+// in bending, slopes and knee of finite life, q, plastic support by strain, 250 mm, 1050 MPa.
 #pragma once
 
 #include "calculators/fatigue/din743/bounds.hpp"

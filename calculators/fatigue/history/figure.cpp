@@ -8,11 +8,11 @@ namespace loadpath::fatigue {
 
 namespace {
 
-constexpr std::size_t most_points = 400;  // of a curve in a drawing
-constexpr double Pa = 1e6;                // of 1 MPa
-constexpr double least_share = 0.01;      // of the largest cycle: what is smaller would press the rest together
+constexpr std::size_t most_points = 400;  // points of a curve in a drawing
+constexpr double Pa = 1e6;                // Pa per MPa
+constexpr double least_share = 0.01;      // share of the largest cycle: smaller ones would compress the rest
 
-/// Steps down from the largest cycle: how many are at least so large. Of many the steps are joined.
+/// Cumulative steps down from the largest cycle: number of cycles at least so large. Many steps are joined.
 draw::Curve collective(const std::vector<rainflow::Cycle>& cycles, const std::vector<double>& stress, double passages) {
   std::vector<std::size_t> order(cycles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

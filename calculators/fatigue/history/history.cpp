@@ -64,7 +64,7 @@ double largest_mean(const Input& in, const Collective& all) {
   return most;
 }
 
-/// What each cycle is on the curve, MPa.
+/// Each cycle as a point of the curve, MPa.
 struct OnCurve {
   std::vector<double> stress;
   double largest = 0.0;
@@ -157,7 +157,7 @@ void all_rules(const Input& in, const std::vector<Cycle>& cycles, const OnCurve&
                                             : NAMED_STEP("D", r.D_modified, "the modified rule decides");
 }
 
-/// What the original rule leaves out: where one cycle is above the limit, it falls, and those below it come to count.
+/// Effect neglected by the original rule: one cycle above the limit lowers it, and smaller ones count.
 template <class Tracer>
 void left_out(const Input& in, Result& r, Tracer& trace) {
   if (!History::is_of_part(in) || in.miner != MinerRule::original || !(r.D_original > 0.0)) return;
@@ -177,7 +177,7 @@ void largest_cycle(const Input& in, const std::vector<Cycle>& cycles, const OnCu
   if (const auto least = curve.cycles(on.largest)) r.x_N = trace.value("x_N", *least, "life at the largest cycle only");
 }
 
-/// What the gate leaves out, by the curve that one cycle is weighed with.
+/// Damage below the omission level, by the curve of a single cycle.
 template <class Tracer>
 void gate(const Input& in, const Collective& all, const OnCurve& on, Result& r, Tracer& trace) {
   if (!(in.gate > 0.0 * MPa)) return;

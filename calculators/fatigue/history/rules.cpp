@@ -1,4 +1,4 @@
-// What fatigue.history asks of its input beyond the bounds of its fields.
+// Rules of fatigue.history beyond the bounds of its fields.
 #include "calculators/fatigue/history/curve.hpp"
 #include "calculators/fatigue/history/cycles.hpp"
 #include "calculators/fatigue/history/history.hpp"
@@ -80,7 +80,7 @@ bool History::curve_is_of_dnv(const Input& in) {
   best.curve = Curve::dnv;
   best.detail = in.m_1 >= 4.0 || branch_of(in.detail).m_1 == 4.0 ? Detail::B1 : Detail::C;
   const rainflow::SnCurve own = curve_of(in), highest = curve_of(best);
-  constexpr double digits = 1.005;  // of a stress, from lg a in three decimals
+  constexpr double digits = 1.005;  // rounding of a stress, from lg a in three decimals
   for (const double N : {1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10}) {
     const auto S = own.stress(N), most = highest.stress(N);
     if (S && most && *S > digits * *most) return false;

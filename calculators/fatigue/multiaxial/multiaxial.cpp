@@ -21,7 +21,7 @@ StressPath path_of(const Input& in) { return {in.sigma_x, in.sigma_y, in.tau_xy}
 std::array<const Varying<Stress>*, 3> stresses(const Input& in) { return {&in.sigma_x, &in.sigma_y, &in.tau_xy}; }
 Stress pascals(double si) { return from_si<Stress>(si); }
 
-/// What does no harm has no end of safety.
+/// A harmless stress has an infinite safety factor.
 double safety(Stress limit, Stress stress) { return stress > 0.0 * MPa ? reduced(limit / stress) : endless; }
 
 template <class Tracer>

@@ -9,15 +9,15 @@ namespace loadpath::fatigue {
 
 namespace {
 
-constexpr double step = pi / 36.0;  // of the grid: 5 deg
+constexpr double step = pi / 36.0;  // step of the grid: 5 deg
 constexpr double finest = 1e-4 * pi / 180.0;
 constexpr int rows = 19, columns = 36;  // theta from 0 to 90 deg, phi from 0 to 180 deg
-constexpr std::size_t followed = 6;     // of the highest places of a grid
+constexpr std::size_t followed = 6;     // number of the highest places of a grid
 
 double value_of(const OnPlane& plane, double k) { return plane.tau_a + k * plane.sigma_n; }
 
 struct Grid {
-  double start;  // of theta and of phi
+  double start;  // start of theta and of phi
   std::array<std::array<double, columns>, rows> value{};
 
   [[nodiscard]] Normal at(int row, int column) const { return {start + row * step, start + column * step}; }
@@ -114,7 +114,7 @@ double angle_between(const Normal& a, const Normal& b) {
   return std::acos(std::min(std::abs(flat) + std::abs(deep), 1.0));
 }
 
-/// Of planes as bad as each other, which symmetry gives, the one of the smaller angles: rounding does not choose.
+/// Break ties between planes equal by symmetry towards smaller angles, so that rounding does not decide.
 bool is_worse(const OnPlane& one, const OnPlane& other, double k) {
   const double a = value_of(one, k), b = value_of(other, k);
   if (std::abs(a - b) > 1e-9 * std::max(a, b)) return a > b;
@@ -164,7 +164,7 @@ WorstPlane worst_plane(const StressPath& path, double k) {
 }
 
 WorstPlane plane_of_most_shear(const StressPath& path, double mu) {
-  constexpr double hardly = 1e-4, somewhat = 0.02;  // of mu: does not move the plane, and chooses among several
+  constexpr double hardly = 1e-4, somewhat = 0.02;  // shares of mu: keeps the plane, chooses between several
   constexpr double alike = 2e-3, apart = 5.0 * pi / 180.0;
   const WorstPlane first = worst_plane(path, hardly * mu), other = worst_plane(path, somewhat * mu);
   if (angle_between(first.plane.normal, other.plane.normal) < apart) return first;

@@ -16,7 +16,7 @@ using End = Staircase::End;
 
 bool is_log(const Input& in) { return in.steps == Staircase::Steps::logarithmic; }
 
-/// What the steps are equal in: the stress in MPa, or its lg.
+/// Quantity with equal steps: the stress in MPa, or its lg.
 double height(const Input& in, const Staircase::Test& test) {
   return is_log(in) ? std::log10(test.S / MPa) : test.S / MPa;
 }

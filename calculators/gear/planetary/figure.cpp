@@ -1,4 +1,4 @@
-// The set in the transverse plane: sun, planets where they can be put in, ring, carrier, and which way each turns.
+// The set in the transverse plane: sun, planets as assembled, ring, carrier, and each direction of rotation.
 #include "calculators/gear/pair_bodies.hpp"
 #include "calculators/gear/planetary/meshes.hpp"
 #include "calculators/gear/planetary/planetary.hpp"
@@ -25,7 +25,7 @@ struct Set {
   double carrier = 0.0;  // radius of the circle of the planets' axes
 };
 
-/// How far the teeth of a wheel, whose tooth stands at `turn`, have gone past the direction, in teeth.
+/// Rotation of a gear, whose tooth lies at `turn`, past the direction, in teeth.
 double past(double direction, double turn, double z) { return (direction - turn) * z / (2.0 * pi); }
 
 Set set_of(const Planetary::Input& in, const SetMeshes& m, const Planetary::Result& r) {
@@ -38,7 +38,7 @@ Set set_of(const Planetary::Input& in, const SetMeshes& m, const Planetary::Resu
     Body b = planet;
     const double theta = 0.5 * pi + step * std::round(k * r.q);
     b.at = at_angle(set.carrier, theta);
-    // A space of the planet faces the tooth of the sun: both run the same way through the pitch point.
+    // A space of the planet faces the tooth of the sun: both move in the same direction through the pitch point.
     b.turn = theta + pi + 2.0 * pi / in.z_p * (past(theta, set.sun.turn, in.z_s) + 0.5);
     set.planets.push_back(b);
   }
@@ -74,13 +74,13 @@ void add_carrier(const Set& set, Drawing::View& view) {
   for (const Body& b : set.planets) view.paths.push_back({{{}, b.at}, Drawing::Line::hidden});
 }
 
-/// What is told of a member, in a corner of the picture; where it turns, an arrow.
+/// Label of a member, in a corner of the picture; with an arrow if it rotates.
 struct Member {
   const char* name;
   const char* symbol;
   AngularSpeed n;
   std::optional<Point> named_at;  // on the member, where there is room
-  Point centre;                   // of the arrow
+  Point centre;                   // centre of the arrow
   double radius, around;
   Point corner;
   std::optional<Drawing::Value> teeth;

@@ -43,8 +43,8 @@ void ratio_of(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
   if (in.fixed == Member::sun) r.i = NAMED_STEP("i", 1.0 - 1.0 / r.i_0, "ring over carrier, sun held");
 }
 
-/// Which way the power rolls in the set as seen from the carrier: 1 from sun to ring, -1 back, 0 where nothing rolls.
-/// The torque on the sun has the sign of that on the ring and the opposite of that on the carrier, whatever the losses.
+/// Rolling power in the set, seen from the carrier: 1 from sun to ring, -1 back, 0 where nothing rolls. The torque on
+/// the sun has the sign of that on the ring and the opposite of that on the carrier, whatever the losses.
 double way_of_power(const Planetary::Input& in, const Planetary::Result& r) {
   const Moment like_sun = is_set(in.T_s) ? in.T_s : is_set(in.T_r) ? in.T_r : -in.T_c;
   const Power rolling = like_sun * (r.n_s - r.n_c);
@@ -94,7 +94,7 @@ Planetary::Coaxial coaxial_by(double z_gap) {
   return std::abs(z_gap) <= Planetary::most_shifted ? Planetary::Coaxial::by_shift : Planetary::Coaxial::none;
 }
 
-/// Evenly spaced planets need a whole number of tooth steps of sun and ring together between them.
+/// Evenly spaced planets need an integer number of tooth steps of sun and ring together between them.
 template <class Tracer>
 void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
   STEP_TO(r, q, (in.z_s + r.z_r) / in.N_p, "assembly steps between two planets; integer for even spacing, [Assembly]");
@@ -114,8 +114,8 @@ void assembly(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
           "tip circle of a planet over the distance to its neighbour, [Assembly]");
 }
 
-/// Torque of one mesh on a gear of z teeth, of the sun's or the ring's T on all planets, and its speed against the
-/// carrier. A set that stands still has no speed.
+/// Torque of one mesh on a gear of z teeth, from the sun's or the ring's T on all planets, and its speed against the
+/// carrier. A set at rest has no speed.
 void load_mesh(MeshOfSet& mesh, const Planetary::Input& in, Moment T, double z, double way, AngularSpeed n) {
   mesh.T_1 = (way < 0.0 ? -1.0 : 1.0) * in.K_gamma * abs(T) / in.N_p * mesh.z_1 / z;
   if (abs(n) > 0.0 * rpm) mesh.n_1 = abs(n);
@@ -127,7 +127,7 @@ MeshOfSet mesh_of(const Pair::Input& pair, double x_2, const Planetary::Input& i
   return mesh;
 }
 
-/// What is left to gear.pair. A planet drives the ring where the sun drives the planet.
+/// Records for gear.pair. A planet drives the ring where the sun drives the planet.
 void hand_over(const Planetary::Input& in, Planetary::Result& r) {
   r.sun_mesh.idler = Idler::gear_2, r.ring_mesh.idler = Idler::gear_1;
   if (!is_set(r.T_s)) return;

@@ -1,4 +1,4 @@
-// Errors of outputs by tolerances of dimensions and masses and by the play of pins, over the cycle
+// Errors of outputs by tolerances of dimensions and masses and by the clearance of pins, over the cycle
 // (lib/mechanism/accuracy/tolerance.hpp).
 #include "calculators/mechanism/accuracy/checks.hpp"
 #include "calculators/mechanism/accuracy/tolerances.hpp"
@@ -19,16 +19,16 @@ using account::Table;
 using mechanism::OutputError;
 using mechanism::Status;
 
-/// Of all outputs that a project asks for, in its order.
+/// Errors of all requested outputs, in the order of the project.
 struct Errors {
-  std::vector<std::vector<mechanism::OutputError>> at;  // of each output, at every position; `shares` in the order of
-                                                        // `names`
-  std::vector<Message> names;                           // of the tolerances, then of the pins with play
+  std::vector<std::vector<mechanism::OutputError>> at;  // errors of each output, at every position; `shares` in the
+                                                        // order of `names`
+  std::vector<Message> names;                           // names of the tolerances, then of the pins with clearance
 };
 
 bool is_force(Watched of) { return of == Watched::drive || of == Watched::force; }
 
-/// Whether the position has numbers at all; that some corner does not close is told beside them.
+/// Whether the position has numbers at all; corners that do not close are reported with them.
 bool is_known(const OutputError& error) {
   return error.status == Status::closed || error.status == Status::does_not_close;
 }
@@ -120,7 +120,7 @@ std::size_t count_of(const std::vector<OutputError>& errors, bool (*is)(const Ou
   return static_cast<std::size_t>(std::count_if(errors.begin(), errors.end(), is));
 }
 
-/// What the numbers rest on.
+/// Method of the numbers.
 Message method_of(const std::vector<OutputError>& errors) {
   const auto unknown = count_of(errors, [](const OutputError& e) { return !is_known(e); });
   const auto open = count_of(errors, [](const OutputError& e) { return e.status == Status::does_not_close; });
@@ -190,7 +190,7 @@ Table parts_table(const Mechanism::Input& in, const Errors& errors, const Axis* 
   return table;
 }
 
-/// Empty where nothing is asked for. Positions without forces have no error of forces.
+/// Empty without a request. Positions without forces have no error of forces.
 Errors errors_of(const Mechanism::Input& in, const mechanism::Model& model, const Cycle& cycle) {
   Errors errors;
   if (in.accuracy.empty()) return errors;
@@ -234,7 +234,7 @@ void list(std::vector<ResultPattern>& patterns) {
   }
 }
 
-/// What has which tolerance.
+/// List of the tolerances.
 void show_input(const Mechanism::Input& in, std::vector<account::Block>& blocks) {
   if (in.accuracy.empty()) return;
   Table table{say("Tolerances and clearance"),

@@ -1,4 +1,4 @@
-// What is wrong with tolerances and with the outputs whose errors are wanted.
+// Faults of tolerances and of the outputs whose errors are wanted.
 #pragma once
 
 #include "calculators/mechanism/words/names.hpp"

@@ -1,4 +1,4 @@
-// Tolerances, play and outputs of a project in the terms of lib/mechanism/accuracy/tolerance.hpp.
+// Tolerances, clearance and outputs of a project in the terms of lib/mechanism/accuracy/tolerance.hpp.
 #pragma once
 
 #include "calculators/mechanism/words/mechanism.hpp"
@@ -18,7 +18,7 @@ ToleranceShape shape_of(planar::Toleranced of, const Mechanism::Input& in, const
 
 /// In the order of the project; the names have been checked.
 std::vector<mechanism::Tolerance> tolerances_of(const Mechanism::Input& in, const mechanism::Model& model);
-/// Of the pins that have play, in their order.
+/// Clearances of the pins that have one, in their order.
 std::vector<mechanism::Clearance> clearances_of(const Mechanism::Input& in);
 mechanism::Output output_of(const Mechanism::Input& in, const mechanism::Model& model, const planar::Accuracy& wanted);
 

@@ -31,7 +31,7 @@ std::string listed(const std::vector<Assembly>& list) {
   return names;
 }
 
-/// Of the assemblies with all the named sides, the one that keeps most of the stated ones.
+/// The assembly with all the named sides that keeps most of the stated ones.
 const Assembly* best(const std::vector<Assembly>& list, const Mechanism::Input& in) {
   const Assembly* chosen = nullptr;
   std::ptrdiff_t most = -1;

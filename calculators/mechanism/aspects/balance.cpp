@@ -1,4 +1,4 @@
-// Counterweights that a project asks for, and what they leave of the shaking force (lib/mechanism/studies/shaking.hpp).
+// Counterweights by request of a project, and the remaining shaking force (lib/mechanism/studies/shaking.hpp).
 #include "calculators/mechanism/cycle/rounding.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/words/names.hpp"
@@ -21,7 +21,7 @@ using mechanism::Counterweight;
 using mechanism::ShakingCycle;
 using mechanism::Vec;
 
-/// Empty where no counterweights are asked for or not every position closes.
+/// Empty if no counterweights are requested or not every position closes.
 struct Balanced {
   std::vector<mechanism::Counterweight> weights;  // in the order of the project
   mechanism::ShakingCycle before, after;          // moments about the global origin

@@ -9,7 +9,7 @@ namespace loadpath::planar {
 
 namespace {
 
-/// The intervals between positions: from, to, and the way of the axis between them.
+/// The intervals between positions: from, to, and the distance along the axis between them.
 template <class See>
 void for_each_interval(const Cycle& cycle, const Axis& axis, See see) {
   const std::size_t count = cycle.positions.size();
@@ -46,8 +46,8 @@ void add_iterated(const mechanism::Model& model, const Cycle& cycle, const Kinem
   }
 }
 
-/// Said only where a group passes to another of its assemblies, and no joint that holds too much keeps it from that: at
-/// the change point the drive alone does not tell which way the mechanism goes on.
+/// Reported only where a group passes to another of its assemblies, and no overconstrained joint prevents it: at the
+/// change point the drive does not determine the direction of motion.
 void judge_changes(const Solved& solved, std::vector<account::Verdict>& verdicts) {
   if (solved.axis == nullptr || !solved.cycle.unique.empty()) return;
   std::vector<Message> found;

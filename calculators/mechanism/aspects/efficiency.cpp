@@ -1,4 +1,4 @@
-// Where the power of the drive goes over a whole turn: friction, useful work, efficiency.
+// Balance of the drive power over a full revolution: friction, useful work, efficiency.
 #include "calculators/mechanism/results/aspect.hpp"
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace {
 using account::Cell;
 using account::Quantity;
 
-/// What is small against the largest value is what rounding has left of a zero.
+/// A value small against the largest is a rounded zero.
 double mean_of(const account::Entry* entry) {
   if (entry == nullptr) return 0.0;
   const double average = mean(entry->value);
@@ -21,7 +21,7 @@ double mean_of(const account::Entry* entry) {
 
 Cell share(double part, double whole) { return Quantity{part / whole, "-", 4}; }
 
-/// Useful work over the work of the drive; of a machine that is driven by its load, the other way round.
+/// Useful work over the work of the drive; inverse for a machine driven by its load.
 struct Efficiency {
   double forward = none, back = none;
   Message why_not_forward, why_not_back;
@@ -56,7 +56,7 @@ constexpr Declaration back =
     declare("drive.efficiency_back", "driven by the load: work that the drive takes over the work of the useful loads",
             ratio, where, {.kind = Kind::efficiency_back, .tabled = Tabled::always});
 
-/// Of a mechanism with a crank and friction or useful loads. Where it is not defined there is a reason.
+/// For a mechanism with a crank and friction or useful loads. If it is not defined there is a reason.
 void add_efficiency(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
   const bool friction =
       std::any_of(model.joints.begin(), model.joints.end(), [](const auto& j) { return j.friction.any(); });
@@ -99,7 +99,7 @@ void add_losses(const Results& results, account::Table& table) {
   }
 }
 
-/// Nothing for a mechanism without friction and useful loads, or without a whole turn: no mean says anything then.
+/// None for a mechanism without friction and useful loads, or without a full revolution: a mean has no meaning then.
 void show_efficiency(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
   const account::Entry* const power = results.find(Kind::drive_power);
   const account::Entry* const friction = results.find(Kind::friction_power);
@@ -129,7 +129,7 @@ void show_efficiency(const Solved& solved, const Results& results, std::vector<a
 
 }  // namespace
 
-/// The table stands before what is said of rest, the results stand behind it.
+/// The table precedes the notes on rest, the results follow it.
 constinit const Aspect aspects::power{.show = &show_efficiency};
 
 constinit const Aspect aspects::efficiency{

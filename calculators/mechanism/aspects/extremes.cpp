@@ -28,7 +28,7 @@ Cell value_cell(const account::Entry& e, double si) {
   return told ? Cell(say("not available: {1}", e.missing)) : Cell(Quantity{si, e.unit});
 }
 
-/// What is not unique is told in a table of its own.
+/// Results that are not unique have a table of their own.
 Table extremes_table(const Results& results, const Cycle& cycle, const Axis& axis) {
   Table table{axis.cyclic() ? say("Extreme values over the cycle") : say("Extremes over the positions"),
               {say("quantity"), say("largest"), say("at"), say("smallest"), say("at")},
@@ -48,7 +48,7 @@ Table extremes_table(const Results& results, const Cycle& cycle, const Axis& axi
   return table;
 }
 
-/// What has no extremes.
+/// Results without extremes.
 std::optional<Table> constant_table(const Results& results, const Axis& axis) {
   Table table{axis.cyclic() ? say("Constants over the cycle") : say("Constant over the positions"),
               {say("quantity"), say("value"), say("meaning")},

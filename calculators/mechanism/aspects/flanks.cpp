@@ -1,4 +1,4 @@
-// Where the loaded flanks of teeth change: the play between them is passed there.
+// Changes of the loaded flanks of teeth: the backlash is crossed there.
 #include "calculators/mechanism/results/aspect.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -21,14 +21,14 @@ double crossing(const Value& series, double low, double high) {
   return 0.5 * (low + high);
 }
 
-/// Where the sign of the circumferential force changes: the play is passed there, with a knock.
+/// Sign changes of the circumferential force: the backlash is crossed there, with a knock.
 std::string changes_of_flank(const Value& series, const Axis& axis) {
   const double negligible = 1e-9 * std::abs(largest(series).value);
   std::string places;
   std::optional<std::size_t> before;
   const auto look = [&](std::size_t k, double ahead) {
     const double here = series.si[k];
-    if (std::isnan(here)) return before.reset();  // what happens in a gap is not known
+    if (std::isnan(here)) return before.reset();  // values in a gap are unknown
     if (std::abs(here) <= negligible) return;
     if (before && series.si[*before] * here < 0.0) {
       const double at = crossing(series, axis.at[*before], axis.at[k] + ahead);
@@ -43,7 +43,7 @@ std::string changes_of_flank(const Value& series, const Axis& axis) {
   return places;
 }
 
-/// Of gears and racks over a cycle.
+/// Flank changes of gears and racks over a cycle.
 void show_flanks(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) {
   if (solved.axis == nullptr) return;
   account::Table table{say("Loaded flanks of teeth"), {say("joint"), say("the flank changes at")}, {}};

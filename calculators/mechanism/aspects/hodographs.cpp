@@ -140,7 +140,7 @@ void check_names_of_hodographs(NameFaults& faults) {
   }
 }
 
-/// What is to be said of those that the project names and that have none.
+/// Notes on named joints without a hodograph.
 void show_hodographs(const Solved& solved, const Results&, std::vector<account::Block>& blocks) {
   const Cycle& cycle = solved.cycle;
   const auto add = [&](Message text) {
@@ -158,8 +158,8 @@ void show_hodographs(const Solved& solved, const Results&, std::vector<account::
   }
 }
 
-/// Of the joints that the project names, else of the three pins with the largest forces. A joint without a force, or
-/// whose force is not unique, has none.
+/// Hodographs of the joints that the project names, else of the three pins with the largest forces. A joint without a
+/// force, or whose force is not unique, has none.
 void draw_all(const Solved& solved, const Results&, std::vector<draw::Figure>& figures) {
   if (solved.axis == nullptr) return;
   for (const Loaded& l : chosen(solved.in, solved.given, solved.cycle))

@@ -1,4 +1,4 @@
-// What the forces of a mechanism hang on, at its governing position: who causes them, and what changes them.
+// Dependence of the forces of a mechanism at its governing position: causes and parameters.
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/governing.hpp"
 #include "lib/mechanism/accuracy/sensitivity.hpp"
@@ -23,7 +23,7 @@ using mechanism::Position;
 
 constexpr std::size_t most_columns = 7;
 constexpr std::size_t most_parameters = 12;
-constexpr double negligible = 1e-12;  // of the largest value of its kind
+constexpr double negligible = 1e-12;  // share of the largest value of its kind
 
 std::string load_name(const mechanism::Model& model, std::size_t load) {
   const std::string& name = model.loads[load].name;
@@ -98,7 +98,7 @@ void add_causes(const mechanism::Model& model, const Position& at, bool statics,
   tables.push_back(std::move(table));
 }
 
-/// What a parameter is measured in, with the step for which a change is shown: 0.1 mm, 0.1 degrees, or a hundredth.
+/// Unit of a parameter, with the step for which a change is shown: 0.1 mm, 0.1 degrees, or a hundredth.
 enum class Measure { length, angle, part };
 
 /// {1} is what the parameter belongs to, {2} the link that a joint's point or wheel is on.
@@ -176,7 +176,7 @@ Described describe(const Parameter& p, mechanism::Model& model) {
 
 struct Change {
   Described parameter;
-  double by = 0.0;  // of the effort
+  double by = 0.0;  // change of the effort
 };
 
 double size_of(const Change& change) { return numerics::nine_digits(std::abs(change.by)); }

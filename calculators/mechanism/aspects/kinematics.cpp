@@ -1,5 +1,5 @@
-// What a mechanism gives of its motion beside places, velocities and accelerations: motion along guides, derivatives of
-// position functions, transmission angles, strokes.
+// Kinematic results in addition to places, velocities and accelerations: motion along guides, derivatives of position
+// functions, transmission angles, strokes.
 #include "calculators/mechanism/cycle/point_motion.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
@@ -100,7 +100,7 @@ void add_transmission(const mechanism::Model& model, std::vector<Output>& out) {
   }
 }
 
-/// Of the whole cycle only: parts of one would give parts of a stroke.
+/// Only for the full cycle: parts of one would give parts of a stroke.
 std::vector<double> range_of(const Kinematics& kinematics, Stroke::Of of, std::size_t index) {
   if (std::find(kinematics.known.begin(), kinematics.known.end(), false) != kinematics.known.end()) return {none};
   for (const Stroke& s : kinematics.strokes) {

@@ -1,4 +1,4 @@
-// Masses of links reduced to points, where a project asks for it.
+// Masses of links reduced to points, by request of a project.
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/words/names.hpp"
 #include "calculators/mechanism/words/point_masses.hpp"
@@ -12,7 +12,7 @@ namespace {
 
 using mechanism::PointMass;
 
-/// Points that do not exist or are not asked for.
+/// Points that do not exist or are not requested.
 void check_points(const planar::Link& link, NameFaults& faults) {
   const std::string path = path_of("links", link.name, "mass_points");
   const bool wanted = link.masses != Masses::as_given, given = !link.mass_points.first.empty();

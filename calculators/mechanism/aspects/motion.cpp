@@ -1,5 +1,5 @@
-// What a report says about the motion: assemblies at the first position, transmission angles, strokes, instantaneous
-// centres at the first position.
+// Motion in the report: assemblies at the first position, transmission angles, strokes, instantaneous centres at the
+// first position.
 #include "calculators/mechanism/cycle/rounding.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "lib/mechanism/equations/kinematics.hpp"
@@ -103,7 +103,7 @@ void add_transmission(const mechanism::Model& model, const Results& results, con
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
 }
 
-/// What is no more than `least` is a zero but for rounding, and told as one.
+/// Values up to `least` are zero but for rounding, and shown as zero.
 double settled(double x, double least) { return std::abs(x) <= least ? 0.0 : x; }
 
 void add_strokes(const mechanism::Model& model, const Kinematics& kinematics, const Axis* axis,
@@ -127,7 +127,7 @@ void add_strokes(const mechanism::Model& model, const Kinematics& kinematics, co
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
 }
 
-/// `size`: of the mechanism; beside it and beside the other coordinate a zero is told as one.
+/// `size`: of the mechanism; compared with it and the other coordinate a rounded zero is shown as zero.
 std::vector<Cell> cells_of(const InstantCentre& centre, double size) {
   const Cell nothing = std::string("–");
   if (centre.kind == InstantCentre::Kind::at_rest) return {say("at rest"), nothing};
@@ -141,7 +141,7 @@ std::vector<Cell> cells_of(const InstantCentre& centre, double size) {
   return {say("at infinity, towards {1}", format_quantity(direction, "deg", 5)), nothing};
 }
 
-/// Of every two links where they are few, else against the ground.
+/// Centres of every two links if they are few, else against the ground.
 void add_centres(const mechanism::Model& model, const mechanism::Position& derivatives,
                  std::vector<account::Block>& blocks) {
   constexpr std::size_t few_links = 3;

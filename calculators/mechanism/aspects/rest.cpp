@@ -1,4 +1,4 @@
-// Friction where its sense is not known: of a mechanism at rest, which may be about to move either way, and of joints
+// Friction of unknown direction: in a mechanism at rest, with impending motion in either direction, and in joints
 // that rest for a moment while the others move, as at a dead point.
 #include "calculators/mechanism/cycle/either_way.hpp"
 #include "calculators/mechanism/cycle/ranges.hpp"
@@ -40,11 +40,11 @@ constexpr std::array standing_rows{
                      only_cylinder, {.is_load = true}),
              &StandingEffort::forward}};
 
-/// Of all that friction may make where joints rest.
+/// Range of possible friction effects where joints rest.
 struct Band {
   double least = std::numeric_limits<double>::infinity(), most = -least;
 
-  /// What is no number leaves no band.
+  /// NaN leaves no band.
   void take(double value) {
     least = std::isnan(value) || value < least ? value : least;
     most = std::isnan(value) || value > most ? value : most;
@@ -112,7 +112,7 @@ void add_standing(const mechanism::Driver& driver, std::vector<Output>& out) {
 
 // ---- tables
 
-/// "from 30 deg to 60 deg, from 200 deg to 210 deg", as far as positions tell.
+/// "from 30 deg to 60 deg, from 200 deg to 210 deg", as far as positions show.
 Message ranges(const std::vector<bool>& positions, const Axis& axis) {
   constexpr std::size_t most = 4;
   const auto runs = runs_of(positions, true, axis.cyclic());
@@ -171,7 +171,7 @@ class StandingTable {
     return ranges(held, *axis_);
   }
 
-  /// The largest that is asked for; backward it is the smallest.
+  /// The largest effort required; backward the smallest.
   void add_extreme(Message what, double StandingEffort::*effort, bool largest) {
     std::optional<std::size_t> at;
     for (std::size_t k = 0; k < cycle_.standing.size(); ++k) {
@@ -210,7 +210,7 @@ class StandingTable {
   Table table_{say("At rest: breakaway effort and self-locking positions"), {}, {}};
 };
 
-/// Rows of what differs: how it is with the friction one way and the other.
+/// Rows of differing results: with the friction in one direction and the other.
 void add_difference(const std::string& place, const std::string& what, const std::string& unit, const Band& band,
                     Table& table) {
   const double size = std::max(std::abs(band.least), std::abs(band.most));
@@ -242,7 +242,7 @@ void list_rest(std::vector<ResultPattern>& patterns) {
     patterns.push_back(d.pattern);
 }
 
-/// What starts the mechanism and where it stands without its drive; nothing without friction or with several drives.
+/// Efforts to start the mechanism, and its rest without drive; none without friction or with several drives.
 std::optional<Table> standing_table(const mechanism::Model& model, const Cycle& cycle, const Axis* axis) {
   if (cycle.standing.empty() || std::find(cycle.closed.begin(), cycle.closed.end(), true) == cycle.closed.end())
     return {};

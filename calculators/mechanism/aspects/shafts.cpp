@@ -1,5 +1,5 @@
-// What turns about a fixed joint loads the shaft there: for a shaft to take whole, load = "=press.shafts.O". All that
-// the link brings to it, its weight and inertia too; torque passes where a drive turns the link.
+// Load of a rotating link on the shaft of its fixed joint, an input record of a shaft: load = "=press.shafts.O". It
+// includes all loads of the link, with weight and inertia; torque passes where a drive turns the link.
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -15,12 +15,12 @@ using mechanism::ground;
 using mechanism::Position;
 
 struct Turning {
-  std::string name;  // of its joint with the frame
+  std::string name;  // name of its joint with the frame
   std::size_t joint = 0, link = 0;
-  double sign = 1.0;                                   // of the joint's reaction, as the force of the link on the frame
+  double sign = 1.0;                                   // sign of the joint's reaction as link on frame
   std::vector<std::pair<std::size_t, double>> drives;  // that turn it, and the sign of their effort
 
-  /// Of all drives, positive in the sense in which the link turns.
+  /// Sum of all drives, positive in the direction of rotation of the link.
   [[nodiscard]] double torque(const Position& p) const {
     double M = 0.0;
     for (const auto& [index, way] : drives) M += way * p.effort[index];

@@ -16,7 +16,7 @@
 
 namespace loadpath::planar {
 
-/// What a course can go by. The mechanism stands at `at`.
+/// Possible arguments of a course, for the mechanism at `at`.
 struct Instant {
   double crank_angle = 0.0;  // rad
   double time = 0.0;         // since the first position, s
@@ -29,9 +29,9 @@ class CourseNow {
   CourseNow(const Mechanism::Input& in, const Course& course);
 
   [[nodiscard]] bool goes_by_stroke() const { return by_ == By::stroke; }
-  /// What it goes by, rad, s or m.
+  /// Its argument, rad, s or m.
   [[nodiscard]] double argument(const Instant& now, const mechanism::Model& model) const;
-  /// Beyond the points the nearest of them: whoever asks has `reaches` told.
+  /// Beyond the points the nearest of them: the caller has `reaches` reported.
   [[nodiscard]] double share(double argument) const;
   [[nodiscard]] bool reaches(double argument) const;
   enum class By { crank_angle, time, stroke };
@@ -44,7 +44,7 @@ class CourseNow {
   By by_ = By::time;
   std::vector<std::pair<double, double>> points_;
   std::optional<Law> formula_;
-  std::size_t joint_ = 0;  // of the stroke
+  std::size_t joint_ = 0;  // joint of the stroke
 };
 
 /// The courses of all loads.
@@ -53,7 +53,7 @@ class LoadCourses {
   explicit LoadCourses(const Mechanism::Input& in);
 
   [[nodiscard]] bool by_stroke() const;
-  /// Of a load; null where it has none.
+  /// Course of a load; null where it has none.
   [[nodiscard]] const CourseNow* of(std::size_t load) const { return of_load_[load] < 0 ? nullptr : &all_[at(load)]; }
 
  private:

@@ -13,7 +13,7 @@ namespace {
 
 using Typed = std::function<bool(const std::string&)>;
 
-/// What has wheels is no bar.
+/// A link with wheels is not a bar.
 bool carries_wheel(const Mechanism::Input& in, const Name& link) {
   return std::any_of(in.joints.begin(), in.joints.end(), [&](const planar::Joint& joint) {
     const bool own = joint.links.first == link || joint.links.second == link;

@@ -17,12 +17,12 @@ using mechanism::Drive;
 using Places = std::vector<double>;
 using By = LawLine::By;
 
-constexpr std::size_t most_inserted = 7200;  // as many positions as can be asked for
+constexpr std::size_t most_inserted = 7200;  // as many positions as can be requested
 constexpr std::size_t most_counted = 200'000;
-constexpr double least_apart = 1e-8;  // of two positions, parts of the steps asked for
+constexpr double least_apart = 1e-8;  // distance of two positions, parts of the requested steps
 constexpr double waves_shown = 16.0;  // positions in a segment of a cam that show its acceleration within 2 %
 
-/// What laws go by, at every place; the last is the end of the cycle.
+/// Arguments of laws, at every place; the last is the end of the cycle.
 struct Arguments {
   std::vector<double> crank_angle, time, law_time;
   std::vector<std::vector<double>> stroke, cam;  // by course, by joint
@@ -48,7 +48,7 @@ class Inserting {
     watch();
     if (watched_.empty()) return found;
     const std::size_t asked = places_.size();
-    // What is found by closing the mechanism is not counted beyond what is solved.
+    // If arguments require closing the mechanism, positions beyond the solvable number are not counted.
     const std::size_t most = closes_ ? asked + most_inserted : most_counted;
     while (insert_once() && places_.size() <= most) find_arguments();
     const bool too_many = places_.size() > asked + most_inserted || !in_.crank.at.empty();
@@ -90,7 +90,7 @@ class Inserting {
   /// The places of strokes and cams follow from the positions of the links.
   void close(const Schedule& schedule) {
     mechanism::ReleasedSystem system(model_, redundant_);
-    (void)system.assemble();  // who solves the cycle has told a failure
+    (void)system.assemble();  // the solver of the cycle has reported a failure
     const bool statics = in_.analysis == Mechanism::Analysis::statics;
     mechanism::Position place = mechanism::blank_position(model_);
     for (std::size_t k = 0; k < schedule.drives.size(); ++k) {
@@ -176,7 +176,7 @@ class Inserting {
     return 0.1 * std::abs(before - x[k] - x[k + 1] + after);
   }
 
-  /// Between every two places the one that they tell least of; false where none is missing.
+  /// Inserts the most missed place between every two places; false if none is missing.
   bool insert_once() {
     const Places all = with_end();
     Places more;

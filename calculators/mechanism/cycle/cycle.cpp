@@ -18,7 +18,7 @@ namespace {
 using mechanism::Drive;
 using mechanism::Status;
 
-// What differs less is where it was, rad or parts of its size.
+// Smaller differences count as returned, rad or parts of its size.
 constexpr double returning = 1e-6;
 
 /// Whether every effort and reaction is a number: a speed or mass beyond all measure makes none.
@@ -104,7 +104,7 @@ std::vector<Cycle::Winding> windings_of(const mechanism::Model& model, const mec
   return windings;
 }
 
-/// Whether every link is where it was once the cycle is over, but for whole turns.
+/// Whether every link returns to its start at the end of the cycle, but for full revolutions.
 bool returns(mechanism::ReleasedSystem& system, const CycleTask& task, Cycle& cycle) {
   const mechanism::Position& first = cycle.positions[0];
   std::vector<Drive> drives = task.schedule.drives.front();
@@ -164,7 +164,7 @@ Cycle solve_cycle(const Mechanism::Input& in, const mechanism::Model& model, boo
   } else {
     cycle.gap = system.gap();
     mechanism::ReleasedSystem again(model,
-                                    redundant);  // what closes beyond the gap is reached backwards from the start
+                                    redundant);  // positions beyond the gap are reached backwards from the start
     if (again.assemble() == Status::closed) run(again, task, true, cycle);
   }
   solve_either_way(task, cycle);

@@ -1,5 +1,5 @@
-// Takes a mechanism through its positions: a turn of the crank, strokes of cylinders, or the positions that are asked
-// for.
+// Takes a mechanism through its positions: a revolution of the crank, strokes of cylinders, or the requested
+// positions.
 #pragma once
 
 #include "calculators/mechanism/cycle/schedule.hpp"

@@ -69,7 +69,7 @@ class EitherWay {
     system.take_friction({});
   }
 
-  /// All rests: every drive may be about to move one way or the other, but for those that say which.
+  /// All at rest: motion of every drive may be impending in either direction, unless its direction is given.
   void add_ways(ReleasedSystem& system, std::vector<Drive> drives, std::size_t k) {
     std::vector<Drive*> open;
     for (Drive& drive : drives) {
@@ -95,7 +95,7 @@ class EitherWay {
     return status == Status::closed ? position_.effort[0] : none;
   }
 
-  /// The effort against the load falls with friction; where it is gone, the mechanism stands.
+  /// The effort against the load falls with friction; where it is zero, the mechanism stays at rest.
   void find_thresholds(ReleasedSystem& system, std::vector<Drive>& drives, std::size_t k) {
     const StandingEffort& standing = cycle_.standing[k];
     all_stand_ = all_stand_ && standing.stands();
@@ -116,7 +116,7 @@ class EitherWay {
     if (!everywhere || (all_stand_ && !stands(last))) everywhere = least(last, 1.0);
   }
 
-  /// Without a load it stands anyway.
+  /// Without a load it stays at rest anyway.
   static bool is_loaded(const StandingEffort& standing) {
     const double friction = std::max(std::abs(standing.forward - standing.without), std::abs(standing.without));
     return standing.without != 0.0 && !(std::abs(standing.without) < 1e-9 * friction);
@@ -136,7 +136,7 @@ bool has_dry_friction(const mechanism::Model& model) {
 }
 
 std::vector<FieldFault> check_rest(const Mechanism::Input& in, const mechanism::Model& model) {
-  constexpr int most = 4;  // of which every way is tried
+  constexpr int most = 4;  // drives with both directions tried
   const auto rests = [](const auto& drive) { return in_si(drive.speed) == 0.0; };
   const auto is_open = [](const auto& drive) { return drive.impending == planar::Impending::either; };
   const bool all_rest = rests(in.crank) && std::all_of(in.cylinders.begin(), in.cylinders.end(), rests);

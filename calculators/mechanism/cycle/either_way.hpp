@@ -11,10 +11,10 @@ namespace loadpath::planar {
 /// Whether some joint has dry friction or loses power: what holds a mechanism that rests.
 bool has_dry_friction(const mechanism::Model& model);
 
-/// More drives at rest than can be tried either way. Needs values.
+/// Faults for too many drives at rest to try both directions. Needs values.
 std::vector<FieldFault> check_rest(const Mechanism::Input& in, const mechanism::Model& model);
 
-/// Of the positions that close: fills `either_way`, `standing` and its thresholds.
+/// Solves the positions that close: fills `either_way`, `standing` and its thresholds.
 void solve_either_way(const CycleTask& task, Cycle& cycle);
 
 }  // namespace loadpath::planar

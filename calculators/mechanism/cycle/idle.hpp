@@ -1,4 +1,4 @@
-// Fields that would do nothing beside the drive that is given.
+// Fields without effect for the given drive.
 #pragma once
 
 #include "calculators/mechanism/words/mechanism.hpp"

@@ -8,11 +8,11 @@
 
 namespace loadpath::planar {
 
-/// Of a mechanism with one drive; empty where it has none or several.
+/// Kinematics of a mechanism with one drive; empty where it has none or several.
 struct Kinematics {
   std::vector<mechanism::Position> derivatives;  // as mechanism::PositionFunctions derives them
   std::vector<bool> known;                       // at which positions
-  /// Of the groups without closed form: the first link, and where known the sign that changes with the assembly.
+  /// Groups without closed form: the first link, and where known the sign that changes with the assembly.
   struct Iterated {
     std::size_t link = 0;
     std::vector<double> signs;

@@ -14,13 +14,13 @@ namespace loadpath::planar {
 
 namespace {
 
-constexpr double negligible = 0.02;    // of the largest magnitude, that positions may miss
-constexpr double near_enough = 0.005;  // of a formula and its line with corners
-constexpr double beside = 1e-7;        // of a jump, rad or parts of a range
+constexpr double negligible = 0.02;    // share of the largest magnitude that positions may miss
+constexpr double near_enough = 0.005;  // distance of a formula and its line with corners
+constexpr double beside = 1e-7;        // width of a jump, rad or parts of a range
 
 using Corners = std::vector<std::pair<double, double>>;
 
-/// Jumps become steep: the values on both sides stand beside one another.
+/// Jumps become steep: the values on both sides lie next to each other.
 void part_jumps(Corners& corners, double apart) {
   for (std::size_t k = 0; k + 1 < corners.size(); ++k) {
     if (corners[k + 1].first > corners[k].first) continue;

@@ -1,4 +1,4 @@
-// What positions must show: a law as a line with corners, over what it goes by.
+// Features that positions must show: a law as a line with corners, over its argument.
 #pragma once
 
 #include "calculators/mechanism/cycle/schedule.hpp"
@@ -15,7 +15,7 @@ struct LawLine {
   enum class By { crank_angle, time, law_time, stroke, cam };
   std::string name = {};
   By by = By::crank_angle;
-  std::size_t index = 0;                                // of the course, or of the cam's joint
+  std::size_t index = 0;                                // index of the course, or of the cam's joint
   std::vector<std::pair<double, double>> corners = {};  // rising
   double period = 0.0;                                  // 0: it does not repeat
   bool has_corners = false;                             // its corners count themselves, not only how far it goes
@@ -23,8 +23,8 @@ struct LawLine {
   double most = 0.0;  // largest magnitude
 
   [[nodiscard]] double at(double x) const;
-  /// The corner between two places that the values there tell least of, and by how much of the largest magnitude; none
-  /// where they tell enough.
+  /// The corner most missed by the values at two places, with the error as a share of the largest magnitude; none if
+  /// the values suffice.
   struct Miss {
     double x = 0.0, by = 0.0;
   };

@@ -11,12 +11,12 @@ struct PointMotion {
   mechanism::Vec place, velocity, acceleration;
 };
 PointMotion motion_of(const mechanism::Position& p, int link, mechanism::Vec at);
-/// Its place alone.
+/// Only its place.
 inline mechanism::Vec on_paper(const mechanism::Position& p, int link, mechanism::Vec at) {
   return motion_of(p, link, at).place;
 }
 
-/// Of a link's axes; 0 of the ground.
+/// Angle of a link's axes; 0 for the ground.
 double angle_of(const mechanism::Position& p, int link);
 
 }  // namespace loadpath::planar

@@ -1,4 +1,4 @@
-// Runs of neighbouring positions of a cycle, and how they are told.
+// Runs of neighbouring positions of a cycle, and their texts.
 #pragma once
 
 #include "lib/quantity/format.hpp"

@@ -11,12 +11,12 @@ namespace loadpath::planar {
 
 namespace {
 
-constexpr double rounding = 1e-13;  // of the largest term: some hundred times the spacing of doubles
+constexpr double rounding = 1e-13;  // share of the largest term: some hundred times the spacing of doubles
 
 void take(double magnitude, double& most) { most = magnitude > most ? magnitude : most; }
 void take_square(double x, double y, double& most) { take(x * x + y * y, most); }
 
-/// Of all links, with their masses at this distance.
+/// Inertia of all links, with their masses at this distance.
 double inertia_within(const mechanism::Model& model, double distance) {
   double sum = 0.0;
   for (const mechanism::Link& link : model.links) sum += link.mass * distance * distance + link.inertia;

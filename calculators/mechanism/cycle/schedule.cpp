@@ -32,7 +32,7 @@ std::vector<double> evenly(std::size_t count) {
   return places;
 }
 
-/// Of angles that differ by whole turns, the one nearest to the assembled position.
+/// The full revolutions that bring an angle nearest to the assembled position.
 double whole_turns(double wanted, double assembled) { return 2.0 * pi * std::round((assembled - wanted) / (2.0 * pi)); }
 
 double place_of(const planar::Cylinder& c, double assembled, double k, std::size_t count) {
@@ -65,7 +65,7 @@ Schedule schedule_by_speeds(const Mechanism::Input& in, const Assembled& assembl
   return schedule;
 }
 
-/// A drive without a law of its own goes on from where it stands, with its speed and acceleration.
+/// A drive without a law of its own continues from its position, with its speed and acceleration.
 Drive drive_at(const DriveLaw& law, const Drive& start, double since, double t) {
   if (law.empty()) {
     const double after = t - since, speed = start.speed + start.acceleration * after;
@@ -77,7 +77,7 @@ Drive drive_at(const DriveLaw& law, const Drive& start, double since, double t) 
 
 /// Where a law turns round, rounding leaves a speed of either sign: the drive rests there.
 void let_rest(Schedule& schedule) {
-  constexpr double rounding = 1e-9;  // of its largest speed
+  constexpr double rounding = 1e-9;  // share of its largest speed
   for (std::size_t d = 0; !schedule.drives.empty() && d < schedule.drives.front().size(); ++d) {
     double most = 0.0;
     for (const auto& drives : schedule.drives) most = std::max(most, std::abs(drives[d].speed));

@@ -16,13 +16,13 @@ namespace loadpath::planar {
 /// In the place of a number that is not known, or that there is not.
 inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-/// The effort of a drive without inertia that starts the mechanism from rest, and the one that holds it without
-/// friction, N m or N. What is no number there: no effort starts it that way.
+/// The effort of a drive without inertia that starts the mechanism from rest, and the effort that balances it without
+/// friction, N m or N. NaN there: no effort starts it in that direction.
 struct StandingEffort {
   double backward = none, without = none, forward = none;
   bool known = false;  // the position was reached
 
-  /// Whether it stands without its drive.
+  /// Whether it stays at rest without its drive.
   [[nodiscard]] bool stands() const { return known && !(backward > 0.0) && !(forward < 0.0); }
 };
 
@@ -32,7 +32,7 @@ struct Cycle {
   std::vector<std::vector<mechanism::Drive>> drives;  // with which they are solved
   std::vector<mechanism::Proof> proofs;
   std::vector<bool> closed;
-  bool returns = true;  // after a whole turn, to where it began
+  bool returns = true;  // after a full revolution, to its start
   /// By how much a turning spring is wound up then, rad.
   struct Winding {
     std::size_t spring = 0;
@@ -43,22 +43,22 @@ struct Cycle {
   std::vector<bool> in_steps;         // closed, followed from the position before in small steps
   std::vector<bool> jams;             // closed, but friction lets no drive move it: it has no forces there
   std::vector<bool> undirected;       // closed, but the ends of a spring coincide: its force has no direction there
-  std::vector<bool> some_rest;        // joints with friction: as at a dead point, or the whole mechanism
-  /// There, with the friction of what rests one way and the other; an empty one where friction lets it not move so.
+  std::vector<bool> some_rest;        // joints with friction: as at a dead point, or all joints
+  /// There, with friction of resting parts in either direction; empty if friction prevents that motion.
   std::vector<std::vector<mechanism::Position>> either_way;
   std::vector<StandingEffort> standing;  // with friction and one drive
-  /// The least friction with which it stands under its load without its drive: somewhere, and at every position.
+  /// The minimum friction that keeps it at rest under its load without its drive: somewhere, and at every position.
   struct Threshold {
-    double share = 0.0;  // of the friction that it has
+    double share = 0.0;  // share of its friction
     std::size_t at = 0;
   };
   std::optional<Threshold> stands_somewhere, stands_everywhere;
-  Between between;  // what stands between the positions that are asked for
+  Between between;  // features between the requested positions
   mechanism::Status first_failure = mechanism::Status::closed;
   mechanism::Gap gap;                         // at the first failure
   double worst_condition = 0.0;               // largest condition number of the constraints; 0: no position is closed
   std::size_t worst_at = 0;                   // where that is
-  std::vector<mechanism::Uniqueness> unique;  // of each joint's reaction; empty where all are
+  std::vector<mechanism::Uniqueness> unique;  // uniqueness of each joint's reaction; empty where all are
 
   [[nodiscard]] bool has_forces(std::size_t k) const { return closed[k] && !jams[k] && !undirected[k]; }
   /// Whether it is solved everywhere but where it hits a change point.

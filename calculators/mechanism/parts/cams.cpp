@@ -1,4 +1,4 @@
-// What a mechanism with cams gives beside what every joint gives.
+// Results of a mechanism with cams in addition to those of every joint.
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
 #include "calculators/mechanism/words/profiles.hpp"

@@ -1,4 +1,4 @@
-// What joints press with: the edges of guides, teeth, rolling wheels, spans of belts; what friction takes in them.
+// Contact forces of joints: edges of guides, teeth, rolling wheels, spans of belts; their friction.
 #include "calculators/mechanism/cycle/rounding.hpp"
 #include "calculators/mechanism/parts/losses.hpp"
 #include "calculators/mechanism/parts/wheels.hpp"
@@ -18,7 +18,7 @@ using mechanism::JointKind;
 using mechanism::Position;
 using mechanism::Vec;
 
-/// What the first link does to the second across the guide.
+/// Action of the first link on the second across the guide.
 struct Guide {
   std::string name;
   std::size_t index = 0;
@@ -26,13 +26,13 @@ struct Guide {
 
   struct Pressure {
     double N = 0.0;  // to the left of the guide's direction
-    double M = 0.0;  // at the first link's point, of the pressing alone
+    double M = 0.0;  // at the first link's point, from the normal forces only
   };
   [[nodiscard]] Pressure now(const Position& p) const {
     const mechanism::Reaction& r = p.reactions[index];
     const Vec along = mechanism::turn(mechanism::placed_at(p, joint.j).phi + joint.direction)({1.0, 0.0});
     const double pressing = dot(r.force, normal(along)), rubbing = dot(r.force, along);
-    const bool rests = std::abs(rubbing) <= 1e-9 * std::abs(pressing);  // what is left then is rounding
+    const bool rests = std::abs(rubbing) <= 1e-9 * std::abs(pressing);  // the remainder is rounding
     const double sense = rests ? 0.0 : std::copysign(1.0, rubbing);
     const double rubbed = sense * joint.friction.coefficient * 0.5 * joint.guide_width * pressing;
     const Rounding least = rounding_at(p);
@@ -81,7 +81,7 @@ void list_contacts(std::vector<ResultPattern>& patterns) {
   list_patterns(rubbing_rows, patterns);
 }
 
-/// Joint by joint, so that what a joint gives stands together.
+/// Joint by joint, to keep the results of a joint together.
 void add_contacts(const Mechanism::Input&, const mechanism::Model& model, std::vector<Output>& out) {
   const auto kept = std::make_shared<const mechanism::Model>(model);
   for (std::size_t k = 0; k < model.joints.size(); ++k) {

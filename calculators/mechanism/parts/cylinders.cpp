@@ -20,7 +20,7 @@ struct Ram {
   std::string name;
   mechanism::Joint bore;
   bool driven = true;
-  std::size_t index = 0;  // of its driver, or of the load that pushes its rod
+  std::size_t index = 0;  // index of its driver, or of the load that pushes its rod
 
   struct State {
     double s = 0.0, v = 0.0, F = 0.0;

@@ -1,4 +1,4 @@
-// The mechanism as a whole: reduced to its crank, what it does to its frame, what friction takes of its power.
+// The full mechanism: reduced to its crank, its action on its frame, and its friction losses.
 #include "calculators/mechanism/parts/losses.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
@@ -37,8 +37,8 @@ struct Machine {
 
   struct Now {
     const Position* at = nullptr;
-    mechanism::Reduced reduced;  // of a machine that has a crank
-    mechanism::Shaking shaking;  // of one that shakes
+    mechanism::Reduced reduced;  // reduced inertia and moment, with a crank
+    mechanism::Shaking shaking;  // shaking force of an unbalanced one
   };
   [[nodiscard]] Now now(const Reached& reached) const {
     Now all{&reached.at, {}, {}};

@@ -17,7 +17,7 @@ namespace {
 using mechanism::MemberLoads;
 using mechanism::Position;
 
-/// Of a link that hangs on one joint, from there to its farthest point.
+/// Reach of a link with one joint, from there to its farthest point.
 void reach_from_one_joint(const planar::Link& link, const mechanism::Model& model, mechanism::Member& member) {
   const auto own = static_cast<int>(member.link);
   const auto holds = [own](const mechanism::Joint& j) { return j.i == own || j.j == own; };

@@ -82,7 +82,7 @@ struct Belt {
     return std::asin((joint.radius_i - joint.radius_j) / distance(p));
   }
   [[nodiscard]] double wrap(const Position& p) const { return pi + 2.0 * tilt(p); }
-  /// Of a crossed belt, whose second radius is negative, both are the same.
+  /// For a crossed belt, whose second radius is negative, both are equal.
   [[nodiscard]] double wrap_second(const Position& p) const {
     return joint.radius_j < 0.0 ? wrap(p) : pi - 2.0 * tilt(p);
   }

@@ -9,7 +9,7 @@
 
 namespace loadpath::planar {
 
-/// Of the joint with this index; nothing where it has no wheels.
+/// Outputs of the joint with this index; none if it has no wheels.
 void add_wheel_outputs(const mechanism::Joint& joint, std::size_t index, std::vector<Output>& out);
 void list_wheel_patterns(std::vector<ResultPattern>& patterns);
 

@@ -52,7 +52,7 @@ class Animation {
     return static_cast<std::size_t>(std::find(frames_.begin(), frames_.end(), in_.governing) - frames_.begin());
   }
 
-  /// A link's place is told by a point of the picture, not by the origin of its axes, which may be far off.
+  /// A link's place is given by a point of the picture, not by the origin of its axes, which may be far off.
   void add_links() {
     for (std::size_t k = 0; k < in_.model.links.size(); ++k) {
       const auto& body = motion_.still.bodies[k].points;

@@ -20,7 +20,7 @@ struct AnimationSubject {
   bool statics = false;
 };
 
-/// Of the positions that have forces all are frames, or every second, third... where they are very many.
+/// Frames are all positions that have forces, or every second, third... where they are very many.
 draw::Figure animation(const AnimationSubject& subject);
 
 /// The positions that become frames, the governing one among them.

@@ -21,7 +21,7 @@ Vec face_of(const mechanism::Joint& j, const Position& p) {
   return mechanism::turn(angle_of(p, j.i) + j.angle)({1.0, 0.0});
 }
 
-/// Where the pin stands on the line of its guide or slot.
+/// Position of the pin on the line of its guide or slot.
 static double reach(const mechanism::Joint& j, const Position& p) {
   return mechanism::dot(on_paper(p, j.i, j.point_i) - on_paper(p, j.j, j.point_j), line_of(j, p));
 }

@@ -1,4 +1,4 @@
-// What a drawing of a mechanism that moves needs room for at every position.
+// Extents of the drawing of a moving mechanism over every position.
 #pragma once
 
 #include "calculators/mechanism/cycle/cycle.hpp"
@@ -14,7 +14,7 @@ struct Stroke {
   double from = 0.0, to = 0.0;
 };
 struct Extents {
-  std::vector<Stroke> strokes;               // of every joint; of joints without a line empty
+  std::vector<Stroke> strokes;               // strokes of every joint; of joints without a line empty
   std::vector<bool> loads_push, loads_turn;  // somewhere in the cycle
 };
 Extents extents_of(const mechanism::Model& model, const Cycle& cycle);

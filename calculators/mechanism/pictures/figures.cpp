@@ -43,7 +43,7 @@ draw::Figure drive_figure(const Results::Line& line, const Axis& axis) {
 draw::Figure reactions_figure(const Results& results, const Axis& axis) {
   draw::Plot plot{scale_of(axis), {"R", "force of the joints", "N"}};
   for (const auto& line : results) {
-    if (plot.curves.size() == 6) break;  // more cannot be told apart
+    if (plot.curves.size() == 6) break;  // more cannot be distinguished
     if (line.kind() == Kind::joint_force) plot.curves.push_back(curve_of("R_" + line.output->name, line.entry->value));
   }
   return {"reactions",
@@ -51,7 +51,7 @@ draw::Figure reactions_figure(const Results& results, const Axis& axis) {
           std::move(plot)};
 }
 
-/// The positions that the user has asked for by their angles, where they are few enough for a page.
+/// The positions requested by their angles, if they are few enough for a page.
 bool draws_each(const Mechanism::Input& in) { return in.crank.at.size() > 1 && in.crank.at.size() <= 12; }
 
 /// With the loads and, in each joint, the force of its first link on its second.

@@ -73,7 +73,7 @@ void add_drives(const Model& model, const Position& at, int link, std::vector<Ac
   }
 }
 
-/// The name R_A stands for the force of the joint's first link on its second.
+/// The name R_A means the force of the joint's first link on its second.
 void add_joints(const Model& model, const Position& at, int link, std::vector<ActingForce>& forces) {
   for (std::size_t n = 0; n < model.joints.size(); ++n) {
     const mechanism::Joint& joint = model.joints[n];

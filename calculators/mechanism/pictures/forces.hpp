@@ -1,4 +1,4 @@
-// What acts on each link of a planar mechanism at a position, force by force: the sides of its force plan.
+// Forces on each link of a planar mechanism at a position, one by one: the sides of its force plan.
 #pragma once
 
 #include "calculators/mechanism/cycle/cycle.hpp"
@@ -12,8 +12,8 @@ namespace loadpath::planar {
 struct ActingForce {
   enum class Cause { load, spring, weight, inertia, drive, joint };
   Cause cause = Cause::joint;
-  std::size_t index = 0;  // of the load, spring, joint or driver
-  double sense = 1.0;     // -1: the opposite of what the spring's, drive's or joint's name stands for
+  std::size_t index = 0;  // index of the load, spring, joint or driver
+  double sense = 1.0;     // -1: the opposite of the named force of the spring, drive or joint
   mechanism::Vec at;      // global
   mechanism::Vec force;   // N, global
   double couple = 0.0;    // N m

@@ -18,7 +18,7 @@ using mechanism::Vec;
 
 /// A point of the mechanism in a plan.
 struct ImagePoint {
-  std::string name;  // of the point: "A"
+  std::string name;  // name of the point: "A"
   int link = mechanism::ground;
   Vec own;  // link frame
 };
@@ -131,14 +131,14 @@ class MotionPlan {
     plan_.images.push_back(std::move(image));
   }
 
-  /// Points that stand still lie in the pole.
+  /// Points at rest lie in the pole.
   void add_point(const ImagePoint& p) {
     if (length(of(p)) <= negligible()) return;
     plan_.vectors.push_back({{}, point(of(p)), "", Plan::Tone::first});
     name(p);
   }
   void name(const ImagePoint& p) { plan_.points.push_back({label(small(p.name)), point(of(p))}); }
-  /// What would have the label of a pole, or of another point (A and a), has a prime.
+  /// A label equal to that of a pole, or of another point (A and a), gets a prime.
   [[nodiscard]] std::string label(const std::string& name) const {
     const auto taken = [&](const std::string& text) {
       return text == velocity_pole || text == acceleration_pole ||

@@ -15,7 +15,7 @@ using mechanism::Vec;
 using Cause = ActingForce::Cause;
 
 constexpr std::size_t most_panels = 12;
-constexpr double rounding = 1e-9;  // of the largest: what is below is drawn as nothing
+constexpr double rounding = 1e-9;  // share of the largest: smaller ones are not drawn
 
 double largest_reaction(const mechanism::Position& at) {
   double most = 0.0;
@@ -94,7 +94,7 @@ Plan zhukovsky_lever(const PlanSubject& subject) {
       if (has_moment) plan.forces.push_back({foot, point(acting.force), acting.name(), load});
       const bool turns = acting.couple != 0.0 && subject.at.velocity[k].phi != 0.0;
       if (!turns) continue;
-      const bool inertia = acting.cause == Cause::inertia;  // another couple belongs to the whole image of its link
+      const bool inertia = acting.cause == Cause::inertia;  // another couple belongs to the full image of its link
       plan.moments.push_back(
           {inertia ? foot : middle_of(plan.images[k].points), acting.couple,
            inertia ? "−" + draw::symbol("J") + " " + draw::symbol("epsilon_" + subject.model.links[k].name)

@@ -10,7 +10,7 @@
 
 namespace loadpath::planar {
 
-/// What a plan is drawn of.
+/// Data of a plan.
 struct PlanSubject {
   const mechanism::Model& model;
   const std::vector<TracedPoint>& points;

@@ -219,7 +219,7 @@ class Drawing {
     motion_.coils.push_back({joint->i, joint->j});
   }
 
-  /// What holds the end of a spring on the ground, unless a joint stands there.
+  /// Support of the end of a spring on the ground, unless there is a joint.
   void add_anchor(Vec place) {
     const auto same = [&](const Scheme::Joint& j) { return j.fixed && j.at.x == place.x && j.at.y == place.y; };
     if (std::any_of(scheme().joints.begin(), scheme().joints.end(), same)) return;
@@ -252,7 +252,7 @@ class Drawing {
       motion_.forces.push_back({{}, {}, {l.link, -1}});
     }
     if (now.moment == 0.0 && !(moving_ && extents_.loads_turn[n])) return;
-    // A couple without a point belongs to the whole link.
+    // A couple without a point belongs to the full link.
     const bool has_place = extents_.loads_push[n] || mechanism::length(l.point) > 0.0;
     const draw::Point seat = has_place ? point(place) : middle_of_body(l.link);
     scheme().moments.push_back({seat, now.moment, l.name.empty() ? "M" : l.name});

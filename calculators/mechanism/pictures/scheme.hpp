@@ -10,7 +10,7 @@
 
 namespace loadpath::planar {
 
-/// What is drawn: forces that are zero at this position too, where the drawing moves.
+/// Drawn content: forces that are zero at this position too, where the drawing moves.
 enum class Shown { at_rest, moving };
 
 /// The scheme at a position, as `still`, and by which links its parts are carried. A joint's arrow is the force of its

@@ -81,7 +81,7 @@ account::Verdict no_return(const std::string& step, const Mechanism::Input& in) 
                       "give crank angles in place of a cycle, crank = { at = [...] }, without mean values")};
 }
 
-/// Whether no drive moves nor says which way it is about to: then friction could act either way.
+/// Whether no drive moves or gives its impending direction: then friction could act in either direction.
 bool is_at_rest(const Mechanism::Input& in) {
   const auto rests = [](const auto& drive) {
     return in_si(drive.speed) == 0.0 && drive.impending == planar::Impending::either;
@@ -89,7 +89,7 @@ bool is_at_rest(const Mechanism::Input& in) {
   return !has_law(in) && rests(in.crank) && std::all_of(in.cylinders.begin(), in.cylinders.end(), rests);
 }
 
-/// Whether there is a position where no effort of the only drive starts it this way.
+/// Whether there is a position where no effort of the only drive starts it in this direction.
 bool holds_against(const Cycle& cycle, double sense) {
   for (std::size_t k = 0; k < cycle.standing.size(); ++k) {
     const StandingEffort& effort = cycle.standing[k];
@@ -98,7 +98,7 @@ bool holds_against(const Cycle& cycle, double sense) {
   return false;
 }
 
-/// The positions where friction holds what rests against any effort one way or another.
+/// The positions where friction blocks a mechanism at rest against any effort in one direction or the other.
 std::vector<bool> held_one_way(const Cycle& cycle) {
   std::vector<bool> held(cycle.positions.size());
   for (std::size_t k = 0; k < cycle.either_way.size(); ++k) {

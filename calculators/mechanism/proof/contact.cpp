@@ -15,7 +15,7 @@ namespace loadpath::planar {
 
 namespace {
 
-/// Whether a joint only pushes: nothing pulls a wheel back on what it rolls on, or a follower on its cam.
+/// Whether a joint only pushes: a wheel on its track, or a follower on its cam, can lift off.
 bool only_pushes(const planar::Joint& joint) {
   using Type = planar::Type;
   if (is_cam(joint.type)) return joint.holding == planar::Holding::one_side;

@@ -1,4 +1,4 @@
-// Whether the points of a course reach as far as its loads are asked for, and its formula has a value there.
+// Whether the points of a course cover the range required by its loads, and its formula has a value there.
 #include "calculators/mechanism/completion/courses.hpp"
 
 #include "calculators/mechanism/cycle/ranges.hpp"

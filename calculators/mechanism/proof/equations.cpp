@@ -18,7 +18,7 @@ namespace {
 
 using account::Quantity;
 
-// What is left of nothing is noise: its size says no more than that.
+// The remainder of zero terms is noise: its size has no further meaning.
 constexpr double rounding = 1e-12;
 
 account::Verdict limit(const std::string& step, const char* symbol, Message meaning, double value, double bound) {
@@ -32,7 +32,7 @@ account::Verdict limit(const std::string& step, const char* symbol, Message mean
       .state = std::isnan(value) ? account::State::not_available : account::pass_if(value <= bound)};
 }
 
-/// A residual as a part of what it is a residual of; of nothing it is zero. What cannot be told is no number.
+/// A residual as a share of its terms; zero for zero terms. Undefined shares are NaN.
 double part_of(double residual, double scale) {
   if (!std::isfinite(residual) || !std::isfinite(scale)) return none;
   if (scale > 0.0) return residual / scale;
@@ -68,7 +68,7 @@ struct Leftovers {
   }
 };
 
-/// What a method of the proof finds again, and from what.
+/// Quantity that a method of the proof recovers, and its basis.
 struct MethodText {
   mechanism::Proof::Method method;
   const char* symbol;

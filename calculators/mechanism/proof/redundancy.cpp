@@ -1,5 +1,4 @@
-// What a planar mechanism says whose joints hold more than is needed: which reactions are not unique. Those are never
-// shown.
+// Report of a planar mechanism with overconstrained joints: the reactions that are not unique. Those are never shown.
 #include "calculators/mechanism/results/aspect.hpp"
 #include "lib/mechanism/structure/release.hpp"
 

@@ -15,9 +15,9 @@ namespace loadpath::planar {
 
 namespace {
 
-constexpr double most_bend = 0.1;     // of neighbouring values over the largest: a wave of 20 positions has as much
+constexpr double most_bend = 0.1;     // over the largest: a wave of 20 positions has as much
 constexpr double most_missed = 0.02;  // by which the largest reaction may be larger between the positions
-constexpr std::size_t parts = 32;     // of the two steps beside the largest one
+constexpr std::size_t parts = 32;     // parts of the two steps next to the largest one
 
 double largest_reaction(const mechanism::Position& at) {
   double most = 0.0;
@@ -122,7 +122,7 @@ Message more_positions(const Solved& solved, const Peak& peak, double shown, con
              format_quantity(shown, unit, 4));
 }
 
-/// What a load that rises or falls between two positions hides of its peak; nothing where it hides little.
+/// Part of the peak of a load that is hidden between two positions; none if it is small.
 std::optional<account::Verdict> hidden_corner(const Solved& solved) {
   constexpr double no_arm = 1e-6;  // m
   const std::vector<double> corners = corners_of_loads(solved);
@@ -142,7 +142,7 @@ std::optional<account::Verdict> hidden_corner(const Solved& solved) {
                           more_positions(solved, there.reaction, shown.reaction.force, "N"));
 }
 
-/// What laws do between the positions, where more are needed than can be inserted.
+/// Behaviour of laws between the positions, if it requires more than can be inserted.
 account::Verdict unresolved(const Solved& solved) {
   const Between& between = solved.proved.between;
   const std::size_t asked = positions_of(solved.in);

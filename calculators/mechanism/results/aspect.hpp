@@ -27,7 +27,7 @@ struct Aspect {
   void (*check_names)(NameFaults& faults) = nullptr;  // needs no values
   void (*check_values)(const Mechanism::Input& in, const mechanism::Model& model,
                        std::vector<FieldFault>& faults) = nullptr;
-  /// What it cannot do where joints hold too much.
+  /// Limits of the aspect for overconstrained joints.
   void (*check_structure)(const Mechanism::Input& in, const mechanism::Model& model,
                           const mechanism::Structure& structure, std::vector<FieldFault>& faults) = nullptr;
   // Its results: as they are documented, and those of a mechanism. The model must outlive nothing.
@@ -35,7 +35,7 @@ struct Aspect {
   void (*add_outputs)(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) = nullptr;
   // When the positions are solved: what it finds for its own results and tables, and its verdicts.
   void (*find)(const Solved& solved, Findings& found) = nullptr;
-  /// Of an aspect without `find` it is asked at most points of a sweep too (Ordinary): of forces and closing alone, for
+  /// Without `find`, an aspect is called at most points of a sweep too (Ordinary): with forces and closing only, for
   /// poses, pins and kinematics may be missing there.
   void (*judge)(const Solved& solved, std::vector<account::Verdict>& verdicts) = nullptr;
   // In a report: tables of what is given and of what is found, notes of what is missing, figures.
@@ -43,7 +43,7 @@ struct Aspect {
   void (*show)(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) = nullptr;
   void (*draw)(const Solved& solved, const Results& results, std::vector<draw::Figure>& figures) = nullptr;
   std::span<const Citation> citations = {};
-  /// Its results are read off forces, efforts and velocities alone, and hang on no number of the model.
+  /// Its results follow only from forces, efforts and velocities, and depend on no number of the model.
   bool reads_forces_alone = false;
 };
 

@@ -1,5 +1,5 @@
-// What is said of a result of a mechanism once, before there is one: its path, unit and meaning, and the facts by which
-// tables, figures and other results choose it. Nothing tells results apart by the text of their path.
+// Declaration of a result of a mechanism before its values exist: its path, unit and meaning, and the facts by which
+// tables, figures and other results choose it. The text of a path never identifies a result.
 #pragma once
 
 #include "lib/calculator/calculator.hpp"
@@ -8,14 +8,14 @@
 
 namespace loadpath::planar {
 
-/// What a result is to those who look for it; most are looked for by nobody.
+/// Meaning of a result for those who look for it; most have none.
 enum class Kind {
   other,
   drive_moment,
   cylinder_force,
   drive_power,
   useful_power,
-  friction_power,  // of all joints
+  friction_power,  // total of all joints
   joint_loss,
   efficiency,
   efficiency_back,
@@ -23,7 +23,7 @@ enum class Kind {
   tooth_force,
   pressure_angle,
   transmission_angle,
-  direction  // of a link: the whole turn is (-pi, pi]
+  direction  // angle of a link: the full turn is (-pi, pi]
 };
 /// Whether it is the effort of a drive itself.
 constexpr bool is_effort(Kind kind) { return kind == Kind::drive_moment || kind == Kind::cylinder_force; }
@@ -36,14 +36,14 @@ struct Facts {
   Tabled tabled = Tabled::no;
   bool detail = false;       // too much where there is little room
   bool is_load = false;      // a part that takes it has to carry it
-  bool is_tension = false;   // a load that is positive where it pulls, negative where it presses
+  bool is_tension = false;   // a load that is positive in tension, negative in compression
   bool loads_crank = false;  // who takes it takes the force of the crank's joint with it
-  const char* with = "";     // what acts together with it on the same link: "V, M_b"
+  const char* with = "";     // simultaneous results on the same link: "V, M_b"
   const char* missing = "";  // a message: why there may be none though the mechanism has forces
 };
 
 struct Declaration {
-  ResultPattern pattern;  // NAME stands for the name of what it is of
+  ResultPattern pattern;  // NAME is replaced by the name of its object
   Dimension dimension;
   Facts facts;
 };

@@ -1,5 +1,5 @@
-// What is said where a mechanism has no forces, or no position at all: in the verdict, and with every result that
-// misses values there.
+// Texts for a mechanism without forces, or without any position: in the verdict, and with every result that misses
+// values there.
 #pragma once
 
 #include "calculators/mechanism/cycle/cycle.hpp"

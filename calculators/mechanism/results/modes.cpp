@@ -27,7 +27,7 @@ std::string left_alone(const std::string& step, const Mechanism::Input& in, cons
     if (!is_taken(taken, step + "." + kind + "." + std::string(name), loads))
       names += (names.empty() ? "" : ", ") + std::string(name);
   };
-  std::set<std::string_view> parts;  // of cylinders, which are designed for their force
+  std::set<std::string_view> parts;  // parts of cylinders, which are designed for their force
   for (const Mechanism::Actuator& actuator : in.actuators) {
     if (!actuator.between_points) continue;
     add("cylinders", actuator.name.view(), {"F"});

@@ -1,4 +1,4 @@
-// What the verdicts of the aspects say of the ways in which a mechanism can fail.
+// Failure modes of a mechanism from the verdicts of its aspects.
 #pragma once
 
 #include "calculators/mechanism/words/mechanism.hpp"
@@ -7,8 +7,8 @@
 
 namespace loadpath::planar {
 
-/// Of a step whose account has its verdicts. A mode without a verdict does not concern the mechanism, but for what
-/// nothing here judges: the strength of links and pins that `wanted` does not name as taken by another step.
+/// Modes of a step whose account has its verdicts. A mode without a verdict does not concern the mechanism, except
+/// modes outside the scope: the strength of links and pins that `wanted` does not name as taken by another step.
 account::Modes modes_of(const project::Step& step, const Mechanism::Input& in, const project::Wanted& wanted);
 
 }  // namespace loadpath::planar

@@ -1,4 +1,4 @@
-// What a planar mechanism gives to other steps: results with their paths, and how each is read off what is solved.
+// Outputs of a planar mechanism to other steps: results with their paths, and their evaluation from the solution.
 #pragma once
 
 #include "calculators/mechanism/results/declaration.hpp"
@@ -32,11 +32,11 @@ struct Reading {
     std::function<void(const Reached&, std::span<double> values)> read;
   };
   std::shared_ptr<const Together> together;
-  std::size_t place = 0;  // of this result among them
+  std::size_t place = 0;  // position of this result among them
 
   Reading() = default;
   Reading(std::shared_ptr<const Together> all, std::size_t own) : together(std::move(all)), place(own) {}
-  /// Of a single result: a function of the position.
+  /// Output of a single result: a function of the position.
   template <class Read>
   requires std::is_invocable_r_v<double, Read, const mechanism::Position&> Reading(
       Read read)  // NOLINT(google-explicit-constructor)
@@ -52,7 +52,7 @@ struct Output {
         : si(std::move(values)), missing(std::move(reason)) {}
   };
   Declaration what;
-  std::string name;  // of what it is of: "A"; empty for the mechanism as a whole
+  std::string name;  // name of its object: "A"; empty for the full mechanism
   std::string path;  // "joints.A.F"
   Reading read = {};
   /// In place of `read`, of all that is solved.

@@ -1,4 +1,4 @@
-// The results of a solved mechanism beside what is declared of them.
+// The results of a solved mechanism in addition to their declarations.
 #pragma once
 
 #include "calculators/mechanism/results/declaration.hpp"

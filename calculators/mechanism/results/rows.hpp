@@ -16,8 +16,8 @@
 
 namespace loadpath::planar {
 
-/// What the rows of a thing are read off at a position: what its `now` makes of it, where it has one, once for all of
-/// them; else the position itself.
+/// Source of the rows of a thing at a position: the value of its `now`, if it has one, once for all of them; else the
+/// position itself.
 template <class Thing>
 decltype(auto) now_of(const Thing& thing, const Reached& reached) {
   if constexpr (requires { thing.now(reached); }) {

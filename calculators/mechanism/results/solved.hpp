@@ -1,4 +1,4 @@
-// What is known of a mechanism when all its positions are solved.
+// A mechanism with all its positions solved.
 #pragma once
 
 #include "calculators/mechanism/cycle/cycle.hpp"
@@ -13,7 +13,7 @@
 
 namespace loadpath::planar {
 
-/// What aspects have found for their own results and tables: one of each type.
+/// Findings of aspects for their own results and tables: one of each type.
 class Findings {
  public:
   template <class Found>
@@ -36,7 +36,7 @@ struct Solved {
   const mechanism::Structure& structure;
   const mechanism::Model& given;
   const mechanism::Model& model;  // without what joints hold too much
-  const Cycle& proved;            // of the given model, with every reaction
+  const Cycle& proved;            // cycle of the given model, with every reaction
   const Cycle& cycle;             // without reactions that are not unique
   const Kinematics& kinematics;
   const Axis* axis;  // null: one position

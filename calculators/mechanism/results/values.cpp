@@ -11,7 +11,7 @@ namespace loadpath::planar {
 
 namespace {
 
-/// What is read off the positions of a cycle, thing by thing: results of one thing follow one another.
+/// Values read off the positions of a cycle, thing by thing: results of one thing follow one another.
 class Columns {
  public:
   explicit Columns(const Solved& solved) : cycle_(solved.cycle), kinematics_(solved.kinematics) {}
@@ -39,7 +39,7 @@ class Columns {
   const Kinematics& kinematics_;
   const Reading::Together* of_ = nullptr;
   std::vector<std::vector<double>> columns_;
-  std::vector<double> values_;  // of all at one position
+  std::vector<double> values_;  // values of all at one position
 };
 
 Message missing_of(const Output& output) {

@@ -10,7 +10,7 @@ struct Chain {
   Length crank, coupler, rocker, frame;
   const char *coupler_name = "coupler", *rocker_name = "rocker";
 };
-/// Why the crank cannot turn round, if so, with the numbers; `path`: the parameter that the fault stands at.
+/// Reason why the crank cannot rotate fully, if so, with the numbers; `path`: the parameter at fault.
 std::optional<FieldFault> stop_of(const Chain& chain, const char* path);
 
 struct FourBarLengths {

@@ -1,5 +1,5 @@
-// What the shaper and Whitworth's mechanism share: the pin A of a crank about O runs in the slot of a lever about B
-// below O, whose end C moves a ram D through a rod along a guide parallel to the x axis.
+// Common part of the shaper and Whitworth's mechanism: the pin A of a crank about O runs in the slot of a lever about
+// B below O, whose end C moves a ram D through a rod along a guide parallel to the x axis.
 #pragma once
 
 #include "calculators/mechanism/templates/sketch.hpp"

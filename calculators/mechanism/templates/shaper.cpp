@@ -44,7 +44,7 @@ loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
                         say("with a longer crank the lever turns round: template = \"whitworth\"")};
     }
     if (c <= d + r) return leaves_slot("c", c, d + r);
-    const Length lowest = c * sqrt(1.0 - r * r / (d * d));  // of C above B, at the ends of the swing
+    const Length lowest = c * sqrt(1.0 - r * r / (d * d));  // height of C above B, at the ends of the swing
     const Length away = max(abs(c - e), abs(lowest - e));
     if (l > away) return std::nullopt;
     return FieldFault{"l",

@@ -1,4 +1,4 @@
-// What the six-bars share: a four-bar with a pin D on one of its links, and a second dyad DE, FE behind it.
+// Common part of the six-bars: a four-bar with a pin D on one of its links, and a second dyad DE, FE behind it.
 #pragma once
 
 #include "calculators/mechanism/templates/four_bar_lengths.hpp"

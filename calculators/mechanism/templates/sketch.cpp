@@ -193,7 +193,7 @@ Vec Sketch::follower_at(const CamProfile& profile, double angle) const {
   const auto shape = profile_of(profile);
   const Vec at = mechanism::turn(angle_ + angle)(shape->at(-angle_).at);
   if (profile.shape != CamProfile::Shape::flat) return at;
-  const Vec out = mechanism::turn(angle)({1.0, 0.0});  // the profile touches beside it
+  const Vec out = mechanism::turn(angle)({1.0, 0.0});  // the profile touches next to it
   return mechanism::dot(at, out) * out;
 }
 

@@ -15,7 +15,7 @@ namespace loadpath::planar::templates {
 
 using mechanism::Vec;
 
-/// Which of the two ways to put two lengths together. Each template says what it means there.
+/// Choice between the two assemblies of two lengths. Each template states its meaning.
 enum class Assembly { open, crossed };
 
 /// A pin of a link, and where it is on paper.
@@ -44,7 +44,7 @@ double direction(Vec from, Vec to);
 /// "120 mm"
 std::string text_of(Length l);
 
-/// What to do about a crank that cannot turn round.
+/// Advice for a crank that cannot rotate fully.
 Message part_of_a_turn();
 /// A crank as long as the distance of the pin that it turns something about: its own pin comes to lie on that one.
 std::optional<FieldFault> pin_runs_through(const char* pin, Length r, Length d);
@@ -56,7 +56,7 @@ class Sketch {
   /// `angle`: the crank's at the first position, rad; NaN where there is none.
   Sketch(Mechanism::Input& in, double angle) : in_(in), angle_(angle) {}
 
-  /// The place where two links meet; left of the way from one to the other where `open`, right of it where `crossed`.
+  /// The point where two links meet; left of the line between them where `open`, right where `crossed`.
   Vec meet(const Reach& one, const Reach& other, Assembly assembly);
   /// The place where a link meets a line, ahead of its foot on the line where `open`, behind it where `crossed`.
   Vec meet(const Reach& link, const Line& line, Assembly assembly);
@@ -80,15 +80,15 @@ class Sketch {
                  std::pair<const char*, const char*> points, double angle = 0.0);
   void slot(const char* joint, std::pair<const char*, const char*> links, std::pair<const char*, const char*> points,
             double angle = 0.0);
-  /// The follower's point on the profile of the cam, whose axis is the cam's point; the profile's x axis at `angle` in
-  /// the axes of the cam. What is wrong with the profile is told under its own fields: the template's have their names.
+  /// The follower's point on the profile of the cam, whose axis is the cam's point; the profile's x axis at `angle`
+  /// in the axes of the cam. Faults of the profile are reported under its own fields, as named by the template.
   void cam(const char* joint, std::pair<const char*, const char*> links, std::pair<const char*, const char*> points,
            const CamProfile& profile, double angle, planar::Type type = planar::Type::cam);
   /// Where the follower's point is: a roller's centre, the middle of a flat face.
   [[nodiscard]] Vec follower_at(const CamProfile& profile, double angle) const;
   void cylinder(const char* name, const char* joint);
 
-  /// What does not meet, the first of it: what follows from it is not said.
+  /// The first pair of links that does not meet; consequent faults are not reported.
   [[nodiscard]] const std::optional<FieldFault>& fault() const { return fault_; }
   /// The bars and their lengths.
   [[nodiscard]] const std::vector<std::pair<std::size_t, Length>>& bars() const { return bars_; }

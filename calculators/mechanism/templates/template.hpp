@@ -11,7 +11,7 @@
 //   };
 //   template const MechanismTemplate& mechanism_template<SliderCrank>();
 //
-// What `draw` names does not depend on the parameters, and it is also called with none of them given: the names are
+// The names in `draw` do not depend on the parameters, and it is also called with none of them given: the names are
 // wanted before the values are.
 #pragma once
 

@@ -85,7 +85,7 @@ struct CamProfile {
           .may_be_missing()};
 };
 
-/// Whether it is told by the swing of its follower, not by a lift along a guide.
+/// Whether it is given by the swing of its follower, not by a lift along a guide.
 constexpr bool is_by_swing(CamProfile::Shape shape) {
   using enum CamProfile::Shape;
   return shape == swinging || shape == swinging_flat;

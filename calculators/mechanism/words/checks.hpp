@@ -1,4 +1,4 @@
-// What is wrong with the words of a mechanism, before a model is made of them and when it is.
+// Faults in the words of a mechanism, before a model is made of them and afterwards.
 #pragma once
 
 #include "calculators/mechanism/words/names.hpp"

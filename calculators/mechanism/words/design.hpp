@@ -1,4 +1,4 @@
-// What a project asks of a mechanism beside its motion and forces: errors by tolerances, counterweights, hodographs.
+// Requests in addition to motion and forces: errors by tolerances, counterweights, hodographs.
 #pragma once
 
 #include "lib/calculator/field.hpp"

@@ -19,7 +19,7 @@ mechanism::Joint joint_values(const planar::Joint& joint);
 /// The radii of wheels, and what resists in joints; only where there are such.
 std::vector<account::Table> detail_tables(const Mechanism::Input& in);
 
-/// What is taken from the assembly, once all links are placed and the drives are known: angles that are not given, the
+/// Sets values from the assembly, once all links are placed and the drives are known: angles that are not given, the
 /// side of wheels on lines and of flat faces on cams, the phases of wheels.
 void take_from_assembly(mechanism::Model& model);
 

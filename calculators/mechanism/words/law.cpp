@@ -18,7 +18,7 @@ Outcome<Law> parsed(const Formula& formula, const Dimension& dimension) {
 
 using planar::path_of;
 
-/// What crank and cylinders call the parts of a law, in one place.
+/// Names of the parts of a law in crank and cylinders, in one place.
 const Formula& formula_of(const Crank& crank) { return crank.angle_of_t; }
 const Formula& formula_of(const Cylinder& cylinder) { return cylinder.place_of_t; }
 const char* formula_key(const Crank&) { return "angle_of_t"; }
@@ -149,7 +149,7 @@ void DriveLaw::take(const Drive& drive) {
   }
   if (formula_of(drive).empty()) return;
   auto law = parsed(formula_of(drive), dimension_of(drive));
-  if (!law) return;  // told by check_laws
+  if (!law) return;  // reported by check_laws
   motion_ = std::move(*law);
   last_ = in_si(drive.duration);
 }
@@ -179,7 +179,7 @@ bool has_law(const Mechanism::Input& in) {
 std::vector<FieldFault> check_laws(const Mechanism::Input& in) { return LawCheck().run(in); }
 
 std::vector<FieldFault> overshooting_laws(const Mechanism::Input& in) {
-  constexpr double negligible = 1e-3;  // of the way from the lowest to the highest point
+  constexpr double negligible = 1e-3;  // share of the range from the lowest to the highest point
   std::vector<FieldFault> warnings;
   for_each_drive(in, [&](const auto& drive, Whole) {
     if (drive.law.size() < 2 || drive.law_shape != planar::LawShape::spline) return;

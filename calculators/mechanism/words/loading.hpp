@@ -1,4 +1,4 @@
-// What acts on a planar mechanism: loads, springs and dampers.
+// Actions on a planar mechanism: loads, springs and dampers.
 #pragma once
 
 #include "calculators/mechanism/words/parts.hpp"

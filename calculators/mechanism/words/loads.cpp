@@ -23,7 +23,7 @@ bool pulls(const planar::Spring& spring) {
   return in_si(spring.k) != 0.0 || in_si(spring.c) != 0.0 || is_set(spring.free);
 }
 
-/// One of them alone: the other is zero.
+/// One of them may be missing: it is zero.
 bool is_cartesian(const planar::Load& load) { return is_set(load.F_x) || is_set(load.F_y); }
 
 }  // namespace

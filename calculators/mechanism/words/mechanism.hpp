@@ -1,9 +1,9 @@
 // A planar mechanism in a project: links, joints, drives and loads as a user writes them.
 //
 // Decides positions, velocities, accelerations, the reaction of every joint and the driving moment or force, over a
-// turn of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links; play counts as an
-// error only. Signs: moments counter-clockwise positive; a joint's force is that of its first link on its second
-// (R_12). A link's points are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
+// turn of the crank, over strokes of cylinders, or at given positions (lib/mechanism). Rigid links; clearance: an
+// error. Signs: moments counter-clockwise positive; a joint's force is that of its first link on its second (R_12). A
+// link's points are written in its own axes, or, where neither origin nor angle is given, as drawn on paper.
 #pragma once
 
 #include "calculators/mechanism/words/cam_profile.hpp"
@@ -105,7 +105,7 @@ F_y = "0 N"
     Acceleration gravity = 0.0 * m_per_s2.one;
     double gravity_direction = -pi / 2.0;
     Analysis analysis = Analysis::kinetostatic;
-    std::vector<Actuator> actuators;  // what cylinders have become (words/cylinders.hpp): no field
+    std::vector<Actuator> actuators;  // from cylinders (words/cylinders.hpp): not a field
   };
   static constexpr Fields inputs{
       ListField{&Input::ground, "ground", "points of the fixed link"}.as_arrays().may_be_missing(),

@@ -1,4 +1,4 @@
-// Finds what the names in a mechanism stand for, and collects what is wrong with them.
+// Finds the objects of the names in a mechanism, and collects faults of names.
 #pragma once
 
 #include "calculators/mechanism/words/mechanism.hpp"
@@ -36,7 +36,7 @@ class NameFaults {
   bool require_joint(const Name& name, const std::string& path);
   bool require_spring(const Name& name, const std::string& path);
   bool require_course(const Name& name, const std::string& path);
-  /// Of a link that is there, or the ground.
+  /// Requires a point of an existing link, or of the ground.
   bool require_point(int link, const Name& name, const std::string& path);
 
  private:

@@ -1,4 +1,4 @@
-// Masses of links reduced to points, where a project asks for it (lib/mechanism/studies/reduction.hpp).
+// Masses of links reduced to points, on request of a project (lib/mechanism/studies/reduction.hpp).
 #pragma once
 
 #include "calculators/mechanism/words/mechanism.hpp"
@@ -11,7 +11,7 @@ namespace loadpath::planar {
 
 /// The link with its own moment of inertia.
 mechanism::Link own_of(const planar::Link& link);
-/// What its mass is reduced to; none where the points do not fit.
+/// The point masses of its mass; none where the points do not fit.
 std::vector<mechanism::PointMass> masses_of(const planar::Link& link, const mechanism::Link& own);
 
 /// The moment of inertia that the solver takes: of two point masses theirs, else the link's own. kg m^2.

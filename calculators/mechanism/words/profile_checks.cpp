@@ -1,4 +1,4 @@
-// What can be wrong with the profile of a cam: fields, values, and what touches it.
+// Possible faults of the profile of a cam: fields, values, and its contact.
 #include "calculators/mechanism/words/names.hpp"
 #include "calculators/mechanism/words/profiles.hpp"
 #include "lib/mechanism/model/whole_turn.hpp"
@@ -242,7 +242,7 @@ class ValueCheck {
   std::vector<FieldFault> faults_;
 };
 
-/// Where the profile is hollow a flat face stands off, and a roller that is too large touches at two places.
+/// At a hollow of the profile a flat face loses contact, and too large a roller touches at two places.
 void check_hollows(const Mechanism::Input& in, std::vector<FieldFault>& faults) {
   for (const planar::Joint& joint : in.joints) {
     if (!is_cam(joint.type)) continue;

@@ -14,7 +14,7 @@ namespace loadpath::planar {
 /// The profile that a joint names; nullptr where there is none of that name.
 const CamProfile* find_profile(const Mechanism::Input& in, const Name& name);
 
-/// Of a segment, m or rad.
+/// Rise of a segment, m or rad.
 double rise_of(const CamProfile& profile, const CamProfile::Segment& segment);
 
 bool is_cam(planar::Type type);

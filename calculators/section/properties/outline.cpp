@@ -12,12 +12,12 @@ constexpr Length none = from_si<Length>(0.0);
 
 struct Vertex {
   Length y, z;
-  Length r = none;  // of the arc that rounds it
+  Length r = none;  // radius of its fillet
 };
 
 /// A polygon whose corners are right angles, those with a radius rounded.
 Outline rounded(std::initializer_list<Vertex> vertices) {
-  constexpr int parts = 4;  // of an arc
+  constexpr int parts = 4;  // chords of an arc
   Outline outline;
   const auto* all = vertices.begin();
   const std::size_t n = vertices.size();
@@ -47,7 +47,7 @@ std::vector<draw::Point> loop_of(const Outline& outline) {
   return loop;
 }
 
-/// A line through the centroid, across the whole section and beyond, named at its end.
+/// A line through the centroid, across the full section and beyond, named at its end.
 void add_axis(draw::Scheme& scheme, draw::Point centroid, double angle, const char* name) {
   double low = 0.0, high = 0.0;
   const double c = std::cos(angle), s = std::sin(angle);

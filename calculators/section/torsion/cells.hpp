@@ -18,7 +18,7 @@ Area area_of(const ThinWalledTypes::Cell& cell);
 /// Its shear modulus over that of the section.
 double modulus_ratio(const ThinWalledTypes::Input& in, const ThinWalledTypes::Wall& wall);
 bool is_free(const ThinWalledTypes::Wall& wall);
-/// Sum over all walls around a cell.
+/// Length of all walls around a cell.
 Length perimeter_of(const ThinWalledTypes::Input& in, std::size_t cell);
 
 /// For each cell its shear flow over G theta: sum over its walls of l/(n t) (f - f_beside) = 2 A.

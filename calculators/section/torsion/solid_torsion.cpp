@@ -53,7 +53,7 @@ Nets nets_of(const Input& in) {
           numerics::torsion_function({contours.loops.data(), contours.loops.size()}, 2 * per_side)};
 }
 
-/// Which way the contour turns at b: 1 to the left, -1 to the right, 0 where it goes straight on.
+/// Direction of the contour at b: 1 to the left, -1 to the right, 0 where it goes straight on.
 int turn(const Polygon::Corner& a, const Polygon::Corner& b, const Polygon::Corner& c) {
   constexpr double straight = 1e-6;  // rad
   const double x_1 = in_si(b.y - a.y), y_1 = in_si(b.z - a.z), x_2 = in_si(c.y - b.y), y_2 = in_si(c.z - b.z);

@@ -1,4 +1,4 @@
-// What section.thin_walled asks of its input beyond the bounds of its fields.
+// Rules of section.thin_walled beyond the bounds of its fields.
 #include "calculators/section/contour_sides.hpp"
 #include "calculators/section/torsion/cells.hpp"
 #include "calculators/section/torsion/thin_walled.hpp"
@@ -32,7 +32,7 @@ bool is_known(const Input& in, const Wall& w) {
   return cell != outside && (w.beside.empty() || (beside != outside && beside != cell));
 }
 
-/// Cells that have a way to the outside through walls; nothing else fixes their flow.
+/// Cells connected to the outside through walls; nothing else fixes their flow.
 std::array<bool, most_cells + 1> reached_cells(const Input& in) {
   std::array<bool, most_cells + 1> reached{};
   reached[in.cells.size()] = true;
@@ -45,7 +45,7 @@ std::array<bool, most_cells + 1> reached_cells(const Input& in) {
   return reached;
 }
 
-/// The first cell for which it does not hold; that behind the last where it holds for all.
+/// The first cell that violates the condition; one past the last if none does.
 template <class Holds>
 std::size_t first_without(const Input& in, const Holds& holds) {
   std::size_t i = 0;
@@ -63,7 +63,7 @@ Area largest_area(const Input& in, std::size_t cell) {
 }
 
 bool area_fits(const Input& in, std::size_t cell) {
-  constexpr double rounding = 5e-3;  // of sizes as they are printed
+  constexpr double rounding = 5e-3;  // tolerance of printed sizes
   return area_of(in.cells[cell]) <= (1.0 + rounding) * largest_area(in, cell);
 }
 
@@ -158,7 +158,7 @@ FieldFault ThinWalled::open_cell(const Input& in) {
           say("give all walls around a cell: cell = its name; 'beside' = the cell on the other side, if any")};
 }
 
-/// The one cell that is beside another along all of its walls; none where there is no such.
+/// The one cell next to another along all of its walls; none if there is no such cell.
 static std::size_t around(const Input& in, std::size_t i) {
   const std::size_t none = in.cells.size();
   std::size_t found = none;

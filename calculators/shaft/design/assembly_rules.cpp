@@ -1,4 +1,4 @@
-// Whether the components of a shaft have room beside one another, and can be mounted over its diameters.
+// Clearance between the components of a shaft, and their assembly over its diameters.
 #include "calculators/shaft/design/connections.hpp"
 #include "calculators/shaft/design/design.hpp"
 #include "calculators/shaft/design/model/places.hpp"

@@ -1,4 +1,4 @@
-// What shaft.design asks of connections, and which modes of failure they bring.
+// Rules of shaft.design for connections, and the failure modes that they bring.
 #include "calculators/shaft/design/connections.hpp"
 #include "calculators/shaft/design/design.hpp"
 #include "calculators/shaft/design/model/places.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 using Input = Design::Input;
 
-/// Of what is slid onto the shaft the forces act outside of it.
+/// Whether the component is slid onto the shaft, so that its forces act outside of it.
 bool is_around(const Input& in, const Seat& seat) {
   const bool is_known = is_set(seat.d_w) && seat.d_w > 0.0 * mm && seat.integral == Integral::no;
   return !is_known || seat.d_w > diameter_under(in, seat);
@@ -29,7 +29,7 @@ bool fits(const Input& in, const Seat& seat) {
   return abs(seat.d_c - own) <= one_place * own;
 }
 
-/// What contradicts a connection at its seat: its key, and why; empty where nothing does.
+/// Contradiction of a connection at its mounted component: its key and reason; empty if none.
 struct Misfit {
   const char* key = "";
   Message message = {};
@@ -43,7 +43,7 @@ Misfit other_bore(const Input& in, const Seat& seat) {
                      format_quantity(in_si(seat.b_c), mm.symbol), format_quantity(in_si(own), mm.symbol))};
 }
 
-/// A key, a spline, a press fit lies on one diameter of the shaft, and beside its bearings.
+/// A key, a spline, an interference fit lies on one diameter of the shaft, and outside its bearings.
 Misfit no_room(const Input& in, const Seat& seat) {
   if (!is_set(seat.l_c) || is_taper(piece_at(in, seat.x))) return {};
   const Length slack = one_place * length_of(in), left = seat.x - seat.l_c / 2.0, right = seat.x + seat.l_c / 2.0;
@@ -217,7 +217,7 @@ Applies Design::pushes_hubs(const Input& in) {
   });
 }
 
-/// Of a connection that is told as a record: where fatigue is asked for, its end is a notch.
+/// A connection given as a record: if fatigue is assessed, its end is a notch.
 Applies Design::lacks_notch(const Input& in) {
   if (!asks_fatigue(in)) return Applies::no;
   return where_any(in, [&](std::size_t i) {

@@ -30,7 +30,7 @@ double slope_over(double beta, const Element& element) {
 constexpr double p_L = 10.0 / 3.0;
 using OfBearings = List<double, most_supports>;
 
-/// What the bearings carry, and where the shaft moves most, of all positions so far.
+/// Bearing loads, and the places of the largest displacement, over all positions so far.
 class Movement {
  public:
   Movement(const Input& in, Result& r) : in_(in), r_(r), F_r_(in.supports.size(), 0.0), F_a_(in.supports.size(), 0.0) {
@@ -92,7 +92,7 @@ class Movement {
     }
   }
 
-  /// Of all sections the largest.
+  /// Maxima over all sections.
   void extremes(const Loaded& loaded) {
     double T = 0.0;
     for (const double there : loaded.T) T = std::max(T, std::abs(there));
@@ -120,7 +120,7 @@ void stiffness(const Input& in, Result& r, Tracer& trace) {
   }
 }
 
-/// Of tapers alone.
+/// Tapers only.
 template <class Tracer>
 double steepest(const Input& in, Tracer& trace) {
   double slope = 0.0;

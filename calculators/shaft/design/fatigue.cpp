@@ -156,7 +156,7 @@ fatigue::Din743Safety rated_by_din743(const Input& in, const There& there, const
   return fatigue::din743(steel, section_of_din743(in, there, sides, p, s), loads, quiet);
 }
 
-/// Of loads that stay in space: bending alternates as the shaft turns, the force along it stays, torsion does both.
+/// Constant loads fixed in space: bending alternates as the shaft rotates, the axial force stays, torsion does both.
 Swings standing(const Input& in, const Section& p) {
   Swings all;
   all.M = {p.M, 0.0 * N_m.one};
@@ -281,7 +281,7 @@ class Rating {
   const Section& p_;
 };
 
-/// What the section has to do with, told before its notch.
+/// Context of the section, reported before its notch.
 template <class Tracer>
 void tell(const Section& p, Length r_n, bool own, bool turns, Tracer& trace) {
   trace.value("d", p.d, "of the section");

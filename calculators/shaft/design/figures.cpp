@@ -1,5 +1,5 @@
-// The shaft from the side, with bearings and seats, its diagrams below it, and the sections that govern; over a turn
-// what the weakest of them feels.
+// The shaft from the side, with bearings and mounted components, its diagrams below it, and the governing sections;
+// over a revolution the internal forces of the weakest.
 #include "calculators/shaft/design/design.hpp"
 #include "calculators/shaft/design/model/positions.hpp"
 #include "calculators/shaft/design/model/turn.hpp"

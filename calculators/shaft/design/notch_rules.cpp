@@ -1,4 +1,4 @@
-// What shaft.design asks of notches: that they fit where they are, stand apart, and leave no step untold.
+// Rules of shaft.design for notches: fit at their place, distance, and no step without a notch.
 #include "calculators/fatigue/peterson.hpp"
 #include "calculators/shaft/design/design.hpp"
 #include "calculators/shaft/design/model/places.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 using Input = Design::Input;
 
-/// What a notch lacks, or has and should not have; empty where nothing is.
+/// Missing or superfluous fields of a notch; empty if none.
 Message fault_of_fields(const Notched& notch) {
   using Kind = Notch;
   const Kind kind = notch.kind;
@@ -43,7 +43,7 @@ Message fault_of_fields(const Notched& notch) {
   return {};
 }
 
-/// What is wrong with the width of a groove, which lies half on each side of its place; empty where nothing is.
+/// Fault of the width of a groove, which lies half on each side of its place; empty if none.
 Message fault_of_width(const Input& in, const Notched& notch) {
   if (!is_set(notch.w)) return {};
   if (notch.r > notch.t || notch.r > notch.w / 2.0)
@@ -58,8 +58,8 @@ Message fault_of_width(const Input& in, const Notched& notch) {
   return {};
 }
 
-/// What is wrong with the fillet of a shoulder, an arc that leaves the thinner side evenly: one that is rounder than
-/// the step is high ends in an edge, as the charts have it, and leaves no face. Empty where nothing is.
+/// Fault of the fillet of a shoulder, an arc tangent to the thinner side: a radius above the step height ends in an
+/// edge, as in the charts, and leaves no face. Empty if none.
 Message fault_of_fillet(const Notched& notch, const Around& there) {
   const Length high = (there.sides.larger() - there.sides.thinner().d) / 2.0, r = notch.r;
   if (is_set(notch.h) && r > high)
@@ -71,8 +71,8 @@ Message fault_of_fillet(const Notched& notch, const Around& there) {
   return {};
 }
 
-/// What is wrong with the diameter that a notch is made for, or with its taper; empty where nothing is. A key on a
-/// taper is made for a diameter of it.
+/// Fault of the nominal diameter of a notch, or of its taper; empty if none. A key on a taper is made for a diameter
+/// of it.
 Message fault_of_size(const Notched& notch, const Around& there) {
   const bool on_taper = is_taper(there.before) && &there.before == &there.after;
   if (on_taper && notch.kind == Notch::press_fit)
@@ -90,14 +90,14 @@ Message fault_of_size(const Notched& notch, const Around& there) {
   return say("it is made for {1}, and the shaft has {2} at {3}", format(notch.d), format(own), format(notch.x));
 }
 
-/// What a fillet of this radius concentrates at least: the chart, at the nearer end of its range where it does not go
-/// so far, and nothing below it.
+/// Minimum stress concentration of a fillet of this radius: the chart, at the nearer end of its range if outside, and
+/// nothing below it.
 double least_concentration(std::span<const fatigue::Fit> fits, Length h, Length r, Length D) {
   if (h < fits.front().low * r) return 1.0;
   return fatigue::concentration(fits, h, max(r, h / fits.back().high), D).K;
 }
 
-/// What a K_t becomes in fatigue; nothing is known of a metal whose strength is not.
+/// Fatigue notch factor from K_t; unknown for a metal of unknown strength.
 double in_fatigue(const Input& in, double K, Length r, fatigue::Endurance::Loading loading) {
   using fatigue::Endurance;
   if (!is_set(in.R_m) || in.group > Endurance::Group::cast_steel) return 1.0;
@@ -108,8 +108,8 @@ double in_fatigue(const Input& in, double K, Length r, fatigue::Endurance::Loadi
   return Endurance::evaluate(e, quiet).K_f;
 }
 
-/// What is wrong with factors that are typed where the outer diameter changes: no step has less than its fillet makes.
-/// Charts and tests differ by a tenth or so; of hollow shafts there is no chart here, but a step they have.
+/// Fault of typed factors at a change of the outer diameter: no step has less than its fillet makes. Charts and tests
+/// differ by a tenth or so; hollow shafts have no chart here, but do have a step.
 Message fault_of_typed_step(const Input& in, const Notched& notch, const Around& there) {
   const Length d = there.sides.thinner().d, D = there.sides.larger(), r = notch.r;
   if (d == D) return {};
@@ -139,7 +139,7 @@ Message fault_of_typed_step(const Input& in, const Notched& notch, const Around&
   return {};
 }
 
-/// What is wrong with the seat of a key, or splines, in a hollow shaft; empty where nothing is.
+/// Fault of a keyway, or splines, in a hollow shaft; empty if none.
 Message fault_of_wall(const Input& in, const Notched& notch, const Around& there) {
   const bool keyed = is_keyed(notch.kind);
   if (!is_bored(in, notch.x) || !(keyed || is_set(notch.t))) return {};
@@ -156,7 +156,7 @@ Message fault_of_wall(const Input& in, const Notched& notch, const Around& there
   return {};
 }
 
-/// Whether any torque runs through the shaft beside a place; of one that nothing twists, none is missed.
+/// Whether any torque runs through the shaft next to a place; without torque none is missed.
 bool torque_beside(const Input& in, Length x) {
   bool twisted = false;
   for (std::size_t position = 0; position < positions_of(in); ++position) {
@@ -173,7 +173,7 @@ bool torque_beside(const Input& in, Length x) {
   return !twisted;
 }
 
-/// What is wrong with the place of a hub's end: fits are up to 1.5 d long, so that their ends are nearer to the middle.
+/// Fault of the place of a hub's end: fits are up to 1.5 d long, so that their ends are nearer to the middle.
 Message fault_of_hub(const Input& in, const Notched& notch, Length d) {
   Length nearest = 1.5 * d;
   bool found = false, twists = false;
@@ -190,7 +190,7 @@ Message fault_of_hub(const Input& in, const Notched& notch, Length d) {
   return {};
 }
 
-/// What is wrong with the place of a key's end, or a hub's; empty where nothing is.
+/// Fault of the place of a key's end, or a hub's; empty if none.
 Message fault_of_place(const Input& in, const Notched& notch) {
   if (notch.kind == Notch::press_fit) return fault_of_hub(in, notch, around(in, notch.x).sides.thinner().d);
   if (!is_keyed(notch.kind)) return {};
@@ -213,7 +213,7 @@ Message fault_of_place(const Input& in, const Notched& notch) {
   return {};
 }
 
-/// What is wrong with a notch where pieces meet: a shoulder is where their diameters differ, others are not.
+/// Fault of a notch where segments meet: a shoulder is where their diameters differ, others are not.
 Message fault_of_meeting(const Input& in, const Notched& notch, const Around& there) {
   const bool typed = notch.kind == Notch::given || notch.kind == Notch::beta;
   const auto here = [&](const Meeting& m) { return are_one(in, m.x, notch.x); };
@@ -233,7 +233,7 @@ Message fault_of_meeting(const Input& in, const Notched& notch, const Around& th
   return {};
 }
 
-/// What is wrong with a notch where it is; empty where nothing is.
+/// Fault of a notch at its place; empty if none.
 Message fault_of(const Input& in, const Notched& notch) {
   if (Message fault = fault_of_fields(notch); !fault.empty()) return fault;
   const bool typed = notch.kind == Notch::given || notch.kind == Notch::beta;
@@ -255,8 +255,7 @@ Message fault_of(const Input& in, const Notched& notch) {
   return fault_of_meeting(in, notch, there);
 }
 
-/// How far along the shaft a notch is felt: as far as it is deep, twice. Of a keyway a tenth of the diameter counts as
-/// its depth.
+/// Axial reach of a notch: twice its depth. For a keyway the depth is d/10.
 Length reach_of(const Input& in, const Notched& notch) {
   const Length none = 0.0 * mm;
   const Sides sides = around(in, notch.x).sides;

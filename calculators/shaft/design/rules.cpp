@@ -1,4 +1,4 @@
-// What shaft.design asks of its input beyond the bounds of its fields; of notches in notch_rules.cpp.
+// Rules of shaft.design beyond the bounds of its fields; of notches in notch_rules.cpp.
 #include "calculators/shaft/design/design.hpp"
 #include "calculators/shaft/design/model/bending.hpp"
 #include "calculators/shaft/design/model/places.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 using Input = Design::Input;
 
-constexpr double apart = 1e-4;  // of the length: bearings nearer than that are one bearing
+constexpr double apart = 1e-4;  // share of the length: closer bearings are one bearing
 
 /// Calls with the place of everything that is on the shaft, and what makes its key, until one call is true.
 template <class Found>
@@ -54,8 +54,8 @@ std::ptrdiff_t count_balancing(const Input& in) {
   return std::count_if(in.seats.begin(), in.seats.end(), [](const Seat& s) { return s.way == Way::balances; });
 }
 
-/// What a force across makes about the axis, where it acts, is the torque, to what tables round; a force along the
-/// shaft that comes with it acts at the same place.
+/// The moment of a transverse force about the axis, at its point, is the torque, to the rounding of tables; an
+/// accompanying axial force acts at the same place.
 bool makes_its_torque(const Seat& seat, std::size_t position) {
   constexpr double rounding = 0.05;
   const Force F_y = seat.F_y.at(position), F_z = seat.F_z.at(position);
@@ -65,8 +65,8 @@ bool makes_its_torque(const Seat& seat, std::size_t position) {
   return made == 0.0 * N_m.one || seat.way == Way::balances || abs(made - T) <= rounding * max(made, T);
 }
 
-/// Of the bearings the first that sits on a taper, and does not say so; null where there is none. At the ends of a
-/// taper a bearing can have a neck of its own.
+/// The first bearing on a taper that does not say so; null if none. At the ends of a taper a bearing can have a neck
+/// of its own.
 const Support* slipping(const Input& in) {
   const Length aside = 10.0 * one_place * length_of(in);
   for (const Support& support : in.supports) {
@@ -77,7 +77,7 @@ const Support* slipping(const Input& in) {
   return nullptr;
 }
 
-/// What may be wrong with what sits there as a body that turns; empty: nothing.
+/// Fault of a mounted component as a rotating body; empty: none.
 struct BodyFault {
   const char* key = "";
   Message message = {};
@@ -234,7 +234,7 @@ bool Design::forces_turn_alike(const Input& in) {
   return true;
 }
 
-/// Of what has a sense: forces beside the axis, which go with it, and cranks.
+/// Whether components with a direction (forces off the axis, which rotate with it, or a crank) rotate alike.
 bool Design::turn_alike(const Input& in) {
   double sense = 0.0;
   for (const Seat& seat : in.seats) {
@@ -257,8 +257,8 @@ FieldFault Design::no_body(const Input& in) {
   return {};
 }
 
-/// Points of mass stand for discs between bearings, where these hardly turn as the shaft first bends; not beyond them,
-/// and not beside seats that tell how they turn.
+/// Point masses represent discs between bearings, where these hardly tilt in the first mode; not overhung, and not
+/// next to components with given inertia.
 Applies Design::bears_discs(const Input& in) {
   const auto is_point = [](const Seat& s) { return s.mass > 0.0 * kg.one && !is_set(s.I_p); };
   if (!is_set(speed_of(in)) || std::none_of(in.seats.begin(), in.seats.end(), is_point)) return Applies::no;

@@ -29,7 +29,7 @@ FkmSteelGroup steel_of(Endurance::Group group) {
   }
 }
 
-/// With the strengths as they are in this size; the safety is a factor on the whole load.
+/// With the strengths as they are in this size; the safety is a factor on the full load.
 fatigue::FkmSafety rated_by_fkm(const Input& in, const fatigue::Din743Section& section, const Stressed& t) {
   fatigue::FkmSteel steel;
   steel.steel = steel_of(in.group), steel.R_m = in.R_m, steel.R_e = in.R_e;
@@ -67,7 +67,7 @@ void other_schools(const Input& in, const fatigue::Din743Section& section, const
     s.n_Serensen = trace.value("n_Serensen", rated_by_serensen(in, rated, stressed),
                                "Serensen, as fatigue.combined finds it with K_sigma of DIN 743 for K_D");
   if (in.method == School::serensen) s.x_DIN = outside;
-  double left = 1.0;  // of a casting
+  double left = 1.0;  // value for a casting
   if (steel_of(in.group) != FkmSteelGroup::untold) {
     static constexpr auto fields = fatigue::fkm_results<fatigue::FkmSafety>();
     const fatigue::FkmSafety by_fkm = rated_by_fkm(in, section, stressed);

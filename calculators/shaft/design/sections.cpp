@@ -43,13 +43,13 @@ Name told_apart(const Name& name, std::string_view apart) {
   return std::string_view(text.data(), text.size());
 }
 
-/// Of the taper; where it tires first, told apart from where it is stressed most.
+/// Name of the taper; the place of lowest fatigue strength is distinguished from the most stressed.
 Name name_of(const Input& in, const Weak& weak) {
   const Name& piece = in.pieces[weak.piece].name;
   return weak.tires ? told_apart<6>(piece, "_tires") : piece;
 }
 
-/// Of what stands at one place the notch comes first, then what has a name.
+/// At one place the notch comes first, then a named object.
 class Gathering {
  public:
   explicit Gathering(const Stations& stations) : stations_(stations) {}

@@ -1,8 +1,8 @@
 // How the diameters of a shaft go together when they are searched for: they fall from one piece to both ends, so that
 // all that sits on the shaft can be pushed onto it. Each piece that carries no bearing may be the thickest; the
-// lightest shaft is taken. A shoulder is no lower than its fillet, and than what is set against it asks; where nothing
-// is cut between two pieces they are one cylinder; bearings sit on bores of bearings. Tapers are given, and their ends
-// ask of the cylinders beside them what other cylinders do.
+// lightest shaft is taken. A shoulder is at least as high as its fillet and its abutting part require; without a
+// notch between them two pieces are one cylinder; bearings sit on bores of bearings. Tapers are given, and their ends
+// require of adjacent cylinders what other cylinders do.
 #include "calculators/shaft/design/design.hpp"
 #include "calculators/shaft/design/model/bending.hpp"
 #include "calculators/shaft/design/model/places.hpp"
@@ -16,7 +16,7 @@ namespace {
 
 using Input = DesignInput;
 
-/// Of a piece that is searched for its place among them, else none.
+/// Index of a sought piece among the sought ones, else none.
 constexpr std::size_t none = most_pieces;
 using OfPieces = List<std::size_t, most_pieces>;
 
@@ -43,7 +43,7 @@ const Notched* notch_at(const Input& in, Length x) {
   return found == in.notches.end() ? nullptr : &*found;
 }
 
-/// What is between a piece and the one to its right.
+/// Joint between a piece and the one to its right.
 struct Joint {
   Length x;
   bool tied = false;        // nothing: one cylinder
@@ -137,15 +137,14 @@ struct Trial {
     if (is_sought(i)) return d(i);
     return neighbour < i ? in.pieces[i].d : right_diameter(in.pieces[i]);
   }
-  /// What has to be passed over.
+  /// Diameter to be passed over.
   [[nodiscard]] Length over(std::size_t i) const { return is_sought(i) ? d(i) : thickest(in.pieces[i]); }
   /// From the thickest piece.
   [[nodiscard]] std::size_t away(std::size_t i) const {
     const std::size_t top = sought.front().note;
     return i < top ? top - i : i - top;
   }
-  /// What a neighbour asks of a piece at least. One that is given, further in, is a collar, or a neck to be passed
-  /// over.
+  /// Minimum diameter that a neighbour requires. A given one, further in, is a collar, or a neck to be passed over.
   [[nodiscard]] Length asked_by(const Joint& joint, std::size_t i, std::size_t neighbour) const {
     const Length beyond = end(neighbour, i);
     if (joint.tied) return beyond;
@@ -199,7 +198,7 @@ double Design::cost(const Input& in) {
   return V;
 }
 
-/// Of sections and of their safeties: the piece at their place, of two the thinner.
+/// Place of sections and of their safeties: the piece there, the thinner of two.
 const void* Design::place(const Input& in, std::string_view list, const void* element) {
   Length x = unset<Length>;
   if (list == "sections") x = static_cast<const Section*>(element)->x;
@@ -212,7 +211,7 @@ const void* Design::place(const Input& in, std::string_view list, const void* el
 bool Design::raise(const Input& in, std::span<Sought> sought) {
   const Trial trial{in, sought, sought_of(in, sought)};
   for (std::size_t i = 0; i < trial.of.size(); ++i) {
-    if (trial.is_sought(i) && is_set(in.pieces[i].d_2)) return false;  // of a taper both ends are given
+    if (trial.is_sought(i) && is_set(in.pieces[i].d_2)) return false;  // both ends of a taper are given
   }
   for (bool raised = true; raised;) {
     raised = false;

@@ -32,7 +32,7 @@ class Scan {
   Scan(const Input& in, const Stations& stations, const Loaded& loaded)
       : in_(in), stations_(stations), loaded_(loaded) {}
 
-  /// Raises a peak to that of a piece: at the ends of its spans, and in the two beside the highest of them.
+  /// Raises a peak to that of a piece: at the ends of its spans, and in the two next to the highest of them.
   template <class Use>
   void raise(Peak& peak, std::size_t piece, const Use& use) const {
     const std::size_t none = stations_.piece.size();
@@ -76,7 +76,7 @@ double tired(const Input& in, const Section& p, std::span<const Swings> swings) 
   return safety_of(in, There{}, Sides{ring, ring}, p, swings, quiet).u_D;
 }
 
-/// Under loads over a turn, of the nodes alone: each has its own swings.
+/// Under loads over a revolution, only at the nodes: each has its own swings.
 void raise_over_turn(const Input& in, const Stations& stations, const Turn& turn, Peaks& peaks) {
   for (std::size_t n = 1; n < stations.piece.size(); ++n) {
     const std::size_t piece = stations.piece[n];
@@ -110,7 +110,7 @@ Weakest weakest_of_tapers(const Input& in) {
     turn.take(loaded);
   }
   if (tires && turn.varies()) raise_over_turn(in, stations, turn, fatigue);
-  constexpr double one = 1e-4;  // of a taper: both are then one place
+  constexpr double one = 1e-4;  // share of a taper: both are then one place
   for (std::size_t i = 0; i < in.pieces.size(); ++i) {
     const bool apart = std::abs(yield[i].t - fatigue[i].t) > one * in_si(in.pieces[i].l);
     if (yield[i].f > 0.0) all.push_back({yield[i].t, i});

@@ -22,7 +22,7 @@ Places places_of(const Input& in) {
   Places all{0.0};
   Length end = 0.0 * mm;
   for (const Piece& piece : in.pieces) all.push_back(in_si(end += piece.l));
-  const double finest = 1e-6 * all.back();  // of the length: what is nearer is one place
+  const double finest = 1e-6 * all.back();  // share of the length: closer places are one
   for (const Seat& seat : in.seats) all.push_back(std::min(in_si(seat.x), in_si(end)));
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end(), [&](double a, double b) { return b - a <= finest; }), all.end());
@@ -42,7 +42,7 @@ Harmonic harmonic_of(const Input& in, const beam::Swing& swing, const Order& ord
   const AngularSpeed n = r.n;
   Harmonic o;
   o.name = order.name, o.h = trace.value("h", order.h, "times in a turn");
-  const std::size_t count = std::max<std::size_t>(swing.below(order.h * in_si(n)), 1);  // turning as a whole
+  const std::size_t count = std::max<std::size_t>(swing.below(order.h * in_si(n)), 1);  // rigid-body rotation
   const AngularSpeed above = count == 1 ? r.n_T : from_si<AngularSpeed>(swing.natural(count));
   o.n_above = trace.speed("n_above", above / order.h, "the next natural frequency above, over h");
   o.n_below = trace.speed("n_below", from_si<AngularSpeed>(swing.natural(count - 1)) / order.h,
@@ -84,7 +84,7 @@ constexpr std::array<const char*, most_orders> harmonic_names{"torque_1", "torqu
                                                               "torque_5", "torque_6",  "torque_7",  "torque_8",
                                                               "torque_9", "torque_10", "torque_11", "torque_12"};
 
-/// Of what the torque over a turn swings with: its harmonics of 1 % of the largest torque and more.
+/// Orders of the varying torque: its harmonics of 1 % of the largest torque and more.
 template <class Judge>
 void for_each_harmonic(const Input& in, const Judge& judge) {
   constexpr double felt = 0.01;
@@ -97,7 +97,7 @@ void for_each_harmonic(const Input& in, const Judge& judge) {
   }
 }
 
-/// Of all orders, that of the turning itself first.
+/// All orders, the rotation itself first.
 template <class Judge>
 void for_each_order(const Input& in, const Judge& judge) {
   judge(Order{"turning", 1.0});

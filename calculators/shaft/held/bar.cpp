@@ -8,7 +8,7 @@ namespace loadpath::shaft {
 
 namespace {
 
-constexpr double rounding = 1e-12;  // of the length of the bar: places that are closer count as one
+constexpr double rounding = 1e-12;  // share of the length of the bar: places that are closer count as one
 
 using Cuts = List<Length, 1 + 2 * most_cuts>;
 

@@ -14,7 +14,7 @@ using Input = Held::Input;
 using Result = Held::Result;
 using Yields = List<Flexibility, most_cuts>;
 
-/// Of a support: nothing where it is rigid, and not asked where the end is free.
+/// Flexibility of a support: zero if rigid, and not required if the end is free.
 Yielding yielding_of(End end, Moment c) { return end == End::elastic ? 1.0 / c : from_si<Yielding>(0.0); }
 
 /// The two reactions: by statics where an end is free, else by the rotations, which meet at the second support.
@@ -242,7 +242,7 @@ void judge(const Input& in, const Slices& slices, Result& r, Tracer& trace) {
   r.cycle = {Stresses::shear, r.tau_max};
 }
 
-/// How far the bar gives way, stretch by stretch and whole.
+/// Flexibility of the bar, stretch by stretch and in total.
 struct Yielded {
   Yields yields;
   Yielding F = from_si<Yielding>(0.0);

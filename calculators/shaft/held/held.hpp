@@ -1,12 +1,12 @@
 // A bar in torsion fixed at one end or both, rigidly or by a spring: statically indeterminate in general.
 //
-// Parts in series, cylinders and cones, solid or bored, each of its own material; sleeves or cores beside them that
-// turn as one with them; torques at places and spread over a part. Decides the reactions, the moment and the rotation
-// along the bar, the shear stress of every part and sleeve against its own strength, twist per length and rotation.
-// Linear elastic, circular sections (Saint-Venant), slender cones: at 10 degrees the exact cone of [Foeppl] has 1 %
-// less stress at its surface and turns by up to 5 % more. Sign: torques, reactions and rotations all turn the same way;
-// the moment of a section is the sum of what acts to its right. All results hold the service factor. Not covered:
-// bending, fatigue, steps and notches, the joint between members side by side, yielding, warping.
+// Parts in series, cylinders and cones, solid or bored, each of its own material; sleeves or cores that rotate with
+// them; torques at places and spread over a part. Decides the reactions, the moment and the rotation along the bar,
+// the shear stress of every part and sleeve against its own strength, twist per length and rotation. Linear elastic,
+// circular sections (Saint-Venant), slender cones: at 10 degrees the exact cone of [Foeppl] has 1 % less stress at
+// its surface and turns by up to 5 % more. Sign: torques, reactions and rotations have one positive direction; the
+// moment of a section is the sum of what acts to its right. Results include the service factor. Not covered: bending,
+// fatigue, steps and notches, the joint between members side by side, yielding, warping.
 #pragma once
 
 #include "calculators/load/shear_strength.hpp"

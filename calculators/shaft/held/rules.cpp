@@ -1,4 +1,4 @@
-// What shaft.held asks of its input beyond the bounds of its fields.
+// Rules of shaft.held beyond the bounds of its fields.
 #include "calculators/shaft/held/bar.hpp"
 #include "calculators/shaft/held/held.hpp"
 #include "lib/quantity/format.hpp"

@@ -1,4 +1,4 @@
-// What shaft.torsion asks of its input beyond the bounds of its fields.
+// Rules of shaft.torsion beyond the bounds of its fields.
 #include "calculators/shaft/torsion/parts.hpp"
 #include "calculators/shaft/torsion/torsion.hpp"
 #include "lib/quantity/format.hpp"
@@ -45,7 +45,7 @@ FieldFault Torsion::torque_off_shaft(const Input& in) {
                               : say("x counts from the left end: correct it, or the lengths of the segments")};
 }
 
-/// Where tau_adm is given no material fills R_e: it was typed, or S stands alone.
+/// With tau_adm given no material fills R_e: it was typed, or S is given without it.
 FieldFault Torsion::two_safeties(const Input& in) {
   if (is_set(in.R_e)) return {};
   return {

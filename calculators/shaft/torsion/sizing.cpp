@@ -22,7 +22,7 @@ double Torsion::cost(const Input& in) {
   return volume;
 }
 
-/// Strength and twist are checked for the shaft as a whole.
+/// Strength and twist are checked for the complete shaft.
 const void* Torsion::place(const Input&, std::string_view, const void*) { return nullptr; }
 
 Message Torsion::unsound(const Input&, std::span<const Sought>, std::size_t) { return {}; }

@@ -15,7 +15,7 @@ void raise(Quantity& largest, Quantity value) {
   if (is_set(largest) && !(size <= largest)) largest = size;
 }
 
-/// Of two that need not both be asked for.
+/// The larger of two, either of which may be unset.
 Length larger_of(Length a, Length b) { return !is_set(a) ? b : !is_set(b) ? a : max(a, b); }
 
 /// Moments and least diameters, stretch by stretch; the largest are those of the shaft.
@@ -122,7 +122,7 @@ template <class Tracer>
 Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.tau_all = allowable_shear(in, unset<Stress>, trace);
-  if (is_set(in.P)) static_cast<void>(torque_of(in, trace));  // told here, taken by stretches_of
+  if (is_set(in.P)) static_cast<void>(torque_of(in, trace));  // reported here, used by stretches_of
   const Stretches parts = stretches_of(in);
   size_stretches(in, parts, r, trace);
   choose_least(in, r, trace);

@@ -26,7 +26,7 @@ Rolling::Input bearing_6208() {
   return in;
 }
 
-/// What a user gets wrong is told in these words.
+/// Errors of a user are reported in these words.
 void check_says(const std::string& lines, const std::string& words) {
   CHECK(test::says("[b]\ncalculator = \"bearing.rolling\"\n" + lines, words));
 }
@@ -39,7 +39,7 @@ TEST_SUITE("rolling bearing") {
   TEST_CASE("[NSK-E1102] example 1: f_h = 0.333 C/P, and a life of 500 f_h^3 hours") {
     const auto r = solve(bearing_6208());
     CHECK(in_si(r.P) == 2500.0);
-    CHECK(rel(in_si(r.L_10h) / 3600.0, 500.0 * std::pow(0.333 * 29.1 / 2.5, 3)) < 0.004);  // of 0.333
+    CHECK(rel(in_si(r.L_10h) / 3600.0, 500.0 * std::pow(0.333 * 29.1 / 2.5, 3)) < 0.004);  // for a share of 0.333
   }
 
   TEST_CASE("[SKF-6309] example 1, and [FAG-lecture] example 1: 343 millions, 8795 h") {

@@ -142,7 +142,7 @@ TEST_SUITE("belt figures") {
     const auto& view = drawing_of(figure).views[0];
     CHECK(view.names.size() == 4);
     CHECK(view.lengths.at(0).value.symbol == "s");
-    // The roller on the back turns the other way.
+    // The roller on the back rotates in the opposite direction.
     CHECK(view.turns[1].counter_clockwise != view.turns[0].counter_clockwise);
   }
 

@@ -191,7 +191,7 @@ TEST_SUITE("belt v") {
       CHECK(rel(in_si(r.y), 0.0155 * in_si(r.a)) < 1e-12);
     }
     CHECK(rel(in_si(wedge_belt.Q_new), 1.3 * in_si(wedge_belt.Q)) < 1e-12);
-    // GOST 1284.3-96, (18) and (19): the stiffness of the belt stands in both
+    // GOST 1284.3-96, (18) and (19): both include the stiffness of the belt
     CHECK(rel(in_si(classical_belt.Q_new - classical_belt.Q), 0.3 * in_si(classical_belt.F_0) / 16.0) < 1e-12);
   }
 

@@ -142,7 +142,7 @@ TEST_SUITE("belt v sizing") {
       CHECK(of_belt == shown);
     CHECK(in_si(whole.B) == in_si(r.B));
     CHECK(whole.u_P == r.u_P);
-    // What the spans of 8 belts hold at rest, by hand.
+    // Span forces of 8 belts at rest, by hand.
     const double sin_gamma = std::abs(in_si(r.d_2 - r.d_1)) / 2.0 / in_si(r.a);
     CHECK(in_si(r.R_0) == doctest::Approx(2.0 * 8.0 * in_si(r.F_0) * std::sqrt(1.0 - sin_gamma * sin_gamma)));
   }

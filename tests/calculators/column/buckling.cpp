@@ -310,7 +310,7 @@ TEST_SUITE("column buckling") {
       REQUIRE(issues.empty());
       const auto& inputs = project.find("bar")->account().inputs;
       const auto kind = std::find_if(inputs.begin(), inputs.end(), [](const auto& e) { return e.path == "kind"; });
-      CHECK((kind == inputs.end() ? "" : kind->word) == row.kind);  // what is not said is not shown
+      CHECK((kind == inputs.end() ? "" : kind->word) == row.kind);  // an unset value is not shown
       if (std::isnan(row.alpha_y)) {
         CHECK(std::isnan(project.value("bar.axes.y.alpha")->si[0]));
       } else {

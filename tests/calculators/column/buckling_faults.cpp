@@ -44,7 +44,7 @@ TEST_SUITE("column buckling faults") {
          "give the ends of an axis or its factor beta, never both");
     const std::string soft =
         "calculator = \"column.buckling\"\nl = \"900 mm\"\nends = \"pinned_pinned\"\nd = \"40 mm\"\n";
-    CHECK(complaints(soft).empty());  // its slenderness alone
+    CHECK(complaints(soft).empty());  // only its slenderness
     says(soft + "R_e = \"235 MPa\"\nmethod = \"johnson\"\nn_st = 2\nP = \"10 kN\"\n",
          "give the modulus E, or a material");
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"-1 kN\"\n", "P = -1 kN: must be >= 0 kN");

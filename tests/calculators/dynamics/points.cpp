@@ -89,7 +89,7 @@ TEST_SUITE("dynamics impulse") {
     const SolvedStep s(
         "dynamics.impulse",
         "m = \"2 kg\"\nF_x = \"30 N\"\nF_y = \"-10 N\"\nt_2 = \"1 s\"\nv_1x = \"1 m/s\"\nv_1y = \"2 m/s\"\n");
-    // constant force: the way is the mean velocity times the time
+    // constant force: the path is the mean velocity times the time
     CHECK(near(s("A"), 30.0 * (1.0 + s("v_2x")) / 2.0 - 10.0 * (2.0 + s("v_2y")) / 2.0));
   }
 

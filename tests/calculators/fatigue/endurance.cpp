@@ -126,7 +126,7 @@ TEST_SUITE("fatigue.endurance") {
     CHECK(weaker([](E::Input& o) { o.d = 60.0 * mm; }));
     CHECK(weaker([](E::Input& o) { o.R_z = 25.0 * um; }));
     CHECK(weaker([](E::Input& o) { o.K_t = 2.2; }));
-    CHECK(weaker([](E::Input& o) { o.r_n = 4.0 * mm; }));  // more of the same K_t is felt
+    CHECK(weaker([](E::Input& o) { o.r_n = 4.0 * mm; }));  // more of the same K_t is effective
     CHECK_FALSE(weaker([](E::Input& o) { o.beta_V = 1.3; }));
   }
 

@@ -104,7 +104,7 @@ TEST_SUITE("fatigue.fkm") {
     CHECK(std::abs(fkm_roughness("K_R", 100.0 * um, root, trace) - 0.824) < 1e-6);
     root.R_md = 600.0 * MPa;
     CHECK(std::abs(fkm_roughness("K_R", 100.0 * um, root, trace) - 0.79) < 5e-4);
-    // what the size factors have at the reference diameters, [PragTic]
+    // values of the size factors at the reference diameters, [PragTic]
     struct Row {
       FkmSteelGroup group;
       double at_reference;

@@ -228,11 +228,11 @@ TEST_SUITE("fatigue.history") {
     double cycles = 0.0;
     for (int i = 1; const Value* n = step.value("matrix[" + std::to_string(i) + "].n"); ++i) cycles += n->si[0];
     CHECK(cycles == 4.0);
-    CHECK(value_of(p, "range_pairs[1].n") == 0.5);  // of 9
-    CHECK(value_of(p, "range_pairs[2].n") == 1.0);  // of 8
-    CHECK(value_of(p, "range_pairs[4].n") == 0.5);  // of 6
-    CHECK(value_of(p, "range_pairs[6].n") == 1.5);  // of 4
-    CHECK(value_of(p, "range_pairs[7].n") == 0.5);  // of 3
+    CHECK(value_of(p, "range_pairs[1].n") == 0.5);  // range 9
+    CHECK(value_of(p, "range_pairs[2].n") == 1.0);  // range 8
+    CHECK(value_of(p, "range_pairs[4].n") == 0.5);  // range 6
+    CHECK(value_of(p, "range_pairs[6].n") == 1.5);  // range 4
+    CHECK(value_of(p, "range_pairs[7].n") == 0.5);  // range 3
     CHECK(value_of(p, "range_pairs[9].n_least") == 4.0);
     CHECK(rel(value_of(p, "range_pairs[1].to"), 180e6) < 1e-9);
     // the level 0 between the classes: up at -2 to 1, -3 to 5, -1 to 3, -4 to 4

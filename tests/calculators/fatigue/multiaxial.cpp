@@ -132,7 +132,7 @@ TEST_SUITE("fatigue.multiaxial") {
       return std::array<std::array<double, 2>, 4>{{{-3.0, 0.0}, {3.0, 0.0}, {0.0, 0.5}, {0.0, 0.5}}}[i];
     };
     CHECK(rel(numerics::smallest_ball<2>(4, obtuse).radius, 3.0) < 1e-14);
-    const auto corners = [](std::size_t i) {  // of a cube, and points inside of it
+    const auto corners = [](std::size_t i) {  // corners of a cube, and points inside of it
       const double s = i < 8 ? 1.0 : 0.3;
       return std::array<double, 3>{(i & 1U) != 0 ? s : -s, (i & 2U) != 0 ? s : -s, (i & 4U) != 0 ? s : -s};
     };

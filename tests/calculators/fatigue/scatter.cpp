@@ -63,7 +63,7 @@ TEST_SUITE("fatigue.scatter") {
     CHECK(rel(in_si(r.S_50), 1e6 * std::pow(10.0, in_si(plain.S_50) / 1e9)) < 1e-12);
     CHECK(rel(r.s_lg, in_si(plain.s) / 1e9) < 1e-9);
     CHECK(rel(r.T_S, std::pow(10.0, 2.0 * 1.2815515655446004 * r.s_lg)) < 1e-12);
-    const double z_P = 1.2815515655446004;  // of P_s = 0.9
+    const double z_P = 1.2815515655446004;  // quantile of P_s = 0.9
     CHECK(rel(in_si(r.S_P), in_si(r.S_50) * std::pow(10.0, -z_P * r.s_lg)) < 1e-12);
     const double S_50 = in_si(plain.S_50), wide = z_P * in_si(plain.s);
     CHECK(rel(plain.T_S, (S_50 + wide) / (S_50 - wide)) < 1e-12);

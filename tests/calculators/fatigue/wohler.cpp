@@ -17,7 +17,7 @@ using test::rel;
 
 constexpr auto fitted = test::evaluated<W>;
 
-/// Plastic strain amplitudes and lives of the example of [E739], a strain of 1 told as 1 MPa.
+/// Plastic strain amplitudes and lives of the example of [E739], a strain of 1 entered as 1 MPa.
 W::Input example_of_e739() {
   W::Input in;
   const double points[][2] = {{0.01636, 168},  {0.01609, 200},  {0.00675, 1000},  {0.00682, 1180}, {0.00179, 4730},

@@ -258,7 +258,7 @@ TEST_SUITE("gear pair") {
       CHECK(rel(in_si(r.gear_1.F_x), ring ? radial : -radial) < 1e-12);
       CHECK(rel(in_si(r.gear_2.F_x), ring ? radial : -radial) < 1e-12);
       // About axis 1, which turns counter-clockwise, the teeth brake; about axis 2 they drive: a wheel against the
-      // sense of gear 1, a ring with it. The pitch point lies toward the mate, but beyond axis 1 in a ring.
+      // rotation of gear 1, a ring with it. The pitch point lies toward the mate, but beyond axis 1 in a ring.
       CHECK(rel((ring ? -1.0 : 1.0) * 0.025 * in_si(r.gear_1.F_y), -75.0) < 1e-12);
       CHECK(rel(0.07125 * in_si(r.gear_2.F_y), (ring ? 1.0 : -1.0) * 75.0 * 57.0 / 20.0) < 1e-12);
       CHECK(in_si(r.gear_1.F_z) == 0.0);

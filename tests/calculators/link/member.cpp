@@ -62,7 +62,7 @@ TEST_SUITE("link member") {
     const double u_p = ExampleStep("link.member", "")("u_p"), N = 3.0 / u_p * 18e3, M_b = 1.5 / u_p * 60.0;
     const double M = second_order(0.4, EI, N, [&](double) { return M_b; });
     CHECK(rel(N / A + M / W, 355e6) < 1e-5);
-    const double of_all = 3.0 / ExampleStep("link.member", "S = ")("u_p");  // of both the safety of buckling
+    const double of_all = 3.0 / ExampleStep("link.member", "S = ")("u_p");  // buckling safety factor of both
     const double most = second_order(0.4, EI, of_all * 18e3, [&](double) { return of_all * 60.0; });
     CHECK(rel(of_all * 18e3 / A + most / W, 355e6) < 1e-5);
   }
@@ -85,7 +85,7 @@ TEST_SUITE("link member") {
     CHECK(rel(ExampleStep("link.member", rolled)("tau"), 400 / (88.6e-3 * 4.1e-3)) < 1e-9);
     CHECK(mode_with("link.member", rolled, "shear") == "pass");
     CHECK(mode_with("link.member", rolled + "\nV = \"60 kN\"", "shear") == "fail");
-    // by A and I alone nothing is known of a web
+    // A and I by themselves give no web
     const std::string typed =
         "h = \nb = \nA = \"1032 mm^2\"\nI_y = \"171 cm^4\"\nI_z = \"15.92 cm^4\"\nc_y = \"50 mm\"";
     CHECK(mode_with("link.member", typed, "shear") == "not-judged");

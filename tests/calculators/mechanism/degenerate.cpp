@@ -1,5 +1,5 @@
-// What has no size: links without length, springs without direction, lists without items, tolerances as wide as what
-// they are of; and what is said where a mechanism does not close, jams or has no forces.
+// Degenerate sizes: links without length, springs without direction, lists without items, tolerances as wide as their
+// dimension; and messages for a mechanism that does not close, jams or has no forces.
 #include "tests/lib/project/accounts.hpp"
 #include "tests/lib/project/texts.hpp"
 
@@ -47,7 +47,7 @@ cylinders.push = { joint = "guide", speed = "1 m/s", from = "-50 mm", to = "50 m
 )";
 }
 
-/// What the table of the drive says of the crank angle.
+/// Crank angle in the table of the drive.
 std::string crank_angle_of(const project::Project& project) {
   for (const account::Block& block : project.steps[0]->account().input_blocks) {
     const auto* table = std::get_if<account::Table>(&block);

@@ -1,4 +1,4 @@
-// What is wrong with a mechanism is told in the words of the project file, with the place.
+// Faults of a mechanism are reported in the words of the project file, with the place.
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>
@@ -43,7 +43,7 @@ F_x = "-1 kN"
 F_y = "0 N"
 )";
 
-/// What is said when a part of the press is replaced.
+/// Messages when a part of the press is replaced.
 std::string with(const std::string& part, const std::string& other) { return issues_of(replaced(press, part, other)); }
 
 }  // namespace

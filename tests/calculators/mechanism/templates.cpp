@@ -154,7 +154,7 @@ const std::string slider = start + "template = \"slider_crank\"\nr = \"50 mm\"\n
 const std::string four_bar =
     start + "template = \"four_bar\"\na = \"40 mm\"\nb = \"120 mm\"\nc = \"80 mm\"\nd = \"100 mm\"\n";
 
-/// What is said when a part of a project is replaced, after its place.
+/// Message when a part of a project is replaced, after its place.
 std::string said(const std::string& text, const std::string& part, const std::string& other) {
   const auto issues = told(replaced(text, part, other)).issues;
   REQUIRE(issues.size() == 1);

@@ -175,7 +175,7 @@ TEST_SUITE("pin joint") {
     for (const char* id : {"bending", "shear", "eye", "fork", "fatigue"})
       CHECK(mode_with("pin.joint", "", id) == "pass");
     CHECK(mode_with("pin.joint", "F = \"-400 kN\"", "bending") == "fail");
-    CHECK(mode_with("pin.joint", "loading = \"steady\"", "variation") == "not-judged");  // K_A tells that it varies
+    CHECK(mode_with("pin.joint", "loading = \"steady\"", "variation") == "not-judged");  // K_A shows that it varies
     CHECK(mode_with("pin.joint", "loading = \"steady\"\nK_A = 1", "variation") == "open");
     CHECK(mode_with("pin.joint", "p_adm_1 = ", "eye") == "not-judged");
     CHECK(mode_with("pin.joint", "R_m = ", "bending") == "not-judged");

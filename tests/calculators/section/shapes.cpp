@@ -28,7 +28,7 @@ Properties of_outline(const Outline& outline) {
 
 /// A contour of right angles whose corners are rounded, finely enough for an integral.
 Properties of_rounded(const Outline& sharp, const std::vector<Length>& radii) {
-  constexpr int parts = 400;  // of an arc
+  constexpr int parts = 400;  // chords of an arc
   std::vector<section::Place> fine;
   const std::size_t n = sharp.size();
   for (std::size_t i = 0; i < n; ++i) {

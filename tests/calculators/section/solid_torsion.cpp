@@ -88,7 +88,7 @@ TEST_SUITE("solid sections in torsion") {
   TEST_CASE("an ellipse and a circle by 40 points: as close as the points") {
     std::vector<Point> ellipse;
     for (int i = 0; i < 40; ++i) ellipse.push_back({20 * std::cos(i * pi / 20), 10 * std::sin(i * pi / 20)});
-    const double lacks = 1 - std::sin(pi / 20) / (pi / 20);  // of the area
+    const double lacks = 1 - std::sin(pi / 20) / (pi / 20);  // share of the area
     const auto r = solve<SolidTorsion>(section_of(ellipse));
     CHECK(rel(r.I_t / mm4, pi * 8e6 / 500) < 2.2 * lacks);
     CHECK(rel(r.W_t / mm3, pi * 2000 / 2) < 0.025);

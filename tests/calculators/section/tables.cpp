@@ -46,7 +46,7 @@ std::size_t for_family(std::string_view table, Check check) {
   return count;
 }
 
-/// A channel with tapered flanges: t_f is measured at half the width, from 300 mm depth on at half of what stands out.
+/// A channel with tapered flanges: t_f is measured at half the width, from 300 mm depth on at half of the outstand.
 Properties tapered_channel(const Row& row) {
   const bool deep = row.h > 300.5 * mm;
   const double slope = deep ? 0.05 : 0.08;

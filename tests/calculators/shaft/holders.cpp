@@ -1,4 +1,4 @@
-// What holds hubs and rings along a shaft and around it: set screws, retaining rings.
+// Fastening of hubs and rings along a shaft and around it: set screws, retaining rings.
 #include "calculators/shaft/circlip.hpp"
 #include "calculators/shaft/set_screw.hpp"
 #include "lib/table/library.hpp"

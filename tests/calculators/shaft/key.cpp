@@ -28,7 +28,7 @@ Key::Input key_12x8() {
   return in;
 }
 
-/// What a user gets wrong is told in these words.
+/// Errors of a user are reported in these words.
 void check_says(const std::string& lines, const std::string& words) {
   CHECK(test::says("[k]\ncalculator = \"shaft.key\"\nT = \"100 N*m\"\n" + lines, words));
 }

@@ -1,4 +1,4 @@
-// A shaft whose torque follows from power and speed, and one that is asked for its twist alone.
+// A shaft whose torque follows from power and speed, and one with only a twist requirement.
 #include "calculators/catalogue.hpp"
 #include "lib/account/mode.hpp"
 #include "lib/project/project.hpp"

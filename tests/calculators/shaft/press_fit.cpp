@@ -57,7 +57,7 @@ double moves(double loaded, double free, double E, double nu) {
   return std::abs(at.u / at.s);
 }
 
-/// What a user gets wrong is told in these words.
+/// Errors of a user are reported in these words.
 void check_says(const std::string& lines, const std::string& words) {
   CHECK(
       test::says("[f]\ncalculator = \"shaft.press_fit\"\nT = \"100 N*m\"\nmu = 0.15\nl = \"40 mm\"\n" + lines, words));

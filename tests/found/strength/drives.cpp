@@ -1,4 +1,4 @@
-// What must not pass again of drives, and what must not be refused: ratings beyond the chain, spans without sag, belts
+// Regression tests of drives, and what must not be refused: ratings beyond the chain, spans without sag, belts
 // without mass, gears that turn back.
 #include "tests/found/modes.hpp"
 

@@ -1,5 +1,5 @@
-// What must not pass again of fatigue: stresses of shafts that turn, taken as if they stood; limits that hold no notch,
-// are means of tests, or lie above what a steel has in shear.
+// Regression tests of fatigue: stresses of shafts that turn, assessed as static; limits that hold no notch, are means
+// of tests, or lie above what a steel has in shear.
 #include "tests/found/modes.hpp"
 
 using namespace loadpath;
@@ -68,7 +68,7 @@ TEST_SUITE("found fatigue of parts") {
     CHECK(fatigue_of("[values]\nown = \"=shaft.sections.gear.sigma_b\"\n" + shaft() +
                          combined("sigma_a = \"0 MPa\"\nsigma_m = \"=values.own\""),
                      "yield") == "not-judged");
-    CHECK(fatigue_of(shaft("") + combined(steady)) != "not-judged");  // a shaft that stands
+    CHECK(fatigue_of(shaft("") + combined(steady)) != "not-judged");  // a shaft at rest
   }
 
   TEST_CASE("a cycle of it is symmetric, in one step and in a record") {

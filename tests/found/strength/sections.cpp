@@ -1,5 +1,5 @@
-// What must not pass again of bars: section values that are impossible beside others, curves and ends that are better
-// than those of the section and of a link.
+// Regression tests of bars: section values that are impossible next to others, curves and ends that are better than
+// those of the section and of a link.
 #include "tests/found/modes.hpp"
 
 using namespace loadpath;

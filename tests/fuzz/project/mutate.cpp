@@ -25,7 +25,7 @@ struct Span {
   std::size_t from, size;
 };
 
-/// Where numbers stand in a text that are no part of a name.
+/// Positions of numbers in a text that are not part of a name.
 std::vector<Span> numbers_in(const std::string& text) {
   std::vector<Span> found;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -38,7 +38,7 @@ std::vector<Span> numbers_in(const std::string& text) {
   return found;
 }
 
-/// Where texts between quotes stand.
+/// Positions of texts between quotes.
 std::vector<Span> quoted_in(const std::string& text) {
   std::vector<Span> found;
   for (std::size_t i = text.find('"'); i != std::string::npos; i = text.find('"', i + 1)) {
@@ -88,7 +88,7 @@ void change_word(Lines& lines, Random& random) {
   line.replace(to.from, to.size, other.substr(with.from, with.size));
 }
 
-/// What can stand for a value: a search, an expression of itself.
+/// Replacements of a value: a search, an expression of itself.
 void change_form(Lines& lines, Random& random) {
   std::string& line = lines[below(lines.size(), random)];
   const auto places = quoted_in(line);

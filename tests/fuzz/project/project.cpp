@@ -1,5 +1,5 @@
-// Any text is a project or is told what is wrong; what can be read can be solved and written, at every position and
-// with all of its report, without a number that is none.
+// Any text is a project or has its errors reported; a readable project can be solved and written, at every position
+// and with its full report, without NaN or infinity.
 #include "lib/project/project.hpp"
 
 #include "calculators/catalogue.hpp"
@@ -46,7 +46,7 @@ bool shows_no_number(std::string_view text, std::string_view project) {
   for (const std::string_view word : {"nan", "inf"}) {
     if (project.find(word) != std::string_view::npos) continue;
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
-      const bool said = text.substr(0, at).ends_with("may be ");  // what a field says of itself
+      const bool said = text.substr(0, at).ends_with("may be ");  // the description of a field
       if (stands_alone(text, at, word.size()) && !said) return true;
     }
   }

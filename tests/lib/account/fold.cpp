@@ -204,7 +204,7 @@ TEST_SUITE("fold") {
     search.subject = Subject::search;
     const Conclusion none_found = conclude({search, mode_of(State::not_judged)});
     CHECK(none_found.headline == Headline::no_solution);
-    CHECK(none_found.modes() == 1);  // a search is no mode of failure
+    CHECK(none_found.modes() == 1);  // a search is not a failure mode
     CHECK(conclude({search, mode_of(State::fail)}).headline == Headline::fail);
     const Conclusion mixed = conclude({mode_of(State::fail), mode_of(State::pass), mode_of(State::pass)});
     CHECK(mixed.headline == Headline::fail);

@@ -176,7 +176,7 @@ TEST_SUITE("beam") {
     std::vector<double> masses(41, 0.0);
     masses[10] = masses[30] = 5.0;
     const Frequencies found = frequencies(beam_of(spans(40, 2.0), {{0}, {20}, {40}}), masses);
-    CHECK(found.lowest == Approx(std::sqrt(48.0 * E_I / 5.0)));  // each field stands alone: 48 E I/l^3, l = 1 m
+    CHECK(found.lowest == Approx(std::sqrt(48.0 * E_I / 5.0)));  // each field by itself: 48 E I/l^3, l = 1 m
     CHECK(found.rayleigh > 1.4 * found.lowest);
     CHECK(found.dunkerley < found.lowest);
   }

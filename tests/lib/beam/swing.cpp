@@ -18,7 +18,7 @@ using loadpath::beam::Rod;
 using loadpath::beam::Swing;
 using std::numbers::pi;
 
-/// What is left over at the right end when the left one turns by 1: a rod is cut into `parts` springs with masses.
+/// The residual at the right end for a rotation of 1 at the left: a rod is cut into `parts` springs with masses.
 double left_over(const Swing::Rods& rods, const Swing::Discs& discs, double omega, int parts) {
   double turned = 1.0, moment = 0.0;
   const auto pass_discs = [&](std::size_t node) {

@@ -1,4 +1,4 @@
-// What loads what, drawn.
+// The load flow, drawn.
 #include "lib/draw/flow/flow.hpp"
 
 #include <doctest/doctest.h>

@@ -44,7 +44,7 @@ std::string turning() {
   return replaced(replaced(bar_that_cannot_turn(36), long_end, short_end), long_end, short_end);
 }
 
-/// Whether a null has its reason beside it, everywhere in a value.
+/// Whether a null has its reason next to it, everywhere in a value.
 bool nulls_have_reasons(const json::value& v) {
   if (const auto* array = v.if_array()) {
     for (const auto& item : *array) {

@@ -50,7 +50,7 @@ bool is_type(const json::value& wanted, const Tree& tree) {
 
 bool accepts(const json::value& value, const Tree& tree);
 
-/// What a "$ref" points to: "#/$defs/shaft.torsion".
+/// Target of a "$ref": "#/$defs/shaft.torsion".
 const json::value& definition(const json::value& reference) {
   const std::string_view path = reference.as_string();
   return schema().at("$defs").at(path.substr(path.rfind('/') + 1));

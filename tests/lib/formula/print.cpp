@@ -12,7 +12,7 @@ namespace {
 
 std::string plainly(std::string_view cpp) { return plain(parse(cpp).value()); }
 
-/// Names that stand for values: T and d with units, z without, n negative.
+/// Names of values: T and d with units, z without, n negative.
 std::optional<Written> numbers(std::string_view name) {
   static const std::map<std::string_view, Written> values = {{"T", {"600", "N·m"}}, {"d", {"50", "mm"}},
                                                              {"z", {"8", ""}},      {"n", {"-3", ""}},

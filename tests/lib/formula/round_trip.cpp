@@ -75,7 +75,7 @@ std::string cpp(const Node& tree);
 std::string fenced_below(int needed, const Node& tree) {
   return strength(tree) < needed ? "(" + cpp(tree) + ")" : cpp(tree);
 }
-/// C++ with the parentheses that its grammar asks for, and no more.
+/// C++ with the parentheses that its grammar requires, and no more.
 std::string cpp(const Node& tree) {
   if (tree.kids.empty()) return tree.text;
   if (tree.kind == Kind::negate) {

@@ -1,5 +1,5 @@
-// Cams: against the mechanisms that an eccentric is equivalent to, against the laws of lift, and what only pushes.
-// What must hold for every kind of joint is tested in pairs.cpp and sensitivity.cpp.
+// Cams: against the mechanisms that an eccentric is equivalent to, against the laws of lift, and joints that only
+// push. Invariants of every kind of joint are tested in pairs.cpp and sensitivity.cpp.
 #include "lib/mechanism/groups/system.hpp"
 #include "lib/mechanism/structure/structure.hpp"
 #include "lib/mechanism/studies/cam_state.hpp"
@@ -259,7 +259,7 @@ TEST_SUITE("mechanism") {
     const double h = 0.012, m = 0.8, k = 3000.0, squeeze = 0.01, g = 9.81;
     Model model = cam_with_roller(LiftLaw::cycloidal, 0.0);
     model.loads.clear();
-    const double rest = 0.04;  // of the follower on the base circle
+    const double rest = 0.04;  // position of the follower on the base circle
     model.springs.push_back({"spring", Spring::Kind::linear, 1, ground, {}, {0.0, rest + 0.1}, k, 0.1 + squeeze, 0.0});
     double least = 1e300;  // of omega^2, where the follower slows down
     for (double phi = 0.0; phi < 120.0 * degree; phi += 1e-5) {
@@ -293,7 +293,7 @@ TEST_SUITE("mechanism") {
       const Vec tangent{-1.0, 0.0};  // counter-clockwise round the cam, below the face
       CHECK(dot(b.reactions[2].force, tangent) ==
             doctest::Approx(-0.15 * state.pressing * std::copysign(1.0, state.sliding)).epsilon(1e-11));
-      // What is rubbed away is paid by the drive; the guide has no friction.
+      // The drive supplies the friction work; the guide has no friction.
       CHECK((b.effort[0] - a.effort[0]) * 20.0 ==
             doctest::Approx(0.15 * state.pressing * std::abs(state.sliding)).epsilon(1e-10));
     }

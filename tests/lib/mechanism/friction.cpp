@@ -1,4 +1,4 @@
-// Friction in joints: textbook cases by hand, and what must hold for every mechanism with friction.
+// Friction in joints: textbook cases by hand, and invariants of every mechanism with friction.
 #include "lib/mechanism/forces/induced.hpp"
 #include "lib/mechanism/groups/system.hpp"
 #include "tests/lib/mechanism/cam_models.hpp"

@@ -111,7 +111,7 @@ TEST_SUITE("mechanism") {
       CAPTURE(forward);
       Model model = two_wheels(JointKind::gear, 0.02, 0.4, 0.42, -30.0);
       lose(model.joints.back(), forward, 2.0 - 1.0 / forward);
-      // Lifting and lowering at rest; the first wheel turns the second the other way.
+      // Lifting and lowering at rest; the first wheel turns the second in the opposite direction.
       const double lift = position_of(model, {0.3, 0.0, 0.0, -1.0}).effort[0];
       const double lower = position_of(model, {0.3, 0.0, 0.0, 1.0}).effort[0];
       const double held = position_of(model, {0.3, 0.0, 0.0}).effort[0];

@@ -1,5 +1,5 @@
-// Rigid joints, gears, racks, belts and rolling wheels: both solvers, against closed forms and against what must hold
-// for every mechanism.
+// Rigid joints, gears, racks, belts and rolling wheels: both solvers, against closed forms and against invariants of
+// every mechanism.
 #include "lib/mechanism/groups/system.hpp"
 #include "lib/mechanism/model/pair.hpp"
 #include "lib/mechanism/structure/structure.hpp"
@@ -229,7 +229,7 @@ TEST_SUITE("mechanism") {
     std::vector<double> q;
     for (const Pose& pose : at.pose) q.insert(q.end(), {pose.x, pose.y, pose.phi});
     q.resize(constraints.columns() + 3, 0.0);
-    q[3] += 0.003, q[4] += 0.004;  // the coupler beside its place
+    q[3] += 0.003, q[4] += 0.004;  // the coupler off its place
     constraints.place(q, {&drive.coordinate, 1});
     const double wanted[] = {0.0, 0.005, 0.005, 0.0};
     for (std::size_t joint = 0; joint < 4; ++joint) CHECK(std::abs(constraints.opening(joint) - wanted[joint]) < 1e-12);

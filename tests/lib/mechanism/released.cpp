@@ -147,7 +147,7 @@ TEST_SUITE("mechanism held too much") {
     REQUIRE(system.assemble() == Status::closed);
     Position at = blank_position(model);
     REQUIRE(system.solve(std::array{Drive{0.4, 3.0, 0.0}}, at) == Status::closed);
-    CHECK(at.effort[0] == doctest::Approx(3.0));  // half the moment, at twice the speed and the other way round
+    CHECK(at.effort[0] == doctest::Approx(3.0));  // half the moment, at twice the speed and in the opposite direction
     CHECK(length(at.reactions[0].force) == doctest::Approx(30.0));  // 3 N m at 0.1 m
   }
 }

@@ -1,4 +1,4 @@
-// Springs and dampers: by hand, and what must hold for every mechanism.
+// Springs and dampers: by hand, and invariants of every mechanism.
 #include "lib/mechanism/groups/system.hpp"
 #include "lib/mechanism/model/spring.hpp"
 #include "tests/lib/mechanism/models.hpp"

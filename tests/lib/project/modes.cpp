@@ -1,4 +1,4 @@
-// What is said of a part: modes that apply, may apply, are judged, accepted, or left alone.
+// Assessment of a part: modes that apply, may apply, are assessed, accepted, or left out.
 #include "tests/lib/project/solved.hpp"
 #include "tests/lib/project/texts.hpp"
 

@@ -1,4 +1,4 @@
-// What a step takes from others beside numbers: counts, words, rows of tables, lists, records, shared values.
+// References of a step other than numbers: counts, words, rows of tables, lists, records, shared values.
 #include "tests/lib/project/solved.hpp"
 
 #include <doctest/doctest.h>
@@ -196,7 +196,7 @@ TEST_SUITE("largest values") {
     CHECK(load.mode("bar.slenderness").state == State::not_covered);
     const Solved bent(
         "[end]\ncalculator = \"shaft.overhung\"\nF = \"90 kN\"\na = \"1 m\"\nT = \"?\"\nd = \"20 mm\"\n"
-        "sigma_adm = \"60 MPa\"\n");  // the force alone is too much
+        "sigma_adm = \"60 MPa\"\n");  // the force by itself is too much
     REQUIRE(bent.has("end.search"));
     CHECK_MESSAGE(contains(bent.mode("end.search").note.text(), "no 'T' passes"), bent.messages());
     const Solved unsafe(bar + "d = \"40 mm\"\nP = \"?\"\nmethod = \"johnson\"\n");

@@ -18,7 +18,7 @@ crank = { speed = "60 rpm", positions = 12 }
 links.slider.mass = "2 kg"
 )";
 
-/// What is said of a pattern that chooses nothing; empty where it chooses.
+/// Message for a pattern that chooses nothing; empty where it chooses.
 std::string said(const std::string& text, const std::string& pattern) {
   const auto faults = project::unknown_series(SeriesChoice({pattern}), told(text).project);
   return faults.empty() ? "" : faults[0].message.text() + "; " + faults[0].hint.text();

@@ -37,7 +37,7 @@ TEST_SUITE("rainflow counting") {
     CHECK(by_range(counted(series, rules_of(Method::four_point, Residue::half_cycles))) == printed);
     CHECK(by_range(counted(series, rules_of(Method::four_point, Residue::astm))) == printed);
     const Counts with_means = counted(series, rules_of(Method::astm, Residue::astm));
-    CHECK(with_means.at({4, 1}) == 1.0);  // E-F, -1 to 3, the only whole one
+    CHECK(with_means.at({4, 1}) == 1.0);  // E-F, -1 to 3, the only full one
     CHECK(with_means.at({4, -1}) == 0.5);
     CHECK(with_means.at({9, 0.5}) == 0.5);
   }

@@ -37,7 +37,7 @@ class Bytes : public Source {
   std::size_t at_ = 0;
 };
 
-/// What is read, or the message at which reading ends.
+/// The result of reading, or its error message.
 struct Read {
   Series values;
   std::string message, hint;

@@ -1,4 +1,4 @@
-// What many elements of a list pass is one row, and nothing else is left out.
+// Checks passed by many elements of a list are one row, and nothing else is left out.
 #include "lib/report/build.hpp"
 
 #include <doctest/doctest.h>

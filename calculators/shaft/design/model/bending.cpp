@@ -14,8 +14,8 @@ namespace {
 using Input = DesignInput;
 
 constexpr double g_n = 9.80665;  // standard gravity, m/s^2
-constexpr double finest = 1e-6;  // of the length: what is nearer is one place
-constexpr double parts = 120.0;  // of the length, at least: deflection and masses between the places
+constexpr double finest = 1e-6;  // share of the length: closer places are one
+constexpr double parts = 120.0;  // parts of the length, at least: deflection and masses between the places
 
 beam::Row<double> named_places(const Input& in, const Weakest& weakest) {
   beam::Row<double> x{0.0};
@@ -27,7 +27,7 @@ beam::Row<double> named_places(const Input& in, const Weakest& weakest) {
     if (const Length end = other_end(in, notch); is_on(in, end)) x.push_back(in_si(end));
   }
   const std::size_t named = x.size();
-  for (const Weak& weak : weakest) {  // beside what has a name it is that
+  for (const Weak& weak : weakest) {  // close to a named place it is that place
     const auto is_near = [&](double place) { return std::abs(place - weak.x) <= finest * in_si(length_of(in)); };
     if (std::none_of(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(named), is_near)) x.push_back(weak.x);
   }
@@ -53,7 +53,7 @@ struct Direction {
   static double exact(double part) { return std::abs(part) < 1e-15 ? 0.0 : part; }
 };
 
-/// A mass that is not known is left out, which a mode of failure tells.
+/// An unknown mass is left out, as a failure mode reports.
 double mass_on(const Seat& seat) { return is_set(seat.mass) ? in_si(seat.mass) : 0.0; }
 
 enum class Plane { X, Y };
@@ -98,7 +98,7 @@ class Along {
   double sum_ = 0.0, size_ = 0.0;
 };
 
-/// What acts to the left of every span: of torques what drives, of forces along the shaft what pulls it to the left.
+/// Loads to the left of every span: driving torques, and axial forces directed to the left.
 void run_along(const Input& in, const Elastic& elastic, std::size_t position, Loaded& loaded) {
   const Stations& stations = loaded.stations;
   beam::Row<double> T(stations.x.size()), N(stations.x.size());
@@ -122,7 +122,7 @@ void run_along(const Input& in, const Elastic& elastic, std::size_t position, Lo
   }
 }
 
-/// Of a vector; hypot is exact where these are, and slower.
+/// Square of a vector; hypot is exact where these are, and slower.
 double square_of(double a, double b) { return a * a + b * b; }
 
 double larger(double a, double b) { return std::abs(a) < std::abs(b) ? b : a; }

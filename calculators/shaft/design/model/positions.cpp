@@ -9,7 +9,7 @@ namespace {
 
 using Input = DesignInput;
 
-/// The first seat that tells the angle.
+/// The first mounted component that gives the angle.
 const Seat* angled(const Input& in) {
   const auto found = std::find_if(in.seats.begin(), in.seats.end(), [](const Seat& s) { return is_set(s.psi); });
   return found == in.seats.end() ? nullptr : &*found;
@@ -17,7 +17,7 @@ const Seat* angled(const Input& in) {
 
 double wrapped(double angle) { return std::remainder(angle, 2.0 * pi); }
 
-/// Whether the shaft is, after the last position, where it was at the first: the last step is no larger than others.
+/// Whether the shaft returns to its first position after the last: the last step is not larger than others.
 bool closes(const Varying<double>& psi) {
   const std::size_t n = psi.positions();
   double largest = 0.0;
@@ -29,7 +29,7 @@ bool are_one(const Axis* a, const Axis* b) {
   return a == b || (a != nullptr && b != nullptr && a->at == b->at && a->period == b->period);
 }
 
-/// What acts at a seat is known at all positions, and all of it over one turn.
+/// Loads of a mounted component must be known at all positions, and all over one revolution.
 TurnFault fault_of_series(const Input& in) {
   const Axis* const axis = any_series(in)->signature.axis;
   TurnFault fault;

@@ -86,7 +86,7 @@ beam::Row<Stretch> stretches_of(const Input& in, const Stations& stations) {
   return all;
 }
 
-/// Of each part of a taper the two that together swing as it does, to the fourth order of its length: an integrator of
+/// For each part of a taper the two rods with equal vibration, to the fourth order of its length: an integrator of
 /// Magnus without commutators (Blanes, Moan 2006), with the sections at the two places of Gauss's rule.
 void add_rods(const Input& in, double from, double to, beam::Swing::Rods& rods) {
   const std::size_t index = index_of_piece(in, from_si<Length>((from + to) / 2.0));

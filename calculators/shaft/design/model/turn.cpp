@@ -61,8 +61,8 @@ Swings Turn::along(std::size_t node, double r_T) const {
 }
 
 std::vector<Swings> Turn::swings(std::size_t node, double r_T) const {
-  constexpr int directions = 90;   // of half the circumference: the other half has the same, its mean turned round
-  constexpr double finest = 1e-3;  // of amplitude and mean: what differs less is one
+  constexpr int directions = 90;         // per half circumference: the other half has opposite means
+  constexpr double finest = 1e-3;        // share of amplitude and mean: closer points are one
   std::vector<double> along_x, along_y;  // the moment in the axes of the shaft
   for (std::size_t i = 0; i < positions_; ++i) {
     along_x.push_back(moment(node, i, 0.0));

@@ -41,7 +41,7 @@ const column::TableSection& section_of(std::string_view name) {
   return *found;
 }
 
-/// What column.buckling says of a section.
+/// Result of column.buckling for a section.
 column::MemberResult judged(const column::Lightest::Input& in, std::string_view section) {
   return tests::solve({in, section_of(section)});
 }

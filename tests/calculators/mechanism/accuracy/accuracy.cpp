@@ -1,4 +1,4 @@
-// Tolerances and play in a project: errors against the closed form of the slider-crank, and what is said of wrong
+// Tolerances and clearance in a project: errors against the closed form of the slider-crank, and messages for wrong
 // input.
 #include "lib/quantity/series.hpp"
 #include "tests/lib/project/texts.hpp"
@@ -33,7 +33,7 @@ const std::string crank_and_rod =
 const std::string of_piston = "accuracy.place = { of = \"x\", point = \"B\" }\n";
 
 double root(double crank, double rod, double phi) { return std::sqrt(rod * rod - std::pow(crank * std::sin(phi), 2)); }
-/// What the crank needs against the load, by the principle of virtual work.
+/// Crank moment against the load, by the principle of virtual work.
 double moment(double crank, double rod, double phi) {
   const double s = std::sin(phi), c = std::cos(phi);
   return -F * (crank * s + crank * crank * s * c / root(crank, rod, phi));

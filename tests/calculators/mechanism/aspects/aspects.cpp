@@ -1,4 +1,4 @@
-// What is declared of the results of a mechanism, for all aspects.
+// Declarations of the results of a mechanism, for all aspects.
 #include "calculators/mechanism/aspects.hpp"
 
 #include <doctest/doctest.h>

@@ -97,7 +97,7 @@ std::string hollow_valve() {
   return replaced(changed("\"90 deg\", lift", "\"60 deg\", lift"), "\"40 deg\"", "\"70 deg\"");
 }
 
-/// What is said of the valve when a part of it is replaced, after its place.
+/// Message on the valve when a part of it is replaced, after its place.
 std::string said(const std::string& part, const std::string& other) {
   const auto issues = told(changed(part, other)).issues;
   REQUIRE(issues.size() == 1);

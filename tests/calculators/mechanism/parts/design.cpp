@@ -50,7 +50,7 @@ bool says(const project::Project& project, const std::string& note) {
   });
 }
 
-/// What is said of a text with one error.
+/// Message for a text with one error.
 void check_said(const std::string& text, const std::string& message) {
   const auto issues = told(text).issues;
   CAPTURE(message);
@@ -249,7 +249,7 @@ loads = [{ link = "large", M = "-20 N*m" }]
     for (const draw::Plan& panel : plans.panels) {
       REQUIRE(panel.traces.size() == 1);
       REQUIRE(panel.traces[0].points.size() == 37);  // closed
-      CHECK(panel.traces[0].marks.size() == 12);     // every 30 degrees, the governing one among them or beside
+      CHECK(panel.traces[0].marks.size() == 12);     // every 30 degrees, the governing one among them or next to them
       for (std::size_t k = 0; k < 36; ++k) {
         const draw::Point f = panel.traces[0].points[k];
         CHECK(std::hypot(f.x, f.y) == doctest::Approx(value_of(all, "joints.A.F").si[k]).epsilon(1e-12));

@@ -28,7 +28,7 @@ mechanism::Model sprung() {
   return model;
 }
 
-/// Every model at positions over its turn, with a speed at which inertia tells.
+/// Every model at positions over its revolution, at a speed with significant inertia.
 void at_positions(const std::function<void(const PlanSubject&)>& check) {
   const std::vector<TracedPoint> points{{"A", 0, {0.1, 0.0}}};
   for (const mechanism::Model& model : {models::slider_crank(), models::four_bar(), models::six_bar(),
@@ -109,7 +109,7 @@ TEST_SUITE("mechanism plans") {
     const mechanism::Drive drive{system.coordinate(0), 20.0, 0.0};
     REQUIRE(system.solve({&drive, 1}, at, false) == mechanism::Status::closed);
     const draw::Plan plan = velocity_plan({model, {{"B", 2, {}}}, at, false});
-    const auto& image = plan.images[2].points;  // of the plate: B, C, E
+    const auto& image = plan.images[2].points;  // points of the plate: B, C, E
     const Vec own[] = {{}, {0.259, 0.0}, {0.091, 0.3013}};
     REQUIRE(image.size() == 3);
     const double omega = at.velocity[2].phi;

@@ -11,7 +11,7 @@ namespace models = loadpath::mechanism::models;
 
 TEST_SUITE("mechanism schemes") {
   TEST_CASE("a wheel that meshes twice is drawn once") {
-    const mechanism::Model model = models::planetary();  // its planet stands beside the axes
+    const mechanism::Model model = models::planetary();  // its planet lies off the axes
     mechanism::WholeSystem system(model);
     REQUIRE(system.assemble() == mechanism::Status::closed);
     mechanism::Position at = system.blank();

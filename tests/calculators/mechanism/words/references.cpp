@@ -1,4 +1,4 @@
-// What is given to a mechanism, or drawn by its template, can be referred to like a result.
+// References to inputs of a mechanism, or of its template, as to results.
 #include "tests/lib/project/texts.hpp"
 
 using namespace loadpath;

@@ -26,7 +26,7 @@ using test::Solved;
 /// Pieces in mm, with a shoulder between each and the next; loads at the ends, between the bearings, or both.
 struct Layshaft {
   std::vector<int> lengths;
-  std::vector<double> radii;  // of the shoulders
+  std::vector<double> radii;  // fillets of the shoulders
   std::vector<double> given;  // diameters; 0: searched for
   std::size_t left = 0, right = 0;
   std::string loads;

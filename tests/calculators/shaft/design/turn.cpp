@@ -54,7 +54,7 @@ Design::Input simple() {
   in.seats.push_back(seat);
   return in;
 }
-constexpr std::size_t middle = 1;  // of the sections
+constexpr std::size_t middle = 1;  // index of the sections
 constexpr double F = 2e3, M_0 = F * 0.2 / 4.0;
 const double W_b = pi / 32.0 * std::pow(0.04, 3);
 

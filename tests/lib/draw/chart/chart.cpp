@@ -1,4 +1,4 @@
-// Charts of many machines: what is drawn, what is told of it, and that no word of a user ends the script.
+// Charts of many designs: their marks, their descriptions, and that no word of a user ends the script.
 #include "lib/draw/chart/chart.hpp"
 
 #include "lib/draw/chart/picture.hpp"

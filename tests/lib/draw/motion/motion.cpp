@@ -41,7 +41,7 @@ Figure crank(const std::string& name = "crank") {
   return {"turn", "A crank", std::move(motion)};
 }
 
-/// A column as the script reads it: whole numbers, each the change from the one before.
+/// A column as the script reads it: integers, each the change from the one before.
 std::vector<double> summed(const json::value& column) {
   std::vector<double> values;
   double sum = 0.0;

@@ -10,7 +10,7 @@ using namespace loadpath::draw;
 
 namespace {
 
-/// What stands between the frame of a picture and its end.
+/// The text between the frame of a picture and its end.
 std::string drawn(const Canvas& canvas) {
   const std::string all = tikz({canvas, 100.0, ""});
   const std::string frame =

@@ -63,7 +63,7 @@ TEST_SUITE("mechanism") {
   }
 
   TEST_CASE("a dimension that moves several numbers is one, and carries the point that it moves") {
-    // The whole mechanism is shifted along x: both bearings on the ground, and the piston with them.
+    // The full mechanism is shifted along x: both bearings on the ground, and the piston with them.
     const double t = 1e-4;
     const Tolerance shift{{{{Dimension::point_j_x, 0}}, {{Dimension::point_j_y, 0}, 0.0}}, t};
     const Tolerance doubled{{{{Dimension::point_j_x, 0}, 2.0}}, t};

@@ -218,7 +218,7 @@ TEST_SUITE("mechanism in columns") {
   TEST_CASE("a cycle in columns has the bits of one position after the other, of every variant") {
     for (const Case& c : cases()) {
       CAPTURE(c.name);
-      constexpr std::size_t positions = 77;  // not in whole blocks
+      constexpr std::size_t positions = 77;  // not in full blocks
       std::mt19937 random(7);
       CycleColumns columns(c.model, positions, all);
       std::size_t lanes = 0, closed = 0;

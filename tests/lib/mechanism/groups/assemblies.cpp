@@ -28,7 +28,7 @@ Model at_poses(Model model, const Assembly& assembly) {
   return model;
 }
 
-/// Each is closed as it stands, on its own, and has the drives where they are.
+/// Each is closed as it is, on its own, and has the drives at their positions.
 void check_closed(const Model& model, const Assemblies& found) {
   WholeSystem stated(model);
   REQUIRE(stated.assemble() == Status::closed);

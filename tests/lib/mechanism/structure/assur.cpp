@@ -12,7 +12,7 @@ using namespace loadpath::mechanism;
 
 namespace {
 
-/// Structure alone: the places of the points do not matter.
+/// Only structure: the places of the points do not matter.
 struct Sketch {
   Model model;
 

@@ -72,7 +72,7 @@ TEST_SUITE("mechanism") {
   }
 
   TEST_CASE("second case: two parallel velocities divide the line of their points") {
-    // A at the origin with 1 m/s, B 3 m away with 2 m/s the other way, then the same way.
+    // A at the origin with 1 m/s, B 3 m away with 2 m/s in the opposite direction, then in the same.
     check_at(instant_centre(moving({0.0, 1.0, -1.0}), 0, ground, 1.0), {1.0, 0.0});
     check_at(instant_centre(moving({0.0, 1.0, 1.0 / 3.0}), 0, ground, 1.0), {-3.0, 0.0});
   }

@@ -1,4 +1,4 @@
-// Internal forces of links: bars by hand, and what must hold for every link.
+// Internal forces of links: bars by hand, and invariants of every link.
 #include "lib/mechanism/studies/member.hpp"
 
 #include "tests/lib/mechanism/models.hpp"

@@ -23,7 +23,7 @@ double largest_force(const Position& at) {
   return most;
 }
 
-// What a mechanism shows once it is known where its axes are and in which units it was given.
+// Invariants of a mechanism under a change of its axes and of its units.
 void check_same_forces(const Position& a, const Position& b, double angle, double force_factor, double moment_factor) {
   const Turn back = turn(-angle);
   const double size = largest_force(a);

@@ -1,4 +1,4 @@
-// What ranges, lists, stocks, words and distributions of a project make of it, point by point.
+// Points of the ranges, lists, stocks, words and distributions of a project, one by one.
 #include "lib/project/solving/solve.hpp"
 #include "tests/lib/project/solved.hpp"
 #include "tests/lib/project/sweep/swept.hpp"

@@ -1,4 +1,4 @@
-// Laws of uncertain inputs beside Boost.Math, which computes in extended precision.
+// Laws of uncertain inputs next to Boost.Math, which computes in extended precision.
 #include "lib/sweep/point/distribution.hpp"
 
 #include "lib/sweep/point/elementary.hpp"
@@ -98,7 +98,7 @@ TEST_SUITE("points of sweeps: distributions") {
     compare(Triangular{1.0, 1.5, 4.0}, boost::math::triangular(1.0, 1.5, 4.0), 1e-15, 0.0);
     compare(Weibull{100.0, 2.5}, boost::math::weibull(2.5, 100.0), 1e-13, 0.0);
     compare(Weibull{2.0, 1.0}, boost::math::weibull(1.0, 2.0), 1e-13, 0.0);
-    const double variance = std::log(1.0 + 0.04);  // of ln x, for sd/mean = 0.2
+    const double variance = std::log(1.0 + 0.04);  // variance of ln x, for sd/mean = 0.2
     compare(Lognormal{50.0, 10.0}, boost::math::lognormal(std::log(50.0) - variance / 2.0, std::sqrt(variance)), 1e-14,
             0.0);
   }

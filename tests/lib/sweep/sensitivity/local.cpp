@@ -43,7 +43,7 @@ TEST_SUITE("sensitivities at a point") {
     CHECK(all[0].bars[2].swing == 2.0);
     CHECK_FALSE(all[0].bars[0].turns);
     CHECK(all[1].bars[0].input == 1);
-    CHECK(all[1].bars[0].swing == 1.0);  // 1, 0, 1: the ends alone would hide it
+    CHECK(all[1].bars[0].swing == 1.0);  // 1, 0, 1: only the ends would hide it
     CHECK(all[1].bars[0].turns);
     CHECK(line.points == 7);
   }
@@ -91,7 +91,7 @@ TEST_SUITE("sensitivities at a point") {
     CHECK(kink.value == doctest::Approx(3.0).epsilon(1e-9));
     CHECK(kink.error == doctest::Approx(1.0).epsilon(1e-9));
     CHECK(slope_of([](double x) { return std::abs(x); }, 0.0).kind == Kind::kink);
-    // beside the point, though within the step: smooth there
+    // next to the point, though within the step: smooth there
     const Slope beside = slope_of([](double x) { return std::max(2.0 * x, x * x); }, 1.999);
     CHECK(beside.kind == Kind::smooth);
     CHECK(beside.value == doctest::Approx(2.0).epsilon(1e-9));

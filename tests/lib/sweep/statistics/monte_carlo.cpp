@@ -1,4 +1,4 @@
-// Samples, and what is made of them, beside closed forms; seeds are fixed.
+// Samples, and their statistics, next to closed forms; seeds are fixed.
 #include "lib/sweep/point/probit.hpp"
 #include "lib/sweep/point/space.hpp"
 #include "lib/sweep/statistics/covariances.hpp"

@@ -1,4 +1,4 @@
-// The worst points and the Pareto set beside brute force.
+// The worst points and the Pareto set next to brute force.
 #include "lib/sweep/statistics/pareto.hpp"
 #include "lib/sweep/statistics/worst.hpp"
 #include "tests/lib/sweep/statistics/shards.hpp"
@@ -17,7 +17,7 @@ using namespace loadpath::sweep::test;
 
 using Columns = std::vector<std::vector<double>>;
 
-/// Small whole numbers, so that many are equal.
+/// Small integers, so that many are equal.
 Columns whole_numbers(std::size_t columns, std::size_t n, int most, unsigned seed) {
   std::mt19937 random(seed);
   Columns found(columns, std::vector<double>(n));

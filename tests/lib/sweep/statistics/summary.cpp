@@ -1,4 +1,4 @@
-// Reductions of columns: what they tell, and that the grouping of the blocks leaves no trace.
+// Reductions of columns: their results, and that the grouping of the blocks leaves no trace.
 #include "lib/sweep/statistics/summary.hpp"
 
 #include "lib/sweep/statistics/covariances.hpp"

@@ -30,8 +30,7 @@ constexpr auto torque_inputs() {
   return Fields{
       RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
       Field<Input, Moment>{&Input::T, "T", N_m, "torque"}.load(),
-      Field<Input, Moment>{&Input::T_max, "T_max", N_m,
-                           "peak torque (start, shock), if larger than K_A T"}
+      Field<Input, Moment>{&Input::T_max, "T_max", N_m, "peak torque (start, shock), if larger than K_A T"}
           .load()
           .may_be_missing(),
       Choice{&Input::torque, "torque", "torque direction: one-way or reversing"}.may_be_missing(),

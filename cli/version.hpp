@@ -5,7 +5,7 @@
 
 namespace loadpath::cli {
 
-/// "loadpath 0.1.0"
+/// "loadpath 0.2.0"
 std::string program();
 
 }  // namespace loadpath::cli

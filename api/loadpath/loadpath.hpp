@@ -7,7 +7,7 @@
 
 namespace loadpath::api {
 
-/// "0.1.0"
+/// "0.2.0"
 const char* version();
 
 }  // namespace loadpath::api

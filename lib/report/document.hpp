@@ -31,7 +31,7 @@ using account::Verdicts;
 
 struct Document {
   std::string title;
-  std::vector<std::pair<Message, std::string>> meta;  // "Project file" "lever.toml", "Program" "loadpath 0.1.0"...
+  std::vector<std::pair<Message, std::string>> meta;  // "Project file" "lever.toml", "Program" "loadpath 0.2.0"...
   std::string paper = "A4";                           // paper for printing; or "letter"
   Table chosen;                                       // first page: the sizes of parts, and their governing modes
   draw::Flow path;                                    // first page: flow of loads

@@ -27,7 +27,7 @@ using project::SweptPart;
 
 /// A sweep that is kept, and its identification.
 struct StoredSweep {
-  std::string program;   // "loadpath 0.1.0"
+  std::string program;   // "loadpath 0.2.0"
   std::string file;      // file of the project
   std::string identity;  // everything that its numbers follow from, as text
   std::uint64_t seed = 0;

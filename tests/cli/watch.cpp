@@ -70,12 +70,12 @@ TEST_SUITE("watch") {
     CHECK(kept.find("data-news=\"2 problem\"") != std::string::npos);
     CHECK(kept.find("<h1>") != std::string::npos);
     save(desk, "a.toml", with("200 N*m", "300 N*m"));
-    CHECK(watching.says("3: Of "));
+    CHECK(watching.says("3: "));
     std::filesystem::remove(desk.folder() / "a.toml");
     CHECK(watching.says("4: "));
     CHECK(get(watching.address(), page + "problem").find("cannot read 'a.toml'") != std::string::npos);
     save(desk, "a.toml", shaft);
-    CHECK(watching.says("5: Of "));
+    CHECK(watching.says("5: "));
     CHECK(get(watching.address(), page + "problem").ends_with("\r\n\r\n"));
     desk.put("a.toml", with("200 N*m", "417 N*m"));  // in place: what is half written may be read once
     CHECK(becomes([&] { return get(watching.address(), page).find("417 N") != std::string::npos; }));

@@ -223,12 +223,12 @@ Stress amplitude_left(MeanRule rule, const Haigh& h, Stress sigma_m, Tracer& tra
     case MeanRule::walker:
       return trace.value("sigma_A", amplitude_by_walker(h, sigma_m),
                          "amplitude at which sigma_ar = S_e, constant mean stress");
-    case MeanRule::fkm:
-      return NAMED_STEP(
-          "sigma_A",
-          min(S_e / (1.0 - M), max(max(S_e - M * sigma_m, S_e * (1.0 + M / 3.0) / (1.0 + M) - M / 3.0 * sigma_m),
-                                   S_e * (3.0 + M) / (3.0 * pow<2>(1.0 + M)))),
-          why);
+    case MeanRule::fkm: {
+      STEP(sigma_II, S_e - M * sigma_m, "field II of the stress ratio, R from minus infinity to 0, [FKM] 2.4");
+      STEP(sigma_III, S_e * (1.0 + M / 3.0) / (1.0 + M) - M / 3.0 * sigma_m, "field III, R from 0 to 0.5, [FKM] 2.4");
+      STEP(sigma_IV, S_e * (3.0 + M) / (3.0 * pow<2>(1.0 + M)), "field IV, R above 0.5, [FKM] 2.4");
+      return NAMED_STEP("sigma_A", min(S_e / (1.0 - M), max(max(sigma_II, sigma_III), sigma_IV)), why);
+    }
     case MeanRule::serensen:
       return NAMED_STEP("sigma_A", max(S_e - psi_D * sigma_m, 0.0 * MPa), why);
   }

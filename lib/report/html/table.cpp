@@ -8,7 +8,7 @@
 namespace loadpath::report::page {
 namespace {
 
-constexpr double close_letters = 112.0, finer_letters = 134.0;  // letters per line: closer spacing, smaller type
+constexpr double close_letters = 112.0, finer_letters = 128.0;  // letters per line: closer spacing, smaller type
 
 std::string close_cell(const Cell& of, const Column& column) {
   const auto* const q = std::get_if<Quantity>(&of);

@@ -283,7 +283,7 @@ s_0 = 2
       Mode<Input>{"ribs", "axial load limit (ribs, groove edges)", &has_axial_bound}.judged_by("u_a").wanting(
           "F_a_adm"),
       Mode<Input>{"mate", "induced axial force", &runs_at_an_angle}.judged_by("x_i").of_shape(),
-      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"film", "lubrication and contamination (a_ISO)", &unseen<Input>}.special(),
       Mode<Input>{"heat", "operating temperature and grease life", &unseen<Input>}.special(),
       Mode<Input>{"tilt", "misalignment of the rings", &unseen<Input>}.special().assessed_beside("shaft.design"),

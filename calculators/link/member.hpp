@@ -186,7 +186,7 @@ S = 1.5
       Mode<Input>{"fatigue", "fatigue (holes, section changes)", &unseen<Input>}
           .left_to("fatigue.cycle", "cycle.fatigue")
           .in_service(),
-      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"weight", "bending by self-weight", &unseen<Input>}.special()};
 
   template <class Tracer>

@@ -79,7 +79,7 @@ f_max = 1.8
       Mode<Input>{"yield", "static strength at peak load", &always<Input>}.judged_by("u_S, x_E").wanting("f_max"),
       Mode<Input>{"layer", "cracking of the hardened layer",
                   [](const Input& in) { return where(in.layer == Layer::hard); }},
-      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"shear", "transverse shear and buckling", &unseen<Input>}.special(),
       Mode<Input>{"surroundings", "corrosion, fretting, temperature and welds", &unseen<Input>}.special()};
 

@@ -134,7 +134,7 @@ theta_adm = "4 deg/m"
       Mode<Input>{"corner", "stress concentration at re-entrant corners",
                   [](const Input& in) { return has_inner_corner(in) ? loaded(in) : Applies::no; }},
       Mode<Input>{"warping", "restrained warping stress", &unseen<Input>},
-      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"fatigue", "fatigue", [](const Input& in) { return shown_by(in.K_A > 1.0); }}.in_service().left_to(
           "fatigue.cycle", "cycle.fatigue")};
 

@@ -160,7 +160,7 @@ theta_adm = "0.5 deg/m"
       Mode<Input>{"corners", "stress concentration at corners, welds, holes", &unseen<Input>},
       Mode<Input>{"warping", "restrained warping stress", &unseen<Input>},
       Mode<Input>{"distortion", "cross-section distortion", &unseen<Input>},
-      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"fatigue", "fatigue (welds, corners)", [](const Input& in) { return shown_by(in.K_A > 1.0); }}
           .in_service()
           .left_to("fatigue.cycle", "cycle.fatigue")};

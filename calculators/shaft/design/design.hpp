@@ -301,7 +301,7 @@ r_T = 0
       Mode<Input>{"cycles", "fatigue without a fatigue limit (fatigue.life of each section)", &endless}.assessed_beside(
           "fatigue.life"),
       Mode<Input>{"neighbours", "fatigue at interacting notches", &crowds},
-      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"deflection", "deflection", &loaded}.judged_by("u_y, s_max").of_service(),
       Mode<Input>{"slope_bearings", "shaft slope at bearings", &loaded}
           .judged_by("bearings.u_beta, s_max")

@@ -159,7 +159,7 @@ phi_adm = "1 deg"
                   [](const Input& in) { return where(!in.sleeves.empty() && loaded(in) == Applies::yes); }},
       Mode<Input>{"notch", "yielding at steps and notches", &unseen<Input>},
       fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue"),
-      Mode<Input>{"other_loads", "load components not included", &unseen<Input>}.by_companions(),
+      Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"wall", "local buckling of thin walls", &thin},
       Mode<Input>{"critical_torsion", "torsional natural frequency", &unseen<Input>}.in_service()};
 

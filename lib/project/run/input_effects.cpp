@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <span>
 
 namespace loadpath::project {
 
@@ -22,16 +23,17 @@ std::vector<double> other_quantities(double value, double unit) {
   return {value * (1.0 + 1e-3), value * (1.0 - 1e-3), value * 1.5, value * 0.5, value * 30.0, value * 0.03, 0.0};
 }
 
-std::vector<double> other_choices(std::size_t count, double value) {
+/// Not the choice without a word: the calculator then decides, perhaps for the same.
+std::vector<double> other_choices(std::span<const ChoiceInfo> choices, double value) {
   std::vector<double> all;
-  for (std::size_t i = 0; i < std::min(count, most_choices); ++i) {
-    if (static_cast<double>(i) != value) all.push_back(static_cast<double>(i));
+  for (std::size_t i = 0; i < std::min(choices.size(), most_choices); ++i) {
+    if (static_cast<double>(i) != value && *choices[i].key != '\0') all.push_back(static_cast<double>(i));
   }
   return all;
 }
 
 std::vector<double> others(const FieldInfo& field, double value) {
-  if (field.type == Type::choice) return other_choices(field.choices.size(), value);
+  if (field.type == Type::choice) return other_choices(field.choices, value);
   if (field.type == Type::count) return {value + 1.0, value - 1.0, 2.0 * value, value + 10.0};
   return other_quantities(value, field.factor);
 }

@@ -186,7 +186,7 @@ TEST_SUITE("belt flat") {
 
   TEST_CASE("what can be got wrong is told") {
     CHECK(BeltStep(with(text, "a", "")).says("give either the centre distance a or the belt length L"));
-    CHECK(BeltStep(with(text, "L", "\"3500 mm\"")).says("give either the centre distance a or the length"));
+    CHECK(BeltStep(with(text, "L", "\"3500 mm\"")).says("give either the centre distance a or the belt length"));
     CHECK(BeltStep(with(text, "a", "\"300 mm\"")).says("the pulleys would touch: their centres are 300 mm apart"));
     CHECK(BeltStep(with(text, "a", "\"300 mm\"")).says("350 mm"));
     CHECK(BeltStep(with(with(text, "a", ""), "L", "\"1500 mm\"")).says("a belt of 1500 mm is too short"));

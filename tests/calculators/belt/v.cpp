@@ -338,7 +338,7 @@ TEST_SUITE("belt v") {
     CHECK(BeltStep(with(maker, "C_K_end", "\"high\"")).says("the basis optibelt has none"));
     CHECK(BeltStep(with(text, "K_A", "")).says("give K_A"));
     CHECK(BeltStep(with(maker, "motor", "\"normal\"")).says("never both"));
-    CHECK(BeltStep(with(text, "L", "")).says("give either the centre distance a or the length"));
+    CHECK(BeltStep(with(text, "L", "")).says("give either the centre distance a or the belt length"));
     CHECK(BeltStep(with(text, "L", "\"900 mm\"")).says("too short for these pulleys"));
     CHECK(!BeltStep(with(text, "z", "-1")).issues.empty());
     CHECK(!BeltStep(with(text, "P", "\"-7 kW\"")).issues.empty());

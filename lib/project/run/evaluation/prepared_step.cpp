@@ -56,6 +56,10 @@ std::vector<std::string> rest_of_loads(const Reading& reading, const std::vector
 
 void PreparedStep::prepare(const Declared& declared, const Companions& companions, std::vector<Issue>& issues) {
   axis_ = check_operands(input().reading, name(), input().calculator->takes_series, declared, issues);
+  for (const Operand& operand : input().reading.operands) {
+    if (const auto signature = operand.expression.check(declared); signature && signature->axis != nullptr)
+      series_.insert(operand.path);
+  }
   provided_ = provided_by_rows(input(), input().rows, issues);
   for (Provided& provided : provided_by_companions(input(), companions)) provided_.push_back(std::move(provided));
   rest_ = rest_of_loads(input().reading, provided_, companions);
@@ -273,7 +277,10 @@ Outcome<Signature> PreparedStep::signature(const std::string& path) const {
   // A size that is found and a value of a row are the same at all positions.
   const auto is_it = [&](const auto& one) { return one.path == path; };
   const bool is_found = std::any_of(searches_.begin(), searches_.end(), is_it) || names_row_for(path);
-  const bool varies = is_result || (is_open(head(path)) && !is_found);
+  const auto& operands = input().reading.operands;
+  const bool is_operand = std::any_of(operands.begin(), operands.end(), is_it);
+  const bool may_vary = is_operand ? series_.contains(path) : is_open(head(path));
+  const bool varies = is_result || (may_vary && !is_found);
   return Signature{found->dimension, varies ? axis_ : nullptr, found->is_load && !found->signed_load};
 }
 

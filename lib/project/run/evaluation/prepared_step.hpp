@@ -47,7 +47,8 @@ class PreparedStep : public Step {
   [[nodiscard]] bool is_open(const std::string& field) const;
   [[nodiscard]] std::optional<Value> row_beforehand(const FieldInfo& field, const Beforehand& of) const;
 
-  const Axis* axis_ = nullptr;  // axis of the series among the inputs; null: one position
+  const Axis* axis_ = nullptr;    // axis of the series among the inputs; null: one position
+  std::set<std::string> series_;  // inputs whose expression is a series
   std::vector<Provided> provided_;
   std::vector<std::string> rest_;  // load components not included
   std::vector<Search> searches_;

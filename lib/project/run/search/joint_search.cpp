@@ -147,7 +147,7 @@ void JointSearch::branch(Branching& b, std::size_t depth) {
 
 /// From the result of a first search, if any; true if there is a cheaper part.
 bool JointSearch::find_cheaper(double lowest, SizeIndices& least) {
-  constexpr int most_trials = 20000, most_without_bound = 2000;  // without a first part nothing limits the cost
+  constexpr int most_trials = 20000, most_without_bound = 400;  // without a first part nothing limits the cost
   Branching b{sizes_.firsts(), least, {}, lowest, std::isinf(lowest) ? most_without_bound : most_trials};
   branch(b, 0);
   if (b.best.empty()) return false;

@@ -24,6 +24,7 @@ constexpr std::array<Prefixed, 7> families{{{"N", "kN", "MN", ""},
 /// The unit of the family whose number has a few digits before its point; the unit itself where it is of none.
 std::string readable(double si, const std::string& unit) {
   constexpr double most = 9999.5, least = 0.9995;
+  if (unit.empty()) return unit;  // of no family: empty texts fill these up
   const auto family = std::ranges::find_if(families, [&](const Prefixed& all) {
     return std::ranges::any_of(all, [&](const char* one) { return unit == one; });
   });

@@ -3,6 +3,7 @@
 #include "calculators/catalogue.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
+#include "lib/report/summary/numbers.hpp"
 #include "lib/toml/tree.hpp"
 
 #include <doctest/doctest.h>
@@ -133,6 +134,12 @@ TEST_SUITE("short answer") {
         CHECK_MESSAGE(known, (std::string(calculator->id) + " " + key));
       }
     }
+  }
+
+  TEST_CASE("a number without a unit gets none") {
+    CHECK(report::short_quantity(0.661, "") == "0.661");
+    CHECK(report::short_quantity(0.661, "-") == "0.661");
+    CHECK(report::short_quantity(12345.0, "N") == "12.35\u00A0kN");
   }
 
   TEST_CASE("what the answer is made of is data: the next smaller size, demand and capacity, the step to add") {

@@ -47,9 +47,13 @@ std::vector<std::string> names_with_steps(const std::vector<std::pair<std::strin
                                           bool several) {
   std::vector<std::string> names;
   for (const auto& [title, steps] : titles) {
-    std::string all;
-    for (const std::string& step : steps) all += (all.empty() ? "" : ", ") + step;
-    names.push_back(several ? title + " (" + all + ")" : title);
+    std::string name = title, separator = " (";
+    for (const std::string& step : steps) {
+      if (!several) break;
+      name.append(separator).append(step);
+      separator = ", ";
+    }
+    names.push_back(several && !steps.empty() ? name + ")" : name);
   }
   return names;
 }

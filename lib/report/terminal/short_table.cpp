@@ -139,6 +139,7 @@ std::vector<Component> most_telling(const std::vector<Component>& components, st
   order.resize(most);
   std::ranges::sort(order);
   std::vector<Component> shown;
+  shown.reserve(order.size());
   for (const std::size_t i : order) shown.push_back(components[i]);
   return shown;
 }

@@ -237,8 +237,10 @@ void show_mode(const Calculator& calculator, const ModeInfo& mode) {
     const FieldInfo* const field =
         calculator.result == nullptr ? nullptr : find_field(calculator.result->fields, check);
     if (field == nullptr) continue;
-    const std::string where = *field->asked_by == '\0' ? "" : std::string("; where ") + field->asked_by + " is given";
-    facts.add("check", check + ": " + field->doc + where);
+    std::string text = check;
+    text.append(": ").append(field->doc);
+    if (*field->asked_by != '\0') text.append("; where ").append(field->asked_by).append(" is given");
+    facts.add("check", text);
   }
   facts.add("accept", std::string("accept.") + mode.id + " = \"reason\"");
   facts.show();

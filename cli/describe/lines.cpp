@@ -58,7 +58,8 @@ Lines listed(const std::string& label, const std::vector<std::string>& items, co
   if (items.empty()) return {};
   for (std::size_t count = items.size(); count > 0; --count) {
     std::string text = first_of(items, count, separator);
-    if (count < items.size()) text += separator + std::to_string(items.size() - count) + " more" + where;
+    if (count < items.size())
+      text.append(separator).append(std::to_string(items.size() - count)).append(" more").append(where);
     Lines lines = labelled(label, text);
     if (lines.size() <= most) return lines;
   }

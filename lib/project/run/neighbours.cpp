@@ -273,7 +273,7 @@ void add_origins_beside(const Evaluation& evaluation, const Known& known, std::v
     const std::string source = split_step(operand.expression.references().front().path).first;
     for (const auto& [key, theirs] : inputs_made_for(*operand.leaf.field)) {
       const Leaf leaf = evaluation.inputs().leaf(key);
-      const std::string path = source + "." + theirs;
+      const std::string path = std::string(source).append(".").append(theirs);
       if (!leaf || known(path).signature.dimension != leaf.field->dimension) continue;
       all.push_back({key, leaf, known(path), say("'{1}', the basis of {2}", path, operand.path), Beside::either});
       all.back().by_size = true;  // at another point the source has another value

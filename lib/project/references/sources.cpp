@@ -79,7 +79,8 @@ void for_each_compared(const StepInput& step, const std::function<void(const std
   for (const Operand& operand : step.reading.operands) {
     if (!operand.expression.is_reference()) continue;
     const std::string source = split_step(operand.expression.references().front().path).first;
-    for (const auto& [own, theirs] : inputs_made_for(*operand.leaf.field)) visit(source + "." + theirs);
+    for (const auto& [own, theirs] : inputs_made_for(*operand.leaf.field))
+      visit(std::string(source).append(".").append(theirs));
   }
   const auto sources = sources_of(step.reading);
   if (sources.empty()) return;

@@ -189,7 +189,7 @@ class Check {
     for (const auto& shaft : project_.steps) {
       const FieldInfo* const field = find_field(shaft->input().calculator->input->fields, "k_max");
       if (field == nullptr || !has_part(*shaft)) continue;
-      const double k_max = find_leaf(shaft->input().reading.record, "k_max").get();
+      const double k_max = given_factor(shaft->input(), "k_max");
       if (!counts(k_max)) continue;
       if (bears(k_max)) continue;
       return say("T_max is missing or below {1}.k_max = {2} times K_A T; give T_max", shaft->name(),

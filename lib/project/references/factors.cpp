@@ -190,12 +190,19 @@ class Check {
       const FieldInfo* const field = find_field(shaft->input().calculator->input->fields, "k_max");
       if (field == nullptr || !has_part(*shaft)) continue;
       const double k_max = given_factor(shaft->input(), "k_max");
+      const bool waits = std::isnan(k_max) && is_expression(shaft->input(), "k_max");
+      if (waits && !gives("T_max")) return say("{1}.k_max waits for another step; give T_max", shaft->name());
       if (!counts(k_max)) continue;
       if (bears(k_max)) continue;
       return say("T_max is missing or below {1}.k_max = {2} times K_A T; give T_max", shaft->name(),
                  format_number(k_max, 4));
     }
     return {};
+  }
+
+  static bool is_expression(const StepInput& step, const std::string& key) {
+    return std::any_of(step.reading.operands.begin(), step.reading.operands.end(),
+                       [&](const Operand& operand) { return operand.path == key; });
   }
 
   /// Whether T_max covers the peak factor.
@@ -262,6 +269,7 @@ class Check {
     Load load{operand.path, operand.text, operand.place, {}};
     if (!factors) return refuse(load, factors.fault());
     load.held = std::move(*factors);
+    if (operand.path == "T_max") std::erase_if(load.held, [](const auto& of) { return kind_of(of.first) == "k_max"; });
     take(std::move(load));
   }
 

@@ -176,6 +176,25 @@ TEST_SUITE("found searches") {
 }
 
 TEST_SUITE("found factors") {
+  TEST_CASE("a start counts for the key by whichever way it is given, and T_max may hold it") {
+    const auto shaft = [](const std::string& k_max, const std::string& T_max) {
+      return "[values]\nk = 2\n[other]\ncalculator = \"section.circle\"\nd = \"20 mm\"\n[key]\ncalculator = "
+             "\"shaft.key\"\nT = \"90 N*m\"\ntorque = \"one_way\"\nd = \"45 mm\"\nkey = \"14x9\"\nl = \"63 mm\"\n"
+             "R_e_1 = \"370 MPa\"\nR_e_2 = \"250 MPa\"\nR_e_k = \"420 MPa\"\n" +
+             T_max + "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nn = \"300 rpm\"\nk_max = " + k_max +
+             "\npieces = [{ l = \"80 mm\", d = \"45 mm\" }, { l = \"120 mm\", d = \"50 mm\" }]\n"
+             "supports = [{ x = \"100 mm\", holds = \"both\" }, { x = \"180 mm\" }]\n"
+             "seats = [{ name = \"hub\", x = \"40 mm\", T = \"90 N*m\", b = \"70 mm\", connection = "
+             "\"=key.connection\" }, { "
+             "x = \"150 mm\", way = \"balances\", integral = true }]\n";
+    };
+    for (const char* k_max : {"2", "\"=2\"", "\"=values.k\"", "\"=2*other.d/other.d\""}) {
+      CAPTURE(k_max);
+      CHECK(mode_of(solved_as_found(shaft(k_max, "")), "key", "core") == "not-judged");
+    }
+    CHECK(mode_of(solved_as_found(shaft("2", "T_max = \"180 N*m\"\n")), "key", "core") == "pass");
+  }
+
   TEST_CASE("K1: a nominal torque of gears that have a K_A is not what a key bears") {
     const auto bare = solved_as_found(keyed("T = \"=gears.T_2\"\n"));
     for (const char* id : {"shaft", "hub", "key", "shear"}) CHECK(mode_of(bare, "k", id) == "not-judged");

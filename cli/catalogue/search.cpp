@@ -151,10 +151,10 @@ Found search(std::string_view text) {
 
 std::string nearest_term(std::string_view text) {
   std::vector<std::string> terms;
-  const auto add_words = [&](const std::string& all) {
-    for (std::size_t at = 0; at < all.size();) {
-      const std::size_t end = std::min(all.find_first_of(" .,_-()", at), all.size());
-      if (end - at > 2) terms.push_back(all.substr(at, end - at));
+  const auto add_words = [&](const std::string& phrase) {
+    for (std::size_t at = 0; at < phrase.size();) {
+      const std::size_t end = std::min(phrase.find_first_of(" .,_-()", at), phrase.size());
+      if (end - at > 2) terms.push_back(phrase.substr(at, end - at));
       at = end + 1;
     }
   };

@@ -184,7 +184,7 @@ TEST_SUITE("found factors") {
              T_max + "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nn = \"300 rpm\"\nk_max = " + k_max +
              "\npieces = [{ l = \"80 mm\", d = \"45 mm\" }, { l = \"120 mm\", d = \"50 mm\" }]\n"
              "supports = [{ x = \"100 mm\", holds = \"both\" }, { x = \"180 mm\" }]\n"
-             "seats = [{ name = \"hub\", x = \"40 mm\", T = \"90 N*m\", b = \"70 mm\", connection = "
+             "seats = [{ name = \"hub\", x = \"40 mm\", T = \"90 N*m\", connection = "
              "\"=key.connection\" }, { "
              "x = \"150 mm\", way = \"balances\", integral = true }]\n";
     };

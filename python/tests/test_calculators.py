@@ -203,7 +203,7 @@ class Names(unittest.TestCase):
         sweep = torsion.sweep(T=1000.0, results=["tau_max", "passes", "modes.yield"], **given)
         self.assertEqual(list(sweep), ["tau_max", "passes", "modes.yield", "state", "utilisation"])
         self.assertEqual(sweep["passes"][0], 1.0)
-        with self.assertRaisesRegex(loadpath.Error, "asked for twice"):
+        with self.assertRaisesRegex(loadpath.Error, "requested twice"):
             torsion.sweep(T=1000.0, results=["tau_max", "tau_max"], **given)
 
     def test_many_values_where_one_is_taken(self):

@@ -30,7 +30,10 @@ class Projects(unittest.TestCase):
                 if "value" not in entry or entry["value"] is None or isinstance(entry["value"], str):
                     continue
                 ours = solution[step["name"] + "." + path]
-                self.assertEqual((ours.value, ours.si_unit), (entry["value"], entry["unit"] or "1"))
+                self.assertEqual(ours.si_unit, entry["unit"] or "1")
+                if np.ndim(ours.value) > 0:  # a series, of which the command prints one value
+                    continue
+                self.assertEqual(ours.value, entry["value"], path)
                 numbers += 1
         self.assertGreater(numbers, 50)
         series = solution["lever.drive.M"]

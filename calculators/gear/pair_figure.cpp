@@ -194,7 +194,7 @@ Drawing::View mesh(const Scene& s) {
   const double up = side_of(s.in), reach = 0.8 * (up > 0.0 ? high : -low);
   view.angles.push_back({s.pitch, reach, up * 0.5 * pi, -up * s.r.alpha_wt, {"alpha_wt", s.r.alpha_wt, "deg"}});
   view.names = {{s.pitch, "C"}, {begins, "A"}, {ends, "E"}};
-  view.names.push_back({s.on_line(0.35 * s.g_a), say("length of path of contact").text(),
+  view.names.push_back({s.on_line(0.35 * s.g_a), say("path of contact").text(),
                         Drawing::Value{"g_alpha", in_si(s.r.g_alpha), "mm"}, false});
   view.note = say("pitch circles, tip circles, base circles dashed; contact from A to E").text();
   return view;

@@ -138,7 +138,7 @@ tau_adm_1 = "40 MPa"
   static constexpr std::array senses{SenseClaim{"T", "loading", "steady, pulsating", "alternating"}};
   static constexpr std::array meanings{Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
-      Mode<Input>{"shear", "shear of the pin: design force / resistance", &loaded}.judged_by("u_tau, x_E"),
+      Mode<Input>{"shear", "shear of the pin", &loaded}.judged_by("u_tau, x_E"),
       Mode<Input>{"shaft_bore", "bearing pressure, shaft", &loaded}.judged_by("u_1"),
       Mode<Input>{"hub_bore", "bearing pressure, hub", &loaded}.judged_by("u_2"),
       Mode<Input>{"shaft", "torsion of the shaft at the hole", &loaded}.judged_by("u_t, x_d"),

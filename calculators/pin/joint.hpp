@@ -188,8 +188,8 @@ p_adm_2 = "100 MPa"
   static constexpr std::array meanings{Meaning{"sigma_adm", allowable_in_normal},
                                        Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
-      Mode<Input>{"bending", "bending of the pin: design moment / resistance", &loaded}.judged_by("u_b, u_v, x_E"),
-      Mode<Input>{"shear", "shear of the pin: design force / resistance", &loaded}.judged_by("u_tau, x_E"),
+      Mode<Input>{"bending", "bending of the pin", &loaded}.judged_by("u_b, u_v, x_E"),
+      Mode<Input>{"shear", "shear of the pin", &loaded}.judged_by("u_tau, x_E"),
       Mode<Input>{"eye", "bearing pressure, eye", &loaded}.judged_by("u_1"),
       Mode<Input>{"fork", "bearing pressure, clevis or wall", &loaded}.judged_by("u_2"),
       Mode<Input>{"fatigue", "pin fatigue, loading type stated", &varies}.judged_by("u_b, u_tau"),

@@ -16,6 +16,15 @@ std::string screw(const std::string& lines) {
   return "[p]\ncalculator = \"shaft.set_screw\"\nload_case = \"static\"\nS = 2\n" + lines;
 }
 
+const std::string slider_crank_of_press = R"([press]
+calculator = "mechanism.planar"
+template = "slider_crank"
+r = "50 mm"
+l = "200 mm"
+crank = { speed = "60 rpm", positions = 90 }
+loads = [{ name = "F", link = "slider", at = "B", F_x = "-10 kN", F_y = "0 N" }]
+)";
+
 const std::string nominal_pair = R"([gears]
 calculator = "gear.pair"
 z_1 = 20
@@ -176,6 +185,49 @@ TEST_SUITE("found searches") {
 }
 
 TEST_SUITE("found factors") {
+  TEST_CASE("the parts of one drive carry its loads with one application factor, by whichever way it is given") {
+    const auto drive = [](const std::string& own, const std::string& other) {
+      return "[values]\nlow = 1\n[train]\ncalculator = \"drive.train\"\nP = \"2 kW\"\nn_1 = \"1450 rpm\"\n"
+             "stages = [{ name = \"g\", z_1 = 20, z_2 = 80, m_n = \"3 mm\", eta = 0.97 }, { name = \"c\", kind = "
+             "\"chain\", "
+             "z_1 = 21, z_2 = 57, p = \"25.4 mm\", eta = 0.96 }]\n[g]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 80\n"
+             "m_n = \"3 mm\"\nb = \"20 mm\"\nT_1 = \"=train.shafts[1].T\"\nn_1 = \"=train.shafts[1].n\"\nK_f = 1.5\n"
+             "cutting = \"hobbed\"\nsigma_adm_1 = \"67 MPa\"\nsigma_adm_2 = \"67 MPa\"\n" +
+             own +
+             "[o]\ncalculator = \"section.circle\"\nd = \"2 mm\"\n[c]\ncalculator = \"chain.roller\"\nchain = \"16B\"\n"
+             "z_1 = 21\nz_2 = 57\na = \"1 m\"\nn_1 = \"=abs(train.shafts[2].n)\"\nT_1 = "
+             "\"=abs(train.shafts[2].T)\"\np_adm = \"35 MPa\"\nS_min = 7\nK_A = " +
+             other + "\n";
+    };
+    for (const char* other : {"1.8", "\"=1.8*values.low\"", "\"=1.8*o.d/o.d\""}) {
+      for (const char* own : {"", "K_A = 1\n", "K_A = \"=values.low\"\n"}) {
+        CAPTURE(other);
+        CAPTURE(own);
+        CHECK(mode_of(solved_as_found(drive(own, other)), "g", "root_1") == "not-judged");
+      }
+    }
+    const std::string because = "K_A = 1\nbecause.K_A = \"a soft coupling\"\n";
+    CHECK(mode_of(solved_as_found(drive(because, "1.8")), "g", "root_1") == "pass");
+    CHECK(mode_of(solved_as_found(drive("K_A = 1.8\n", "1.8")), "g", "root_1") == "fail");
+  }
+
+  TEST_CASE("a load that is a fixed share of another wants a reason, by whichever way the share is written") {
+    const auto rod = [](const std::string& N) {
+      return "[values]\npart = 0.3\nbars = 4\n" + slider_crank_of_press +
+             "[rod]\ncalculator = \"column.buckling\"\nends = \"pinned_pinned\"\nE = \"210 GPa\"\nR_e = \"355 MPa\"\n"
+             "method = \"johnson\"\nn_st = 3\nn_t = 1.5\nl = \"200 mm\"\nd = \"9 mm\"\n" +
+             N;
+    };
+    for (const char* N : {"0.3*press.links.rod.N", "values.part*press.links.rod.N",
+                          "press.links.rod.N - 0.7*press.links.rod.N", "press.links.rod.N/values.bars"}) {
+      CAPTURE(N);
+      const std::string line = std::string("N = \"=") + N + "\"\n";
+      CHECK(mode_of(solved_as_found(rod(line)), "rod", "buckling") == "not-judged");
+      CHECK(mode_of(solved_as_found(rod(line + "because.N = \"parallel bars\"\n")), "rod", "buckling") != "not-judged");
+    }
+    CHECK(mode_of(solved_as_found(rod("N = \"=press.links.rod.N\"\n")), "rod", "buckling") == "fail");
+  }
+
   TEST_CASE("a start counts for the key by whichever way it is given, and T_max may hold it") {
     const auto shaft = [](const std::string& k_max, const std::string& T_max) {
       return "[values]\nk = 2\n[other]\ncalculator = \"section.circle\"\nd = \"20 mm\"\n[key]\ncalculator = "

@@ -116,7 +116,7 @@ a_set = "600 mm"
   static FieldFault wrong_class(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.n_2_set) != is_set(in.i_set); }, "n_2_set, i_set",
-                  "give the speed of the driven pulley n_2, or the ratio i"},
+                  "give either the speed n_2 of the driven pulley or the ratio i"},
       Rule<Input>{[](const Input& in) { return in.basis != Basis::unstated; }, "basis",
                   "state the basis, iso or optibelt: ratings and factors of one do not go with the other"},
       Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},

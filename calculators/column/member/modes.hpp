@@ -79,7 +79,7 @@ constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
       Mode<Input>{"eccentric", "eccentric compression (secant formula)", &bent<Input>}.judged_by("u_e").wanting(
           "method = secant"),
       Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &twisting_when_bent<Input, outline_of>},
-      Mode<Input>{"lateral", "bending by transverse, inertia and moment loads", &unseen<Input>}
+      Mode<Input>{"lateral", "bending by transverse and inertia loads", &unseen<Input>}
           .in_service()
           .by_companions()
           .assessed_in("link.member"),

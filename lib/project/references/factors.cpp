@@ -149,8 +149,11 @@ class Check {
   Message lower_than_in_the_drive(const std::string& key, const std::string& load, const std::string& drive) {
     for (const auto& other : project_.steps) {
       if (other.get() == &step_ || !takes_load_of(*other, drive)) continue;
-      if (Message lower = lower_than(key, load, *other, given_factor(other->input(), key)); !lower.empty())
-        return lower;
+      const double factor = given_factor(other->input(), key);
+      if (std::isnan(factor) && is_expression(other->input(), key) && reason_for(step_.input(), key) == nullptr)
+        return say("{1}.{2} of the same drive waits for another step; refer to it here, or because.{2} = \"...\"",
+                   other->name(), key);
+      if (Message lower = lower_than(key, load, *other, factor); !lower.empty()) return lower;
     }
     return {};
   }
@@ -329,11 +332,14 @@ class Check {
 
   double own_value(const std::string& key) { return given_factor(step_.input(), key); }
 
-  /// The factor given in a step that may not be solved yet.
+  /// The factor given in a step that may not be solved yet; NaN while its expression waits for other steps.
   double given_factor(const StepInput& step, const std::string& key) const {
     const auto known = [&](const std::string& path) -> const Value& { return value_at(path); };
     for (const Operand& operand : step.reading.operands) {
-      if (operand.path == key) return factor_in(operand.expression.evaluate(known).si);
+      if (operand.path != key) continue;
+      const std::vector<double> si = operand.expression.evaluate(known).si;
+      const bool waits = std::any_of(si.begin(), si.end(), [](double x) { return std::isnan(x); });
+      return waits ? std::numeric_limits<double>::quiet_NaN() : factor_in(si);
     }
     const Leaf leaf = find_leaf(step.reading.record, key);
     return leaf ? leaf.get() : 1.0;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <set>
 #include <utility>
 
 namespace loadpath::project {
@@ -141,18 +142,23 @@ class ReductionCheck {
     return false;
   }
 
-  /// A load of another step, and what the operand makes of it: of one quantity, with one reference to another step.
+  /// A load of another step and the value derived from it; apart from entries of [values], nothing else is referred to.
   struct Pair {
+    std::string path;  // of the load
     Value source, taken;
   };
   [[nodiscard]] std::optional<Pair> pair_of(const Operand& operand) const {
     static const Value none{{}, {std::nan("")}};
-    if (operand.expression.references().size() != 1) return std::nullopt;
+    std::set<std::string> paths;
+    for (const auto& reference : operand.expression.references()) {
+      if (!reference.path.starts_with("values.")) paths.insert(reference.path);
+    }
+    if (paths.size() != 1) return std::nullopt;
     const auto value_at = [&](const std::string& path) -> const Value& {
       const Value* const value = project_.value(path);
       return value == nullptr ? none : *value;
     };
-    Pair pair{value_at(operand.expression.references().front().path), operand.expression.evaluate(value_at)};
+    Pair pair{*paths.begin(), value_at(*paths.begin()), operand.expression.evaluate(value_at)};
     const Dimension& dimension = pair.source.signature.dimension;
     if (!is_of_loads(dimension) || dimension != operand.leaf.field->dimension) return std::nullopt;
     return pair;
@@ -169,20 +175,19 @@ class ReductionCheck {
     return *most * pair->taken.si[static_cast<std::size_t>(most - series.begin())] < 0.0;
   }
 
-  /// Whether a load is less than the one of another step that it is computed from, by numbers only: 0.3 times it. A
-  /// divisor that is an input of the file, a number of bars, says itself why.
+  /// Whether a load is less than the load of another step that it is computed from, by numbers only: 0.3 times it. A
+  /// divisor of a step, such as a number of teeth, is free.
   [[nodiscard]] bool is_share(const Operand& operand) const {
     constexpr double rounding = 1e-6;
     const std::string own = reduction_of(*step_.input().calculator, operand.path);
     if (!operand.leaf.field->is_load || !own.empty() || operand.expression.is_reference()) return false;
-    if (operand.expression.references().front().path.starts_with("values.")) return false;
     const auto pair = pair_of(operand);
     return pair && std::abs(largest(pair->taken).value) < (1.0 - rounding) * std::abs(largest(pair->source).value);
   }
 
-  [[nodiscard]] static Message share_message(const Operand& operand) {
-    return say("{1} is less than '{2}', which it is computed from: because.{1} = \"...\" says why", operand.path,
-               operand.expression.references().front().path);
+  [[nodiscard]] Message share_message(const Operand& operand) const {
+    return say("{1} is less than '{2}', from which it is computed; justify it: because.{1} = \"...\"", operand.path,
+               pair_of(operand)->path);
   }
 
   [[nodiscard]] static Message turned_over_message(const Operand& operand) {

@@ -118,7 +118,14 @@ std::string plain_title(const Mode& mode) {
 }
 
 std::string subject_of(const Project& project) {
-  return project.steps.size() == 1 ? project.steps.front()->input().calculator->subject : "";
+  if (project.steps.size() != 1) return "";
+  const Step& step = *project.steps.front();
+  const Calculator& calculator = *step.input().calculator;
+  // A subject is claimed only if the first failure mode, which it is named for, was assessed.
+  const bool is_assessed = std::ranges::any_of(step.account().modes, [&](const Mode& mode) {
+    return !calculator.modes.empty() && mode.id == calculator.modes.front().id && mode.state == State::pass;
+  });
+  return is_assessed ? calculator.subject : "";
 }
 
 namespace {

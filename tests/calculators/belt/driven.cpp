@@ -79,7 +79,7 @@ TEST_SUITE("belt driven pulley") {
       CHECK(BeltStep(step + "d_2 = \"400 mm\"\ni = 2\n").says(fix));
       CHECK(BeltStep(step + "n_2 = \"580 rpm\"\ni = 2\n").says(fix));
     }
-    CHECK(BeltStep(pick + "a = \"600 mm\"\n").says("give the speed of the driven pulley n_2, or the ratio i"));
+    CHECK(BeltStep(pick + "a = \"600 mm\"\n").says("give either the speed n_2 of the driven pulley or the ratio i"));
   }
 
   TEST_CASE("drives are picked by n_2 or i and a; wanted and actual values are told") {

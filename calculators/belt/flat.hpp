@@ -98,6 +98,7 @@ E_b = "40 MPa"
                  .usually(10, 2e4),
              Field{&Input::d_1, "d_1", mm, "diameter of the driving pulley"}
                  .positive()
+                 .at_least_that_of_source("d")
                  .same_as_that_of_source("stages[#].d_1")
                  .usually(10, 5000),
              Field{&Input::d_2, "d_2", mm, "diameter of the driven pulley"}

@@ -59,7 +59,7 @@ double curve_of_table(const Input& in) {
   const Curve typed = axis == AxisName::y ? in.curve_y : in.curve_z;
   if (method_of(in) != Method::ec3 || typed == Curve::by_kind) return unset<double>;
   Plates plates = plates_of(in);
-  if (plates.kind == Profile::unsaid) plates.kind = is_solid(in) ? Profile::solid : Profile::hot_hollow;
+  if (plates.kind == SectionKind::unsaid) plates.kind = is_solid(in) ? SectionKind::solid : SectionKind::hot_hollow;
   const Curve own = buckling_curve(plates, axis);
   return own == Curve::by_kind ? unset<double> : static_cast<double>(own);
 }

@@ -5,12 +5,12 @@ namespace loadpath::column {
 /// A bar given by d, or by h and b, without a kind is solid.
 Plates plates_of(const BucklingInput& in) {
   const Length wall = is_set(in.t_w) ? in.t_w : 0.5 * (in.d - in.d_bore);
-  const bool is_plain = in.kind == Profile::unsaid && !is_set(in.A) && is_solid(in);
-  return {is_plain ? Profile::solid : in.kind, in.grade, in.h, in.b, in.t_f, wall, in.r, in.d};
+  const bool is_plain = in.kind == SectionKind::unsaid && !is_set(in.A) && is_solid(in);
+  return {is_plain ? SectionKind::solid : in.kind, in.grade, in.h, in.b, in.t_f, wall, in.r, in.d};
 }
 
 bool is_solid(const BucklingInput& in) {
-  if (in.kind != Profile::unsaid) return in.kind == Profile::solid;
+  if (in.kind != SectionKind::unsaid) return in.kind == SectionKind::solid;
   if (is_set(in.d)) return !is_set(in.A) && !(in.d_bore > 0.0 * mm);
   return !is_set(in.A) || is_full(in);
 }
@@ -18,7 +18,7 @@ bool is_solid(const BucklingInput& in) {
 Length extreme_fibre(const BucklingInput& in, AxisName axis) {
   const bool about_y = axis == AxisName::y;
   const Length given = about_y ? in.c_y : in.c_z;
-  const bool lopsided = in.kind == Profile::angle || in.kind == (about_y ? Profile::tee : Profile::channel);
+  const bool lopsided = in.kind == SectionKind::angle || in.kind == (about_y ? SectionKind::tee : SectionKind::channel);
   const Length half = 0.5 * (is_set(in.d) ? in.d : about_y ? in.h : in.b);
   if (!is_set(given)) return lopsided ? unset<Length> : half;
   return is_set(half) ? max(given, half) : given;  // no fibre of a side is nearer than half of it

@@ -12,22 +12,22 @@
 namespace loadpath::column {
 
 /// The type of section of SP 16.13330; unset for a kind that is none of them.
-inline const Sp16Type& sp16_type(Profile kind) {
+inline const Sp16Type& sp16_type(SectionKind kind) {
   static constexpr Sp16Type a{0.03, 0.06}, b{0.04, 0.09}, c{0.04, 0.14}, none{};
   switch (kind) {
-    case Profile::hot_hollow:
-    case Profile::cold_hollow:
-    case Profile::welded_box:
+    case SectionKind::hot_hollow:
+    case SectionKind::cold_hollow:
+    case SectionKind::welded_box:
       return a;
-    case Profile::rolled_I:
-    case Profile::welded_I:
+    case SectionKind::rolled_I:
+    case SectionKind::welded_I:
       return b;
-    case Profile::channel:
-    case Profile::tee:
-    case Profile::angle:
+    case SectionKind::channel:
+    case SectionKind::tee:
+    case SectionKind::angle:
       return c;
-    case Profile::solid:
-    case Profile::unsaid:
+    case SectionKind::solid:
+    case SectionKind::unsaid:
       return none;
   }
   return none;
@@ -54,7 +54,7 @@ Curve curve_of(const BucklingInput& in, AxisName axis);
 
 /// Whether it is a section of structural steelwork with a buckling curve of EN 1993-1-1: no solid bar.
 inline bool is_structural(const BucklingInput& in) {
-  if (!is_set(in.A) || in.kind == Profile::solid) return false;
+  if (!is_set(in.A) || in.kind == SectionKind::solid) return false;
   return curve_of(in, AxisName::y) != Curve::by_kind && curve_of(in, AxisName::z) != Curve::by_kind;
 }
 /// The method that decides: as named, else by what is given.

@@ -63,20 +63,20 @@ bool Buckling::extreme_fibre_known(const Input& in) { return fibre_known(in); }
 
 Outline Buckling::outline_of(const Input& in) {
   switch (in.kind) {
-    case Profile::rolled_I:
-    case Profile::welded_I:
+    case SectionKind::rolled_I:
+    case SectionKind::welded_I:
       return Outline::two_flanges;
-    case Profile::channel:
-    case Profile::tee:
-    case Profile::angle:
+    case SectionKind::channel:
+    case SectionKind::tee:
+    case SectionKind::angle:
       return Outline::open;
-    case Profile::hot_hollow:
-    case Profile::cold_hollow:
-    case Profile::welded_box:
+    case SectionKind::hot_hollow:
+    case SectionKind::cold_hollow:
+    case SectionKind::welded_box:
       return Outline::closed;
-    case Profile::solid:
+    case SectionKind::solid:
       return Outline::solid;
-    case Profile::unsaid:
+    case SectionKind::unsaid:
       break;
   }
   if (is_solid(in)) return Outline::solid;

@@ -15,9 +15,10 @@ using column::AxisName;
 
 /// Shear area of a section with known plates; unset for others.
 Area web_area(const Input& in, Area A) {
-  using column::Profile;
-  const bool two = in.kind == Profile::hot_hollow || in.kind == Profile::cold_hollow || in.kind == Profile::welded_box;
-  const bool one = in.kind == Profile::rolled_I || in.kind == Profile::welded_I || in.kind == Profile::channel;
+  const bool two =
+      in.kind == SectionKind::hot_hollow || in.kind == SectionKind::cold_hollow || in.kind == SectionKind::welded_box;
+  const bool one =
+      in.kind == SectionKind::rolled_I || in.kind == SectionKind::welded_I || in.kind == SectionKind::channel;
   if (is_set(in.d)) return two ? 0.5 * A : unset<Area>;
   const Length t_f = is_set(in.t_f) ? in.t_f : in.t_w;
   if (one || two) return (two ? 2.0 : 1.0) * (in.h - 2.0 * t_f) * in.t_w;
@@ -29,7 +30,8 @@ template <class Tracer>
 Stress shear_stress(const Input& in, Area A, Tracer& trace) {
   const auto V = trace.value("V", abs(in.V), "its size");
   if (is_set(in.A_v)) return NAMED_STEP("tau", V / in.A_v, "even over the area that carries it");
-  if (is_set(in.A)) {
+  const bool is_massive = in.kind == SectionKind::solid && (is_set(in.d) || (is_set(in.h) && is_set(in.b)));
+  if (is_set(in.A) && !is_massive) {
     const auto A_w = trace.value("A_w", web_area(in, A), "of the webs, between the flanges; of a thin tube half of A");
     if (!is_set(A_w)) return unset<Stress>;
     return NAMED_STEP("tau", V / A_w, "the webs carry the shear");
@@ -139,19 +141,18 @@ bool Member::shear_inside(const Input& in) {
 
 /// Bound: web with its fillets, webs of a box, a tube; otherwise only the full section.
 double Member::most_shear_area(const Input& in) {
-  using column::Profile;
   constexpr double rounding = 1.01;
   const Area A = area_of(in);
   const Length r = is_set(in.r) ? in.r : 0.0 * mm;
   switch (in.kind) {
-    case Profile::rolled_I:
-    case Profile::welded_I:
+    case SectionKind::rolled_I:
+    case SectionKind::welded_I:
       return rounding * in_si(A - 2.0 * in.b * in.t_f + (in.t_w + 2.0 * r) * in.t_f);
-    case Profile::channel:
+    case SectionKind::channel:
       return rounding * in_si(A - 2.0 * in.b * in.t_f + (in.t_w + r) * in.t_f);
-    case Profile::hot_hollow:
-    case Profile::cold_hollow:
-    case Profile::welded_box:
+    case SectionKind::hot_hollow:
+    case SectionKind::cold_hollow:
+    case SectionKind::welded_box:
       return rounding * (is_set(in.d) ? in_si(A) * 2.0 / pi : in_si(A * in.h / (in.b + in.h)));
     default:
       return unset<double>;

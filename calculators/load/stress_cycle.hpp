@@ -16,7 +16,7 @@ constexpr auto choices_of(Stresses) {
                     ChoiceName<Stresses>{Stresses::shear, "shear", "shear stresses: read tau for sigma"}};
 }
 
-/// A nominal stress, with the service factor.
+/// A nominal stress, with the application factor.
 struct StressCycle {
   Stresses stress = Stresses::normal;
   Stress sigma_max = unset<Stress>;

@@ -118,6 +118,7 @@ BuiltUp::Result BuiltUp::evaluate(const Input& in, Tracer& trace) {
   }
   static_cast<Properties&>(r) = centroidal(sum, sketch_origin, trace);
   complete(r, extremes, trace);
+  r.section = record_of(r);
   if (!is_set(I_t)) return r;
   r.I_t = trace.value("I_t", I_t, "sum of the parts' own: a lower bound");
   return r;

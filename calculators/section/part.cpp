@@ -74,7 +74,7 @@ auto with_input(const Part& p, Use use) {
     case Shape::ring:
       return use(Ring{}, Ring::Input{p.d, p.d_i});
     case Shape::I:
-      return use(I{}, I::Input{p.h, p.b, p.t_w, p.t_f, p.r});
+      return use(I{}, I::Input{{p.h, p.b, p.t_w, p.t_f, p.r}});
     case Shape::channel:
       return use(Channel{}, Channel::Input{p.h, p.b, p.t_w, p.t_f, p.r});
     case Shape::angle:
@@ -106,7 +106,7 @@ Part shape_of(const table::Typed<Profile>& row) {
             : kind == "angle"    ? Shape::angle
             : kind == "rolled_I" ? Shape::I
                                  : Shape::hollow;
-  if (kind == "round hollow") p.shape = Shape::ring, p.d_i = row.h - 2.0 * row.t_w;
+  if (is_set(row.d)) p.shape = Shape::ring, p.d_i = row.h - 2.0 * row.t_w;
   if (kind == "hot_hollow") p.r = 1.5 * row.t_w, p.r_2 = row.t_w;
   return p;
 }

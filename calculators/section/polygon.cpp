@@ -85,6 +85,7 @@ Polygon::Result Polygon::evaluate(const Input& in, Tracer& trace) {
   Extremes extremes;
   for (const Corner& c : in.points) extremes.push_back({c.y, c.z});
   complete(r, extremes, trace);
+  r.section = record_of(r);
   return r;
 }
 

@@ -58,9 +58,7 @@ template <class Tracer>
 void torsion_of_shaft(const Input& in, Result& r, Tracer& trace) {
   STEP(d_k, in.d - (in.i > 1 ? 2.0 : 1.0) * in.t_1, "the circle inside of the keyways");
   STEP_TO(r, tau_t, 16.0 * r.T_eq / (pi * pow<3>(d_k)), "of a shaft of that diameter, on the safe side");
-  if (is_set(in.R_e_1)) {
-    STEP_TO(r, u_t, sqrt(3.0) * r.tau_t / in.R_e_1, "equivalent stress of pure shear, [Mises]");
-  }
+  yielding_of_shaft(in, r, trace);
 }
 
 /// Wall of the hub above the keyway, whose depth includes the clearance above the key.

@@ -49,6 +49,7 @@ key = "14x9"
 l = "70 mm"
 l_n = "75 mm"
 R_e_1 = "370 MPa"
+S_F = 1.5
 R_e_2 = "300 MPa"
 R_e_k = "420 MPa"
 )";
@@ -67,6 +68,7 @@ R_e_k = "420 MPa"
     Length l = unset<Length>, l_n = unset<Length>;
     Whole i = 1;
     Stress R_e_1 = unset<Stress>, R_e_2 = unset<Stress>, R_e_k = unset<Stress>;
+    double S_F = unset<double>;
     Stress p_adm_1 = unset<Stress>, p_adm_2 = unset<Stress>, p_adm_k = unset<Stress>, tau_adm = unset<Stress>;
     double f_W = unset<double>;
   };
@@ -106,6 +108,7 @@ R_e_k = "420 MPa"
               .at_most_that_of_source("R_e")
               .usually(150, 2000)
               .may_be_missing(),
+          shaft_safety<Input>(),
           Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none for a brittle hub"}
               .positive()
               .usually(100, 2000)
@@ -177,7 +180,7 @@ R_e_k = "420 MPa"
           .criterion()
           .where_it_applies(),
       Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft core inside the keyways"}.holding("K_A"),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft core: equivalent stress / yield strength"}.check("R_e_1"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft core: S_F x equivalent stress / yield strength"}.check("S_F, R_e_1"),
       Field{&Result::x_b, "x_b", ratio, "width of a non-standard key / d (DIN 6885: up to 0.42)"}
           .limit(0, 0.42)
           .where_it_applies(),

@@ -124,9 +124,7 @@ void yield(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 void torsion_of_shaft(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, tau_t, 16.0 * in.K_A * abs(in.T) * in.d / (pi * (pow<4>(in.d) - pow<4>(in.d_i))), "torsion of the ring");
-  if (is_set(in.R_e_1)) {
-    STEP_TO(r, u_t, sqrt(3.0) * tau_t / in.R_e_1, "equivalent stress of pure shear, [Mises]");
-  }
+  yielding_of_shaft(in, r, trace);
 }
 
 /// How it is put on: pressed, or shrunk.

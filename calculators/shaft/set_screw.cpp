@@ -51,9 +51,7 @@ SetScrew::Result SetScrew::evaluate(const Input& in, Tracer& trace) {
   const double S_min = trace.value("S_min", least_safety(in), "of this load case, [SPS]");
   STEP_TO(r, u_S, S_min / in.S, "the safety factor is not smaller");
   STEP_TO(r, tau_t, 16.0 * in.K_A * abs(in.T) / (pi * pow<3>(in.d)), "the shaft itself, without the dent");
-  if (is_set(in.R_e_1)) {
-    STEP_TO(r, u_t, sqrt(3.0) * tau_t / in.R_e_1, "equivalent stress of pure shear, [Mises]");
-  }
+  yielding_of_shaft(in, r, trace);
   if (is_set(in.d_s)) {
     STEP_TO(r, x_d, in.d_s / in.d, "a larger screw has no full contact on the shaft");
     STEP_TO(r, x_h, 4.0 * in.F_h / (pi * pow<2>(in.d_s) * (150.0 * MPa)),

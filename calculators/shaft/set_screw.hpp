@@ -56,6 +56,7 @@ S = 2
     Case load_case = Case::unsaid;
     Length d = unset<Length>, d_bore = 0.0 * mm, d_s = unset<Length>;
     Stress R_e_1 = unset<Stress>;
+    double S_F = unset<double>;
     Force F_h = unset<Force>;
     Point point = Point::cup;
     Whole i = 1;
@@ -87,6 +88,7 @@ S = 2
               .at_most_that_of_source("R_e")
               .usually(150, 2000)
               .may_be_missing(),
+          shaft_safety<Input>(),
           Field{&Input::F_h, "F_h", N, "holding force of one cup point screw at the shaft surface"}.positive().from(
               "set_screw", "F_h"),
           Choice{&Input::point, "point", "point type of the screw"},
@@ -121,7 +123,7 @@ S = 2
       Field{&Result::u, "u", ratio, "slip: S x resultant force / holding force"}.check(),
       Field{&Result::u_S, "u_S", ratio, "minimum safety factor of the load case / required safety factor"}.check(),
       Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft"}.holding("K_A"),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: equivalent stress / yield strength"}.check("R_e_1"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: S_F x equivalent stress / yield strength"}.check("S_F, R_e_1"),
       Field{&Result::x_d, "x_d", ratio, "screw diameter / shaft diameter (limit set by loadpath)"}
           .limit(0, 0.5 * (1 + 1e-9))
           .where_it_applies(),

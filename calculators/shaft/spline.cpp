@@ -52,9 +52,7 @@ void strengths(const Input& in, Result& r, Tracer& trace) {
   }
   STEP_TO(r, tau_t, 16.0 / pi * r.T_eq * in.d_1 / (pow<4>(in.d_1) - pow<4>(in.d_bore)),
           "the shaft inside of its teeth");
-  if (is_set(in.R_e_1)) {
-    STEP_TO(r, u_t, sqrt(3.0) * tau_t / in.R_e_1, "equivalent stress of pure shear, [Mises]");
-  }
+  yielding_of_shaft(in, r, trace);
   if (!is_set(tau)) return;
   if (is_set(in.tau_adm)) {
     STEP_TO(r, u_tau, tau / in.tau_adm, "against what a tooth allows in shear");

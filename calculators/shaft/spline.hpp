@@ -49,6 +49,7 @@ l = "50 mm"
 hub = "fixed"
 centring = "inner"
 R_e_1 = "370 MPa"
+S_F = 1.5
 R_e_2 = "300 MPa"
 )";
 
@@ -67,6 +68,7 @@ R_e_2 = "300 MPa"
     Centring centring = Centring::inner;
     double phi = unset<double>, k_l = unset<double>;
     Stress R_e_1 = unset<Stress>, R_e_2 = unset<Stress>;
+    double S_F = unset<double>;
     Stress p_adm_1 = unset<Stress>, p_adm_2 = unset<Stress>, p_adm_w = unset<Stress>, tau_adm = unset<Stress>;
     double f_W = unset<double>, beta_b = unset<double>, beta_t = unset<double>;
   };
@@ -108,6 +110,7 @@ R_e_2 = "300 MPa"
                  .at_most_that_of_source("R_e")
                  .usually(150, 2000)
                  .may_be_missing(),
+             shaft_safety<Input>(),
              Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none for a brittle hub"}
                  .positive()
                  .usually(100, 2000)
@@ -175,7 +178,7 @@ R_e_2 = "300 MPa"
       Field{&Result::u_W, "u_W", ratio, "reversing torque: larger utilisation of the flanks / f_W"}
           .check("f_W")
           .where_it_applies(),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft core: equivalent stress / yield strength"}.check("R_e_1"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft core: S_F x equivalent stress / yield strength"}.check("S_F, R_e_1"),
       Field{&Result::x_l, "x_l", ratio, "effective length / d_m (uniform pressure up to 1.3)"}
           .limit(0, 1.3 + 1e-9)
           .where_it_applies(),

@@ -48,6 +48,7 @@ sigma_adm = "120 MPa"
   };
   static constexpr Fields inputs = join(
       Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the large end, to the surface that `measured` says"}
+                 .at_least_that_of_source("R")
                  .positive()
                  .usually(5, 50000),
              Field<Input, double>{&Input::alpha, "alpha", deg, "half the angle of the point"}.within(1, 80).usually(

@@ -43,13 +43,15 @@ sigma_adm = "140 MPa"
   struct Input : WallInput {
     Length a = unset<Length>, b = unset<Length>;
   };
-  static constexpr Fields inputs = join(
-      Fields{Field<Input, Length>{&Input::a, "a", mm, "semi-axis across: radius of the equator"}.positive().usually(
-                 5, 50000),
-             Field<Input, Length>{&Input::b, "b", mm, "semi-axis along the axis of revolution: height of a head"}
-                 .positive()
-                 .usually(5, 50000)},
-      wall_inputs<Input>());
+  static constexpr Fields inputs =
+      join(Fields{Field<Input, Length>{&Input::a, "a", mm, "semi-axis across: radius of the equator"}
+                      .at_least_that_of_source("R")
+                      .positive()
+                      .usually(5, 50000),
+                  Field<Input, Length>{&Input::b, "b", mm, "semi-axis along the axis of revolution: height of a head"}
+                      .positive()
+                      .usually(5, 50000)},
+           wall_inputs<Input>());
 
   struct Result : WallResult {
     Length a_m = unset<Length>, b_m = unset<Length>, r = unset<Length>;

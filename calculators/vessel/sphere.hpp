@@ -49,6 +49,7 @@ sigma_adm = "160 MPa"
   };
   static constexpr Fields inputs = join(
       Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface that `measured` says"}
+                 .at_least_that_of_source("R")
                  .positive()
                  .usually(5, 50000)},
       wall_inputs<Input>(),

@@ -175,9 +175,11 @@ void add_words(std::string_view words, std::string& to) {
   if (!words.empty() && to.find(words) == std::string::npos) to += (to.empty() ? "" : ", ") + std::string(words);
 }
 
-/// Whether a mode of strength rests on a load that is less than its series (lib/project/references/reductions.hpp).
-bool is_doubtful(const Step& step, const ModeInfo& info) {
-  return info.kind == ModeKind::strength && !step.loads().reduced.empty();
+/// Whether a mode of strength, or one of service whose limit is given, rests on a load that is less than its series
+/// (lib/project/references/reductions.hpp).
+bool is_doubtful(const Step& step, const ModeInfo& info, const CheckNeeds& needs) {
+  const bool is_limited = info.kind == ModeKind::service && needs.needs_checks && needs.wants.empty();
+  return (info.kind == ModeKind::strength || is_limited) && !step.loads().reduced.empty();
 }
 
 }  // namespace
@@ -228,7 +230,7 @@ CheckNeeds needs_of(const ModeInfo& mode, const RecordType& result,
 }
 
 account::Unjudged unjudged_of(const Step& step, const ModeInfo& info, const CheckNeeds& needs) {
-  const bool doubtful = is_doubtful(step, info);
+  const bool doubtful = is_doubtful(step, info, needs);
   const bool shows_service = (info.by_rest && !step.loads().left.empty()) || (info.by_service && step.loads().vary);
   account::Unjudged by{.needs_checks = needs.needs_checks, .never = doubtful || !needs.wants.empty()};
   for (const Applies applies : {Applies::no, Applies::unseen, Applies::yes}) {
@@ -285,7 +287,7 @@ void explain_unjudged(const Step& step, const ModeInfo& info, const std::vector<
   }
   // A row that assesses nothing says itself why.
   if (!rows.empty() && governing(rows).state == mode.state) mode.note = governing(rows).note, mode.wants.clear();
-  if (mode.state == State::not_judged && is_doubtful(step, info)) {
+  if (mode.state == State::not_judged && is_doubtful(step, info, needs)) {
     mode.wants.clear();
     mode.note = step.loads().reduced.front().message;
   }

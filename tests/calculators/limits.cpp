@@ -384,7 +384,7 @@ const Side keys[] = {
     {"shaft.key", "x_d", over, "d", R"("44.1 mm")", R"("44 mm")"},
     {"shaft.key", "x_w", outside, "d_bore", R"("28 mm")", R"("28.1 mm")"},
     {"shaft.key", "x_h", over, "t_2", R"("3.5 mm")", R"("3.4 mm")", own_key},
-    {"shaft.key", "u_t", over, "T", R"("2956 N*m")", R"("2958 N*m")"},
+    {"shaft.key", "u_t", over, "T", R"("2956 N*m")", R"("2958 N*m")", "S_F = 1"},
     {"shaft.key", "x_b", outside, "b", R"("20.9 mm")", R"("21.1 mm")", own_key},
     {"shaft.key", "x_t", outside, "t_1", R"("12.5 mm")", R"("12.6 mm")", "key = \nb = \"14 mm\"\nh = \"20 mm\""},
     {"shaft.key", "m_R", outside, "h_t", R"("13.49 mm")", R"("13.51 mm")", R"(d_f = "90 mm")"},
@@ -394,14 +394,14 @@ const Side keys[] = {
     {"shaft.spline", "u_w", over, "p_adm_w", R"("23.9 MPa")", R"("23.8 MPa")", R"(hub = "slides")"},
     {"shaft.spline", "u_tau", over, "tau_adm", R"("9.6 MPa")", R"("9.5 MPa")"},
     {"shaft.spline", "u_W", over, "f_W", "0.265", "0.264", "torque = \"reversing\"\nR_e_2 = \"100 MPa\""},
-    {"shaft.spline", "u_t", over, "d_bore", R"("50.1 mm")", R"("50.2 mm")"},
+    {"shaft.spline", "u_t", over, "d_bore", R"("50.1 mm")", R"("50.2 mm")", "S_F = 1"},
     {"shaft.spline", "x_l", outside, "l", R"("72.8 mm")", R"("72.9 mm")"},
     {"shaft.spline", "x_s", outside, "d_2", R"("77.9 mm")", R"("78.1 mm")", "spline = \nz = 8\nd_1 = \"52 mm\""},
     {"shaft.spline", "m_R", outside, "h_t", R"("12.4 mm")", R"("12.6 mm")", R"(d_f = "90 mm")"},
     {"shaft.spline", "x_R", outside, "d_f", R"("68.1 mm")", R"("67.9 mm")"},
     {"shaft.set_screw", "u", over, "T", R"("44.4 N*m")", R"("44.5 N*m")"},
     {"shaft.set_screw", "u_S", over, "S", "1.5", "1.49"},
-    {"shaft.set_screw", "u_t", over, "T", R"("90.6 N*m")", R"("90.8 N*m")", R"(R_e_1 = "100 MPa")"},
+    {"shaft.set_screw", "u_t", over, "T", R"("90.6 N*m")", R"("90.8 N*m")", "R_e_1 = \"100 MPa\"\nS_F = 1"},
     {"shaft.set_screw", "x_d", outside, "d", R"("19.1 mm")", R"("19 mm")"},  // a screw of 9.525 mm
     {"shaft.set_screw", "x_h", outside, "F_h", R"("11.7 kN")", R"("11.8 kN")", "set_screw = \nd_s = \"10 mm\""},
     {"shaft.set_screw", "m_R", outside, "h_t", R"("16.6 mm")", R"("16.7 mm")", R"(d_f = "60 mm")"},
@@ -424,7 +424,7 @@ const Side fits[] = {
     {"shaft.press_fit", "m_R", outside, "h_t", R"("24.9 mm")", R"("25.1 mm")", R"(d_f = "120 mm")"},
     {"shaft.press_fit", "u_F", over, "F_adm", R"("104.5 kN")", R"("104.4 kN")", "mu_e = 0.1"},
     {"shaft.press_fit", "u_A", over, "dT_adm", R"("216 K")", R"("215 K")"},
-    {"shaft.press_fit", "u_t", over, "T", R"("7158 N*m")", R"("7159 N*m")"},
+    {"shaft.press_fit", "u_t", over, "T", R"("7158 N*m")", R"("7159 N*m")", "S_F = 1"},
 };
 
 const Side twists[] = {

@@ -83,6 +83,7 @@ L = "2650 mm"
              Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.03),
              Field{&Input::d_1, "d_1", mm, "datum diameter of the driving pulley"}
                  .positive()
+                 .at_least_that_of_source("d")
                  .same_as_that_of_source("stages[#].d_1")
                  .usually(20, 3000),
              Field{&Input::d_2, "d_2", mm, "datum diameter of the driven pulley"}

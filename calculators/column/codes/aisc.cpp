@@ -17,24 +17,24 @@ double thinness(const Plates& s, Length web) {
   const Length r = is_set(s.r) ? s.r : 0.0 * mm, flange = is_set(s.t_f) ? s.t_f : web;
   const double clear = over(s.h - 2.0 * (s.t_f + r), s.t_w), half = over(0.5 * s.b, s.t_f);
   switch (s.kind) {
-    case Profile::rolled_I:
+    case SectionKind::rolled_I:
       return std::max(half / 0.56, clear / 1.49);
-    case Profile::welded_I:
+    case SectionKind::welded_I:
       return std::max(half / (0.64 * std::sqrt(std::clamp(4.0 / std::sqrt(clear), 0.35, 0.76))), clear / 1.49);
-    case Profile::channel:
+    case SectionKind::channel:
       return std::max(2.0 * half / 0.56, clear / 1.49);
-    case Profile::tee:
+    case SectionKind::tee:
       return std::max(half / 0.56, over(s.h, s.t_w) / 0.75);
-    case Profile::angle:
+    case SectionKind::angle:
       return over(max(s.h, s.b), web) / 0.45;
-    case Profile::hot_hollow:
-    case Profile::cold_hollow:
+    case SectionKind::hot_hollow:
+    case SectionKind::cold_hollow:
       return over(max(s.h, s.b) - 3.0 * web, web) / 1.40;
-    case Profile::welded_box:
+    case SectionKind::welded_box:
       return std::max(over(s.b - 2.0 * web, flange), over(s.h - 2.0 * flange, web)) / 1.40;
-    case Profile::solid:
+    case SectionKind::solid:
       return 0.0;
-    case Profile::unsaid:
+    case SectionKind::unsaid:
       return unset<double>;
   }
   return unset<double>;
@@ -44,9 +44,9 @@ double thinness(const Plates& s, Length web) {
 
 double slender_ratio(const Plates& s, Stress E, Stress R_e, Stress F_cr) {
   const Length web = is_set(s.t_w) ? s.t_w : s.t_f;
-  const bool is_open = s.kind == Profile::rolled_I || s.kind == Profile::welded_I || s.kind == Profile::channel ||
-                       s.kind == Profile::tee || s.kind == Profile::angle;
-  if (s.kind != Profile::solid && !is_open && is_set(s.d)) return s.d / web / (0.11 * (E / R_e));
+  const bool is_open = s.kind == SectionKind::rolled_I || s.kind == SectionKind::welded_I ||
+                       s.kind == SectionKind::channel || s.kind == SectionKind::tee || s.kind == SectionKind::angle;
+  if (s.kind != SectionKind::solid && !is_open && is_set(s.d)) return s.d / web / (0.11 * (E / R_e));
   return thinness(s, web) * std::sqrt(F_cr / E);
 }
 

@@ -1,6 +1,7 @@
 // The words that a column's inputs choose from.
 #pragma once
 
+#include "calculators/load/section_record.hpp"
 #include "lib/calculator/field.hpp"
 
 #include <array>
@@ -46,23 +47,6 @@ constexpr auto choices_of(Method) {
                     ChoiceName<M>{M::aisc, "aisc", "AISC 360, E3, allowable strength"},
                     ChoiceName<M>{M::sp16, "sp16", "SP 16.13330, 7.1.3, coefficients from memory"},
                     ChoiceName<M>{M::unsaid, "", "ec3 of a steel section of the tables, else johnson"}};
-}
-
-/// Inputs of the buckling curve of EN 1993-1-1 and of the limits of local buckling.
-enum class Profile { unsaid, rolled_I, welded_I, hot_hollow, cold_hollow, welded_box, channel, tee, angle, solid };
-
-constexpr auto choices_of(Profile) {
-  using K = Profile;
-  return std::array{ChoiceName<K>{K::unsaid, "", "not stated"},
-                    ChoiceName<K>{K::rolled_I, "rolled_I", "rolled I or H section"},
-                    ChoiceName<K>{K::welded_I, "welded_I", "welded I or H section"},
-                    ChoiceName<K>{K::hot_hollow, "hot_hollow", "hollow section, hot finished"},
-                    ChoiceName<K>{K::cold_hollow, "cold_hollow", "hollow section, cold formed"},
-                    ChoiceName<K>{K::welded_box, "welded_box", "welded box section"},
-                    ChoiceName<K>{K::channel, "channel", "channel"},
-                    ChoiceName<K>{K::tee, "tee", "T section"},
-                    ChoiceName<K>{K::angle, "angle", "angle"},
-                    ChoiceName<K>{K::solid, "solid", "solid section"}};
 }
 
 /// Buckling curves of EN 1993-1-1, table 6.1.

@@ -33,21 +33,21 @@ Pair curves_of(const Plates& s, bool about_y) {
   using enum Curve;
   const double t_f = in_si(s.t_f);
   switch (s.kind) {
-    case Profile::rolled_I:
+    case SectionKind::rolled_I:
       return rolled_I(s.h / s.b, t_f, about_y);
-    case Profile::welded_I:
+    case SectionKind::welded_I:
       return welded_I(t_f, about_y);
-    case Profile::hot_hollow:
+    case SectionKind::hot_hollow:
       return {a, a0};
-    case Profile::cold_hollow:
-    case Profile::channel:
-    case Profile::tee:
-    case Profile::solid:
+    case SectionKind::cold_hollow:
+    case SectionKind::channel:
+    case SectionKind::tee:
+    case SectionKind::solid:
       return {c, c};
-    case Profile::welded_box:
-    case Profile::angle:
+    case SectionKind::welded_box:
+    case SectionKind::angle:
       return {b, b};
-    case Profile::unsaid:
+    case SectionKind::unsaid:
       return {by_kind, by_kind};
   }
   return {by_kind, by_kind};
@@ -103,27 +103,27 @@ double class_ratio(const Plates& s, Stress R_e) {
   const double outstand = 14.0 * epsilon, internal = 42.0 * epsilon;
   const double tube = s.d / web / (90.0 * epsilon * epsilon);  // hot finished or cold formed alike
   switch (s.kind) {
-    case Profile::rolled_I:
-    case Profile::welded_I:
+    case SectionKind::rolled_I:
+    case SectionKind::welded_I:
       return std::max((s.b - s.t_w - 2.0 * r) / (2.0 * s.t_f) / outstand, (s.h - 2.0 * (s.t_f + r)) / s.t_w / internal);
-    case Profile::channel:
+    case SectionKind::channel:
       return std::max((s.b - s.t_w - r) / s.t_f / outstand, (s.h - 2.0 * (s.t_f + r)) / s.t_w / internal);
-    case Profile::tee:
+    case SectionKind::tee:
       return std::max((s.b - s.t_w - 2.0 * r) / (2.0 * s.t_f) / outstand, (s.h - s.t_f - r) / s.t_w / outstand);
-    case Profile::welded_box: {
+    case SectionKind::welded_box: {
       if (is_set(s.d)) return tube;
       const Length flange = is_set(s.t_f) ? s.t_f : web;
       return std::max((s.b - 2.0 * web) / flange, (s.h - 2.0 * flange) / web) / internal;
     }
-    case Profile::hot_hollow:
-    case Profile::cold_hollow:
+    case SectionKind::hot_hollow:
+    case SectionKind::cold_hollow:
       if (is_set(s.d)) return tube;
       return (max(s.h, s.b) - 3.0 * web) / web / internal;
-    case Profile::angle:
+    case SectionKind::angle:
       return std::max(max(s.h, s.b) / web / (15.0 * epsilon), (s.h + s.b) / (2.0 * web) / (11.5 * epsilon));
-    case Profile::solid:
+    case SectionKind::solid:
       return 0.0;
-    case Profile::unsaid:
+    case SectionKind::unsaid:
       return tube;
   }
   return unset<double>;

@@ -8,7 +8,7 @@ namespace loadpath::column {
 
 /// Dimensions of a section, as far as known.
 struct Plates {
-  Profile kind = Profile::unsaid;
+  SectionKind kind = SectionKind::unsaid;
   Grade grade = Grade::to_S420;
   Length h = unset<Length>, b = unset<Length>, t_f = unset<Length>, t_w = unset<Length>, r = unset<Length>;
   Length d = unset<Length>;

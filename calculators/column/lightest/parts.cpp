@@ -54,8 +54,8 @@ Stress strength_of(const LightestTypes::Input& in, Length t) {
 Buckling::Input bar_of(const LightestTypes::Input& in, const TableSection& section) {
   Buckling::Input bar{in, section};
   bar.R_e = strength_of(in, section.t_f);
-  if (bar.kind == Profile::unsaid) bar.kind = in.kind;
-  const bool is_open = bar.method == Method::unsaid && bar.kind == Profile::unsaid;
+  if (bar.kind == SectionKind::unsaid) bar.kind = in.kind;
+  const bool is_open = bar.method == Method::unsaid && bar.kind == SectionKind::unsaid;
   if (is_open && default_method(bar, true) == Method::ec3) bar.method = Method::ec3;  // as all the others
   return bar;
 }

@@ -50,7 +50,7 @@ bool any_row(const Input& in, Test test) {
 
 bool is_open_tube(const TableSection& section) {
   const Section& s = section;
-  return is_set(s.d) && s.kind == Profile::unsaid;
+  return is_set(s.d) && s.kind == SectionKind::unsaid;
 }
 
 /// The first section without the extreme fibre that the eccentricity needs; null if none.
@@ -122,8 +122,8 @@ FieldFault Lightest::no_room(const Input& in) {
 }
 
 bool Lightest::kind_fits(const Input& in) {
-  const bool hollow = in.kind == Profile::hot_hollow || in.kind == Profile::cold_hollow;
-  return hollow || in.kind == Profile::unsaid || !any_row(in, &is_open_tube);
+  const bool hollow = in.kind == SectionKind::hot_hollow || in.kind == SectionKind::cold_hollow;
+  return hollow || in.kind == SectionKind::unsaid || !any_row(in, &is_open_tube);
 }
 
 FieldFault Lightest::kind_of_tubes(const Input& in) {

@@ -31,7 +31,7 @@ struct LightestTypes {
   struct Input : Member {
     Families families;
     Strengths strengths;
-    Profile kind = Profile::unsaid;
+    SectionKind kind = SectionKind::unsaid;
     Length h_max = unset<Length>, b_max = unset<Length>;
   };
 

@@ -134,7 +134,7 @@ FieldFault two_sections(const Section& in) {
 bool is_solid_if_full(const Section& in) {
   const bool outlined = is_set(in.d) || (is_set(in.h) && is_set(in.b));
   const bool is_bare = outlined && !is_set(in.A) && !(in.d_bore > 0.0 * mm);
-  return !is_bare || in.kind == Profile::unsaid || in.kind == Profile::solid;
+  return !is_bare || in.kind == SectionKind::unsaid || in.kind == SectionKind::solid;
 }
 
 bool fibres_reach(const Section& in) {

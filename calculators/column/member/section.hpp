@@ -11,7 +11,7 @@ struct Section {
   Area A = unset<Area>;
   SecondMoment I_y = unset<SecondMoment>, I_z = unset<SecondMoment>, I_min = unset<SecondMoment>;
   Length i_y = unset<Length>, i_z = unset<Length>;
-  Profile kind = Profile::unsaid;
+  SectionKind kind = SectionKind::unsaid;
   Length t_f = unset<Length>, t_w = unset<Length>, r = unset<Length>;
   Length c_y = unset<Length>, c_z = unset<Length>;
   Curve curve_y = Curve::by_kind, curve_z = Curve::by_kind;
@@ -61,8 +61,8 @@ constexpr auto section_inputs() {
       Field<Input, Length>{&Input::i_z, "i_z", mm, "radius of gyration about z, replaces I_z"}
           .positive()
           .may_be_missing(),
-      RowKind<Input, Profile>{&Input::kind, "kind",
-                              "section type, for the buckling curves of EN 1993-1-1 and local buckling", "section"},
+      RowKind<Input, SectionKind>{&Input::kind, "kind",
+                                  "section type, for the buckling curves of EN 1993-1-1 and local buckling", "section"},
       Field<Input, Length>{&Input::t_f, "t_f", mm, "thickness of the flange"}
           .positive()
           .from("section", "t_f")

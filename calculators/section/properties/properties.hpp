@@ -5,6 +5,7 @@
 // positive. The principal axis u has the largest second moment; alpha turns y to u, counter-clockwise.
 #pragma once
 
+#include "calculators/load/section_record.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/trace.hpp"
 
@@ -25,6 +26,7 @@ struct Properties {
   SectionModulus W_max = unset<SectionModulus>, W_min = unset<SectionModulus>;
   SecondMoment I_t = unset<SecondMoment>;
   SectionModulus W_t = unset<SectionModulus>;
+  SectionRecord section;
 };
 
 /// Properties of a section whose centroid is the origin of the sketch and whose axes are principal.
@@ -43,7 +45,26 @@ constexpr auto property(Quantity Properties::*at, const char* key, Unit<Quantity
   return Field{own, key, unit, doc};
 }
 
+template <class Result>
+constexpr auto section_group() {
+  SectionRecord Result::*const own = &Properties::section;
+  return Group<Result, SectionRecord>{own, "section",
+                                      "the section with its walls, for column.buckling and link.member: "
+                                      "section"}
+      .handed_over();
+}
+
 }  // namespace detail
+
+/// The section as a record, with what the properties give; the dimensions follow from the shape.
+inline SectionRecord record_of(const Properties& p) {
+  SectionRecord record;
+  record.A = p.A, record.I_y = p.I_y, record.I_z = p.I_z;
+  if (p.I_yz != from_si<SecondMoment>(0.0)) record.I_min = p.I_min;
+  record.c_y = p.I_y / min(p.W_y_top, p.W_y_bottom);
+  record.c_z = p.I_z / min(p.W_z_left, p.W_z_right);
+  return record;
+}
 
 /// The fields of Properties in a result that is Properties or derives from it.
 template <class Result>
@@ -72,7 +93,8 @@ constexpr auto property_fields() {
       field(&P::W_min, "W_min", mm3,
             "elastic section modulus about the principal axis of I_min, minimum of both sides"),
       field(&P::I_t, "I_t", mm4, "torsion constant of Saint-Venant"),
-      field(&P::W_t, "W_t", mm3, "torsional section modulus: torque / maximum shear stress")};
+      field(&P::W_t, "W_t", mm3, "torsional section modulus: torque / maximum shear stress"),
+      detail::section_group<Result>()};
 }
 
 inline constexpr auto results_of_properties = property_fields<Properties>();
@@ -156,6 +178,7 @@ void complete(Properties& r, const Extremes& extremes, Tracer& trace) {
 template <class Result, class Tracer>
 Result completed(Result r, const Extremes& extremes, Tracer& trace) {
   complete(r, extremes, trace);
+  r.section = record_of(r);
   return r;
 }
 

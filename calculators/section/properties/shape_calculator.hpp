@@ -13,12 +13,15 @@ namespace loadpath::section {
 ///   template <class Tracer> static Result own(const Input&, Tracer&);  // without what follows from the contour
 ///   static Extremes extremes(const Input&);
 ///   static Contours contours(const Input&);
+///   static void describe(const Input&, SectionRecord&);  // kind and dimensions
 /// and defines them in its source, `own` for NoTrace and Trace.
 template <class Shape>
 struct ShapeCalculator {
   template <class Input, class Tracer>
   static auto evaluate(const Input& in, Tracer& trace) {
-    return completed(Shape::own(in, trace), Shape::extremes(in), trace);
+    auto result = completed(Shape::own(in, trace), Shape::extremes(in), trace);
+    Shape::describe(in, result.section);
+    return result;
   }
   template <class Input>
   static std::vector<draw::Figure> figures(const Input& in, const Properties& r) {

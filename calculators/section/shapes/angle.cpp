@@ -67,6 +67,12 @@ Extremes Angle::extremes(const Input& in) {
 
 Contours Angle::contours(const Input& in) { return {angle_outline(in.h, in.b, in.t, in.r, in.r_2), {}}; }
 
+void Angle::describe(const Input& in, SectionRecord& section) {
+  section.kind = SectionKind::angle;
+  section.h = in.h, section.b = in.b;
+  section.t_f = section.t_w = in.t, section.r = in.r;
+}
+
 template Angle::Result Angle::own(const Input&, NoTrace&);
 template Angle::Result Angle::own(const Input&, Trace&);
 

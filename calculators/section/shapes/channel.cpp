@@ -41,6 +41,12 @@ Extremes Channel::extremes(const Input& in) { return corners_of(channel_outline(
 
 Contours Channel::contours(const Input& in) { return {channel_outline(in.h, in.b, in.t_w, in.t_f, in.r), {}}; }
 
+void Channel::describe(const Input& in, SectionRecord& section) {
+  section.kind = SectionKind::channel;
+  section.h = in.h, section.b = in.b;
+  section.t_f = in.t_f, section.t_w = in.t_w, section.r = in.r;
+}
+
 template Channel::Result Channel::own(const Input&, NoTrace&);
 template Channel::Result Channel::own(const Input&, Trace&);
 

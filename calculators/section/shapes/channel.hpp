@@ -49,6 +49,7 @@ r = "13 mm"
   static Result own(const Input& in, Tracer& trace);
   static Extremes extremes(const Input& in);
   static Contours contours(const Input& in);
+  static void describe(const Input& in, SectionRecord& section);
 };
 
 }  // namespace loadpath::section

@@ -20,6 +20,11 @@ Extremes Circle::extremes(const Input& in) { return disc(in.d); }
 
 Contours Circle::contours(const Input& in) { return {circle(in.d), {}}; }
 
+void Circle::describe(const Input& in, SectionRecord& section) {
+  section.kind = SectionKind::solid;
+  section.d = in.d;
+}
+
 template Circle::Result Circle::own(const Input&, NoTrace&);
 template Circle::Result Circle::own(const Input&, Trace&);
 

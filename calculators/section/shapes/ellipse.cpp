@@ -36,6 +36,11 @@ Contours Ellipse::contours(const Input& in) {
   return contours;
 }
 
+void Ellipse::describe(const Input& in, SectionRecord& section) {
+  section.kind = SectionKind::solid;
+  section.h = in.h, section.b = in.b;
+}
+
 template Ellipse::Result Ellipse::own(const Input&, NoTrace&);
 template Ellipse::Result Ellipse::own(const Input&, Trace&);
 

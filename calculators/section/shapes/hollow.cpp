@@ -57,6 +57,12 @@ Contours Hollow::contours(const Input& in) {
   return {rectangle(in.b, in.h, in.r_o), rectangle(b_i, h_i, in.r_i)};
 }
 
+void Hollow::describe(const Input& in, SectionRecord& section) {
+  section.kind = kind_of(in.fabrication);
+  section.h = in.h, section.b = in.b;
+  section.t_f = section.t_w = in.t;
+}
+
 template Hollow::Result Hollow::own(const Input&, NoTrace&);
 template Hollow::Result Hollow::own(const Input&, Trace&);
 

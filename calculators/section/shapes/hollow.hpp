@@ -41,13 +41,15 @@ r_i = "5 mm"
     Length t = unset<Length>;
     Length r_o = from_si<Length>(0.0);
     Length r_i = from_si<Length>(0.0);
+    Forming fabrication = Forming::unsaid;
   };
   static constexpr Fields inputs{
       Field{&Input::h, "h", mm, "height, along z"}.positive().usually(0.1, 1e4),
       Field{&Input::b, "b", mm, "width, along y"}.positive().usually(0.1, 1e4),
       Field{&Input::t, "t", mm, "wall"}.positive(),
       Field{&Input::r_o, "r_o", mm, "outer radius of the corners; sharp where missing"}.at_least(0).may_be_missing(),
-      Field{&Input::r_i, "r_i", mm, "inner radius of the corners; sharp where missing"}.at_least(0).may_be_missing()};
+      Field{&Input::r_i, "r_i", mm, "inner radius of the corners; sharp where missing"}.at_least(0).may_be_missing(),
+      Choice{&Input::fabrication, "fabrication", "how it was made, for its buckling curve"}.may_be_missing()};
 
   struct Result : Properties {
     double w = unset<double>;
@@ -72,6 +74,7 @@ r_i = "5 mm"
   static Result own(const Input& in, Tracer& trace);
   static Extremes extremes(const Input& in);
   static Contours contours(const Input& in);
+  static void describe(const Input& in, SectionRecord& section);
 };
 
 }  // namespace loadpath::section

@@ -10,7 +10,7 @@ namespace {
 /// Torsion of three plates with what their T-junctions add and the ends of the flanges lack.
 template <class Tracer>
 void twist(const I::Input& in, I::Result& result, Tracer& trace) {
-  const auto& [h, b, t_w, t_f, r] = in;
+  const auto& [h, b, t_w, t_f, r] = static_cast<const Flanged&>(in);
   STEP_TO(result, w_t, t_w / t_f, "range of the rolled sections that the torsion constant was checked with");
   STEP_TO(result, w_r, r / t_f, "range of the rolled sections that the torsion constant was checked with");
   if (!ranges_of_I.hold(w_t, w_r)) return;
@@ -28,7 +28,7 @@ void twist(const I::Input& in, I::Result& result, Tracer& trace) {
 
 template <class Tracer>
 I::Result I::own(const Input& in, Tracer& trace) {
-  const auto& [h, b, t_w, t_f, r] = in;
+  const auto& [h, b, t_w, t_f, r] = static_cast<const Flanged&>(in);
   Result result{centred()};
   const auto [A_r, e_r, I_r, I_rp] = corner(r, trace);
   STEP_TO(result, A, 2.0 * b * t_f + (h - 2.0 * t_f) * t_w + 4.0 * A_r, "flanges, web and four fillets");
@@ -45,6 +45,12 @@ I::Result I::own(const Input& in, Tracer& trace) {
 Extremes I::extremes(const Input& in) { return box(in.b, in.h); }
 
 Contours I::contours(const Input& in) { return {i_outline(in.h, in.b, in.t_w, in.t_f, in.r), {}}; }
+
+void I::describe(const Input& in, SectionRecord& section) {
+  section.kind = kind_of(in.fabrication);
+  section.h = in.h, section.b = in.b;
+  section.t_f = in.t_f, section.t_w = in.t_w, section.r = in.r;
+}
 
 template I::Result I::own(const Input&, NoTrace&);
 template I::Result I::own(const Input&, Trace&);

@@ -36,9 +36,12 @@ t_f = "15 mm"
 r = "18 mm"
 )";
 
-  using Input = Flanged;
-  static constexpr auto inputs =
-      flanged_inputs("depth over both flanges", "width of the flanges", "thickness of a flange");
+  struct Input : Flanged {
+    Rolling fabrication = Rolling::unsaid;
+  };
+  static constexpr auto inputs = join(
+      flanged_inputs<Input>("depth over both flanges", "width of the flanges", "thickness of a flange"),
+      Fields{Choice{&Input::fabrication, "fabrication", "how it was made, for its buckling curves"}.may_be_missing()});
 
   struct Result : Properties {
     double w_t = unset<double>, w_r = unset<double>;
@@ -60,6 +63,7 @@ r = "18 mm"
   static Result own(const Input& in, Tracer& trace);
   static Extremes extremes(const Input& in);
   static Contours contours(const Input& in);
+  static void describe(const Input& in, SectionRecord& section);
 };
 
 }  // namespace loadpath::section

@@ -26,6 +26,11 @@ Extremes Rectangle::extremes(const Input& in) { return box(in.b, in.h); }
 
 Contours Rectangle::contours(const Input& in) { return {rectangle(in.b, in.h), {}}; }
 
+void Rectangle::describe(const Input& in, SectionRecord& section) {
+  section.kind = SectionKind::solid;
+  section.h = in.h, section.b = in.b;
+}
+
 template Rectangle::Result Rectangle::own(const Input&, NoTrace&);
 template Rectangle::Result Rectangle::own(const Input&, Trace&);
 

@@ -23,6 +23,12 @@ Contours Ring::contours(const Input& in) {
   return {circle(in.d), circle(d_i)};
 }
 
+void Ring::describe(const Input& in, SectionRecord& section) {
+  section.kind = kind_of(in.fabrication);
+  section.d = in.d;
+  section.t_w = is_set(in.t) ? in.t : 0.5 * (in.d - in.d_i);
+}
+
 template Ring::Result Ring::own(const Input&, NoTrace&);
 template Ring::Result Ring::own(const Input&, Trace&);
 

@@ -31,10 +31,13 @@ t = "5 mm"
     Length d = unset<Length>;
     Length d_i = unset<Length>;
     Length t = unset<Length>;
+    Forming fabrication = Forming::unsaid;
   };
-  static constexpr Fields inputs{Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(0.1, 1e4),
-                                 Field{&Input::d_i, "d_i", mm, "inner diameter"}.at_least(0).may_be_missing(),
-                                 Field{&Input::t, "t", mm, "wall, in place of d_i"}.positive().may_be_missing()};
+  static constexpr Fields inputs{
+      Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(0.1, 1e4),
+      Field{&Input::d_i, "d_i", mm, "inner diameter"}.at_least(0).may_be_missing(),
+      Field{&Input::t, "t", mm, "wall, in place of d_i"}.positive().may_be_missing(),
+      Choice{&Input::fabrication, "fabrication", "how it was made, for its buckling curve"}.may_be_missing()};
 
   using Result = Properties;
   static constexpr auto results = results_of_properties;
@@ -51,6 +54,7 @@ t = "5 mm"
   static Result own(const Input& in, Tracer& trace);
   static Extremes extremes(const Input& in);
   static Contours contours(const Input& in);
+  static void describe(const Input& in, SectionRecord& section);
 };
 
 }  // namespace loadpath::section

@@ -40,6 +40,12 @@ Extremes Tee::extremes(const Input& in) { return corners_of(tee_outline(in.h, in
 
 Contours Tee::contours(const Input& in) { return {tee_outline(in.h, in.b, in.t_w, in.t_f, in.r), {}}; }
 
+void Tee::describe(const Input& in, SectionRecord& section) {
+  section.kind = SectionKind::tee;
+  section.h = in.h, section.b = in.b;
+  section.t_f = in.t_f, section.t_w = in.t_w, section.r = in.r;
+}
+
 template Tee::Result Tee::own(const Input&, NoTrace&);
 template Tee::Result Tee::own(const Input&, Trace&);
 

@@ -30,6 +30,12 @@ bool is_within(const Input& in, Length x, const Extent& extent) {
   return x > extent.from + tolerance && x < extent.to - tolerance;
 }
 
+/// Whether a body with a width covers a place or ends there: a bearing has a width too.
+bool reaches(const Input& in, const Extent& extent, Length x) {
+  const Length tolerance = one_place * length_of(in);
+  return extent.from < extent.to && x > extent.from - tolerance && x < extent.to + tolerance;
+}
+
 /// Whether a bore of the diameter at x passes over all pieces up to one end of the shaft.
 bool can_be_slid_on(const Input& in, Length x) {
   const Length bore = (1.0 + one_place) * diameter_under(in, x);
@@ -60,10 +66,20 @@ bool bodies_overlap(const Input& in) {
       if (overlap(in, extent, extent_of(in.seats[j]))) return true;
     }
     for (const Support& support : in.supports) {
-      if (is_within(in, support.x, extent)) return true;
+      if (reaches(in, extent, support.x)) return true;
     }
   }
   return false;
+}
+
+/// A component that is one piece with the shaft ends where the shaft does.
+bool integral_one_overhangs(const Input& in) {
+  const Extent shaft{0.0 * mm, length_of(in)};
+  return std::any_of(in.seats.begin(), in.seats.end(), [&](const Seat& seat) {
+    const Extent extent = extent_of(seat);
+    const Length tolerance = one_place * shaft.to;
+    return seat.integral == Integral::yes && (extent.from < -tolerance || extent.to > shaft.to + tolerance);
+  });
 }
 
 }  // namespace
@@ -73,7 +89,7 @@ Applies Design::cannot_be_assembled(const Input& in) {
   const auto fits = [&](const Seat& seat) { return seat.integral == Integral::yes || can_be_slid_on(in, seat.x); };
   const bool lies_in_fillet = std::any_of(in.supports.begin(), in.supports.end(),
                                           [&](const Support& support) { return is_in_fillet(in, support.x); });
-  const bool can_be = !bodies_overlap(in) && !lies_in_fillet &&
+  const bool can_be = !bodies_overlap(in) && !integral_one_overhangs(in) && !lies_in_fillet &&
                       std::all_of(in.supports.begin(), in.supports.end(), is_mounted) &&
                       std::all_of(in.seats.begin(), in.seats.end(), fits);
   return where(!can_be);

@@ -1,4 +1,4 @@
-// What keys and splines have in common: which torque counts, whether it changes its sense, what their sides allow.
+// Common to shaft-hub connections: the torque that counts, its sense, what the sides allow, the shaft in torsion.
 #pragma once
 
 #include "lib/calculator/field.hpp"
@@ -38,6 +38,16 @@ constexpr auto torque_inputs() {
           .at_least(1)
           .usually(1, 4)
           .factor()};
+}
+
+/// The safety factor of the shaft itself.
+template <class Input>
+constexpr auto shaft_safety() {
+  return Field<Input, double>{&Input::S_F, "S_F", ratio, "required safety factor of the shaft against yielding"}
+      .at_least(1)
+      .usually(1.1, 6)
+      .may_be_missing()
+      .factor();
 }
 
 /// Each side has one strength, and a factor of the reversal wants one.
@@ -83,6 +93,13 @@ template <class Input, class Result, class Tracer>
 void torque_that_counts(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, T_eq, is_set(in.T_max) ? max(in.K_A * abs(in.T), abs(in.T_max)) : in.K_A * abs(in.T),
           "torque that counts");
+}
+
+/// The shaft itself in torsion; not without a safety factor, for a stress up to the yield strength is no design.
+template <class Input, class Result, class Tracer>
+void yielding_of_shaft(const Input& in, Result& r, Tracer& trace) {
+  if (!is_set(in.R_e_1) || !is_set(in.S_F)) return;
+  STEP_TO(r, u_t, sqrt(3.0) * in.S_F * r.tau_t / in.R_e_1, "equivalent stress of pure shear, [Mises]");
 }
 
 /// What a side allows: typed, or 0.9 of its yield strength; none where neither is given.

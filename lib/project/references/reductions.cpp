@@ -69,9 +69,10 @@ Reduced reduced_at(const Project& project, const std::string& path) {
   if (step == nullptr) return reduced;
   const bool is_result = rest.find('.') == std::string::npos && !holds_entry(step->account().inputs, rest);
   const std::string own = is_result ? reduction_of(*step->input().calculator, rest) : "";
-  if (is_reduced(*step, rest) || own == "mean" || own == "amplitude") {
+  const bool is_less = is_reduced(*step, rest);
+  if (is_less || own == "mean" || own == "amplitude") {
     reduced.left = Left::less;
-    reduced.function = own;
+    reduced.function = is_less ? "" : own;
     reduced.text = path;
   }
   return reduced;
@@ -135,11 +136,31 @@ class ReductionCheck {
         return !operand.leaf.field->signed_load;
       case Left::once:
         return is_that_reduction(operand, r);
-      case Left::square:
       case Left::less:
+        return is_same_part_of_cycle(operand, r);
+      case Left::square:
         return false;
     }
     return false;
+  }
+
+  /// Whether the amplitude or mean that another step has of its whole cycle is taken as just that: "=filling.sigma_a",
+  /// with "=filling.sigma_m" where both are needed.
+  [[nodiscard]] bool is_same_part_of_cycle(const Operand& operand, const Reduced& r) const {
+    if (!operand.expression.is_reference() || r.function.empty()) return false;
+    const Calculator& calculator = *step_.input().calculator;
+    const std::string own = reduction_of(calculator, operand.path);
+    if (own == "amplitude" || own == "mean") return own == r.function;
+    const bool is_amplitude = own == paired_amplitude && r.function == "amplitude";
+    if (!is_amplitude && !(own == paired_middle && r.function == "mean")) return false;
+    const std::string source = split_step(operand.expression.references().front().path).first;
+    return std::any_of(step_.input().reading.operands.begin(), step_.input().reading.operands.end(),
+                       [&](const Operand& beside) {
+                         return prefix_of(beside.path) == prefix_of(operand.path) &&
+                                reduction_of(calculator, beside.path) == (is_amplitude ? paired_middle : paired_amplitude) &&
+                                beside.expression.is_reference() &&
+                                split_step(beside.expression.references().front().path).first == source;
+                       });
   }
 
   /// A load of another step and the value derived from it; apart from entries of [values], nothing else is referred to.

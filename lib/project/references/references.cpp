@@ -72,6 +72,10 @@ class Settling {
     const Step* const source = project_.find(name);
     if (source == nullptr && name == "values") return void(refused_ = true);  // reported at its place
     if (source == nullptr) return refuse(taken, project_.unknown_step(taken.source));
+    if (const std::string record = record_for_row(taken, *source, rest); !record.empty()) {
+      step_.input().rows.erase(taken.path);
+      return fill_from(taken, *source, record);
+    }
     const Form form = form_of(*source, rest);
     if (form == Form::nothing) {
       const auto signature = source->signature(rest);
@@ -88,6 +92,15 @@ class Settling {
     if (form == Form::list && !shares_fields(taken, *source->field(rest))) return;
     reading_.taken.push_back(taken);
     if (form == Form::list) reading_.taken.back().axis = axis_of(taken, *source, rest);
+  }
+
+  /// The record that a step hands over in place of a row of a table, section = "=box" or "=box.section"; empty if it
+  /// has none.
+  static std::string record_for_row(const Taken& taken, const Step& source, const std::string& rest) {
+    const RecordType* const result = source.input().calculator->result;
+    if (taken.field != nullptr || result == nullptr || (!rest.empty() && rest != taken.path)) return {};
+    const FieldInfo* const field = find_field(result->fields, taken.path);
+    return field != nullptr && field->is_handed_over ? taken.path : "";
   }
 
   /// The axis of the series among the values of a list's elements that are taken one by one.
@@ -128,7 +141,7 @@ class Settling {
 
   /// An operand, or a word, for every field that is not typed and that the record has.
   void fill_from(const Taken& taken, const Step& source, const std::string& rest) {
-    const bool beside = taken.field->type == Type::record;
+    const bool beside = taken.field == nullptr || taken.field->type == Type::record;
     const std::string base = beside ? taken.path.substr(0, taken.path.rfind('.') + 1) : taken.path + ".";
     const std::vector<Member> members = source.members(rest);
     std::string filled, kept;

@@ -19,6 +19,7 @@ struct Named {
 std::vector<Source> sources_of(const Reading& reading) {
   std::map<std::string, Named> places;
   for (const Operand& operand : reading.operands) {
+    if (operand.leaf.field->is_factor) continue;  // a safety factor belongs to no part
     for (const auto& reference : operand.expression.references()) {
       const auto [step, path] = split_step(reference.path);
       if (step == "values") continue;
@@ -58,10 +59,15 @@ std::vector<Source> alternatives(const Source& source) {
   return all;
 }
 
-const char* keys_in_sources(const FieldInfo& field) {
-  for (const char* keys : {field.same_as_source, field.most_of_source, field.least_of_source, field.near_source})
-    if (*keys != '\0') return keys;
-  return "";
+std::vector<ComparedKeys> keys_in_sources(const FieldInfo& field) {
+  std::vector<ComparedKeys> all;
+  for (const ComparedKeys& keys : {ComparedKeys{Comparison::same, field.same_as_source},
+                                   {Comparison::at_most, field.most_of_source},
+                                   {Comparison::at_least, field.least_of_source},
+                                   {Comparison::near, field.near_source}}) {
+    if (*keys.keys != '\0') all.push_back(keys);
+  }
+  return all;
 }
 
 std::vector<std::pair<std::string, std::string>> inputs_made_for(const FieldInfo& field) {
@@ -74,6 +80,21 @@ std::vector<std::pair<std::string, std::string>> inputs_made_for(const FieldInfo
   return pairs;
 }
 
+namespace {
+
+/// The paths of a key in the sources.
+void visit_in(const std::vector<Source>& sources, const std::string& key,
+              const std::function<void(const std::string& path)>& visit) {
+  for (const Source& source : sources) {
+    for (const Source& place : alternatives(source)) {
+      const std::string path = path_in(place, key);
+      if (!path.empty()) visit(path);
+    }
+  }
+}
+
+}  // namespace
+
 void for_each_compared(const StepInput& step, const std::function<void(const std::string& path)>& visit) {
   for (const TypedBeside& kept : step.reading.kept) visit(kept.source);
   for (const Operand& operand : step.reading.operands) {
@@ -85,13 +106,8 @@ void for_each_compared(const StepInput& step, const std::function<void(const std
   const auto sources = sources_of(step.reading);
   if (sources.empty()) return;
   for (const FieldInfo& field : step.calculator->input->fields) {
-    for (const std::string& key : listed_keys(keys_in_sources(field))) {
-      for (const Source& source : sources) {
-        for (const Source& place : alternatives(source)) {
-          const std::string path = path_in(place, key);
-          if (!path.empty()) visit(path);
-        }
-      }
+    for (const ComparedKeys& compared : keys_in_sources(field)) {
+      for (const std::string& key : listed_keys(compared.keys)) visit_in(sources, key, visit);
     }
   }
 }

@@ -26,8 +26,15 @@ std::string path_in(const Source& source, std::string key);
 /// The same source with all places that it may mean, the assumed one first.
 std::vector<Source> alternatives(const Source& source);
 
+/// How a field compares with those of the sources (lib/calculator/field.hpp).
+enum class Comparison { same, at_most, at_least, near };
+struct ComparedKeys {
+  Comparison comparison;
+  const char* keys;
+};
+
 /// The keys that a field has there; empty if it is not compared.
-const char* keys_in_sources(const FieldInfo& field);
+std::vector<ComparedKeys> keys_in_sources(const FieldInfo& field);
 
 /// The inputs that a value of another step is made for: here, and there ("I_y", "I").
 std::vector<std::pair<std::string, std::string>> inputs_made_for(const FieldInfo& field);

@@ -207,6 +207,7 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
     const char* const column = lacks ? "R_m" : bound->column;
     const double typed = largest_magnitude(evaluation.inputs().value_of(path, leaf));
     all.back().by_size = may_change(evaluation, column, lacks ? 1.0 : bound->part, typed);
+    all.back().has_margin = is_allowable(bound->meaning);
   });
 }
 
@@ -238,10 +239,18 @@ bool is_of_another_place(const Source& source, const char* keys, const FieldInfo
   });
 }
 
-Beside beside_of_source(const FieldInfo& field) {
-  if (*field.same_as_source != '\0') return Beside::identity;
-  if (*field.near_source != '\0') return Beside::either;
-  return *field.most_of_source != '\0' ? Beside::capacity : Beside::demand;
+Beside beside_of_comparison(Comparison comparison) {
+  switch (comparison) {
+    case Comparison::same:
+      return Beside::identity;
+    case Comparison::near:
+      return Beside::either;
+    case Comparison::at_most:
+      return Beside::capacity;
+    case Comparison::at_least:
+      break;
+  }
+  return Beside::demand;
 }
 
 /// Adds quantities of the step that values are taken from: a key is on the shaft whose torque it takes, a gear pair
@@ -250,17 +259,19 @@ void add_sources_beside(const Evaluation& evaluation, const Known& known, std::v
   const Reading& reading = evaluation.step().input().reading;
   std::optional<std::vector<Source>> sources;
   for (const FieldInfo& field : evaluation.calculator().input->fields) {
-    const char* const keys = keys_in_sources(field);
-    if (*keys == '\0' || is_of_record(reading, field.key)) continue;
+    const auto lists = keys_in_sources(field);
+    if (lists.empty() || is_of_record(reading, field.key)) continue;
     const Leaf leaf = evaluation.inputs().leaf(field.key);
     const double value = std::abs(largest_magnitude(evaluation.inputs().value_of(field.key, leaf)));
     if (std::isnan(value)) continue;
     if (!sources) sources = sources_of(reading);
-    for (const Source& source : *sources) {
-      const std::string path = largest_in(source, keys, field, known);
-      if (path.empty() || is_of_another_place(source, keys, field, known, value)) continue;
-      all.push_back({field.key, leaf, known(path), say("'{1}'", path), beside_of_source(field)});
-      all.back().by_size = true;  // at another point the source has another value
+    for (const ComparedKeys& list : lists) {
+      for (const Source& source : *sources) {
+        const std::string path = largest_in(source, list.keys, field, known);
+        if (path.empty() || is_of_another_place(source, list.keys, field, known, value)) continue;
+        all.push_back({field.key, leaf, known(path), say("'{1}'", path), beside_of_comparison(list.comparison)});
+        all.back().by_size = true;  // at another point the source has another value
+      }
     }
   }
 }

@@ -17,6 +17,7 @@ struct Neighbour {
   Message source;  // "the material 'S235JR'"
   Beside kind = Beside::identity;
   bool by_size = false;
+  bool has_margin = false;  // an allowable stress: equal to the strength it has no safety factor
   std::string row_of = {};  // the table of the row; empty: of a record, or a strength
 };
 

@@ -91,11 +91,11 @@ TEST_SUITE("column bar figure") {
     in.d = in.d_bore = unset<Length>, in.h = 60.0 * mm, in.b = 20.0 * mm;
     CHECK(area(in) == doctest::Approx(1.2e-3));
     in.h = 200.0 * mm, in.b = 100.0 * mm, in.t_f = 8.5 * mm, in.t_w = 5.6 * mm, in.r = 12.0 * mm;  // IPE 200
-    in.kind = column::Profile::rolled_I, in.A = 2850.0 * mm2;
+    in.kind = SectionKind::rolled_I, in.A = 2850.0 * mm2;
     in.I_y = 19.43e6 * mm4, in.I_z = 1.42e6 * mm4;
     CHECK(area(in) == doctest::Approx(2.85e-3).epsilon(2e-3));
     CHECK(draw::is_to_scale(figure_of(in)));
-    in.kind = column::Profile::channel;  // its centre is not known
+    in.kind = SectionKind::channel;  // its centre is not known
     CHECK(drawing_of(figure_of(in)).views.back().areas.empty());
     CHECK_FALSE(draw::is_to_scale(figure_of(in)));
   }

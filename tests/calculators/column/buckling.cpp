@@ -154,7 +154,7 @@ TEST_SUITE("column buckling") {
       in.A = from_si<Area>(1e-2);
       in.i_y = in.i_z = 50.0 * mm;
       in.h = row.h * mm, in.b = row.b * mm, in.t_f = row.t_f * mm;
-      in.kind = column::Profile::rolled_I;
+      in.kind = SectionKind::rolled_I;
       in.grade = row.grade;
       const column::Buckling::Result r = solve(in);
       CHECK(r.axes[0].alpha == row.alpha_y);
@@ -167,7 +167,7 @@ TEST_SUITE("column buckling") {
     in.A = from_si<Area>(1e-2);
     in.i_y = in.i_z = 50.0 * mm;
     in.h = 200.0 * mm, in.b = 200.0 * mm, in.t_w = 8.0 * mm;
-    in.kind = column::Profile::welded_I;
+    in.kind = SectionKind::welded_I;
     in.t_f = 96.0 / 14.0 * 1.001 * mm;
     CHECK(solve(in).r_class < 1.0);
     in.t_f = 96.0 / 14.0 * 0.999 * mm;
@@ -326,14 +326,13 @@ TEST_SUITE("column buckling") {
 
   TEST_CASE("SP 16: phi is the smaller root of its quadratic, falls from 1, and ends with its table") {
     struct Row {
-      column::Profile kind;
+      SectionKind kind;
       double lambda_r, phi;
     };
-    using column::Profile;
-    for (const Row& row : {Row{Profile::hot_hollow, 1.0, 0.967809}, Row{Profile::rolled_I, 1.0, 0.947589},
-                           Row{Profile::angle, 1.0, 0.900865}, Row{Profile::rolled_I, 3.0, 0.642786},
-                           Row{Profile::hot_hollow, 6.0, 7.6 / 36.0}, Row{Profile::rolled_I, 0.6, 0.985686},
-                           Row{Profile::hot_hollow, 0.4, 1.0}, Row{Profile::channel, 0.01, 1.0}}) {
+    for (const Row& row : {Row{SectionKind::hot_hollow, 1.0, 0.967809}, Row{SectionKind::rolled_I, 1.0, 0.947589},
+                           Row{SectionKind::angle, 1.0, 0.900865}, Row{SectionKind::rolled_I, 3.0, 0.642786},
+                           Row{SectionKind::hot_hollow, 6.0, 7.6 / 36.0}, Row{SectionKind::rolled_I, 0.6, 0.985686},
+                           Row{SectionKind::hot_hollow, 0.4, 1.0}, Row{SectionKind::channel, 0.01, 1.0}}) {
       CAPTURE(row.lambda_r);
       column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
       in.kind = row.kind;
@@ -341,7 +340,7 @@ TEST_SUITE("column buckling") {
       CHECK(std::abs(stress(in, lambda, "sp16") / 235.0 - row.phi) < 1e-6);
     }
     column::Buckling::Input in = bar_of_steel(Ends::pinned_pinned);
-    in.kind = column::Profile::channel;
+    in.kind = SectionKind::channel;
     double before = 235.0 * (1 + 1e-12);
     for (double lambda = 1.0; lambda < 400.0; lambda += 1.0) {
       const double now = stress(in, lambda, "sp16");

@@ -67,7 +67,7 @@ TEST_SUITE("section tables") {
     std::size_t count = 0;
     for (const char* table : {"sections/ipe", "sections/hea", "sections/heb", "sections/hem"}) {
       count += for_family(table, [](const Row& row) {
-        const section::I::Input in{row.h, row.b, row.t_w, row.t_f, row.r};
+        const section::I::Input in{{row.h, row.b, row.t_w, row.t_f, row.r}};
         REQUIRE(broken<section::I>(in).empty());
         check_against(row, solve<section::I>(in), {0.0005, 0.004, 0.045});
       });

@@ -214,9 +214,9 @@ TEST_SUITE("column lightest") {
       CHECK(c.failure == Failure::open);
       CHECK(std::isfinite(c.demand));
     }
-    in.kind = column::Profile::hot_hollow;
+    in.kind = SectionKind::hot_hollow;
     const auto hot = solve(in);
-    in.kind = column::Profile::cold_hollow;
+    in.kind = SectionKind::cold_hollow;
     const auto cold = solve(in);
     CHECK(hot.carrying > 0.0);
     CHECK(hot.q < cold.q);
@@ -242,9 +242,9 @@ TEST_SUITE("column lightest") {
 
   TEST_CASE("a tube is thin by its diameter over its wall: 90 eps^2") {
     auto in = column_of({"CHS"}, 300.0 * kN, 4.0 * m);
-    in.kind = column::Profile::hot_hollow;
+    in.kind = SectionKind::hot_hollow;
     column::Buckling::Input bar{in, section_of("CHS 76.1x2.5")};
-    bar.kind = column::Profile::hot_hollow;
+    bar.kind = SectionKind::hot_hollow;
     CHECK(rel(tests::solve(bar).r_class, 76.1 / 2.5 / 90.0) < 1e-12);
   }
 

@@ -64,7 +64,7 @@ class Keeping {
     for (const std::size_t result : results_) put(block.results[result]);
   }
 
-  Sweep finish(const project::Found& found, std::string summary) {
+  Sweep finish(const project::SweepStatistics& found, std::string summary) {
     if (!rows_) sweep_.columns.clear();
     std::vector<Refused> refused;
     for (const auto& [id, r] : found.refusals()) refused.push_back({r.count, r.first, r.key, r.message});
@@ -128,7 +128,7 @@ Sweep Project::sweep(const SweepOptions& options) const {
   const project::SweepPlan plan = project::plan_sweep(project, project.sweep, issues);
   refuse_errors(issues, sources);
   const project::Keep keep;
-  project::Found found = project::nothing_found(plan, project, keep);
+  project::SweepStatistics found = project::nothing_found(plan, project, keep);
   Keeping kept(plan, options.rows);
   const auto read = [&] {
     std::vector<loadpath::Issue> told;

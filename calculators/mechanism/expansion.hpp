@@ -1,7 +1,7 @@
 // From a template and its parameters to the links, joints and points of a mechanism.
 #pragma once
 
-#include "calculators/mechanism/words/mechanism.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/account/block.hpp"
 #include "lib/calculator/calculator.hpp"
 #include "lib/project/read/reading.hpp"

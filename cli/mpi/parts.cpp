@@ -1,9 +1,9 @@
 #include "cli/parts/parts.hpp"
 
-#include "cli/mpi/foreman.hpp"
-#include "cli/mpi/letters.hpp"
+#include "cli/mpi/messages.hpp"
 #include "cli/mpi/pool.hpp"
 #include "cli/mpi/ranks.hpp"
+#include "cli/mpi/scheduler.hpp"
 
 #include <exception>
 
@@ -23,9 +23,9 @@ void greet(std::uint64_t parts, const std::string& wrong) {
   if (!wrong.empty()) static_cast<void>(ranks->wait());
 }
 
-/// Processes a letter from the first rank: false if the sweep is finished.
-bool take_letter(const Letter& letter, Pool& pool) {
-  const project::BlockRange blocks = blocks_from(letter.bytes);
+/// Processes a message from the first rank: false if the sweep is finished.
+bool take_message(const RankMessage& message, Pool& pool) {
+  const project::BlockRange blocks = blocks_from(message.bytes);
   if (blocks.count() == 0) return false;
   pool.give(blocks);
   return true;
@@ -50,8 +50,8 @@ void solve_for_first(const project::SweepWork& work) {
   for (bool goes_on = true, healthy = true; goes_on;) {
     bool busy = false;
     healthy = healthy && send_solved(pool, busy);
-    if (const auto letter = ranks->look()) {
-      goes_on = take_letter(*letter, pool);
+    if (const auto message = ranks->look()) {
+      goes_on = take_message(*message, pool);
       busy = true;
     }
     if (!busy) Ranks::sleep();
@@ -66,7 +66,7 @@ std::string solve_parts(const project::SweepWork& work, const SharedSweep& share
     return {};
   }
   in_sweep = true;
-  std::string wrong = Foreman(*ranks, work, listener).run(shared);
+  std::string wrong = Scheduler(*ranks, work, listener).run(shared);
   in_sweep = false;
   return wrong;
 }
@@ -75,8 +75,8 @@ int run_program(const std::function<int()>& run) {
   const Ranks all;
   ranks = &all;
   if (!all.is_first()) {
-    for (Letter letter = all.wait(); !letter.bytes.empty(); letter = all.wait()) {
-      order = order_from(letter.bytes);
+    for (RankMessage message = all.wait(); !message.bytes.empty(); message = all.wait()) {
+      order = order_from(message.bytes);
       greeted = false;
       run();
       if (!greeted) greet(0, "cannot read the project");

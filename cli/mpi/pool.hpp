@@ -2,7 +2,7 @@
 // takes them.
 #pragma once
 
-#include "cli/mpi/letters.hpp"
+#include "cli/mpi/messages.hpp"
 
 #include <condition_variable>
 #include <deque>

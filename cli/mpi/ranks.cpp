@@ -35,26 +35,26 @@ std::string Ranks::name() const {
 }
 
 void Ranks::send(int to, Kind kind, const std::string& bytes) const {
-  if (bytes.size() > INT_MAX) throw std::length_error("a part has more bytes than a letter of MPI holds");
+  if (bytes.size() > INT_MAX) throw std::length_error("a part has more bytes than a message of MPI holds");
   MPI_Send(bytes.data(), static_cast<int>(bytes.size()), MPI_BYTE, to, static_cast<int>(kind), MPI_COMM_WORLD);
 }
 
-std::optional<Letter> Ranks::look() const {
+std::optional<RankMessage> Ranks::look() const {
   int there = 0;
   MPI_Status status;
   MPI_Iprobe(MPI_ANY_SOURCE, MPI_ANY_TAG, MPI_COMM_WORLD, &there, &status);
   if (there == 0) return std::nullopt;
   int size = 0;
   MPI_Get_count(&status, MPI_BYTE, &size);
-  Letter letter{status.MPI_SOURCE, static_cast<Kind>(status.MPI_TAG),
-                std::string(static_cast<std::size_t>(size), '\0')};
-  MPI_Recv(letter.bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  return letter;
+  RankMessage message{status.MPI_SOURCE, static_cast<Kind>(status.MPI_TAG),
+                      std::string(static_cast<std::size_t>(size), '\0')};
+  MPI_Recv(message.bytes.data(), size, MPI_BYTE, status.MPI_SOURCE, status.MPI_TAG, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  return message;
 }
 
-Letter Ranks::wait() const {
+RankMessage Ranks::wait() const {
   for (;;) {
-    if (auto letter = look()) return std::move(*letter);
+    if (auto message = look()) return std::move(*message);
     sleep();
   }
 }

@@ -1,4 +1,4 @@
-// The processes of one run, numbered from 0, and letters between them. Only the main thread may call. Waiting ranks
+// The processes of one run, numbered from 0, and messages between them. Only the main thread may call. Waiting ranks
 // sleep: MPI's own waiting would occupy the core of a rank that solves.
 #pragma once
 
@@ -16,7 +16,7 @@ enum class Kind : std::uint8_t {
   failed,  // to the first rank: an exception
 };
 
-struct Letter {
+struct RankMessage {
   int from = 0;
   Kind kind = Kind::sweep;
   std::string bytes;
@@ -37,9 +37,9 @@ class Ranks {
   [[nodiscard]] std::string name() const;
 
   void send(int to, Kind kind, const std::string& bytes) const;
-  /// A letter that has come.
-  [[nodiscard]] std::optional<Letter> look() const;
-  [[nodiscard]] Letter wait() const;
+  /// A message that has come.
+  [[nodiscard]] std::optional<RankMessage> look() const;
+  [[nodiscard]] RankMessage wait() const;
   /// Sleeps for a moment.
   static void sleep();
   /// Ends all ranks in any state.

@@ -92,8 +92,8 @@ class Sweeping {
   [[nodiscard]] exports::StoredSweep stored() const;
   [[nodiscard]] Outcome<SweepStore> open_store() const;
   [[nodiscard]] std::string what_is_left(const SweepStore& store) const;
-  [[nodiscard]] bool solve(SweepStore* store, project::Found& found);
-  [[nodiscard]] int tell(const project::Found& found) const;
+  [[nodiscard]] bool solve(SweepStore* store, project::SweepStatistics& found);
+  [[nodiscard]] int tell(const project::SweepStatistics& found) const;
   [[nodiscard]] int tell_blocks(const char* title, std::vector<report::Block> blocks) const;
   [[nodiscard]] int refuse_all(const std::vector<Issue>& issues) const;
   [[nodiscard]] int choose() const;
@@ -202,7 +202,7 @@ exports::StoredSweep Sweeping::stored() const {
 
 Outcome<SweepStore> Sweeping::open_store() const {
   const exports::StoredSweep stored = this->stored();
-  const project::Found none = project::nothing_found(plan_, project_, keep_);
+  const project::SweepStatistics none = project::nothing_found(plan_, project_, keep_);
   if (!options_.merge.empty())
     return SweepStore::merge({options_.merge.begin(), options_.merge.end()}, options_.out, plan_, stored, none);
   if (options_.resume) return SweepStore::resume(options_.out, plan_, stored, none);
@@ -218,7 +218,7 @@ std::string Sweeping::what_is_left(const SweepStore& store) const {
 }
 
 /// False if an output cannot be written, which is reported, or the user has stopped it.
-bool Sweeping::solve(SweepStore* store, project::Found& found) {
+bool Sweeping::solve(SweepStore* store, project::SweepStatistics& found) {
   const std::chrono::duration<double> between(options_.save_every);
   Scratch scratch(store != nullptr && is_waited_for() ? &interrupted_by_user
                                                       : nullptr);  // a folder keeps solved points
@@ -262,7 +262,7 @@ bool Sweeping::solve(SweepStore* store, project::Found& found) {
   return whole && (interrupted_by_user || files.finish());
 }
 
-int Sweeping::tell(const project::Found& found) const {
+int Sweeping::tell(const project::SweepStatistics& found) const {
   report::DrawnPoints drawn;
   if (!options_.reports.empty()) drawn = report::points_to_draw(plan_, found, blocks_, reading());
   const report::Document document = report::sweep_document(project_, plan_, found, program(), drawn);
@@ -370,7 +370,7 @@ int Sweeping::run() {
   if (!options_.seek.empty()) return seek();
   if (options_.influence || options_.sobol != 0) return ask_influence();
   if (plan_.inputs.empty() && !options_.quiet) tell_nothing_varies(options_.file);
-  project::Found found = project::nothing_found(plan_, project_, keep_);
+  project::SweepStatistics found = project::nothing_found(plan_, project_, keep_);
   if (options_.out.empty()) {
     if (!solve(nullptr, found)) return wrong_input;
     return interrupted_by_user ? int{interrupted} : tell(found);

@@ -3,9 +3,9 @@
 // moment; in lanes all reactions and the driving moment, in columns. By groups at most 4 times as long as by hand.
 #include "lib/mechanism/accuracy/sensitivity.hpp"
 #include "lib/mechanism/columns/cycle.hpp"
+#include "lib/mechanism/constraints/system.hpp"
 #include "lib/mechanism/groups/system.hpp"
 #include "lib/mechanism/studies/causes.hpp"
-#include "lib/mechanism/whole/system.hpp"
 #include "tests/bench/hand_written_linkages.hpp"
 #include "tests/lib/mechanism/models.hpp"
 

@@ -1,8 +1,8 @@
 #include "calculators/mechanism/accuracy/checks.hpp"
 
 #include "calculators/mechanism/accuracy/tolerances.hpp"
-#include "calculators/mechanism/words/names.hpp"
-#include "calculators/mechanism/words/points.hpp"
+#include "calculators/mechanism/input/names.hpp"
+#include "calculators/mechanism/input/points.hpp"
 #include "lib/mechanism/model/vec.hpp"
 #include "lib/quantity/format.hpp"
 

@@ -1,7 +1,7 @@
 // Faults of tolerances and of the outputs whose errors are wanted.
 #pragma once
 
-#include "calculators/mechanism/words/names.hpp"
+#include "calculators/mechanism/input/names.hpp"
 #include "lib/mechanism/model/model.hpp"
 
 #include <vector>

@@ -1,7 +1,7 @@
 // Tolerances, clearance and outputs of a project in the terms of lib/mechanism/accuracy/tolerance.hpp.
 #pragma once
 
-#include "calculators/mechanism/words/mechanism.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/mechanism/accuracy/tolerance.hpp"
 
 #include <string>

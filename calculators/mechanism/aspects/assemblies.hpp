@@ -1,7 +1,7 @@
 // The assembly of a planar mechanism that a project chooses by the names of its sides.
 #pragma once
 
-#include "calculators/mechanism/words/mechanism.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/mechanism/model/model.hpp"
 #include "lib/mechanism/structure/structure.hpp"
 #include "lib/text/issue.hpp"

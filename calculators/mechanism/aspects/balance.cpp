@@ -1,8 +1,8 @@
 // Counterweights by request of a project, and the remaining shaking force (lib/mechanism/studies/shaking.hpp).
 #include "calculators/mechanism/cycle/rounding.hpp"
+#include "calculators/mechanism/input/names.hpp"
+#include "calculators/mechanism/input/points.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
-#include "calculators/mechanism/words/names.hpp"
-#include "calculators/mechanism/words/points.hpp"
 #include "lib/mechanism/studies/shaking.hpp"
 #include "lib/quantity/format.hpp"
 

@@ -1,11 +1,11 @@
 // The mechanism as it is given: drives, links, points, joints, profiles, loads and springs as tables.
 #include "calculators/mechanism/completion/courses.hpp"
 #include "calculators/mechanism/cycle/cycle.hpp"
+#include "calculators/mechanism/input/joints.hpp"
+#include "calculators/mechanism/input/loads.hpp"
+#include "calculators/mechanism/input/points.hpp"
+#include "calculators/mechanism/input/profiles.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
-#include "calculators/mechanism/words/joints.hpp"
-#include "calculators/mechanism/words/loads.hpp"
-#include "calculators/mechanism/words/points.hpp"
-#include "calculators/mechanism/words/profiles.hpp"
 #include "lib/mechanism/model/vec.hpp"
 #include "lib/quantity/format.hpp"
 

@@ -1,9 +1,9 @@
 // Kinematic results in addition to places, velocities and accelerations: motion along guides, derivatives of position
 // functions, transmission angles, strokes.
 #include "calculators/mechanism/cycle/point_motion.hpp"
+#include "calculators/mechanism/input/points.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
-#include "calculators/mechanism/words/points.hpp"
 #include "lib/mechanism/groups/closing.hpp"
 #include "lib/mechanism/model/point_motion.hpp"
 #include "lib/mechanism/studies/relative_motion.hpp"

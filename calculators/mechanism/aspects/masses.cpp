@@ -1,7 +1,7 @@
 // Masses of links reduced to points, by request of a project.
+#include "calculators/mechanism/input/names.hpp"
+#include "calculators/mechanism/input/point_masses.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
-#include "calculators/mechanism/words/names.hpp"
-#include "calculators/mechanism/words/point_masses.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

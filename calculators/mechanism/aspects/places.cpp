@@ -1,8 +1,8 @@
 // Places, velocities and accelerations of links and of their points.
 #include "calculators/mechanism/cycle/point_motion.hpp"
+#include "calculators/mechanism/input/points.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
-#include "calculators/mechanism/words/points.hpp"
 #include "lib/mechanism/model/vec.hpp"
 
 #include <array>

@@ -1,7 +1,7 @@
 #include "calculators/mechanism/completion/courses.hpp"
 
-#include "calculators/mechanism/words/law.hpp"
-#include "calculators/mechanism/words/loads.hpp"
+#include "calculators/mechanism/input/law.hpp"
+#include "calculators/mechanism/input/loads.hpp"
 #include "lib/mechanism/model/frames.hpp"
 #include "lib/quantity/format.hpp"
 

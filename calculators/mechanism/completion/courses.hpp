@@ -1,8 +1,8 @@
 // How loads vary: shares of them over the crank angle, the time or a stroke, by points or a formula.
 #pragma once
 
-#include "calculators/mechanism/words/mechanism.hpp"
-#include "calculators/mechanism/words/names.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
+#include "calculators/mechanism/input/names.hpp"
 #include "lib/account/block.hpp"
 #include "lib/mechanism/model/model.hpp"
 #include "lib/mechanism/model/position.hpp"

@@ -1,8 +1,8 @@
 #include "calculators/mechanism/completion/cylinders.hpp"
 
-#include "calculators/mechanism/words/model.hpp"
-#include "calculators/mechanism/words/names.hpp"
-#include "calculators/mechanism/words/points.hpp"
+#include "calculators/mechanism/input/model.hpp"
+#include "calculators/mechanism/input/names.hpp"
+#include "calculators/mechanism/input/points.hpp"
 #include "lib/mechanism/model/frames.hpp"
 #include "lib/quantity/format.hpp"
 

@@ -1,7 +1,7 @@
 // Cylinders between two points: what is wrong with them, and the links and joints that they become.
 #pragma once
 
-#include "calculators/mechanism/words/names.hpp"
+#include "calculators/mechanism/input/names.hpp"
 
 namespace loadpath::planar {
 

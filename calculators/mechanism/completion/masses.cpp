@@ -1,8 +1,8 @@
 #include "calculators/mechanism/completion/masses.hpp"
 
-#include "calculators/mechanism/words/names.hpp"
-#include "calculators/mechanism/words/points.hpp"
-#include "calculators/mechanism/words/profiles.hpp"
+#include "calculators/mechanism/input/names.hpp"
+#include "calculators/mechanism/input/points.hpp"
+#include "calculators/mechanism/input/profiles.hpp"
 
 #include <algorithm>
 #include <optional>

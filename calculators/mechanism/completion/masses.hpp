@@ -5,7 +5,7 @@
 // what has wheels, needs its S. Whoever names an S that is not the joint of a block gives its J too.
 #pragma once
 
-#include "calculators/mechanism/words/mechanism.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/text/issue.hpp"
 
 #include <functional>

@@ -1,9 +1,9 @@
 #include "calculators/mechanism/cycle/between.hpp"
 
 #include "calculators/mechanism/cycle/law_line.hpp"
-#include "calculators/mechanism/words/law.hpp"
-#include "calculators/mechanism/words/names.hpp"
-#include "calculators/mechanism/words/profiles.hpp"
+#include "calculators/mechanism/input/law.hpp"
+#include "calculators/mechanism/input/names.hpp"
+#include "calculators/mechanism/input/profiles.hpp"
 
 #include <algorithm>
 #include <cmath>

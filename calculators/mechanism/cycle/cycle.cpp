@@ -2,7 +2,7 @@
 
 #include "calculators/mechanism/cycle/either_way.hpp"
 #include "calculators/mechanism/cycle/schedule.hpp"
-#include "calculators/mechanism/words/law.hpp"
+#include "calculators/mechanism/input/law.hpp"
 #include "lib/mechanism/model/spring.hpp"
 #include "lib/numerics/magnitude.hpp"
 

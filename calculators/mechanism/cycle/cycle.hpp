@@ -4,8 +4,8 @@
 
 #include "calculators/mechanism/cycle/schedule.hpp"
 #include "calculators/mechanism/cycle/solved_cycle.hpp"
-#include "calculators/mechanism/words/law.hpp"
-#include "calculators/mechanism/words/mechanism.hpp"
+#include "calculators/mechanism/input/law.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/mechanism/model/model.hpp"
 #include "lib/mechanism/structure/release.hpp"
 #include "lib/quantity/series.hpp"

@@ -1,6 +1,6 @@
 #include "calculators/mechanism/cycle/either_way.hpp"
 
-#include "calculators/mechanism/words/law.hpp"
+#include "calculators/mechanism/input/law.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "calculators/mechanism/cycle/schedule.hpp"
 #include "calculators/mechanism/cycle/solved_cycle.hpp"
-#include "calculators/mechanism/words/mechanism.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/text/issue.hpp"
 
 namespace loadpath::planar {

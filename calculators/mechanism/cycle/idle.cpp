@@ -1,7 +1,7 @@
 #include "calculators/mechanism/cycle/idle.hpp"
 
-#include "calculators/mechanism/words/law.hpp"
-#include "calculators/mechanism/words/names.hpp"
+#include "calculators/mechanism/input/law.hpp"
+#include "calculators/mechanism/input/names.hpp"
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 // Fields without effect for the given drive.
 #pragma once
 
-#include "calculators/mechanism/words/mechanism.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/text/issue.hpp"
 
 #include <functional>

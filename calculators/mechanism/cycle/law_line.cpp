@@ -1,7 +1,7 @@
 #include "calculators/mechanism/cycle/law_line.hpp"
 
-#include "calculators/mechanism/words/law.hpp"
-#include "calculators/mechanism/words/names.hpp"
+#include "calculators/mechanism/input/law.hpp"
+#include "calculators/mechanism/input/names.hpp"
 #include "lib/mechanism/model/profile.hpp"
 #include "lib/mechanism/model/whole_turn.hpp"
 #include "lib/quantity/expression/resolved.hpp"

@@ -1,7 +1,7 @@
 #include "calculators/mechanism/cycle/schedule.hpp"
 
-#include "calculators/mechanism/words/law.hpp"
-#include "calculators/mechanism/words/loads.hpp"
+#include "calculators/mechanism/input/law.hpp"
+#include "calculators/mechanism/input/loads.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/completion/courses.hpp"
-#include "calculators/mechanism/words/mechanism.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/mechanism/groups/released_system.hpp"
 #include "lib/quantity/series.hpp"
 

@@ -1,7 +1,7 @@
 // Results of a mechanism with cams in addition to those of every joint.
+#include "calculators/mechanism/input/profiles.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
-#include "calculators/mechanism/words/profiles.hpp"
 #include "lib/mechanism/studies/cam_state.hpp"
 #include "lib/quantity/format.hpp"
 

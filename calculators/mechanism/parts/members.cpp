@@ -1,7 +1,7 @@
 // Internal forces of links.
+#include "calculators/mechanism/input/points.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
-#include "calculators/mechanism/words/points.hpp"
 #include "lib/mechanism/studies/member.hpp"
 #include "lib/quantity/format.hpp"
 

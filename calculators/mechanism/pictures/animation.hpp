@@ -1,9 +1,9 @@
 // The mechanism through its positions, as a drawing that moves, with the force plan of every link.
 #pragma once
 
+#include "calculators/mechanism/input/points.hpp"
 #include "calculators/mechanism/pictures/scheme.hpp"
 #include "calculators/mechanism/results/results.hpp"
-#include "calculators/mechanism/words/points.hpp"
 
 #include <vector>
 

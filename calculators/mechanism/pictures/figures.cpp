@@ -1,11 +1,11 @@
 // The figures of a mechanism: at the first position, at each of up to 12 given angles, and where the drive is largest,
 // as a drawing that moves and with its plans; drive and reactions over the cycle.
+#include "calculators/mechanism/input/points.hpp"
 #include "calculators/mechanism/pictures/animation.hpp"
 #include "calculators/mechanism/pictures/plans.hpp"
 #include "calculators/mechanism/pictures/scheme.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/governing.hpp"
-#include "calculators/mechanism/words/points.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // Velocity and acceleration plans.
 #include "calculators/mechanism/cycle/point_motion.hpp"
+#include "calculators/mechanism/input/points.hpp"
 #include "calculators/mechanism/pictures/plans.hpp"
-#include "calculators/mechanism/words/points.hpp"
 #include "lib/draw/canvas/typeset.hpp"
 
 #include <algorithm>

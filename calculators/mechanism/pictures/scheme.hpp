@@ -2,8 +2,8 @@
 #pragma once
 
 #include "calculators/mechanism/cycle/cycle.hpp"
+#include "calculators/mechanism/input/points.hpp"
 #include "calculators/mechanism/pictures/extents.hpp"
-#include "calculators/mechanism/words/points.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>

@@ -1,8 +1,8 @@
 // Whether wheels stay on what they roll on, and followers on their cams.
 #include "calculators/mechanism/cycle/ranges.hpp"
 #include "calculators/mechanism/cycle/rounding.hpp"
+#include "calculators/mechanism/input/profiles.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
-#include "calculators/mechanism/words/profiles.hpp"
 #include "lib/mechanism/model/frames.hpp"
 #include "lib/mechanism/model/pair.hpp"
 #include "lib/mechanism/studies/cam_state.hpp"

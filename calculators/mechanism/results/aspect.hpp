@@ -5,10 +5,10 @@
 // aspect does not have are null.
 #pragma once
 
+#include "calculators/mechanism/input/names.hpp"
 #include "calculators/mechanism/results/output.hpp"
 #include "calculators/mechanism/results/results.hpp"
 #include "calculators/mechanism/results/solved.hpp"
-#include "calculators/mechanism/words/names.hpp"
 #include "lib/account/account.hpp"
 
 #include <span>

@@ -1,7 +1,7 @@
 #include "calculators/mechanism/results/missing.hpp"
 
 #include "calculators/mechanism/cycle/ranges.hpp"
-#include "calculators/mechanism/words/model.hpp"
+#include "calculators/mechanism/input/model.hpp"
 #include "lib/mechanism/model/spring.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "calculators/mechanism/results/modes.hpp"
 
-#include "calculators/mechanism/words/names.hpp"
+#include "calculators/mechanism/input/names.hpp"
 #include "lib/project/modes.hpp"
 
 #include <algorithm>

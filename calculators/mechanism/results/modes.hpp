@@ -1,7 +1,7 @@
 // Failure modes of a mechanism from the verdicts of its aspects.
 #pragma once
 
-#include "calculators/mechanism/words/mechanism.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/account/mode.hpp"
 #include "lib/project/step.hpp"
 

@@ -1,7 +1,7 @@
 #include "calculators/mechanism/templates/sketch.hpp"
 
-#include "calculators/mechanism/words/names.hpp"
-#include "calculators/mechanism/words/profiles.hpp"
+#include "calculators/mechanism/input/names.hpp"
+#include "calculators/mechanism/input/profiles.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

@@ -3,7 +3,7 @@
 // Template sources use it. Links lie in axes of their own: the origin is the first pin, the x axis runs to the second.
 #pragma once
 
-#include "calculators/mechanism/words/mechanism.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/mechanism/model/vec.hpp"
 #include "lib/text/issue.hpp"
 

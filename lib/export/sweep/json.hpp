@@ -1,7 +1,7 @@
 // The results of a sweep, as JSON: numbers in SI.
 #pragma once
 
-#include "lib/project/sweep/found.hpp"
+#include "lib/project/sweep/statistics.hpp"
 
 #include <string>
 #include <string_view>

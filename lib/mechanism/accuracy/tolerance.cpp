@@ -1,7 +1,7 @@
 #include "lib/mechanism/accuracy/tolerance.hpp"
 
+#include "lib/mechanism/constraints/system.hpp"
 #include "lib/mechanism/model/pair.hpp"
-#include "lib/mechanism/whole/system.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 #include "lib/mechanism/groups/assemblies.hpp"
 
+#include "lib/mechanism/constraints/system.hpp"
 #include "lib/mechanism/equations/kinematics.hpp"
 #include "lib/mechanism/groups/closing.hpp"
 #include "lib/mechanism/groups/plan.hpp"
 #include "lib/mechanism/groups/positions.hpp"
 #include "lib/mechanism/model/whole_turn.hpp"
-#include "lib/mechanism/whole/system.hpp"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,16 +1,16 @@
 // Positions, velocities, accelerations, reactions and driving efforts of a planar mechanism, group by group: forward
 // through the initial links and Assur groups in their order of attachment, back for the forces. The cost is linear in
 // the number of groups. Moves that the groups cannot follow by themselves, a change point or a long move, are
-// followed by the equations of the full system (lib/mechanism/whole), which also give the reason why a position is
-// not reached.
+// followed by the equations of the full system (lib/mechanism/constraints), which also give the reason why a position
+// is not reached.
 //
 // The model has passed `diagnose`. All memory is taken in the constructor: `assemble` and `solve` allocate nothing.
 #pragma once
 
+#include "lib/mechanism/constraints/system.hpp"
 #include "lib/mechanism/forces/induced_source.hpp"
 #include "lib/mechanism/model/model.hpp"
 #include "lib/mechanism/model/position.hpp"
-#include "lib/mechanism/whole/system.hpp"
 
 #include <cstddef>
 #include <memory>

@@ -1,8 +1,8 @@
 #include "lib/project/sweep/best.hpp"
 
-#include "lib/project/sweep/base.hpp"
 #include "lib/project/sweep/columns.hpp"
-#include "lib/project/sweep/part.hpp"
+#include "lib/project/sweep/ranges.hpp"
+#include "lib/project/sweep/slice.hpp"
 #include "lib/quantity/literal.hpp"
 #include "lib/sweep/sensitivity/robust.hpp"
 
@@ -206,7 +206,7 @@ std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std
     return std::nullopt;
   }
   best.point = middles_of(best.inputs);
-  Part chosen(variants, best.chosen, 1 + best.demands.size());
+  Slice chosen(variants, best.chosen, 1 + best.demands.size());
   std::optional<sweep::Robust> robust;
   if (asked.quantile)
     robust.emplace(variants, best.chosen.size(), scatter_of(best.inputs), best.inputs.size() - best.chosen.size(),

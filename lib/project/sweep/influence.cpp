@@ -1,8 +1,8 @@
 #include "lib/project/sweep/influence.hpp"
 
-#include "lib/project/sweep/base.hpp"
-#include "lib/project/sweep/part.hpp"
 #include "lib/project/sweep/plan.hpp"
+#include "lib/project/sweep/ranges.hpp"
+#include "lib/project/sweep/slice.hpp"
 
 namespace loadpath::project {
 
@@ -40,7 +40,7 @@ std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& 
     steps.push_back((influence.high.back() - influence.low.back()) / 100.0);
     sd.push_back(sd_of(input));
   }
-  Part all(variants, numbers, plan.columns.size());
+  Slice all(variants, numbers, plan.columns.size());
   const std::vector<double> base = middles_of(influence.inputs);
   influence.tornados = sweep::tornado(all, base, influence.low, influence.high);
   influence.slopes = sweep::slopes(all, base, steps);
@@ -51,7 +51,7 @@ std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& 
   for (std::size_t k = 0; k < plan.columns.size(); ++k)
     influence.budgets.push_back(sweep::variance_budget(influence.slopes, k, sd, correlation));
   if (sobol_rows == 0) return influence;
-  Part uncertain(variants, scattering, plan.columns.size());
+  Slice uncertain(variants, scattering, plan.columns.size());
   influence.sobol = sweep::sobol_indices(uncertain, sampler_of(variants.axes(), scattering, settings.seed), sobol_rows);
   return influence;
 }

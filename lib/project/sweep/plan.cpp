@@ -1,6 +1,6 @@
 #include "lib/project/sweep/plan.hpp"
 
-#include "lib/project/sweep/base.hpp"
+#include "lib/project/sweep/ranges.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -16,7 +16,7 @@ std::uint64_t blocks_of_part(const SweepWork& work) {
 
 }  // namespace
 
-Found nothing_found(const SweepPlan& plan, const Project& project, const Keep& keep) {
+SweepStatistics nothing_found(const SweepPlan& plan, const Project& project, const Keep& keep) {
   return {plan.inputs.size(), plan.columns.size(), verdict_columns(project).size(), keep};
 }
 

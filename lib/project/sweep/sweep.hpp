@@ -1,7 +1,7 @@
 // A running sweep: threads solve its points, and the results are merged in the order of the points.
 #pragma once
 
-#include "lib/project/sweep/found.hpp"
+#include "lib/project/sweep/statistics.hpp"
 
 #include <atomic>
 #include <functional>
@@ -11,7 +11,7 @@ namespace loadpath::project {
 /// A part of a sweep that is done.
 struct SweptPart {
   BlockRange blocks;
-  Found found;
+  SweepStatistics found;
   std::vector<SolvedBlock> rows;  // if requested
 };
 
@@ -37,12 +37,12 @@ class PartSolver {
 
   bool rows_;
   const std::atomic<bool>* stop_;
-  Found none_;
+  SweepStatistics none_;
   BlockSolver solver_;
 };
 
 /// An empty result.
-Found nothing_found(const SweepPlan& plan, const Project& project, const Keep& keep);
+SweepStatistics nothing_found(const SweepPlan& plan, const Project& project, const Keep& keep);
 
 /// Solves the blocks; `take` is given the parts in their order, and ends the work with false.
 void solve(const SweepWork& work, const std::function<bool(SweptPart&& part)>& take);

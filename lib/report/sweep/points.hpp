@@ -2,7 +2,7 @@
 // more, since a point is a function of its number.
 #pragma once
 
-#include "lib/project/sweep/found.hpp"
+#include "lib/project/sweep/statistics.hpp"
 
 #include <cstdint>
 #include <optional>

@@ -2,7 +2,7 @@
 // and the command that solves one of them separately.
 #pragma once
 
-#include "lib/project/sweep/found.hpp"
+#include "lib/project/sweep/statistics.hpp"
 #include "lib/report/document.hpp"
 #include "lib/report/sweep/points.hpp"
 

@@ -1,6 +1,6 @@
 // Mechanisms known in shape: each closes over its cycle, is the same as the mechanism written out, and says what does
 // not fit together.
-#include "calculators/mechanism/words/mechanism.hpp"
+#include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/build.hpp"
 #include "tests/lib/project/texts.hpp"

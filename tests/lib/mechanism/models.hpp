@@ -1,10 +1,10 @@
 // Mechanisms that several tests use.
 #pragma once
 
+#include "lib/mechanism/constraints/system.hpp"
 #include "lib/mechanism/groups/system.hpp"
 #include "lib/mechanism/model/model.hpp"
 #include "lib/mechanism/proof/balance.hpp"
-#include "lib/mechanism/whole/system.hpp"
 
 #include <string>
 #include <utility>

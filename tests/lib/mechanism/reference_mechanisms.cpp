@@ -1,8 +1,8 @@
 // Random mechanisms whose answers come from an independent solver: slider-cranks, four-bars, Watt and Stephenson
 // six-bars, slotted levers, class III groups, chains of up to 50 dyads.
+#include "lib/mechanism/constraints/system.hpp"
 #include "lib/mechanism/groups/system.hpp"
 #include "lib/mechanism/structure/structure.hpp"
-#include "lib/mechanism/whole/system.hpp"
 #include "tests/lib/mechanism/reference.hpp"
 
 #include <doctest/doctest.h>

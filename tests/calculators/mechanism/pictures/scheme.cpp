@@ -1,6 +1,6 @@
 #include "calculators/mechanism/pictures/scheme.hpp"
 
-#include "lib/mechanism/whole/system.hpp"
+#include "lib/mechanism/constraints/system.hpp"
 #include "tests/lib/mechanism/wheel_models.hpp"
 
 #include <doctest/doctest.h>

@@ -69,7 +69,7 @@ struct Swept {
   project::Keep keep;
   project::Catalogue known;
   std::vector<Issue> issues;
-  project::Found sum;
+  project::SweepStatistics sum;
   project::SweepPlan plan;
   std::vector<std::string> verdicts;
   std::vector<std::vector<double>> inputs, columns;

@@ -123,7 +123,8 @@ S = 2
       Field{&Result::u, "u", ratio, "slip: S x resultant force / holding force"}.check(),
       Field{&Result::u_S, "u_S", ratio, "minimum safety factor of the load case / required safety factor"}.check(),
       Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft"}.holding("K_A"),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: S_F x equivalent stress / yield strength"}.check("S_F, R_e_1"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: S_F x equivalent stress / yield strength"}.check(
+          "S_F, R_e_1"),
       Field{&Result::x_d, "x_d", ratio, "screw diameter / shaft diameter (limit set by loadpath)"}
           .limit(0, 0.5 * (1 + 1e-9))
           .where_it_applies(),
@@ -167,7 +168,7 @@ S = 2
 
 constexpr auto choices_of(SetScrew::Case) {
   using Case = SetScrew::Case;
-  return std::array{ChoiceName<Case>{Case::unsaid, "unsaid", "not stated: dynamic if K_A exceeds 1"},
+  return std::array{ChoiceName<Case>{Case::unsaid, "unsaid", "not stated: dynamic if K_A exceeds 1", "unstated"},
                     ChoiceName<Case>{Case::at_rest, "static", "static, without shocks: safety factor at least 1.5"},
                     ChoiceName<Case>{Case::dynamic, "dynamic", "dynamic: safety factor at least 4"}};
 }

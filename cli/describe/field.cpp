@@ -125,7 +125,8 @@ std::string choices_of(const FieldInfo& field) {
   for (const ChoiceInfo& choice : field.choices) {
     if (*choice.key == '\0') continue;
     const std::string doc = choice.doc;
-    all += (all.empty() ? "" : "; ") + std::string(choice.key) + (doc.empty() ? "" : ": " + doc);
+    const std::string word = std::string(choice.key) + (*choice.also == '\0' ? "" : std::string(" or ") + choice.also);
+    all += (all.empty() ? "" : "; ") + word + (doc.empty() ? "" : ": " + doc);
   }
   return all;
 }

@@ -1,9 +1,13 @@
-// The words of a choice as shown to the user. An empty word means "not given": it is neither shown nor accepted.
+// The words of a choice as shown to the user, and those that are accepted. An empty word means "not given": it is
+// neither.
 #pragma once
 
 #include "lib/calculator/record.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace loadpath {
@@ -14,6 +18,23 @@ inline std::vector<std::string> words_to_type(const FieldInfo& choice) {
     if (*c.key != '\0') words.emplace_back(c.key);
   }
   return words;
+}
+
+/// The aliases of words: accepted, and not shown in lists.
+inline std::vector<std::string> aliases_of_words(const FieldInfo& choice) {
+  std::vector<std::string> words;
+  for (const ChoiceInfo& c : choice.choices) {
+    if (*c.also != '\0') words.emplace_back(c.also);
+  }
+  return words;
+}
+
+/// The number of the choice that has this word or alias; nothing if none has.
+inline std::optional<double> number_of_word(const FieldInfo& choice, std::string_view word) {
+  const auto found = std::find_if(choice.choices.begin(), choice.choices.end(),
+                                  [&](const ChoiceInfo& c) { return word == c.key || word == c.also; });
+  if (word.empty() || found == choice.choices.end()) return std::nullopt;
+  return static_cast<double>(found - choice.choices.begin());
 }
 
 }  // namespace loadpath

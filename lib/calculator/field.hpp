@@ -53,6 +53,7 @@ struct ChoiceName {
   Enum value;
   const char* key;
   const char* doc;
+  const char* also = "";  // another word for it that is accepted
 };
 
 /// The declared words of this value of a choice.

@@ -19,6 +19,7 @@ namespace loadpath {
 struct ChoiceInfo {
   const char* key;
   const char* doc;
+  const char* also;
 };
 
 /// One field. Which of the accessors are set depends on the type; `owner` points to the aggregate that holds it.

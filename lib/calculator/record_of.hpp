@@ -13,7 +13,7 @@ template <class Enum>
 constexpr auto choice_infos() {
   constexpr auto names = choices_of(Enum{});
   std::array<ChoiceInfo, names.size()> infos{};
-  for (std::size_t i = 0; i < names.size(); ++i) infos[i] = {names[i].key, names[i].doc};
+  for (std::size_t i = 0; i < names.size(); ++i) infos[i] = {names[i].key, names[i].doc, names[i].also};
   return infos;
 }
 template <class Enum>

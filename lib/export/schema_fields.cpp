@@ -30,6 +30,7 @@ json::object choice(const FieldInfo& field) {
     if (word == "true" || word == "false") words.emplace_back(word == "true");
     words.emplace_back(std::move(word));
   }
+  for (std::string& alias : aliases_of_words(field)) words.emplace_back(std::move(alias));
   return either(one_or_more({{"enum", std::move(words)}}), expression());
 }
 

@@ -127,7 +127,7 @@ constexpr auto fkm_results() {
 constexpr auto choices_of(FkmSteelGroup) {
   using G = FkmSteelGroup;
   return std::array{
-      ChoiceName<G>{G::untold, "untold", "not stated: no section is assessed with it"},
+      ChoiceName<G>{G::untold, "untold", "not stated: no section is assessed with it", "unstated"},
       ChoiceName<G>{G::structural, "structural", "structural steel, at 40 mm"},
       ChoiceName<G>{G::quenched_tempered, "quenched-tempered", "quenched and tempered, at 16 mm"},
       ChoiceName<G>{G::normalised, "normalised", "steel for quenching, normalised, at 16 mm"},

@@ -18,7 +18,7 @@ inline constexpr Unit<Force> N_m_per_m{"N*m/m", from_si<Force>(1.0)};
 enum class End { free, held, elastic };
 
 constexpr auto choices_of(End) {
-  return std::array{ChoiceName<End>{End::free, "free", "free"}, ChoiceName<End>{End::held, "held", "fixed"},
+  return std::array{ChoiceName<End>{End::free, "free", "free"}, ChoiceName<End>{End::held, "held", "fixed", "fixed"},
                     ChoiceName<End>{End::elastic, "elastic", "elastic (spring)"}};
 }
 

@@ -156,16 +156,15 @@ void Reader::read_count(const Tree& tree, const FieldInfo& field, void* owner, c
 void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (takes(tree, field, path)) return;
   if (tree.type == Tree::Type::array) return read_words(tree, field, owner, path);
-  const std::vector<std::string> words = words_to_type(field);
   const bool is_word = tree.type == Tree::Type::text || tree.type == Tree::Type::boolean;  // integral = true
-  if (!is_word || std::find(words.begin(), words.end(), tree.text) == words.end()) {
+  const auto number = is_word ? number_of_word(field, tree.text) : std::nullopt;
+  if (!number) {
     const std::string written =
         tree.type == Tree::Type::text ? "'" + tree.text + "'" : std::string(toml::word_for(tree.type));
-    return say_at(tree.place, path, say("{1} is none of the words for '{2}'", written, path), one_of(tree.text, words));
+    return say_at(tree.place, path, say("{1} is none of the words for '{2}'", written, path),
+                  one_of(tree.text, words_to_type(field)));
   }
-  const auto found =
-      std::find_if(field.choices.begin(), field.choices.end(), [&](const ChoiceInfo& c) { return tree.text == c.key; });
-  field.set(owner, static_cast<double>(found - field.choices.begin()));
+  field.set(owner, *number);
 }
 
 void Reader::read_name(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {

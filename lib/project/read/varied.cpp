@@ -94,15 +94,14 @@ void Reader::read_words(const Tree& tree, const FieldInfo& field, void* owner, c
   std::vector<double> numbers;
   for (const Tree& item : tree.items) {
     const bool is_word = item.type == Tree::Type::text;
-    if (!is_word || std::find(words.begin(), words.end(), item.text) == words.end())
+    const auto number = is_word ? number_of_word(field, item.text) : std::nullopt;
+    if (!number)
       return say_at(item.place, path,
                     say("{1} is none of the words for '{2}'",
                         is_word ? "'" + item.text + "'" : std::string(toml::word_for(item.type)), path),
                     one_of(item.text, words));
-    const auto found = std::find_if(field.choices.begin(), field.choices.end(),
-                                    [&](const ChoiceInfo& c) { return item.text == c.key; });
-    varied.words.push_back(item.text);
-    numbers.push_back(static_cast<double>(found - field.choices.begin()));
+    varied.words.emplace_back(field.choices[static_cast<std::size_t>(*number)].key);
+    numbers.push_back(*number);
   }
   if (varied.words.empty()) return say_at(tree.place, path, say("a list of words has one at least"), there_is(words));
   field.set(owner, numbers.front());

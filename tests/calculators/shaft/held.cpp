@@ -2,6 +2,7 @@
 
 #include "tests/calculators/evaluated.hpp"
 #include "tests/found/modes.hpp"
+#include "tests/lib/project/solved.hpp"
 
 #include <doctest/doctest.h>
 
@@ -93,6 +94,18 @@ struct Sliced {
 }  // namespace
 
 TEST_SUITE("shaft held") {
+  TEST_CASE("a fixed end has two words") {
+    const std::string bar =
+        "[bar]\ncalculator = \"shaft.held\"\nG = \"80 GPa\"\nsegments = [{ l = \"1 m\", d = \"20 mm\" }]\n"
+        "torques = [{ x = \"0.5 m\", T = \"10 N*m\" }]\n";
+    const test::Solved held_twice(bar + "end_1 = \"held\"\nend_2 = \"held\"\n");
+    const test::Solved fixed_twice(bar + "end_1 = \"fixed\"\nend_2 = \"fixed\"\n");
+    REQUIRE_MESSAGE(held_twice.errors().empty(), held_twice.errors());
+    CHECK(fixed_twice.errors().empty());
+    CHECK(fixed_twice.value("bar.tau_max") == held_twice.value("bar.tau_max"));
+    CHECK(fixed_twice.word("bar.end_1") == "held");
+  }
+
   TEST_CASE("[MecMovies-6] M6.20: a hollow steel and a solid brass shaft between two walls") {
     auto in = held(End::held, End::held);
     in.segments = {segment(1500, 50, 50, 40, 40, 75), segment(1000, 50, 50, 0, 0, 40)};

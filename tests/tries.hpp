@@ -1,6 +1,7 @@
 // The number of repetitions of tests that depend on chance, or take long and hardly differ from time to time.
 #pragma once
 
+#include <cstddef>
 #include <cstdlib>
 #include <string_view>
 
@@ -14,5 +15,16 @@ inline bool in_full() {
 
 /// All, or one of `of`. A suite that calls it is marked takes_share (tests/parts.hpp).
 inline int tries(int all, int of = 10) { return in_full() || all <= of ? all : all / of; }
+
+#if defined(__SANITIZE_ADDRESS__)
+inline constexpr bool sanitized = true;
+#elif defined(__has_feature)
+inline constexpr bool sanitized = __has_feature(address_sanitizer);
+#else
+inline constexpr bool sanitized = false;
+#endif
+
+/// Every how many of many alike are tried: fewer with sanitizers, which take ten times as long.
+inline std::size_t one_of(std::size_t number) { return in_full() ? 1 : sanitized ? 5 * number : number; }
 
 }  // namespace loadpath::test

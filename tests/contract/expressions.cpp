@@ -105,7 +105,7 @@ void replace_numbers(const test::Known& known, bool waits, Share& share) {
 
 void replace_in_all(bool waits) {
   Share share;
-  share.every = static_cast<std::size_t>(test::in_full() ? 1 : 10);
+  share.every = test::one_of(10);
   for (const test::Known& known : test::known_projects()) {
     if (test::takes(test::elements_of_project(known.text).front())) replace_numbers(known, waits, share);
   }

@@ -2,6 +2,8 @@
 #include "calculators/catalogue.hpp"
 #include "lib/calculator/choice_words.hpp"
 #include "tests/cli/process.hpp"
+#include "tests/parts.hpp"
+#include "tests/tries.hpp"
 
 #include <algorithm>
 
@@ -36,7 +38,7 @@ bool is_verdict(int code) { return code == 0 || code == 1 || code == 4; }
 
 }  // namespace
 
-TEST_SUITE("cli describe") {
+TEST_SUITE("cli describe" * by_case) {
   TEST_CASE("every calculator fits on a screen of 30 lines of 80 characters") {
     const Desk desk;
     for (const Calculator* calculator : calculators()) {
@@ -102,16 +104,19 @@ TEST_SUITE("cli describe") {
 
   TEST_CASE("every input and every failure mode is described by its key") {
     const Desk desk;
+    std::size_t at = 0;
     for (const Calculator* calculator : calculators()) {
       const std::string id = calculator->id;
       CAPTURE(id);
       for (const FieldInfo& field : calculator->input->fields) {
+        if (sanitized && at++ % 8 != 0) continue;
         const Ran o = desk.run({"describe", id, field.key});
         CAPTURE(field.key);
         CHECK(o.code == 0);
         CHECK(contains(o.out, id + "." + field.key + "  "));
       }
       for (const ModeInfo& mode : calculator->modes) {
+        if (sanitized && at++ % 8 != 0) continue;
         const Ran o = desk.run({"describe", id, mode.id});
         CAPTURE(mode.id);
         CHECK(o.code == 0);

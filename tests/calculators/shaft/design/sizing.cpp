@@ -1,6 +1,7 @@
 // Diameters of a shaft that are found together: everything passes, nothing can be smaller, and the shape is sound.
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/solved.hpp"
+#include "tests/parts.hpp"
 
 #include <doctest/doctest.h>
 
@@ -56,7 +57,7 @@ std::array<double, 5> found(Solved& solved) {
 
 }  // namespace
 
-TEST_SUITE("shaft sizing") {
+TEST_SUITE("shaft sizing" * test::by_case) {
   TEST_CASE("all diameters together: all pass, the shape is sound, and each says what one size less would fail") {
     Solved solved(shaft(all_sought));
     REQUIRE_MESSAGE(!has_errors(solved.issues), solved.messages());

@@ -158,7 +158,7 @@ int try_smaller(const Shaft& shaft, const Solved& found) {
 
 }  // namespace
 
-TEST_SUITE("shaft sizing" * test::by_case) {
+TEST_SUITE("smallest shafts" * test::by_case) {
   TEST_CASE("of random shafts no diameter can be a size smaller, and each says what it would fail") {
     Draw draw{std::mt19937(5)};
     int found = 0, tried = 0;

@@ -10,8 +10,8 @@ namespace loadpath::exports {
 
 namespace {
 
-using project::Found;
 using project::SweepPlan;
+using project::SweepStatistics;
 using project::Tally;
 
 constexpr double confidence = 0.95;

@@ -8,7 +8,7 @@
 
 namespace loadpath::exports {
 
-std::string json_of(const project::Project& project, const project::SweepPlan& plan, const project::Found& found,
-                    std::string_view program);
+std::string json_of(const project::Project& project, const project::SweepPlan& plan,
+                    const project::SweepStatistics& found, std::string_view program);
 
 }  // namespace loadpath::exports

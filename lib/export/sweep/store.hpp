@@ -21,8 +21,8 @@
 namespace loadpath::exports {
 
 using project::BlockRange;
-using project::Found;
 using project::SweepPlan;
+using project::SweepStatistics;
 using project::SweptPart;
 
 /// A sweep that is kept, and its identification.

@@ -12,6 +12,6 @@ namespace loadpath::report {
 
 /// None, one or both, each with a sentence.
 std::vector<Block> sweep_charts(const project::Project& project, const project::SweepPlan& plan,
-                                const project::Found& found, const DrawnPoints& drawn);
+                                const project::SweepStatistics& found, const DrawnPoints& drawn);
 
 }  // namespace loadpath::report

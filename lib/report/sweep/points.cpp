@@ -9,8 +9,8 @@ namespace loadpath::report {
 namespace {
 
 using project::BlockRange;
-using project::Found;
 using project::SweepPlan;
+using project::SweepStatistics;
 using project::SweptInput;
 
 constexpr std::size_t most = 2000;       // dots of a figure

@@ -29,7 +29,7 @@ struct DrawnPoints {
 };
 
 /// `blocks`: those that were solved.
-DrawnPoints points_to_draw(const project::SweepPlan& plan, const project::Found& found,
+DrawnPoints points_to_draw(const project::SweepPlan& plan, const project::SweepStatistics& found,
                            const project::BlockRange& blocks, const project::ReadAgain& read);
 
 }  // namespace loadpath::report

@@ -11,9 +11,9 @@ namespace loadpath::report {
 
 namespace {
 
-using project::Found;
 using project::Project;
 using project::SweepPlan;
+using project::SweepStatistics;
 using project::SweptInput;
 using project::SweptResult;
 using project::Tally;

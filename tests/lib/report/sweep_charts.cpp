@@ -143,7 +143,7 @@ TEST_SUITE("charts of a sweep") {
                       results, 1, kept());
     REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
     const project::BlockRange shard{2, 4};
-    project::Found found = project::nothing_found(swept.plan, swept.read_again(), kept());
+    project::SweepStatistics found = project::nothing_found(swept.plan, swept.read_again(), kept());
     project::solve({swept.plan, [&] { return swept.read_again(); }, kept(), shard, 1, false},
                    [&](project::SweptPart&& part) { return found.merge(part.found); });
     const auto drawn = report::points_to_draw(swept.plan, found, shard, [&] { return swept.read_again(); });

@@ -114,7 +114,7 @@ void write_tally(JsonWriter& json, const Tally& tally) {
   write_extreme(json, "largest_utilisation", tally.largest);
 }
 
-void write_modes(JsonWriter& json, const project::Project& project, const Found& found) {
+void write_modes(JsonWriter& json, const project::Project& project, const SweepStatistics& found) {
   const auto columns = project::verdict_columns(project);
   json.key("verdict").open_object();
   write_tally(json, found.tallies().front());
@@ -142,7 +142,7 @@ void write_point(JsonWriter& json, const SweepPlan& plan, std::uint64_t index, c
   json.close_object();
 }
 
-void write_points(JsonWriter& json, const SweepPlan& plan, const Found& found) {
+void write_points(JsonWriter& json, const SweepPlan& plan, const SweepStatistics& found) {
   json.key("worst").open_array();
   for (const auto& row : found.worst()) {
     json.open_object();
@@ -162,7 +162,7 @@ void write_points(JsonWriter& json, const SweepPlan& plan, const Found& found) {
   json.close_array();
 }
 
-void write_correlations(JsonWriter& json, const SweepPlan& plan, const Found& found) {
+void write_correlations(JsonWriter& json, const SweepPlan& plan, const SweepStatistics& found) {
   const sweep::Covariances all = found.covariances();
   if (all.size() == 0 || plan.columns.empty()) return;
   json.key("correlations").open_object();
@@ -177,7 +177,7 @@ void write_correlations(JsonWriter& json, const SweepPlan& plan, const Found& fo
 
 }  // namespace
 
-std::string json_of(const project::Project& project, const SweepPlan& plan, const Found& found,
+std::string json_of(const project::Project& project, const SweepPlan& plan, const SweepStatistics& found,
                     std::string_view program) {
   JsonWriter json;
   json.open_object();

@@ -55,7 +55,7 @@ std::vector<const SweepStore*> SweepStore::chain_of(const std::vector<SweepStore
 }
 
 Outcome<SweepStore> SweepStore::merge(const std::vector<fs::path>& shards, const fs::path& folder,
-                                      const SweepPlan& plan, StoredSweep sweep, const Found& none) {
+                                      const SweepPlan& plan, StoredSweep sweep, const SweepStatistics& none) {
   std::vector<SweepStore> all;
   std::vector<fs::path> left_out;
   for (const fs::path& path : shards) {

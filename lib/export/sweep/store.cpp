@@ -73,7 +73,7 @@ Message difference(std::string_view there, std::string_view here) {
 
 std::string fingerprint(std::string_view identity) { return hexadecimal(checked(0, identity)); }
 
-SweepStore::SweepStore(fs::path folder, const SweepPlan& plan, StoredSweep sweep, Found none)
+SweepStore::SweepStore(fs::path folder, const SweepPlan& plan, StoredSweep sweep, SweepStatistics none)
     : folder_(std::move(folder)), points_(plan.space.count()), sweep_(std::move(sweep)), found_(std::move(none)) {
   next_ = sweep_.blocks.first;
   if (sweep_.columns) name_columns(plan);
@@ -121,7 +121,8 @@ Message SweepStore::begin() {
   return save();
 }
 
-Outcome<SweepStore> SweepStore::create(const fs::path& folder, const SweepPlan& plan, StoredSweep sweep, Found none) {
+Outcome<SweepStore> SweepStore::create(const fs::path& folder, const SweepPlan& plan, StoredSweep sweep,
+                                       SweepStatistics none) {
   const auto taken = [&] {
     return refused(folder, say("there is something already"),
                    say("name a new folder, or continue the stored sweep: --resume"));
@@ -143,7 +144,7 @@ Outcome<SweepStore> SweepStore::create(const fs::path& folder, const SweepPlan& 
 }
 
 Outcome<SweepStore> SweepStore::resume(const fs::path& folder, const SweepPlan& plan, const StoredSweep& sweep,
-                                       Found none) {
+                                       SweepStatistics none) {
   const auto none_there = [&] {
     return refused(folder, say("no sweep in this folder"), say("begin it without --resume"));
   };

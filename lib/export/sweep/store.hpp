@@ -44,23 +44,23 @@ class SweepStore {
   /// A new folder, or one in which a sweep was killed before it had a state; a Fault if there is something else in
   /// it, another process is at work on it, or it cannot be written.
   static Outcome<SweepStore> create(const std::filesystem::path& folder, const SweepPlan& plan, StoredSweep sweep,
-                                    Found none);
+                                    SweepStatistics none);
   /// Opens an existing folder of the same sweep: a Fault if it is another's, or damaged. Its columns are read back.
   /// Data written after its last state are truncated.
   static Outcome<SweepStore> resume(const std::filesystem::path& folder, const SweepPlan& plan,
-                                    const StoredSweep& sweep, Found none);
+                                    const StoredSweep& sweep, SweepStatistics none);
   /// Merges folders of shards into a new folder: they must be of the same sweep, and some of the finished ones must
   /// cover it, each point once. The others are left out.
   static Outcome<SweepStore> merge(const std::vector<std::filesystem::path>& shards,
                                    const std::filesystem::path& folder, const SweepPlan& plan, StoredSweep sweep,
-                                   const Found& none);
+                                   const SweepStatistics& none);
 
   /// Takes the next part. A Message where a file cannot be written.
   Message take(const SweptPart& part);
   /// Writes the results taken so far to the disk.
   Message save();
 
-  [[nodiscard]] const Found& found() const { return found_; }
+  [[nodiscard]] const SweepStatistics& found() const { return found_; }
   [[nodiscard]] BlockRange left() const { return {next_, sweep_.blocks.last}; }
   /// The shards left out of a merge: those whose points are in others, and those without any.
   [[nodiscard]] const std::vector<std::filesystem::path>& left_out() const { return left_out_; }
@@ -72,7 +72,7 @@ class SweepStore {
     sweep::NpyColumn numbers;
   };
 
-  SweepStore(std::filesystem::path folder, const SweepPlan& plan, StoredSweep sweep, Found none);
+  SweepStore(std::filesystem::path folder, const SweepPlan& plan, StoredSweep sweep, SweepStatistics none);
   void name_columns(const SweepPlan& plan);
   Message open_columns(std::uint64_t rows);
   Message begin();
@@ -94,7 +94,7 @@ class SweepStore {
   FolderLock lock_;
   std::uint64_t points_ = 0;  // points of the entire sweep
   StoredSweep sweep_;
-  Found found_;
+  SweepStatistics found_;
   std::uint64_t next_ = 0;  // block
   std::vector<Column> columns_;
   std::vector<std::size_t> results_;  // results of a block that have a column, which follow those of the inputs

@@ -21,7 +21,7 @@ using Verdict = Chart::Verdict;
 /// The mode that decides the verdict of a point: the worst, and among equals the one with the highest utilisation.
 struct Decided {
   Verdict verdict = Verdict::none;
-  std::size_t tally = 0;  // 0: no mode; else as in Found::tallies()
+  std::size_t tally = 0;  // 0: no mode; else as in SweepStatistics::tallies()
   double utilisation = std::nan("");
 };
 
@@ -114,7 +114,8 @@ std::size_t place_of(const std::vector<std::uint64_t>& numbers, std::uint64_t nu
   return static_cast<std::size_t>(std::lower_bound(numbers.begin(), numbers.end(), number) - numbers.begin());
 }
 
-draw::Figure cloud_of(const Project& project, const SweepPlan& plan, const Found& found, const SolvedPoints& points) {
+draw::Figure cloud_of(const Project& project, const SweepPlan& plan, const SweepStatistics& found,
+                      const SolvedPoints& points) {
   const auto& objectives = found.keep().objectives;
   const std::size_t across = objectives[0].column, up = objectives[1].column;
   Chart chart = chart_of(project, plan, points);
@@ -183,7 +184,7 @@ Paragraph drawn_of(const SolvedPoints& points, std::uint64_t all) {
 
 }  // namespace
 
-std::vector<Block> sweep_charts(const Project& project, const SweepPlan& plan, const Found& found,
+std::vector<Block> sweep_charts(const Project& project, const SweepPlan& plan, const SweepStatistics& found,
                                 const DrawnPoints& drawn) {
   std::vector<Block> blocks;
   if (drawn.cloud.size() > 0 && found.pareto().size() > 1) {

@@ -65,7 +65,8 @@ void add_evenly(std::uint64_t first, std::uint64_t last, std::set<std::uint64_t>
   }
 }
 
-std::vector<std::uint64_t> numbers_of_cloud(const SweepPlan& plan, const Found& found, const BlockRange& blocks) {
+std::vector<std::uint64_t> numbers_of_cloud(const SweepPlan& plan, const SweepStatistics& found,
+                                            const BlockRange& blocks) {
   std::set<std::uint64_t> numbers;
   const auto front = found.pareto();
   for (const std::uint64_t i : spread_out(front.size(), most_front)) numbers.insert(front[i].index);
@@ -128,7 +129,7 @@ std::optional<Plane> plane_of(const SweepPlan& plan) {
 
 }  // namespace
 
-DrawnPoints points_to_draw(const SweepPlan& plan, const Found& found, const BlockRange& blocks,
+DrawnPoints points_to_draw(const SweepPlan& plan, const SweepStatistics& found, const BlockRange& blocks,
                            const project::ReadAgain& read) {
   DrawnPoints drawn;
   if (found.keep().objectives.size() >= 2) drawn.cloud = solved(plan, read, numbers_of_cloud(plan, found, blocks));

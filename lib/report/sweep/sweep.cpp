@@ -77,7 +77,7 @@ Cell point_of(const sweep::Extreme& extreme) {
   return std::isnan(extreme.value) ? std::string("-") : number(extreme.index);
 }
 
-Table result_table(const SweepPlan& plan, const Found& found) {
+Table result_table(const SweepPlan& plan, const SweepStatistics& found) {
   Table table{say("Results"),
               {say("result"), say("mean"), say("sd"), say("least"), say("at point"), say("5 %"), say("median"),
                say("95 %"), say("largest"), say("at point")},
@@ -98,7 +98,7 @@ Table result_table(const SweepPlan& plan, const Found& found) {
 /// The name of a mode, from that of its column: "shaft.yield" of "shaft.modes.yield.state".
 std::string mode_name(const SweptResult& column) { return column.step + "." + column.mode; }
 
-Table mode_table(const Project& project, const SweepPlan& plan, const Found& found) {
+Table mode_table(const Project& project, const SweepPlan& plan, const SweepStatistics& found) {
   Table table{say("Failure modes"),
               {say("mode"), say("fails"), say("no result"), say("passes"), say("largest utilisation"), say("at point")},
               {}};
@@ -119,7 +119,7 @@ Table mode_table(const Project& project, const SweepPlan& plan, const Found& fou
   return table;
 }
 
-Table refused_table(const Found& found) {
+Table refused_table(const SweepStatistics& found) {
   Table table{say("Invalid designs"), {say("why"), say("points"), say("first")}, {}};
   for (const auto& [id, refused] : found.refusals())
     table.rows.push_back({refused.key + ": " + refused.message, number(refused.count), number(refused.first)});
@@ -142,7 +142,7 @@ Table table_of_points(const SweepPlan& plan, Message caption) {
   return table;
 }
 
-Table worst_table(const SweepPlan& plan, const Found& found) {
+Table worst_table(const SweepPlan& plan, const SweepStatistics& found) {
   Table table = table_of_points(plan, say("Points with the largest utilisation"));
   table.head.insert(table.head.begin() + 1, say("utilisation"));
   for (const auto& worst : found.worst()) {
@@ -153,7 +153,7 @@ Table worst_table(const SweepPlan& plan, const Found& found) {
   return table;
 }
 
-Table pareto_table(const SweepPlan& plan, const Found& found) {
+Table pareto_table(const SweepPlan& plan, const SweepStatistics& found) {
   const auto points = found.pareto();
   Table table = table_of_points(plan, points.size() > most_rows ? say("Pareto set: {1} points, {2} of them",
                                                                       number(points.size()), number(most_rows))
@@ -167,7 +167,7 @@ Table pareto_table(const SweepPlan& plan, const Found& found) {
 }
 
 /// The share of each uncertain input in the scatter of a result, if they are uncorrelated and act linearly.
-std::optional<Table> correlation_table(const SweepPlan& plan, const Found& found) {
+std::optional<Table> correlation_table(const SweepPlan& plan, const SweepStatistics& found) {
   const sweep::Covariances all = found.covariances();
   if (!is_sample(plan) || plan.columns.empty() || all.size() == 0) return std::nullopt;
   Table table{say("Correlation of inputs and results"), {say("input")}, {}};
@@ -204,7 +204,7 @@ draw::Figure histogram_of(const SweptResult& column, const sweep::Summary& summa
   return {"histogram-" + number(number_of_column + 1), "Histogram of a result over all points", std::move(plot)};
 }
 
-Paragraph conclusion(const SweepPlan& plan, const Found& found) {
+Paragraph conclusion(const SweepPlan& plan, const SweepStatistics& found) {
   const Tally& all = found.tallies().front();
   const std::uint64_t n = all.total(), fails = all.of(State::fail);
   const std::uint64_t gaps = n - fails - all.passing() - all.refused_points();
@@ -219,8 +219,8 @@ Paragraph conclusion(const SweepPlan& plan, const Found& found) {
 
 }  // namespace
 
-Document sweep_document(const Project& project, const SweepPlan& plan, const Found& found, std::string_view program,
-                        const DrawnPoints& drawn) {
+Document sweep_document(const Project& project, const SweepPlan& plan, const SweepStatistics& found,
+                        std::string_view program, const DrawnPoints& drawn) {
   Document document;
   document.title = project.title.empty() ? project.file : project.title;
   document.meta.emplace_back(say("Project file"), project.file);

@@ -10,7 +10,7 @@ namespace {
 /// Torsion of a closed thin wall with its corners.
 template <class Tracer>
 void twist(const Hollow::Input& in, Hollow::Result& result, Tracer& trace) {
-  const auto& [h, b, t, r_o, r_i] = in;
+  const auto& [h, b, t, r_o, r_i, fabrication] = in;
   STEP_TO(result, w, t / (min(h, b) - t), "thickness over the shorter middle line");
   if (!(w <= thickest_closed_wall)) return;
   STEP(R_c, (r_o + r_i) / 2.0, "radius of the middle line in a corner, [EN10210-2]");
@@ -25,7 +25,7 @@ void twist(const Hollow::Input& in, Hollow::Result& result, Tracer& trace) {
 
 template <class Tracer>
 Hollow::Result Hollow::own(const Input& in, Tracer& trace) {
-  const auto& [h, b, t, r_o, r_i] = in;
+  const auto& [h, b, t, r_o, r_i, fabrication] = in;
   Result result{centred()};
   NoTrace quiet;
   const auto [A_o, e_o, I_o, I_op] = corner(r_o, quiet);

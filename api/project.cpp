@@ -126,6 +126,7 @@ Sweep Project::sweep(const SweepOptions& options) const {
   project.strict = options.strict;
   take_points(options, project.sweep, sources);
   const project::SweepPlan plan = project::plan_sweep(project, project.sweep, issues);
+  project::refuse_open_ranges(plan, issues);
   refuse_errors(issues, sources);
   const project::Keep keep;
   project::SweepStatistics found = project::nothing_found(plan, project, keep);

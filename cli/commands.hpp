@@ -45,10 +45,11 @@ struct SweepOptions {
   bool no_columns = false;
   std::string minimise, maximise;      // a result to be optimised; only the best design instead of all points
   std::vector<std::string> such_that;  // "every mode passes", "rod.mass <= 5 kg"
-  double quantile = 0.0;               // quantile of uncertain results that must satisfy both; 0: at the mean
+  double quantile = 0.0;               // of uncertain results; 0: 0.99 of designs, the mean of an optimum
   std::string seek;                    // "shaft.u_tau = 0.9"
   bool influence = false;              // tornado, slopes, budget of the scatter
   std::uint64_t sobol = 0;             // rows; 0: no Sobol indices
+  bool full = false;                   // every table instead of the answer
   bool json = false;
   bool quiet = false;
   bool strict = false;

@@ -180,7 +180,8 @@ R_e_k = "420 MPa"
           .criterion()
           .where_it_applies(),
       Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft core inside the keyways"}.holding("K_A"),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft core: S_F x equivalent stress / yield strength"}.check("S_F, R_e_1"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft core: S_F x equivalent stress / yield strength"}.check(
+          "S_F"),
       Field{&Result::x_b, "x_b", ratio, "width of a non-standard key / d (DIN 6885: up to 0.42)"}
           .limit(0, 0.42)
           .where_it_applies(),

@@ -222,7 +222,7 @@ dT_adm = "250 K"
       Field{&Result::u_F, "u_F", ratio, "press-in force / available press force"}.check("F_adm"),
       Field{&Result::u_A, "u_A", ratio, "required / allowable heating of the hub"}.check("dT_adm"),
       Field{&Result::tau_t, "tau_t", MPa, "torsional stress of the shaft next to the hub"}.holding("K_A"),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: S_F x equivalent stress / yield strength"}.check("S_F, R_e_1"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft: S_F x equivalent stress / yield strength"}.check("S_F"),
       Field{&Result::x_l, "x_l", ratio, "joint length / diameter (range of uniform torque transfer)"}.limit(0,
                                                                                                             1.5 + 1e-9),
       Group{&Result::connection, "connection", connection_doc}.handed_over()};

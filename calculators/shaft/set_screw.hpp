@@ -137,6 +137,7 @@ S = 2
       Group{&Result::connection, "connection", connection_doc}.handed_over()};
 
   static constexpr std::array rules{
+      safety_has_strength<Input>(),
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
                   "the shaft diameter exceeds the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",

@@ -178,7 +178,8 @@ R_e_2 = "300 MPa"
       Field{&Result::u_W, "u_W", ratio, "reversing torque: larger utilisation of the flanks / f_W"}
           .check("f_W")
           .where_it_applies(),
-      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft core: S_F x equivalent stress / yield strength"}.check("S_F, R_e_1"),
+      Field{&Result::u_t, "u_t", ratio, "torsion of the shaft core: S_F x equivalent stress / yield strength"}.check(
+          "S_F"),
       Field{&Result::x_l, "x_l", ratio, "effective length / d_m (uniform pressure up to 1.3)"}
           .limit(0, 1.3 + 1e-9)
           .where_it_applies(),

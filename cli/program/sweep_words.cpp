@@ -7,7 +7,7 @@ namespace {
 /// Adds the options for a goal in place of all points.
 void add_aims(CLI::App& app, SweepOptions& options) {
   app.add_option("--minimise", options.minimise,
-                 "find the design with the minimum of a result: from lists, stocks, words, { min, max }")
+                 "find the design with the minimum of a result: from lists, stocks, words, { from, to }")
       ->type_name("RESULT");
   app.add_option("--maximise", options.maximise, "find the design with the maximum of a result")->type_name("RESULT");
   app.add_option("--such-that", options.such_that,
@@ -17,7 +17,7 @@ void add_aims(CLI::App& app, SweepOptions& options) {
       ->take_all()
       ->allow_extra_args(false);
   app.add_option("--quantile", options.quantile,
-                 "objective and constraints at this probability over the uncertain inputs")
+                 "designs, objectives and constraints at this probability over the uncertain inputs")
       ->type_name("P")
       ->check(CLI::Range(0.5, 0.999999));
   app.add_option("--seek", options.seek, "goal seek: input at which a result reaches a value: \"shaft.u_tau = 0.9\"")
@@ -69,6 +69,7 @@ void setup_sweep(CLI::App& app, SweepOptions& options, Action& action) {
       ->allow_extra_args(false);
   add_folder(*sub, options);
   sub->add_option("--jobs", options.jobs, "threads (all if omitted)")->type_name("N")->check(CLI::Range(1, 1024));
+  sub->add_flag("--full", options.full, "print every table instead of the designs");
   sub->add_flag("--json", options.json, "print what is found as one JSON object");
   sub->add_flag("--quiet", options.quiet, "print errors only");
   sub->add_flag("--strict", options.strict, "count failure modes not considered as not assessed (exit code 4)");

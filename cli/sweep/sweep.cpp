@@ -8,6 +8,7 @@
 #include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
 #include "cli/staged.hpp"
+#include "cli/sweep/contradictions.hpp"
 #include "cli/sweep/point_files.hpp"
 #include "cli/sweep/progress.hpp"
 #include "cli/sweep/status.hpp"
@@ -17,6 +18,7 @@
 #include "lib/export/sweep/store.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/report/sweep/best.hpp"
+#include "lib/report/sweep/designs.hpp"
 #include "lib/report/sweep/influence.hpp"
 #include "lib/toml/tree.hpp"
 
@@ -47,31 +49,6 @@ void tell_nothing_varies(const std::string& file) {
   std::cerr << "loadpath: nothing varies in '" << file << "': this sweep has one point, that of `loadpath run`\n"
             << "  = help: give an input many values: d = { from = \"20 mm\", to = \"40 mm\", count = 11 }, or "
                "d = [\"20 mm\", \"25 mm\"]\n";
-}
-
-/// The contradiction between options of the command line.
-std::string contradiction(const SweepOptions& options) {
-  if (!options.status.empty() && !(options.file + options.out).empty())
-    return "'--status' is about a folder as it is: it takes neither a project file nor --out";
-  const int aims = !options.minimise.empty() + !options.maximise.empty() + !options.seek.empty() +
-                   (options.influence || options.sobol != 0);
-  if (aims > 1) return "use one of '--minimise', '--maximise', '--seek' and '--influence' at a time";
-  if (aims == 1 && (!options.out.empty() || !options.csv.empty() || !options.hdf5.empty() || !options.pareto.empty() ||
-                    options.json))
-    return "'--out', '--csv', '--hdf5', '--json' and '--pareto' are about a sweep over all points";
-  if (options.minimise.empty() && options.maximise.empty() && (!options.such_that.empty() || options.quantile > 0.0))
-    return "'--such-that' and '--quantile' are constraints of --minimise or --maximise";
-  if (options.out.empty() && (options.resume || !options.shard.empty() || !options.merge.empty() || options.no_columns))
-    return "'--resume', '--shard', '--merge' and '--no-columns' are about a folder: name it with --out DIR";
-  if (!options.merge.empty() && (!options.shard.empty() || options.resume))
-    return "'--merge' puts shards together; it solves none";
-  if (!options.csv.empty() && (options.resume || !options.merge.empty()))
-    return "'--csv' has every point from the first: it does not go with --resume or --merge";
-  if (!options.hdf5.empty() && (options.resume || !options.merge.empty() || !options.shard.empty()))
-    return "'--hdf5' has every point of the sweep: it does not go with --resume, --shard or --merge";
-  if (!options.hdf5.empty() && !exports::Hdf5File::is_there())
-    return "this program was built without HDF5 (LOADPATH_HDF5); '--out DIR' writes columns that numpy reads";
-  return {};
 }
 
 /// One command at work.
@@ -158,6 +135,7 @@ void Sweeping::plan(std::vector<Issue>& issues) {
   for (const std::string& result : options_.results) project_.sweep.results.push_back({result, {"--results", 1, 1, 1}});
   if (!has_errors(issues)) plan_ = project::plan_sweep(project_, project_.sweep, issues);
   keep_.worst = options_.worst;
+  if (options_.quantile > 0.0) keep_.quantile = options_.quantile;
   if (!has_errors(issues)) read_aims(issues);
 }
 
@@ -183,6 +161,7 @@ std::string Sweeping::identity() const {
   add("samples", s.samples), add("seed", s.seed), add("latin", std::uint64_t{s.latin}), add("worst", keep_.worst);
   add("strict", std::uint64_t{options_.strict}), add("no-columns", std::uint64_t{options_.no_columns});
   all += "pareto = " + options_.pareto + "\n";
+  all += "quantile = " + format_number(keep_.quantile, 17) + "\n";
   for (const auto& zip : s.zip) {
     all += "zip = ";
     for (const project::Placed& name : zip) all += name.text + ",";
@@ -270,7 +249,8 @@ int Sweeping::tell(const project::SweepStatistics& found) const {
   if (options_.json) {
     std::cout << exports::json_of(project_, plan_, found, program());
   } else if (!options_.quiet) {
-    terminal::show_tables(document.blocks);
+    const bool compares = plan_.space.count() > plan_.space.samples();
+    terminal::show_tables(options_.full || !compares ? document.blocks : report::sweep_answer(project_, plan_, found));
     const std::string file = options_.file == "-" ? "FILE" : options_.file;
     if (!found.worst().empty())
       std::cout << "\none point as a design: loadpath run " << file << " --point " << found.worst().front().index
@@ -369,6 +349,9 @@ int Sweeping::run() {
   if (!options_.minimise.empty() || !options_.maximise.empty()) return choose();
   if (!options_.seek.empty()) return seek();
   if (options_.influence || options_.sobol != 0) return ask_influence();
+  std::vector<Issue> open;
+  project::refuse_open_ranges(plan_, open);
+  if (has_errors(open)) return refuse_all(open);
   if (plan_.inputs.empty() && !options_.quiet) tell_nothing_varies(options_.file);
   project::SweepStatistics found = project::nothing_found(plan_, project_, keep_);
   if (options_.out.empty()) {

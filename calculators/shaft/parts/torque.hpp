@@ -50,6 +50,12 @@ constexpr auto shaft_safety() {
       .factor();
 }
 
+template <class Input>
+constexpr Rule<Input> safety_has_strength() {
+  return {[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e_1); }, "S_F, R_e_1",
+          "the safety factor S_F of the shaft needs its yield strength R_e_1"};
+}
+
 /// Each side has one strength, and a factor of the reversal wants one.
 template <class Input>
 constexpr auto rules_of_sides() {
@@ -57,6 +63,7 @@ constexpr auto rules_of_sides() {
                                 "p_adm_1, R_e_1", "give p_adm_1 or R_e_1, never both"},
                     Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_2) && is_set(in.R_e_2)); },
                                 "p_adm_2, R_e_2", "give p_adm_2 or R_e_2, never both"},
+                    safety_has_strength<Input>(),
                     Rule<Input>{[](const Input& in) { return !is_set(in.f_W) || in.torque == Sense::reversing; },
                                 "f_W, torque", "f_W belongs to a reversing torque: torque = \"reversing\""}};
 }

@@ -151,7 +151,7 @@ void write_points(JsonWriter& json, const SweepPlan& plan, const SweepStatistics
     json.close_object();
   }
   json.close_array();
-  if (found.keep().objectives.empty()) return;
+  if (found.keep().objectives.empty() || plan.space.samples() > 1) return;
   json.key("pareto").open_array();
   for (const auto& point : found.pareto()) {
     json.open_object();
@@ -160,6 +160,67 @@ void write_points(JsonWriter& json, const SweepPlan& plan, const SweepStatistics
     json.close_object();
   }
   json.close_array();
+}
+
+void write_design(JsonWriter& json, const SweepPlan& plan, const SweepStatistics& found, std::uint64_t design,
+                  const std::vector<double>& results) {
+  const std::vector<double> values = plan.at(design * found.designs().asked().samples);
+  json.member("design", whole(design));
+  json.key("inputs").open_object();
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+    if (!plan.inputs[i].distribution) json.key(plan.inputs[i].name), write_value(json, plan.inputs[i], values[i]);
+  }
+  json.close_object();
+  json.key("results").open_object();
+  for (std::size_t k = 0; k < plan.columns.size(); ++k) json.member(plan.columns[k].name, results[k]);
+  json.close_object();
+}
+
+void write_row(JsonWriter& json, const SweepPlan& plan, const SweepStatistics& found, const project::DesignRow& row) {
+  const project::DesignTally& tally = row.tally;
+  const sweep::Interval bounds = sweep::share_bounds(tally.failing, tally.samples, confidence);
+  json.open_object();
+  write_design(json, plan, found, row.design, row.results);
+  json.member("passing", whole(tally.passing));
+  json.member("failing", whole(tally.failing));
+  json.member("refused", whole(tally.refused));
+  json.key("fails").open_object();
+  json.member("share", static_cast<double>(tally.failing) / static_cast<double>(tally.samples));
+  json.member("low", bounds.low);
+  json.member("high", bounds.high);
+  json.close_object();
+  json.key("utilisation").open_object();
+  json.member("median", row.median);
+  json.member("quantile", row.quantile);
+  write_extreme(json, "largest", tally.worst);
+  json.close_object();
+  json.close_object();
+}
+
+/// The designs, each with its samples: `results` are medians, those of objectives quantiles.
+void write_designs(JsonWriter& json, const SweepPlan& plan, const SweepStatistics& found) {
+  const project::DesignCounts& counts = found.designs().counts();
+  json.key("designs").open_object();
+  json.member("samples", whole(found.designs().asked().samples));
+  json.member("quantile", found.designs().asked().quantile);
+  json.member("all_pass", whole(counts.all_pass));
+  json.member("some_fail", whole(counts.some_fail));
+  json.member("all_fail", whole(counts.all_fail));
+  json.member("not_assessed", whole(counts.not_assessed));
+  json.member("invalid", whole(counts.invalid));
+  json.key("rows").open_array();
+  for (const project::DesignRow& row : found.designs().rows()) write_row(json, plan, found, row);
+  json.close_array();
+  if (!found.designs().asked().aims.empty()) {
+    json.key("pareto").open_array();
+    for (const auto& point : found.designs().pareto()) {
+      json.open_object();
+      write_design(json, plan, found, point.index, point.values);
+      json.close_object();
+    }
+    json.close_array();
+  }
+  json.close_object();
 }
 
 void write_correlations(JsonWriter& json, const SweepPlan& plan, const SweepStatistics& found) {
@@ -201,6 +262,7 @@ std::string json_of(const project::Project& project, const SweepPlan& plan, cons
   }
   json.close_array();
   write_points(json, plan, found);
+  if (plan.space.count() > plan.space.samples()) write_designs(json, plan, found);
   write_correlations(json, plan, found);
   json.close_object();
   return json.take();

@@ -204,7 +204,20 @@ std::string usual_law(const Tree& tree) {
   return tree.find("mode") != nullptr ? "triangular" : "uniform";
 }
 
+/// { from, to }
+bool is_range_of_designs(const Tree& tree) {
+  return tree.type == Tree::Type::table && tree.entries.size() == 2 && tree.find("from") != nullptr &&
+         tree.find("to") != nullptr;
+}
+
+std::optional<sweep::Law> law_of_range(const Many& many) {
+  const auto from = many.value("from"), to = many.value("to");
+  if (!from || !to) return std::nullopt;
+  return sweep::Uniform{std::min(*from, *to), std::max(*from, *to), true};
+}
+
 std::optional<sweep::Law> law_of(const Many& many) {
+  if (is_range_of_designs(many.tree)) return law_of_range(many);
   const std::string law = usual_law(many.tree);
   if (many.tree.find("mean") != nullptr) return law_of_mean(many, law);
   if (many.tree.find("value") != nullptr) return law_of_tolerance(many, law);
@@ -215,13 +228,15 @@ std::optional<sweep::Law> law_of(const Many& many) {
 }  // namespace
 
 bool is_grid(const Tree& tree) {
-  return tree.type == Tree::Type::array || (tree.type == Tree::Type::table && tree.find("from") != nullptr);
+  return tree.type == Tree::Type::array ||
+         (tree.type == Tree::Type::table && tree.find("from") != nullptr && !is_range_of_designs(tree));
 }
 
 bool is_uncertain(const Tree& tree) {
   constexpr std::array keys{"mean", "tolerance", "value", "min", "max", "scale", "shape"};
   return tree.type == Tree::Type::table &&
-         std::any_of(keys.begin(), keys.end(), [&](const char* key) { return tree.find(key) != nullptr; });
+         (is_range_of_designs(tree) ||
+          std::any_of(keys.begin(), keys.end(), [&](const char* key) { return tree.find(key) != nullptr; }));
 }
 
 std::optional<Axis> read_grid(const Tree& tree, const Dimension& dimension, const ToSi& to_si, const Refuse& refuse) {

@@ -2,6 +2,7 @@
 //   { from = "100 N*m", to = "200 N*m", step = "10 N*m" }   or count = 11, or log = 11, each as many times the last
 //   ["20 mm", "25 mm"]
 //   { each = "R40", from = "20 mm", to = "60 mm" }          the sizes of a stock, all where no ends are given
+//   { from = "20 mm", to = "60 mm" }                        any value between: for searches of the best design
 // and where its value is uncertain:
 //   { mean = "200 N*m", sd = "5 %" }                        normal; distribution = "lognormal"
 //   { value = "40 mm", tolerance = "0.1 mm" }               uniform; distribution = "normal" (3 sd), "triangular"
@@ -29,7 +30,7 @@ using Refuse = std::function<void(const Place& place, Message message, Message h
 
 /// Whether a value of a project is a list or a range, and no history.
 bool is_grid(const toml::Tree& tree);
-/// Whether it has a distribution.
+/// Whether it has a distribution, or is a range of designs without steps.
 bool is_uncertain(const toml::Tree& tree);
 
 /// The values of a range or a list in SI, in its order. Empty if an issue was reported.

@@ -46,7 +46,7 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
   if (beside.kind == Beside::usual) return unusual(beside.path, field, unusual_value(evaluation, beside));
   if (beside.kind == Beside::either)
     return say("{1} = {2}, and {3} has {4}", beside.path, shown(field, typed), beside.source, shown(field, other));
-  if (beside.has_margin && is_equal(beside.kind, typed, other, rounding_of(evaluation, beside)))
+  if (beside.is_full)
     return say("{1} = {2} is {3} without a safety factor", beside.path, shown(field, typed), beside.source);
   return beside.kind == Beside::capacity
              ? say("{1} = {2}, above {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source)
@@ -66,6 +66,8 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
     const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
     const bool is_the_same = std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside));
     if (is_the_same && beside.has_margin && !std::isnan(typed)) {
+      beside.is_full = true;
+      for (double& si : beside.value.si) si *= 0.5;  // any lower value shows what it decides
       bolder.push_back(std::move(beside));
       continue;
     }

@@ -202,7 +202,7 @@ std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std
   }
   if (best.chosen.empty()) {
     issues.push_back(refusal(asked.objective, say("there is nothing to choose"),
-                             say("let an input be a list, a range, { each = \"R40\" } or { min = ..., max = ... }")));
+                             say("let an input be a list, a range, { each = \"R40\" } or { from = ..., to = ... }")));
     return std::nullopt;
   }
   best.point = middles_of(best.inputs);

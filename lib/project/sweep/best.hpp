@@ -38,7 +38,7 @@ struct Best {
   std::vector<Message> lacks;  // per neighbour, why the violated constraint has no value; empty if it has one
 };
 
-/// Inputs with values, words and stocks are chosen from these, { min, max } from the interval; other uncertain inputs
+/// Inputs with values, words and stocks are chosen from these, { from, to } from the interval; uncertain inputs
 /// stay at their mean, or scatter if a quantile is requested. Issues if the request cannot be read.
 std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std::uint64_t samples, std::uint64_t seed,
                               std::vector<Issue>& issues);

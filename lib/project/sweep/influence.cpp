@@ -46,6 +46,10 @@ std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& 
   influence.slopes = sweep::slopes(all, base, steps);
   if (scattering.empty()) return influence;
   const bool correlated = !settings.correlations.empty();
+  if (correlated && sobol_rows > 0)
+    return refuse(
+        say("Sobol indices assume independent inputs, and these are correlated"),
+        say("omit --sobol: the budget of the scatter takes the correlations into account; or omit correlations"));
   const std::vector<double> correlation =
       correlated ? correlation_matrix(variants.axes(), numbers, settings.correlations) : std::vector<double>{};
   for (std::size_t k = 0; k < plan.columns.size(); ++k)

@@ -206,6 +206,16 @@ SweepPlan plan_sweep(Project& project, const SweepSettings& settings, std::vecto
   return plan;
 }
 
+void refuse_open_ranges(const SweepPlan& plan, std::vector<Issue>& issues) {
+  for (const SweptInput& input : plan.inputs) {
+    if (!is_continuous(input)) continue;
+    issues.push_back(
+        refusal(input.place, input.name, say("a sweep needs the values of '{1}': a step or a count", input.name),
+                say("write { from = ..., to = ..., count = 11 }; --minimise and --maximise choose between the "
+                    "ends, and scatter is { min = ..., max = ... }")));
+  }
+}
+
 void set_point(Project& project, const SweepPlan& plan, std::uint64_t index, std::vector<Issue>& issues) {
   const std::vector<double> values = plan.at(index);
   const std::vector<SweptInput> inputs = swept_inputs(project);

@@ -30,6 +30,9 @@ struct SweepPlan {
 /// Errors in names, zips, correlations and results become issues.
 SweepPlan plan_sweep(Project& project, const SweepSettings& settings, std::vector<Issue>& issues);
 
+/// Reports ranges of designs without steps: only a search of the best design chooses from them.
+void refuse_open_ranges(const SweepPlan& plan, std::vector<Issue>& issues);
+
 /// Sets all inputs to the values of a point: the project is then a single design. Issues as for typed values.
 void set_point(Project& project, const SweepPlan& plan, std::uint64_t index, std::vector<Issue>& issues);
 

@@ -22,7 +22,9 @@ double high_of(const SweptInput& input) {
 double sd_of(const SweptInput& input) { return input.distribution ? input.distribution->sd() : 0.0; }
 
 bool is_continuous(const SweptInput& input) {
-  return input.distribution && std::holds_alternative<sweep::Uniform>(input.distribution->law());
+  if (!input.distribution) return false;
+  const auto* const law = std::get_if<sweep::Uniform>(&input.distribution->law());
+  return law != nullptr && law->is_design;
 }
 
 std::vector<double> middles_of(const std::vector<SweptInput>& inputs) {

@@ -15,7 +15,7 @@ double low_of(const SweptInput& input);
 double high_of(const SweptInput& input);
 /// Standard deviation; of values that are given, 0.
 double sd_of(const SweptInput& input);
-/// Whether it is { min, max }: a range that a search may choose from.
+/// Whether it is { from, to }: a range that a search may choose from.
 bool is_continuous(const SweptInput& input);
 
 std::vector<double> middles_of(const std::vector<SweptInput>& inputs);

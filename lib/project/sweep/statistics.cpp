@@ -39,9 +39,13 @@ std::vector<double> row_of(const SolvedBlock& block, std::size_t results, std::s
   return row;
 }
 
-void take_larger(sweep::Extreme& largest, double value, std::uint64_t index) {
-  const bool first = std::isnan(largest.value) && !std::isnan(value);
-  if (first || value > largest.value || (value == largest.value && index < largest.index)) largest = {value, index};
+/// Of points if each is a design of its own.
+DesignsAsked asked_of(std::size_t results, std::size_t verdicts, std::uint64_t samples, const Keep& keep) {
+  DesignsAsked asked{.samples = samples, .results = results, .modes = verdicts / 2 - 1, .quantile = keep.quantile};
+  if (samples == 1) return asked;
+  for (const Objective& objective : keep.objectives) asked.columns.push_back(objective.column);
+  asked.aims = aims_of(keep);
+  return asked;
 }
 
 }  // namespace
@@ -61,12 +65,12 @@ void Tally::add(std::uint64_t first, std::span<const double> state, std::span<co
   }
   const double here = sweep::largest_of(utilisation);
   if (here == -INFINITY || here <= largest.value) return;  // there is none, or the first of equal ones is known
-  for (std::size_t i = 0; i < utilisation.size(); ++i) take_larger(largest, utilisation[i], first + i);
+  for (std::size_t i = 0; i < utilisation.size(); ++i) largest.take(utilisation[i], first + i);
 }
 
 void Tally::merge(const Tally& other) {
   for (std::size_t i = 0; i < states; ++i) counts[i] += other.counts[i];
-  take_larger(largest, other.largest.value, other.largest.index);
+  largest.take(other.largest.value, other.largest.index);
 }
 
 std::uint64_t Tally::total() const {
@@ -80,12 +84,14 @@ std::uint64_t Tally::passing() const {
   return of(State::pass) + of(State::accepted) + of(State::open);
 }
 
-SweepStatistics::SweepStatistics(std::size_t inputs, std::size_t results, std::size_t verdicts, Keep keep)
+SweepStatistics::SweepStatistics(std::size_t inputs, std::size_t results, std::size_t verdicts, std::uint64_t samples,
+                                 Keep keep)
     : keep_(std::move(keep)),
       results_(results),
       tallies_(verdicts / 2),
       worst_(keep_.worst),
-      pareto_(keep_.objectives.empty() ? sweep::Pareto() : sweep::Pareto(aims_of(keep_))) {
+      pareto_(keep_.objectives.empty() || samples > 1 ? sweep::Pareto() : sweep::Pareto(aims_of(keep_))),
+      designs_(asked_of(results, verdicts, samples, keep_)) {
   if (inputs + results > most_correlated) covariances_ = {};
 }
 
@@ -103,7 +109,8 @@ void SweepStatistics::add(const SolvedBlock& block) {
   }
   const auto row = [&](std::size_t i) { return row_of(block, n, i); };
   worst_.add(block.first, block.results[n + 1], row);
-  if (!keep_.objectives.empty()) {
+  designs_.add(block);
+  if (!keep_.objectives.empty() && designs_.asked().samples == 1) {
     std::vector<const double*> objectives;
     for (const Objective& objective : keep_.objectives) objectives.push_back(block.results[objective.column].data());
     pareto_.add(block.first, objectives, block.count, row);
@@ -129,6 +136,7 @@ bool SweepStatistics::merge(const SweepStatistics& other) {
   }
   worst_.merge(other.worst_);
   pareto_.merge(other.pareto_);
+  designs_.merge(other.designs_);
   return true;
 }
 
@@ -150,6 +158,7 @@ void SweepStatistics::store(Writer& writer) const {
   }
   worst_.store(writer);
   pareto_.store(writer);
+  designs_.store(writer);
   covariances_.store(writer);
 }
 
@@ -172,6 +181,7 @@ void SweepStatistics::load(Reader& reader) {
   }
   worst_.load(reader);
   pareto_.load(reader);
+  designs_.load(reader);
   covariances_.load(reader);
 }
 

@@ -3,10 +3,9 @@
 // It is the same to the bit however the points were shared out, and can be stored and taken up again.
 #pragma once
 
-#include "lib/project/sweep/blocks.hpp"
+#include "lib/project/sweep/designs.hpp"
 #include "lib/sweep/statistics/covariances.hpp"
 #include "lib/sweep/statistics/forest.hpp"
-#include "lib/sweep/statistics/pareto.hpp"
 #include "lib/sweep/statistics/summary.hpp"
 #include "lib/sweep/statistics/worst.hpp"
 
@@ -27,6 +26,7 @@ struct Objective {
 struct Keep {
   std::size_t worst = 5;              // points with the largest utilisation
   std::vector<Objective> objectives;  // none: no Pareto set
+  double quantile = 0.99;             // of the samples of a design
 };
 
 /// The frequency of each state of a mode, or of the project, and the point of maximum utilisation.
@@ -56,8 +56,9 @@ struct Refused {
 class SweepStatistics {
  public:
   SweepStatistics() = default;
-  /// For a plan with so many inputs and results; the columns behind them are those of verdict_columns().
-  SweepStatistics(std::size_t inputs, std::size_t results, std::size_t verdicts, Keep keep);
+  /// For a plan with so many inputs and results, and samples of each design; the columns behind the results are those
+  /// of verdict_columns().
+  SweepStatistics(std::size_t inputs, std::size_t results, std::size_t verdicts, std::uint64_t samples, Keep keep);
 
   void add(const SolvedBlock& block);
   /// Merges other blocks; false if both contain one.
@@ -70,7 +71,9 @@ class SweepStatistics {
   [[nodiscard]] const std::map<std::string, Refused>& refusals() const { return refusals_; }
   /// Rows hold inputs, then results.
   [[nodiscard]] std::vector<sweep::Worst::Row> worst() const { return worst_.rows(); }
+  /// Of points; with uncertain inputs, see designs().
   [[nodiscard]] std::vector<sweep::Pareto::Point> pareto() const { return pareto_.points(); }
+  [[nodiscard]] const Designs& designs() const { return designs_; }
   /// The covariances of inputs and results, in this order.
   [[nodiscard]] sweep::Covariances covariances() const { return covariances_.total(); }
   [[nodiscard]] const Keep& keep() const { return keep_; }
@@ -86,6 +89,7 @@ class SweepStatistics {
   std::map<std::string, Refused> refusals_;
   sweep::Worst worst_;
   sweep::Pareto pareto_;
+  Designs designs_;
   sweep::Forest<sweep::Covariances> covariances_;
 };
 

@@ -17,7 +17,7 @@ std::uint64_t blocks_of_part(const SweepWork& work) {
 }  // namespace
 
 SweepStatistics nothing_found(const SweepPlan& plan, const Project& project, const Keep& keep) {
-  return {plan.inputs.size(), plan.columns.size(), verdict_columns(project).size(), keep};
+  return {plan.inputs.size(), plan.columns.size(), verdict_columns(project).size(), plan.space.samples(), keep};
 }
 
 PartSolver::PartSolver(const SweepWork& work) : PartSolver(work, work.read()) {}

@@ -133,10 +133,16 @@ draw::Figure cloud_of(const Project& project, const SweepPlan& plan, const Sweep
     if (dot < points.size() && points.numbers[dot] == number) dots.push_back(dot);
   };
   for (const auto& point : found.pareto()) put(point.index, chart.front);
-  for (const auto& point : found.worst()) put(point.index, chart.worst);
+  for (const auto& point : found.designs().pareto()) put(point.index * found.designs().asked().samples, chart.front);
+  if (found.designs().asked().samples == 1) {
+    for (const auto& point : found.worst()) put(point.index, chart.worst);
+  }
   if (chart.more_x) std::reverse(chart.front.begin(), chart.front.end());
   chart.shown = chart.front.empty() ? 0 : chart.front[chart.front.size() / 2];
-  return {"cloud", "Points over two results, with the Pareto-optimal ones",
+  const bool scatters = found.designs().asked().samples > 1;
+  return {"cloud",
+          scatters ? "Designs over the quantiles of two results, with the Pareto-optimal ones"
+                   : "Points over two results, with the Pareto-optimal ones",
           std::make_shared<const Chart>(std::move(chart))};
 }
 
@@ -187,9 +193,10 @@ Paragraph drawn_of(const SolvedPoints& points, std::uint64_t all) {
 std::vector<Block> sweep_charts(const Project& project, const SweepPlan& plan, const SweepStatistics& found,
                                 const DrawnPoints& drawn) {
   std::vector<Block> blocks;
-  if (drawn.cloud.size() > 0 && found.pareto().size() > 1) {
+  const bool scatters = found.designs().asked().samples > 1;
+  if (drawn.cloud.size() > 0 && found.pareto().size() + found.designs().pareto().size() > 1) {
     blocks.emplace_back(cloud_of(project, plan, found, drawn.cloud));
-    if (drawn.cloud.size() < found.points()) blocks.emplace_back(drawn_of(drawn.cloud, found.points()));
+    if (!scatters && drawn.cloud.size() < found.points()) blocks.emplace_back(drawn_of(drawn.cloud, found.points()));
   }
   if (drawn.plane) {
     blocks.emplace_back(field_of(project, plan, *drawn.plane));

@@ -1,5 +1,7 @@
 #include "lib/report/sweep/points.hpp"
 
+#include "lib/report/sweep/designs.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -132,7 +134,9 @@ std::optional<Plane> plane_of(const SweepPlan& plan) {
 DrawnPoints points_to_draw(const SweepPlan& plan, const SweepStatistics& found, const BlockRange& blocks,
                            const project::ReadAgain& read) {
   DrawnPoints drawn;
-  if (found.keep().objectives.size() >= 2) drawn.cloud = solved(plan, read, numbers_of_cloud(plan, found, blocks));
+  if (found.keep().objectives.size() >= 2)
+    drawn.cloud = plan.space.samples() > 1 ? points_of_designs(plan, found)
+                                           : solved(plan, read, numbers_of_cloud(plan, found, blocks));
   const bool whole = blocks.count() == project::all_blocks(plan).count();
   if (whole) drawn.plane = plane_of(plan);
   if (drawn.plane) drawn.plane->points = solved(plan, read, std::move(drawn.plane->points.numbers));

@@ -2,6 +2,8 @@
 
 #include "lib/quantity/format.hpp"
 #include "lib/report/sweep/charts.hpp"
+#include "lib/report/sweep/designs.hpp"
+#include "lib/report/sweep/shares.hpp"
 
 #include <algorithm>
 #include <array>
@@ -18,24 +20,12 @@ using project::SweptInput;
 using project::SweptResult;
 using project::Tally;
 
-constexpr double confidence = 0.95;
 constexpr std::size_t most_rows = 12;  // rows of the Pareto set, on paper
 constexpr std::size_t bins = 30;
+constexpr std::size_t most_designs = 40;   // rows of designs, on paper
 constexpr std::uint64_t most_listed = 12;  // values of an input
 
 std::string number(std::uint64_t n) { return std::to_string(n); }
-
-/// "12.5 %", with as many digits as a share near 0 or 1 needs.
-std::string percent(double share) { return format_number(100.0 * share, 3) + " %"; }
-
-/// "2.1 % (1.9 to 2.3 %)"; without bounds for a grid, which is not a sample.
-std::string share_text(std::uint64_t met, std::uint64_t n, bool is_sample) {
-  if (n == 0) return "-";
-  const std::string share = percent(static_cast<double>(met) / static_cast<double>(n));
-  if (!is_sample) return share;
-  const sweep::Interval bounds = sweep::share_bounds(met, n, confidence);
-  return share + " (" + format_number(100.0 * bounds.low, 3) + " to " + percent(bounds.high) + ")";
-}
 
 bool is_sample(const SweepPlan& plan) {
   return std::any_of(plan.inputs.begin(), plan.inputs.end(), [](const SweptInput& i) { return i.distribution; });
@@ -98,17 +88,24 @@ Table result_table(const SweepPlan& plan, const SweepStatistics& found) {
 /// The name of a mode, from that of its column: "shaft.yield" of "shaft.modes.yield.state".
 std::string mode_name(const SweptResult& column) { return column.step + "." + column.mode; }
 
+/// Points of designs that are valid: the denominator of all shares. A sample that violates a rule is a failure of its
+/// design.
+std::uint64_t valid_points(const SweepStatistics& found) {
+  return found.tallies().front().total() - found.designs().points_of_invalid();
+}
+
 Table mode_table(const Project& project, const SweepPlan& plan, const SweepStatistics& found) {
   Table table{say("Failure modes"),
               {say("mode"), say("fails"), say("no result"), say("passes"), say("largest utilisation"), say("at point")},
               {}};
   const auto columns = project::verdict_columns(project);
+  const std::uint64_t n = valid_points(found);
   for (std::size_t t = 1; t < found.tallies().size(); ++t) {
     const Tally& tally = found.tallies()[t];
-    const std::uint64_t n = tally.total() - tally.refused_points(), fails = tally.of(State::fail);
-    if (n == 0) continue;
-    const std::uint64_t gaps = n - fails - tally.passing();
-    const bool remote = fails == 0 && gaps == 0 && tally.of(State::open) == n;
+    const std::uint64_t concerned = tally.total() - tally.refused_points(), fails = tally.of(State::fail);
+    if (concerned == 0) continue;
+    const std::uint64_t gaps = concerned - fails - tally.passing();
+    const bool remote = fails == 0 && gaps == 0 && tally.of(State::open) == concerned;
     if (remote) continue;  // reported at the end of a run of one point
     table.rows.push_back(
         {mode_name(columns[2 * t]), share_text(fails, n, is_sample(plan)), share_text(gaps, n, false),
@@ -206,13 +203,15 @@ draw::Figure histogram_of(const SweptResult& column, const sweep::Summary& summa
 
 Paragraph conclusion(const SweepPlan& plan, const SweepStatistics& found) {
   const Tally& all = found.tallies().front();
-  const std::uint64_t n = all.total(), fails = all.of(State::fail);
-  const std::uint64_t gaps = n - fails - all.passing() - all.refused_points();
+  const std::uint64_t invalid = found.designs().points_of_invalid(), refused = all.refused_points() - invalid;
+  const std::uint64_t n = valid_points(found), fails = all.of(State::fail) + refused;
+  const std::uint64_t gaps = n - fails - all.passing();
   std::string text = number(n) + " points: " + number(all.passing()) + " pass, " +
                      share_text(all.passing(), n, is_sample(plan)) + "; " + number(fails) + " fail";
   if (gaps > 0) text += "; " + number(gaps) + " are not assessed, have no valid method or no result";
-  if (all.refused_points() > 0) text += "; " + number(all.refused_points()) + " are invalid designs";
+  if (refused > 0) text += ", " + number(refused) + " of them because a sample violates an input rule";
   text += ".";
+  if (invalid > 0) text += " " + number(invalid) + " points of invalid designs are left out.";
   if (plan.inputs.empty()) text += " Nothing varies: the single design of the project.";
   return {say("{1}", text), Paragraph::Tone::plain};
 }
@@ -230,14 +229,19 @@ Document sweep_document(const Project& project, const SweepPlan& plan, const Swe
   document.meta.emplace_back(say("Program"), std::string(program));
   auto& blocks = document.blocks;
   blocks.emplace_back(Heading{2, "Sweep", "sweep"});
+  if (has_scattering_designs(plan))
+    blocks.emplace_back(Paragraph{say("{1}.", count_of_designs(plan, found)), Paragraph::Tone::plain});
   blocks.emplace_back(conclusion(plan, found));
   for (Block& block : sweep_charts(project, plan, found, drawn)) blocks.push_back(std::move(block));
   if (!plan.inputs.empty()) blocks.emplace_back(input_table(plan));
   if (!plan.columns.empty()) blocks.emplace_back(result_table(plan, found));
   blocks.emplace_back(mode_table(project, plan, found));
   if (!found.refusals().empty()) blocks.emplace_back(refused_table(found));
+  if (has_scattering_designs(plan)) blocks.emplace_back(design_table(plan, found, most_designs));
   if (!found.worst().empty()) blocks.emplace_back(worst_table(plan, found));
-  if (!found.keep().objectives.empty()) blocks.emplace_back(pareto_table(plan, found));
+  const bool scatters = plan.space.samples() > 1;
+  if (!found.keep().objectives.empty())
+    blocks.emplace_back(scatters ? front_of_designs(plan, found) : pareto_table(plan, found));
   if (auto table = correlation_table(plan, found)) blocks.emplace_back(std::move(*table));
   for (std::size_t k = 0; k < plan.columns.size(); ++k) {
     if (found.results()[k].count() > 1 && found.results()[k].min().value < found.results()[k].max().value)

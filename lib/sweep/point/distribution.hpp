@@ -17,6 +17,7 @@ struct Normal {
 };
 struct Uniform {
   double min = 0.0, max = 1.0;
+  bool is_design = false;  // a range that a search chooses from, not scatter
 };
 struct Triangular {
   double min = 0.0, mode = 0.5, max = 1.0;

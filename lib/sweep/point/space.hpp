@@ -42,6 +42,8 @@ class Space {
   /// Variables in their order: those of the levels, one level after the other, then the random ones.
   [[nodiscard]] std::size_t variables() const { return digits_.size() + random_.variables.size(); }
   [[nodiscard]] std::uint64_t count() const { return count_; }
+  /// Of the random variables at each point of the grid, successive points; 1 without random variables.
+  [[nodiscard]] std::uint64_t samples() const { return random_.variables.empty() ? 1 : random_.samples; }
   /// A column for each variable takes the values of the points first ... first + n - 1.
   void fill(std::uint64_t first, std::size_t n, std::span<double* const> columns) const;
   [[nodiscard]] std::vector<double> point(std::uint64_t index) const;

@@ -5,6 +5,7 @@
 #include "lib/sweep/statistics/moments.hpp"
 #include "lib/sweep/statistics/sketch.hpp"
 
+#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -14,6 +15,12 @@ namespace loadpath::sweep {
 struct Extreme {
   double value = std::numeric_limits<double>::quiet_NaN();
   std::uint64_t index = 0;  // index of its point; the first if there are several
+
+  /// Keeps the larger one; NaN is passed over.
+  void take(double other, std::uint64_t of) {
+    const bool first = std::isnan(value) && !std::isnan(other);
+    if (first || other > value || (other == value && of < index)) value = other, index = of;
+  }
 };
 
 class Summary {

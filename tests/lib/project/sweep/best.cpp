@@ -65,7 +65,7 @@ TEST_SUITE("the best machine" * test::by_case) {
 
   TEST_CASE("of continuous sizes lies on the bound that governs") {
     const std::string text =
-        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"30 MPa\"\nd = { min = \"20 mm\", max = "
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"30 MPa\"\nd = { from = \"20 mm\", to = "
         "\"90 "
         "mm\" }\n";
     std::vector<Issue> issues;
@@ -84,7 +84,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     const std::string text =
         "[shaft]\ncalculator = \"shaft.torsion\"\nT = { mean = \"500 N*m\", sd = \"50 N*m\" }\ntau_adm = \"30 MPa\"\nd "
         "= { "
-        "min = \"20 mm\", max = \"90 mm\" }\n";
+        "from = \"20 mm\", to = \"90 mm\" }\n";
     std::vector<Issue> issues;
     const auto best = project::find_best(reader(text), {asked("shaft.d"), false, {}, 0.99, {}}, 20000, 1, issues);
     REQUIRE(best);
@@ -94,7 +94,7 @@ TEST_SUITE("the best machine" * test::by_case) {
 
   TEST_CASE("of a mechanism: Hoeken's linkage, the straightest path of a point") {
     const std::string text =
-        "[values]\nb = { min = \"21 mm\", max = \"30 mm\" }\n[bar]\ncalculator = \"mechanism.planar\"\ntemplate = "
+        "[values]\nb = { from = \"21 mm\", to = \"30 mm\" }\n[bar]\ncalculator = \"mechanism.planar\"\ntemplate = "
         "\"four_bar\"\na = \"10 mm\"\nb = \"=values.b\"\nc = \"=values.b\"\nd = \"20 mm\"\n"
         "crank = { speed = \"60 rpm\", at = [{ angle = \"100 deg\" }, { angle = \"140 deg\" }, { angle = \"180 deg\" "
         "}, "
@@ -154,7 +154,7 @@ TEST_SUITE("the best machine" * test::by_case) {
 
   TEST_CASE("a value that is sought") {
     const std::string text =
-        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"30 MPa\"\nd = { min = \"20 mm\", max = "
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"30 MPa\"\nd = { from = \"20 mm\", to = "
         "\"90 "
         "mm\" }\n";
     std::vector<Issue> issues;

@@ -1,0 +1,227 @@
+#include "lib/project/sweep/designs.hpp"
+
+#include "lib/account/fold.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::project {
+
+namespace {
+
+using account::State;
+using sweep::Reader;
+using sweep::Writer;
+
+bool passes(double state) {
+  return state == account::number(State::pass) || state == account::number(State::accepted) ||
+         state == account::number(State::open);
+}
+
+void store_tally(const DesignTally& tally, Writer& writer) {
+  for (const std::uint64_t number : {tally.samples, tally.passing, tally.failing, tally.refused}) writer.put(number);
+  for (const std::uint64_t number : tally.by_mode) writer.put(number);
+  writer.put(tally.worst.value);
+  writer.put(tally.worst.index);
+}
+
+void load_tally(DesignTally& tally, Reader& reader) {
+  for (std::uint64_t* number : {&tally.samples, &tally.passing, &tally.failing, &tally.refused})
+    *number = reader.number();
+  for (std::uint64_t& number : tally.by_mode) number = reader.number();
+  tally.worst.value = reader.real();
+  tally.worst.index = reader.number();
+}
+
+}  // namespace
+
+void DesignTally::merge(const DesignTally& other) {
+  samples += other.samples, passing += other.passing, failing += other.failing, refused += other.refused;
+  for (std::size_t i = 0; i < by_mode.size(); ++i) by_mode[i] += other.by_mode[i];
+  worst.take(other.worst.value, other.worst.index);
+}
+
+void Designs::Open::clear() {
+  const std::size_t modes = tally.by_mode.size();
+  tally = {};
+  tally.by_mode.assign(modes, 0);
+  utilisation.clear();
+  for (sweep::Values& values : results) values.clear();
+}
+
+void Designs::Open::merge(const Open& other) {
+  tally.merge(other.tally);
+  utilisation.merge(other.utilisation);
+  for (std::size_t k = 0; k < results.size(); ++k) results[k].merge(other.results[k]);
+}
+
+Designs::Designs(DesignsAsked asked)
+    : asked_(std::move(asked)), pareto_(asked_.aims.empty() ? sweep::Pareto() : sweep::Pareto(asked_.aims)) {
+  scratch_ = none();
+}
+
+Designs::Open Designs::none() const {
+  Open open;
+  open.tally.by_mode.assign(asked_.modes, 0);
+  open.results.resize(asked_.results);
+  return open;
+}
+
+/// Columns of a block behind the results: state and utilisation of the project, then of each mode.
+void Designs::take(const SolvedBlock& block, std::size_t first, std::size_t n, Open& open) const {
+  const auto part = [&](std::size_t column) { return std::span(block.results[column]).subspan(first, n); };
+  const auto states = part(asked_.results), utilisations = part(asked_.results + 1);
+  DesignTally& tally = open.tally;
+  tally.samples += n;
+  for (std::size_t i = 0; i < n; ++i) {
+    const bool is_refused = states[i] == static_cast<double>(account::refused_state);
+    tally.passing += passes(states[i]) ? 1U : 0U;
+    tally.refused += is_refused ? 1U : 0U;
+    tally.failing += is_refused || states[i] == account::number(State::fail) ? 1U : 0U;
+    tally.worst.take(utilisations[i], block.first + first + i);
+  }
+  for (std::size_t mode = 0; mode < asked_.modes; ++mode) {
+    const auto of_mode = part(asked_.results + 2 + 2 * mode);
+    tally.by_mode[mode] +=
+        static_cast<std::uint64_t>(std::count(of_mode.begin(), of_mode.end(), account::number(State::fail)));
+  }
+  open.utilisation.add(utilisations);
+  for (std::size_t k = 0; k < asked_.results; ++k) open.results[k].add(part(k));
+}
+
+void Designs::add(const SolvedBlock& block) {
+  for (std::size_t first = 0; first < block.count;) {
+    const std::uint64_t point = block.first + first, design = point / asked_.samples;
+    const std::uint64_t end = std::min((design + 1) * asked_.samples, block.first + block.count);
+    const auto n = static_cast<std::size_t>(end - point);
+    if (n == asked_.samples) {
+      scratch_.clear();
+      take(block, first, n, scratch_);
+      close(design, scratch_);
+    } else {
+      Open& open = open_.try_emplace(design, none()).first->second;
+      take(block, first, n, open);
+      if (open.tally.samples == asked_.samples) {
+        close(design, open);
+        open_.erase(design);
+      }
+    }
+    first += n;
+  }
+}
+
+void Designs::count(const DesignTally& tally) {
+  if (tally.refused == tally.samples)
+    ++counts_.invalid;
+  else if (tally.failing == tally.samples)
+    ++counts_.all_fail;
+  else if (tally.failing > 0)
+    ++counts_.some_fail;
+  else
+    ++(tally.open() > 0 ? counts_.not_assessed : counts_.all_pass);
+}
+
+void Designs::close(std::uint64_t design, const Open& open) {
+  const DesignTally& tally = open.tally;
+  count(tally);
+  if (tally.refused == tally.samples) return;
+  const auto share = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(tally.samples); };
+  const double first = open.results.empty() ? NAN : open.results.front().quantile(level_of(0));
+  const Key key{share(tally.failing), share(tally.open()), std::isnan(first) ? INFINITY : first,
+                static_cast<double>(design)};
+  const bool is_kept = rows_.size() < asked_.most || (!rows_.empty() && key < std::prev(rows_.end())->first);
+  if (!is_kept && asked_.aims.empty()) return;
+  DesignRow row{design, tally, open.utilisation.quantile(0.5), open.utilisation.quantile(asked_.quantile), {}};
+  for (std::size_t k = 0; k < asked_.results; ++k) row.results.push_back(open.results[k].quantile(level_of(k)));
+  if (!asked_.aims.empty()) {
+    std::vector<const double*> objectives;
+    for (const std::size_t column : asked_.columns) objectives.push_back(&row.results[column]);
+    pareto_.add(design, objectives, 1, [&](std::size_t) { return row.results; });
+  }
+  if (is_kept) keep(key, std::move(row));
+}
+
+double Designs::level_of(std::size_t result) const {
+  const auto objective = std::find(asked_.columns.begin(), asked_.columns.end(), result);
+  if (objective == asked_.columns.end()) return 0.5;
+  const sweep::Aim aim = asked_.aims[static_cast<std::size_t>(objective - asked_.columns.begin())];
+  return aim == sweep::Aim::min ? asked_.quantile : 1.0 - asked_.quantile;
+}
+
+void Designs::keep(const Key& key, DesignRow row) {
+  rows_.emplace(key, std::move(row));
+  if (rows_.size() > asked_.most) rows_.erase(std::prev(rows_.end()));
+}
+
+void Designs::merge(const Designs& other) {
+  counts_.all_pass += other.counts_.all_pass, counts_.some_fail += other.counts_.some_fail;
+  counts_.all_fail += other.counts_.all_fail, counts_.not_assessed += other.counts_.not_assessed;
+  counts_.invalid += other.counts_.invalid;
+  for (const auto& [key, row] : other.rows_) keep(key, row);
+  pareto_.merge(other.pareto_);
+  for (const auto& [design, theirs] : other.open_) {
+    Open& open = open_.try_emplace(design, none()).first->second;
+    open.merge(theirs);
+    if (open.tally.samples != asked_.samples) continue;
+    close(design, open);
+    open_.erase(design);
+  }
+}
+
+std::vector<DesignRow> Designs::rows() const {
+  std::vector<DesignRow> all;
+  all.reserve(rows_.size());
+  for (const auto& [key, row] : rows_) all.push_back(row);
+  return all;
+}
+
+void Designs::store(Writer& writer) const {
+  for (const std::uint64_t number :
+       {counts_.all_pass, counts_.some_fail, counts_.all_fail, counts_.not_assessed, counts_.invalid})
+    writer.put(number);
+  writer.put(std::uint64_t{rows_.size()});
+  for (const auto& [key, row] : rows_) {
+    for (const double part : key) writer.put(part);
+    store_tally(row.tally, writer);
+    writer.put(row.median);
+    writer.put(row.quantile);
+    for (const double value : row.results) writer.put(value);
+  }
+  writer.put(std::uint64_t{open_.size()});
+  for (const auto& [design, open] : open_) {
+    writer.put(design);
+    store_tally(open.tally, writer);
+    open.utilisation.store(writer);
+    for (const sweep::Values& values : open.results) values.store(writer);
+  }
+  pareto_.store(writer);
+}
+
+void Designs::load(Reader& reader) {
+  for (std::uint64_t* number :
+       {&counts_.all_pass, &counts_.some_fail, &counts_.all_fail, &counts_.not_assessed, &counts_.invalid})
+    *number = reader.number();
+  rows_.clear();
+  for (std::uint64_t left = reader.count(12); left > 0 && !reader.failed(); --left) {
+    Key key{};
+    for (double& part : key) part = reader.real();
+    DesignRow row{static_cast<std::uint64_t>(key[3]), none().tally, 0.0, 0.0, {}};
+    load_tally(row.tally, reader);
+    row.median = reader.real();
+    row.quantile = reader.real();
+    row.results.resize(asked_.results);
+    for (double& value : row.results) value = reader.real();
+    rows_.emplace(key, std::move(row));
+  }
+  open_.clear();
+  for (std::uint64_t left = reader.count(8); left > 0 && !reader.failed(); --left) {
+    const std::uint64_t design = reader.number();
+    Open& open = open_.try_emplace(design, none()).first->second;
+    load_tally(open.tally, reader);
+    open.utilisation.load(reader);
+    for (sweep::Values& values : open.results) values.load(reader);
+  }
+  pareto_.load(reader);
+}
+
+}  // namespace loadpath::project

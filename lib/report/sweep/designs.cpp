@@ -1,0 +1,243 @@
+#include "lib/report/sweep/designs.hpp"
+
+#include "lib/project/sweep/ranges.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/report/sweep/shares.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::report {
+
+namespace {
+
+using project::DesignRow;
+using project::DesignTally;
+using project::Project;
+using project::SweepPlan;
+using project::SweepStatistics;
+using project::SweptInput;
+
+constexpr std::size_t most_in_answer = 8, most_in_front = 12;
+
+std::string number(std::uint64_t n) { return std::to_string(n); }
+
+/// The inputs that tell designs apart.
+std::vector<std::size_t> chosen_inputs(const SweepPlan& plan) {
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < plan.inputs.size(); ++i) {
+    if (!plan.inputs[i].distribution) chosen.push_back(i);
+  }
+  return chosen;
+}
+
+bool scatters(const SweepStatistics& found) { return found.designs().asked().samples > 1; }
+
+std::vector<double> values_of(const SweepPlan& plan, const SweepStatistics& found, std::uint64_t design) {
+  return plan.at(design * found.designs().asked().samples);
+}
+
+/// "d = 50 mm, d_bore = 45 mm".
+std::string described(const SweepPlan& plan, const SweepStatistics& found, const DesignRow& row) {
+  const std::vector<double> values = values_of(plan, found, row.design);
+  std::string all;
+  for (const std::size_t i : chosen_inputs(plan))
+    all += (all.empty() ? "" : ", ") + plan.inputs[i].name + " = " + written(plan.inputs[i], values[i]);
+  for (const std::size_t k : plan.beside_inputs()) {
+    const bool is_first = k == plan.beside_inputs().front();
+    if (is_first)
+      all += (all.empty() ? "" : ", ") + plan.columns[k].name + " = " +
+             format_quantity(row.results[k], plan.columns[k].unit, 4);
+  }
+  return all;
+}
+
+Cell number_or_dash(double value) { return std::isnan(value) ? Cell(std::string("-")) : Cell(Quantity{value, "-", 3}); }
+
+std::vector<Message> heads(const SweepPlan& plan, const SweepStatistics& found) {
+  std::vector<Message> head;
+  for (const std::size_t i : chosen_inputs(plan)) head.push_back(say("{1}", plan.inputs[i].name));
+  for (const std::size_t k : plan.beside_inputs()) head.push_back(say("{1}", plan.columns[k].name));
+  if (!scatters(found)) {
+    for (const Message& last : {say("verdict"), say("utilisation"), say("point")}) head.push_back(last);
+    return head;
+  }
+  const std::string level = format_number(100.0 * found.designs().asked().quantile, 6) + " %";
+  for (const Message& last :
+       {say("fails (95 % bounds)"), say("utilisation: median"), say("{1}", level), say("worst"), say("at point")})
+    head.push_back(last);
+  return head;
+}
+
+/// The verdict of a design without scatter.
+std::string verdict_of(const DesignTally& tally) {
+  return tally.passing > 0 ? "pass" : tally.failing > 0 ? "fail" : "not assessed";
+}
+
+std::vector<Cell> cells_of(const SweepPlan& plan, const SweepStatistics& found, const DesignRow& row) {
+  std::vector<Cell> cells;
+  const std::vector<double> values = values_of(plan, found, row.design);
+  for (const std::size_t i : chosen_inputs(plan)) cells.emplace_back(written(plan.inputs[i], values[i]));
+  for (const std::size_t k : plan.beside_inputs()) {
+    const std::string& unit = plan.columns[k].unit;
+    cells.emplace_back(Quantity{row.results[k], unit.empty() ? std::string("-") : unit, 4});
+  }
+  const DesignTally& tally = row.tally;
+  const Cell at = std::isnan(tally.worst.value) ? Cell(std::string("-")) : Cell(number(tally.worst.index));
+  if (!scatters(found)) {
+    cells.emplace_back(verdict_of(tally));
+    cells.push_back(number_or_dash(tally.worst.value));
+    cells.emplace_back(number(row.design));
+    return cells;
+  }
+  cells.emplace_back(share_text(tally.failing, tally.samples, true));
+  for (const double value : {row.median, row.quantile, tally.worst.value}) cells.push_back(number_or_dash(value));
+  cells.push_back(at);
+  return cells;
+}
+
+Paragraph plain(std::string text) { return {say("{1}", std::move(text)), Paragraph::Tone::plain}; }
+Paragraph note(Message text) { return {std::move(text), Paragraph::Tone::note}; }
+
+/// "Scatter: P normal 40 kN ± 4 kN, ...; 200 samples of each design".
+Message scatter_of(const SweepPlan& plan, std::uint64_t samples) {
+  std::string all;
+  for (const SweptInput& input : plan.inputs) {
+    if (!input.distribution) continue;
+    all += (all.empty() ? "" : ", ") + input.name + " " + written(input, input.distribution->mean()) + " (sd " +
+           format_quantity(input.distribution->sd(), input.unit, 3) + ")";
+  }
+  return say("Scatter: {1}; {2} samples of each design", all, number(samples));
+}
+
+/// The failure share that no failure in n samples still leaves possible, and the samples for 0.1 %.
+Message resolution_of(std::uint64_t samples) {
+  const double most = sweep::share_bounds(0, samples, confidence_of_shares).high;
+  constexpr double wanted = 0.001;
+  const double needed = std::ceil(std::log(0.5 * (1.0 - confidence_of_shares)) / std::log1p(-wanted));
+  return say("0 of {1} shows a failure share below {2}; for below 0.1 % use --samples {3}", number(samples),
+             percent(most), format_number(needed, 6));
+}
+
+/// The mode with the most failures over the designs.
+Message governing_of(const Project& project, const SweepStatistics& found) {
+  const auto columns = project::verdict_columns(project);
+  std::size_t worst = 0;
+  std::uint64_t all = found.tallies().front().of(account::State::fail);
+  for (std::size_t t = 1; t < found.tallies().size(); ++t) {
+    const bool is_more =
+        worst == 0 || found.tallies()[t].of(account::State::fail) > found.tallies()[worst].of(account::State::fail);
+    if (is_more) worst = t;
+  }
+  const std::uint64_t fails = worst == 0 ? 0 : found.tallies()[worst].of(account::State::fail);
+  if (fails == 0) return {};
+  const auto& column = columns[2 * worst];
+  return say("Governing failure mode: {1}.{2}, in {3} of {4} failures", column.step, column.mode, number(fails),
+             number(all));
+}
+
+std::string of_scattering(const SweepStatistics& found) {
+  const auto& counts = found.designs().counts();
+  std::string text = number(counts.all_pass) + " of " + number(counts.valid()) + " designs pass in all " +
+                     number(found.designs().asked().samples) + " samples";
+  if (counts.some_fail > 0) text += "; " + number(counts.some_fail) + " fail in some";
+  if (counts.all_fail > 0)
+    text += (counts.some_fail > 0 ? ", " : "; ") + number(counts.all_fail) +
+            (counts.some_fail > 0 ? " in all" : " fail in all");
+  if (counts.not_assessed > 0) text += "; " + number(counts.not_assessed) + " are not assessed";
+  return text;
+}
+
+}  // namespace
+
+bool has_scattering_designs(const SweepPlan& plan) {
+  return plan.space.samples() > 1 && plan.space.count() > plan.space.samples();
+}
+
+std::string count_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
+  if (has_scattering_designs(plan)) return of_scattering(found);
+  const auto& counts = found.designs().counts();
+  std::string text = number(counts.all_pass) + " of " + number(counts.valid()) + " designs pass";
+  if (counts.all_fail > 0) text += "; " + number(counts.all_fail) + " fail";
+  if (counts.not_assessed > 0) text += "; " + number(counts.not_assessed) + " are not assessed";
+  return text;
+}
+
+Table design_table(const SweepPlan& plan, const SweepStatistics& found, std::size_t most) {
+  const std::vector<DesignRow> rows = found.designs().rows();
+  Table table{
+      rows.size() <= most ? say("Designs") : say("Designs: the first {1}", number(most)), heads(plan, found), {}};
+  for (std::size_t i = 0; i < std::min(rows.size(), most); ++i) table.rows.push_back(cells_of(plan, found, rows[i]));
+  return table;
+}
+
+Table front_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
+  const auto front = found.designs().pareto();
+  const std::string level = format_number(100.0 * found.designs().asked().quantile, 6) + " %";
+  Table table{say("Pareto set of the designs at {1}: {2}", level, number(front.size())), {}, {}};
+  for (const std::size_t i : chosen_inputs(plan)) table.head.push_back(say("{1}", plan.inputs[i].name));
+  for (const std::size_t k : plan.beside_inputs()) table.head.push_back(say("{1}", plan.columns[k].name));
+  for (std::size_t i = 0; i < std::min(front.size(), most_in_front); ++i) {
+    const std::vector<double> values = values_of(plan, found, front[i].index);
+    std::vector<Cell> cells;
+    for (const std::size_t k : chosen_inputs(plan)) cells.emplace_back(written(plan.inputs[k], values[k]));
+    for (const std::size_t k : plan.beside_inputs()) {
+      const std::string& unit = plan.columns[k].unit;
+      cells.emplace_back(Quantity{front[i].values[k], unit.empty() ? std::string("-") : unit, 4});
+    }
+    table.rows.push_back(std::move(cells));
+  }
+  return table;
+}
+
+std::vector<Block> sweep_answer(const Project& project, const SweepPlan& plan, const SweepStatistics& found) {
+  std::vector<Block> blocks;
+  const auto& designs = found.designs();
+  blocks.emplace_back(plain(count_of_designs(plan, found)));
+  const std::vector<DesignRow> rows = designs.rows();
+  const bool any = !rows.empty() && rows.front().tally.passing == rows.front().tally.samples;
+  if (any && !plan.beside_inputs().empty())
+    blocks.emplace_back(plain("Least " + plan.columns[plan.beside_inputs().front()].name +
+                              " of those that always pass: " + described(plan, found, rows.front())));
+  blocks.emplace_back(design_table(plan, found, most_in_answer));
+  const std::uint64_t valid = designs.counts().valid();
+  if (valid > most_in_answer)
+    blocks.emplace_back(note(say("{1} more designs: --full, --csv FILE", number(valid - most_in_answer))));
+  if (scatters(found)) {
+    blocks.emplace_back(note(scatter_of(plan, designs.asked().samples)));
+    blocks.emplace_back(note(resolution_of(designs.asked().samples)));
+  }
+  for (const auto& [id, refused] : found.refusals())
+    blocks.emplace_back(note(say("Invalid: {1} of {2} points, {3}: {4}", number(refused.count), number(found.points()),
+                                 refused.key, refused.message)));
+  if (const Message governing = governing_of(project, found); !governing.empty()) blocks.emplace_back(note(governing));
+  if (!found.keep().objectives.empty() && scatters(found)) blocks.emplace_back(front_of_designs(plan, found));
+  return blocks;
+}
+
+SolvedPoints points_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
+  std::vector<DesignRow> rows = found.designs().rows();
+  std::sort(rows.begin(), rows.end(), [](const DesignRow& a, const DesignRow& b) { return a.design < b.design; });
+  const double allowed = 1.0 - found.designs().asked().quantile;
+  SolvedPoints points;
+  points.inputs.resize(plan.inputs.size());
+  points.results.resize(plan.columns.size() + 2);
+  for (const DesignRow& row : rows) {
+    points.numbers.push_back(row.design * found.designs().asked().samples);
+    const std::vector<double> values = values_of(plan, found, row.design);
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+      points.inputs[i].push_back(plan.inputs[i].distribution ? project::middle_of(plan.inputs[i]) : values[i]);
+    for (std::size_t k = 0; k < plan.columns.size(); ++k) points.results[k].push_back(row.results[k]);
+    const auto samples = static_cast<double>(row.tally.samples);
+    const bool fails = static_cast<double>(row.tally.failing) > allowed * samples;
+    const bool open = static_cast<double>(row.tally.open()) > allowed * samples;
+    using account::State;
+    points.results[plan.columns.size()].push_back(account::number(fails  ? State::fail
+                                                                  : open ? State::not_judged
+                                                                         : State::pass));
+    points.results[plan.columns.size() + 1].push_back(row.quantile);
+  }
+  return points;
+}
+
+}  // namespace loadpath::report

@@ -106,7 +106,7 @@ Part shape_of(const table::Typed<Profile>& row) {
             : kind == "angle"    ? Shape::angle
             : kind == "rolled_I" ? Shape::I
                                  : Shape::hollow;
-  if (is_set(row.d)) p.shape = Shape::ring, p.d_i = row.h - 2.0 * row.t_w;
+  if (kind == "round hollow") p.shape = Shape::ring, p.d_i = row.h - 2.0 * row.t_w;
   if (kind == "hot_hollow") p.r = 1.5 * row.t_w, p.r_2 = row.t_w;
   return p;
 }

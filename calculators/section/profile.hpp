@@ -12,7 +12,7 @@ namespace loadpath::section {
 struct Profile {
   static constexpr auto group = "section";
 
-  Length d = unset<Length>, h = unset<Length>, b = unset<Length>, t_w = unset<Length>, t_f = unset<Length>;
+  Length h = unset<Length>, b = unset<Length>, t_w = unset<Length>, t_f = unset<Length>;
   Length r = unset<Length>, r_2 = unset<Length>, e_z = unset<Length>;
   LineDensity m = unset<LineDensity>;
   Area A = unset<Area>;
@@ -22,7 +22,6 @@ struct Profile {
   Length i_y = unset<Length>, i_z = unset<Length>, i_min = unset<Length>;
 
   static constexpr Fields fields{
-      Field{&Profile::d, "d", mm, "outer diameter of round tubes"},
       Field{&Profile::h, "h", mm, "depth; outer diameter of round tubes"},
       Field{&Profile::b, "b", mm, "width"},
       Field{&Profile::t_w, "t_w", mm, "thickness of the web; wall of tubes, leg of angles"},

@@ -1,7 +1,5 @@
 #include "lib/calculator/record.hpp"
 
-#include "lib/calculator/choice_words.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -144,9 +142,11 @@ bool set_word(const Leaf& leaf, std::string_view word) {
     field.set_text(leaf.owner, word);
     return true;
   }
-  const auto number = number_of_word(field, word);
-  if (number) leaf.set(*number);
-  return number.has_value();
+  const auto found = std::find_if(field.choices.begin(), field.choices.end(),
+                                  [&](const ChoiceInfo& c) { return word == c.key || word == c.also; });
+  if (word.empty() || found == field.choices.end()) return false;
+  leaf.set(static_cast<double>(found - field.choices.begin()));
+  return true;
 }
 
 std::string element_path(const FieldInfo& list, void* owner, std::size_t i) {

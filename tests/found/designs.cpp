@@ -85,7 +85,8 @@ TEST_SUITE("found sizes") {
     CHECK(mode_of(large, "p", "slip") == "not-covered");
     CHECK(mode_of(large, "p", "core") == "not-judged");
     // 16 T/(pi d^3) = 75 MPa of 40 N m at 14 mm, by Mises 130 MPa
-    const std::string thin = "T = \"40 N*m\"\nset_screw = \"1/4\"\nd = \"14 mm\"\ni = 2\nphi = 0.9\nR_e_1 = ";
+    const std::string thin =
+        "T = \"40 N*m\"\nset_screw = \"1/4\"\nd = \"14 mm\"\ni = 2\nphi = 0.9\nS_F = 1.5\nR_e_1 = ";
     CHECK(mode_of(solved_as_found(screw(thin + "\"120 MPa\"\n")), "p", "core") == "fail");
     CHECK(mode_of(solved_as_found(screw(thin + "\"235 MPa\"\n")), "p", "core") == "pass");
     CHECK(mode_of(solved_as_found(screw("T = \"8 N*m\"\nset_screw = \"3/8\"\nd = \"20 mm\"\n")), "p", "core") ==
@@ -232,7 +233,7 @@ TEST_SUITE("found factors") {
     const auto shaft = [](const std::string& k_max, const std::string& T_max) {
       return "[values]\nk = 2\n[other]\ncalculator = \"section.circle\"\nd = \"20 mm\"\n[key]\ncalculator = "
              "\"shaft.key\"\nT = \"90 N*m\"\ntorque = \"one_way\"\nd = \"45 mm\"\nkey = \"14x9\"\nl = \"63 mm\"\n"
-             "R_e_1 = \"370 MPa\"\nR_e_2 = \"250 MPa\"\nR_e_k = \"420 MPa\"\n" +
+             "R_e_1 = \"370 MPa\"\nS_F = 1.5\nR_e_2 = \"250 MPa\"\nR_e_k = \"420 MPa\"\n" +
              T_max + "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\nn = \"300 rpm\"\nk_max = " + k_max +
              "\npieces = [{ l = \"80 mm\", d = \"45 mm\" }, { l = \"120 mm\", d = \"50 mm\" }]\n"
              "supports = [{ x = \"100 mm\", holds = \"both\" }, { x = \"180 mm\" }]\n"

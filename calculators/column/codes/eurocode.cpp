@@ -47,8 +47,8 @@ Pair curves_of(const Plates& s, bool about_y) {
     case SectionKind::welded_box:
     case SectionKind::angle:
       return {b, b};
-    case SectionKind::unsaid:
-      return {by_kind, by_kind};
+    case SectionKind::unsaid:  // a tube, hot finished or cold formed: the less favourable curve
+      return is_set(s.d) && is_set(s.t_w) ? Pair{c, c} : Pair{by_kind, by_kind};
   }
   return {by_kind, by_kind};
 }

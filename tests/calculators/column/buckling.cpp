@@ -299,7 +299,7 @@ TEST_SUITE("column buckling") {
           Row{"section = \"L 50x50x5\"", "angle", 0.34, 0.34},
           Row{"section = \"RHS 60x40x3\"", "hot_hollow", 0.21, 0.21},
           Row{"section = \"CHS 60.3x3\"\nkind = \"cold_hollow\"", "cold_hollow", 0.49, 0.49},
-          Row{"section = \"CHS 60.3x3\"", "", NAN, NAN}}) {
+          Row{"section = \"CHS 60.3x3\"", "", 0.49, 0.49}}) {
       CAPTURE(row.lines);
       std::vector<Issue> issues;
       const auto project = solved(
@@ -311,12 +311,8 @@ TEST_SUITE("column buckling") {
       const auto& inputs = project.find("bar")->account().inputs;
       const auto kind = std::find_if(inputs.begin(), inputs.end(), [](const auto& e) { return e.path == "kind"; });
       CHECK((kind == inputs.end() ? "" : kind->word) == row.kind);  // an unset value is not shown
-      if (std::isnan(row.alpha_y)) {
-        CHECK(std::isnan(project.value("bar.axes.y.alpha")->si[0]));
-      } else {
-        CHECK(project.value("bar.axes.y.alpha")->si[0] == row.alpha_y);
-        CHECK(project.value("bar.axes.z.alpha")->si[0] == row.alpha_z);
-      }
+      CHECK(project.value("bar.axes.y.alpha")->si[0] == row.alpha_y);
+      CHECK(project.value("bar.axes.z.alpha")->si[0] == row.alpha_z);
     }
     CHECK(complaints("calculator = \"column.buckling\"\nl = \"2 m\"\nends = \"pinned_pinned\"\nE = \"210 GPa\"\nR_e = "
                      "\"235 MPa\"\nmethod = \"johnson\"\nsection = \"RHS 60x40x3\"\nkind = \"cold_hollow\"\n")

@@ -96,7 +96,8 @@ struct Sliced {
 TEST_SUITE("shaft held") {
   TEST_CASE("a fixed end has two words") {
     const std::string bar =
-        "[bar]\ncalculator = \"shaft.held\"\nG = \"80 GPa\"\nsegments = [{ l = \"1 m\", d = \"20 mm\" }]\n"
+        "[bar]\ncalculator = \"shaft.held\"\nG = \"80 GPa\"\ntau_adm = \"100 MPa\"\nsegments = [{ l = \"1 m\", d = "
+        "\"20 mm\" }]\n"
         "torques = [{ x = \"0.5 m\", T = \"10 N*m\" }]\n";
     const test::Solved held_twice(bar + "end_1 = \"held\"\nend_2 = \"held\"\n");
     const test::Solved fixed_twice(bar + "end_1 = \"fixed\"\nend_2 = \"fixed\"\n");

@@ -82,7 +82,7 @@ TEST_SUITE("spline") {
     CHECK(mode_with("shaft.spline", strong, "core") == "fail");
     CHECK(mode_with("shaft.spline", "T = \"3 kN*m\"", "core") == "pass");
     CHECK(mode_with("shaft.spline", "T = \"3 kN*m\"\nd_bore = \"46 mm\"", "core") == "fail");
-    CHECK(mode_with("shaft.spline", "R_e_1 = \np_adm_1 = \"100 MPa\"", "core") == "not-judged");
+    CHECK(mode_with("shaft.spline", "R_e_1 = \nS_F = \np_adm_1 = \"100 MPa\"", "core") == "not-judged");
   }
 
   TEST_CASE("what contradicts is said") {

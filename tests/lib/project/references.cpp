@@ -160,21 +160,21 @@ TEST_SUITE("largest values") {
     CHECK(contains(round.origin("round", "d"), "smallest of R40 with which no assessed mode fails; "));
   }
 
-  TEST_CASE("rows that cannot be calculated are no failures, and said") {
+  TEST_CASE("a tube of the tables has the curve of cold formed ones where the kind is not given") {
     const std::string tube =
         "[tube]\ncalculator = \"column.buckling\"\nP = \"90 kN\"\nl = \"3 m\"\nends = \"pinned_pinned\"\n"
         "material = \"S355\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = 1\n";
     const Solved all(tube + "section = \"?\"\n");
     REQUIRE_MESSAGE(!has_errors(all.issues), all.messages());
     CHECK(all.value("tube.u") <= 1.0);
-    CHECK_MESSAGE(contains(all.messages(), "rows that were tried 24 are passed over, the first is CHS 26.9x3.2"),
-                  all.messages());
+    CHECK_MESSAGE(all.messages().empty(), all.messages());
     const Solved hot(tube + "section = { stock = \"sections/chs\" }\nkind = \"hot_hollow\"\n");
     REQUIRE_MESSAGE(!has_errors(hot.issues), hot.messages());
     CHECK_MESSAGE(hot.messages().empty(), hot.messages());
-    CHECK(hot.value("tube.A") < all.value("tube.A"));
     const Solved unkind(tube + "section = { stock = \"sections/chs\" }\n");
-    CHECK_MESSAGE(contains(unkind.errors(), "needs the buckling curves"), unkind.errors());
+    CHECK_MESSAGE(unkind.messages().empty(), unkind.messages());
+    CHECK(hot.value("tube.A") <= unkind.value("tube.A"));
+    CHECK(all.value("tube.A") <= unkind.value("tube.A"));
     const Solved both(tube + "section = \"?\"\nkind = \"hot_hollow\"\n");
     CHECK_MESSAGE(contains(both.errors(), "'kind' is given, and the section that is searched for gives it too"),
                   both.errors());

@@ -206,20 +206,16 @@ TEST_SUITE("column lightest") {
     CHECK(!column::Lightest::strength_in_tension(in));
   }
 
-  TEST_CASE("of round tubes the table does not say hot or cold: they have a curve where the kind is given") {
+  TEST_CASE("of round tubes the table does not say hot or cold: they have the less favourable curve") {
     auto in = column_of({"CHS"}, 300.0 * kN, 4.0 * m);
     const auto open = solve(in);
-    CHECK(open.carrying == 0.0);
-    for (const auto& c : open.lighter) {
-      CHECK(c.failure == Failure::open);
-      CHECK(std::isfinite(c.demand));
-    }
     in.kind = SectionKind::hot_hollow;
     const auto hot = solve(in);
     in.kind = SectionKind::cold_hollow;
     const auto cold = solve(in);
     CHECK(hot.carrying > 0.0);
     CHECK(hot.q < cold.q);
+    CHECK(open.q == cold.q);
     in.families.push_back({"IPE"});
     CHECK(solve(in).q == cold.q);  // the kind of rows that have one stays theirs
   }

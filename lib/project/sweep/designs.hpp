@@ -47,9 +47,9 @@ struct DesignsAsked {
   std::uint64_t samples = 1;  // of each design
   std::size_t results = 0, modes = 0;
   double quantile = 0.99;
-  std::size_t most = 1000;           // rows that are kept
-  std::vector<std::size_t> columns;  // objectives of a Pareto set: indices of results
-  std::vector<sweep::Aim> aims;      // of each
+  std::size_t most = 1000;                // rows that are kept
+  std::vector<std::size_t> columns = {};  // objectives of a Pareto set: indices of results
+  std::vector<sweep::Aim> aims = {};      // of each
 };
 
 class Designs {

@@ -151,7 +151,7 @@ void write_points(JsonWriter& json, const SweepPlan& plan, const SweepStatistics
     json.close_object();
   }
   json.close_array();
-  if (found.keep().objectives.empty() || plan.space.samples() > 1) return;
+  if (found.keep().objectives.empty() || found.designs().asked().samples > 1) return;
   json.key("pareto").open_array();
   for (const auto& point : found.pareto()) {
     json.open_object();

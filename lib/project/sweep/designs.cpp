@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace loadpath::project {
 
@@ -16,6 +17,26 @@ using sweep::Writer;
 bool passes(double state) {
   return state == account::number(State::pass) || state == account::number(State::accepted) ||
          state == account::number(State::open);
+}
+
+/// The samples by their outcome alone.
+DesignTally outcomes_of(std::span<const double> states) {
+  DesignTally tally;
+  tally.samples = states.size();
+  for (const double state : states) {
+    const bool is_refused = state == account::refused_state;
+    tally.passing += passes(state) ? 1U : 0U;
+    tally.refused += is_refused ? 1U : 0U;
+    tally.failing += is_refused || state == account::number(State::fail) ? 1U : 0U;
+  }
+  return tally;
+}
+
+/// The value of a column that is the same everywhere; NaN counts as missing.
+std::optional<double> constant_of(std::span<const double> values) {
+  const double first = values.front();
+  const bool is_constant = std::all_of(values.begin(), values.end(), [&](double value) { return value == first; });
+  return is_constant ? std::optional(first) : std::nullopt;
 }
 
 void store_tally(const DesignTally& tally, Writer& writer) {
@@ -37,7 +58,7 @@ void load_tally(DesignTally& tally, Reader& reader) {
 
 void DesignTally::merge(const DesignTally& other) {
   samples += other.samples, passing += other.passing, failing += other.failing, refused += other.refused;
-  for (std::size_t i = 0; i < by_mode.size(); ++i) by_mode[i] += other.by_mode[i];
+  for (std::size_t i = 0; i < other.by_mode.size(); ++i) by_mode[i] += other.by_mode[i];
   worst.take(other.worst.value, other.worst.index);
 }
 
@@ -70,16 +91,10 @@ Designs::Open Designs::none() const {
 /// Columns of a block behind the results: state and utilisation of the project, then of each mode.
 void Designs::take(const SolvedBlock& block, std::size_t first, std::size_t n, Open& open) const {
   const auto part = [&](std::size_t column) { return std::span(block.results[column]).subspan(first, n); };
-  const auto states = part(asked_.results), utilisations = part(asked_.results + 1);
+  const auto utilisations = part(asked_.results + 1);
   DesignTally& tally = open.tally;
-  tally.samples += n;
-  for (std::size_t i = 0; i < n; ++i) {
-    const bool is_refused = states[i] == static_cast<double>(account::refused_state);
-    tally.passing += passes(states[i]) ? 1U : 0U;
-    tally.refused += is_refused ? 1U : 0U;
-    tally.failing += is_refused || states[i] == account::number(State::fail) ? 1U : 0U;
-    tally.worst.take(utilisations[i], block.first + first + i);
-  }
+  tally.merge(outcomes_of(part(asked_.results)));
+  for (std::size_t i = 0; i < n; ++i) tally.worst.take(utilisations[i], block.first + first + i);
   for (std::size_t mode = 0; mode < asked_.modes; ++mode) {
     const auto of_mode = part(asked_.results + 2 + 2 * mode);
     tally.by_mode[mode] +=
@@ -90,23 +105,53 @@ void Designs::take(const SolvedBlock& block, std::size_t first, std::size_t n, O
 }
 
 void Designs::add(const SolvedBlock& block) {
+  if (asked_.samples == 0) return;
+  if (asked_.samples == 1) return add_single(block);
   for (std::size_t first = 0; first < block.count;) {
     const std::uint64_t point = block.first + first, design = point / asked_.samples;
     const std::uint64_t end = std::min((design + 1) * asked_.samples, block.first + block.count);
     const auto n = static_cast<std::size_t>(end - point);
-    if (n == asked_.samples) {
-      scratch_.clear();
-      take(block, first, n, scratch_);
-      close(design, scratch_);
-    } else {
-      Open& open = open_.try_emplace(design, none()).first->second;
-      take(block, first, n, open);
-      if (open.tally.samples == asked_.samples) {
-        close(design, open);
-        open_.erase(design);
-      }
-    }
+    add_part(block, design, first, n);
     first += n;
+  }
+}
+
+/// The points of a block that belong to one design. Of a complete one that is not among the first, only the outcomes
+/// are counted.
+void Designs::add_part(const SolvedBlock& block, std::uint64_t design, std::size_t first, std::size_t n) {
+  if (n == asked_.samples) {
+    const auto part = [&](std::size_t column) { return std::span(block.results[column]).subspan(first, n); };
+    const DesignTally tally = outcomes_of(part(asked_.results));
+    const auto value = asked_.results == 0 ? std::optional(NAN) : constant_of(part(0));
+    const bool is_known = value && asked_.aims.empty();
+    if (is_known && !is_among_the_first(key_of(design, tally, *value))) return count(tally);
+    scratch_.clear();
+    take(block, first, n, scratch_);
+    return close(design, scratch_);
+  }
+  Open& open = open_.try_emplace(design, none()).first->second;
+  take(block, first, n, open);
+  if (open.tally.samples != asked_.samples) return;
+  close(design, open);
+  open_.erase(design);
+}
+
+/// Every point is a design.
+void Designs::add_single(const SolvedBlock& block) {
+  const std::vector<double>& states = block.results[asked_.results];
+  for (std::size_t i = 0; i < block.count; ++i) {
+    const DesignTally tally = outcomes_of(std::span(states).subspan(i, 1));
+    count(tally);
+    if (tally.refused > 0) continue;
+    const std::uint64_t design = block.first + i;
+    const Key key = key_of(design, tally, asked_.results == 0 ? NAN : block.results[0][i]);
+    if (!is_among_the_first(key)) continue;
+    scratch_.clear();
+    take(block, i, 1, scratch_);
+    DesignRow row{
+        design, scratch_.tally, block.results[asked_.results + 1][i], block.results[asked_.results + 1][i], {}};
+    for (std::size_t k = 0; k < asked_.results; ++k) row.results.push_back(block.results[k][i]);
+    keep(key, std::move(row));
   }
 }
 
@@ -125,11 +170,8 @@ void Designs::close(std::uint64_t design, const Open& open) {
   const DesignTally& tally = open.tally;
   count(tally);
   if (tally.refused == tally.samples) return;
-  const auto share = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(tally.samples); };
-  const double first = open.results.empty() ? NAN : open.results.front().quantile(level_of(0));
-  const Key key{share(tally.failing), share(tally.open()), std::isnan(first) ? INFINITY : first,
-                static_cast<double>(design)};
-  const bool is_kept = rows_.size() < asked_.most || (!rows_.empty() && key < std::prev(rows_.end())->first);
+  const Key key = key_of(design, tally, open.results.empty() ? NAN : open.results.front().quantile(level_of(0)));
+  const bool is_kept = is_among_the_first(key);
   if (!is_kept && asked_.aims.empty()) return;
   DesignRow row{design, tally, open.utilisation.quantile(0.5), open.utilisation.quantile(asked_.quantile), {}};
   for (std::size_t k = 0; k < asked_.results; ++k) row.results.push_back(open.results[k].quantile(level_of(k)));
@@ -139,6 +181,15 @@ void Designs::close(std::uint64_t design, const Open& open) {
     pareto_.add(design, objectives, 1, [&](std::size_t) { return row.results; });
   }
   if (is_kept) keep(key, std::move(row));
+}
+
+Designs::Key Designs::key_of(std::uint64_t design, const DesignTally& tally, double first) const {
+  const auto share = [&](std::uint64_t n) { return static_cast<double>(n) / static_cast<double>(tally.samples); };
+  return {share(tally.failing), share(tally.open()), std::isnan(first) ? INFINITY : first, static_cast<double>(design)};
+}
+
+bool Designs::is_among_the_first(const Key& key) const {
+  return rows_.size() < asked_.most || (!rows_.empty() && key < std::prev(rows_.end())->first);
 }
 
 double Designs::level_of(std::size_t result) const {

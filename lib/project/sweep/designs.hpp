@@ -44,7 +44,7 @@ struct DesignCounts {
 
 /// What is asked of the designs.
 struct DesignsAsked {
-  std::uint64_t samples = 1;  // of each design
+  std::uint64_t samples = 1;  // of each design; 0: there is one only, and nothing to compare
   std::size_t results = 0, modes = 0;
   double quantile = 0.99;
   std::size_t most = 1000;                // rows that are kept
@@ -85,10 +85,14 @@ class Designs {
   using Key = std::array<double, 4>;  // shares that fail and are not assessed, first result, number of the design
 
   [[nodiscard]] Open none() const;
+  void add_single(const SolvedBlock& block);
+  void add_part(const SolvedBlock& block, std::uint64_t design, std::size_t first, std::size_t n);
   void take(const SolvedBlock& block, std::size_t first, std::size_t n, Open& open) const;
   void close(std::uint64_t design, const Open& open);
   void count(const DesignTally& tally);
   void keep(const Key& key, DesignRow row);
+  [[nodiscard]] Key key_of(std::uint64_t design, const DesignTally& tally, double first) const;
+  [[nodiscard]] bool is_among_the_first(const Key& key) const;
   /// The quantile of a result in the row of a design.
   [[nodiscard]] double level_of(std::size_t result) const;
 

@@ -42,7 +42,7 @@ std::vector<double> row_of(const SolvedBlock& block, std::size_t results, std::s
 /// Of points if each is a design of its own.
 DesignsAsked asked_of(std::size_t results, std::size_t verdicts, std::uint64_t samples, const Keep& keep) {
   DesignsAsked asked{.samples = samples, .results = results, .modes = verdicts / 2 - 1, .quantile = keep.quantile};
-  if (samples == 1) return asked;
+  if (samples < 2) return asked;
   for (const Objective& objective : keep.objectives) asked.columns.push_back(objective.column);
   asked.aims = aims_of(keep);
   return asked;
@@ -110,7 +110,7 @@ void SweepStatistics::add(const SolvedBlock& block) {
   const auto row = [&](std::size_t i) { return row_of(block, n, i); };
   worst_.add(block.first, block.results[n + 1], row);
   designs_.add(block);
-  if (!keep_.objectives.empty() && designs_.asked().samples == 1) {
+  if (!keep_.objectives.empty() && designs_.asked().samples < 2) {
     std::vector<const double*> objectives;
     for (const Objective& objective : keep_.objectives) objectives.push_back(block.results[objective.column].data());
     pareto_.add(block.first, objectives, block.count, row);

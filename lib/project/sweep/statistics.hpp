@@ -56,8 +56,8 @@ struct Refused {
 class SweepStatistics {
  public:
   SweepStatistics() = default;
-  /// For a plan with so many inputs and results, and samples of each design; the columns behind the results are those
-  /// of verdict_columns().
+  /// For a plan with so many inputs and results, and samples of each design, 0 if there is one only; the columns behind
+  /// the results are those of verdict_columns().
   SweepStatistics(std::size_t inputs, std::size_t results, std::size_t verdicts, std::uint64_t samples, Keep keep);
 
   void add(const SolvedBlock& block);

@@ -17,7 +17,9 @@ std::uint64_t blocks_of_part(const SweepWork& work) {
 }  // namespace
 
 SweepStatistics nothing_found(const SweepPlan& plan, const Project& project, const Keep& keep) {
-  return {plan.inputs.size(), plan.columns.size(), verdict_columns(project).size(), plan.space.samples(), keep};
+  const bool compares = plan.space.count() > plan.space.samples();
+  return {plan.inputs.size(), plan.columns.size(), verdict_columns(project).size(), compares ? plan.space.samples() : 0,
+          keep};
 }
 
 PartSolver::PartSolver(const SweepWork& work) : PartSolver(work, work.read()) {}

@@ -134,7 +134,7 @@ draw::Figure cloud_of(const Project& project, const SweepPlan& plan, const Sweep
   };
   for (const auto& point : found.pareto()) put(point.index, chart.front);
   for (const auto& point : found.designs().pareto()) put(point.index * found.designs().asked().samples, chart.front);
-  if (found.designs().asked().samples == 1) {
+  if (found.designs().asked().samples < 2) {
     for (const auto& point : found.worst()) put(point.index, chart.worst);
   }
   if (chart.more_x) std::reverse(chart.front.begin(), chart.front.end());

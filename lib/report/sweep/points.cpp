@@ -135,8 +135,8 @@ DrawnPoints points_to_draw(const SweepPlan& plan, const SweepStatistics& found, 
                            const project::ReadAgain& read) {
   DrawnPoints drawn;
   if (found.keep().objectives.size() >= 2)
-    drawn.cloud = plan.space.samples() > 1 ? points_of_designs(plan, found)
-                                           : solved(plan, read, numbers_of_cloud(plan, found, blocks));
+    drawn.cloud = has_scattering_designs(plan) ? points_of_designs(plan, found)
+                                               : solved(plan, read, numbers_of_cloud(plan, found, blocks));
   const bool whole = blocks.count() == project::all_blocks(plan).count();
   if (whole) drawn.plane = plane_of(plan);
   if (drawn.plane) drawn.plane->points = solved(plan, read, std::move(drawn.plane->points.numbers));

@@ -239,7 +239,7 @@ Document sweep_document(const Project& project, const SweepPlan& plan, const Swe
   if (!found.refusals().empty()) blocks.emplace_back(refused_table(found));
   if (has_scattering_designs(plan)) blocks.emplace_back(design_table(plan, found, most_designs));
   if (!found.worst().empty()) blocks.emplace_back(worst_table(plan, found));
-  const bool scatters = plan.space.samples() > 1;
+  const bool scatters = has_scattering_designs(plan);
   if (!found.keep().objectives.empty())
     blocks.emplace_back(scatters ? front_of_designs(plan, found) : pareto_table(plan, found));
   if (auto table = correlation_table(plan, found)) blocks.emplace_back(std::move(*table));

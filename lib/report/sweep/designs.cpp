@@ -116,7 +116,7 @@ Message resolution_of(std::uint64_t samples) {
   constexpr double wanted = 0.001;
   const double needed = std::ceil(std::log(0.5 * (1.0 - confidence_of_shares)) / std::log1p(-wanted));
   return say("0 of {1} shows a failure share below {2}; for below 0.1 % use --samples {3}", number(samples),
-             percent(most), format_number(needed, 6));
+             in_percent(most), format_number(needed, 6));
 }
 
 /// The mode with the most failures over the designs.

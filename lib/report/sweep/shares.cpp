@@ -5,14 +5,14 @@
 
 namespace loadpath::report {
 
-std::string percent(double share) { return format_number(100.0 * share, 3) + " %"; }
+std::string in_percent(double share) { return format_number(100.0 * share, 3) + " %"; }
 
 std::string share_text(std::uint64_t met, std::uint64_t n, bool is_sample) {
   if (n == 0) return "-";
-  const std::string share = percent(static_cast<double>(met) / static_cast<double>(n));
+  const std::string share = in_percent(static_cast<double>(met) / static_cast<double>(n));
   if (!is_sample) return share;
   const sweep::Interval bounds = sweep::share_bounds(met, n, confidence_of_shares);
-  return share + " (" + format_number(100.0 * bounds.low, 3) + " to " + percent(bounds.high) + ")";
+  return share + " (" + format_number(100.0 * bounds.low, 3) + " to " + in_percent(bounds.high) + ")";
 }
 
 }  // namespace loadpath::report

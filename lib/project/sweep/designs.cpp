@@ -122,7 +122,7 @@ void Designs::add_part(const SolvedBlock& block, std::uint64_t design, std::size
   if (n == asked_.samples) {
     const auto part = [&](std::size_t column) { return std::span(block.results[column]).subspan(first, n); };
     const DesignTally tally = outcomes_of(part(asked_.results));
-    const auto value = asked_.results == 0 ? std::optional(NAN) : constant_of(part(0));
+    const auto value = asked_.results == 0 ? std::optional<double>(NAN) : constant_of(part(0));
     const bool is_known = value && asked_.aims.empty();
     if (is_known && !is_among_the_first(key_of(design, tally, *value))) return count(tally);
     scratch_.clear();

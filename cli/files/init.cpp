@@ -95,7 +95,7 @@ std::string shell_word(const std::string& name) {
 void tell_next(const Starter& starter, const std::string& file) {
   const std::string name = shell_word(file), report = shell_word(fs::path(file).replace_extension(".html").string());
   const MainValue& first = starter.values.front();
-  std::cout << "written: " << file << "\n\nNext, with other numbers and steps in it as you need them:\n"
+  std::cout << "written: " << file << "\n\nEdit its numbers and steps as required; next:\n"
             << "  loadpath run " << name << " --report " << report << "\n"
             << "  loadpath why " << name << "\n"
             << "  loadpath run " << name << " --set values." << first.key << "=\"" << first.text << "\"\n"

@@ -99,7 +99,7 @@ std::optional<ParsedUnit> Calling::unit_of(const Given& given, const FieldInfo& 
   if (!one) refuse_at(given.name, "1 " + given.unit, one.fault().message, one.fault().hint);
   auto unit = read_unit(given.unit, 0);
   if (unit->dimension == field.dimension) return *unit;
-  return *read_unit("rpm", 0);  // 1/min, where the literal is an angular speed
+  return *read_unit("rpm", 0);  // 1/min, where the literal is an angular velocity
 }
 
 /// A value that the field takes.

@@ -25,7 +25,7 @@ AngularMomentum momentum_before(const Input& in) {
   return sum;
 }
 
-/// Angular momentum of the parts with given final angular speed.
+/// Angular momentum of the parts with given final angular velocity.
 AngularMomentum momentum_known(const Input& in) {
   AngularMomentum sum = 0.0 * kg_m2_per_s;
   for (const Part& part : in.parts) {

@@ -1,6 +1,6 @@
 // Angular momentum about a fixed axis: parts that change their inertia, are coupled, driven or braked.
 //
-// Theorem of the angular momentum over a time: K_2 = K_1 + M t. Parts without an angular speed after turn together;
+// Theorem of the angular momentum over a time: K_2 = K_1 + M t. Parts without an angular velocity after turn together;
 // where all are given, the time follows from the moment. Sign: counter-clockwise. Source: [B33], [B36].
 // Only external moments are in M: an inertia force is none, and forces through the axis or along it have no moment.
 #pragma once
@@ -48,8 +48,8 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
         Field{&Part::R_2, "R_2", mm, "its distance from the axis after; as before where missing"}
             .positive()
             .may_be_missing(),
-        Field{&Part::omega_1, "omega_1", rad_per_s, "angular speed before, signed"},
-        Field{&Part::omega_2, "omega_2", rad_per_s, "angular speed after; where missing it is to be found"}
+        Field{&Part::omega_1, "omega_1", rad_per_s, "angular velocity before, signed"},
+        Field{&Part::omega_2, "omega_2", rad_per_s, "angular velocity after; where missing it is to be found"}
             .may_be_missing()};
   };
   static constexpr std::size_t most_parts = 16;
@@ -74,8 +74,8 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
     static constexpr Fields fields{NameField{&After::name, "name", "name of the part"},
                                    Field{&After::J_1, "J_1", kg_m2, "moment of inertia before"},
                                    Field{&After::J_2, "J_2", kg_m2, "moment of inertia after"},
-                                   Field{&After::omega_2, "omega_2", rad_per_s, "angular speed after"},
-                                   Field{&After::n_2, "n_2", rpm, "angular speed after, in turns per minute"}};
+                                   Field{&After::omega_2, "omega_2", rad_per_s, "angular velocity after"},
+                                   Field{&After::n_2, "n_2", rpm, "angular velocity after, in turns per minute"}};
   };
 
   struct Result {
@@ -91,7 +91,7 @@ parts = [{ name = "ball", m = "0.2 kg", R_1 = "400 mm", R_2 = "200 mm", omega_1 
       Field{&Result::K_2, "K_2", kg_m2_per_s, "angular momentum after"},
       Field{&Result::K_k, "K_k", kg_m2_per_s, "angular momentum after of the parts whose speed is given"},
       Field{&Result::J_k, "J_k", kg_m2, "moment of inertia after of the parts whose speed is to be found"},
-      Field{&Result::omega_2, "omega_2", rad_per_s, "angular speed after of the parts that turn together"},
+      Field{&Result::omega_2, "omega_2", rad_per_s, "angular velocity after of the parts that turn together"},
       Field{&Result::n_2, "n_2", rpm, "the same in turns per minute"},
       Field{&Result::t_M, "t_M", sec, "time that the moment acts"},
       Field{&Result::E_1, "E_1", J, "kinetic energy before"},

@@ -103,7 +103,7 @@ wheels = [
     Moment E = unset<Moment>;
     Power P = unset<Power>;
     static constexpr Fields fields{NameField{&WheelState::name, "name", "name of the wheel"},
-                                   Field{&WheelState::omega, "omega", rad_per_s, "angular speed at the end"},
+                                   Field{&WheelState::omega, "omega", rad_per_s, "angular velocity at the end"},
                                    Field{&WheelState::n, "n", rpm, "the same in turns per minute"},
                                    Field{&WheelState::E, "E", J, "kinetic energy at the end"},
                                    Field{&WheelState::P, "P", W, "power of the driving moment at the end"}};

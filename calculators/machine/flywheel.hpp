@@ -89,7 +89,7 @@ delta = 0.01
           .positive()
           .usually(10, 7200),
       Choice{&Input::role, "role", "origin of the moment: load or drive"}.may_be_missing(),
-      Field{&Input::omega, "omega", rad_per_s, "mean angular speed"}.positive().usually(0.1, 1e4),
+      Field{&Input::omega, "omega", rad_per_s, "mean angular velocity"}.positive().usually(0.1, 1e4),
       Field{&Input::turns_per_turn, called("ratio"), ratio,
             "speed of this shaft over that of the crank over whose angle the series M is given; M is of this shaft"}
           .positive()

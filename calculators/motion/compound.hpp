@@ -62,7 +62,7 @@ phi = "60 deg"
       Field{&Input::a_xi, "a_xi", m_per_s2, "relative acceleration along xi"},
       Field{&Input::a_eta, "a_eta", m_per_s2, "relative acceleration along eta"},
       Field{&Input::a_zeta, "a_zeta", m_per_s2, "relative acceleration along the axis of rotation"},
-      Field{&Input::omega, "omega", rad_per_s, "angular speed of the frame, counter-clockwise positive"},
+      Field{&Input::omega, "omega", rad_per_s, "angular velocity of the frame, counter-clockwise positive"},
       Field{&Input::epsilon, "epsilon", rad_per_s2, "angular acceleration of the frame, counter-clockwise positive"},
       Field{&Input::phi, "phi", deg, "angle from x to xi"},
       Field{&Input::v_Ax, "v_Ax", m_per_s, "velocity of the origin of the frame along x"},

@@ -1,6 +1,7 @@
-// Plane motion of a body at one instant: angular speed, pole of velocities, velocities and accelerations of its points.
+// Plane motion of a body at one instant: angular velocity, pole of velocities, velocities and accelerations of its
+// points.
 //
-// The angular speed is given, or follows from the velocities of two points A and B: by the theorem of projections
+// The angular velocity is given, or follows from the velocities of two points A and B: by the theorem of projections
 // where the perpendiculars to them meet, by the tips of the velocities where both are perpendicular to AB. Equal
 // velocities are a translation, without a pole; equal magnitudes do not suffice (opposite velocities turn about the
 // middle of AB). Sign: angles counter-clockwise from x. Source: [B29].
@@ -72,7 +73,7 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
       Field{&Result::AB, "AB", m, "distance of A and B"},
       Field{&Result::beta, "beta", deg, "direction from A to B, from x"},
       Field{&Result::v_B, "v_B", m_per_s, "velocity of B along alpha_B, signed"},
-      Field{&Result::omega, "omega", rad_per_s, "angular speed, counter-clockwise positive"},
+      Field{&Result::omega, "omega", rad_per_s, "angular velocity, counter-clockwise positive"},
       Field{&Result::x_P, "x_P", m, "pole of velocities, x; none in a translation"},
       Field{&Result::y_P, "y_P", m, "pole of velocities, y; none in a translation"},
       Field{&Result::PA, "PA", m, "distance of A from the pole of velocities"},
@@ -92,8 +93,9 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.A.x) && is_set(in.A.y); }, "A", "give A = [x, y]"},
       Rule<Input>{[](const Input& in) { return is_set(in.B.x) == is_set(in.B.y); }, "B", "give B = [x, y]"},
-      Rule<Input>{&has_one_way, "omega, B, v_B, alpha_B",
-                  "the angular speed is omega, or comes from B with alpha_B (or v_B = \"0 m/s\"): give one of the two"},
+      Rule<Input>{
+          &has_one_way, "omega, B, v_B, alpha_B",
+          "the angular velocity is omega, or comes from B with alpha_B (or v_B = \"0 m/s\"): give one of the two"},
       Rule<Input>{&is_B_apart, "A, B", "A and B must be two places"},
       Rule<Input>{
           &has_speed_of_B, "v_B, alpha_B, A, B",

@@ -75,7 +75,7 @@ struct PlaneTypes {
 constexpr auto choices_of(PlaneTypes::Case) {
   using C = PlaneTypes::Case;
   return std::array{
-      ChoiceName<C>{C::given, "given", "the angular speed is given"},
+      ChoiceName<C>{C::given, "given", "the angular velocity is given"},
       ChoiceName<C>{C::meeting, "meeting", "the perpendiculars to the velocities meet in the pole"},
       ChoiceName<C>{C::tips, "tips", "both velocities are perpendicular to AB: the line through their tips"},
       ChoiceName<C>{C::inclined, "inclined", "parallel velocities, oblique to AB: a translation"}};

@@ -27,7 +27,7 @@ void count_turns(const Rotation::Input& in, Rotation::Result& r, Tracer& trace) 
   const double phi_2 = trace.angle("phi_2", motion::at(law, in_si(in.t_2)).value, "law of rotation at t_2");
   STEP_TO(r, Delta_phi, phi_2 - phi_1, "angle turned");
   STEP_TO(r, turns, Delta_phi / (2.0 * pi), "a turn is 2 pi");
-  STEP_TO(r, omega_m, Delta_phi / (in.t_2 - in.t_1), "mean angular speed, [B28]");
+  STEP_TO(r, omega_m, Delta_phi / (in.t_2 - in.t_1), "mean angular velocity, [B28]");
 }
 
 template <class Tracer>
@@ -78,7 +78,7 @@ template Rotation::Result Rotation::evaluate(const Input&, Trace&);
 std::vector<draw::Figure> Rotation::figures(const Input& in, const Result& r) {
   std::vector<draw::Figure> all;
   if (is_set(in.t_1)) {
-    draw::Plot plot = over_time("omega", "angular speed", "rad/s");
+    draw::Plot plot = over_time("omega", "angular velocity", "rad/s");
     const auto speed = [law = law_of(in)](double t) { return motion::at(law, t).first; };
     plot.curves.push_back(curve_over(in_si(in.t_1), in_si(in.t_2), 181, "omega", speed));
     if (in.t_1 <= in.t && in.t <= in.t_2) plot.marks.push_back({in_si(in.t), in_si(r.omega), "at t"});

@@ -75,13 +75,13 @@ t_2 = "2 s"
   };
   static constexpr Fields results{
       Field{&Result::phi_t, "phi_t", deg, "angle at the time t"},
-      Field{&Result::omega, "omega", rad_per_s, "angular speed, signed"},
-      Field{&Result::n, "n", rpm, "angular speed in turns per minute, signed"},
+      Field{&Result::omega, "omega", rad_per_s, "angular velocity, signed"},
+      Field{&Result::n, "n", rpm, "angular velocity in turns per minute, signed"},
       Field{&Result::epsilon, "epsilon", rad_per_s2, "angular acceleration, signed"},
       Choice{&Result::change, "change", "the body accelerates or decelerates"},
       Field{&Result::Delta_phi, "Delta_phi", deg, "angle turned from t_1 to t_2, signed"},
       Field{&Result::turns, "turns", ratio, "turns from t_1 to t_2, signed"},
-      Field{&Result::omega_m, "omega_m", rad_per_s, "mean angular speed from t_1 to t_2"},
+      Field{&Result::omega_m, "omega_m", rad_per_s, "mean angular velocity from t_1 to t_2"},
       Field{&Result::v, "v", m_per_s, "speed of the point"},
       Field{&Result::a_tau, "a_tau", m_per_s2, "tangential acceleration, positive counter-clockwise"},
       Field{&Result::a_n, "a_n", m_per_s2, "normal acceleration, towards the axis"},
@@ -114,7 +114,7 @@ t_2 = "2 s"
 constexpr auto choices_of(Rotation::Change) {
   using C = Rotation::Change;
   return std::array{ChoiceName<C>{C::at_rest, "at_rest", "the body is at rest at this time"},
-                    ChoiceName<C>{C::steady, "steady", "the angular speed does not change at this time"},
+                    ChoiceName<C>{C::steady, "steady", "the angular velocity does not change at this time"},
                     ChoiceName<C>{C::faster, "faster", "accelerated"}, ChoiceName<C>{C::slower, "slower", "retarded"}};
 }
 

@@ -83,7 +83,7 @@ void show_modes(const Calculator& calculator) {
     rows.push_back({std::string("  ") + mode.id, mode.title, assessor_of(mode)});
   }
   if (rows.empty()) return;
-  std::cout << "Failure modes, and what assesses them; accept.MODE = \"reason\" answers for one that is not assessed\n"
+  std::cout << "Failure modes and their checks; accept.MODE = \"reason\" accepts one that is not assessed\n"
             << terminal::columns(rows) << "\n";
 }
 

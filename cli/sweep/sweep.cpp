@@ -107,9 +107,9 @@ bool Sweeping::read_aims(std::vector<Issue>& issues) {
       for (const auto& c : plan_.columns) names.push_back(c.name);
       issues.push_back({{"--pareto", 0, 0, 1},
                         "",
-                        aim == "min" || aim == "max" ? say("'{1}' is none of the results", name)
+                        aim == "min" || aim == "max" ? say("'{1}' is not one of the results", name)
                                                      : say("'{1}' is not an objective: min or max", aim),
-                        names.empty() ? say("read it off first: --results {1}", name) : there_is(names),
+                        names.empty() ? say("add it to the results: --results {1}", name) : there_is(names),
                         Severity::error});
       return false;
     }

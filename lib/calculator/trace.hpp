@@ -94,7 +94,7 @@ class Trace {
     add(symbol, "", why, radians, Dimension::of(0, 0, 0, 0, 1));
     return radians;
   }
-  /// The same of an angular speed, which in C++ has the dimension of a frequency.
+  /// The same of an angular velocity, which in C++ has the dimension of a frequency.
   AngularSpeed speed(const char* symbol, AngularSpeed omega, const char* why) {
     add(symbol, "", why, in_si(omega), Dimension::of(0, 0, -1, 0, 1));
     return omega;

@@ -149,7 +149,7 @@ FieldFault lost_angle(const Operand& operand, const Dimension& given) {
   const Dimension& wanted = operand.leaf.field->dimension;
   if (given == wanted || wanted != Dimension::of(0, 0, 0, 0, 1) || !operand.expression.references().empty()) return {};
   return {operand.path,
-          say("'{1}' takes a value of {2}, and this expression is one of {3}", operand.path, name_of(wanted),
+          say("'{1}' takes a value of {2}, but this expression is one of {3}", operand.path, name_of(wanted),
               name_of(given)),
           say("write its unit: deg or rad")};
 }
@@ -170,7 +170,7 @@ const Axis* check_operand(const Operand& operand, const std::string& step, const
   if (signature->dimension.without_angle() != wanted.without_angle()) {
     issues.push_back({place_in(operand.place, operand.text, 0, operand.text.size()),
                       key,
-                      say("'{1}' is a {2}, and this expression is a {3}", operand.path, name_of(wanted),
+                      say("'{1}' is a {2}, but this expression is a {3}", operand.path, name_of(wanted),
                           name_of(signature->dimension)),
                       {},
                       Severity::error});

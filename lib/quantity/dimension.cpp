@@ -42,7 +42,7 @@ constexpr Named names[] = {
     {Dimension::of(-1, 1, -2) * Dimension::of(1, 0, 0).power(1, 2), "fracture toughness"},
     {Dimension::of(0, 0, 0, 0, 1), "angle"},
     {Dimension::of(-1, 0, 0, 0, 1), "twist"},
-    {Dimension::of(0, 0, -1, 0, 1), "angular speed"},
+    {Dimension::of(0, 0, -1, 0, 1), "angular velocity"},
     {Dimension::of(0, 0, -2, 0, 1), "angular acceleration"},
     {Dimension::of(0, 0, 0, 1), "temperature"},
     {Dimension::of(0, 0, 0, -1), "coefficient of thermal expansion"},

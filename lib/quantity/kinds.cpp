@@ -77,7 +77,7 @@ std::string_view name_of(Meant kind) {
     case Meant::frequency:
       return "a frequency";
     case Meant::angular_speed:
-      return "an angular speed";
+      return "an angular velocity";
     case Meant::rate:
       return "radians per time";
     case Meant::work:

@@ -1,5 +1,5 @@
 // The meaning of a value beyond its dimension: a shear stress differs from a normal stress, a frequency from an
-// angular speed. One table gives the kinds of literals by unit, of fields by symbol and meaning, and the kinds that
+// angular velocity. One table gives the kinds of literals by unit, of fields by symbol and meaning, and the kinds that
 // each field takes. Propagation through expressions is in lib/quantity/expression/kinds.cpp.
 #pragma once
 

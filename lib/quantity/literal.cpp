@@ -116,7 +116,7 @@ Fault wrong_dimension(const Written& w, const Expected& expected) {
 /// A rotational speed that is written without its angle: 1/min counts revolutions, all else is refused.
 Outcome<Literal> rotational_speed(Written w) {
   if (w.unit.has(Mark::hertz))
-    return refuse(w, say("'{1}' is a frequency, an angular speed is expected", w.text),
+    return refuse(w, say("'{1}' is a frequency, an angular velocity is expected", w.text),
                   say("write it in rpm or in rad/s"));
   if (w.unit.names != 1 || !w.unit.has(Mark::minute))
     return refuse(w, say("'{1}' is ambiguous: radians or revolutions", w.text), say("write 'rad/s' or 'rev/s'"));

@@ -43,7 +43,7 @@ struct UnitValue {
 };
 
 /// A unit by itself: "N·m", "mm²", "об/мин", "lbf*in"; "-" and "1" are the unit of a ratio. Without a field that
-/// expects an angular speed, 1/min is a frequency; a rotational speed has the unit rpm.
+/// expects an angular velocity, 1/min is a frequency; a rotational speed has the unit rpm.
 Outcome<UnitValue> parse_unit(std::string_view text);
 
 }  // namespace loadpath

@@ -34,7 +34,7 @@ constexpr Habit habits[] = {
     {Dimension::of(0, 1, 0), "kg"},
     {Dimension::of(2, 1, 0), "kg*m^2"},
     {Dimension::of(0, 0, 1), "s"},
-    {Dimension::of(0, 0, -1), "1/s"},  // both angular speeds and frequencies
+    {Dimension::of(0, 0, -1), "1/s"},  // both angular velocities and frequencies
     {Dimension::of(0, 0, 0, 0, 1), "deg"},
     {Dimension::of(0, 0, -1, 0, 1), "rad/s"},
     {Dimension::of(-1, 0, 0, 0, 1), "deg/m"},

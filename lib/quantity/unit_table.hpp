@@ -23,7 +23,7 @@ struct Prefix {
 /// Properties of a unit beyond its dimension.
 enum class Mark : std::uint8_t {
   none = 0,
-  minute = 1,        // 1/min counts revolutions where an angular speed is expected
+  minute = 1,        // 1/min counts revolutions where an angular velocity is expected
   hertz = 2,         // cycles, never revolutions
   work = 4,          // never a moment
   scale = 8,         // a point on a scale (°C), not a step

@@ -1,6 +1,6 @@
 // Quantities at compile time: the only file with boost::units. In an optimised build a quantity is a double.
 //
-// Moments are N*m for bending and torsion alike; an angle is a double in rad; an angular speed is 1/s. Distinctions
+// Moments are N*m for bending and torsion alike; an angle is a double in rad; an angular velocity is 1/s. Distinctions
 // that the types do not make (deg from %, rpm from Hz, N*m from J) are part of the Unit of a field.
 #pragma once
 

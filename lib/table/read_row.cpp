@@ -56,7 +56,8 @@ void Reader::read_steps(const Tree& tree, const Frame& frame, Row& row, const Cr
   for (const Tree& item : tree.items) {
     Step step = read_step(item, frame, row.name, credit);
     const double last = row.by_size.empty() ? 0.0 : row.by_size.back().size_max;
-    if (!(step.size_max > last)) complain(item.place, row.name + ".by_size", say("sizes must ascend from above zero"));
+    if (!(step.size_max > last))
+      complain(item.place, row.name + ".by_size", say("sizes must be positive and ascending"));
     row.by_size.push_back(std::move(step));
   }
 }

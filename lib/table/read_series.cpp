@@ -58,7 +58,7 @@ bool Reader::read_series(const Tree& tree, Series& series) {
 
 std::vector<double> Reader::ascending(const Tree& tree, const std::string& key) {
   auto list = numbers(tree, key);
-  if (!list.empty() && !ascends(list)) complain(tree.place, key, say("sizes must ascend from above zero"));
+  if (!list.empty() && !ascends(list)) complain(tree.place, key, say("sizes must be positive and ascending"));
   return list;
 }
 

@@ -187,7 +187,7 @@ Message did_you_mean(std::string_view word, const std::vector<std::string>& cand
 Message there_is(const std::vector<std::string>& candidates) {
   std::string all;
   for (const std::string& candidate : candidates) all += (all.empty() ? "" : ", ") + candidate;
-  return say("there is: {1}", all);
+  return say("available: {1}", all);
 }
 
 }  // namespace loadpath

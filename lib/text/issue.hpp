@@ -117,7 +117,7 @@ std::vector<std::string> all_nearest(std::string_view word, const std::vector<st
 /// "did you mean '{1}'?" with the nearest candidate after `prefix`; `otherwise` if none is near.
 Message did_you_mean(std::string_view word, const std::vector<std::string>& candidates, Message otherwise = {},
                      const std::string& prefix = {});
-/// "there is: a, b, c"
+/// "available: a, b, c"
 Message there_is(const std::vector<std::string>& candidates);
 
 }  // namespace loadpath

@@ -70,7 +70,7 @@ Message there_is(const std::vector<Known>& known) {
   std::string all;
   const bool with_meanings = known.size() <= most_told;
   for (const Known& one : known) all += (all.empty() ? "" : ", ") + (with_meanings ? told(one.word, one) : one.word);
-  return say("there is: {1}", all);
+  return say("available: {1}", all);
 }
 
 }  // namespace loadpath

@@ -20,7 +20,7 @@ struct Known {
 Message meant(std::string_view word, const std::vector<Known>& known, Message otherwise,
               const std::string& prefix = {});
 
-/// "there is: l (length), d (diameter)"; of many the words only.
+/// "available: l (length), d (diameter)"; of many the words only.
 Message there_is(const std::vector<Known>& known);
 
 }  // namespace loadpath

@@ -47,7 +47,7 @@ TEST_SUITE("cli help") {
           "loadpath: unknown command 'runn'\n  = help: did you mean 'run'?\n");
     CHECK(loadpath_with({"teapot"})
               .error.starts_with(
-                  "loadpath: unknown command 'teapot'\n  = help: there is: run, sweep, why, watch, list, describe, "
+                  "loadpath: unknown command 'teapot'\n  = help: available: run, sweep, why, watch, list, describe, "
                   "convert, verify, tables, completion, man, schema, init, diff, fmt, lsp, mechanism, shaft"));
     CHECK(loadpath_with({"teapot"}).code == 2);
   }

@@ -63,7 +63,7 @@ TEST_SUITE("cli mechanism") {
     CHECK(contains(mechanism(Desk(), {"--at", "\"30 deg\""}).out, "Drive and reactions\n"));
     CHECK(contains(mechanism(Desk(), {"--at", "[]"}).error, "--at:1:1: error: 'crank.at' is empty\n"));
     CHECK(contains(mechanism(Desk(), {"--r", "250 mm"}).error,
-                   ": error: the crank cannot turn round: the rod, l = 200 mm"));
+                   ": error: the crank cannot make a full revolution: the rod, l = 200 mm"));
     CHECK(mechanism(Desk(), {"--r", "250 mm"}).code == 2);
     CHECK(mechanism(Desk(), {"--at", "x deg"}).error.starts_with("--at:1:1: error: a number must come first"));
   }

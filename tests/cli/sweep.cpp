@@ -204,7 +204,7 @@ TEST_SUITE("sweep command" * by_case) {
       CHECK(ran.code == 2);
     };
     refused({"--results", "shaft.tau_mux"}, "shaft.tau_max");
-    refused({"--pareto", "m:min"}, "'m' is none of the results");
+    refused({"--pareto", "m:min"}, "'m' is not one of the results");
     refused({"--pareto", "tau:least"}, "'least' is not an objective");
     refused({"--shard", "1/2"}, "--out DIR");
     refused({"--out", "x", "--shard", "3/2"}, "'3/2' is not a shard");

@@ -77,7 +77,7 @@ TEST_SUITE("found project") {
           "[w]\ncalculator = \"machine.flywheel\"\nM_of_phi = \"400 N*m*cos(2*phi)\"\ndelta = 0.02\nomega = \"" +
           omega + "\"\n");
     };
-    for (const char* omega : {"50 Hz", "=50 Hz", "=3000/(1 min)"}) CHECK(contains(wheel(omega), "angular speed"));
+    for (const char* omega : {"50 Hz", "=50 Hz", "=3000/(1 min)"}) CHECK(contains(wheel(omega), "angular velocity"));
     CHECK(wheel("=2*(50 rpm)").empty());
     const auto slope = [](const std::string& alpha) {
       return refusal("[s]\ncalculator = \"dynamics.work\"\nm = \"10 kg\"\ns = \"2 m\"\nalpha = " + alpha + "\n");

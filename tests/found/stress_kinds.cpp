@@ -28,7 +28,7 @@ void takes_stress(const std::string& text) {
 
 TEST_SUITE("found kinds of stress") {
   TEST_CASE("X1: shear is no normal stress, by whatever way it comes") {
-    const std::string wrong = "is a normal stress, and this expression is a shear stress";
+    const std::string wrong = "is a normal stress, but this expression is a shear stress";
     for (const char* const value : {"=s.tau_max", "=1.2*s.tau_max", "=s.tau_max/2", "=-s.tau_max", "=s.tau_max + 5 MPa",
                                     "=max(s.tau_max, 1 MPa)", "=s.segments[1].tau"})
       refuses_stress(twisted_bar + cycle_of_it + "sigma_max = \"" + value + "\"\n", wrong);
@@ -58,12 +58,12 @@ TEST_SUITE("found kinds of stress") {
   TEST_CASE("a normal stress is no shear, and an equivalent one has no plane") {
     const std::string normal = "[n]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"80 MPa\"\nr = -1\n";
     refuses_stress(normal + cycle_of_it + "stress = \"shear\"\nsigma_max = \"=n.sigma_max\"\n",
-                   "is a shear stress, and this expression is a normal stress");
+                   "is a shear stress, but this expression is a normal stress");
     takes_stress(normal + cycle_of_it + "sigma_max = \"=n.sigma_max\"\n");
     refuses_stress(normal +
                        "[m]\ncalculator = \"fatigue.cycle\"\nstress = \"shear\"\nsigma_max = \"80 MPa\"\nr = -1\n" +
                        cycle_of_it + "sigma_max = \"=m.sigma_a\"\n",
-                   "is a normal stress, and this expression is a shear stress");
+                   "is a normal stress, but this expression is a shear stress");
     const std::string path =
         "[p]\ncalculator = \"fatigue.combined\"\nsigma_D = \"180 MPa\"\ntau_D = \"110 MPa\"\nK_sigma = 1.7\nK_tau = "
         "1.5\n"

@@ -71,7 +71,7 @@ bool V::section_is_known(const Input& in) {
 FieldFault V::unknown_section(const Input& in) {
   const char* const basis = in.basis == Basis::iso ? "iso" : "optibelt";
   return {"section", say("the basis {1} does not rate a section '{2}'", basis, in.section.view()),
-          say("there is: {1}", names_of_v_sections(in.basis))};
+          say("available: {1}", names_of_v_sections(in.basis))};
 }
 
 bool V::class_fits(const Input& in) {

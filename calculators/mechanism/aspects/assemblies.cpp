@@ -67,7 +67,8 @@ std::vector<FieldFault> choose_assembly(const Mechanism::Input& in, const mechan
   }
   if (!faults.empty()) return faults;
   const Assembly* chosen = best(list, in);
-  if (chosen == nullptr) return {{"sides", say("no assembly has all these sides"), say("there is: {1}", listed(list))}};
+  if (chosen == nullptr)
+    return {{"sides", say("no assembly has all these sides"), say("available: {1}", listed(list))}};
   for (std::size_t k = 0; k < model.links.size(); ++k) model.links[k].pose = chosen->poses[k];
   return {};
 }

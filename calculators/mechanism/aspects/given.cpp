@@ -96,7 +96,7 @@ Table drive_table(const Mechanism::Input& in) {
       table.rows.push_back({say("crank angle at t"), std::string(in.crank.angle_of_t.view())});
       table.rows.push_back({say("for"), Quantity{in_si(in.crank.duration), "s"}});
     } else if (in.crank.law.empty()) {
-      table.rows.push_back({say("angular speed"), Quantity{in_si(in.crank.speed), "rad/s"}});
+      table.rows.push_back({say("angular velocity"), Quantity{in_si(in.crank.speed), "rad/s"}});
       table.rows.push_back({say("angular acceleration"), Quantity{in_si(in.crank.acceleration), "rad/s^2"}});
     }
     add_sense(say("about to turn"), in.crank.impending, table);

@@ -21,7 +21,7 @@ struct MovingLink {
 constexpr std::array link_rows{
     row<MovingLink>("links.NAME.phi", "angle of the link's axes", deg, {.kind = Kind::direction, .detail = true},
                     [](const MovingLink& l, const Position& p) { return p.pose[l.index].phi; }),
-    row<MovingLink>("links.NAME.omega", "angular speed", rad_per_s, {.detail = true},
+    row<MovingLink>("links.NAME.omega", "angular velocity", rad_per_s, {.detail = true},
                     [](const MovingLink& l, const Position& p) { return p.velocity[l.index].phi; }),
     row<MovingLink>("links.NAME.epsilon", "angular acceleration", rad_per_s2, {.detail = true},
                     [](const MovingLink& l, const Position& p) { return p.acceleration[l.index].phi; })};

@@ -224,8 +224,8 @@ std::vector<FieldFault> check_drawing(const Mechanism::Input& in, const mechanis
     const double apart = mechanism::length(j.point_i - j.point_j);
     if (j.kind != mechanism::JointKind::revolute || !drawn(j.i) || !drawn(j.j) || apart <= 0.01 * size) continue;
     faults.push_back({path_of("joints", in.joints[k].name, ""),
-                      say("the pin '{1}' is drawn at two places, {2} apart", j.name, format_quantity(apart, "mm", 4)),
-                      say("draw it at one position on both links, or give the links their angles")});
+                      say("the pin '{1}' has two positions, {2} apart", j.name, format_quantity(apart, "mm", 4)),
+                      say("give it the same position on both links, or give the links their angles")});
   }
   check_lengths(in, model, size, faults);
   return faults;

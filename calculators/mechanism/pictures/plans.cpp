@@ -132,7 +132,7 @@ std::vector<draw::Figure> plan_figures(const PlanSubject& subject) {
     figures.push_back(
         {"zhukovsky",
          "Zhukovsky's lever: the velocity plan turned clockwise by a right angle, with the forces at the "
-         "images of their points; the moments about the pole, with couples times their angular speed, sum "
+         "images of their points; the moments about the pole, with couples times their angular velocity, sum "
          "to zero",
          draw::Plans{{std::move(lever)}}});
   }

@@ -31,7 +31,7 @@ draw::Plan velocity_plan(const PlanSubject& subject);
 draw::Plan acceleration_plan(const PlanSubject& subject);
 
 /// The velocity plan turned clockwise by a right angle, with the forces at the images of their points: their moments
-/// about the pole, and couples times angular speeds, sum to zero.
+/// about the pole, and couples times angular velocities, sum to zero.
 draw::Plan zhukovsky_lever(const PlanSubject& subject);
 
 /// The figures of all plans that say something at this position.

@@ -7,15 +7,15 @@ std::optional<FieldFault> stop_of(const Chain& chain, const char* path) {
   const Length stretched = chain.coupler + chain.rocker, folded = abs(chain.coupler - chain.rocker);
   if (stretched <= far) {
     return FieldFault{path,
-                      say("the crank cannot turn round: its pin comes as far as {1} from the {2}'s fixed pin, and {3} "
-                          "and {2} reach {4}",
+                      say("the crank cannot make a full revolution: its pin moves as far as {1} from the fixed pin of "
+                          "the {2}, but {3} and {2} together reach only {4}",
                           text_of(far), chain.rocker_name, chain.coupler_name, text_of(stretched)),
                       part_of_a_turn()};
   }
   if (near <= folded) {
     return FieldFault{path,
-                      say("the crank cannot turn round: its pin comes as near as {1} to the {2}'s fixed pin, and {3} "
-                          "and {2} differ by {4}",
+                      say("the crank cannot make a full revolution: its pin comes within {1} of the fixed pin of the "
+                          "{2}, but {3} and {2} differ by {4}",
                           text_of(near), chain.rocker_name, chain.coupler_name, text_of(folded)),
                       part_of_a_turn()};
   }

@@ -41,15 +41,15 @@ loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
                         say("the lever does not swing: the crank, r = {1}, must be shorter than the distance of the "
                             "lever's pin, d = {2}",
                             text_of(r), text_of(d)),
-                        say("with a longer crank the lever turns round: template = \"whitworth\"")};
+                        say("with a longer crank the lever makes full revolutions: template = \"whitworth\"")};
     }
     if (c <= d + r) return leaves_slot("c", c, d + r);
     const Length lowest = c * sqrt(1.0 - r * r / (d * d));  // height of C above B, at the ends of the swing
     const Length away = max(abs(c - e), abs(lowest - e));
     if (l > away) return std::nullopt;
     return FieldFault{"l",
-                      say("the crank cannot turn round: the end of the lever comes as far as {1} from the guide, and "
-                          "the rod is {2} long",
+                      say("the crank cannot make a full revolution: the end of the lever moves as far as {1} from the "
+                          "guide, but the rod is only {2} long",
                           text_of(away), text_of(l)),
                       part_of_a_turn()};
   }

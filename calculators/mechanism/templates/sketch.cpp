@@ -46,20 +46,21 @@ double direction(Vec from, Vec to) { return std::atan2(to.y - from.y, to.x - fro
 std::string text_of(Length l) { return format_quantity(in_si(l), "mm", 5); }
 
 Message part_of_a_turn() {
-  return say("change a length, or solve a part of the turn: crank = { at = [\"0 deg\", \"10 deg\"] }");
+  return say("change a length, or solve part of a revolution: crank = { at = [\"0 deg\", \"10 deg\"] }");
 }
 
 std::optional<FieldFault> pin_runs_through(const char* pin, Length r, Length d) {
   if (abs(r - d) > 1e-9 * d) return std::nullopt;
   return FieldFault{
       "r",
-      say("the crank cannot turn round: r and d are both {1}, so that its pin A comes to lie on {2}", text_of(r), pin),
+      say("the crank cannot make a full revolution: r and d are both {1}, so its pin A passes through {2}", text_of(r),
+          pin),
       part_of_a_turn()};
 }
 
 FieldFault leaves_slot(const char* path, Length lever, Length farthest) {
   return {path,
-          say("the crank's pin leaves the slot: it comes as far as d + r = {1} from B, and the lever is {2} long",
+          say("the crank pin leaves the slot: it moves as far as d + r = {1} from B, but the lever is only {2} long",
               text_of(farthest), text_of(lever)),
           part_of_a_turn()};
 }

@@ -40,11 +40,11 @@ loads = [{ link = "slider", at = "B", F_x = "-1 kN", F_y = "0 N" }]
 
   [[nodiscard]] std::optional<FieldFault> crank_stop() const {
     if (l > r + abs(e)) return std::nullopt;
-    return FieldFault{"l",
-                      say("the crank cannot turn round: the rod, l = {1}, must be longer than crank and offset "
-                          "together, {2}",
-                          text_of(l), text_of(r + abs(e))),
-                      part_of_a_turn()};
+    return FieldFault{
+        "l",
+        say("the crank cannot make a full revolution: the rod, l = {1}, must exceed the sum of crank and offset, {2}",
+            text_of(l), text_of(r + abs(e))),
+        part_of_a_turn()};
   }
 };
 

@@ -43,11 +43,11 @@ loads = [{ link = "ram", at = "D", F_x = "-1.5 kN", F_y = "0 N" }]
                         say("with a shorter crank the lever swings: template = \"shaper\"")};
     }
     if (l > c + abs(e)) return std::nullopt;
-    return FieldFault{"l",
-                      say("the lever cannot turn round: the rod, l = {1}, must be longer than arm and offset together, "
-                          "{2}",
-                          text_of(l), text_of(c + abs(e))),
-                      part_of_a_turn()};
+    return FieldFault{
+        "l",
+        say("the lever cannot make a full revolution: the rod, l = {1}, must exceed the sum of arm and offset, {2}",
+            text_of(l), text_of(c + abs(e))),
+        part_of_a_turn()};
   }
 };
 

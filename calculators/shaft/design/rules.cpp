@@ -167,7 +167,7 @@ FieldFault Design::open_sum(const Input& in) {
   const double sum = in_si(balance(in));
   if (!typed)
     return {
-        "seats", say("of the torques {1} are left over", format_quantity(sum, N_m.symbol)),
+        "seats", say("the torques do not balance: {1} remains", format_quantity(sum, N_m.symbol)),
         say("state the driving component, way = \"drives\", or let a coupling balance the torque, way = \"balances\"")};
   return {"seats", say("a balancing component must not have a given torque"), say("leave out its T")};
 }

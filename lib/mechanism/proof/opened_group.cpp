@@ -15,7 +15,7 @@ Eigen::Map<Triple> view(Acting& acting) { return Eigen::Map<Triple>(acting.data(
 Eigen::Map<const Triple> view(const Acting& acting) { return Eigen::Map<const Triple>(acting.data()); }
 
 /// Motions in which a joint with these forces does no work: about a pin, along a guide; with one force both; none in a
-/// rigid joint. Velocity of the common point and angular speed.
+/// rigid joint. Velocity of the common point and angular velocity.
 struct Freedoms {
   std::size_t count;
   std::array<Triple, 2> motion;

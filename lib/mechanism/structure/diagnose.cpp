@@ -18,9 +18,9 @@ std::vector<std::size_t> all(std::size_t count) {
 
 Finding not_closing(const Model& model, const Structure& structure) {
   return {Finding::About::joint, structure.open_joint,
-          say("joint '{1}' does not close: a gap of {2} stays open", model.joints[structure.open_joint].name,
+          say("joint '{1}' does not close: a gap of {2} remains", model.joints[structure.open_joint].name,
               format_quantity(structure.gap, "mm", 4)),
-          say("the stated poses are too far from an assembly, or the lengths do not permit one")};
+          say("the given angles are too far from an assembly position, or the lengths do not permit one")};
 }
 
 /// Whether a joint imposes a ratio of speeds.
@@ -59,14 +59,14 @@ std::vector<std::size_t> locking_wheels(const Model& model) {
 Finding wrong_number_of_drivers(const Model& model, const Structure& structure) {
   const auto drivers = static_cast<int>(model.drivers.size());
   Message message =
-      say("mobility {1}, but number of drivers {2}", std::to_string(structure.mobility), std::to_string(drivers));
-  Message hint =
-      structure.mobility > drivers
-          ? say("add a driver, or take a freedom away: {1} can still move", names_of(model.links, structure.loose))
-          : say("remove a driver: {1}", names_of(model.drivers, all(model.drivers.size())));
+      say("mobility {1}, number of drives {2}", std::to_string(structure.mobility), std::to_string(drivers));
+  Message hint = structure.mobility > drivers
+                     ? say("add a drive, or remove a degree of freedom: {1} can still move",
+                           names_of(model.links, structure.loose))
+                     : say("remove a drive: {1}", names_of(model.drivers, all(model.drivers.size())));
   const auto locking = structure.mobility == 0 ? locking_wheels(model) : std::vector<std::size_t>{};
   if (locking.size() > 1) {
-    hint = say("nothing can move: the ratios of {1} contradict each other; correct their radii, or leave one out",
+    hint = say("the mechanism is locked: the ratios of {1} contradict each other; correct their radii, or remove one",
                names_of(model.joints, locking));
   }
   return {Finding::About::model, 0, std::move(message), std::move(hint)};

@@ -80,7 +80,7 @@ void PartChecks::check(std::size_t k, const Link& link) {
         say("link '{1}': moment of inertia {2}: must be finite and not negative", link.name,
             format_quantity(link.inertia, "kg*m^2")));
   } else if (link.mass == 0.0 && link.inertia > 0.0 && !turns_about_fixed_pin(model_, static_cast<int>(k))) {
-    add(About::link, k, say("link '{1}' moves about, and has a moment of inertia but no mass", link.name),
+    add(About::link, k, say("link '{1}' is not on a fixed pin and has a moment of inertia, but no mass", link.name),
         say("give its mass too; a rotor on a pin of the frame needs only J, with its mass centre on that pin"));
   }
   const auto at_link = [&](const Joint& joint) {

@@ -117,7 +117,7 @@ Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
     return told(say("file '{1}' does not exist or cannot be read", path.string()),
                 fs::exists(path, error)
                     ? say("the file must have an end; for piped input use file = \"-\", with its form")
-                    : say("its path goes from the folder of the project file"));
+                    : say("the path is relative to the project file"));
   return rainflow::open_source(path.string());
 }
 

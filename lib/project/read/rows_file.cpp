@@ -300,7 +300,7 @@ std::optional<Tree> read_rows_file(const Tree& tree, std::span<const FieldInfo> 
   }
   if (!there || !toml::read_file(path.string(), text)) {
     wrong = issue_at(named.place, say("file '{1}' does not exist or cannot be read", path.string()),
-                     say("its path goes from the folder of the project file"));
+                     say("the path is relative to the project file"));
     return std::nullopt;
   }
   return Rows(tree, path.string(), fields).read(text, wrong);

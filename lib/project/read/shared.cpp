@@ -173,9 +173,8 @@ void Values::refuse_circle(const std::vector<std::string>& names, std::vector<Is
     told = std::exchange(all_.at(*name).in_circle, true) && name + 1 != names.end();
   }
   if (!told)
-    issues.push_back({shared.tree.place, "values." + names.back(),
-                      say("the values refer to one another in a circle: {1}", way),
-                      say("give one of the circle a value"), Severity::error});
+    issues.push_back({shared.tree.place, "values." + names.back(), say("circular reference between values: {1}", way),
+                      say("give one of them a value"), Severity::error});
 }
 
 void Values::write_into(Expression& expression, const Place& place, const std::string& key,
@@ -203,7 +202,7 @@ void Values::refuse_circle(const std::string& name, std::vector<Issue>& issues) 
   Shared& shared = all_[name];
   if (std::exchange(shared.in_circle, true)) return;
   issues.push_back({shared.tree.place, "values." + name, say("'values.{1}' refers to itself", name),
-                    say("give one of the circle a value"), Severity::error});
+                    say("give one of them a value"), Severity::error});
 }
 
 Message Values::nearest_to(const std::string& name) const {

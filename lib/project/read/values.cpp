@@ -105,7 +105,7 @@ bool is_out_of_proportion(double si) {
 }
 
 Message out_of_proportion(const std::string& path, const FieldInfo& field, double si) {
-  return say("{1} = {2} is out of all proportion", path, format_quantity(si, field.unit));
+  return say("{1} = {2} is implausible", path, format_quantity(si, field.unit));
 }
 
 void Reader::read_literal(const std::string& text, const Tree& tree, const FieldInfo& field, void* owner,
@@ -126,7 +126,7 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
                   say("{1} = {2}: {3}", path, format_quantity(si, field.unit), bounds_message(field)));
   }
   if (is_out_of_proportion(si)) {
-    return say_at(tree.place, path, say("{1} = {2} is out of all proportion", path, format_quantity(si, field.unit)),
+    return say_at(tree.place, path, say("{1} = {2} is implausible", path, format_quantity(si, field.unit)),
                   say("check the unit and the power of ten"));
   }
   if (!field.plausible.holds(si)) {
@@ -161,7 +161,7 @@ void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, 
   if (!number) {
     const std::string written =
         tree.type == Tree::Type::text ? "'" + tree.text + "'" : std::string(toml::word_for(tree.type));
-    return say_at(tree.place, path, say("{1} is none of the words for '{2}'", written, path),
+    return say_at(tree.place, path, say("{1} is not a valid word for '{2}'", written, path),
                   one_of(tree.text, words_to_type(field)));
   }
   field.set(owner, *number);

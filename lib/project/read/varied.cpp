@@ -97,7 +97,7 @@ void Reader::read_words(const Tree& tree, const FieldInfo& field, void* owner, c
     const auto number = is_word ? number_of_word(field, item.text) : std::nullopt;
     if (!number)
       return say_at(item.place, path,
-                    say("{1} is none of the words for '{2}'",
+                    say("{1} is not a valid word for '{2}'",
                         is_word ? "'" + item.text + "'" : std::string(toml::word_for(item.type)), path),
                     one_of(item.text, words));
     varied.words.emplace_back(field.choices[static_cast<std::size_t>(*number)].key);

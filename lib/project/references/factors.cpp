@@ -324,9 +324,10 @@ class Check {
       const std::string key = kind_of(factor);
       const FieldInfo* const own = find_field(step_.input().calculator->input->fields, key);
       if (own == nullptr || !own->is_factor || !counts(own_value(key))) continue;
-      issues_.push_back(issue_at(step_.input(), key,
-                                 say("{1} would count twice: '{2}' holds {3}", key, first_->path, told(held_, factor)),
-                                 say("leave out {1} here, or take '{2}' without it", key, first_->path)));
+      issues_.push_back(
+          issue_at(step_.input(), key,
+                   say("{1} would be applied twice: '{2}' includes {3}", key, first_->path, told(held_, factor)),
+                   say("leave out {1} here, or use '{2}' without it", key, first_->path)));
     }
   }
 

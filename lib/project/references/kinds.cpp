@@ -68,7 +68,7 @@ struct WrongKind {
 /// The meaning of a value with another angle, and its conversion to the required one.
 WrongKind wrong_angle(const Operand& operand, const Dimension& given) {
   const Dimension& wanted = operand.leaf.field->dimension;
-  Message message = say("'{1}' takes a value of {2}, and this expression is one of {3}", operand.path, name_of(wanted),
+  Message message = say("'{1}' takes a value of {2}, but this expression is one of {3}", operand.path, name_of(wanted),
                         name_of(given));
   if (wanted == turning)
     return {std::move(message),
@@ -79,7 +79,7 @@ WrongKind wrong_angle(const Operand& operand, const Dimension& given) {
 }
 
 WrongKind wrong_kind(const Operand& operand, Meant wanted, Meant given) {
-  Message message = say("'{1}' is {2}, and this expression is {3}", operand.path, name_of(wanted), name_of(given));
+  Message message = say("'{1}' is {2}, but this expression is {3}", operand.path, name_of(wanted), name_of(given));
   const bool stresses = given == Meant::shear_stress || given == Meant::equivalent_stress;
   if ((stresses && wanted != Meant::strength) || wanted == Meant::equivalent_stress)
     return {std::move(message), say("write mises(sigma, tau)")};

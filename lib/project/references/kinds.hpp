@@ -6,7 +6,7 @@
 namespace loadpath::project {
 
 /// Called in order of evaluation, when the step is prepared and before it is solved, when more words are known: a shear
-/// stress for a normal stress, a frequency for an angular speed become issues.
+/// stress for a normal stress, a frequency for an angular velocity become issues.
 void check_kinds(const Step& step, const Project& project, const Declared& declared, std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

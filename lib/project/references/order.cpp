@@ -157,8 +157,8 @@ class Ordering {
       members += project_.steps[*i]->name() + " -> ";
     const std::string& name = project_.steps[first]->name();
     issues_.push_back({project_.steps[first]->input().place, name,
-                       say("the steps refer to one another in a circle: {1}", members + name),
-                       say("give one of them a value"), Severity::error});
+                       say("circular reference between steps: {1}", members + name), say("give one of them a value"),
+                       Severity::error});
     return false;
   }
 

@@ -163,7 +163,7 @@ class Settling {
     });
     if (filled.empty()) {
       return refuse(taken,
-                    Fault{0, taken.source.size(), say("'{1}' has nothing that '{2}' lacks", taken.source, step_.name()),
+                    Fault{0, taken.source.size(), say("'{1}' provides no input of '{2}'", taken.source, step_.name()),
                           say("`loadpath describe {1}` lists the inputs", step_.input().calculator->id)});
     }
     reading_.records.push_back(taken);

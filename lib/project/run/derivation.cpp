@@ -132,7 +132,7 @@ bool Names::is_angle(const Line& line) const {
          });
 }
 
-/// In C++ an angular speed has the dimension of a frequency; the quantity that it is a multiple of distinguishes
+/// In C++ an angular velocity has the dimension of a frequency; the quantity that it is a multiple of distinguishes
 /// them: "rpm", "rad/s".
 std::string Names::unit_of_speed(const Line& line) const {
   if (line.dimension != Dimension::of(0, 0, -1)) return {};

@@ -75,8 +75,8 @@ const Sized& required(const std::vector<Sized>& all) {
 Issue contradiction(const std::string& body, const std::string& key, const Sized& a, const Sized& b) {
   const std::string unit = size_field(*a.step, key)->unit;
   Issue issue = issue_at(b.step->input(), key,
-                         say("the body '{1}' has one {2}: {3} has {4}, and {5} has {6}", body, key, a.step->name(),
-                             format_quantity(a.si, unit), b.step->name(), format_quantity(b.si, unit)),
+                         say("the body '{1}' needs a single {2}, but {3} has {4} and {5} has {6}", body, key,
+                             a.step->name(), format_quantity(a.si, unit), b.step->name(), format_quantity(b.si, unit)),
                          say("give it once, in [values], or let it be searched for: {1} = \"?\"", key));
   return issue;
 }
@@ -112,8 +112,8 @@ void check_rows(const std::string& body, const Members& members, const RowOf& ro
       const std::string other = row_of(*first->second, group);
       if (is_new || other == row) continue;
       issues.push_back(issue_at(step->input(), group,
-                                say("the body '{1}' has one {2}: {3} has '{4}', and {5} has '{6}'", body, group,
-                                    first->second->name(), other, step->name(), row),
+                                say("the body '{1}' needs a single {2}, but {3} has '{4}' and {5} has '{6}'", body,
+                                    group, first->second->name(), other, step->name(), row),
                                 say("use the same row in both, or omit 'body' for separate parts")));
     }
   }

@@ -116,7 +116,7 @@ void refuse_other_values(const Handed& before, const Project& project, const Ste
     const bool same = is_alike(taken.first, value == nullptr ? std::vector<double>{} : value->si);
     if (same && taken.second == step.word(split_step(path).second)) continue;
     issues.push_back({step.input().place, step.name(),
-                      say("the steps refer to one another in a circle: '{1}' depends on its own results", path),
+                      say("circular reference: '{1}' depends on its own results", path),
                       say("give one of them a value"), Severity::error});
     return;
   }

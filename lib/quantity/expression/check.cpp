@@ -117,7 +117,7 @@ class Check {
       const auto& b = kid.dimension;
       const bool bare = a.is_number() || b.is_number();
       return fault(node, say(rule, name_of(a), name_of(b)),
-                   bare ? say("give the number a unit") : say("both must be quantities of one kind"));
+                   bare ? say("give the number a unit") : say("both must have the same dimension"));
     }
     return kids.front().dimension;
   }
@@ -219,11 +219,11 @@ class Check {
   [[nodiscard]] static std::optional<Fault> wrong_place(const Node& place, const Signature& given, const Axis& axis) {
     const auto unit = parse_unit(axis.unit);
     if (unit && given.dimension != unit->dimension) {
-      return fault(place, say("the place must be on the axis '{1}', not {2}", axis.name(), name_of(given.dimension)),
+      return fault(place, say("the position must be on the axis '{1}', not {2}", axis.name(), name_of(given.dimension)),
                    say("write it in {1}, as in 60 {1}", axis.unit));
     }
     if (is_constant(place)) return {};
-    return fault(place, say("the place must be a constant"), say("write it in {1}, as in 60 {1}", axis.unit));
+    return fault(place, say("the position must be a constant"), say("write it in {1}, as in 60 {1}", axis.unit));
   }
 
   const Tree& tree_;

@@ -6,7 +6,7 @@
 //           `2 N*m*lever.drive.phi`, `40 mm*cos(20 deg)`, `2 m*pi`); `1/min` and `W/(m*K)` are units
 //   name    always with a dot: lever.drive.M, shaft.segments[2].tau, shaft.segments.journal.tau; a part that is not a
 //           name in quotes: tables.sections."IPE 330".I_y
-//   const   pi, rev (one turn: rev*f is the angular speed of f turns per time), g (9.80665 m/s^2; inside the unit of a
+//   const   pi, rev (one turn: rev*f: angular velocity of f turns per time), g (9.80665 m/s^2; inside the unit of a
 //           number g is the gram: `5 g`, `2 kN/g`, but `80 kg * (g)`)
 //   calls   peak min max mean rms amplitude range at(series, place) abs sqrt cbrt exp ln sin cos tan asin acos
 //           atan atan2 mises(sigma, tau)

@@ -131,7 +131,7 @@ class Walk {
     const std::string kind = held ? counted_twice(*held) : "";
     if (kind.empty() || twice_) return held;
     const std::string name = name_of_kind(*held, kind);
-    twice_ = fault(node, say("{1} would count twice: '{2}' holds {3}", kind, of(node, 0), name),
+    twice_ = fault(node, say("{1} would be applied twice: '{2}' includes {3}", kind, of(node, 0), name),
                    say("take one of them without it"));
     return held;
   }

@@ -103,7 +103,7 @@ Lines formula_lines(const project::Step& step, const account::Mode& mode, std::s
   Lines lines;
   if (!step.account().governing.empty() && shown > 0)
     lines = lines_of("  evaluated " + step.account().governing.text(), look.width, 2);
-  if (all.size() > shown) lines.push_back("  " + std::to_string(all.size() - shown) + " formulas before: --full");
+  if (all.size() > shown) lines.push_back("  " + std::to_string(all.size() - shown) + " preceding formulas: --full");
   for (std::string& line : rows_as_lines(std::move(rows), look)) lines.push_back(std::move(line));
   return lines;
 }

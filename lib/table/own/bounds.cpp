@@ -189,7 +189,7 @@ void OwnReader::compare_with(const RowRead& read, const Entry& replaced, std::ve
              say("{1} = {2} of '{3}' is above the {4} of the built-in row that it replaces", column.key,
                  format_quantity(value_at(own, column.key, *found), column.unit, 5), read.row.name,
                  format_quantity(value_at(replaced, column.key, *found), column.unit, 5)),
-             say("say why, because.{1} = \"certificate 4711\", or give it a name of its own", column.key));
+             say("give the reason, because.{1} = \"certificate 4711\", or give the row another name", column.key));
   }
 }
 

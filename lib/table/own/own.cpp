@@ -170,7 +170,7 @@ void OwnReader::read_because(const Tree::Entry& entry, const Table& table, const
 std::string OwnReader::read_source(const Tree& row, const Place& place, const std::string& key) {
   if (const auto* source = row.find("source")) return text_of(*source, key + ".source");
   complain(place, key, say("'{1}' has no source", key),
-           say("say where its values come from: source = \"certificate 4711 of 2026-03-02\""));
+           say("state the origin of its values: source = \"certificate 4711 of 2026-03-02\""));
   return {};
 }
 
@@ -251,7 +251,7 @@ void OwnReader::read_size(const Tree& tree, const Table& table, const std::strin
   }
   Step step{read_quantity(size->value, table.size, key + ".size_max"), {}};
   const double last = row.by_size.empty() ? 0.0 : row.by_size.back().size_max;
-  if (step.size_max <= last) complain(size->value.place, key, say("sizes must ascend from above zero"));
+  if (step.size_max <= last) complain(size->value.place, key, say("sizes must be positive and ascending"));
   for (const Tree::Entry& entry : tree.entries) {
     if (entry.key != "size_max") read_value(entry, table, key, step.values);
   }

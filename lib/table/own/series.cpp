@@ -54,7 +54,7 @@ std::vector<double> OwnReader::read_members(const Tree& tree, const std::string&
     complain(tree.place, key, say("'{1}' must be an array of numbers", "sizes"),
              say("they are in 'unit': sizes = [20, 25, 32]"));
   } else if (members[0] <= 0.0 || !std::is_sorted(members.begin(), members.end(), std::less_equal<>{})) {
-    complain(tree.place, key, say("sizes must ascend from above zero"));
+    complain(tree.place, key, say("sizes must be positive and ascending"));
   }
   return members;
 }

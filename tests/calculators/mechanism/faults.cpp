@@ -60,7 +60,7 @@ TEST_SUITE("mechanism faults") {
     CHECK(with("link = \"slider\"", "link = \"hammer\"") == R"(a.toml:30:9: error: unknown link 'hammer'
 30 | link = "hammer"
    |         ^^^^^^
-   = help: there is: crank, rod, slider, ground
+   = help: available: crank, rod, slider, ground
 )");
   }
 
@@ -99,10 +99,10 @@ TEST_SUITE("mechanism faults") {
 
   TEST_CASE("no drive where there is a freedom") {
     CHECK(with("crank = { joint = \"O\", speed = \"60 rpm\", positions = 12 }\n", "") ==
-          R"(a.toml:1:2: error: mobility 1, but number of drivers 0
+          R"(a.toml:1:2: error: mobility 1, number of drives 0
 1 | [press]
   |  ^^^^^
-  = help: add a driver, or take a freedom away: 'crank', 'rod', 'slider' can still move
+  = help: add a drive, or remove a degree of freedom: 'crank', 'rod', 'slider' can still move
 )");
   }
 
@@ -110,7 +110,7 @@ TEST_SUITE("mechanism faults") {
     CHECK(with("joint = \"O\"", "joint = \"Q\"") == R"(a.toml:3:20: error: unknown joint 'Q'
 3 | crank = { joint = "Q", speed = "60 rpm", positions = 12 }
   |                    ^
-  = help: there is: O, A, B, guide
+  = help: available: O, A, B, guide
 )");
     CHECK(with("joint = \"O\"", "joint = \"guide\"") ==
           R"(a.toml:3:20: error: a crank turns a revolute joint, and 'guide' is none
@@ -207,7 +207,8 @@ positions = 12
               .starts_with("a.toml:3:54: error: crank.positions = 4: must be >= 8 and <= 7200\n"));
     CHECK(with("positions = 12", "positions = 12.5")
               .starts_with("a.toml:3:54: error: an integer is expected, not 12.5\n"));
-    CHECK(with("\"60 rpm\"", "\"60 Hz\"") == R"(a.toml:3:33: error: '60 Hz' is a frequency, an angular speed is expected
+    CHECK(with("\"60 rpm\"", "\"60 Hz\"") ==
+          R"(a.toml:3:33: error: '60 Hz' is a frequency, an angular velocity is expected
 3 | crank = { joint = "O", speed = "60 Hz", positions = 12 }
   |                                 ^^^^^
   = help: write it in rpm or in rad/s
@@ -216,7 +217,7 @@ positions = 12
 
   TEST_CASE("an expression in a mechanism is checked as everywhere") {
     CHECK(with("mass = \"2 kg\"", "mass = \"=2 kg * 3 m\"") ==
-          R"(a.toml:20:10: error: 'links.slider.mass' is a mass, and this expression is a quantity in kg*m
+          R"(a.toml:20:10: error: 'links.slider.mass' is a mass, but this expression is a quantity in kg*m
 20 | mass = "=2 kg * 3 m"
    |          ^^^^^^^^^^
 )");
@@ -261,9 +262,9 @@ joints.m1 = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"], r
 joints.m2 = { type = "gear", links = ["pinion", "wheel"], points = ["O", "C"], radii = ["30 mm", "30 mm"] }
 )");
     INFO(said);
-    CHECK(said.find("error: mobility 0, but number of drivers 1\n") != std::string::npos);
-    CHECK(said.find("= help: nothing can move: the ratios of 'm1', 'm2' contradict each other; correct their radii, or "
-                    "leave one out\n") != std::string::npos);
+    CHECK(said.find("error: mobility 0, number of drives 1\n") != std::string::npos);
+    CHECK(said.find("= help: the mechanism is locked: the ratios of 'm1', 'm2' contradict each other; correct their "
+                    "radii, or remove one\n") != std::string::npos);
   }
 
   TEST_CASE("a rack that does not lie on the pitch circle of its wheel") {

@@ -336,7 +336,7 @@ TEST_SUITE("mechanism template faults") {
           "a.links.rdo.points: 'links.rdo.points' is missing: points in the link's axes, or as drawn where it has "
           "neither origin nor angle; did you mean 'links.rod'?");
     CHECK(said(slider, "r = \"50", "assembly = \"opne\"\nr = \"50") ==
-          "a.assembly: 'opne' is none of the words for 'assembly'; did you mean 'open'?");
+          "a.assembly: 'opne' is not a valid word for 'assembly'; did you mean 'open'?");
     CHECK(said(axle + "T = \"9 N*m\"\ntau_adm = \"3 MPa\"\n", "T =", "template = \"x\"\nT =") ==
           "axle.template: 'shaft.torsion' has no templates");
   }
@@ -373,49 +373,52 @@ TEST_SUITE("mechanism template faults") {
 
   TEST_CASE("a crank that cannot turn round is told with the numbers") {
     const std::string remedy =
-        "; change a length, or solve a part of the turn: crank = { at = [\"0 deg\", \"10 deg\"] }";
+        "; change a length, or solve part of a revolution: crank = { at = [\"0 deg\", \"10 deg\"] }";
     CHECK(said(slider, "r = \"50 mm\"", "e = \"160 mm\"\nr = \"50 mm\"") ==
-          "a.l: the crank cannot turn round: the rod, l = 200 mm, must be longer than crank and offset together, 210 "
+          "a.l: the crank cannot make a full revolution: the rod, l = 200 mm, must exceed the sum of crank and offset, "
+          "210 "
           "mm" +
               remedy);
     CHECK(said(four_bar, "a = \"40 mm\"", "a = \"100 mm\"") ==
-          "a.a: the crank cannot turn round: its pin comes as far as 200 mm from the rocker's fixed pin, and coupler "
-          "and rocker reach 200 mm" +
+          "a.a: the crank cannot make a full revolution: its pin moves as far as 200 mm from the fixed pin of the "
+          "rocker, but coupler and rocker together reach only 200 mm" +
               remedy);
     CHECK(said(four_bar, "a = \"40 mm\"", "a = \"70 mm\"") ==
-          "a.a: the crank cannot turn round: its pin comes as near as 30 mm to the rocker's fixed pin, and coupler and "
-          "rocker differ by 40 mm" +
+          "a.a: the crank cannot make a full revolution: its pin comes within 30 mm of the fixed pin of the rocker, "
+          "but coupler and rocker differ by 40 mm" +
               remedy);
     const std::string lever = start + "template = \"slotted_lever\"\nr = \"30 mm\"\nd = \"90 mm\"\nl = \"150 mm\"\n";
     CHECK(said(lever, "\"30 mm\"", "\"60 mm\"") ==
-          "a.l: the crank's pin leaves the slot: it comes as far as d + r = 150 mm from B, and the lever is 150 mm "
+          "a.l: the crank pin leaves the slot: it moves as far as d + r = 150 mm from B, but the lever is only 150 mm "
           "long" +
               remedy);
     CHECK(said(lever, "\"90 mm\"", "\"30 mm\"") ==
-          "a.r: the crank cannot turn round: r and d are both 30 mm, so that its pin A comes to lie on B" + remedy);
+          "a.r: the crank cannot make a full revolution: r and d are both 30 mm, so its pin A passes through B" +
+              remedy);
     const std::string whitworth =
         start + "template = \"whitworth\"\nr = \"100 mm\"\nd = \"40 mm\"\nc = \"80 mm\"\nl = \"250 mm\"\n";
     CHECK(said(whitworth, "\"40 mm\"", "\"140 mm\"") ==
           "a.r: the slotted lever does not turn round: the crank, r = 100 mm, must be longer than the distance of the "
           "lever's pin, d = 140 mm; with a shorter crank the lever swings: template = \"shaper\"");
     CHECK(said(whitworth, "\"250 mm\"", "\"70 mm\"") ==
-          "a.l: the lever cannot turn round: the rod, l = 70 mm, must be longer than arm and offset together, 80 mm" +
+          "a.l: the lever cannot make a full revolution: the rod, l = 70 mm, must exceed the sum of arm and offset, 80 "
+          "mm" +
               remedy);
     const std::string shaper = find_template(planar_mechanism(), "shaper")->example;
     CHECK(said(shaper, "d = \"250 mm\"", "d = \"70 mm\"") ==
           "shaper.r: the lever does not swing: the crank, r = 80 mm, must be shorter than the distance of the lever's "
-          "pin, d = 70 mm; with a longer crank the lever turns round: template = \"whitworth\"");
-    CHECK(said(shaper, "c = \"450 mm\"", "c = \"330 mm\"").starts_with("shaper.c: the crank's pin leaves the slot: "));
+          "pin, d = 70 mm; with a longer crank the lever makes full revolutions: template = \"whitworth\"");
+    CHECK(said(shaper, "c = \"450 mm\"", "c = \"330 mm\"").starts_with("shaper.c: the crank pin leaves the slot: "));
     CHECK(said(shaper, "e = \"440 mm\"", "e = \"600 mm\"") ==
-          "shaper.l: the crank cannot turn round: the end of the lever comes as far as 173.66 mm from the guide, and "
-          "the rod is 150 mm long" +
+          "shaper.l: the crank cannot make a full revolution: the end of the lever moves as far as 173.66 mm from the "
+          "guide, but the rod is only 150 mm long" +
               remedy);
     const std::string engine = start + "template = \"oscillating_cylinder\"\nr = \"40 mm\"\nd = \"160 mm\"\n";
-    CHECK(
-        said(engine, "\"160 mm\"", "\"40 mm\"").starts_with("a.r: the crank cannot turn round: r and d are both 40 "));
+    CHECK(said(engine, "\"160 mm\"", "\"40 mm\"")
+              .starts_with("a.r: the crank cannot make a full revolution: r and d are both 40 "));
     const Template* toggle = find_template(planar_mechanism(), "toggle_press");
     CHECK(said(toggle->example, "r = \"40 mm\"", "r = \"140 mm\"")
-              .starts_with("press.r: the crank cannot turn round: its pin comes as far as "));
+              .starts_with("press.r: the crank cannot make a full revolution: its pin moves as far as "));
   }
 
   TEST_CASE("lengths that do not meet at the first position are told by name") {
@@ -433,7 +436,7 @@ TEST_SUITE("mechanism template faults") {
   }
 
   TEST_CASE("values that are known later are told later") {
-    CHECK(
-        said(slider, "\"50 mm\"", "\"=5 * 50 mm\"").starts_with("a.l: the crank cannot turn round: the rod, l = 200 "));
+    CHECK(said(slider, "\"50 mm\"", "\"=5 * 50 mm\"")
+              .starts_with("a.l: the crank cannot make a full revolution: the rod, l = 200 "));
   }
 }

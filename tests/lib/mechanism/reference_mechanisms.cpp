@@ -60,7 +60,7 @@ void compare_motion(const Model& model, const Position& mine, const json::value&
     errors.add("origin", Vec{p.x, p.y}, vec(theirs.at("origin")));
     errors.add("angle", p.phi, number(theirs, "phi"));
     errors.add("velocity", velocity, vec(theirs.at("v_com")));
-    errors.add("angular speed", v.phi, number(theirs, "omega"));
+    errors.add("angular velocity", v.phi, number(theirs, "omega"));
     errors.add("acceleration", Vec{a.x, a.y} + a.phi * normal(arm) - v.phi * v.phi * arm, vec(theirs.at("a_com")));
     errors.add("angular acceleration", a.phi, number(theirs, "eps"));
     energy += 0.5 * (link.mass * dot(velocity, velocity) + link.inertia * v.phi * v.phi);

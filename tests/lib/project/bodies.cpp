@@ -55,7 +55,7 @@ TEST_SUITE("project bodies") {
   TEST_CASE("two given sizes contradict each other") {
     const Solved two(torsion("strong", "900 N*m", "d = \"60 mm\"\n" + body) +
                      torsion("weak", "300 N*m", "d = \"40 mm\"\n" + body));
-    CHECK(contains(two.errors(), "the body 'crankshaft' has one d: strong has 60 mm, and weak has 40 mm"));
+    CHECK(contains(two.errors(), "the body 'crankshaft' needs a single d, but strong has 60 mm and weak has 40 mm"));
   }
 
   TEST_CASE("a body is of one material") {
@@ -64,7 +64,7 @@ TEST_SUITE("project bodies") {
                       T_b = "[b]\ncalculator = \"shaft.torsion\"\nT = \"300 N*m\"\n";
     CHECK(Solved(T + of("C45E") + body + T_b + of("C45E") + body).errors().empty());
     CHECK(contains(Solved(T + of("C45E") + body + T_b + of("S235JR") + body).errors(),
-                   "the body 'crankshaft' has one material: a has 'C45E', and b has 'S235JR'"));
+                   "the body 'crankshaft' needs a single material, but a has 'C45E' and b has 'S235JR'"));
   }
 
   TEST_CASE("a body has one section, also where it is searched for") {

@@ -206,10 +206,10 @@ TEST_SUITE("project unused") {
 }
 
 TEST_SUITE("project angles") {
-  TEST_CASE("inside of expressions as outside an angle is no bare number, and an angular speed no frequency") {
+  TEST_CASE("inside of expressions as outside an angle is no bare number, and an angular velocity no frequency") {
     const auto says = [](const std::string& text) { return Solved(text).messages(); };
     const std::string motion = "[m]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"2 m/s\"\n";
-    CHECK(contains(says(motion + "omega = \"=50 Hz\"\n"), "'omega' takes a value of angular speed"));
+    CHECK(contains(says(motion + "omega = \"=50 Hz\"\n"), "'omega' takes a value of angular velocity"));
     CHECK(contains(says(motion + "omega = \"=3000/(1 min)\"\n"), "rpm, rev/s or rad/s"));
     CHECK_FALSE(contains(says(motion + "omega = \"=2*1450 rpm\"\n"), "omega"));
     CHECK_FALSE(contains(says(motion + "omega = \"=2*pi*1 rad*50 Hz\"\n"), "omega"));

@@ -29,18 +29,18 @@ TEST_SUITE("project order") {
 
   TEST_CASE("a circle of references is told with its members") {
     CHECK(issues_of(step("a", "=1 N*m + b.M_max") + step("b", "=c.M_max") + step("c", "=a.M_max")) ==
-          R"(a.toml:1:2: error: the steps refer to one another in a circle: a -> b -> c -> a
+          R"(a.toml:1:2: error: circular reference between steps: a -> b -> c -> a
 1 | [a]
   |  ^
   = help: give one of them a value
 )");
-    CHECK(issues_of(step("a", "=a.M_max"))
-              .starts_with("a.toml:1:2: error: the steps refer to one another in a circle: a -> a\n"));
+    CHECK(
+        issues_of(step("a", "=a.M_max")).starts_with("a.toml:1:2: error: circular reference between steps: a -> a\n"));
   }
 
   TEST_CASE("a step outside of the circle is not named in it") {
     const std::string said = issues_of(step("first", "=a.M_max") + step("a", "=b.M_max") + step("b", "=a.M_max"));
-    CHECK(said.starts_with("a.toml:5:2: error: the steps refer to one another in a circle: a -> b -> a\n"));
+    CHECK(said.starts_with("a.toml:5:2: error: circular reference between steps: a -> b -> a\n"));
     CHECK(said.find("first") == std::string::npos);
   }
 }

@@ -36,7 +36,7 @@ TEST_SUITE("references") {
     const Solved pair(gears + "[next]\ncalculator = \"gear.pair\"\nz_1 = \"=gears.z_2/2\"\nz_2 = 40\nm_n = \"2 mm\"\n");
     CHECK_MESSAGE(contains(pair.messages(), "z_1 = 28.5 is not an integer"), pair.messages());
     const Solved length(gears + "[next]\ncalculator = \"gear.pair\"\nz_1 = \"=gears.m_n\"\nz_2 = 40\nm_n = \"2 mm\"\n");
-    CHECK_MESSAGE(contains(length.messages(), "next.z_1: 'z_1' is a plain number, and this expression is a length"),
+    CHECK_MESSAGE(contains(length.messages(), "next.z_1: 'z_1' is a plain number, but this expression is a length"),
                   length.messages());
     const Solved few(gears +
                      "[next]\ncalculator = \"gear.pair\"\nz_1 = \"=gears.z_1 - 20\"\nz_2 = 40\nm_n = \"2 mm\"\n");
@@ -101,7 +101,7 @@ TEST_SUITE("references") {
     CHECK(contains(Solved("[a]\n" + bar + "section = \"=b.section\"\nmaterial = \"S235JR\"\n[b]\n" + bar +
                           "section = \"=a.section\"\nmaterial = \"S235JR\"\n")
                        .messages(),
-                   "refer to one another in a circle"));
+                   "circular reference between steps"));
   }
 
   TEST_CASE("the first row that passes is found, and what its forerunner fails by") {
@@ -308,7 +308,7 @@ TEST_SUITE("shared values") {
                        .messages(),
                    "unknown value 'n'"));
     CHECK(contains(Solved("[values]\na = \"=values.b\"\nb = \"=values.a\"\n" + gears).messages(),
-                   "values refer to one another in a circle: values.a -> values.b -> values.a"));
+                   "circular reference between values: values.a -> values.b -> values.a"));
     CHECK(contains(Solved("[values]\n\"1a\" = 3\n" + gears).messages(), "'1a' is not a valid name"));
     CHECK(contains(Solved("values = 3\n" + gears).messages(), "'values' is a table of values"));
     CHECK(contains(Solved("[values]\na = 3\n" + gears).messages(), "nothing refers to 'values.a'"));
@@ -399,7 +399,7 @@ torques = "=line.torques"
         "seats = [{ x = \"100 mm\", F_x = \"-1 kN\" }]\nS_F = 1.2\n"
         "[left]\ncalculator = \"bearing.rolling\"\nkind = \"deep_groove_ball\"\nC = \"29.1 kN\"\nC_0 = \"17.9 kN\"\n"
         "f_0 = 14\nn = \"100 rpm\"\nL_h = \"20000 h\"\nload = \"=shaft.bearings";
-    CHECK(contains(Solved(text + ".left\"\n").errors(), "'shaft.bearings' has no 'left'; there is: [1], [2]"));
+    CHECK(contains(Solved(text + ".left\"\n").errors(), "'shaft.bearings' has no 'left'; available: [1], [2]"));
     CHECK(Solved(text + "[1]\"\n").errors() == "");
   }
 

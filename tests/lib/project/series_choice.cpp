@@ -70,9 +70,9 @@ TEST_SUITE("series choice") {
     CHECK(said(press, "link.*.N") == "unknown series 'link.*.N'; did you mean 'links.*.N'?");
     CHECK(said(press, "links.rot*.N") == "unknown series 'links.rot*.N'; did you mean 'links.rod.N'?");
     CHECK(said(press, "joints.*.FF") == "unknown series 'joints.*.FF'; did you mean 'joints.*.F'?");
-    CHECK(said(press, "") == "unknown series ''; there is: drive.*, joints.*, shafts.*, links.*, points.*, frame.*");
+    CHECK(said(press, "") == "unknown series ''; available: drive.*, joints.*, shafts.*, links.*, points.*, frame.*");
     CHECK(said(press, "zzzzzzzzz") ==
-          "unknown series 'zzzzzzzzz'; there is: drive.*, joints.*, shafts.*, links.*, points.*, frame.*");
+          "unknown series 'zzzzzzzzz'; available: drive.*, joints.*, shafts.*, links.*, points.*, frame.*");
   }
 
   TEST_CASE("a single value is no series, and where there are none that is said") {

@@ -57,7 +57,7 @@ TEST_SUITE("project steps") {
           R"says(a.toml:7:11: error: unknown step 'lever'
 7 | T = "=2 * lever.drive.M"
   |           ^^^^^^^^^^^^^
-  = help: there is: crank, axle
+  = help: available: crank, axle
 )says");
   }
 
@@ -79,13 +79,13 @@ TEST_SUITE("project steps") {
 
   TEST_CASE("an expression of another dimension is refused when the file is read") {
     CHECK(issues_of(bar + axle + "T = \"=peak(bar.joints.O.F)\"\ntau_adm = \"30 MPa\"\n") ==
-          R"says(a.toml:20:7: error: 'T' is a moment, and this expression is a force
+          R"says(a.toml:20:7: error: 'T' is a moment, but this expression is a force
 20 | T = "=peak(bar.joints.O.F)"
    |       ^^^^^^^^^^^^^^^^^^^^
 )says");
   }
 
-  TEST_CASE("power is moment times angular speed, whatever the angle") {
+  TEST_CASE("power is moment times angular velocity, whatever the angle") {
     const auto project = solved(axle + "T = \"=6 kW / (60 rpm)\"\ntau_adm = \"30 MPa\"\n");
     CHECK(value(project, "axle.M_max") == doctest::Approx(6000.0 / (2.0 * std::acos(-1.0))));
   }
@@ -93,7 +93,7 @@ TEST_SUITE("project steps") {
   TEST_CASE("a power over a frequency is the energy of a cycle and no moment") {
     const std::string strength = "tau_adm = \"30 MPa\"\n";
     CHECK(issues_of(axle + "T = \"=1.4*5.5 kW/(2 Hz)\"\n" + strength) ==
-          R"says(a.toml:3:7: error: 'T' is a moment, and this expression is an energy
+          R"says(a.toml:3:7: error: 'T' is a moment, but this expression is an energy
 3 | T = "=1.4*5.5 kW/(2 Hz)"
   |       ^^^^^^^^^^^^^^^^^
   = help: a power over a frequency is the energy of one cycle: divide by a speed in rpm or rad/s, or by rev*f; an energy by its angle

@@ -24,7 +24,7 @@ links.rod.mass = "1 kg"
 
 inline const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\n";
 
-/// A four-bar driven by a link that cannot turn round: open from about 10 to 170 deg.
+/// A four-bar driven by a link that cannot make a full revolution: open from about 10 to 170 deg.
 inline std::string bar_that_cannot_turn(int positions) {
   return R"([bar]
 calculator = "mechanism.planar"

@@ -10,7 +10,7 @@ TEST_SUITE("quantity") {
   TEST_CASE("a dimension is named in the words of a designer") {
     const std::pair<std::string_view, std::string_view> rows[] = {{"N*m", "moment"},
                                                                   {"MPa", "stress"},
-                                                                  {"rad/s", "angular speed"},
+                                                                  {"rad/s", "angular velocity"},
                                                                   {"deg/m", "twist"},
                                                                   {"-", "plain number"},
                                                                   {"mm^4", "second moment of area"},

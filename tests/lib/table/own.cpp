@@ -92,7 +92,7 @@ source = "EN 10028-2"
 
   TEST_CASE("what is wrong with a row is told with its place") {
     CHECK(fault_of("[tables.materials.M]\nE = \"200 GPa\"\n") ==
-          "1:19: 'tables.materials.M' has no source | say where its values come from: source = \"certificate 4711 of "
+          "1:19: 'tables.materials.M' has no source | state the origin of its values: source = \"certificate 4711 of "
           "2026-03-02\"");
     CHECK(fault_of(row + "Re = \"300 MPa\"\nE = \"1 GPa\"") ==
           "3:1: the material tables have no column 'Re' | did you mean 'R_e'?");
@@ -105,7 +105,7 @@ source = "EN 10028-2"
           "4:9: no other row is of the kind 'structural stel' | did you mean 'structural steel'?");
     CHECK(fault_of("[tables.materials.M]\nsource = \"\"\nE = \"1 GPa\"") == "2:11: 'source' is a text of one line");
     CHECK(fault_of("[tables.materials.\" \"]\nsource = \"x\"\nE = \"1 GPa\"") == "1:19: the name of a row is one line");
-    CHECK(fault_of("[tables.materials.M]\nsource = \"x\"").starts_with("1:19: 'M' has no value | there is: "));
+    CHECK(fault_of("[tables.materials.M]\nsource = \"x\"").starts_with("1:19: 'M' has no value | available: "));
     CHECK(fault_of("[tables.materials]\nE = \"1 GPa\"") ==
           "2:1: 'E' is outside of a row | a row is [tables.materials.NAME]");
     CHECK(fault_of("tables = 3") ==
@@ -116,7 +116,7 @@ source = "EN 10028-2"
     CHECK(
         fault_of(row +
                  "by_size = [{ size_max = \"20 mm\", R_e = \"2 MPa\" }, { size_max = \"20 mm\", R_e = \"1 MPa\" }]") ==
-        "3:65: sizes must ascend from above zero");
+        "3:65: sizes must be positive and ascending");
     CHECK(fault_of(row + "by_size = [{ R_e = \"2 MPa\" }]\nE = \"1 GPa\"") ==
           "3:12: 'size_max' is missing | values hold up to a size: size_max = \"16 mm\"");
     CHECK(fault_of("[tables.sections.S]\nsource = \"x\"\nA = \"1 cm^2\"\nby_size = []") ==
@@ -127,7 +127,7 @@ source = "EN 10028-2"
     CHECK(fault_of("[tables.material_s.M]\nE = \"1 GPa\"") ==
           "1:9: a project can have no tables 'material_s' of its own | did you mean 'materials'?");
     CHECK(fault_of("[tables.v_belts.M]\nh = \"1 mm\"")
-              .starts_with("1:9: a project can have no tables 'v_belts' of its own | there is: series, chains"));
+              .starts_with("1:9: a project can have no tables 'v_belts' of its own | available: series, chains"));
   }
 
   TEST_CASE("two rows of a project never answer to one name") {
@@ -148,7 +148,7 @@ source = "EN 10028-2"
     CHECK(own.tables.find_series("R40"));
     CHECK(fault_of("[tables.series.bars]\nunit = \"kg\"\nsizes = [32, 20]\nsource = \"x\"\nsize = 1") ==
           "2:9: sizes are lengths, not a mass | write a unit like mm or in\n"
-          "3:9: sizes must ascend from above zero\n5:1: unknown key 'size' | did you mean 'sizes'?");
+          "3:9: sizes must be positive and ascending\n5:1: unknown key 'size' | did you mean 'sizes'?");
   }
 
   TEST_CASE("a file has the form of the built-in tables, and its sources go with its rows") {

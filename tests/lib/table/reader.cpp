@@ -129,7 +129,7 @@ nu = 0.35
         {"E = 205\nsources = [\"book\"]\n", "7:13: unknown source 'book' | name it in [sources]"},
         {"E = 205\nrecalled = [\"E\", \"G\"]\n", "4:1: 'A' has no value of G"},
         {"by_size = [{ size_max = 2, R_e = 60 }, { size_max = 2, R_e = 50 }]\nrecalled = true\n",
-         "6:40: sizes must ascend from above zero"},
+         "6:40: sizes must be positive and ascending"},
         {"E = 205\nrecalled = true\n[[row]]\nname = \"A\"\nE = 206\nrecalled = true\n", "8:1: there are two rows 'A'"},
         {"E = 205\nrecalled = true\n[[row]]\nE = 206\nrecalled = true\n", "8:1: 'name' is missing"},
         {"standard = 7\nE = 205\nrecalled = true\n", "6:12: 'standard' must be a text"},
@@ -148,7 +148,7 @@ nu = 0.35
 
   TEST_CASE("a wrong series is refused at its place") {
     const std::string series = "table = \"a\"\nunit = \"mm\"\n[[series]]\nname = \"s\"\n";
-    CHECK(issue_of(series + "sizes = [1, 3, 2]\nrecalled = true\n") == "5:9: sizes must ascend from above zero");
+    CHECK(issue_of(series + "sizes = [1, 3, 2]\nrecalled = true\n") == "5:9: sizes must be positive and ascending");
     CHECK(issue_of(series + "decade = [1, 2, 5]\nrecalled = true\n") ==
           "3:1: a decade needs its range: within = [0.1, 1000]");
     CHECK(issue_of(series + "sizes = [1, 2]\n") ==

@@ -46,7 +46,7 @@ std::optional<Issue> missing_element(const Known& known, const std::string& step
   if (elements.empty()) return std::nullopt;
   const bool has_names = !elements.starts_with('[');
   return Issue{place_in(record.place, record.source, dot + 1, name.size()), step + "." + record.path,
-               say("'{1}' has no '{2}'; there is: {3}", list, name, elements),
+               say("'{1}' has no '{2}'; available: {3}", list, name, elements),
                has_names ? Message{} : say("write \"={1}[1]\", or name the elements: name = \"{2}\"", list, name),
                Severity::error};
 }

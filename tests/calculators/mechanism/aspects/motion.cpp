@@ -79,7 +79,7 @@ TEST_SUITE("mechanism motion") {
     const auto both = told(rocker + "sides = [\"B_right\", \"B_left\"]\n").issues;
     REQUIRE(both.size() == 1);
     CHECK(both[0].message.text() == "no assembly has all these sides");
-    CHECK(both[0].hint.text() == "there is: B_left; B_right");
+    CHECK(both[0].hint.text() == "available: B_left; B_right");
   }
 
   TEST_CASE("a parallelogram passes change points where it is flat, and that is not covered") {

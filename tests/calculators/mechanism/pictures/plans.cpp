@@ -49,7 +49,8 @@ void at_positions(const std::function<void(const PlanSubject&)>& check) {
 
 double side(const draw::Plan::Vector& v) { return std::hypot(v.to.x - v.from.x, v.to.y - v.from.y); }
 
-/// The moments of the drawn forces about the pole and of the couples at their angular speeds, over their magnitudes.
+/// The moments of the drawn forces about the pole and of the couples at their angular velocities, over their
+/// magnitudes.
 double left_on_lever(const PlanSubject& subject) {
   double sum = 0.0, magnitudes = 0.0;
   const auto add = [&](double moment) { sum += moment, magnitudes += std::abs(moment); };
@@ -101,7 +102,7 @@ TEST_SUITE("mechanism plans") {
     CHECK(length(named(on_piston, "R_B").force + named(on_rod, "R_B").force) == 0.0);
   }
 
-  TEST_CASE("the velocity image of a link is similar to it, by its angular speed and turned by a right angle") {
+  TEST_CASE("the velocity image of a link is similar to it, by its angular velocity and turned by a right angle") {
     const mechanism::Model model = models::class_three();
     mechanism::WholeSystem system(model);
     REQUIRE(system.assemble() == mechanism::Status::closed);

@@ -151,7 +151,7 @@ TEST_SUITE("shaft design") {
     CHECK(contains(messages("supports = [{ x = \"10 mm\" }, { x = \"10 mm\" }]\n"), "at different places"));
     CHECK(contains(messages(two_bearings + "seats = [{ name = \"wheel\", x = \"210 mm\" }]\n"),
                    "axle.seats.wheel.x: 210 mm is beyond the end of the shaft at 200 mm"));
-    CHECK(contains(messages(two_bearings + "seats = [{ x = \"50 mm\", T = \"9 N*m\" }]\n"), "9 N·m are left over"));
+    CHECK(contains(messages(two_bearings + "seats = [{ x = \"50 mm\", T = \"9 N*m\" }]\n"), "9 N·m remains"));
     CHECK(contains(messages(two_bearings + "seats = [{ x = \"50 mm\", way = \"balances\", T = \"9 N*m\" }]\n"),
                    "must not have a given torque"));
     CHECK(contains(messages("supports = [{ x = \"10 mm\" }, { x = \"190 mm\" }]\nseats = [{ x = \"50 mm\", F_z = \"9 "

@@ -63,7 +63,7 @@ TEST_SUITE("mechanism") {
         {"inertia", [](Model& m) { m.links[0].inertia = not_a_number; }, About::link, 0,
          "link 'crank': moment of inertia not available: must be finite and not negative"},
         {"inertia without mass", [](Model& m) { m.links[1].mass = 0.0; }, About::link, 1,
-         "link 'rod' moves about, and has a moment of inertia but no mass"},
+         "link 'rod' is not on a fixed pin and has a moment of inertia, but no mass"},
         {"pose", [](Model& m) { m.links[2].pose.x = not_a_number; }, About::link, 2,
          "link 'piston': its mass centre or its pose is not a finite number"},
         {"lone link", [](Model& m) { add_link(m, "spare", {}); }, About::link, 3, "link 'spare' has no joint"},
@@ -176,8 +176,9 @@ TEST_SUITE("mechanism") {
     Model model = slider_crank();
     model.drivers.clear();
     const auto findings = diagnose(model);
-    CHECK(only_message(findings) == "mobility 1, but number of drivers 0");
-    CHECK(findings[0].hint.text() == "add a driver, or take a freedom away: 'crank', 'rod', 'piston' can still move");
+    CHECK(only_message(findings) == "mobility 1, number of drives 0");
+    CHECK(findings[0].hint.text() ==
+          "add a drive, or remove a degree of freedom: 'crank', 'rod', 'piston' can still move");
   }
 
   TEST_CASE("a link that turns idly is the only one that can still move") {
@@ -185,16 +186,16 @@ TEST_SUITE("mechanism") {
     const int roller = add_link(model, "roller", {0.33, 0.29, 0.0}, 0.1, 1e-4);
     pin(model, "R", roller, {}, 2, {0.3, 0.0});
     const auto findings = diagnose(model);
-    CHECK(only_message(findings) == "mobility 2, but number of drivers 1");
-    CHECK(findings[0].hint.text() == "add a driver, or take a freedom away: 'roller' can still move");
+    CHECK(only_message(findings) == "mobility 2, number of drives 1");
+    CHECK(findings[0].hint.text() == "add a drive, or remove a degree of freedom: 'roller' can still move");
   }
 
   TEST_CASE("a driver too many is reported") {
     Model model = four_bar();
     drive_turning(model, "second", 2);
     const auto findings = diagnose(model);
-    CHECK(only_message(findings) == "mobility 1, but number of drivers 2");
-    CHECK(findings[0].hint.text() == "remove a driver: 'motor', 'second'");
+    CHECK(only_message(findings) == "mobility 1, number of drives 2");
+    CHECK(findings[0].hint.text() == "remove a drive: 'motor', 'second'");
   }
 
   TEST_CASE("two drivers on one freedom leave the other one loose") {

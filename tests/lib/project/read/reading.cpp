@@ -93,7 +93,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
   TEST_CASE("sizes whose powers would leave the range of numbers are refused") {
     for (const char* size : {"1e40 MPa", "1e-45 MPa"}) {
       CHECK(first_error(axle + "T = \"9 N*m\"\ntau_adm = \"" + size + "\"\n") ==
-            "tau_adm = " + std::string(size) + " is out of all proportion");
+            "tau_adm = " + std::string(size) + " is implausible");
     }
   }
 
@@ -122,7 +122,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
     CHECK(told.starts_with(R"(a.toml:5:26: error: 'width' is not a valid key here
 5 | segments = [{ l = "1 m", width = "3 mm" }]
   |                          ^^^^^
-  = help: there is: name ()"));
+  = help: available: name ()"));
     for (const char* key : {", l (length)", ", d (", ", chi (", ", d_bore ("})
       CHECK(told.find(key) != std::string::npos);
   }
@@ -188,7 +188,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 
   TEST_CASE("a word that is none of a choice is told with the nearest one") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nfixed = \"lft\"\n") ==
-          R"(a.toml:5:10: error: 'lft' is none of the words for 'fixed'
+          R"(a.toml:5:10: error: 'lft' is not a valid word for 'fixed'
 5 | fixed = "lft"
   |          ^^^
   = help: did you mean 'left'?
@@ -201,14 +201,14 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 3 | T = true
   |     ^^^^
   = help: write a text with a unit, "30 N*m"
-a.toml:5:9: error: a number is none of the words for 'fixed'
+a.toml:5:9: error: a number is not a valid word for 'fixed'
 5 | fixed = 3
   |         ^
-  = help: there is: none, left, right
+  = help: available: none, left, right
 a.toml:6:13: error: 'segments[1]' is a table of fields, not a number
 6 | segments = [3]
   |             ^
-  = help: there is: name, l, d, chi, d_bore
+  = help: available: name, l, d, chi, d_bore
 a.toml:7:9: error: 'axle.title' takes a text, not a number
 7 | title = 4
   |         ^

@@ -24,7 +24,7 @@ void check_wrong(const Wrong& wrong) {
 
 Signature signature_of(std::string_view text) { return value_of(text).signature; }
 
-constexpr std::string_view kind_hint = "both must be quantities of one kind";
+constexpr std::string_view kind_hint = "both must have the same dimension";
 constexpr std::string_view unit_hint = "give the number a unit";
 constexpr std::string_view ratio_hint = "divide by a quantity of the same kind";
 constexpr std::string_view exponent_hint = "write a number, as in ^2 or ^(1/3)";
@@ -104,13 +104,13 @@ TEST_SUITE("quantity") {
 
   TEST_CASE("a place is a constant in the unit of the axis") {
     const Wrong rows[] = {
-        {"at(lever.drive.M, 60)", "60", "the place must be on the axis 'lever: crank angle', not plain number",
+        {"at(lever.drive.M, 60)", "60", "the position must be on the axis 'lever: crank angle', not plain number",
          "write it in deg, as in 60 deg"},
-        {"at(lever.drive.M, 1 mm)", "1 mm", "the place must be on the axis 'lever: crank angle', not length",
+        {"at(lever.drive.M, 1 mm)", "1 mm", "the position must be on the axis 'lever: crank angle', not length",
          "write it in deg, as in 60 deg"},
-        {"at(column.N, 60 deg)", "60 deg", "the place must be on the axis 'column: height', not angle",
+        {"at(column.N, 60 deg)", "60 deg", "the position must be on the axis 'column: height', not angle",
          "write it in m, as in 60 m"},
-        {"at(column.N, shaft.d)", "shaft.d", "the place must be a constant", "write it in m, as in 60 m"},
+        {"at(column.N, shaft.d)", "shaft.d", "the position must be a constant", "write it in m, as in 60 m"},
     };
     for (const auto& row : rows) check_wrong(row);
     CHECK(signature_of("at(lever.drive.M, 2 * 30 deg)").axis == nullptr);

@@ -244,11 +244,11 @@ s_0 = 2
       Rule<Input>{[](const Input& in) { return in.kind != Kind::unstated; }, "kind",
                   "state the bearing type: life exponent and permissible loads depend on it"},
       Rule<Input>{&ratings_agree, "C, C_0", "C and C_0 must belong to the same bearing", &odd_ratings},
-      Rule<Input>{&factors_once, "f_0, e, Y", "give f_0, or e and Y, never both: f_0 of a deep groove ball bearing"},
+      Rule<Input>{&factors_once, "f_0, e, Y", "give either f_0 (deep groove ball bearing) or e and Y"},
       Rule<Input>{&factors_given, "e, Y, X, Y_1, f_0, C_0, F_a, kind", "this load needs the factors of the bearing",
                   &missing_factors},
       Rule<Input>{[](const Input& in) { return !is_set(in.s_0) || is_set(in.C_0); }, "s_0, C_0",
-                  "the static safety needs the static load rating C_0"},
+                  "the static safety factor needs the static load rating C_0"},
       Rule<Input>{&static_factors_given, "Y_0, s_0, F_a, F_a0, kind",
                   "the static safety factor under an axial load needs Y_0 of the manufacturer"},
       Rule<Input>{[](const Input& in) { return !is_set(in.F_a0) || is_set(in.F_r0); }, "F_a0, F_r0",
@@ -264,11 +264,11 @@ s_0 = 2
                   },
                   "n, blocks", "every block needs a speed: its own n, or that of the bearing"},
       Rule<Input>{[](const Input& in) { return !is_set(in.L_m) || !is_set(in.n) || in.n > 0.0 * rpm; }, "L_m, n",
-                  "a bearing at standstill has no life in revolutions: leave out L_m, or n"},
+                  "a bearing at standstill has no life in revolutions: omit L_m or n"},
       Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || runs(in) == Applies::yes; }, "L_h, n, blocks",
-                  "a bearing at rest has no life in hours: leave out L_h, or give the speed"},
+                  "a bearing at standstill has no life in hours: omit L_h, or give the speed"},
       Rule<Input>{[](const Input& in) { return in.blocks.empty() || is_set(highest_speed(in)); }, "n, blocks",
-                  "blocks are shares of the time: give the speed n, or that of each block"},
+                  "blocks of time need the speed n, or that of each block"},
       Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}};
 
   static constexpr bool turns = true;

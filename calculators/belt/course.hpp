@@ -101,14 +101,15 @@ pulleys = [
   static bool closes(const Input& in);
   static FieldFault flaw_of(const Input& in);
   static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return in.pulleys.size() > 1; }, "pulleys", "a belt needs two pulleys or more"},
+      Rule<Input>{[](const Input& in) { return in.pulleys.size() > 1; }, "pulleys",
+                  "a belt needs at least two pulleys"},
       Rule<Input>{[](const Input& in) { return in.pulleys.empty() || in.pulleys[0].side == Side::inside; }, "pulleys",
-                  "the first pulley, which drives, is inside of the belt"},
-      Rule<Input>{&tensioner_fits, "L, pulleys", "a length L needs one pulley that moves, and that one a length L",
+                  "the first (driving) pulley must be inside the belt"},
+      Rule<Input>{&tensioner_fits, "L, pulleys", "a length L needs exactly one movable pulley, and vice versa",
                   &wrong_tensioner},
       Rule<Input>{&powers_fit, "pulleys, n_1, mu, S_0",
                   "powers need a speed and mu or S_0, and the first pulley drives", &wrong_power},
-      Rule<Input>{&backs_known, "pulleys, mu", "a pulley that the belt's back drives needs its own friction",
+      Rule<Input>{&backs_known, "pulleys, mu", "a pulley on the back of the belt needs its own coefficient of friction",
                   &open_back},
       Rule<Input>{&closes, "pulleys", "the belt does not run through these pulleys", &flaw_of}};
 

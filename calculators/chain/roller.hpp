@@ -220,7 +220,7 @@ P_R = "5.5 kW"
       Rule<Input>{&sprockets_apart, "a, p, z_1, z_2", "the sprockets touch at this centre distance", &sprockets_touch},
       Rule<Input>{&links_reach, "X, z_1, z_2", "the chain is too short to go around the sprockets", &too_few_links},
       Rule<Input>{[](const Input& in) { return !(is_set(in.P) && is_set(in.T_1)); }, "P, T_1",
-                  "give the load as P or as T_1, never both"},
+                  "give the load as P or as T_1, not both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.P) || is_set(in.n_1); }, "P, n_1",
                   "a power needs the speed n_1"},
       Rule<Input>{
@@ -231,13 +231,13 @@ P_R = "5.5 kW"
                     return !is_set(in.S_min) || (is_set(F_u) && (is_set(in.P) || is_set(in.T_1)));
                   },
                   "S_min, edition, F_uM, F_u94, P, T_1",
-                  "the safety needs the breaking load of the edition (or a chain that has it) and a load"},
+                  "the safety factor needs the breaking load of the edition (or a chain that has it) and a load"},
       Rule<Input>{[](const Input& in) { return !is_set(in.P_R) || is_set(in.P); }, "P_R, P",
                   "the rating is compared with the power P"},
       Rule<Input>{[](const Input& in) { return in.X % 2 == 0; }, "X",
                   "an odd number of links needs a cranked link, which is weaker", nullptr, true},
       Rule<Input>{[](const Input& in) { return in.z_1 >= 17 && in.z_2 >= 17; }, "z_1, z_2",
-                  "with fewer than 17 teeth the chain runs rough and wears soon", nullptr, true}};
+                  "fewer than 17 teeth: rough running and rapid wear", nullptr, true}};
 
   static double most_rating(const Input& in);
   /// Without a typed sag factor that of a horizontal drive, which is the largest.

@@ -81,7 +81,7 @@ n_st = 3
           Rule<Input>{&needs_of_method,
                       "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, "
                       "A, h, b, t_f",
-                      "something is missing that the method needs", &missing_for_method}},
+                      "an input of the method is missing", &missing_for_method}},
       method_rules<Input>(), assumption_rules<Input, &factors_given>(), eccentricity_rules<Input>());
   static constexpr std::array meanings = member_meanings;
   static constexpr auto bounds = join(held_bounds<Input>(), curve_bounds<Input>());

@@ -122,17 +122,17 @@ end_2 = "pinned"
 
   static constexpr std::array rules{
       Rule<Input>{&ends_or_frame, "end_1, end_2, G_1, G_2",
-                  "state both end conditions, end_1 and end_2, or give G_1 and G_2 of a frame, never both"},
+                  "state both end conditions, end_1 and end_2, or give G_1 and G_2 of a frame, not both"},
       Rule<Input>{[](const Input& in) { return in.frame == Frame::braced || is_set(in.G_1); }, "frame, G_1, G_2",
-                  "a frame that sways goes with G_1 and G_2"},
+                  "a sway frame needs G_1 and G_2"},
       Rule<Input>{&springs_fit_ends, "end_1, end_2, c_1, c_2, k_1, k_2",
-                  "springs c and k go with an end that is elastic, and such an end has one at least"},
+                  "springs c and k belong to an elastic end, which needs at least one"},
       Rule<Input>{[](const Input& in) {
                     const bool elastic = in.end_1 == End::elastic || in.end_2 == End::elastic;
                     return !elastic || (is_set(in.E) && is_set(in.I));
                   },
-                  "end_1, end_2, E, I", "springs are compared with the bar: give E (or a material) and I"},
-      Rule<Input>{&supports_inside, "supports, l", "supports lie between the ends, in order along the bar"}};
+                  "end_1, end_2, E, I", "springs need E (or a material) and I of the bar"},
+      Rule<Input>{&supports_inside, "supports, l", "supports must lie between the ends, in order along the bar"}};
   static constexpr std::array modes{
       Mode<Input>{"held", "kinematic stability of the supports", &always<Input>}.judged_by("u").of_shape()};
 

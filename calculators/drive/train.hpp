@@ -76,13 +76,14 @@ stages = [
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !in.stages.empty(); }, "stages", "give at least one stage"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.P) && is_set(in.T_1)); }, "P, T_1",
-                  "give the load as P or as T_1, never both"},
+                  "give the load as P or as T_1, not both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.P) || is_set(in.n_1); }, "P, n_1",
                   "a power needs the speed n_1"},
       Rule<Input>{&ratios_known, "stages", "every stage needs a ratio: i, teeth, or diameters", &open_ratio},
-      Rule<Input>{&ratios_single, "stages", "the ratio of a stage is given once", &double_ratio},
-      Rule<Input>{&slips_fit, "stages", "slip belongs to a belt, and its efficiency contains it", &wrong_slip},
-      Rule<Input>{&members_differ, "stages", "in and out of a planetary set are two members", &same_member}};
+      Rule<Input>{&ratios_single, "stages", "give the ratio of a stage only once", &double_ratio},
+      Rule<Input>{&slips_fit, "stages", "slip applies to belts only, and their efficiency includes it", &wrong_slip},
+      Rule<Input>{&members_differ, "stages", "input and output of a planetary set must be different members",
+                  &same_member}};
 
   static constexpr bool turns = true;
   static constexpr bool is_one_drive = true;

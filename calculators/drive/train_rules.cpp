@@ -63,7 +63,8 @@ FieldFault Train::double_ratio(const Input& in) {
 bool Train::slips_fit(const Input& in) { return std::all_of(in.stages.begin(), in.stages.end(), slip_fits); }
 
 FieldFault Train::wrong_slip(const Input& in) {
-  return fault_of(in, slip_fits, say("slip belongs to a belt, and its efficiency contains it: eta is at most 1 - slip"),
+  return fault_of(in, slip_fits,
+                  say("slip applies to belts only, and their efficiency includes it: eta is at most 1 - slip"),
                   say("leave out eta, or lower it; leave out the slip of anything but a belt"));
 }
 

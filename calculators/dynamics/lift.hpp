@@ -158,10 +158,10 @@ wheels = [
   static Mass reduced_mass(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !(in.weights.empty() && in.wheels.empty()); }, "weights, wheels",
-                  "give weights or wheels: there is nothing that moves"},
+                  "give at least one weight or wheel"},
       Rule<Input>{
           [](const Input& in) { return in_si(reduced_mass(in)) > 0.0 || (in.weights.empty() && in.wheels.empty()); },
-          "weights, wheels", "something that has mass must move with the path s: no part does"}};
+          "weights, wheels", "at least one part with a mass must move with the path s"}};
 
   static constexpr bool turns = true;
   static constexpr std::array modes{

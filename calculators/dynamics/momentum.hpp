@@ -97,9 +97,9 @@ bodies = [
   static bool impact_is_of_two(const Input& in);
   static bool bodies_meet(const Input& in);
   static constexpr std::array rules{
-      Rule<Input>{&some_are_open, "bodies", "leave out v_2 of the body that is to be found: all are given"},
-      Rule<Input>{&impact_is_of_two, "e, bodies", "e is of the impact of two bodies, whose v_2 are both to be found"},
-      Rule<Input>{&bodies_meet, "e, bodies", "two bodies of the same velocity do not meet: no impact"}};
+      Rule<Input>{&some_are_open, "bodies", "omit v_2 of one body, which is calculated"},
+      Rule<Input>{&impact_is_of_two, "e, bodies", "e needs an impact of two bodies without v_2"},
+      Rule<Input>{&bodies_meet, "e, bodies", "two bodies with the same velocity do not collide"}};
 
   static constexpr std::array<Mode<Input>, 0> modes{};
 

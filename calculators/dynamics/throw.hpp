@@ -84,7 +84,7 @@ theta = "30 deg"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !(in_si(in.h) < 0.0 && in.theta <= 0.0); }, "theta, h",
-                  "a body that is thrown level or downwards does not land higher: raise theta, or give h >= 0"}};
+                  "with theta <= 0 the body cannot land higher: increase theta, or give h >= 0"}};
 
   static constexpr std::array modes{
       Mode<Input>{"landing", "height of the landing point", &always<Input>}.judged_by("u_h"),

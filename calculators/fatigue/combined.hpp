@@ -149,10 +149,11 @@ S_F = 1.5
   static bool rule_has_all(const Input& in);
   static FieldFault lacking(const Input& in);
   static constexpr std::array rules{
-      Rule<Input>{&rule_has_all, "rule, R_m, R_e, tau_D, psi_sigma, psi_tau", "the rule needs more", &lacking},
+      Rule<Input>{&rule_has_all, "rule, R_m, R_e, tau_D, psi_sigma, psi_tau",
+                  "an input of the mean stress rule is missing", &lacking},
       lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
       Rule<Input>{[](const Input& in) { return !(in.tau_D > in.sigma_D); }, "tau_D, sigma_D",
-                  "the fatigue limit in shear is not above that in normal stresses"},
+                  "the fatigue limit in shear must not exceed that in normal stress"},
       yields_before_it_breaks<Input>(), safety_has_its_yield<Input>()};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal},    Meaning{"tau_D", limit_in_shear},

@@ -128,11 +128,12 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
   static constexpr bool turns = true;
   static constexpr std::array rules{
       Rule<Input>{&two_given, "sigma_max, sigma_min, sigma_m, sigma_a, r",
-                  "two of sigma_max, sigma_min, sigma_m, sigma_a and r make a cycle", &miscount},
-      Rule<Input>{&sound, "sigma_max, sigma_min, sigma_m, sigma_a, r", "these two do not make a cycle", &objectionable},
+                  "a cycle needs two of sigma_max, sigma_min, sigma_m, sigma_a and r", &miscount},
+      Rule<Input>{&sound, "sigma_max, sigma_min, sigma_m, sigma_a, r", "these two do not define a cycle",
+                  &objectionable},
       safety_has_its_yield<Input>(),
       Rule<Input>{[](const Input& in) { return is_set(in.S_D) == is_set(in.sigma_D); }, "sigma_D, S_D",
-                  "the fatigue limit sigma_D and the safety against it S_D belong together"}};
+                  "the fatigue limit sigma_D and its safety factor S_D must be given together"}};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal, "stress", "normal"},
                                        Meaning{"sigma_D", limit_in_shear, "stress", "shear"},

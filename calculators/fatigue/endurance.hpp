@@ -158,11 +158,11 @@ R_z = "6.3 um"
       Rule<Input>{&rule_fits, "rule, group, loading", "the rule does not cover this group and loading", &misfit},
       Rule<Input>{
           [](const Input& in) { return !(is_set(in.K_f) && (in.K_t != 1.0 || is_set(in.q) || is_set(in.r_n))); },
-          "K_f, K_t, q, r_n", "give the notch as K_f, or as K_t with q or r_n, never both"},
+          "K_f, K_t, q, r_n", "give the notch as K_f, or as K_t with q or r_n, not both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.r_n) || is_set(in.K_f) || in.K_t > 1.0; }, "K_t, r_n",
-                  "the root of a notch concentrates stress: give its K_t, or leave out r_n"},
+                  "a notch radius r_n needs K_t; otherwise omit r_n"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.q) && is_set(in.r_n)); }, "q, r_n",
-                  "give the notch sensitivity as q, or the radius r_n that it follows from, never both"},
+                  "give either the notch sensitivity q or the radius r_n"},
       Rule<Input>{[](const Input& in) {
                     return in.K_t == 1.0 || is_set(in.q) || is_set(in.r_n) || in.sensitivity == Sensitivity::cast_iron;
                   },
@@ -177,20 +177,20 @@ R_z = "6.3 um"
                   },
                   "sensitivity, group, q", "sensitivity = \"cast-iron\" is q = 0.2 of cast iron, in place of q"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.epsilon) && is_set(in.d)); }, "epsilon, d",
-                  "give the size factor epsilon or the diameter d that it follows from, never both"},
+                  "give either the size factor epsilon or the diameter d"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.beta_F) && is_set(in.R_z)); }, "beta_F, R_z",
-                  "give the surface factor beta_F or the roughness R_z that it follows from, never both"},
+                  "give either the surface factor beta_F or the roughness R_z"},
       Rule<Input>{[](const Input& in) {
                     const bool marin = in.school == School::marin && !is_set(in.k_a);
                     return is_set(in.R_m) || !(is_set(in.R_z) || marin);
                   },
-                  "R_m, R_z, school", "the surface factor depends on the tensile strength R_m: give it"},
+                  "R_m, R_z, school", "the surface factor needs the tensile strength R_m"},
       Rule<Input>{[](const Input& in) {
                     return in.school == School::serensen ||
                            !(is_set(in.epsilon) || is_set(in.R_z) || is_set(in.beta_F) || in.beta_V != 1.0);
                   },
                   "school, epsilon, R_z, beta_F, beta_V",
-                  "epsilon, R_z, beta_F and beta_V belong to Serensen's school; Marin's takes finish and d"},
+                  "epsilon, R_z, beta_F and beta_V belong to Serensen's method; Marin's uses finish and d"},
       Rule<Input>{[](const Input& in) {
                     return in.school == School::marin ||
                            !(is_set(in.T) || is_set(in.P_s) || is_set(in.k_a) || is_set(in.k_b) || is_set(in.k_c) ||
@@ -198,9 +198,9 @@ R_z = "6.3 um"
                              in.edition != Edition::ninth);
                   },
                   "school, T, P_s, k_a, k_b, k_c, h, b, turning, edition",
-                  "T, P_s, k_a, k_b, k_c, h, b, turning and edition belong to Marin's school"},
+                  "T, P_s, k_a, k_b, k_c, h, b, turning and edition belong to Marin's method"},
       Rule<Input>{[](const Input& in) { return !is_set(in.k_b) || !(is_set(in.d) || is_set(in.h)); }, "k_b, d, h",
-                  "give either the size factor k_b or the size that it follows from"},
+                  "give either the size factor k_b or the size"},
       Rule<Input>{[](const Input& in) { return is_set(in.h) == is_set(in.b) && !(is_set(in.h) && is_set(in.d)); },
                   "h, b, d", "give the diameter d, or height h and width b of a rectangle"},
       Rule<Input>{[](const Input& in) {
@@ -210,9 +210,9 @@ R_z = "6.3 um"
                   "the size factor of a rectangle applies to bending and tension of a non-rotating part: "
                   "turning = \"standing\""},
       Rule<Input>{[](const Input& in) { return !is_set(in.T) || in.group <= Group::cast_steel; }, "T, group",
-                  "the temperature factor is that of steels: give R_m at the temperature of the part in place of T"},
+                  "the temperature factor applies to steels: give R_m at the temperature of the part instead of T"},
       Rule<Input>{[](const Input& in) { return !is_set(in.k_c) || is_set(in.sigma_W); }, "k_c, sigma_W",
-                  "k_c goes with a measured limit sigma_W; the rules have their load factors in them"},
+                  "k_c requires a measured limit sigma_W; the rules include their load factors"},
       lasts_below_tensile<&Input::sigma_W, Input>("sigma_W, R_m"),
       heat_treated_before_turning<Input>()};
 

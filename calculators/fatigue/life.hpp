@@ -241,27 +241,29 @@ S_F = 1.5
   static constexpr bool turns = true;
   static constexpr std::array rules{
       Rule<Input>{&two_given, "sigma_max, sigma_min, sigma_m, sigma_a, r",
-                  "two of sigma_max, sigma_min, sigma_m, sigma_a and r make a cycle", &miscount},
-      Rule<Input>{&sound, "sigma_max, sigma_min, sigma_m, sigma_a, r", "these two do not make a cycle", &objectionable},
-      Rule<Input>{&rule_has_all, "rule, R_m, R_e, sigma_f, sigma_fB, gamma, M, psi", "the rule needs more", &lacking},
-      Rule<Input>{&line_has_all, "line, N, sigma_D, R_m, f, sigma_f, b, k, K_D", "the line of finite life needs more",
-                  &lacking_of_line},
-      Rule<Input>{[](const Input& in) { return is_set(in.sigma_D) || (in.line == Line::basquin && is_set(in.N)); },
-                  "sigma_D", "give the fatigue limit of the part sigma_D; a life N by Basquin's line needs none"},
+                  "a cycle needs two of sigma_max, sigma_min, sigma_m, sigma_a and r", &miscount},
+      Rule<Input>{&sound, "sigma_max, sigma_min, sigma_m, sigma_a, r", "these two do not define a cycle",
+                  &objectionable},
+      Rule<Input>{&rule_has_all, "rule, R_m, R_e, sigma_f, sigma_fB, gamma, M, psi",
+                  "an input of the mean stress rule is missing", &lacking},
+      Rule<Input>{&line_has_all, "line, N, sigma_D, R_m, f, sigma_f, b, k, K_D",
+                  "an input of the finite-life line is missing", &lacking_of_line},
+      Rule<Input>{
+          [](const Input& in) { return is_set(in.sigma_D) || (in.line == Line::basquin && is_set(in.N)); }, "sigma_D",
+          "give the fatigue limit of the part sigma_D; it may be omitted with a required life N by Basquin's line"},
       Rule<Input>{[](const Input& in) { return is_ferrous(in) || is_set(in.N); }, "group, N",
-                  "non-ferrous metals have no limit without end: give the group of another metal, or the cycles N that "
-                  "it must last"},
+                  "non-ferrous metals have no endurance limit: give the required life N, or another group"},
       group_of_metal<Input>(),
       lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
       yields_before_it_breaks<Input>(),
       Rule<Input>{[](const Input& in) { return in.compression == Compression::ignored || in.rule == MeanRule::fkm; },
                   "compression, rule", "compression is considered only by rule = \"fkm\""},
       Rule<Input>{[](const Input& in) { return in.group != Group::grey_iron || is_set(in.K_m); }, "K_m, group",
-                  "grey iron does not yield at a notch: give K_m, its K_f, or 1 without a notch"},
+                  "grey iron does not yield at a notch: give K_m = K_f, or 1 without a notch"},
       Rule<Input>{[](const Input& in) {
                     return !is_set(in.S_F) || is_set(in.R_e) || (in.group == Group::grey_iron && is_set(in.R_m));
                   },
-                  "S_F, R_e", "the safety S_F counts against the yield strength R_e: give it, or a material"}};
+                  "S_F, R_e", "the safety factor S_F needs the yield strength R_e, or a material"}};
 
   static constexpr std::array meanings{Meaning{"sigma_D", strength_in_normal, "stress, group",
                                                "normal/wrought-aluminium, normal/cast-aluminium, normal/non-ferrous"},

@@ -118,12 +118,11 @@ S = "350 MPa"
 
   static constexpr std::array rules{
       Rule<Input>{&enough, "tests",
-                  "a line with its scatter needs at least three failures above the highest stress that has a run-out"},
-      Rule<Input>{
-          &spread, "tests",
-          "those failures lie at one stress: a line needs two levels at least, and lives that fall with stress"},
+                  "a line with scatter needs at least three failures above the highest stress with a run-out"},
+      Rule<Input>{&spread, "tests",
+                  "a line needs failures at two stress levels at least, with lives that decrease with stress"},
       Rule<Input>{&limit_is_below, "S_D",
-                  "bars have failed below this fatigue limit: it is at most the lowest stress of the line"}};
+                  "S_D exceeds the lowest stress of the line, where specimens failed; reduce S_D"}};
 
   static constexpr std::array modes{
       Mode<Input>{"stress", "stress within the tested range", [](const Input& in) { return where(is_set(in.S)); }}

@@ -165,9 +165,9 @@ sigma_adm_2 = "200 MPa"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return (in.mesh == Mesh::rack) == (in.z_2 == 0); }, "mesh, z_2",
-                  "two wheels, or wheel and ring, need z_2; a rack has no number of teeth"},
+                  "two gears, or a gear and a ring gear, need z_2; a rack has no number of teeth"},
       Rule<Input>{[](const Input& in) { return in.mesh != Mesh::internal || in.z_2 > in.z_1; }, "mesh, z_1, z_2",
-                  "a ring has more teeth than the wheel inside it"},
+                  "a ring gear must have more teeth than its mating gear"},
       Rule<Input>{[](const Input& in) {
                     return in.mesh != Mesh::rack || !(is_set(in.x_2) || is_set(in.sigma_adm_2) || is_set(in.Y_2) ||
                                                       in.A_s2 < 0.0 * mm || in.k_W2 != 0 || is_set(in.d_a2));
@@ -182,16 +182,17 @@ sigma_adm_2 = "200 MPa"
           "Lewis' formula and the base-tangent length do not cover the teeth of a ring: leave out k_W2, Y_2 and "
           "sigma_adm_2"},
       Rule<Input>{&bases_meet, "a_w, z_1, z_2, m_n, alpha_n, beta",
-                  "the base circles of the wheels do not let them mesh at this centre distance", &bases_apart},
+                  "the centre distance is too small for the base circles", &bases_apart},
       Rule<Input>{&working_angle_exists, "x_1, x_2, z_1, z_2",
                   "no working pressure angle exists for these profile shifts", &no_working_angle},
       Rule<Input>{[](const Input& in) { return !(is_set(in.b) && is_set(in.psi_m)); }, "b, psi_m",
-                  "give the face width as b or as psi_m, never both"},
+                  "give the face width as b or as psi_m, not both"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.T_1) && is_set(in.P)); }, "T_1, P",
-                  "give the load as T_1 or as P, never both"},
+                  "give the load as T_1 or as P, not both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.P) || is_set(in.n_1); }, "P, n_1",
                   "a power needs the speed n_1"},
-      Rule<Input>{[](const Input& in) { return !(abs(in.n_1) <= 0.0 * rpm); }, "n_1", "gears that run have a speed"},
+      Rule<Input>{[](const Input& in) { return !(abs(in.n_1) <= 0.0 * rpm); }, "n_1",
+                  "a running gear needs a speed greater than zero"},
       Rule<Input>{[](const Input& in) {
                     const bool load = is_set(in.T_1) || is_set(in.P), width = is_set(in.b) || is_set(in.psi_m);
                     return !asks_strength(in) || (load && width);
@@ -204,11 +205,11 @@ sigma_adm_2 = "200 MPa"
                   "cutting, n_1", "the gears rotate, but the tooth finish is not stated: no velocity factor is applied",
                   nullptr, true},
       Rule<Input>{[](const Input& in) { return in.rho_fP <= in.h_fP; }, "rho_fP, h_fP",
-                  "the root radius does not fit into the dedendum"},
+                  "the root radius must fit into the dedendum"},
       Rule<Input>{[](const Input& in) { return in.k_W1 < in.z_1 && (in.k_W2 == 0 || in.k_W2 < in.z_2); },
-                  "k_W1, k_W2, z_1, z_2", "fewer teeth are spanned than the wheel has"},
+                  "k_W1, k_W2, z_1, z_2", "the number of spanned teeth must be less than that of the gear"},
       Rule<Input>{[](const Input& in) { return in.mesh == Mesh::external || !is_set(in.bore_2); }, "bore_2, mesh",
-                  "a ring or a rack has no bore: leave out bore_2"}};
+                  "a ring gear or a rack has no bore: omit bore_2"}};
 
   static constexpr bool turns = true;
   static constexpr std::array senses{SenseClaim{"T_1, P", "idler", "none, gear_1, gear_2", "both"}};

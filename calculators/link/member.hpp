@@ -153,16 +153,15 @@ S = 1.5
           Rule<Input>{[](const Input& in) { return is_set(in.R_e); }, "R_e",
                       "a link with bending is assessed by its yield strength: give R_e, or a material"},
           Rule<Input>{[](const Input& in) { return in.method != column::Method::secant; }, "method",
-                      "the moment goes by the secant formula in any case: choose the method of buckling without it"},
+                      "the secant formula is used for the moment in any case: choose another buckling method"},
           Rule<Input>{&ends_in_plane, "ends_y, ends, beta_y, supports_y",
-                      "in the plane of motion a link turns on its pins, or is built in at one end: ends_y = "
-                      "\"pinned_pinned\" or \"fixed_free\"; across it ends_z"},
+                      "in the plane of motion a link is pinned at both ends, or fixed at one: ends_y = "
+                      "\"pinned_pinned\" or \"fixed_free\"; out of plane ends_z"},
           Rule<Input>{&fibre_known, "c_y, h, d, kind",
-                      "bending needs the distance of the extreme fibre c_y, or h; of a tee or an angle c_y itself"},
+                      "bending needs the distance of the extreme fibre c_y, or h (for a tee or an angle c_y)"},
           Rule<Input>{&column::of<Input, &column::Buckling::needs_of_method>,
                       "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, A, h, b, t_f",
-                      "something is missing that the method needs",
-                      &column::of<Input, &column::Buckling::missing_for_method>}},
+                      "an input of the method is missing", &column::of<Input, &column::Buckling::missing_for_method>}},
       std::array{Rule<Input>{&shear_inside, "A_v, A, d, d_bore, h, b", "the shear area cannot exceed the area"}},
       column::method_rules<Input>(),
       column::assumption_rules<Input, &column::of<Input, &column::Buckling::factors_given>>());

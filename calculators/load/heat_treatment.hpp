@@ -17,7 +17,7 @@ constexpr auto diameter_at_heat_treatment(Length Input::*at) {
 template <class Input>
 constexpr Rule<Input> heat_treated_before_turning() {
   return {[](const Input& in) { return !(in.d_h < in.d); }, "d_h, d",
-          "the diameter at heat treatment is not below that of the finished part"};
+          "the heat treatment diameter must not be below that of the finished part"};
 }
 
 }  // namespace loadpath

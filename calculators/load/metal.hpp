@@ -71,7 +71,7 @@ constexpr Rule<Input> group_of_metal() {
             const bool iron = in.group >= Group::grey_iron && in.group < Group::wrought_aluminium;
             return !(iron && lacks_fatigue_limit(in));
           },
-          "group, material", "modulus and density are not those of an iron: give the group of the material"};
+          "group, material", "modulus and density are not those of iron or steel: give the group of the material"};
 }
 
 }  // namespace loadpath

@@ -8,7 +8,7 @@ namespace loadpath {
 template <class Input>
 constexpr Rule<Input> yields_before_it_breaks() {
   return {[](const Input& in) { return !(in.R_e > in.R_m); }, "R_e, R_m",
-          "the yield strength is not above the tensile strength"};
+          "the yield strength R_e must not exceed the tensile strength R_m"};
 }
 
 /// `limit`: the member that is a fatigue limit; `fields`: its key and that of the tensile strength.
@@ -21,7 +21,7 @@ constexpr Rule<Input> lasts_below_tensile(const char* fields) {
 template <class Input>
 constexpr Rule<Input> safety_has_its_yield() {
   return {[](const Input& in) { return !is_set(in.S_F) || is_set(in.R_e); }, "S_F, R_e",
-          "the safety S_F counts against the yield strength R_e: give it, or a material"};
+          "the safety factor S_F needs the yield strength R_e, or a material"};
 }
 
 }  // namespace loadpath

@@ -157,7 +157,7 @@ delta = 0.01
       Rule<Input>{&has_one_moment, "M, M_of_phi, points",
                   "give the moment once: as a series M, as M_of_phi, or as points"},
       Rule<Input>{&law_reads, "M_of_phi, period", "M_of_phi must be a moment as a formula of phi", &law_fault},
-      Rule<Input>{&law_repeats, "M_of_phi, period", "the moment does not repeat after its period", &law_leap, true},
+      Rule<Input>{&law_repeats, "M_of_phi, period", "the moment must repeat after its period", &law_leap, true},
       Rule<Input>{&points_rise, "points, period",
                   "points need two or more angles, none below the one before, and all within one period"},
       Rule<Input>{[](const Input& in) { return is_set(in.delta) || is_set(in.inertia); }, "delta, J",

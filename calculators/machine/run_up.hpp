@@ -107,10 +107,10 @@ n_2 = "1400 rpm"
   static bool lines_reach(const Input& in);
   static FieldFault short_line(const Input& in);
   static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return !in.parts.empty(); }, "parts", "give at least one part that turns"},
+      Rule<Input>{[](const Input& in) { return !in.parts.empty(); }, "parts", "give at least one rotating part"},
       Rule<Input>{[](const Input& in) { return reduced_inertia(in) > 0.0 || in.parts.empty(); }, "parts",
-                  "one part at least must turn with the motor: u is 0 of all"},
-      Rule<Input>{[](const Input& in) { return in.n_1 != in.n_2; }, "n_1, n_2", "start and end are one speed"},
+                  "at least one part must rotate with the motor: u is 0 for all"},
+      Rule<Input>{[](const Input& in) { return in.n_1 != in.n_2; }, "n_1, n_2", "initial and final speed must differ"},
       Rule<Input>{[](const Input& in) { return !in.motor.empty(); }, "motor", "give the moment of the motor or brake"},
       Rule<Input>{&lines_rise, "motor, load", "the speeds of a line must ascend"},
       Rule<Input>{&lines_reach, "motor, load, n_1, n_2", "a line of two points or more must reach from n_1 to n_2",

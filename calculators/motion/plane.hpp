@@ -96,7 +96,7 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
       Rule<Input>{
           &has_one_way, "omega, B, v_B, alpha_B",
           "the angular velocity is omega, or comes from B with alpha_B (or v_B = \"0 m/s\"): give one of the two"},
-      Rule<Input>{&is_B_apart, "A, B", "A and B must be two places"},
+      Rule<Input>{&is_B_apart, "A, B", "A and B must be different points"},
       Rule<Input>{
           &has_speed_of_B, "v_B, alpha_B, A, B",
           "if the velocity of B is perpendicular to AB, its magnitude does not follow from that of A: give v_B"},

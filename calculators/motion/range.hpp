@@ -11,7 +11,7 @@ namespace loadpath::motion {
 template <class Input>
 constexpr auto range_rules() {
   return std::array{Rule<Input>{[](const Input& in) { return is_set(in.t_1) == is_set(in.t_2); }, "t_1, t_2",
-                                "a range needs both of its ends: give t_1 and t_2, or neither"},
+                                "give both t_1 and t_2, or neither"},
                     Rule<Input>{[](const Input& in) { return !(in.t_1 >= in.t_2); }, "t_2, t_1",
                                 "the range must end after its start"}};
 }

@@ -124,13 +124,15 @@ tau_adm_1 = "40 MPa"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d_w < in.d_f; }, "d_f, d_w",
-                  "the shaft diameter exceeds the root diameter of the mounted component"},
+                  "the shaft diameter must not exceed the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return !(in.D > 1.000001 * in.d_f) || in.d_w >= in.d_f; }, "D, d_f",
-                  "the outer diameter of the hub exceeds the root diameter of the mounted component"},
+                  "the outer diameter of the hub must not exceed the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d_w); }, "bore, d_w",
                   "the bore of the mounted component must equal the shaft diameter"},
-      Rule<Input>{[](const Input& in) { return in.d < in.d_w; }, "d, d_w", "the pin must be thinner than the shaft"},
-      Rule<Input>{[](const Input& in) { return in.d_w < in.D; }, "D, d_w", "the hub must be thicker than the shaft"},
+      Rule<Input>{[](const Input& in) { return in.d < in.d_w; }, "d, d_w",
+                  "the pin diameter must be smaller than the shaft diameter"},
+      Rule<Input>{[](const Input& in) { return in.d_w < in.D; }, "D, d_w",
+                  "the outer diameter of the hub must exceed the shaft diameter"},
       Rule<Input>{
           [](const Input& in) { return !is_set(in.R_m) || is_set(in.tau_adm) || in.loading != Loading::unsaid; },
           "R_m, loading", "the allowable share of R_m depends on the loading type: give loading"}};

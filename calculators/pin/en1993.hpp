@@ -161,14 +161,13 @@ e_c2 = "35 mm"
           .where_it_applies()};
 
   static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return !(in.d_0 < in.d); }, "d_0, d", "the pin must go into its bores"},
+      Rule<Input>{[](const Input& in) { return !(in.d_0 < in.d); }, "d_0, d", "the pin must fit into its bores"},
       Rule<Input>{[](const Input& in) { return !(in.d_0 > 1.1 * in.d); }, "d_0, d",
-                  "the bore is more than a tenth wider than the pin: bearing is that of a pin that fits", nullptr,
-                  true},
+                  "the bore must not exceed the pin diameter by more than 10 %", nullptr, true},
       Rule<Input>{[](const Input& in) { return in.f_yp <= in.f_up; }, "f_yp, f_up",
-                  "the yield strength is not above the tensile strength"},
+                  "the yield strength R_e must not exceed the tensile strength R_m"},
       Rule<Input>{[](const Input& in) { return is_set(in.gamma_M6) <= (in.replaceable == Replaceable::yes); },
-                  "gamma_M6, replaceable", "gamma_M6 belongs to a pin that can be replaced: replaceable = \"yes\""}};
+                  "gamma_M6, replaceable", "gamma_M6 requires a replaceable pin: replaceable = \"yes\""}};
 
   static constexpr std::array modes{
       Mode<Input>{"shear", "shear resistance of the pin", &loaded}.judged_by("u_v"),

@@ -182,7 +182,7 @@ p_adm_2 = "100 MPa"
                   },
                   "R_m, loading", "the allowable share of R_m depends on the loading type: give loading"},
       Rule<Input>{[](const Input& in) { return is_set(in.pv_adm) <= is_set(in.n); }, "pv_adm, n",
-                  "pressure times speed needs the speed of turning n"},
+                  "the pv value needs the speed of rotation n"},
       heat_treated_before_turning<Input>()};
 
   static constexpr std::array meanings{Meaning{"sigma_adm", allowable_in_normal},

@@ -122,11 +122,11 @@ p_adm = "80 MPa"
       Group{&Result::cycle, "cycle", "nominal stress of the net section, for fatigue.cycle: cycle"}.handed_over()};
 
   static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return !(in.b <= in.d); }, "b, d", "the eye must be wider than its bore"},
+      Rule<Input>{[](const Input& in) { return !(in.b <= in.d); }, "b, d", "the lug must be wider than its bore"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.S) && is_set(in.sigma_adm) && is_set(in.tau_adm)); },
-                  "S, sigma_adm, tau_adm", "allowable stresses hold their safety: leave out S"},
+                  "S, sigma_adm, tau_adm", "allowable stresses include the safety factor: omit S"},
       Rule<Input>{[](const Input& in) { return !is_set(in.S) || is_set(in.R_e); }, "S, R_e",
-                  "the safety S counts against the yield strength R_e: give it, or a material"}};
+                  "the safety factor S needs the yield strength R_e, or a material"}};
 
   static constexpr std::array meanings{Meaning{"sigma_adm", allowable_in_normal},
                                        Meaning{"tau_adm", allowable_in_shear}};

@@ -53,11 +53,12 @@ parts = [
   static constexpr auto results =
       join(property_fields<Result>(), Fields{ListField{&Result::parts, "parts", "the parts at their places"}});
   static constexpr std::array rules{
-      Rule<Input>{&parts_are_whole, "parts", "a part lacks what its shape needs", &incomplete},
+      Rule<Input>{&parts_are_whole, "parts", "a part lacks a dimension of its shape", &incomplete},
       Rule<Input>{&is_full, "parts",
                   "the holes leave no section: they remove more than the material, or lie outside of it"},
-      Rule<Input>{&none_overlap, "parts", "parts overlap: the common area would count twice", &overlapping},
-      Rule<Input>{&all_touch, "parts", "a part is separate from the others", &apart, true}};
+      Rule<Input>{&none_overlap, "parts", "parts must not overlap: the common area would be included twice",
+                  &overlapping},
+      Rule<Input>{&all_touch, "parts", "each part must be connected to the others", &apart, true}};
 
   static constexpr std::array modes{Mode<Input>{"joined", "shear connection of the parts", [](const Input& in) {
                                                   return in.parts.size() < 2 ? Applies::no : shown_by(!all_touch(in));

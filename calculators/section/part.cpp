@@ -133,7 +133,7 @@ std::optional<FieldFault> fault_of(const Part& part) {
     const auto row = table::find_row(Profile::group, part.section.view());  // says what is near
     return FieldFault{"section", row.fault().message, row.fault().hint};
   }
-  if (!part.section.empty()) return FieldFault{"section", say("a part has a 'shape' or a 'section', never both"), {}};
+  if (!part.section.empty()) return FieldFault{"section", say("a part has a 'shape' or a 'section', not both"), {}};
   if (auto missing = missing_in(part)) return missing;
   return with_input(part, [](auto calculator, const auto& in) { return broken_rule<decltype(calculator)>(in); });
 }

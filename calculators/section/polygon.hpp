@@ -59,8 +59,8 @@ holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]]
   using Result = Properties;
   static constexpr auto results = results_of_properties;
   static constexpr std::array rules{
-      Rule<Input>{&has_corners, "points, holes", "a contour and each hole have three corners or more"},
-      Rule<Input>{&is_simple, "points, holes", "no side may touch or cross another one of its contour", &crossing},
+      Rule<Input>{&has_corners, "points, holes", "a contour and each hole need at least three corners"},
+      Rule<Input>{&is_simple, "points, holes", "the sides of a contour must not touch or cross each other", &crossing},
       Rule<Input>{&holes_are_inside, "holes, points", "every hole must lie inside the contour and clear of other holes",
                   &hole_outside}};
   static constexpr std::array<Mode<Input>, 0> modes{};

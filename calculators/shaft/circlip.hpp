@@ -130,11 +130,11 @@ n = "1500 rpm"
       Group{&Result::notch, "notch", "the groove, for a notch of shaft.design: part"}.handed_over()};
 
   static constexpr std::array rules{Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d_2); }, "d_bore, d_2",
-                                                "the groove cuts through the wall of the shaft"},
+                                                "the groove must be shallower than the wall of the shaft"},
                                     Rule<Input>{[](const Input& in) { return !(in.d_1 <= in.d_2); }, "d_1, d_2",
                                                 "the groove must be thinner than the shaft"},
                                     Rule<Input>{[](const Input& in) { return !is_set(in.F_Rg) || is_set(in.g); },
-                                                "F_Rg, g", "F_Rg is for a chamfer g: give both"}};
+                                                "F_Rg, g", "F_Rg and the chamfer g must be given together"}};
 
   static constexpr std::array modes{
       Mode<Input>{"groove", "groove yielding and shoulder shear", &loaded}.judged_by("u_N, x_w, x_t"),

@@ -206,8 +206,7 @@ R_e_k = "420 MPa"
           Rule<Input>{[](const Input& in) {
                         return !is_set(in.d_f) || in.d + 2.0 * (is_set(in.t_2) ? in.t_2 : 0.0 * mm) < in.d_f;
                       },
-                      "d_f, d, t_2",
-                      "the shaft and the keyway in the hub are deeper than the root circle of what sits on it"},
+                      "d_f, d, t_2", "the hub keyway must not cut the root circle of the mounted component"},
           Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
                       "the bore of the mounted component must equal the shaft diameter"},
           Rule<Input>{&sizes_given, "b, h, t_1", "give a key: key = \"14x9\", or b, h and t_1"},
@@ -217,13 +216,13 @@ R_e_k = "420 MPa"
                       "t_1, d, d_bore", "keyway depth t_1 must be less than d/2 or the wall of a hollow shaft"},
           Rule<Input>{
               [](const Input& in) { return !is_set(in.b) || !is_set(in.l) || in.form == Form::B || in.l > in.b; },
-              "l, b, form", "a key with round ends must be longer than it is wide"},
+              "l, b, form", "key form A needs l > b"},
           Rule<Input>{[](const Input& in) { return is_set(in.d_over) == is_set(in.d_to) && !(in.d_to <= in.d_over); },
-                      "d_over, d_to", "d_over and d_to belong together, and d_to is the larger"},
+                      "d_over, d_to", "d_over and d_to must be given together, with d_to > d_over"},
           Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_k) && is_set(in.R_e_k)); }, "p_adm_k, R_e_k",
-                      "give p_adm_k or R_e_k, never both"},
+                      "give p_adm_k or R_e_k, not both"},
           Rule<Input>{[](const Input& in) { return !(in.l < in.l_min) && !(in.l > in.l_max); }, "l, l_min, l_max",
-                      "the standard has no key of this section in that length", nullptr, true}});
+                      "the standard has no key of this section and length", nullptr, true}});
 
   static constexpr std::array senses{SenseClaim{"T", "torque", "one_way", "reversing"}};
   static constexpr std::array modes{

@@ -124,9 +124,9 @@ tau_adm = "30 MPa"
                              "give the torque T, or the power P with the speed n"}},
       power_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
-                             "give the bore as chi or as d_bore, never both"},
+                             "give the bore as chi or as d_bore, not both"},
                  Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; },
-                             "d_bore, d", "the bore must be smaller than the shaft"}});
+                             "d_bore, d", "the bore must be smaller than the outer diameter of the shaft"}});
 
   static constexpr std::array meanings{Meaning{"sigma_b, M_b", reverses_in_turns}};
   static constexpr auto modes = with_modes_of_shafts(std::array{

@@ -229,27 +229,29 @@ dT_adm = "250 K"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
-                  "the shaft diameter exceeds the root diameter of the mounted component"},
+                  "the shaft diameter must not exceed the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return !(in.D > 1.000001 * in.d_f) || in.d >= in.d_f; }, "D, d_f",
-                  "the outer diameter of the hub exceeds the root diameter of the mounted component"},
+                  "the outer diameter of the hub must not exceed the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
                   "the bore of the mounted component must equal the diameter of the fit"},
       Rule<Input>{[](const Input& in) { return in.d_i < in.d && in.d < in.D; }, "d_i, d, D",
-                  "the bore of the shaft must be smaller than the fit, and the fit smaller than the hub"},
+                  "the diameter of the fit must be between the bore of the shaft and the outer diameter of the hub"},
       Rule<Input>{[](const Input& in) { return in.U_min <= in.U_max; }, "U_min, U_max", "U_min must not exceed U_max"},
       Rule<Input>{
           [](const Input& in) { return is_set(in.E_1) && is_set(in.E_2) && is_set(in.nu_1) && is_set(in.nu_2); },
           "E_1, E_2, nu_1, nu_2", "give E and nu of shaft and hub, or a material of both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.S_F) || (is_set(in.R_e_1) && is_set(in.R_e_2)); },
-                  "S_F, R_e_1, R_e_2", "the safety against yield needs the yield strengths R_e_1 and R_e_2"},
+                  "S_F, R_e_1, R_e_2", "the safety factor against yielding needs the yield strengths R_e_1 and R_e_2"},
       Rule<Input>{[](const Input& in) {
                     return (!is_set(in.dT_1) || is_set(in.alpha_1)) && (!is_set(in.dT_2) || is_set(in.alpha_2));
                   },
-                  "dT_1, dT_2, alpha_1, alpha_2", "a heating needs the expansion alpha of its part, or a material"},
+                  "dT_1, dT_2, alpha_1, alpha_2",
+                  "a heating needs the thermal expansion alpha of its part, or a material"},
       Rule<Input>{[](const Input& in) { return !is_set(in.F_adm) || is_set(in.mu_e); }, "F_adm, mu_e",
-                  "the force to press it on needs the friction mu_e"},
+                  "the press-in force needs the coefficient of friction mu_e"},
       Rule<Input>{[](const Input& in) { return is_set(in.dT_adm) ? is_set(in.U_c) && is_set(in.alpha_2) : true; },
-                  "dT_adm, U_c, alpha_2", "the heating of the hub needs the clearance U_c and its expansion alpha_2"},
+                  "dT_adm, U_c, alpha_2",
+                  "the heating of the hub needs the clearance U_c and its thermal expansion alpha_2"},
       Rule<Input>{[](const Input& in) { return !(least_usable(in) <= 0.0 * mm.one); }, "U_min, Rz_1, Rz_2, dT_1, dT_2",
                   "no usable interference at U_min; take a tighter fit or smoother surfaces", &nothing_left}};
 

@@ -139,13 +139,13 @@ S = 2
   static constexpr std::array rules{
       safety_has_strength<Input>(),
       Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d < in.d_f; }, "d_f, d",
-                  "the shaft diameter exceeds the root diameter of the mounted component"},
+                  "the shaft diameter must not exceed the root diameter of the mounted component"},
       Rule<Input>{[](const Input& in) { return bore_fits(in.bore, in.d); }, "bore, d",
                   "the bore of the mounted component must equal the shaft diameter"},
       Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d); }, "d_bore, d",
-                  "the bore leaves nothing of the shaft"},
+                  "the bore must be smaller than the shaft core"},
       Rule<Input>{[](const Input& in) { return (in.i > 1) == is_set(in.phi); }, "i, phi",
-                  "two screws hold less than twice one: give phi with i = 2, and with nothing else"}};
+                  "two screws transmit less than twice one: give phi if i = 2, only then"}};
 
   static constexpr std::array modes{
       Mode<Input>{"slip", "circumferential and axial slip", &loaded}.judged_by("u, x_d, x_h"),

@@ -192,25 +192,26 @@ R_e_2 = "300 MPa"
 
   static constexpr auto rules = join(
       rules_of_sides<Input>(),
-      std::array{Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d_2 < in.d_f; }, "d_f, d_2",
-                             "the shaft diameter exceeds the root diameter of the mounted component"},
-                 Rule<Input>{[](const Input& in) {
-                               return !is_set(in.bore) || bore_fits(in.bore, in.d_1) || bore_fits(in.bore, in.d_2);
-                             },
-                             "bore, d_1, d_2", "the bore of the mounted component must equal d_1 or d_2"},
-                 Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
-                             "a spline has an integer number of teeth"},
-                 Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be the larger"},
-                 Rule<Input>{[](const Input& in) { return !(in.d_2 - in.d_1 <= 4.0 * in.g); }, "g, d_1, d_2",
-                             "the chamfers leave nothing of the flank"},
-                 Rule<Input>{[](const Input& in) { return !is_set(in.b) || !(in.z * in.b >= pi * in.d_2); },
-                             "b, z, d_2", "the teeth leave no room for those of the hub"},
-                 Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d_1); }, "d_bore, d_1",
-                             "the bore leaves nothing of the shaft"},
-                 Rule<Input>{[](const Input& in) { return !is_set(in.p_adm_w) || in.hub == Hub::slides; },
-                             "p_adm_w, hub", "p_adm_w belongs to a hub that slides: hub = \"slides\""},
-                 Rule<Input>{[](const Input& in) { return is_set(in.beta_b) == is_set(in.beta_t); }, "beta_b, beta_t",
-                             "give beta_b and beta_t, or none of them"}});
+      std::array{
+          Rule<Input>{[](const Input& in) { return !is_set(in.d_f) || in.d_2 < in.d_f; }, "d_f, d_2",
+                      "the shaft diameter must not exceed the root diameter of the mounted component"},
+          Rule<Input>{[](const Input& in) {
+                        return !is_set(in.bore) || bore_fits(in.bore, in.d_1) || bore_fits(in.bore, in.d_2);
+                      },
+                      "bore, d_1, d_2", "the bore of the mounted component must equal d_1 or d_2"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.z) || in.z == std::floor(in.z); }, "z",
+                      "the number of teeth of a spline must be an integer"},
+          Rule<Input>{[](const Input& in) { return !(in.d_2 <= in.d_1); }, "d_1, d_2", "d_2 must be larger than d_1"},
+          Rule<Input>{[](const Input& in) { return !(in.d_2 - in.d_1 <= 4.0 * in.g); }, "g, d_1, d_2",
+                      "the chamfers must be smaller than the flank height"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.b) || !(in.z * in.b >= pi * in.d_2); }, "b, z, d_2",
+                      "tooth thickness b leaves no hub teeth at this z and d_2; reduce b or z"},
+          Rule<Input>{[](const Input& in) { return !(in.d_bore >= in.d_1); }, "d_bore, d_1",
+                      "the bore must be smaller than the shaft core"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.p_adm_w) || in.hub == Hub::slides; }, "p_adm_w, hub",
+                      "p_adm_w requires a sliding hub: hub = \"slides\""},
+          Rule<Input>{[](const Input& in) { return is_set(in.beta_b) == is_set(in.beta_t); }, "beta_b, beta_t",
+                      "give both beta_b and beta_t, or neither"}});
 
   static constexpr std::array senses{SenseClaim{"T", "torque", "one_way", "reversing"}};
   static constexpr std::array modes{

@@ -69,7 +69,7 @@ sigma_adm = "120 MPa"
       std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= in.R / std::tan(in.alpha); },
                              "h_l, R, alpha", "the liquid level is above the large end of the cone"},
                  Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
-                             "the wall is thicker than the radius leaves room for"}});
+                             "the wall must be thinner than the radius"}});
 
   static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>("u_v, t_R, x_s");

@@ -96,14 +96,14 @@ sigma_adm = "140 MPa"
       std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
                              "rings need both the area A_r of their section and their distance l_r"},
                  Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
-                             "A_r, l_r, ends", "rings go with ends = \"ringed\""},
+                             "A_r, l_r, ends", "rings require ends = \"ringed\""},
                  Rule<Input>{[](const Input& in) { return in.ends != Ends::open || !is_set(in.delta_e); },
                              "delta_e, ends", "a pipe with ends = \"open\" has no end plates"},
                  Rule<Input>{
                      [](const Input& in) { return !is_set(in.delta_e) || in.delta_e * (1.0 - in.f_t) > in.c + in.c_t; },
-                     "delta_e, c, c_t, f_t", "the allowances leave nothing of the ends"},
+                     "delta_e, c, c_t, f_t", "the ends must be thicker than their allowances"},
                  Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
-                             "the wall is thicker than the radius leaves room for"}});
+                             "the wall must be thinner than the radius"}});
 
   static constexpr Applies ringed(const Input& in) { return where(in.ends == Ends::ringed); }
   static constexpr std::array meanings = wall_meanings;

@@ -74,7 +74,7 @@ sigma_adm = "140 MPa"
            std::array{Rule<Input>{[](const Input& in) { return in.a <= 5.0 * in.b && in.b <= 5.0 * in.a; }, "a, b",
                                   "a/b must be 1/5 to 5 (range of membrane theory)"},
                       Rule<Input>{[](const Input& in) { return leaves_room(in, min(in.a, in.b)); }, "a, b, delta",
-                                  "the wall is thicker than the semi-axes leave room for"}});
+                                  "the wall must be thinner than the semi-axes"}});
 
   static constexpr Applies flat(const Input& in) { return where(in.a * in.a > 2.0 * in.b * in.b); }
   static constexpr std::array meanings = wall_meanings;

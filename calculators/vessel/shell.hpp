@@ -109,8 +109,8 @@ sigma_adm = "120 MPa"
   static constexpr std::array rules = join(
       wall_rules<Input>(), liquid_rules<Input>(),
       std::array{Rule<Input>{&long_enough, "points", "a meridian needs at least three points"},
-                 Rule<Input>{&apart, "points", "two neighbouring points of the meridian are one and the same"},
-                 Rule<Input>{&is_loaded, "h_l, points", "the wall has no load: the liquid level is below it"},
+                 Rule<Input>{&apart, "points", "neighbouring points of the meridian must differ"},
+                 Rule<Input>{&is_loaded, "h_l, points", "the liquid level is below the wall: no load"},
                  Rule<Input>{&held_off_axis, "points",
                              "only the first point may lie on the axis, and the last must lie higher or lower than it: "
                              "split a shell that is closed at both ends where it is held"}});

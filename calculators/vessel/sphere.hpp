@@ -72,7 +72,7 @@ sigma_adm = "160 MPa"
            std::array{Rule<Input>{[](const Input& in) { return !is_set(in.h_l) || in.h_l <= 2.0 * in.R; }, "h_l, R",
                                   "the liquid level is above the top of the sphere: give the pressure there as p"},
                       Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
-                                  "the wall is thicker than the radius leaves room for"}});
+                                  "the wall must be thinner than the radius"}});
 
   static Applies compressed(const Input& in);
   static constexpr std::array meanings = wall_meanings;

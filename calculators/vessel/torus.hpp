@@ -59,12 +59,12 @@ sigma_adm = "140 MPa"
 
   static constexpr std::array rules =
       join(wall_rules<Input>(), gas_rules<Input>(),
-           std::array{Rule<Input>{[](const Input& in) { return in.R_0 > 1.02 * in.r; }, "R_0, r",
-                                  "the tube meets itself in the middle of the ring: R_0 must be larger than r"},
-                      Rule<Input>{[](const Input& in) { return leaves_room(in, in.r); }, "r, delta",
-                                  "the wall is thicker than the radius leaves room for"},
-                      Rule<Input>{[](const Input& in) { return !is_set(in.delta) || in.R_0 > in.r + in.delta; },
-                                  "R_0, r, delta", "the wall leaves no hole in the ring: R_0 must be larger"}});
+           std::array{
+               Rule<Input>{[](const Input& in) { return in.R_0 > 1.02 * in.r; }, "R_0, r", "R_0 must be larger than r"},
+               Rule<Input>{[](const Input& in) { return leaves_room(in, in.r); }, "r, delta",
+                           "the wall must be thinner than the radius"},
+               Rule<Input>{[](const Input& in) { return !is_set(in.delta) || in.R_0 > in.r + in.delta; },
+                           "R_0, r, delta", "R_0 must be larger: the wall closes the ring"}});
 
   static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>("u_v, t_R");

@@ -143,11 +143,11 @@ constexpr auto wall_rules() {
       Rule<Input>{[](const Input& in) { return is_set(in.sigma_adm) || (is_set(in.R_e) && is_set(in.S)); },
                   "sigma_adm, R_e, S", "give sigma_adm, or S with the yield strength R_e (or a material)"},
       Rule<Input>{[](const Input& in) { return !is_set(in.sigma_adm) || !(is_set(in.S) || is_set(in.R_e)); },
-                  "sigma_adm, R_e, S", "sigma_adm already holds the safety: give sigma_adm, or R_e with S, never both"},
+                  "sigma_adm, R_e, S", "sigma_adm includes the safety factor: give sigma_adm, or R_e with S, not both"},
       Rule<Input>{[](const Input& in) { return in.c_t == 0.0 * mm || in.f_t == 0.0; }, "c_t, f_t",
-                  "give the under-tolerance as c_t or as f_t, never both"},
+                  "give the under-tolerance as c_t or as f_t, not both"},
       Rule<Input>{[](const Input& in) { return !is_set(in.delta) || in.delta * (1.0 - in.f_t) > in.c + in.c_t; },
-                  "delta, c, c_t, f_t", "the allowances leave nothing of the wall: it must be thicker than they are"}};
+                  "delta, c, c_t, f_t", "the wall must be thicker than its allowances"}};
 }
 
 template <class Input>
@@ -155,13 +155,13 @@ constexpr auto liquid_rules() {
   return std::array{Rule<Input>{[](const Input& in) { return is_set(in.rho) == is_set(in.h_l); }, "rho, h_l",
                                 "a liquid needs both its density rho and the height h_l of its surface"},
                     Rule<Input>{[](const Input& in) { return in.p > 0.0 * MPa || in.h_l > 0.0 * mm; }, "p, rho, h_l",
-                                "the wall has no load: give a pressure p, or a liquid by rho and h_l"}};
+                                "give a pressure p, or a liquid by rho and h_l"}};
 }
 
 template <class Input>
 constexpr auto gas_rules() {
-  return std::array{Rule<Input>{[](const Input& in) { return in.p > 0.0 * MPa; }, "p",
-                                "nothing loads the wall: the pressure must be greater than zero"}};
+  return std::array{
+      Rule<Input>{[](const Input& in) { return in.p > 0.0 * MPa; }, "p", "the pressure must be greater than zero"}};
 }
 
 template <class Input>

@@ -97,7 +97,7 @@ class Marks(unittest.TestCase):
         np.testing.assert_array_equal(sweep.is_refused, [False, True, False])
         self.assertTrue(np.isnan(sweep["tau_max"][1]) and not np.isnan(sweep["tau_max"][[0, 2]]).any())
         self.assertEqual((sweep.refused[0].count, sweep.refused[0].first), (1, 1))
-        self.assertIn("the bore must be smaller than the shaft", sweep.refused[0].message)
+        self.assertIn("the bore must be smaller than the outer diameter of the shaft", sweep.refused[0].message)
 
     def test_first_row_is_refused(self):
         d = np.full(3000, 0.06)

@@ -93,7 +93,7 @@ TEST_SUITE("contract" * test::by_element) {
       for (const auto& judge : judges_of(*c)) {
         INFO(std::string(c->id), " ", judge.first);
         CHECK_MESSAGE(is_named(*c, judge.first) != judge.second->is_beside,
-                      "name it in a mode (.judged_by), or declare it .beside(), never both");
+                      "name it in a mode (.judged_by), or declare it .beside(), not both");
       }
     }
   }

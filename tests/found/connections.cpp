@@ -241,7 +241,7 @@ TEST_SUITE("found connections") {
     CHECK(screw(20) == "not-covered");
     const std::string fit = "[f]\ncalculator = \"shaft.press_fit\"\n" + load + "\n" + fit_of_40;
     CHECK(mode_of(solved_as_found(gears_of(40, "60 mm") + fit), "f", "wall") == "pass");
-    CHECK(first_error_of(gears_of(24, "60 mm") + fit).find("exceeds the root diameter") != std::string::npos);
+    CHECK(first_error_of(gears_of(24, "60 mm") + fit).find("must not exceed the root diameter") != std::string::npos);
   }
 
   TEST_CASE("root circles of sprockets, groove bottoms of V-belt pulleys") {

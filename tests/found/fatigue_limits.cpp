@@ -46,9 +46,9 @@ TEST_SUITE("found fatigue limits") {
     for (const char* const group : {"grey-iron", "ductile-iron", "malleable-iron"}) {
       const std::string of = aluminium + "group = \"" + std::string(group) + "\"\nrule = ";
       refuses_limit("fatigue.endurance", of + "\"fkm\"\nloading = \"tension\"\nd = \"20 mm\"\n",
-                    "are not those of an iron");
+                    "modulus and density are not those of iron or steel: give the group of the material");
       refuses_limit("fatigue.life", of + "\"goodman\"\nR_e = \nK_m = 1\nsigma_D = \"60 MPa\"\n",
-                    "are not those of an iron");
+                    "modulus and density are not those of iron or steel: give the group of the material");
     }
     const std::string strength =
         "[limit]\ncalculator = \"fatigue.endurance\"\nR_m = \"290 MPa\"\ngroup = \"wrought-aluminium\"\nrule = "

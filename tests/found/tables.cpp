@@ -158,7 +158,7 @@ TEST_SUITE("found tables") {
     CHECK(quenched.value("s.sigma_m1")->si[0] < as_finished.value("s.sigma_m1")->si[0]);
     CHECK(first_error_of("[s]\ncalculator = \"fatigue.endurance\"\nR_m = \"700 MPa\"\ngroup = \"carbon-steel\"\nrule = "
                          "\"din743\"\nloading = \"bending\"\nd = \"40 mm\"\nd_h = \"35 mm\"\n")
-              .starts_with("the diameter at heat treatment is not below"));
+              .starts_with("the heat treatment diameter must not be below that of the finished part"));
     const std::string cycle =
         "[c]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"200 MPa\"\nsigma_min = \"-200 MPa\"\nS_F = 1.5\n"
         "material = \"C45E\"\n";

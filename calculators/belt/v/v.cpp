@@ -81,8 +81,7 @@ bool V::class_fits(const Input& in) {
 }
 FieldFault V::wrong_class(const Input& in) {
   if (in.basis == Basis::optibelt) {
-    return {"belt_class", say("the class of the belt goes with the basis iso"),
-            say("leave it out, or state basis = \"iso\"")};
+    return {"belt_class", say("the belt class requires the basis iso"), say("leave it out, or state basis = \"iso\"")};
   }
   if (in.belt_class == BeltClass::classes_0_II) {
     return {"belt_class", say("the ratings are those of classes III and IV; classes 0 to II carry about 20 % less"),

@@ -116,8 +116,7 @@ FieldFault Lightest::no_room(const Input& in) {
   if (is_set(in.h_max)) limits = "h_max = " + format_quantity(in_si(in.h_max), mm.symbol);
   if (is_set(in.b_max))
     limits += (limits.empty() ? "b_max = " : ", b_max = ") + format_quantity(in_si(in.b_max), mm.symbol);
-  return {is_set(in.h_max) ? "h_max" : "b_max",
-          say("there is room for no section of {1} within {2}", names_of(in.families), limits),
+  return {is_set(in.h_max) ? "h_max" : "b_max", say("no section of {1} fits within {2}", names_of(in.families), limits),
           say("give more by h_max, b_max, or leave them out")};
 }
 
@@ -127,7 +126,7 @@ bool Lightest::kind_fits(const Input& in) {
 }
 
 FieldFault Lightest::kind_of_tubes(const Input& in) {
-  return {"kind", say("round tubes are hot_hollow or cold_hollow, not {1}", word_of(in.kind)), {}};
+  return {"kind", say("round tubes must be hot_hollow or cold_hollow, not {1}", word_of(in.kind)), {}};
 }
 
 bool Lightest::fibres_known(const Input& in) { return fibreless(in) == nullptr; }

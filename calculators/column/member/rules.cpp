@@ -162,7 +162,8 @@ FieldFault support_outside(const Member& in) {
   const Astray at = astray(in);
   const std::string path = std::string(at.list) + "[" + std::to_string(at.place + 1) + "].x";
   return {path,
-          say("supports lie between the ends of the bar, 0 and {1}, in order", format_quantity(in_si(in.l), mm.symbol)),
+          say("supports must lie between the ends of the bar, 0 and {1}, in order",
+              format_quantity(in_si(in.l), mm.symbol)),
           say("omit the ends from this list; sort the others by x")};
 }
 

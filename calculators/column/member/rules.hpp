@@ -46,7 +46,7 @@ template <class Input>
 constexpr auto held_rules() {
   return std::array{
       Rule<Input>{[](const Input& in) { return !(is_set(in.N) && is_set(in.P)); }, "N, P",
-                  "give the force as N, positive in tension, or as P, positive in compression, never both"},
+                  "give the force as N, positive in tension, or as P, positive in compression, not both"},
       Rule<Input>{[](const Input& in) { return is_set(in.E) || !(is_set(in.N) || is_set(in.P)); }, "E, N, P",
                   "give the modulus E, or a material"},
       Rule<Input>{[](const Input& in) {
@@ -60,12 +60,12 @@ constexpr auto held_rules() {
                     return !(is_set(in.beta_y) && in.ends_y != Ends::unsaid) &&
                            !(is_set(in.beta_z) && in.ends_z != Ends::unsaid);
                   },
-                  "ends_y, ends_z, beta_y, beta_z", "give the ends of an axis or its factor beta, never both"},
+                  "ends_y, ends_z, beta_y, beta_z", "give the ends of an axis or its factor beta, not both"},
       Rule<Input>{&of<Input, &supports_inside>, "supports_y, supports_z, l",
-                  "supports lie between the ends, in order along the bar", &of<Input, &support_outside>},
-      Rule<Input>{
-          &of<Input, &supports_need_ends>, "supports_y, supports_z, beta_y, beta_z, beta_basis",
-          "supports are computed from the ends exactly: leave out beta of that axis, and beta_basis = \"exact\""}};
+                  "supports must lie between the ends, in order along the bar", &of<Input, &support_outside>},
+      Rule<Input>{&of<Input, &supports_need_ends>, "supports_y, supports_z, beta_y, beta_z, beta_basis",
+                  "the effective length with supports is computed exactly from the ends: omit beta of that axis and "
+                  "use beta_basis = \"exact\""}};
 }
 
 /// Material and method, but for what the method needs (`lack`).
@@ -77,18 +77,18 @@ constexpr auto method_rules() {
       Rule<Input>{&of<Input, &yields_as_graded>, "grade, R_e",
                   "grade S460 has a yield strength of at least 400 MPa; omit grade for another steel"},
       Rule<Input>{[](const Input& in) { return is_set(in.a_T) == is_set(in.b_T); }, "a_T, b_T",
-                  "a_T and b_T belong together"},
+                  "a_T and b_T must be given together"},
       Rule<Input>{[](const Input& in) { return in.transition == Transition::computed || is_set(in.lambda_1); },
-                  "transition, lambda_1", "the published transition is the lambda_1 of the set: give it"},
+                  "transition, lambda_1", "give lambda_1 of the set, the published transition"},
       Rule<Input>{[](const Input& in) { return !is_set(in.sigma_P) || !is_set(in.R_e) || in.sigma_P <= in.R_e; },
-                  "sigma_P, R_e", "the proportional limit is not above the yield strength"},
+                  "sigma_P, R_e", "the proportional limit must not exceed the yield strength"},
       Rule<Input>{&of<Input, &set_meets_euler>, "a_T, b_T, c_T, E, transition",
-                  "with this modulus the set of Tetmajer-Yasinsky never meets Euler's hyperbola"},
-      Rule<Input>{&of<Input, &set_near_euler>, "a_T, b_T, c_T, E, lambda_1", "the set misses Euler at its lambda_1",
-                  &of<Input, &gap_of_set>, true},
-      Rule<Input>{&of<Input, &set_is_of_material>, "E_T, E", "this set is of another material",
+                  "with this modulus the Tetmajer line must intersect Euler's hyperbola"},
+      Rule<Input>{&of<Input, &set_near_euler>, "a_T, b_T, c_T, E, lambda_1",
+                  "the Tetmajer line must meet Euler's hyperbola at its lambda_1", &of<Input, &gap_of_set>, true},
+      Rule<Input>{&of<Input, &set_is_of_material>, "E_T, E", "this Tetmajer set belongs to another material",
                   &of<Input, &modulus_of_set>},
-      Rule<Input>{&of<Input, &set_fits_modulus>, "E_T, E", "the set was given with another modulus",
+      Rule<Input>{&of<Input, &set_fits_modulus>, "E_T, E", "this Tetmajer set belongs to another modulus of elasticity",
                   &of<Input, &modulus_of_set>, true},
       Rule<Input>{&of<Input, &usual_safety>, "n_st, material_class", "the safety factor is unusual",
                   &of<Input, &unusual_safety>, true}};
@@ -105,7 +105,7 @@ constexpr auto assumption_rules() {
 template <class Input>
 constexpr auto eccentricity_rules() {
   return std::array{Rule<Input>{[](const Input& in) { return !(in.e_y > 0.0 * mm && in.e_z > 0.0 * mm); }, "e_y, e_z",
-                                "the secant formula takes an eccentricity about one axis"}};
+                                "the secant formula covers an eccentricity about one axis only"}};
 }
 
 /// Whether sizes, area and second moments are of one section.
@@ -124,9 +124,9 @@ constexpr auto section_rules() {
   return std::array{
       Rule<Input>{&of<Input, given>, "A, I_y, i_y, I_z, i_z, d, d_bore, h, b", "give the section", &of<Input, missing>},
       Rule<Input>{&of<Input, fit>, "A, I_y, I_z, i_y, i_z",
-                  "I and i of an axis do not fit: I is A i^2; give one of them"},
+                  "I and i of an axis must satisfy I = A i^2; give one of them"},
       Rule<Input>{&of<Input, &is_one_section>, "A, I_y, I_z, i_y, i_z, h, b, d, t_f, t_w, kind",
-                  "sizes, area and second moments are not of one section", &of<Input, &two_sections>},
+                  "sizes, area and second moments of area must belong to the same section", &of<Input, &two_sections>},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_bore) || (is_set(in.d) && in.d_bore < in.d); }, "d_bore, d",
                   "d_bore requires d and must be smaller"},
       Rule<Input>{&of<Input, &is_solid_if_full>, "kind, d, h, b, A, d_bore",

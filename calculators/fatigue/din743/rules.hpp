@@ -14,14 +14,14 @@ constexpr auto din743_steel_rules() {
   return std::array{
       Rule<Input>{[](const Input& in) { return is_set(in.sigma_B) != is_set(in.R_m); }, "sigma_B, R_m",
                   "give the tensile strength: sigma_B at the reference diameter with its group, or R_m in this size "
-                  "(or a material), never both"},
+                  "(or a material), not both"},
       Rule<Input>{
           [](const Input& in) { return is_set(in.sigma_B) == is_set(in.sigma_S) && is_set(in.R_m) == is_set(in.R_e); },
-          "sigma_S, R_e, sigma_B, R_m", "sigma_B goes with sigma_S, and R_m with R_e"},
+          "sigma_S, R_e, sigma_B, R_m", "give sigma_B with sigma_S, or R_m with R_e"},
       Rule<Input>{[](const Input& in) { return is_set(in.sigma_B) == (in.group != SteelGroup::none); },
                   "group, sigma_B", "sigma_B needs the group of steels, for K_1; R_m of this size needs none"},
       Rule<Input>{[](const Input& in) { return !(in.sigma_S > in.sigma_B || in.R_e > in.R_m); },
-                  "sigma_S, R_e, sigma_B, R_m", "a steel yields below its tensile strength"},
+                  "sigma_S, R_e, sigma_B, R_m", "the yield strength must not exceed the tensile strength"},
       Rule<Input>{[](const Input& in) {
                     const Stress most = is_set(in.sigma_B) ? in.sigma_B : in.R_m;
                     return !(in.sigma_zdW >= most || in.sigma_bW >= most || in.tau_tW >= most);
@@ -35,21 +35,21 @@ constexpr auto din743_section_rules() {
       Rule<Input>{[](const Input& in) { return in.notch != Notch::untold; }, "notch",
                   "notch type missing; give notch = \"shoulder\", \"keyway\" ..., or \"smooth\""},
       Rule<Input>{[](const Input& in) { return !has_depth(in.notch) || in.D > in.d; }, "D, d, notch",
-                  "a shoulder or a groove needs the larger diameter D, above d"},
+                  "a shoulder or a groove needs the larger diameter D > d"},
       Rule<Input>{[](const Input& in) { return !needs_radius(in.notch) || is_set(in.r); }, "r, notch",
                   "this notch needs its radius r"},
       Rule<Input>{[](const Input& in) { return in.notch != Notch::smooth || !is_set(in.r); }, "r, notch",
-                  "a smooth section has no radius: of a shoulder write notch = \"shoulder\" with D"},
+                  "a smooth section has no radius; for a shoulder give notch = \"shoulder\" with D"},
       Rule<Input>{[](const Input& in) { return in.notch != Notch::rectangular_groove || is_set(in.w); }, "w, notch",
                   "a rectangular groove needs its width w"},
       Rule<Input>{[](const Input& in) { return !needs_roughness(in.notch) || is_set(in.R_z); }, "R_z, notch",
-                  "give the roughness R_z at the notch; only under a hub it is within the notch factor"},
+                  "give the roughness R_z at the notch (only under a hub the notch factor includes it)"},
       Rule<Input>{[](const Input& in) { return in.notch != Notch::cross_hole || in.r < 0.29 * in.d; }, "r, d",
-                  "the hole leaves no section"},
+                  "the hole must be smaller than the section"},
       Rule<Input>{[](const Input& in) { return in.d_bore < in.d; }, "d_bore, d",
-                  "the bore must be smaller than the shaft"},
+                  "the bore must be smaller than the outer diameter of the shaft"},
       Rule<Input>{[](const Input& in) { return !(in.d_h < in.d || in.d_h < in.D); }, "d_h, d, D",
-                  "the diameter at heat treatment is not below that of the finished part"}};
+                  "the heat treatment diameter must not be below that of the finished part"}};
 }
 
 /// Actions on a section, by the keys of SectionActions.
@@ -110,14 +110,14 @@ constexpr auto din743_load_rules() {
   return std::array{
       Rule<Input>{[](const Input& in) { return !acting(acting_loads(in)).empty(); },
                   "M_ba, F_zda, M_ta, sigma_ba, sigma_zda, tau_ta",
-                  "give what acts: force or moments, or their nominal stresses"},
+                  "give the loads: force or moments, or their nominal stresses"},
       Rule<Input>{[](const Input& in) {
                     const Din743Loads l = acting_loads(in);
                     return !(l.F_zd.acts() && l.sigma_zd.acts()) && !(l.M_b.acts() && l.sigma_b.acts()) &&
                            !(l.M_t.acts() && l.tau_t.acts());
                   },
                   "sigma_zdm, sigma_bm, tau_tm, F_zdm, M_bm, M_tm",
-                  "give a load as force or moment, or as its nominal stress, never both"},
+                  "give a load as force or moment, or as its nominal stress, not both"},
       Rule<Input>{[](const Input& in) {
                     return each_acting(acting_loads(in), [](const auto& a) { return is_set(a.amplitude); });
                   },

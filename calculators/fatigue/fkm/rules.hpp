@@ -18,24 +18,25 @@ constexpr auto fkm_steel_rules() {
       Rule<Input>{[](const Input& in) { return in.steel != FkmSteelGroup::untold; }, "steel",
                   "steel group missing: fatigue limit, support and size factors depend on it"},
       Rule<Input>{[](const Input& in) { return is_set(in.R_mN) != is_set(in.R_m); }, "R_mN, R_m",
-                  "give the tensile strength: R_mN of the standard, or R_m in this size (or a material), never both"},
+                  "give the tensile strength: R_mN of the standard, or R_m in this size (or a material), not both"},
       Rule<Input>{
           [](const Input& in) { return is_set(in.R_mN) == is_set(in.R_eN) && is_set(in.R_m) == is_set(in.R_e); },
-          "R_eN, R_e, R_mN, R_m", "R_mN goes with R_eN, and R_m with R_e"},
+          "R_eN, R_e, R_mN, R_m", "give R_mN with R_eN, or R_m with R_e"},
       Rule<Input>{
           [](const Input& in) { return !is_set(in.R_mN) || in.steel == FkmSteelGroup::untold || knows_size(in); },
           "a_dm, d_Nm, a_dp, d_Np, steel, R_mN",
-          "of this steel the constants of the size factors are not known here: type a_dm, d_Nm, a_dp and d_Np, "
-          "or give R_m and R_e in this size"},
+          "the constants of the size factors of this steel are unknown: give a_dm, d_Nm, a_dp and d_Np, or R_m and R_e "
+          "in this size"},
       Rule<Input>{[](const Input& in) {
                     return is_set(in.R_mN) ||
                            !(is_set(in.a_dm) || is_set(in.a_dp) || is_set(in.d_Nm) || is_set(in.d_Np));
                   },
-                  "a_dm, a_dp, d_Nm, d_Np, R_m", "R_m of this size needs no constants of size: they belong to R_mN"},
+                  "a_dm, a_dp, d_Nm, d_Np, R_m",
+                  "the constants of the size factors belong to R_mN; omit them with R_m of this size"},
       Rule<Input>{[](const Input& in) { return !(in.R_eN > in.R_mN || in.R_e > in.R_m); }, "R_eN, R_e, R_mN, R_m",
-                  "a steel yields below its tensile strength"},
+                  "the yield strength must not exceed the tensile strength"},
       Rule<Input>{[](const Input& in) { return !is_set(in.K_an) || in.fibre == Fibre::along; }, "K_an, fibre",
-                  "give the anisotropy as K_an or by fibre, never both"},
+                  "give the anisotropy as K_an or by fibre, not both"},
       Rule<Input>{[](const Input& in) {
                     const Stress most = is_set(in.R_mN) ? in.R_mN : in.R_m;
                     return !(in.sigma_W >= most || in.tau_W >= most);
@@ -44,7 +45,8 @@ constexpr auto fkm_steel_rules() {
       Rule<Input>{[](const Input& in) {
                     return in.notch == Notch::alpha || !(is_set(in.G_zd) || is_set(in.G_b) || is_set(in.G_t));
                   },
-                  "G_zd, G_b, G_t, notch", "gradients belong to typed shape factors: notch = \"alpha\""}};
+                  "G_zd, G_b, G_t, notch",
+                  "gradients belong to given stress concentration factors: notch = \"alpha\""}};
 }
 
 template <class Input>

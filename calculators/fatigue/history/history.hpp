@@ -220,18 +220,18 @@ n_req = 1
     return in.counting != Counting::hcm || in.residue != Residue::half_cycles;
   }
   static constexpr std::array rules{
-      Rule<Input>{&one_source, "sigma, blocks", "give the stress sigma as a series, or blocks, one of the two"},
+      Rule<Input>{&one_source, "sigma, blocks", "give either the stress sigma as a series or blocks"},
       Rule<Input>{&is_history, "sigma",
                   "a single value is not a load history: refer to the series, without peak, max or mean, or "
                   "give blocks"},
-      Rule<Input>{&curve_given, "curve, sigma_D, N_D, k, sigma_C, detail, lg_a", "the curve lacks numbers",
+      Rule<Input>{&curve_given, "curve, sigma_D, N_D, k, sigma_C, detail, lg_a", "a value of the S-N curve is missing",
                   &missing_of_curve},
       Rule<Input>{&curve_alone, "curve, sigma_D, N_D, k, sigma_C, detail, lg_a, m_1, m_2, N_1",
                   "give only the numbers of the chosen curve: sigma_D, N_D and k of a part; sigma_C of EN "
                   "1993-1-9; detail, or lg_a, of DNV-RP-C203"},
       Rule<Input>{[](const Input& in) { return in.detail == Detail::untold || !(is_set(in.lg_a) || is_set(in.m_1)); },
                   "detail, lg_a, m_1", "the detail has its own lg a and slope: give detail, or lg_a with m_1"},
-      Rule<Input>{&slopes_fall, "m_1, m_2", "the second branch falls less than the first: m_2 is above m_1"},
+      Rule<Input>{&slopes_fall, "m_1, m_2", "the second branch must be flatter than the first: m_2 > m_1"},
       Rule<Input>{&curve_is_of_dnv, "lg_a, m_1, m_2, N_1",
                   "no detail of DNV-RP-C203 lasts so long: with m_1 = 3 lg_a is 12.592 at most, C in air, and 15.117 "
                   "with 4, B1; 16.320 is that of a second branch. Take the curve by its name: detail = \"C\""},
@@ -245,7 +245,7 @@ n_req = 1
                   "the rule for mean stresses needs its number: R_m for goodman and gerber, R_e for soderberg and "
                   "elliptic, sigma_f "
                   "for morrow, gamma for walker, M for fkm"},
-      Rule<Input>{&may_be_left, "residue, sigma", "one turn of a mechanism comes again: its residue is repeated"},
+      Rule<Input>{&may_be_left, "residue, sigma", "a revolution of a mechanism repeats: its residue must be repeated"},
       Rule<Input>{[](const Input& in) { return !in.sigma.is_series() || tells_its_extremes(*in.sigma.series); },
                   "sigma",
                   "36 positions of a turn at least, and between them extremes no more than 1 % of the range larger: "

@@ -171,14 +171,14 @@ S_F = 1.5
   static bool fine_enough(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{&in_step, "sigma_x, sigma_y, tau_xy",
-                  "the stresses are of the same moments: series of one mechanism, or as many samples of each"},
+                  "the stresses must be simultaneous: series of one mechanism, or the same number of samples"},
       Rule<Input>{&varies, "sigma_x, sigma_y, tau_xy",
                   "a constant stress is not a load history: at least one of the three must vary"},
       Rule<Input>{
           &fine_enough, "sigma_x, sigma_y, tau_xy",
           "36 positions of a turn at least, and between them extremes no more than 1 % of the range larger: take more"},
       Rule<Input>{[](const Input& in) { return !(in.tau_D >= in.sigma_D); }, "tau_D, sigma_D",
-                  "the fatigue limit in torsion is below that in normal stresses"},
+                  "the fatigue limit in torsion must be below that in normal stress"},
       safety_has_its_yield<Input>()};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal}, Meaning{"tau_D", limit_in_shear},

@@ -102,7 +102,7 @@ P_s = 0.9
           .limit(0.05 - 1e-12, 1)};
 
   static constexpr std::array rules{
-      Rule<Input>{&has_both, "tests", "a staircase has failures and run-outs"},
+      Rule<Input>{&has_both, "tests", "a staircase needs failures and run-outs"},
       Rule<Input>{&goes_up_and_down, "tests, steps",
                   "each test is one step lower after a failure, one higher after a run-out, steps equal in stress, or "
                   "with steps = \"log\" in ratio"}};

@@ -88,9 +88,9 @@ P = 0.975
           1e-3 - 1e-12, 0.5)};
 
   static constexpr std::array rules{
-      Rule<Input>{&has_one, "sigma_0, N_0", "a strength or a life is needed that can be moved"},
+      Rule<Input>{&has_one, "sigma_0, N_0", "a strength or a life is required"},
       Rule<Input>{&has_scatter, "T_S, T_N, k",
-                  "a strength moves by T_S, a life by T_N; one gives the other with the slope k"}};
+                  "a strength needs the scatter T_S, a life T_N; either follows from the other with the slope k"}};
 
   static constexpr std::array modes{
       Mode<Input>{"tail", "validity: survival probability", &always<Input>}.judged_by("x_P").of_shape()};

@@ -154,13 +154,13 @@ h_ar = 0.9
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return ring_teeth(in) > in.z_p && ring_teeth(in) > in.z_s; }, "z_r, z_s, z_p",
-                  "the ring has more teeth than sun and planet"},
-      Rule<Input>{&speeds_determined, "fixed, n_s, n_c, n_r",
-                  "with a member held one speed of the others is given; with none held, two", &wrong_speeds},
+                  "the ring gear must have more teeth than sun and planet"},
+      Rule<Input>{&speeds_determined, "fixed, n_s, n_c, n_r", "give one speed if a member is fixed, otherwise two",
+                  &wrong_speeds},
       Rule<Input>{[](const Input& in) { return in.N_p <= in.z_s + ring_teeth(in); }, "N_p, z_s, z_r",
                   "N_p must not exceed z_s + z_r"},
       Rule<Input>{[](const Input& in) { return is_set(in.T_s) + is_set(in.T_c) + is_set(in.T_r) <= 1; },
-                  "T_s, T_c, T_r", "one torque sets the others: give one of T_s, T_c, T_r"},
+                  "T_s, T_c, T_r", "give one of T_s, T_c, T_r; the others follow"},
       Rule<Input>{&evenly_spaced, "z_s, z_r, N_p",
                   "(z_s + z_r)/N_p is not an integer: the planets can be assembled, but not evenly spaced", nullptr,
                   true},

@@ -55,8 +55,8 @@ r_2 = "6 mm"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.t + in.r + in.r_2 <= min(in.h, in.b); }, "t, r, r_2, h, b",
-                  "thickness and radii need longer legs"},
-      Rule<Input>{[](const Input& in) { return in.r_2 <= in.t; }, "r_2, t", "the toes are rounded by at most t"}};
+                  "the legs are too short for thickness and radii"},
+      Rule<Input>{[](const Input& in) { return in.r_2 <= in.t; }, "r_2, t", "the toe radius must not exceed t"}};
   static constexpr std::array modes{torsion_mode<Input>("w")};
 
   template <class Tracer>

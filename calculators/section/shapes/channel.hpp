@@ -40,9 +40,9 @@ r = "13 mm"
   static constexpr auto results = results_of_open_walls;
 
   static constexpr std::array rules{Rule<Input>{[](const Input& in) { return 2.0 * (in.t_f + in.r) <= in.h; },
-                                                "t_f, r, h", "flanges and fillets need more depth than h"},
+                                                "t_f, r, h", "h is too small for flanges and fillets"},
                                     Rule<Input>{[](const Input& in) { return in.t_w + in.r <= in.b; }, "t_w, r, b",
-                                                "web and fillet need more width than b"}};
+                                                "b is too small for web and fillet"}};
   static constexpr std::array modes{torsion_mode<Input>("w")};
 
   template <class Tracer>

@@ -61,13 +61,13 @@ r_i = "5 mm"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return 2.0 * in.t < min(in.h, in.b); }, "t, h, b",
-                  "the walls leave nothing hollow"},
+                  "the walls must be thinner than half the section"},
       Rule<Input>{[](const Input& in) { return 2.0 * in.r_o <= min(in.h, in.b); }, "r_o, h, b",
-                  "the outer radius is at most half the shorter side"},
+                  "the outer radius must not exceed half the shorter side"},
       Rule<Input>{[](const Input& in) { return 2.0 * in.r_i <= min(in.h, in.b) - 2.0 * in.t; }, "r_i, t, h, b",
-                  "the inner radius is at most half the hollow"},
+                  "the inner radius must not exceed half the hollow"},
       Rule<Input>{[](const Input& in) { return in.r_o <= in.r_i + 3.4 * in.t; }, "r_o, r_i, t",
-                  "with this outer radius the corner has no wall left"}};
+                  "the outer radius leaves no wall at the corner"}};
   static constexpr std::array modes{torsion_mode<Input>("w")};
 
   template <class Tracer>

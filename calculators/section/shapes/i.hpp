@@ -54,9 +54,9 @@ r = "18 mm"
                       0, ranges_of_I.most_fillet)});
 
   static constexpr std::array rules{Rule<Input>{[](const Input& in) { return 2.0 * (in.t_f + in.r) <= in.h; },
-                                                "t_f, r, h", "flanges and fillets need more depth than h"},
+                                                "t_f, r, h", "h is too small for flanges and fillets"},
                                     Rule<Input>{[](const Input& in) { return in.t_w + 2.0 * in.r <= in.b; },
-                                                "t_w, r, b", "web and fillets need more width than b"}};
+                                                "t_w, r, b", "b is too small for web and fillets"}};
   static constexpr std::array modes{torsion_mode<Input>("w_t, w_r")};
 
   template <class Tracer>

@@ -39,7 +39,7 @@ h = "60 mm"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return max(in.b, in.h) <= 1e4 * min(in.b, in.h); }, "b, h",
-                  "one side is at most 10000 times the other"}};
+                  "one side must not exceed 10000 times the other"}};
   static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>

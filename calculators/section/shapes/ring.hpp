@@ -42,12 +42,12 @@ t = "5 mm"
   using Result = Properties;
   static constexpr auto results = results_of_properties;
 
-  static constexpr std::array rules{Rule<Input>{[](const Input& in) { return is_set(in.d_i) != is_set(in.t); },
-                                                "d_i, t", "give d_i or t, one of them"},
-                                    Rule<Input>{[](const Input& in) { return !is_set(in.d_i) || in.d_i < in.d; },
-                                                "d_i, d", "the bore must be smaller than the ring"},
-                                    Rule<Input>{[](const Input& in) { return !is_set(in.t) || 2.0 * in.t <= in.d; },
-                                                "t, d", "the wall is at most half the diameter"}};
+  static constexpr std::array rules{
+      Rule<Input>{[](const Input& in) { return is_set(in.d_i) != is_set(in.t); }, "d_i, t", "give either d_i or t"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.d_i) || in.d_i < in.d; }, "d_i, d",
+                  "the bore must be smaller than the ring"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.t) || 2.0 * in.t <= in.d; }, "t, d",
+                  "the wall thickness must not exceed half the diameter"}};
   static constexpr std::array<Mode<Input>, 0> modes{};
 
   template <class Tracer>

@@ -39,9 +39,9 @@ r = "12 mm"
   static constexpr auto results = results_of_open_walls;
 
   static constexpr std::array rules{Rule<Input>{[](const Input& in) { return in.t_f + in.r < in.h; }, "t_f, r, h",
-                                                "flange and fillet need more depth than h"},
+                                                "h is too small for flange and fillet"},
                                     Rule<Input>{[](const Input& in) { return in.t_w + 2.0 * in.r <= in.b; },
-                                                "t_w, r, b", "web and fillets need more width than b"}};
+                                                "t_w, r, b", "b is too small for web and fillets"}};
   static constexpr std::array modes{torsion_mode<Input>("w")};
 
   template <class Tracer>

@@ -112,14 +112,14 @@ theta_adm = "4 deg/m"
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return Polygon::has_corners(in); }, "points, holes",
-                  "a contour and each hole have three corners or more"},
+                  "a contour and each hole need at least three corners"},
       Rule<Input>{[](const Input& in) { return Polygon::is_simple(in); }, "points, holes",
-                  "no side may touch or cross another one of its contour",
+                  "the sides of a contour must not touch or cross each other",
                   [](const Input& in) { return Polygon::crossing(in); }},
       Rule<Input>{[](const Input& in) { return Polygon::holes_are_inside(in); }, "holes, points",
                   "every hole must lie inside the contour and clear of other holes",
                   [](const Input& in) { return Polygon::hole_outside(in); }},
-      Rule<Input>{&sides_fit, "points, holes", "contour and holes have 40 sides at most"},
+      Rule<Input>{&sides_fit, "points, holes", "contour and holes may have at most 40 sides"},
       Rule<Input>{[](const Input& in) { return one_shear_strength(in, false); },
                   "tau_adm, sigma_adm, behaviour, S, R_e",
                   "give one of them: tau_adm; sigma_adm with behaviour; S with the yield strength R_e (or a material)"},

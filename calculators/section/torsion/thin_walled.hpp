@@ -127,27 +127,26 @@ theta_adm = "0.5 deg/m"
   static Applies slender(const Input& in);
 
   static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return !in.walls.empty(); }, "walls", "a section has one wall at least"},
+      Rule<Input>{[](const Input& in) { return !in.walls.empty(); }, "walls", "a section needs at least one wall"},
       Rule<Input>{
           &sizes_given, "cells, walls",
           "give the area of a cell as A or by three points or more, the length of a wall as l or by two or more"},
-      Rule<Input>{&cells_once, "cells", "every cell has a name of its own"},
-      Rule<Input>{&cells_known, "walls, cells", "a wall names its cell, and the adjacent cell if there is one",
+      Rule<Input>{&cells_once, "cells", "each cell needs a different name"},
+      Rule<Input>{&cells_known, "walls, cells", "a wall must name its cell, and the adjacent cell if there is one",
                   &unknown_cell},
       Rule<Input>{&cells_close, "cells, walls",
                   "a cell needs walls, and at least one of its walls or of adjacent cells borders on the outside",
                   &open_cell},
-      Rule<Input>{&no_islands, "cells, walls", "cells lie side by side", &island},
-      Rule<Input>{&outlines_apart, "cells", "the outlines of cells neither cross nor cover one another",
-                  &covered_twice},
+      Rule<Input>{&no_islands, "cells, walls", "cells must lie side by side", &island},
+      Rule<Input>{&outlines_apart, "cells", "the outlines of cells must not cross or overlap", &covered_twice},
       Rule<Input>{&areas_fit, "cells, walls", "a cell must not be larger than a circle of the same perimeter",
                   &too_much_area},
-      Rule<Input>{&outlines_fit, "cells, walls", "the walls of a cell are not as long as its outline by points",
+      Rule<Input>{&outlines_fit, "cells, walls", "the walls of a cell must be as long as its outline by points",
                   nullptr, true},
       Rule<Input>{&one_strength, "tau_adm, sigma_adm, behaviour, S, R_e",
                   "give one of them: tau_adm; sigma_adm with behaviour; S with the yield strength R_e (or a material)"},
       Rule<Input>{&moduli_fit, "walls, G",
-                  "a wall with a G of its own is of another material: give its tau_adm, and the G of the others"},
+                  "a wall with its own G is of another material: give its tau_adm, and the G of the others"},
       Rule<Input>{[](const Input& in) { return !is_set(in.theta_adm) || is_set(in.G); }, "theta_adm, G",
                   "theta_adm needs the shear modulus G (or a material)"}};
 

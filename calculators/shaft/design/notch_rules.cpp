@@ -243,7 +243,7 @@ Message fault_of(const Input& in, const Notched& notch) {
     return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
   if (is_groove(notch.kind) && !(2.0 * notch.t < d)) return say("the groove is deeper than the shaft");
   if (Message fault = fault_of_width(in, notch); !fault.empty()) return fault;
-  if (notch.kind == Notch::cross_hole && !(notch.r < 0.29 * d)) return say("the hole leaves no section");
+  if (notch.kind == Notch::cross_hole && !(notch.r < 0.29 * d)) return say("the hole must be smaller than the section");
   if (has_factors(notch.kind) && !typed && in.group > fatigue::Endurance::Group::cast_steel)
     return say("its notch factor is given for steels only: give K_t and K_ts");
   if (Message fault = fault_of_size(notch, there); !fault.empty()) return fault;

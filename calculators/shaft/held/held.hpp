@@ -130,19 +130,20 @@ phi_adm = "1 deg"
   static Applies thin(const Input& in);
 
   static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return !in.segments.empty(); }, "segments", "a bar has one segment at least"},
+      Rule<Input>{[](const Input& in) { return !in.segments.empty(); }, "segments", "a bar needs at least one segment"},
       Rule<Input>{[](const Input& in) { return in.end_1 != End::free || in.end_2 != End::free; }, "end_1, end_2",
-                  "hold one end at least; shaft.torsion takes a shaft whose ends are free"},
-      Rule<Input>{&springs_fit, "end_1, end_2, c_1, c_2", "c_1 and c_2 go with elastic ends, and each of them has one"},
+                  "at least one end must be fixed; for free ends use shaft.torsion"},
+      Rule<Input>{&springs_fit, "end_1, end_2, c_1, c_2",
+                  "c_1 and c_2 belong to elastic ends, and each elastic end needs one"},
       Rule<Input>{&one_strength, "tau_adm, sigma_adm, behaviour, S, R_e",
                   "give one of them: tau_adm; sigma_adm with behaviour; S with the yield strength R_e (or a material)"},
       Rule<Input>{&has_moduli, "G, segments, sleeves",
-                  "every part needs a shear modulus: its own G, or the common one"},
+                  "every segment needs a shear modulus: its own G, or the common one"},
       Rule<Input>{&strength_of_own, "segments, sleeves",
-                  "a part with a G of its own is of another material: give its tau_adm too"},
-      Rule<Input>{&walls_stand, "segments, sleeves", "a bore must be smaller than its part, at both ends"},
-      Rule<Input>{&on_bar, "torques, sleeves, segments", "torques and sleeves lie on the bar", &off_bar},
-      Rule<Input>{&on_cylinders, "sleeves, segments", "a sleeve goes with cylinders, not with cones"},
+                  "a segment with its own G is of another material: give its tau_adm too"},
+      Rule<Input>{&walls_stand, "segments, sleeves", "a bore must be smaller than its segment, at both ends"},
+      Rule<Input>{&on_bar, "torques, sleeves, segments", "torques and sleeves must lie on the bar", &off_bar},
+      Rule<Input>{&on_cylinders, "sleeves, segments", "a sleeve needs a cylindrical segment, not a cone"},
       Rule<Input>{&side_by_side, "sleeves, segments",
                   "a sleeve must fit around the enclosed part, or inside of the bore: two members overlap"}};
 

@@ -30,7 +30,7 @@ constexpr auto power_rules() {
   return std::array{Rule<Input>{[](const Input& in) { return !(is_set(in.T) && is_set(in.P)); }, "T, P",
                                 "T and P both give the torque: give T, or P with n"},
                     Rule<Input>{[](const Input& in) { return is_set(in.P) == is_set(in.n); }, "P, n",
-                                "the power P and the speed n belong together: T = P/(2 pi n)"}};
+                                "the power P requires the speed n, and vice versa: T = P/(2 pi n)"}};
 }
 
 template <class Input, class Tracer>

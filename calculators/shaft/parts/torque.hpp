@@ -60,12 +60,12 @@ constexpr Rule<Input> safety_has_strength() {
 template <class Input>
 constexpr auto rules_of_sides() {
   return std::array{Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_1) && is_set(in.R_e_1)); },
-                                "p_adm_1, R_e_1", "give p_adm_1 or R_e_1, never both"},
+                                "p_adm_1, R_e_1", "give p_adm_1 or R_e_1, not both"},
                     Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_2) && is_set(in.R_e_2)); },
-                                "p_adm_2, R_e_2", "give p_adm_2 or R_e_2, never both"},
+                                "p_adm_2, R_e_2", "give p_adm_2 or R_e_2, not both"},
                     safety_has_strength<Input>(),
                     Rule<Input>{[](const Input& in) { return !is_set(in.f_W) || in.torque == Sense::reversing; },
-                                "f_W, torque", "f_W belongs to a reversing torque: torque = \"reversing\""}};
+                                "f_W, torque", "f_W requires a reversing torque: torque = \"reversing\""}};
 }
 
 /// Something to carry: T, or T_max where it is given.

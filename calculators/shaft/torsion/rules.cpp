@@ -48,9 +48,8 @@ FieldFault Torsion::torque_off_shaft(const Input& in) {
 /// With tau_adm given no material fills R_e: it was typed, or S is given without it.
 FieldFault Torsion::two_safeties(const Input& in) {
   if (is_set(in.R_e)) return {};
-  return {
-      "S", say("tau_adm already holds the safety, and S would be a second one"),
-      say("leave out S; or leave out tau_adm, and S counts against the yield strength R_e, given or of a material")};
+  return {"S", say("tau_adm includes the safety factor; S would be a second one"),
+          say("omit S; or omit tau_adm, and S applies to the yield strength R_e, given or of a material")};
 }
 
 /// Whether a torque runs through it at all.

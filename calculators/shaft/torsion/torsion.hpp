@@ -146,14 +146,14 @@ theta_adm = "0.004 rad/m"
                       },
                       "sigma_adm, behaviour, tau_adm, S", "sigma_adm needs behaviour, and replaces tau_adm and S"},
           Rule<Input>{[](const Input& in) { return !is_set(in.tau_adm) || !(is_set(in.S) || is_set(in.R_e)); },
-                      "tau_adm, R_e, S", "tau_adm already holds the safety: give tau_adm, or R_e with S, never both",
+                      "tau_adm, R_e, S", "tau_adm includes the safety factor: give tau_adm, or R_e with S, not both",
                       &two_safeties},
           Rule<Input>{[](const Input& in) { return !is_set(in.theta_adm) || is_set(in.G); }, "theta_adm, G",
                       "theta_adm needs the shear modulus G (or a material)"},
           Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
-                      "give the bore as chi or as d_bore, never both"},
+                      "give the bore as chi or as d_bore, not both"},
           Rule<Input>{[](const Input& in) { return !(is_set(in.d) && is_set(in.d_bore)) || in.d_bore < in.d; },
-                      "d_bore, d", "the bore must be smaller than the shaft"},
+                      "d_bore, d", "the bore must be smaller than the outer diameter of the shaft"},
           Rule<Input>{[](const Input& in) { return in.fixed == Fixed::none || !in.torques.empty(); }, "fixed, torques",
                       "a fixed end needs torques; T acts through the full length"},
           Rule<Input>{[](const Input& in) { return in.segments.empty() || !is_set(in.l); }, "l, segments",
@@ -164,7 +164,7 @@ theta_adm = "0.004 rad/m"
                       &torque_off_shaft},
           Rule<Input>{&bores_fit, "segments, d",
                       "the bore of a segment must be smaller than its diameter; give it as chi or as "
-                      "d_bore, never both"},
+                      "d_bore, not both"},
           heat_treated_before_turning<Input>()});
 
   static constexpr std::array meanings{all_in_shear, all_in_normal};

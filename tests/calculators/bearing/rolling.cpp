@@ -127,11 +127,11 @@ TEST_SUITE("rolling bearing") {
     check_says("kind = \"tapered_roller\"\n" + loads, "give e, Y");
     check_says("kind = \"angular_contact_ball\"\n" + loads, "give e, X, Y");
     check_says("kind = \"spherical_roller\"\n" + loads, "give e, Y_1, Y (Y_2 of the table)");
-    check_says("kind = \"cylindrical_roller_NU\"\nf_0 = 14\n" + loads, "never both");
+    check_says("kind = \"cylindrical_roller_NU\"\nf_0 = 14\n" + loads, "give either f_0");
     check_says("kind = \"deep_groove_ball\"\nC_0 = \"18 kN\"\nf_0 = 14\nblocks = [{ q = 0.5 }, { q = 0.4 }]\n" + loads,
                "the shares q sum to 0.9, not to 1");
     check_says("kind = \"deep_groove_ball\"\nC = \"30 kN\"\nF_r = \"3 kN\"\nn = \"0 rpm\"\nL_h = \"100 h\"\n",
-               "a bearing at rest has no life in hours");
+               "a bearing at standstill has no life in hours: omit L_h, or give the speed");
     check_says(loads, "state the bearing type");
     check_says("kind = \"deep_groove_ball\"\nC = \"30 kN\"\nF_r = \"-3 kN\"\nn = \"900 rpm\"\n", "F_r");
   }

@@ -169,7 +169,7 @@ TEST_SUITE("belt course") {
                       b = ", { name = \"b\", x = \"500 mm\", y = \"0 mm\", d = \"100 mm\" }",
                       c = ", { name = \"c\", x = \"500 mm\", y = \"400 mm\", d = \"100 mm\" }",
                       d = ", { name = \"d\", x = \"0 mm\", y = \"400 mm\", d = \"100 mm\" }";
-    says(a, "a belt needs two pulleys or more");
+    says(a, "a belt needs at least two pulleys");
     says(a + ", { name = \"b\", x = \"90 mm\", y = \"0 mm\", d = \"100 mm\" }", "'pulleys.a' and 'pulleys.b' touch");
     says(a + ", { name = \"t\", x = \"250 mm\", y = \"-200 mm\", d = \"60 mm\", side = \"outside\" }" + b,
          "the belt does not reach 'pulleys.t'");
@@ -181,7 +181,7 @@ TEST_SUITE("belt course") {
     says(a + b + ", { x = \"250 mm\", y = \"300 mm\", d = \"60 mm\", along = \"90 deg\" }",
          "this pulley moves, and the belt length is not given");
     says("{ x = \"0 mm\", y = \"0 mm\", d = \"100 mm\", side = \"outside\" }" + b,
-         "the first pulley, which drives, is inside");
+         "the first (driving) pulley must be inside the belt");
     CHECK(BeltStep(with(text, "L", "\"2200 mm\"")).says("it gives belts from 2295.4"));
     CHECK(BeltStep(text).issues.empty());
     const BeltStep backwards("calculator = \"belt.course\"\nturns = \"cw\"\npulleys = [" + a + b + c + "]\n");

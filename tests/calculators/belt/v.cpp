@@ -326,18 +326,19 @@ TEST_SUITE("belt v") {
   }
 
   TEST_CASE("what can be got wrong is told, and no basis is mixed with another") {
-    CHECK(BeltStep(with(text, "basis", "")).says("the class of the belt goes with the basis iso"));
+    CHECK(BeltStep(with(text, "basis", "")).says("the belt class requires the basis iso"));
     CHECK(BeltStep(with(text, "basis", "")).issues.size() == 1);
     CHECK(BeltStep(with(text, "basis", "\"din\"")).says("optibelt"));
     CHECK(BeltStep(with(text, "section", "\"SPB\"")).says("the basis iso does not rate a section 'SPB'"));
     CHECK(BeltStep(with(text, "section", "\"SPB\"")).says("Z, A, B, C, D, E"));
     CHECK(BeltStep(with(text, "belt_class", "")).says("give belt_class = \"III\" or \"IV\""));
     CHECK(BeltStep(with(text, "belt_class", "\"0_II\"")).says("classes 0 to II carry about 20 % less"));
-    CHECK(BeltStep(with(maker, "belt_class", "\"III\"")).says("the class of the belt goes with the basis iso"));
-    CHECK(BeltStep(with(maker, "K_A_1", "1.1")).says("K_A_1 belongs to the basis iso"));
-    CHECK(BeltStep(with(maker, "C_K_end", "\"high\"")).says("the basis optibelt has none"));
-    CHECK(BeltStep(with(text, "K_A", "")).says("give K_A"));
-    CHECK(BeltStep(with(maker, "motor", "\"normal\"")).says("never both"));
+    CHECK(BeltStep(with(maker, "belt_class", "\"III\"")).says("the belt class requires the basis iso"));
+    CHECK(BeltStep(with(maker, "K_A_1", "1.1"))
+              .says("K_A_1 requires the basis iso; the basis optibelt uses K_A for the tension"));
+    CHECK(BeltStep(with(maker, "C_K_end", "\"high\"")).says("the belt number factor requires the basis iso"));
+    CHECK(BeltStep(with(text, "K_A", "")).says("give either K_A or"));
+    CHECK(BeltStep(with(maker, "motor", "\"normal\"")).says("give either K_A or"));
     CHECK(BeltStep(with(text, "L", "")).says("give either the centre distance a or the belt length"));
     CHECK(BeltStep(with(text, "L", "\"900 mm\"")).says("too short for these pulleys"));
     CHECK(!BeltStep(with(text, "z", "-1")).issues.empty());

@@ -28,20 +28,20 @@ TEST_SUITE("column buckling faults") {
 
   TEST_CASE("force, section and ends are given once and whole") {
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"1 kN\"\nN = \"-1 kN\"\n",
-         "give the force as N, positive in tension, or as P, positive in compression, never both");
+         "give the force as N, positive in tension, or as P, positive in compression, not both");
     says(rod + "method = \"johnson\"\n", "the section is not given");
     says(rod + "method = \"johnson\"\nA = \"10 cm^2\"\n", "with the area A both axes need I or i");
     says(rod + "method = \"johnson\"\nI_y = \"10 cm^4\"\n", "I or i is given, but not the area A");
     says(rod + "method = \"johnson\"\nd = \"40 mm\"\nb = \"20 mm\"\n", "the bar is one of them");
     says(rod + "method = \"johnson\"\nd = \"40 mm\"\nd_bore = \"40 mm\"\n", "d_bore requires d and must be smaller");
     says(rod + "method = \"johnson\"\nA = \"10 cm^2\"\nI_y = \"100 cm^4\"\ni_y = \"20 mm\"\ni_z = \"20 mm\"\n",
-         "I and i of an axis do not fit");
+         "I and i of an axis must satisfy I = A i^2; give one of them");
     says(
         "calculator = \"column.buckling\"\nl = \"900 mm\"\nE = \"210 GPa\"\nR_e = \"235 MPa\"\nd = \"40 mm\"\n"
         "method = \"johnson\"\n",
         "state the end conditions");
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nends_y = \"fixed_free\"\nbeta_y = 2\n",
-         "give the ends of an axis or its factor beta, never both");
+         "give the ends of an axis or its factor beta, not both");
     const std::string soft =
         "calculator = \"column.buckling\"\nl = \"900 mm\"\nends = \"pinned_pinned\"\nd = \"40 mm\"\n";
     CHECK(complaints(soft).empty());  // only its slenderness
@@ -57,11 +57,12 @@ TEST_SUITE("column buckling faults") {
 
   TEST_CASE("supports must lie between the ends, in order") {
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nsupports_z = [[\"900 mm\"]]\n",
-         "bar.supports_z[1].x: supports lie between the ends of the bar, 0 and 900 mm, in order");
+         "bar.supports_z[1].x: supports must lie between the ends of the bar, 0 and 900 mm, in order");
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nsupports_y = [[\"500 mm\"], [\"400 mm\"]]\n",
          "bar.supports_y[2].x");
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nbeta_z = 1\nsupports_z = [[\"400 mm\"]]\n",
-         "supports are computed from the ends exactly");
+         "the effective length with supports is computed exactly from the ends: omit beta of that axis and use "
+         "beta_basis = \"exact\"");
   }
 
   TEST_CASE("a method says what it lacks") {
@@ -101,7 +102,7 @@ TEST_SUITE("column buckling faults") {
     const std::string rolled = rod + "A = \"10 cm^2\"\ni_y = \"30 mm\"\ni_z = \"30 mm\"\nmethod = \"secant\"\n";
     says(rolled + "e_y = \"5 mm\"\n", "an eccentricity needs the distance of the extreme fibre");
     says(rolled + "e_y = \"5 mm\"\ne_z = \"5 mm\"\nc_y = \"50 mm\"\nc_z = \"50 mm\"\n",
-         "the secant formula takes an eccentricity about one axis");
+         "the secant formula covers an eccentricity about one axis only");
   }
 
   TEST_CASE("a set of another material is refused; within a material the modulus is warned of") {

@@ -110,7 +110,7 @@ TEST_SUITE("column effective length") {
               .empty());
   }
 
-  TEST_CASE("springs are compared with the bar") {
+  TEST_CASE("springs need E (or a material) and I of the bar") {
     column::EffectiveLength::Input in;
     in.l = 2.0 * m;
     in.E = 200.0 * GPa;
@@ -161,11 +161,12 @@ TEST_SUITE("column effective length") {
     };
     CHECK(says("end_1 = \"pinned\"\n", "state both end conditions"));
     CHECK(says("G_1 = 1\n", "state both end conditions"));
-    CHECK(
-        says("end_1 = \"pinned\"\nend_2 = \"pinned\"\nframe = \"sway\"\n", "a frame that sways goes with G_1 and G_2"));
+    CHECK(says("end_1 = \"pinned\"\nend_2 = \"pinned\"\nframe = \"sway\"\n", "a sway frame needs G_1 and G_2"));
     CHECK(says("end_1 = \"pinned\"\nend_2 = \"elastic\"\nE = \"210 GPa\"\nI = \"1 cm^4\"\n",
-               "springs c and k go with an end"));
-    CHECK(says("end_1 = \"pinned\"\nend_2 = \"elastic\"\nc_2 = \"1 kN*m/rad\"\n", "springs are compared with the bar"));
-    CHECK(says("end_1 = \"pinned\"\nend_2 = \"pinned\"\nsupports = [[\"2 m\"]]\n", "supports lie between the ends"));
+               "springs c and k belong to an elastic end, which needs at least one"));
+    CHECK(says("end_1 = \"pinned\"\nend_2 = \"elastic\"\nc_2 = \"1 kN*m/rad\"\n",
+               "springs need E (or a material) and I of the bar"));
+    CHECK(
+        says("end_1 = \"pinned\"\nend_2 = \"pinned\"\nsupports = [[\"2 m\"]]\n", "supports must lie between the ends"));
   }
 }

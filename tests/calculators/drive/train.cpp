@@ -118,7 +118,8 @@ TEST_SUITE("drive train") {
     says("{ kind = \"gear\", z_s = 20, z_r = 40, i = 3 }", "given more than once");
     says("{ kind = \"planetary\", z_s = 20, z_r = 60, out = \"sun\" }", "cannot enter and leave by one member");
     says("{ kind = \"belt\", i = -2 }", "must be > 0");
-    says("{ kind = \"chain\", i = 2, slip = 0.01 }", "slip belongs to a belt");
-    says("{ kind = \"belt\", i = 2, slip = 0.05, eta = 0.97 }", "its efficiency contains it");
+    says("{ kind = \"chain\", i = 2, slip = 0.01 }", "slip applies to belts only, and their efficiency includes it");
+    says("{ kind = \"belt\", i = 2, slip = 0.05, eta = 0.97 }",
+         "slip applies to belts only, and their efficiency includes it");
   }
 }

@@ -24,11 +24,12 @@ TEST_SUITE("dynamics momentum") {
   }
 
   TEST_CASE("what leaves nothing to be found, or no impact, is refused") {
-    const Refused rows[] = {{"bodies = [{ m = \"2 kg\", v_2 = \"1 m/s\" }]\n", "leave out v_2"},
-                            {"e = 0.5\nbodies = [{ m = \"2 kg\" }]\n", "impact of two bodies"},
-                            {"e = 0.5\nbodies = [{ m = \"2 kg\" }, { m = \"2 kg\" }]\n", "do not meet"},
-                            {"e = 1.5\nbodies = [{ m = \"2 kg\", v_1 = \"1 m/s\" }, { m = \"2 kg\" }]\n", "must be"},
-                            {"bodies = [{ m = \"-2 kg\" }]\n", "must be"}};
+    const Refused rows[] = {
+        {"bodies = [{ m = \"2 kg\", v_2 = \"1 m/s\" }]\n", "omit v_2 of one body, which is calculated"},
+        {"e = 0.5\nbodies = [{ m = \"2 kg\" }]\n", "impact of two bodies"},
+        {"e = 0.5\nbodies = [{ m = \"2 kg\" }, { m = \"2 kg\" }]\n", "do not collide"},
+        {"e = 1.5\nbodies = [{ m = \"2 kg\", v_1 = \"1 m/s\" }, { m = \"2 kg\" }]\n", "must be"},
+        {"bodies = [{ m = \"-2 kg\" }]\n", "must be"}};
     check_refusals("dynamics.momentum", rows);
   }
 }
@@ -152,8 +153,9 @@ TEST_SUITE("dynamics lift") {
     CHECK(near(-s("weight_states.slides.T"), s("weight_states.hangs.T")));
   }
   TEST_CASE("nothing that moves is refused") {
-    const Refused rows[] = {{"s = \"1 m\"\n", "nothing that moves"},
-                            {"s = \"1 m\"\nweights = [{ m = \"1 kg\", i = 0 }]\n", "no part does"},
+    const Refused rows[] = {{"s = \"1 m\"\n", "give at least one weight or wheel"},
+                            {"s = \"1 m\"\nweights = [{ m = \"1 kg\", i = 0 }]\n",
+                             "at least one part with a mass must move with the path s"},
                             {"s = \"1 m\"\nwheels = [{ J = \"1 kg*m^2\", r = \"0 mm\" }]\n", "must be"}};
     check_refusals("dynamics.lift", rows);
   }

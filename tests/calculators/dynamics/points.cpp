@@ -22,9 +22,10 @@ TEST_SUITE("dynamics force") {
   }
 
   TEST_CASE("a mass without a size, or a law that is none, is refused") {
-    const Refused rows[] = {{"m = \"0 kg\"\nx = \"1 m\"\nt = \"0 s\"\n", "must be"},
-                            {"m = \"1 kg\"\nx = \"1 kg\"\nt = \"0 s\"\n", "length"},
-                            {"m = \"1 kg\"\nx = \"1 m\"\nt = \"0 s\"\nt_1 = \"0 s\"\n", "both of its ends"}};
+    const Refused rows[] = {
+        {"m = \"0 kg\"\nx = \"1 m\"\nt = \"0 s\"\n", "must be"},
+        {"m = \"1 kg\"\nx = \"1 kg\"\nt = \"0 s\"\n", "length"},
+        {"m = \"1 kg\"\nx = \"1 m\"\nt = \"0 s\"\nt_1 = \"0 s\"\n", "give both t_1 and t_2, or neither"}};
     check_refusals("dynamics.force", rows);
   }
 }
@@ -71,7 +72,8 @@ TEST_SUITE("dynamics throw") {
     const Refused rows[] = {{"V_0 = \"0 m/s\"\ntheta = \"45 deg\"\n", "must be"},
                             {"V_0 = \"9 m/s\"\ntheta = \"91 deg\"\n", "must be"},
                             {"V_0 = \"9 m/s\"\ntheta = \"45\"\n", "unit"},
-                            {"V_0 = \"9 m/s\"\ntheta = \"-5 deg\"\nh = \"-1 m\"\n", "does not land higher"}};
+                            {"V_0 = \"9 m/s\"\ntheta = \"-5 deg\"\nh = \"-1 m\"\n",
+                             "with theta <= 0 the body cannot land higher: increase theta, or give h >= 0"}};
     check_refusals("dynamics.throw", rows);
   }
 }

@@ -102,9 +102,9 @@ TEST_SUITE("fatigue.combined") {
     CHECK(says(R_m, "its own fatigue limit"));
     CHECK(says(tau_D, "needs the tensile strength"));
     CHECK(says(R_m + "rule = \"elliptic\"\n", "needs the yield strength"));
-    CHECK(says(R_m + "tau_D = \"200 MPa\"\n", "not above that in normal"));
+    CHECK(says(R_m + "tau_D = \"200 MPa\"\n", "the fatigue limit in shear must not exceed that in normal stress"));
     CHECK(says(tau_D + "R_m = \"170 MPa\"\n", "below the tensile strength"));
-    CHECK(says(tau_D + R_m + "R_e = \"700 MPa\"\n", "not above the tensile"));
-    CHECK(says(tau_D + R_m + "S_F = 1.5\n", "counts against the yield strength"));
+    CHECK(says(tau_D + R_m + "R_e = \"700 MPa\"\n", "the yield strength R_e must not exceed the tensile strength R_m"));
+    CHECK(says(tau_D + R_m + "S_F = 1.5\n", "needs the yield strength R_e"));
   }
 }

@@ -294,28 +294,30 @@ TEST_SUITE("fatigue.din743") {
     const std::string bar = "notch = \"smooth\"\nd = \"40 mm\"\nR_z = \"6.3 um\"\nmean = \"proportional\"\n";
     const std::string shoulder = "notch = \"shoulder\"\nd = \"40 mm\"\nmean = \"proportional\"\nM_ba = \"9 N*m\"\n";
     const std::string load = "M_ba = \"100 N*m\"\n";
-    CHECK(says(steel + bar, "give what acts"));
+    CHECK(says(steel + bar, "give the loads: force or moments, or their nominal stresses"));
     CHECK(says(steel + bar + "M_bm = \"100 N*m\"\n", "amplitude missing"));
-    CHECK(says(steel + bar + load + "sigma_ba = \"10 MPa\"\n", "never both"));
+    CHECK(says(steel + bar + load + "sigma_ba = \"10 MPa\"\n", "not both"));
     CHECK(says(steel + bar + load + "M_bmax = \"99 N*m\"\n", "at least mean plus amplitude"));
     CHECK(says(steel + bar + "M_ba = \"-1 N*m\"\n", "must be"));
     CHECK(says(bar + load, "give the tensile strength"));
     CHECK(says(steel + load + "d = \"40 mm\"\nR_z = \"6.3 um\"\n", "notch type missing"));
     CHECK(says(bar + load + "sigma_B = \"470 MPa\"\nsigma_S = \"355 MPa\"\n", "needs the group of steels"));
-    CHECK(says(bar + load + "group = \"structural\"\nsigma_B = \"470 MPa\"\n", "goes with sigma_S"));
-    CHECK(says(bar + load + "R_m = \"470 MPa\"\nR_e = \"471 MPa\"\n", "yields below"));
+    CHECK(says(bar + load + "group = \"structural\"\nsigma_B = \"470 MPa\"\n",
+               "give sigma_B with sigma_S, or R_m with R_e"));
+    CHECK(says(bar + load + "R_m = \"470 MPa\"\nR_e = \"471 MPa\"\n",
+               "the yield strength must not exceed the tensile strength"));
     CHECK(says(bar + load + steel + "sigma_bW = \"480 MPa\"\n", "below the tensile strength"));
     CHECK(says(steel + shoulder + "r = \"2 mm\"\nR_z = \"6.3 um\"\n", "needs the larger diameter"));
     CHECK(says(steel + shoulder + "r = \"2 mm\"\nD = \"40 mm\"\nR_z = \"6.3 um\"\n", "above d"));
     CHECK(says(steel + shoulder + "D = \"50 mm\"\nR_z = \"6.3 um\"\n", "needs its radius"));
     CHECK(says(steel + shoulder + "D = \"50 mm\"\nr = \"2 mm\"\n", "give the roughness"));
     CHECK(says(steel + shoulder + "D = \"50 mm\"\nr = \"2 mm\"\nR_z = \"6.3 um\"\nd_h = \"45 mm\"\n",
-               "not below that of the finished part"));
+               "the heat treatment diameter must not be below that of the finished part"));
     CHECK(says(steel + bar + load + "S_min = 1.1\n", "must be"));
     CHECK(says(steel + bar + load + "d_bore = \"40 mm\"\n", "must be smaller"));
     CHECK(says(steel + load + "notch = \"beta\"\nbeta_t = 2\nd = \"40 mm\"\nR_z = \"6.3 um\"\nmean = \"constant\"\n",
                "give the factor of each acting stress"));
     CHECK(says(steel + load + "notch = \"cross-hole\"\nr = \"12 mm\"\nd = \"40 mm\"\nR_z = \"6.3 um\"\n",
-               "leaves no section"));
+               "the hole must be smaller than the section"));
   }
 }

@@ -233,26 +233,29 @@ TEST_SUITE("fatigue.endurance") {
     CHECK(says("R_m = \"300 MPa\"\ngroup = \"grey-iron\"\nloading = \"bending\"\nrule = \"din743\"\n", "for steels"));
     CHECK(says(steel + "loading = \"bending\"\nrule = \"fkm\"\n", "tension and torsion"));
     CHECK(says(steel + "loading = \"bending\"\nK_t = 2\n", "needs its sensitivity"));
-    CHECK(says(steel + "loading = \"bending\"\nK_t = 2\nq = 0.8\nr_n = \"2 mm\"\n", "never both"));
-    CHECK(says(steel + "loading = \"bending\"\nK_f = 2\nq = 0.8\n", "never both"));
-    CHECK(says(steel + "loading = \"bending\"\nepsilon = 0.8\nd = \"40 mm\"\n", "never both"));
-    CHECK(says(steel + "loading = \"bending\"\nbeta_F = 0.8\nR_z = \"4 um\"\n", "never both"));
+    CHECK(
+        says(steel + "loading = \"bending\"\nK_t = 2\nq = 0.8\nr_n = \"2 mm\"\n", "give either the notch sensitivity"));
+    CHECK(says(steel + "loading = \"bending\"\nK_f = 2\nq = 0.8\n", "not both"));
+    CHECK(says(steel + "loading = \"bending\"\nepsilon = 0.8\nd = \"40 mm\"\n", "give either the size factor"));
+    CHECK(says(steel + "loading = \"bending\"\nbeta_F = 0.8\nR_z = \"4 um\"\n", "give either the surface factor"));
     CHECK(says(steel + "loading = \"bending\"\nschool = \"marin\"\nR_z = \"4 um\"\n", "belong to Serensen"));
     CHECK(says(steel + "loading = \"bending\"\nK_t = 0.8\nq = 1\n", "must be"));
     const std::string marin = steel + "rule = \"shigley\"\nschool = \"marin\"\nfinish = \"ground\"\n";
     const std::string square = "h = \"20 mm\"\nb = \"20 mm\"\n", stands = "turning = \"standing\"\n";
-    CHECK(says(steel + "loading = \"bending\"\nP_s = 0.99\n", "belong to Marin's school"));
+    CHECK(says(steel + "loading = \"bending\"\nP_s = 0.99\n",
+               "T, P_s, k_a, k_b, k_c, h, b, turning and edition belong to Marin's method"));
     CHECK(says(marin + "loading = \"bending\"\nh = \"20 mm\"\n", "height h and width b"));
     CHECK(says(marin + stands + square + "loading = \"bending\"\nd = \"20 mm\"\n", "height h and width b"));
     CHECK(says(marin + square + "loading = \"bending\"\n", "of a non-rotating part"));
     CHECK(says(marin + stands + square + "loading = \"torsion\"\n", "of a non-rotating part"));
-    CHECK(says(marin + "loading = \"tension\"\nk_c = 0.85\n", "load factors in them"));
+    CHECK(says(marin + "loading = \"tension\"\nk_c = 0.85\n",
+               "k_c requires a measured limit sigma_W; the rules include their load factors"));
     CHECK(
         says("R_m = \"300 MPa\"\ngroup = \"cast-aluminium\"\nloading = \"bending\"\nsigma_W = \"80 MPa\"\n"
              "school = \"marin\"\nT = \"100 degC\"\n",
-             "that of steels"));
+             "applies to steels"));
     CHECK(says(steel + "loading = \"bending\"\nK_t = 2\nsensitivity = \"cast-iron\"\n", "q = 0.2 of cast iron"));
     CHECK(says("sigma_W = \"200 MPa\"\ngroup = \"carbon-steel\"\nloading = \"bending\"\nR_z = \"4 um\"\n",
-               "depends on the tensile strength"));
+               "the surface factor needs the tensile strength R_m"));
   }
 }

@@ -290,20 +290,25 @@ TEST_SUITE("fatigue.fkm") {
     const std::string bar = "notch = \"smooth\"\nd = \"40 mm\"\nR_z = \"6.3 um\"\n";
     const std::string load = "M_ba = \"100 N*m\"\n";
     const std::string size = "R_m = \"470 MPa\"\nR_e = \"355 MPa\"\noverload = \"F2\"\n";
-    CHECK(says(steel + bar, "give what acts"));
-    CHECK(says(steel + bar + load + "R_m = \"470 MPa\"\nR_e = \"300 MPa\"\n", "never both"));
-    CHECK(says("steel = \"structural\"\noverload = \"F2\"\nR_mN = \"470 MPa\"\n" + bar + load, "R_mN goes with R_eN"));
+    CHECK(says(steel + bar, "give the loads: force or moments, or their nominal stresses"));
+    CHECK(says(steel + bar + load + "R_m = \"470 MPa\"\nR_e = \"300 MPa\"\n", "not both"));
+    CHECK(says("steel = \"structural\"\noverload = \"F2\"\nR_mN = \"470 MPa\"\n" + bar + load,
+               "give R_mN with R_eN, or R_m with R_e"));
     CHECK(says("steel = \"stainless\"\noverload = \"F2\"\nR_mN = \"470 MPa\"\nR_eN = \"200 MPa\"\n" + bar + load,
-               "are not known here"));
+               "the constants of the size factors of this steel are unknown: give a_dm, d_Nm, a_dp and d_Np, or R_m "
+               "and R_e in this size"));
     CHECK(says("steel = \"nitriding\"\noverload = \"F2\"\nR_mN = \"900 MPa\"\nR_eN = \"700 MPa\"\n" + bar + load,
-               "are not known here"));
-    CHECK(says("steel = \"structural\"\n" + size + bar + load + "a_dm = 0.2\n", "they belong to R_mN"));
+               "the constants of the size factors of this steel are unknown: give a_dm, d_Nm, a_dp and d_Np, or R_m "
+               "and R_e in this size"));
+    CHECK(says("steel = \"structural\"\n" + size + bar + load + "a_dm = 0.2\n",
+               "the constants of the size factors belong to R_mN; omit them with R_m of this size"));
     CHECK(says(size + bar + load, "steel group missing"));
-    CHECK(says(steel + bar + load + "K_an = 0.9\nfibre = \"across\"\n", "or by fibre, never both"));
-    CHECK(says(steel + bar + load + "G_b = \"0.2/mm\"\n", "typed shape factors"));
+    CHECK(says(steel + bar + load + "K_an = 0.9\nfibre = \"across\"\n", "or by fibre, not both"));
+    CHECK(says(steel + bar + load + "G_b = \"0.2/mm\"\n",
+               "gradients belong to given stress concentration factors: notch = \"alpha\""));
     CHECK(says(steel + bar + load + "sigma_W = \"480 MPa\"\n", "below the tensile strength"));
     CHECK(says("steel = \"structural\"\noverload = \"F2\"\nR_m = \"470 MPa\"\nR_e = \"471 MPa\"\n" + bar + load,
-               "yields below"));
+               "the yield strength must not exceed the tensile strength"));
     CHECK(says(steel + bar + load + "j_D = 0.9\n", "must be"));
     CHECK(says(steel + bar + load + "a_dm = 0.9\n", "must be"));
   }

@@ -304,8 +304,8 @@ k = 5
     CHECK(errors_of_history(R"({ values = [0, 300], unit = "MPa" })",
                             part + "counting = \"hcm\"\nresidue = \"half-cycles\"")
               .find("repeat the history") != std::string::npos);
-    CHECK(errors_of_history("\"40 MPa\"\nblocks = [{ sigma_a = \"3 MPa\", n = 2 }]").find("one of the two") !=
-          std::string::npos);
+    CHECK(errors_of_history("\"40 MPa\"\nblocks = [{ sigma_a = \"3 MPa\", n = 2 }]")
+              .find("give either the stress sigma") != std::string::npos);
     CHECK(errors_of_history("{ values = [0, 9], unit = \"MPa\" }", "\nk = 5").find("needs sigma_D, N_D and k") !=
           std::string::npos);
     CHECK(errors_of_history("{ values = [0, 9], unit = \"MPa\" }", part + "sigma_C = \"71 MPa\"").size() > 0);

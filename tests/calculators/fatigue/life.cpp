@@ -277,7 +277,8 @@ TEST_SUITE("fatigue.life") {
     CHECK(says(rod + "rule = \"fkm\"\n", "fields of FKM"));
     CHECK(says(rod + "rule = \"serensen\"\n", "needs psi"));
     CHECK(says(rod + R_m + "stress = \"shear\"\nrule = \"swt\"\n", "given for normal stresses"));
-    CHECK(says(cycle + "sigma_D = \"190 MPa\"\n" + R_m, "no limit without end"));
+    CHECK(says(cycle + "sigma_D = \"190 MPa\"\n" + R_m,
+               "non-ferrous metals have no endurance limit: give the required life N, or another group"));
     CHECK(says(cycle + "group = \"carbon-steel\"\n" + R_m, "give the fatigue limit"));
     CHECK(says(rod + R_m + "line = \"basquin\"\n", "needs sigma_f, b and K_D"));
     CHECK(says(rod + R_m + "line = \"slope\"\n", "needs its slope k"));
@@ -286,10 +287,10 @@ TEST_SUITE("fatigue.life") {
                "is not above sigma_D"));
     CHECK(says(cycle + "sigma_D = \"90 MPa\"\ngroup = \"cast-aluminium\"\nN = 1e6\n" + R_m, "fitted for steels"));
     CHECK(says(rod + "R_m = \"180 MPa\"\n", "below the tensile strength"));
-    CHECK(says(rod + R_m + "R_e = \"700 MPa\"\n", "not above the tensile"));
+    CHECK(says(rod + R_m + "R_e = \"700 MPa\"\n", "the yield strength R_e must not exceed the tensile strength R_m"));
     CHECK(says(rod + R_m + "compression = \"counted\"\n", "only by rule = \"fkm\""));
     CHECK(says(cycle + "sigma_D = \"90 MPa\"\ngroup = \"grey-iron\"\n" + R_m, "does not yield at a notch"));
-    CHECK(says(rod + R_m + "S_F = 1.5\n", "counts against the yield strength"));
+    CHECK(says(rod + R_m + "S_F = 1.5\n", "needs the yield strength R_e"));
     CHECK(says(rod + R_m + "r = -1\n", "exactly two"));
   }
 }

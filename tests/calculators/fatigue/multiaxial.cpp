@@ -184,7 +184,7 @@ TEST_SUITE("fatigue.multiaxial") {
     const Value* const samples = p.steps.front()->value("samples");
     REQUIRE(samples != nullptr);
     CHECK(samples->si[0] == 8.0);
-    CHECK(errors_of(y + "sigma_x = { values = [100, 0, -100, 0], unit = \"MPa\" }\n").find("same moments") !=
+    CHECK(errors_of(y + "sigma_x = { values = [100, 0, -100, 0], unit = \"MPa\" }\n").find("must be simultaneous") !=
           std::string::npos);
     CHECK(errors_of(y + "sigma_x = \"30 MPa\"\n").empty());
     CHECK(errors_of("sigma_x = \"30 MPa\"\n").find("must vary") != std::string::npos);

@@ -127,11 +127,13 @@ TEST_SUITE("fatigue.wohler") {
     CHECK(says("tests = [[\"400 MPa\", 1e5], [\"300 MPa\", 1e6]]\n", "at least three failures"));
     CHECK(says("tests = [[\"400 MPa\", 1e5], [\"350 MPa\", 5e5], [\"300 MPa\", 1e6], [\"350 MPa\", 1e7, \"runout\"]]\n",
                "at least three failures"));
-    CHECK(says("tests = [[\"400 MPa\", 1e5], [\"400 MPa\", 2e5], [\"400 MPa\", 1e6]]\n", "at one stress"));
+    CHECK(says("tests = [[\"400 MPa\", 1e5], [\"400 MPa\", 2e5], [\"400 MPa\", 1e6]]\n",
+               "a line needs failures at two stress levels at least, with lives that decrease with stress"));
     CHECK(says("tests = [[\"400 MPa\", 0], [\"400 MPa\", 2e5], [\"300 MPa\", 1e6]]\n", "must be"));
-    CHECK(says("tests = [[\"400 MPa\", 1e6], [\"350 MPa\", 2e5], [\"300 MPa\", 1e5]]\n", "fall with stress"));
+    CHECK(says("tests = [[\"400 MPa\", 1e6], [\"350 MPa\", 2e5], [\"300 MPa\", 1e5]]\n",
+               "a line needs failures at two stress levels at least, with lives that decrease with stress"));
     CHECK(says("S_D = \"350 MPa\"\ntests = [[\"400 MPa\", 1e5], [\"350 MPa\", 5e5], [\"300 MPa\", 1e6]]\n",
-               "bars have failed below this fatigue limit"));
+               "S_D exceeds the lowest stress of the line, where specimens failed; reduce S_D"));
   }
 
   TEST_CASE("quantiles of tables, and none outside of 0 to 1") {

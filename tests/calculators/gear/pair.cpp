@@ -296,18 +296,20 @@ TEST_SUITE("gear pair") {
   }
 
   TEST_CASE("what a user can get wrong is told") {
-    says("z_1 = 20\nm_n = \"2 mm\"\n", "two wheels, or wheel and ring, need z_2");
-    says("mesh = \"internal\"\nz_1 = 40\nz_2 = 30\nm_n = \"2 mm\"\n", "a ring has more teeth than the wheel inside it");
+    says("z_1 = 20\nm_n = \"2 mm\"\n", "two gears, or a gear and a ring gear, need z_2; a rack has no number of teeth");
+    says("mesh = \"internal\"\nz_1 = 40\nz_2 = 30\nm_n = \"2 mm\"\n",
+         "a ring gear must have more teeth than its mating gear");
     says("mesh = \"rack\"\nz_1 = 40\nx_2 = 0.2\nm_n = \"2 mm\"\n", "only the position a_w");
     says("z_1 = 20\nz_2 = 40\nm_n = \"2 mm\"\na_w = \"50 mm\"\n", "give more than 56.3816 mm");
     says("z_1 = 20\nz_2 = 20\nm_n = \"2 mm\"\nx_1 = -0.9\n", "closer than their base circles allow");
     says("z_1 = 20\nz_2 = 40\nm_n = \"2 mm\"\nP = \"3 kW\"\n", "a power needs the speed n_1");
-    says("z_1 = 20\nz_2 = 40\nm_n = \"2 mm\"\nP = \"3 kW\"\nT_1 = \"3 N*m\"\nn_1 = \"900 rpm\"\n", "never both");
+    says("z_1 = 20\nz_2 = 40\nm_n = \"2 mm\"\nP = \"3 kW\"\nT_1 = \"3 N*m\"\nn_1 = \"900 rpm\"\n", "not both");
     says("z_1 = 20\nz_2 = 40\nm_n = \"2 mm\"\nsigma_adm_1 = \"100 MPa\"\n", "needs a load");
     says("z_1 = 20\nz_2 = 40\nm_n = \"2 mm\"\ncutting = \"cast\"\n", "the velocity factor needs the speed");
     says("z_1 = 20\nz_2 = 40\nm_n = \"2 mm\"\nb = \"20 mm\"\npsi_m = 10\n", "as b or as psi_m");
     says("z_1 = 3\nz_2 = 40\nm_n = \"2 mm\"\n", "z_1");
     says("z_1 = 20\nz_2 = 40\nm_n = \"-2 mm\"\n", "must be > 0 mm");
-    says("z_1 = 20\nz_2 = 40\nm_n = \"2 mm\"\nk_W1 = 25\n", "fewer teeth are spanned");
+    says("z_1 = 20\nz_2 = 40\nm_n = \"2 mm\"\nk_W1 = 25\n",
+         "the number of spanned teeth must be less than that of the gear");
   }
 }

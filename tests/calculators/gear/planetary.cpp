@@ -145,10 +145,10 @@ TEST_SUITE("gear planetary") {
   }
 
   TEST_CASE("what a user can get wrong is told") {
-    says("", "with a member held one speed");
+    says("", "give one speed if a member is fixed, otherwise two");
     says("n_s = \"100 rpm\"\nn_r = \"5 rpm\"\n", "this member is held");
-    says("fixed = \"none\"\nn_s = \"100 rpm\"\n", "with none held, two");
-    says("n_s = \"100 rpm\"\nT_s = \"1 N*m\"\nT_c = \"1 N*m\"\n", "one torque sets the others");
+    says("fixed = \"none\"\nn_s = \"100 rpm\"\n", "give one speed if a member is fixed, otherwise two");
+    says("n_s = \"100 rpm\"\nT_s = \"1 N*m\"\nT_c = \"1 N*m\"\n", "give one of T_s, T_c, T_r; the others follow");
     says("n_s = \"100 rpm\"\nN_p = 0\n", "N_p");
     says("n_s = \"100 rpm\"\nN_p = 5\n", "not evenly spaced");
   }

@@ -73,7 +73,7 @@ TEST_SUITE("motion plane") {
         {A, "give one of the two"},
         {AB, "give one of the two"},
         {AB + "omega = \"1 rad/s\"\nalpha_B = \"0 deg\"\n", "give one of the two"},
-        {A + "B = [\"0 m\", \"0 m\"]\nalpha_B = \"0 deg\"\n", "two places"},
+        {A + "B = [\"0 m\", \"0 m\"]\nalpha_B = \"0 deg\"\n", "A and B must be different points"},
         {level + "alpha_B = \"90 deg\"\n", "does not follow from that of A"},
         {AB + "alpha_B = \"0 deg\"\nv_B = \"2 m/s\"\n", "AB would change its length"},
         {AB + "alpha_B = \"0 deg\"\na_A = \"1 m/s^2\"\n", "need epsilon"},

@@ -76,7 +76,7 @@ TEST_SUITE("motion point") {
         {"x = \"1 m/(t/(1 s) - 0.300001)^2\"\nt = \"0.5 s\"\nt_1 = \"0.1 s\"\nt_2 = \"0.9 s\"\n", "the law leaps"},
         {"x = \"1 m*sin(2*pi*t/(1 s))\"\nt = \"0 s\"\nt_1 = \"0 s\"\nt_2 = \"256 s\"\n", "the law leaps"},
         {"x = \"1 m*tan(pi*t/(1 s))\"\nt = \"0.5 s\"\n", "no value, speed or acceleration"},
-        {"x = \"3 m\"\nt = \"0 s\"\nt_1 = \"0 s\"\n", "both of its ends"},
+        {"x = \"3 m\"\nt = \"0 s\"\nt_1 = \"0 s\"\n", "give both t_1 and t_2, or neither"},
         {"x = \"3 m\"\nt = \"0 s\"\nt_1 = \"2 s\"\nt_2 = \"1 s\"\n", "end after its start"},
         {"x = \"3 m*t/(1 s)\"\n", "t"},
         {"x = \"3 m\"\nt = \"2 m\"\n", "time"}};

@@ -60,7 +60,7 @@ TEST_SUITE("motion rotation") {
   TEST_CASE("what cannot be a rotation is refused with its reason") {
     const Refused rows[] = {{"phi = \"3 m\"\nt = \"0 s\"\n", "expected"},
                             {"phi = \"1 rad*sqrt(t/(1 s))\"\nt = \"-1 s\"\n", "no value, speed or acceleration"},
-                            {"phi = \"1 rad\"\nt = \"0 s\"\nt_2 = \"1 s\"\n", "both of its ends"},
+                            {"phi = \"1 rad\"\nt = \"0 s\"\nt_2 = \"1 s\"\n", "give both t_1 and t_2, or neither"},
                             {"phi = \"1 rad\"\nt = \"0 s\"\nR = \"-1 mm\"\n", "must be"}};
     check_refusals("motion.rotation", rows);
   }

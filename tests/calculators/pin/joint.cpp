@@ -166,7 +166,7 @@ TEST_SUITE("pin joint") {
     says("held = \"loose\"\nd = \"20 mm\"\nd_i = \"20 mm\"\n", "the bore must be smaller than the pin");
     says("held = \"in_eye\"\nd = \"20 mm\"\nspread = \"falling\"\n", "needs a loose pin");
     says("held = \"loose\"\nd = \"20 mm\"\nR_m = \"500 MPa\"\n", "give loading");
-    says("held = \"loose\"\nd = \"20 mm\"\npv_adm = \"1 MPa*m/s\"\n", "needs the speed of turning n");
+    says("held = \"loose\"\nd = \"20 mm\"\npv_adm = \"1 MPa*m/s\"\n", "the pv value needs the speed of rotation n");
     says("d = \"20 mm\"\n", "pin support missing: give held = loose");
   }
 

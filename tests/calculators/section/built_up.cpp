@@ -144,11 +144,11 @@ TEST_SUITE("section built up") {
     CHECK(fault(of({Part{}})).message.text() == "give its 'shape', or name a 'section' of the tables");
     Part both = plate(1, 1, 0, 0);
     both.section = "IPE 200";
-    CHECK(fault(of({both})).message.text() == "a part has a 'shape' or a 'section', never both");
+    CHECK(fault(of({both})).message.text() == "a part has a 'shape' or a 'section', not both");
     Part wall;
     wall.shape = Shape::hollow;
     wall.h = wall.b = 20.0 * mm, wall.t = 10.0 * mm;
-    CHECK(fault(of({wall})).message.text() == "the walls leave nothing hollow");
+    CHECK(fault(of({wall})).message.text() == "the walls must be thinner than half the section");
     Part hole = plate(2, 2, 0, 0);
     hole.as = section::BuiltUp::As::hole;
     CHECK(fault(of({plate(1, 1, 0, 0), hole})).message.text() ==

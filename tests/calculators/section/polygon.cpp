@@ -84,7 +84,7 @@ TEST_SUITE("section polygon") {
   }
 
   TEST_CASE("contours that cross or touch themselves, and holes that are not inside, are refused with their sides") {
-    CHECK(fault(polygon({{0, 0}, {10, 0}})).message.text() == "a contour and each hole have three corners or more");
+    CHECK(fault(polygon({{0, 0}, {10, 0}})).message.text() == "a contour and each hole need at least three corners");
     CHECK(fault(polygon({{0, 0}, {10, 10}, {10, 0}, {0, 10}})).message.text() ==
           "sides 1 and 3 of 'points' touch or cross");
     CHECK(fault(polygon({{0, 0}, {10, 0}, {10, 0}, {0, 10}})).message.text() ==

@@ -238,21 +238,21 @@ TEST_SUITE("section") {
   TEST_CASE("sizes that do not fit are refused") {
     section::Ring::Input ring{40.0 * mm, 10.0 * mm};
     ring.t = 3.0 * mm;
-    CHECK(broken<section::Ring>(ring) == "give d_i or t, one of them");
+    CHECK(broken<section::Ring>(ring) == "give either d_i or t");
     CHECK(broken<section::Ring>({40.0 * mm, 40.0 * mm}) == "the bore must be smaller than the ring");
-    CHECK(broken<section::I>({100.0 * mm, 60.0 * mm, 7.0 * mm, 50.1 * mm}) ==
-          "flanges and fillets need more depth than h");
-    CHECK(broken<section::I>({100.0 * mm, 60.0 * mm, 61.0 * mm, 9.0 * mm}) == "web and fillets need more width than b");
+    CHECK(broken<section::I>({100.0 * mm, 60.0 * mm, 7.0 * mm, 50.1 * mm}) == "h is too small for flanges and fillets");
+    CHECK(broken<section::I>({100.0 * mm, 60.0 * mm, 61.0 * mm, 9.0 * mm}) == "b is too small for web and fillets");
     CHECK(broken<section::Channel>({100.0 * mm, 10.0 * mm, 7.0 * mm, 9.0 * mm, 8.0 * mm}) ==
-          "web and fillet need more width than b");
-    CHECK(broken<section::Angle>({50.0 * mm, 20.0 * mm, 21.0 * mm}) == "thickness and radii need longer legs");
+          "b is too small for web and fillet");
+    CHECK(broken<section::Angle>({50.0 * mm, 20.0 * mm, 21.0 * mm}) ==
+          "the legs are too short for thickness and radii");
     CHECK(broken<section::Angle>({50.0 * mm, 50.0 * mm, 5.0 * mm, 5.0 * mm, 6.0 * mm}) ==
-          "the toes are rounded by at most t");
-    CHECK(broken<section::Tee>({9.0 * mm, 50.0 * mm, 5.0 * mm, 9.0 * mm}) ==
-          "flange and fillet need more depth than h");
-    CHECK(broken<section::Hollow>({50.0 * mm, 30.0 * mm, 15.0 * mm}) == "the walls leave nothing hollow");
+          "the toe radius must not exceed t");
+    CHECK(broken<section::Tee>({9.0 * mm, 50.0 * mm, 5.0 * mm, 9.0 * mm}) == "h is too small for flange and fillet");
+    CHECK(broken<section::Hollow>({50.0 * mm, 30.0 * mm, 15.0 * mm}) ==
+          "the walls must be thinner than half the section");
     CHECK(broken<section::Hollow>({50.0 * mm, 30.0 * mm, 2.0 * mm, 12.0 * mm}) ==
-          "with this outer radius the corner has no wall left");
-    CHECK(broken<section::Rectangle>({1e-3 * mm, 100.0 * mm}) == "one side is at most 10000 times the other");
+          "the outer radius leaves no wall at the corner");
+    CHECK(broken<section::Rectangle>({1e-3 * mm, 100.0 * mm}) == "one side must not exceed 10000 times the other");
   }
 }

@@ -269,7 +269,8 @@ TEST_SUITE("shaft held") {
 
   TEST_CASE("what is said against a bar names the reason") {
     const auto fault = [](const std::string& lines) { return test::ExampleStep("shaft.held", lines).fault(); };
-    CHECK(fault("end_1 = \"free\"\nend_2 = \"free\"\nc_2 = ").find("hold one end") != std::string::npos);
+    CHECK(fault("end_1 = \"free\"\nend_2 = \"free\"\nc_2 = ")
+              .find("at least one end must be fixed; for free ends use shaft.torsion") != std::string::npos);
     CHECK(fault("c_1 = \"1 kN*m/rad\"").find("elastic") != std::string::npos);
     CHECK(fault("tau_adm = \"50 MPa\"").find("one of them") != std::string::npos);
     CHECK(fault("behaviour = ").find("sigma_adm with behaviour") != std::string::npos);

@@ -69,9 +69,9 @@ TEST_SUITE("shaft power") {
   TEST_CASE("torque and power together, and half of either, are refused with the fix") {
     for (const std::string& step : {torsion, overhung}) {
       CHECK(complaints(step + drive + "T = \"30 N*m\"\n").find("give T, or P with n") != std::string::npos);
-      CHECK(complaints(step + "P = \"5.5 kW\"\n").find("the power P and the speed n belong together") !=
-            std::string::npos);
-      CHECK(complaints(step + "T = \"30 N*m\"\nn = \"1450 rpm\"\n").find("belong together") != std::string::npos);
+      CHECK(complaints(step + "P = \"5.5 kW\"\n")
+                .find("the power P requires the speed n, and vice versa: T = P/(2 pi n)") != std::string::npos);
+      CHECK(complaints(step + "T = \"30 N*m\"\nn = \"1450 rpm\"\n").find("requires the speed n") != std::string::npos);
       CHECK(complaints(step).find("give the torque T, or the power P with the speed n") != std::string::npos);
       CHECK(complaints(step + drive).empty());
     }

@@ -166,14 +166,17 @@ TEST_SUITE("press fit") {
     check_says(sizes + fit, "give E and nu of shaft and hub, or a material of both");
     check_says(sizes + "U_min = \"70 um\"\nU_max = \"60 um\"\n" + steel, "U_min must not exceed U_max");
     check_says("d = \"50 mm\"\nD = \"45 mm\"\nRz_1 = \"0 um\"\nRz_2 = \"0 um\"\n" + fit + steel,
-               "the fit smaller than the hub");
-    check_says(sizes + fit + steel + "d_i = \"50 mm\"\n", "the bore of the shaft must be smaller than the fit");
+               "the diameter of the fit must be between the bore of the shaft and the outer diameter of the hub");
+    check_says(sizes + fit + steel + "d_i = \"50 mm\"\n",
+               "the diameter of the fit must be between the bore of the shaft and the outer diameter of the hub");
     check_says(sizes + "U_min = \"8 um\"\nU_max = \"60 um\"\n" + steel, "no usable interference remains");
     check_says(
         sizes + fit + steel + "alpha_1 = \"12e-6 1/K\"\nalpha_2 = \"17e-6 1/K\"\ndT_1 = \"50 K\"\ndT_2 = \"60 K\"\n",
         "no usable interference remains");
-    check_says(sizes + fit + steel + "dT_2 = \"60 K\"\n", "a heating needs the expansion alpha");
+    check_says(sizes + fit + steel + "dT_2 = \"60 K\"\n",
+               "a heating needs the thermal expansion alpha of its part, or a material");
     check_says(sizes + fit + steel + "S_F = 1.2\n", "needs the yield strengths R_e_1 and R_e_2");
-    check_says(sizes + fit + steel + "F_adm = \"100 kN\"\n", "needs the friction mu_e");
+    check_says(sizes + fit + steel + "F_adm = \"100 kN\"\n",
+               "the press-in force needs the coefficient of friction mu_e");
   }
 }

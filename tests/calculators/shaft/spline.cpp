@@ -87,15 +87,19 @@ TEST_SUITE("spline") {
 
   TEST_CASE("what contradicts is said") {
     CHECK(told("spline = \"8x52x61\"\n").find("unknown spline '8x52x61'") != std::string::npos);
-    CHECK(told("z = 8.5\nd_1 = \"52 mm\"\nd_2 = \"60 mm\"\n").find("integer number of teeth") != std::string::npos);
-    CHECK(told("z = 8\nd_1 = \"60 mm\"\nd_2 = \"52 mm\"\n").find("d_2 must be the larger") != std::string::npos);
-    CHECK(told("spline = \"8x52x60\"\ng = \"2 mm\"\n").find("leave nothing of the flank") != std::string::npos);
+    CHECK(told("z = 8.5\nd_1 = \"52 mm\"\nd_2 = \"60 mm\"\n")
+              .find("the number of teeth of a spline must be an integer") != std::string::npos);
+    CHECK(told("z = 8\nd_1 = \"60 mm\"\nd_2 = \"52 mm\"\n").find("d_2 must be larger than d_1") != std::string::npos);
+    CHECK(told("spline = \"8x52x60\"\ng = \"2 mm\"\n").find("the chamfers must be smaller than the flank height") !=
+          std::string::npos);
     CHECK(told("spline = \"8x52x60\"\nb = \"24 mm\"\n").find("the spline '8x52x60', which has 10 mm") !=
           std::string::npos);
     const std::string typed = "z = 8\nd_1 = \"52 mm\"\nd_2 = \"60 mm\"\nb = ";
-    CHECK(told(typed + "\"24 mm\"\n").find("leave no room") != std::string::npos);
-    CHECK(told(typed + "\"10 mm\"\n").find("leave no room") == std::string::npos);
-    CHECK(told("spline = \"8x52x60\"\np_adm_w = \"5 MPa\"\n").find("hub that slides") != std::string::npos);
+    CHECK(told(typed + "\"24 mm\"\n").find("tooth thickness b leaves no hub teeth at this z and d_2; reduce b or z") !=
+          std::string::npos);
+    CHECK(told(typed + "\"10 mm\"\n").find("tooth thickness b leaves no hub teeth at this z and d_2; reduce b or z") ==
+          std::string::npos);
+    CHECK(told("spline = \"8x52x60\"\np_adm_w = \"5 MPa\"\n").find("requires a sliding hub") != std::string::npos);
     CHECK(told("spline = \"8x52x60\"\nbeta_b = 2\n").find("beta_b and beta_t") != std::string::npos);
   }
 }

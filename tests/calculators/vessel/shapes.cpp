@@ -162,8 +162,9 @@ TEST_SUITE("vessel.torus") {
 
   TEST_CASE("what a user gets wrong is said") {
     const std::string step = "calculator = \"vessel.torus\"\nsigma_adm = \"140 MPa\"\np = \"1 MPa\"\n";
-    CHECK(says(step + "R_0 = \"200 mm\"\nr = \"200 mm\"\n", "meets itself"));
-    CHECK(says(step + "R_0 = \"210 mm\"\nr = \"200 mm\"\ndelta = \"12 mm\"\n", "no hole in the ring"));
+    CHECK(says(step + "R_0 = \"200 mm\"\nr = \"200 mm\"\n", "R_0 must be larger than r"));
+    CHECK(says(step + "R_0 = \"210 mm\"\nr = \"200 mm\"\ndelta = \"12 mm\"\n",
+               "R_0 must be larger: the wall closes the ring"));
   }
 }
 

@@ -133,7 +133,8 @@ TEST_SUITE("vessel.shell") {
   TEST_CASE("what a user gets wrong is said") {
     const std::string step = "calculator = \"vessel.shell\"\nsigma_adm = \"140 MPa\"\np = \"1 MPa\"\npoints = ";
     CHECK(says(step + "[[\"0 mm\", \"0 mm\"], [\"1 mm\", \"1 mm\"]]\n", "at least three points"));
-    CHECK(says(step + "[[\"0 mm\", \"0 mm\"], [\"1 mm\", \"1 mm\"], [\"1 mm\", \"1 mm\"]]\n", "one and the same"));
+    CHECK(says(step + "[[\"0 mm\", \"0 mm\"], [\"1 mm\", \"1 mm\"], [\"1 mm\", \"1 mm\"]]\n",
+               "neighbouring points of the meridian must differ"));
     CHECK(says(step + "[[\"0 mm\", \"0 mm\"], [\"1 mm\", \"1 mm\"], [\"0 mm\", \"2 mm\"]]\n", "split a shell"));
   }
 }

@@ -53,7 +53,7 @@ TEST_SUITE("project search") {
 
   TEST_CASE("no size of the stock keeps the rules: nothing is taken") {
     CHECK(issues_of(sized("d_bore = \"260 mm\"\nd = { stock = \"bright\" }\n")) ==
-          R"(a.toml:5:11: error: the bore must be smaller than the shaft
+          R"(a.toml:5:11: error: the bore must be smaller than the outer diameter of the shaft
 5 | d_bore = "260 mm"
   |           ^^^^^^
   = help: d = 200 mm, the largest of bright, was tried last

@@ -162,7 +162,7 @@ TEST_SUITE("project steps") {
 
   TEST_CASE("a rule that computed values break is told at the field") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nd = \"=2 * 10 mm\"\nd_bore = \"=3 * 10 mm\"\n") ==
-          R"says(a.toml:6:11: error: the bore must be smaller than the shaft
+          R"says(a.toml:6:11: error: the bore must be smaller than the outer diameter of the shaft
 6 | d_bore = "=3 * 10 mm"
   |           ^^^^^^^^^^
 )says");

@@ -147,8 +147,10 @@ TEST_SUITE("shaft design") {
   }
 
   TEST_CASE("what sits on the shaft is on it, is held, and balances") {
-    CHECK(contains(messages("supports = [{ x = \"10 mm\" }]\n"), "two bearings at least"));
-    CHECK(contains(messages("supports = [{ x = \"10 mm\" }, { x = \"10 mm\" }]\n"), "at different places"));
+    CHECK(contains(messages("supports = [{ x = \"10 mm\" }]\n"),
+                   "a shaft needs at least two bearings, at different positions"));
+    CHECK(contains(messages("supports = [{ x = \"10 mm\" }, { x = \"10 mm\" }]\n"),
+                   "a shaft needs at least two bearings, at different positions"));
     CHECK(contains(messages(two_bearings + "seats = [{ name = \"wheel\", x = \"210 mm\" }]\n"),
                    "axle.seats.wheel.x: 210 mm is beyond the end of the shaft at 200 mm"));
     CHECK(contains(messages(two_bearings + "seats = [{ x = \"50 mm\", T = \"9 N*m\" }]\n"), "9 N·m remains"));
@@ -156,15 +158,16 @@ TEST_SUITE("shaft design") {
                    "must not have a given torque"));
     CHECK(contains(messages("supports = [{ x = \"10 mm\" }, { x = \"190 mm\" }]\nseats = [{ x = \"50 mm\", F_z = \"9 "
                             "N\" }]\n"),
-                   "exactly one bearing takes axial forces"));
+                   "exactly one bearing must take axial forces: holds = \"both\""));
     CHECK(contains(messages("supports = [{ x = \"10 mm\", holds = \"both\" }, { x = \"190 mm\", holds = \"both\" }]\n"),
-                   "exactly one bearing takes axial forces"));
+                   "exactly one bearing must take axial forces: holds = \"both\""));
     CHECK(
         contains(messages("supports = [{ x = \"10 mm\", k = \"1e-9 N/mm\" }, { x = \"190 mm\", k = \"1e-9 N/mm\" }]\n"),
-                 "too soft compared with the shaft"));
+                 "the bearings are too compliant to support the shaft"));
     CHECK(contains(messages(two_bearings + "n = \"500 rpm\"\nseats = [{ x = \"50 mm\", n = \"300 rpm\" }]\n"),
-                   "turns at one speed"));
-    CHECK(contains(messages(two_bearings + "n = \"0 rpm\"\n"), "which is not zero"));
+                   "all components of a shaft must have the same speed, not zero"));
+    CHECK(contains(messages(two_bearings + "n = \"0 rpm\"\n"),
+                   "all components of a shaft must have the same speed, not zero"));
   }
 
   TEST_CASE("notches fit the shaft, and every step has one where fatigue is judged") {
@@ -184,8 +187,9 @@ TEST_SUITE("shaft design") {
     CHECK(contains(says("notches = [{ x = \"50 mm\", kind = \"groove\", r = \"1 mm\", t = \"20 mm\" }]\n"), "deeper"));
     CHECK(contains(says("notches = [{ x = \"50 mm\", kind = \"given\", K_t = 2 }]\n"),
                    "K_t and K_ts are given together"));
-    CHECK(contains(says("S_D = 1.5\n"), "how the torque runs"));
-    CHECK(contains(says("d_h = \"35 mm\"\n"), "not below that of the finished part"));
+    CHECK(contains(says("S_D = 1.5\n"), "fatigue needs the torque ratio r_T, or torques over a revolution"));
+    CHECK(
+        contains(says("d_h = \"35 mm\"\n"), "the heat treatment diameter must not be below that of the finished part"));
   }
 
   TEST_CASE("designs that break do not pass") {
@@ -301,8 +305,8 @@ TEST_SUITE("shaft design") {
     };
     CHECK(with_notch_at("100.0001 mm") == Approx(with_notch_at("100 mm")).epsilon(1e-4));
     CHECK(contains(says(pieces + "notches = [{ x = \"50 mm\", kind = \"keyway\", r = \"0.1 mm\" }]\n"), "leave out r"));
-    CHECK(
-        contains(says(pieces + "seats = [{ x = \"50 mm\", F_y = \"10 kN\", x_w = \"200 mm\" }]\n"), "belong together"));
+    CHECK(contains(says(pieces + "seats = [{ x = \"50 mm\", F_y = \"10 kN\", x_w = \"200 mm\" }]\n"),
+                   "must equal the torque T"));
     CHECK(contains(says(pieces + "seats = [{ x = \"50 mm\", x_w = \"20 mm\", n = \"100 rpm\" }, { x = \"60 mm\", x_w = "
                                  "\"20 mm\", n = \"-100 rpm\" }]\n"),
                    "rotate in opposite directions in two steps"));
@@ -314,8 +318,10 @@ TEST_SUITE("shaft design") {
     CHECK(Solved(shell + "pieces = [{ l = \"200 mm\", d = \"40 mm\", d_bore = \"39 mm\" }]\n" + two_bearings)
               .mode("axle.wall")
               .state == State::not_judged);
-    CHECK(contains(says(pieces + "R_e = \"900 MPa\"\nR_m = \"500 MPa\"\n"), "not above the tensile strength"));
-    CHECK(contains(says(pieces + "E = \"210 GPa\"\nG = \"8 GPa\"\n"), "belong to one material"));
+    CHECK(contains(says(pieces + "R_e = \"900 MPa\"\nR_m = \"500 MPa\"\n"),
+                   "the yield strength R_e must not exceed the tensile strength R_m"));
+    CHECK(contains(says(pieces + "E = \"210 GPa\"\nG = \"8 GPa\"\n"),
+                   "E must be between 2 G and 3 G: moduli of the same material"));
   }
 
   TEST_CASE("the largest force that is found passes every section") {

@@ -106,7 +106,7 @@ TEST_SUITE("shaft design notches") {
     CHECK(contains(errors(R"(kind = "rectangular-groove", t = "1 mm", w = "1 mm")"), "needs the radius r"));
     CHECK(contains(errors(R"(kind = "v-groove")"), "has a depth t"));
     CHECK(contains(errors(R"(kind = "cross-hole")"), "needs its radius r"));
-    CHECK(contains(errors(R"(kind = "cross-hole", r = "12 mm")"), "leaves no section"));
+    CHECK(contains(errors(R"(kind = "cross-hole", r = "12 mm")"), "the hole must be smaller than the section"));
     CHECK(contains(errors(R"(kind = "press-fit", r = "1 mm")"), "leave out r"));
     CHECK(contains(errors(R"(kind = "beta", beta_b = 2)"), "beta_b and beta_t are given together"));
     CHECK(contains(errors(R"(kind = "press-fit", beta_b = 2, beta_t = 2)"), "beta_b and beta_t are given together"));

@@ -265,8 +265,8 @@ TEST_SUITE("shaft over a turn") {
     CHECK(errors(forces + "T = \"=press.shafts.O.T\", psi = \"=2*press.shafts.O.psi\" }").empty());
     CHECK(errors(forces + "T = \"-5 N*m\", psi = \"=press.shafts.O.psi\" }").find("no sign of its own") !=
           std::string::npos);
-    CHECK(errors(forces + "T = \"800 N*m\", psi = \"=press.shafts.O.psi\" }").find("how the torque runs") !=
-          std::string::npos);
+    CHECK(errors(forces + "T = \"800 N*m\", psi = \"=press.shafts.O.psi\" }")
+              .find("fatigue needs the torque ratio r_T, or torques over a revolution") != std::string::npos);
     CHECK(errors("{ x = \"200 mm\", F_x = { values = [1, 2, 1], unit = \"N\" }, F_y = \"=press.shafts.O.F_y\", psi = "
                  "\"=press.shafts.O.psi\", T = \"=press.shafts.O.T\" }")
               .find("same positions") != std::string::npos);

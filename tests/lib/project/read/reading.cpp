@@ -246,7 +246,7 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
 
   TEST_CASE("a rule between fields is told at the first of them that was written") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nd = \"40 mm\"\nd_bore = \"50 mm\"\n") ==
-          R"(a.toml:6:11: error: the bore must be smaller than the shaft
+          R"(a.toml:6:11: error: the bore must be smaller than the outer diameter of the shaft
 6 | d_bore = "50 mm"
   |           ^^^^^
 )");
@@ -256,13 +256,13 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
 
   TEST_CASE("an allowable stress and a material with a safety factor exclude one another") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nmaterial = \"C45E\"\nS = 2\n") ==
-          R"(a.toml:6:5: error: tau_adm already holds the safety, and S would be a second one
+          R"(a.toml:6:5: error: tau_adm includes the safety factor; S would be a second one
 6 | S = 2
   |     ^
-  = help: leave out S; or leave out tau_adm, and S counts against the yield strength R_e, given or of a material
+  = help: omit S; or omit tau_adm, and S applies to the yield strength R_e, given or of a material
 )");
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nR_e = \"355 MPa\"\nS = 2\n") ==
-          R"(a.toml:4:12: error: tau_adm already holds the safety: give tau_adm, or R_e with S, never both
+          R"(a.toml:4:12: error: tau_adm includes the safety factor: give tau_adm, or R_e with S, not both
 4 | tau_adm = "30 MPa"
   |            ^^^^^^
 )");

@@ -125,8 +125,8 @@ void life(const Input& in, const Stages& all, Result& r, Tracer& trace) {
     const double L_req = is_set(in.L_m)
                              ? trace.value("L_req", in.L_m, "required life in millions of revolutions")
                              : NAMED_STEP("L_req", in.L_h * n_m / (2.0 * pi * 1e6), "millions of revolutions");
-    STEP_TO(r, C_req, P_m * pow(L_req / in.a_1, 1.0 / p), "load rating that has this life, [ISO281]");
-    STEP_TO(r, u_L, C_req / in.C, "against that of the bearing");
+    STEP_TO(r, C_req, P_m * pow(L_req / in.a_1, 1.0 / p), "load rating required for this life, [ISO281]");
+    STEP_TO(r, u_L, C_req / in.C, "required / actual load rating");
   }
   if (!(P_m > 1e-4 * in.C)) return;
   STEP_TO(r, L_10, pow(in.C / P_m, p), "millions of revolutions, 90 %, [ISO281]");
@@ -218,7 +218,7 @@ Rolling::Result Rolling::evaluate(const Input& in, Tracer& trace) {
   r.p = trace.value("p", has_balls(in.kind) ? 3.0 : 10.0 / 3.0, has_balls(in.kind) ? "balls" : "rollers");
   STEP(F_rd, in.K_A * in.F_r, "radial load");
   STEP(F_ad, in.K_A * abs(in.F_a), "axial load");
-  const Force F_rK = trace.value("F_rK", F_rd, "the load itself"), F_aK = trace.value("F_aK", F_ad, "the load itself");
+  const Force F_rK = trace.value("F_rK", F_rd, "load as given"), F_aK = trace.value("F_aK", F_ad, "load as given");
   const Equivalent q = equivalent(in, F_rK, F_aK, trace);
   r.x_f = q.x_f, r.e = q.e, r.Y = q.Y, r.P = q.P;
   Stages all = stages(in, F_rd, F_ad, q, trace);

@@ -87,7 +87,7 @@ template <class Tracer>
 void tighten(const Input& in, const Loop& loop, Result& r, Tracer& trace) {
   if (!is_set(r.v) || !(has_powers(in) || is_set(in.S_0))) return;
   const auto taken = taken_forces(in, r.v);
-  STEP_TO(r, F_c, in.q * r.v * r.v, "turns the belt around, and does not press the pulleys");
+  STEP_TO(r, F_c, in.q * r.v * r.v, "centrifugal tension; it does not load the pulleys");
   const Force F_t = trace.value("F_t", taken.back(), "force of the driving pulley: sum of the driven ones, P / v");
   STEP_TO(r, P_1, F_t * r.v, "power of the driving pulley");
   if (is_set(in.mu)) {

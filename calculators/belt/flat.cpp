@@ -66,7 +66,7 @@ void size(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
 template <class Tracer>
 void tighten(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, x_b, r.b / min(in.d_1, in.d_2), "no belt is much wider than its smaller pulley");
-  STEP_TO(r, F_c, in.rho * r.b * in.delta * r.v * r.v, "turns the belt around, and does not press the pulleys");
+  STEP_TO(r, F_c, in.rho * r.b * in.delta * r.v * r.v, "centrifugal tension; it does not load the pulleys");
   STEP(N_min, r.F_t / 2.0 * (r.m_e + 1.0) / (r.m_e - 1.0),
        "minimum mean of the tensions less centrifugal tension, [Shigley-17]");
   const bool fixed = in.tensioning == Tensioning::fixed;
@@ -94,7 +94,7 @@ void judge(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   hand_over(r.F_t * in.d_1 / 2.0, r.F_t * in.d_2 / 2.0, largest_pull(r, r.R_0), in.d_1, in.d_2, in.n_1, r);
   constexpr double widest_face = 1.28;  // times the belt width: pulleys of DIN 111, recalled
   r.shaft_1.b_r = r.shaft_2.b_r = widest_face * r.b;
-  STEP_TO(r, f_B, 2.0 * r.v / r.L, "two pulleys bend the belt in each round");
+  STEP_TO(r, f_B, 2.0 * r.v / r.L, "two bends per belt revolution");
 }
 
 /// Two spans pass between the pulleys of a crossed belt.

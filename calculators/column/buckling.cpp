@@ -22,7 +22,7 @@ void take_load(const Input& in, Result& r, Tracer& trace) {
     STEP_TO(r, F, in.P, "the compressive force as given");
     r.loading = Loading::compression;
   } else if (is_set(in.N)) {
-    STEP_TO(r, F, in.N < 0.0 * kN ? -in.N : 0.0 * kN, "the compression in the bar; tension does not buckle it");
+    STEP_TO(r, F, in.N < 0.0 * kN ? -in.N : 0.0 * kN, "compressive force in the bar; tension causes no buckling");
     r.loading = in.N < 0.0 * kN.one ? Loading::compression : Loading::tension;
   }
 }
@@ -175,7 +175,7 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
 
 /// Where the critical stress of the bar comes from.
 const char* source_of(const Input& in, Method by) {
-  if (in.method != Method::unsaid) return "of the method that decides";
+  if (in.method != Method::unsaid) return "governing method";
   if (by == Method::ec3) return "by EN 1993-1-1, as no method is named";
   if (by == Method::johnson) return "by Johnson's parabola up to lambda_J, by Euler above, as no method is named";
   return "by the method that the constants given belong to, as none is named";
@@ -223,8 +223,8 @@ void conclude(const Input& in, Method by, bool is_bent, Result& r, Tracer& trace
   if (!is_set(r.sigma_cr)) return;
   trace.value("sigma_cr", r.sigma_cr, source_of(in, by));
   if (!is_set(r.u)) return;
-  trace.value("P_all", r.P_all, "of the method that decides");
-  STEP_TO(r, u, r.F / r.P_all, "force over the allowable force, which holds the safety");
+  trace.value("P_all", r.P_all, "governing method");
+  STEP_TO(r, u, r.F / r.P_all, "force / allowable force");
   if (in.method == Method::secant) r.u_e = r.u;
 }
 

@@ -30,7 +30,7 @@ struct Life {
   static constexpr auto title = "Constant-amplitude fatigue (safety factor and life)";
   static constexpr auto scope =
       "Safety factor and life in one stress cycle with mean stress by Goodman, Soderberg, Gerber, ASME "
-      "ellipse, Morrow, Smith-Watson-Topper, Walker, FKM and Serensen, one of which decides, with first-cycle "
+      "ellipse, Morrow, Smith-Watson-Topper, Walker, FKM and Serensen, one of which governs, with first-cycle "
       "yielding and the allowable amplitude; load histories, fewer than 1e3 cycles, combined shear, creep and "
       "corrosion are not covered.";
   static constexpr auto source = "[Dowling9], [FKM], [GOST25504], [Shigley6]";
@@ -117,7 +117,7 @@ S_F = 1.5
               .usually(1, 6)
               .may_be_missing()
               .factor(),
-          Choice<Input, MeanRule>{&Input::rule, "rule", "rule for the mean stress, which decides"}.may_be_missing(),
+          Choice<Input, MeanRule>{&Input::rule, "rule", "governing mean stress rule"}.may_be_missing(),
           Choice<Input, MeanStress>{&Input::mean, "mean", "load case of growth (quantity kept constant)"}
               .may_be_missing(),
           Choice<Input, Compression>{&Input::compression, "compression", "benefit of compressive mean stress"}
@@ -153,7 +153,7 @@ S_F = 1.5
               .within(0, 1)
               .usually(0.02, 0.6)
               .may_be_missing(),
-          F<double>{&Input::N, "N", ratio, "cycles that it must last; without end where missing"}
+          F<double>{&Input::N, "N", ratio, "required life in cycles; infinite if omitted"}
               .at_least(1)
               .usually(1e3, 1e9)
               .may_be_missing()

@@ -28,7 +28,7 @@ Area web_area(const Input& in, Area A) {
 /// The largest shear stress over the mean one times the area, by the section; unset where it is not known.
 template <class Tracer>
 Stress shear_stress(const Input& in, Area A, Tracer& trace) {
-  const auto V = trace.value("V", abs(in.V), "its size");
+  const auto V = trace.value("V", abs(in.V), "magnitude");
   if (is_set(in.A_v)) return NAMED_STEP("tau", V / in.A_v, "even over the area that carries it");
   const bool is_massive = in.kind == SectionKind::solid && (is_set(in.d) || (is_set(in.h) && is_set(in.b)));
   if (is_set(in.A) && !is_massive) {
@@ -51,7 +51,7 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
   STEP(W_y, A * pow<2>(i_y) / c_y, "section modulus");
   STEP_TO(r, sigma_N, N / A, "even over the section");
   STEP(sigma_b, in.M_b / W_y, "extreme fibre, with the sign of the moment");
-  STEP_TO(r, sigma_M, abs(sigma_b), "its size");
+  STEP_TO(r, sigma_M, abs(sigma_b), "magnitude");
   STEP_TO(r, sigma_o, sigma_N + sigma_b, "stress at the fibre in tension under a positive moment");
   STEP_TO(r, sigma_u, sigma_N - sigma_b, "stress at the fibre in compression under a positive moment");
   r.tau = shear_stress(in, A, trace);
@@ -70,7 +70,8 @@ void yielding(const Input& in, Result& r, Tracer& trace) {
 /// That of yield, so that a link hardly pressed is judged as one that is not; else that of buckling.
 template <class Tracer>
 double moment_safety(const Input& in, double n, Tracer& trace) {
-  return trace.value("S_M", is_set(in.S) ? in.S : n, is_set(in.S) ? "safety of the moment" : "no S given: that of N");
+  return trace.value("S_M", is_set(in.S) ? in.S : n,
+                     is_set(in.S) ? "required safety factor of the moment" : "no S given: that of N");
 }
 
 /// In the plane of motion by the secant formula; across it by a sum that is on the safe side.
@@ -90,11 +91,11 @@ void buckling_with_bending(const Input& in, Result& r, Tracer& trace) {
                   "mean stress at which the extreme fibre yields, or the link buckles in its plane, [Gere]");
   STEP_TO(r, u_p, n * sigma_c / sigma_s, "force and moment over those that the secant formula allows");
   const auto N_cy = trace.value("N_cy", r.axes[0].N_cr, "critical force in the plane");
-  STEP(x, n * r.F / N_cy, "force with its safety over the critical one in the plane");
+  STEP(x, n * r.F / N_cy, "n x force / critical force in the plane");
   STEP_TO(r, k, x < 1.0 ? 1.0 / cos(pi / 2.0 * sqrt(x)) : 1.0,
-          "moment of an even one in the middle, [Gere]; beyond the critical force buckling has decided");
+          "amplification of a uniform moment at mid-length, [Gere]; beyond the critical force buckling governs");
   const double u = r.u;
-  STEP_TO(r, u_i, u + S_M * k * sigma_M / in.R_e, "buckling about the weaker axis, and bending: their sum is safe");
+  STEP_TO(r, u_i, u + S_M * k * sigma_M / in.R_e, "buckling about the weaker axis and bending, added on the safe side");
 }
 
 /// Lateral-torsional buckling of a rectangle on edge: fork ends, uniform moment, warping free.

@@ -19,7 +19,7 @@ constexpr auto modulus_of_material(Stress Input::*at) {
 
 template <class Result>
 constexpr auto modulus_over_steel(double Result::*at) {
-  return Field<Result, double>{at, "x_E", ratio, "modulus over the 210 GPa of steel, which the formulas are of"}
+  return Field<Result, double>{at, "x_E", ratio, "modulus of elasticity / 210 GPa (steel)"}
       .limit(0.85, 1.1)
       .where_it_applies();
 }

@@ -47,7 +47,7 @@ sigma_adm = "120 MPa"
     double alpha = unset<double>;
   };
   static constexpr Fields inputs = join(
-      Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the large end, to the surface that `measured` says"}
+      Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the large end, to the surface given by measured"}
                  .at_least_that_of_source("R")
                  .positive()
                  .usually(5, 50000),

@@ -54,7 +54,7 @@ sigma_adm = "140 MPa"
     Length delta_e = unset<Length>;
   };
   static constexpr Fields inputs = join(
-      Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the cylinder, to the surface that `measured` says"}
+      Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the cylinder, to the surface given by measured"}
                  .positive()
                  .usually(5, 50000),
              Choice<Input, Ends>{&Input::ends, "ends", "end condition: closed ends, open pipe or ring-reinforced"}

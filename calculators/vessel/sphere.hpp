@@ -48,7 +48,7 @@ sigma_adm = "160 MPa"
     double phi_s = pi / 2;
   };
   static constexpr Fields inputs = join(
-      Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface that `measured` says"}
+      Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface given by measured"}
                  .at_least_that_of_source("R")
                  .positive()
                  .usually(5, 50000)},

@@ -46,7 +46,7 @@ sigma_adm = "140 MPa"
       Fields{Field<Input, Length>{&Input::R_0, "R_0", mm, "radius of the ring: from its axis to the middle of the tube"}
                  .positive()
                  .usually(10, 50000),
-             Field<Input, Length>{&Input::r, "r", mm, "radius of the tube, to the surface that `measured` says"}
+             Field<Input, Length>{&Input::r, "r", mm, "radius of the tube, to the surface given by measured"}
                  .positive()
                  .usually(5, 10000)},
       wall_inputs<Input>());

@@ -58,12 +58,12 @@ constexpr auto wall_inputs() {
           .at_least_that_of_source("p")
           .at_least(0)
           .usually(0, 100),
-      Field<Input, Length>{&Input::delta, "delta", mm, "wall thickness as ordered"}
+      Field<Input, Length>{&Input::delta, "delta", mm, "nominal wall thickness"}
           .positive()
           .usually(0.5, 400)
           .searched("plate")
           .may_be_missing(),
-      Field<Input, Length>{&Input::c, "c", mm, "corrosion allowance on the inside, once"}
+      Field<Input, Length>{&Input::c, "c", mm, "corrosion allowance on the inside"}
           .at_least_that_of_source("c")
           .at_least(0)
           .usually(0, 10),
@@ -114,7 +114,7 @@ constexpr auto wall_results() {
   return Fields{
       Field<Result, Stress>{&Result::sigma_all, "sigma_all", MPa, "allowable stress"},
       Field<Result, Length>{&Result::delta_min, "delta_min", mm, "minimum thickness to order, with its allowances"},
-      Field<Result, Length>{&Result::delta, "delta", mm, "wall thickness as ordered"},
+      Field<Result, Length>{&Result::delta, "delta", mm, "nominal wall thickness"},
       Field<Result, Length>{&Result::delta_c, "delta_c", mm, "thickness that carries: corroded and thinned"},
       Field<Result, Stress>{&Result::p_i, "p_i", MPa, "pressure at the governing location"},
       Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "hoop stress at the governing location"},

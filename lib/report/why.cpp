@@ -116,7 +116,7 @@ class Tracing {
            name_within(line.element) == name_within(from.element);
   }
 
-  /// A line that takes the value of another over, "sigma_F" of "sigma_F1", or of the method that decides.
+  /// A line that takes the value of another over, "sigma_F" of "sigma_F1", or of the governing method.
   void follow_taken(std::size_t i) {
     const account::Step& taken = account_.derivation[i].step;
     for (std::size_t k = i; k-- > 0;) {

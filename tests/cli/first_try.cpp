@@ -25,7 +25,7 @@ TEST_SUITE("cli first try") {
     const Ran o = loadpath_with(
         {"column", "buckling", "--l", "1 m", "--d", "?", "--ends", "pinned_pinned", "--P", "20 kN", "--E", "210 GPa"});
     CHECK(o.code == 2);
-    CHECK(holds(o.error, "give the yield strength R_e, or a material, and the required safety against buckling n_st"));
+    CHECK(holds(o.error, "give the yield strength R_e, or a material, and the required buckling safety factor n_st"));
     CHECK(std::count(o.error.begin(), o.error.end(), '\n') <= 2);
   }
 

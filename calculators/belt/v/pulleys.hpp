@@ -18,15 +18,14 @@ template <class Tracer>
 void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, VTypes::Result& r, Tracer& trace) {
   const VRow& row = section.row;
   const bool iso = section.basis == Basis::iso;
-  r.x_d = trace.value("x_d", place_in(d_k, row.d_low, row.d_high),
-                      "position of the smaller pulley in the range that is rated");
-  r.x_n = trace.value("x_n", place_in(n_k, row.n_low, row.n_high), "position of its speed in the range that is rated");
+  r.x_d = trace.value("x_d", place_in(d_k, row.d_low, row.d_high), "position of the smaller pulley in the rated range");
+  r.x_n = trace.value("x_n", place_in(n_k, row.n_low, row.n_high), "position of its speed in the rated range");
   if (!section.lengths.empty()) r.x_L = place_in(r.L, section.lengths.front().L, section.lengths.back().L);
   trace.value("x_L", r.x_L, "position of the length in the list");
   const double alpha_least =
       trace.value("alpha_least", iso ? pi / 2.0 : least_optibelt_wrap(),
                   iso ? "minimum wrap, [GOST1284.3] 3.3.5" : "minimum wrap of the table, [Optibelt-V] 16");
-  STEP_TO(r, x_alpha, r.alpha / alpha_least, "smaller wrap over the least one");
+  STEP_TO(r, x_alpha, r.alpha / alpha_least, "smaller wrap angle / minimum wrap angle");
   const auto v_max = trace.value("v_max", row.v_max, "maximum speed of the section");
   STEP_TO(r, x_v, r.v / v_max, "speed / maximum speed");
 }
@@ -35,7 +34,7 @@ void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, VTypes:
 template <class Tracer>
 void buy(const VSection& section, const VTypes::Input& in, VTypes::Result& r, Tracer& trace) {
   r.off_d = trace.value("off_d", (is_sold_pulley(in.d_1) ? 0.0 : 1.0) + (is_sold_pulley(in.d_2) ? 0.0 : 1.0),
-                        "pulleys that no list has");
+                        "number of non-standard pulleys");
   if (is_set(in.L)) r.off_L = trace.value("off_L", is_sold_belt(section, in.L) ? 0.0 : 1.0, "1: no list has this belt");
   if (r.z == 0) return;
   STEP_TO(r, x_z, r.z / 16.0,
@@ -95,7 +94,7 @@ void build_pulleys(const VSection& section, const VTypes::Input& in, VTypes::Res
   STEP_TO(r, Delta_2, 0.009 * r.L + 2.0 * row.w_d, "room for fitting, [GOST1284.3] (12)");
   STEP_TO(r, g_r, r.a - (r.d_a1 + r.d_a2) / 2.0, "between the rims");
   STEP_TO(r, g_f, g_r - Delta_2, "left when the pulleys are moved together for fitting");
-  STEP_TO(r, f_B, 2.0 * r.v / r.L, "two pulleys bend the belt in each round");
+  STEP_TO(r, f_B, 2.0 * r.v / r.L, "two bends per belt revolution");
   trace.value("f_B_max", row.f_B_max, "maximum bending frequency of the section");
   STEP_TO(r, u_B, f_B / row.f_B_max, "bending frequency condition");
   live(section, in, r, trace);

@@ -84,8 +84,9 @@ void count(const VTypes::Input& in, VTypes::Result& r, Tracer& trace) {
   r.z = in.z > 0 ? in.z : belts_needed(in.basis, z_0, high_end);
   if (r.z == 0) return;
   trace.value("z", r.z, in.z > 0 ? "as given" : "the minimum number that carries the power");
-  r.C_K = trace.value("C_K", iso ? v_count_factor(r.z, high_end) : 1.0,
-                      iso ? "belts share unevenly, [GOST1284.3] 20" : "the basis has no count factor, [Optibelt-V]");
+  r.C_K =
+      trace.value("C_K", iso ? v_count_factor(r.z, high_end) : 1.0,
+                  iso ? "belts share unevenly, [GOST1284.3] 20" : "the basis has no belt number factor, [Optibelt-V]");
   STEP_TO(r, P_all, r.z * r.C_K * r.P_N * r.c_alpha * r.c_L, "power rating of the belts");
   STEP_TO(r, u_P, r.P_B / P_all, "power condition");
 }

@@ -94,7 +94,7 @@ VSizing::Result VSizing::evaluate(const Input& in, Tracer& trace) {
   trace.value("drives", r.drives, "of them pass every check and limit of belt.v");
   if (!r.candidates.empty()) {
     compare(in, r);
-    check(in, drive_of(in, r.candidates.front()), "of the first drive of the list", r, trace);
+    check(in, drive_of(in, r.candidates.front()), "first drive of the list", r, trace);
   } else if (r.tried > 0.0) {
     check(in, nearest.drive, "of the drive that comes nearest, with no more belts than are allowed: none passes", r,
           trace);

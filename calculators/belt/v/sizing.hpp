@@ -77,7 +77,7 @@ a_set = "600 mm"
              Choice{&Input::rank, "rank", "ranking criterion"}.may_be_missing()});
 
   static constexpr Fields results{
-      Choice{&Result::rating, "rating", "system of ratings and factors that decides"},
+      Choice{&Result::rating, "rating", "governing system of ratings and factors"},
       Field{&Result::tried, "tried", ratio, "number of drives that meet speed and centre distance"},
       Field{&Result::too_weak, "too_weak", ratio, "number of these that need too many belts"},
       Field{&Result::outside, "outside", ratio, "number of these that fail another check or limit"},

@@ -13,16 +13,16 @@ struct Press {
 
 template <class Tracer>
 Press press(const VTypes::Input& in, const VTypes::Result& r, Tracer& trace) {
-  STEP(F_t, r.P_B / (r.z * r.v), "force that one belt carries over");
+  STEP(F_t, r.P_B / (r.z * r.v), "circumferential force of one belt");
   if (in.basis == Basis::optibelt) {
     STEP(N_0, (2.02 - r.c_alpha) / (2.0 * r.c_alpha) * r.P_B / (r.z * r.v),
-         "presses a belt into its grooves, [Optibelt-V]");
+         "tension that presses a belt into its grooves, [Optibelt-V]");
     return {F_t, N_0};
   }
   STEP(K_P, is_set(in.K_A_1) ? in.K_A_1 : r.K_A,
        is_set(in.K_A_1) ? "for one shift, as given" : "service factor of the power, at least that of one shift");
   STEP(N_0, (2.5 - r.c_alpha) / (2.0 * r.c_alpha) * K_P * in.P / (r.z * r.v),
-       "presses a belt into its grooves, [GOST1284.3] (16)");
+       "tension that presses a belt into its grooves, [GOST1284.3] (16)");
   return {F_t, N_0};
 }
 
@@ -41,7 +41,7 @@ void grip(const VTypes::Input& in, const Press& pressed, VTypes::Result& r, Trac
 template <class Tracer>
 void tension(const VSection& section, const VTypes::Input& in, VTypes::Result& r, Tracer& trace) {
   const auto m = trace.value("m", section.row.m, "mass per length of one belt");
-  STEP_TO(r, F_c, m * r.v * r.v, "turns the belt around, and does not press it into the grooves");
+  STEP_TO(r, F_c, m * r.v * r.v, "centrifugal tension; it does not press the belt into the grooves");
   const Press pressed = press(in, r, trace);
   const auto& [F_t, N_0] = pressed;
   grip(in, pressed, r, trace);

@@ -109,7 +109,7 @@ L = "2650 mm"
               10, 100)});
 
   static constexpr auto results = join(
-      Fields{Choice{&Result::rating, "rating", "system of ratings and factors that decides"}},
+      Fields{Choice{&Result::rating, "rating", "governing system of ratings and factors"}},
       driven_results<Result>("datum diameter of the driven pulley found"),
       Fields{
           Field{&Result::i, "i", ratio, "speed ratio n_1/n_2 with slip"},

@@ -54,11 +54,11 @@ Message lack_of_stress(const Member& in, Method by, bool curves) {
   const bool yields = is_set(in.R_e);
   if (by == Method::euler) {
     if (is_set(in.sigma_P) || is_set(in.a_T)) return {};
-    return say("the limit of Euler's formula: the proportional limit sigma_P, or a set of tetmajer");
+    return say("the proportional limit sigma_P, or a row of tetmajer");
   }
   if (by == Method::tetmajer) {
     if (is_set(in.a_T)) return {};
-    return say("the constants of Tetmajer-Yasinsky: a set of tetmajer, or a_T and b_T");
+    return say("the Tetmajer constants: a row of tetmajer, or a_T and b_T");
   }
   if (by == Method::rankine) {
     if (yields || is_set(in.sigma_c)) return {};
@@ -77,10 +77,10 @@ Message lack_of_stress(const Member& in, Method by, bool curves) {
 Message lack_of_safety(const Member& in, Method by) {
   if (!is_loaded(in) || by == Method::aisc) return {};
   if (by == Method::ec3 && in.method == Method::unsaid) return {};  // assumed
-  if (by != Method::ec3) return is_set(in.n_st) ? Message{} : say("the safety against buckling n_st");
+  if (by != Method::ec3) return is_set(in.n_st) ? Message{} : say("the required buckling safety factor n_st");
   const Message M1 = is_set(in.gamma_M1) ? Message{} : say("the partial factor gamma_M1 (1 or by the national annex)");
   const Message F =
-      is_set(in.gamma_F) ? Message{} : say("gamma_F, from the force to the design load: 1 where it is one");
+      is_set(in.gamma_F) ? Message{} : say("the partial factor gamma_F on the load (1 for a design value)");
   return M1.empty() ? F : F.empty() ? M1 : say("{1}; {2}", M1, F);
 }
 
@@ -98,12 +98,12 @@ FieldFault missing_by_default(const Member& in, bool curves) {
     const bool asks_safety = !curves && is_loaded(in) && !is_set(in.n_st);
     return {"R_e",
             asks_safety
-                ? say("give the yield strength R_e, or a material, and the required safety against buckling n_st")
+                ? say("give the yield strength R_e, or a material, and the required buckling safety factor n_st")
                 : say("give the yield strength R_e, or a material"),
-            say("or a set of Tetmajer-Yasinsky in place of R_e: 'loadpath tables columns/tetmajer'")};
+            say("or use a Tetmajer set instead of R_e: 'loadpath tables columns/tetmajer'")};
   }
-  return {"n_st", say("give the required safety against buckling n_st"),
-          is_set(in.R_e) && is_steel(in) ? say("or name a code that has its own: method = \"aisc\"") : Message{}};
+  return {"n_st", say("give the required buckling safety factor n_st"),
+          is_set(in.R_e) && is_steel(in) ? say("or use a code that includes it: method = \"aisc\"") : Message{}};
 }
 
 SecondMoment second_moment(Area A, SecondMoment I, Length i) { return is_set(I) ? I : A * i * i; }

@@ -71,7 +71,7 @@ constexpr auto fkm_service() {
   return Fields{
       Choice<Input, Overload>{&Input::overload, "overload", "load case of growth (quantity kept constant)"},
       Choice<Input, Means>{&Input::means, "means", "mean stress used for a stress component"}.may_be_missing(),
-      Field<Input, double>{&Input::N, "N", ratio, "cycles that it must last; without end where missing"}
+      Field<Input, double>{&Input::N, "N", ratio, "required life in cycles; infinite if omitted"}
           .at_least(1)
           .usually(1e4, 1e9)
           .may_be_missing(),

@@ -1,4 +1,4 @@
-// Common to shaft-hub connections: the torque that counts, its sense, what the sides allow, the shaft in torsion.
+// Common to shaft-hub connections: the equivalent torque, its sense, what the sides allow, the shaft in torsion.
 #pragma once
 
 #include "lib/calculator/field.hpp"
@@ -98,8 +98,7 @@ inline Applies torsion_of(Stress tau_t) {
 /// K_A acts once, on T and not on T_max, which is what the largest shock brings, whole.
 template <class Input, class Result, class Tracer>
 void torque_that_counts(const Input& in, Result& r, Tracer& trace) {
-  STEP_TO(r, T_eq, is_set(in.T_max) ? max(in.K_A * abs(in.T), abs(in.T_max)) : in.K_A * abs(in.T),
-          "torque that counts");
+  STEP_TO(r, T_eq, is_set(in.T_max) ? max(in.K_A * abs(in.T), abs(in.T_max)) : in.K_A * abs(in.T), "equivalent torque");
 }
 
 /// The shaft itself in torsion; not without a safety factor, for a stress up to the yield strength is no design.

@@ -25,7 +25,7 @@ struct Cylinder {
 /// A stretch between two neighbouring sections in which moment and diameter are constant.
 struct Stretch {
   Length x;           // position of its left end
-  Moment M;           // internal moment: the sum of the torques to its left
+  Moment M;           // internal torque: sum of the torques to the left
   Cylinder cylinder;  // that it is cut from, with the length of the stretch
 };
 

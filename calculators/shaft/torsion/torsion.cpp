@@ -28,7 +28,7 @@ void size_stretches(const Torsion::Input& in, const Stretches& parts, Torsion::R
   for (const shaft::Stretch& part : parts) {
     [[maybe_unused]] const auto scope = trace.scope("segments", r.segments.size());
     const Cylinder& c = part.cylinder;
-    const Moment M = trace.value("M", part.M, "internal moment: the sum of the torques to its left");
+    const Moment M = trace.value("M", part.M, "internal torque: sum of the torques to the left");
     STEP(M_t, in.K_A * abs(M), "design moment");
     if (is_set(c.chi)) trace.value("chi", c.chi, "bore ratio");
     const Length d_strength = size_by_strength(M_t, c, allowed.tau_all, trace);

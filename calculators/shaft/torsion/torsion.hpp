@@ -71,7 +71,7 @@ theta_adm = "0.004 rad/m"
   static constexpr auto inputs = join(
       Fields{
           RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
-          Field{&Input::T, "T", N_m, "torque through the full shaft, replaces torques"}.load().may_be_missing()},
+          Field{&Input::T, "T", N_m, "torque over the full length, replaces torques"}.load().may_be_missing()},
       power_inputs<Input>(),
       Fields{Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
              Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
@@ -106,7 +106,7 @@ theta_adm = "0.004 rad/m"
       Field{&Result::d_stiffness, "d_stiffness", mm, "minimum diameter for stiffness"},
       Field{&Result::d_min, "d_min", mm, "minimum diameter for both"},
       Choice{&Result::governs, "governs", "governing condition"},
-      Field{&Result::D_star, "D_star", mm, "diameter below which stiffness governs, solid or bored alike"},
+      Field{&Result::D_star, "D_star", mm, "diameter below which stiffness governs, solid or hollow"},
       Field{&Result::d, "d", mm, "outer diameter of segments without their own"},
       Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"},
       Field{&Result::d_max, "d_max", mm, "maximum outer diameter of the shaft"},

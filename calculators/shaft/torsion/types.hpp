@@ -22,7 +22,7 @@ struct TorsionTypes {
     static constexpr Fields fields{
         NameField{&Segment::name, "name", "name of the part"}.may_be_missing(),
         Field{&Segment::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
-        Field{&Segment::d, "d", mm, "outer diameter; the common one if omitted"}
+        Field{&Segment::d, "d", mm, "outer diameter; d if omitted"}
             .positive()
             .usually(1, 2000)
             .findable("R40")
@@ -67,7 +67,7 @@ struct TorsionTypes {
     static constexpr Fields fields{
         Field{&Stretch::x, "x", mm, "left end"},
         Field{&Stretch::l, "l", mm, "length"},
-        Field{&Stretch::M, "M", N_m, "internal moment, signed"},
+        Field{&Stretch::M, "M", N_m, "internal torque, signed"},
         Field{&Stretch::M_t, "M_t", N_m, "design moment"},
         Field{&Stretch::d_strength, "d_strength", mm, "minimum diameter for strength"},
         Field{&Stretch::d_stiffness, "d_stiffness", mm, "minimum diameter for stiffness"},

@@ -154,13 +154,13 @@ class ReductionCheck {
     const bool is_amplitude = own == paired_amplitude && r.function == "amplitude";
     if (!is_amplitude && !(own == paired_middle && r.function == "mean")) return false;
     const std::string source = split_step(operand.expression.references().front().path).first;
-    return std::any_of(step_.input().reading.operands.begin(), step_.input().reading.operands.end(),
-                       [&](const Operand& beside) {
-                         return prefix_of(beside.path) == prefix_of(operand.path) &&
-                                reduction_of(calculator, beside.path) == (is_amplitude ? paired_middle : paired_amplitude) &&
-                                beside.expression.is_reference() &&
-                                split_step(beside.expression.references().front().path).first == source;
-                       });
+    return std::any_of(
+        step_.input().reading.operands.begin(), step_.input().reading.operands.end(), [&](const Operand& beside) {
+          return prefix_of(beside.path) == prefix_of(operand.path) &&
+                 reduction_of(calculator, beside.path) == (is_amplitude ? paired_middle : paired_amplitude) &&
+                 beside.expression.is_reference() &&
+                 split_step(beside.expression.references().front().path).first == source;
+        });
   }
 
   /// A load of another step and the value derived from it; apart from entries of [values], nothing else is referred to.

@@ -66,26 +66,26 @@ TEST_SUITE("column buckling faults") {
   }
 
   TEST_CASE("a method says what it lacks") {
-    says(rod + "d = \"40 mm\"\nmethod = \"euler\"\n", "the method 'euler' needs the limit of Euler's formula");
+    says(rod + "d = \"40 mm\"\nmethod = \"euler\"\n", "the method 'euler' needs the proportional limit sigma_P");
     says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\n",
          "the method 'tetmajer' needs the constants of Tetmajer-Yasinsky");
     says(rod + "d = \"40 mm\"\nmethod = \"secant\"\n", "the method 'secant' needs the eccentricity e_y or e_z");
     says(rod + "d = \"40 mm\"\nd_bore = \"20 mm\"\nmethod = \"ec3\"\n", "the method 'ec3' needs the buckling curves");
     says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\n", "the partial factor gamma_M1");
     says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\ngamma_M1 = 1\n", "needs gamma_F");
-    says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"1 kN\"\n", "needs the safety against buckling n_st");
+    says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"1 kN\"\n", "needs the required buckling safety factor n_st");
   }
 
   TEST_CASE("where no method is named, what is missing is told in a line, and one alternative") {
     column::Buckling::Input in = bar_of_steel(column::Ends::pinned_pinned);
     in.a_T = in.b_T = unset<Stress>, in.n_st = unset<double>, in.P = 10.0 * kN;
     const FieldFault safety = column::Buckling::missing_for_method(in);
-    CHECK(safety.message.text() == "give the required safety against buckling n_st");
-    CHECK(safety.hint.text() == "or name a code that has its own: method = \"aisc\"");
+    CHECK(safety.message.text() == "give the required buckling safety factor n_st");
+    CHECK(safety.hint.text() == "or use a code that includes it: method = \"aisc\"");
     in.R_e = unset<Stress>;
     const FieldFault strength = column::Buckling::missing_for_method(in);
     CHECK(strength.message.text() ==
-          "give the yield strength R_e, or a material, and the required safety against buckling n_st");
+          "give the yield strength R_e, or a material, and the required buckling safety factor n_st");
     CHECK(strength.hint.text().find("loadpath tables columns/tetmajer") != std::string::npos);
     in.method = column::Method::secant;
     CHECK(column::Buckling::missing_for_method(in).hint.empty());

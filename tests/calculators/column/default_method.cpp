@@ -95,9 +95,9 @@ TEST_SUITE("column default method") {
   TEST_CASE("what is missing is told in a line, of a bar whose size is searched for too") {
     for (const char* size : {"d = \"?\"\n", "d = \"40 mm\"\n", "h = \"40 mm\"\nb = \"40 mm\"\n"}) {
       CHECK(complaints(rod + size)
-                .find("give the yield strength R_e, or a material, and the required safety against "
-                      "buckling n_st\n") != std::string::npos);
-      CHECK(complaints(rod + size + "R_e = \"355 MPa\"\n").find("give the required safety against buckling n_st\n") !=
+                .find("give the yield strength R_e, or a material, and the required buckling safety factor n_st\n") !=
+            std::string::npos);
+      CHECK(complaints(rod + size + "R_e = \"355 MPa\"\n").find("give the required buckling safety factor n_st\n") !=
             std::string::npos);
     }
   }

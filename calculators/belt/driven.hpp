@@ -32,7 +32,7 @@ template <class Result>
 constexpr auto driven_results(const char* of_pulley) {
   return Fields{Field<Result, Length>{&Result::d_2, "d_2", mm, of_pulley},
                 Field<Result, double>{&Result::i_w, "i_w", ratio, "wanted transmission ratio"},
-                Field<Result, double>{&Result::dev_i, "dev_i", ratio, "deviation of the ratio, as a share"}};
+                Field<Result, double>{&Result::dev_i, "dev_i", ratio, "relative deviation of the ratio"}};
 }
 
 /// One of d_2, n_2_set and i_set.

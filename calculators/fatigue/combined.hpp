@@ -132,9 +132,7 @@ S_F = 1.5
       Field{&Result::n_Gough, "n_Gough", ratio, "safety by Gough and Pollard, with Goodman in each stress"},
       Field{&Result::n, "n", ratio, "safety by the rule that decides"},
       Field{&Result::n_y, "n_y", ratio, "safety against yielding at the first cycle"},
-      Field{&Result::u_D, "u_D", ratio, "fatigue: required safety over the one that is there"}
-          .check()
-          .where_it_applies(),
+      Field{&Result::u_D, "u_D", ratio, "fatigue: required / calculated safety factor"}.check().where_it_applies(),
       Field{&Result::x_v, "x_v", ratio, "limit in shear by von Mises over tau_D: above 1 shear is not covered by it"}
           .limit(0, 1 + 1e-9)
           .where_it_applies(),
@@ -142,7 +140,7 @@ S_F = 1.5
           .limit(0, 1, "R_m")
           .criterion(),
       Field{&Result::u_y, "u_y", ratio, "yielding: maximum von Mises stress / yield strength"}.check("R_e"),
-      Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
+      Field{&Result::u_F, "u_F", ratio, "yielding: required / calculated safety factor"}.check("S_F"),
       modulus_over_steel<Result>(&Result::x_E),
       cycles_over_told<Result>(&Result::x_N)};
 

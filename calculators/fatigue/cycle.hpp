@@ -83,7 +83,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
                  .may_be_missing()
                  .factor(),
              Field<Input, Stress>{&Input::sigma_D, "sigma_D", MPa,
-                                  "fatigue limit of the part, r = -1, as nominal stress: of fatigue.endurance"}
+                                  "fatigue limit of the part, r = -1, as nominal stress, e.g. of fatigue.endurance"}
                  .positive()
                  .usually(5, 1500)
                  .may_be_missing(),
@@ -114,7 +114,8 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
       cycle_fields<Result>(),
       Fields{
           Field<Result, double>{&Result::u_y, "u_y", ratio, "yielding: maximum stress / yield strength"}.check("R_e"),
-          Field<Result, double>{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
+          Field<Result, double>{&Result::u_F, "u_F", ratio, "yielding: required / calculated safety factor"}.check(
+              "S_F"),
           Field<Result, double>{&Result::u_D, "u_D", ratio, "fatigue: amplitude over the limit, with its safety"}.check(
               "sigma_D"),
           Field<Result, double>{&Result::x_m, "x_m", ratio,

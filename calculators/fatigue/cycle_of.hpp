@@ -31,7 +31,7 @@ constexpr auto given_fields() {
                     .may_be_missing(),
                 Field<Owner, Stress>{&Owner::sigma_m, "sigma_m", MPa, "mean stress, signed"}.load().may_be_missing(),
                 Field<Owner, Stress>{&Owner::sigma_a, "sigma_a", MPa, "amplitude"}.load().at_least(0).may_be_missing(),
-                Field<Owner, double>{&Owner::r, "r", ratio, "ratio sigma_min/sigma_max; may be inf"}
+                Field<Owner, double>{&Owner::r, "r", ratio, "stress ratio sigma_min/sigma_max; may be inf"}
                     .may_be_infinite()
                     .may_be_missing()};
 }

@@ -111,7 +111,7 @@ double fraction(const Input& in, Tracer& trace) {
   return fraction_at_1e3(in.R_m, trace);
 }
 
-/// The line of finite life, amplitude = a_N N^b_N over cycles; none where what it needs is not given.
+/// The finite-life line, amplitude = a_N N^b_N over cycles; none where what it needs is not given.
 template <class Tracer>
 void draw_line(const Input& in, const Haigh& h, Result& r, Tracer& trace) {
   using std::pow;
@@ -349,7 +349,7 @@ FieldFault Life::lacking_of_line(const Input& in) {
       in.sigma_f * std::pow(2.0 * in.N, in.b) / in.K_D < in.sigma_D)
     return lacks("b", "Basquin's line is below sigma_D at N: they are not of one part", "both hold the same K_D");
   if (in.line != Line::shigley || !is_set(in.N) || in.N >= cycles_of_limit(in)) return {};
-  if (!is_set(in.R_m)) return lacks("R_m", "the line of finite life needs R_m", "give it, or line = \"slope\" with k");
+  if (!is_set(in.R_m)) return lacks("R_m", "the finite-life line needs R_m", "give it, or line = \"slope\" with k");
   if (!is_set(in.f) && !is_steel(in.group))
     return lacks("f", "the strength at 1e3 cycles is fitted for steels", "give f, or line = \"slope\" with k");
   NoTrace quiet;

@@ -3,7 +3,7 @@
 // Decides the load factor for a life of N cycles, or infinite life, by the chosen rule: mean stress and amplitude
 // grow together, or the mean stays; the life at this load; the amplitude that is allowed; and yielding at the first
 // cycle. All rules are listed next to each other. Stresses are nominal, as sigma_D is, amplitudes, and N is in
-// cycles. The line of finite life goes from f R_m at 1e3 cycles to the fatigue limit at N_D [Shigley6], by Basquin
+// cycles. The finite-life line goes from f R_m at 1e3 cycles to the fatigue limit at N_D [Shigley6], by Basquin
 // over reversals 2 N, or with a slope k. Compression gives no benefit. Below 1e3 cycles, of low cycles, nothing is
 // said. Safety and life are for the survival probability of sigma_D: 50 %, unless it includes P_s. Not covered:
 // histories (only one cycle), shear with normal stresses (fatigue.combined), creep, corrosion. From memory, source
@@ -96,7 +96,7 @@ S_F = 1.5
       Fields{
           Choice<Input, Stresses>{&Input::stress, "stress", "stress component: normal or shear"}.may_be_missing(),
           F<Stress>{&Input::sigma_D, "sigma_D", MPa,
-                    "fatigue limit of the part, r = -1, as nominal stress: of fatigue.endurance"}
+                    "fatigue limit of the part, r = -1, as nominal stress, e.g. of fatigue.endurance"}
               .positive()
               .usually(5, 1500)
               .may_be_missing(),
@@ -118,17 +118,15 @@ S_F = 1.5
               .may_be_missing()
               .factor(),
           Choice<Input, MeanRule>{&Input::rule, "rule", "governing mean stress rule"}.may_be_missing(),
-          Choice<Input, MeanStress>{&Input::mean, "mean", "load case of growth (quantity kept constant)"}
-              .may_be_missing(),
+          Choice<Input, MeanStress>{&Input::mean, "mean", "overload case: quantity kept constant"}.may_be_missing(),
           Choice<Input, Compression>{&Input::compression, "compression", "benefit of compressive mean stress"}
               .may_be_missing(),
           F<double>{&Input::K_m, "K_m", ratio,
-                    "raises the mean stress at a notch where it is held against a strength: 1 of ductile metals, K_f "
-                    "of brittle ones"}
+                    "notch factor of the mean stress: 1 for ductile metals, K_f for brittle ones"}
               .within(1, 10)
               .usually(1, 5)
               .may_be_missing(),
-          F<double>{&Input::K_D, "K_D", ratio, "specimen over part: of fatigue.endurance"}
+          F<double>{&Input::K_D, "K_D", ratio, "fatigue limit of specimen / part, e.g. of fatigue.endurance"}
               .within(0.2, 50)
               .usually(0.5, 10)
               .may_be_missing(),
@@ -140,16 +138,16 @@ S_F = 1.5
               .positive()
               .usually(200, 4000)
               .may_be_missing(),
-          F<double>{&Input::gamma, "gamma", ratio, "Walker's exponent, else by R_m of steels"}
+          F<double>{&Input::gamma, "gamma", ratio, "Walker exponent; omitted: by R_m of steels"}
               .within(0.1, 1)
               .usually(0.3, 0.9)
               .may_be_missing(),
-          F<double>{&Input::M, "M", ratio, "FKM's sensitivity to mean stress, else by group and R_m"}
+          F<double>{&Input::M, "M", ratio, "FKM mean stress sensitivity; omitted: by group and R_m"}
               .at_least(0)
               .below(1)
               .usually(0.01, 0.8)
               .may_be_missing(),
-          F<double>{&Input::psi, "psi", ratio, "Serensen's sensitivity to mean stress, else by R_m of steels"}
+          F<double>{&Input::psi, "psi", ratio, "Serensen's mean stress sensitivity; omitted: by R_m of steels"}
               .within(0, 1)
               .usually(0.02, 0.6)
               .may_be_missing(),
@@ -158,8 +156,8 @@ S_F = 1.5
               .usually(1e3, 1e9)
               .may_be_missing()
               .most(),
-          Choice<Input, Line>{&Input::line, "line", "line of finite life"}.may_be_missing(),
-          F<double>{&Input::f, "f", ratio, "strength at 1e3 cycles over R_m, else by R_m of steels"}
+          Choice<Input, Line>{&Input::line, "line", "finite-life line"}.may_be_missing(),
+          F<double>{&Input::f, "f", ratio, "strength at 1e3 cycles / R_m; omitted: by R_m of steels"}
               .within(0.5, 1)
               .usually(0.7, 0.95)
               .may_be_missing(),
@@ -182,11 +180,11 @@ S_F = 1.5
     double n = unset<double>, n_m = unset<double>, N = unset<double>;
     static constexpr Fields fields{
         NameField{&Row::name, "name", "the rule"},
-        Field{&Row::sigma_m, "sigma_m", MPa, "mean stress, as the rule counts it"},
-        Field{&Row::sigma_ar, "sigma_ar", MPa, "amplitude of symmetric cycles that does the same"},
-        Field{&Row::sigma_A, "sigma_A", MPa, "amplitude that is left where the mean stress stays"},
+        Field{&Row::sigma_m, "sigma_m", MPa, "mean stress by the rule"},
+        Field{&Row::sigma_ar, "sigma_ar", MPa, "fully reversed amplitude of the same damage"},
+        Field{&Row::sigma_A, "sigma_A", MPa, "permissible amplitude at the same mean stress"},
         Field{&Row::n, "n", ratio, "safety factor on the total load"},
-        Field{&Row::n_m, "n_m", ratio, "safety: factor on the amplitude, the mean stress stays"},
+        Field{&Row::n_m, "n_m", ratio, "safety factor on the amplitude at constant mean stress"},
         Field{&Row::N, "N", ratio, "life in cycles; none below 1e3"}.may_be_infinite()};
   };
 
@@ -205,38 +203,36 @@ S_F = 1.5
       cycle_fields<Result>(),
       Fields{
           Field{&Result::u_y, "u_y", ratio, "yielding: maximum stress / yield strength"}.check().where_it_applies(),
-          Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
-          Field{&Result::n_y, "n_y", ratio, "safety against yielding at the first cycle (Langer)"},
-          Field{&Result::u_D, "u_D", ratio, "fatigue: required safety over the one that is there"}
-              .check()
-              .where_it_applies(),
-          Field{&Result::S_e, "S_e", MPa, "strength in symmetric cycles for this life"},
-          Field{&Result::sigma_ar, "sigma_ar", MPa, "amplitude of symmetric cycles that does the same, by the rule"},
-          Field{&Result::n, "n", ratio, "safety factor by the rule: factor on the total load"},
-          Field{&Result::n_m, "n_m", ratio, "safety by the rule: factor on the amplitude, the mean stress stays"},
-          Field{&Result::N_f, "N_f", ratio, "life in cycles at this load; none below 1e3, N_D where it lasts longer"}
+          Field{&Result::u_F, "u_F", ratio, "yielding: required / calculated safety factor"}.check("S_F"),
+          Field{&Result::n_y, "n_y", ratio, "safety factor against first-cycle yielding (Langer)"},
+          Field{&Result::u_D, "u_D", ratio, "fatigue: required / calculated safety factor"}.check().where_it_applies(),
+          Field{&Result::S_e, "S_e", MPa, "fully reversed strength for this life"},
+          Field{&Result::sigma_ar, "sigma_ar", MPa, "fully reversed amplitude of the same damage, by the rule"},
+          Field{&Result::n, "n", ratio, "safety factor by the rule: on the total load"},
+          Field{&Result::n_m, "n_m", ratio, "safety factor by the rule: on the amplitude at constant mean stress"},
+          Field{&Result::N_f, "N_f", ratio, "life in cycles at this load; none below 1e3, at most N_D"}
               .may_be_infinite(),
-          Field{&Result::N_S, "N_S", ratio, "the same at S_D times the load"}.may_be_infinite(),
-          Field{&Result::S_req, "S_req", MPa, "strength in symmetric cycles that S_D times the load needs"},
-          Field{&Result::sigma_adm, "sigma_adm", MPa, "amplitude that is allowed, with its safety, for this life"},
-          Field{&Result::f, "f", ratio, "strength at 1e3 cycles over the tensile one"},
-          Field{&Result::a_N, "a_N", MPa, "of the line of finite life, amplitude = a_N N^b_N: at one cycle"},
-          Field{&Result::b_N, "b_N", ratio, "its exponent, over cycles"},
-          Field{&Result::x_m, "x_m", ratio, "mean stress over the one that leaves no amplitude, by the rule"}
+          Field{&Result::N_S, "N_S", ratio, "life in cycles at S_D times the load"}.may_be_infinite(),
+          Field{&Result::S_req, "S_req", MPa, "fully reversed strength required at S_D times the load"},
+          Field{&Result::sigma_adm, "sigma_adm", MPa, "allowable amplitude for this life, safety factor included"},
+          Field{&Result::f, "f", ratio, "strength at 1e3 cycles / tensile strength"},
+          Field{&Result::a_N, "a_N", MPa, "amplitude at one cycle of the finite-life line a_N N^b_N"},
+          Field{&Result::b_N, "b_N", ratio, "exponent of the finite-life line, over cycles"},
+          Field{&Result::x_m, "x_m", ratio, "mean stress / mean stress at zero amplitude, by the rule"}
               .limit(0, 1 - 1e-12)
               .criterion()
               .where_it_applies(),
           Field{&Result::x_B, "x_B", ratio, "maximum stress / tensile strength (static fracture)"}
               .limit(0, 1, "R_m")
               .criterion(),
-          Field{&Result::x_N, "x_N", ratio, "1e3 cycles over N: below, lives are those of strains"}.limit(0, 1, "N"),
+          Field{&Result::x_N, "x_N", ratio, "1e3 cycles / N (below 1e3 cycles strain-life applies)"}.limit(0, 1, "N"),
           Field{&Result::x_D, "x_D", ratio, "N / N_D; the curve is not given beyond N_D"}
               .limit(0, 1 + 1e-9, "N")
               .where_it_applies(),
-          Field{&Result::x_f, "x_f", ratio, "R_m over the highest of the fit of f"}.limit(0, 1, "N").where_it_applies(),
+          Field{&Result::x_f, "x_f", ratio, "R_m / maximum R_m of the fit of f"}.limit(0, 1, "N").where_it_applies(),
           modulus_over_steel<Result>(&Result::x_E),
           ListField<Result, List<Row, choices_of(MeanRule{}).size()>>{&Result::rules, "rules",
-                                                                      "all rules that have what they need"}});
+                                                                      "all rules whose inputs are given"}});
 
   static constexpr bool turns = true;
   static constexpr std::array rules{

@@ -200,7 +200,7 @@ inline Stress amplitude_by_walker(const Haigh& h, Stress sigma_m) {
   return from_si<Stress>(std::sqrt(low * high));
 }
 
-/// The amplitude that is left where the mean stress stays: `sigma_A`, zero where there is none.
+/// The permissible amplitude at the same mean stress: `sigma_A`, zero where there is none.
 template <class Tracer>
 Stress amplitude_left(MeanRule rule, const Haigh& h, Stress sigma_m, Tracer& trace) {
   const auto [S_e, R_m, R_e, sigma_f, gamma, M, psi_D, n_y] = h;

@@ -1,4 +1,4 @@
-// A Woehler curve from test points: the line of finite life, its scatter, the knee, lives at a survival probability.
+// A Woehler curve from test points: the finite-life line, its scatter, the knee, lives at a survival probability.
 //
 // Decides the line lg N = A + B lg S by least squares with the life as the dependent variable, over the failures above
 // the highest level that has a run-out; the standard deviation of lg N; the slope with its confidence interval; the

@@ -61,7 +61,7 @@ sigma_adm = "120 MPa"
   };
   static constexpr Fields results =
       join(wall_results<Result>(),
-           Fields{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall at the large end"},
+           Fields{Field{&Result::R_m, "R_m", mm, "mean radius at the analysis thickness at the large end"},
                   Field{&Result::r, "r", mm, "mean radius at the governing location"}, shallowness<Result>()});
 
   static constexpr std::array rules = join(

@@ -59,13 +59,12 @@ sigma_adm = "140 MPa"
                  .usually(5, 50000),
              Choice<Input, Ends>{&Input::ends, "ends", "end condition: closed ends, open pipe or ring-reinforced"}
                  .may_be_missing()},
-      wall_inputs<Input>(),
-      liquid_inputs<Input>("height of the liquid's surface above the lowest position of the wall"),
+      wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid surface above the lowest point of the wall"),
       Fields{
           Choice<Input, Support>{&Input::support, "support", "support of a liquid-filled cylinder"}.may_be_missing(),
-          Field<Input, Area>{&Input::A_r, "A_r", mm2, "area of the section of one ring"}.positive().may_be_missing(),
-          Field<Input, Length>{&Input::l_r, "l_r", mm, "distance of the rings"}.positive().may_be_missing(),
-          Field<Input, Length>{&Input::delta_e, "delta_e", mm, "thickness of its ends as ordered, where they are flat"}
+          Field<Input, Area>{&Input::A_r, "A_r", mm2, "cross-sectional area of one ring"}.positive().may_be_missing(),
+          Field<Input, Length>{&Input::l_r, "l_r", mm, "ring spacing"}.positive().may_be_missing(),
+          Field<Input, Length>{&Input::delta_e, "delta_e", mm, "nominal thickness of flat ends"}
               .positive()
               .usually(0.5, 400)
               .may_be_missing()});
@@ -79,17 +78,16 @@ sigma_adm = "140 MPa"
   static Applies has_ends(const Input& in) { return in.ends == Ends::open ? Applies::no : Applies::unseen; }
   static constexpr Fields results = join(
       wall_results<Result>(),
-      Fields{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
+      Fields{Field{&Result::R_m, "R_m", mm, "mean radius at the analysis thickness"},
              Field{&Result::delta_o, "delta_o", mm, "analysis thickness from the hoop stress only, pR/sigma"},
              Field{&Result::delta_M, "delta_M", mm, "analysis thickness from the meridional stress only, pR/2sigma"},
-             Field{&Result::a_r, "a_r", mm, "section of the rings per length of the vessel"}},
+             Field{&Result::a_r, "a_r", mm, "ring area per length of the vessel"}},
       lame_results<Result>(),
-      Fields{Field{&Result::sigma_e, "sigma_e", MPa, "bending stress of flat ends, in their middle"},
-             Field{&Result::u_e, "u_e", ratio, "flat ends: bending stress over the allowable one"}
+      Fields{Field{&Result::sigma_e, "sigma_e", MPa, "bending stress of flat ends, at the centre"},
+             Field{&Result::u_e, "u_e", ratio, "flat ends: bending stress / allowable stress"}
                  .check("delta_e")
                  .where_it_applies(),
-             Field{&Result::w_r, "w_r", ratio, "rings: distance over the length of wall that works with them"}.limit(
-                 0, 1, "l_r")});
+             Field{&Result::w_r, "w_r", ratio, "rings: spacing / effective wall length"}.limit(0, 1, "l_r")});
 
   static constexpr std::array rules = join(
       wall_rules<Input>(), liquid_rules<Input>(),

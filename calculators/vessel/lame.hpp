@@ -19,8 +19,8 @@ constexpr auto lame_results() {
   return Fields{
       Field<Result, Stress>{&Result::sigma_L, "sigma_L", MPa, "thick wall: equivalent stress by Lamé, inside"},
       Field<Result, double>{&Result::e_L, "e_L", ratio, "error of the thin-wall equivalent stress against Lamé"},
-      Field<Result, Length>{&Result::delta_L, "delta_L", mm, "thick wall: minimum thickness to order by Lamé"},
-      Field<Result, double>{&Result::u_L, "u_L", ratio, "thick wall: equivalent stress over the allowable one"}};
+      Field<Result, Length>{&Result::delta_L, "delta_L", mm, "thick wall: minimum nominal thickness by Lamé"},
+      Field<Result, double>{&Result::u_L, "u_L", ratio, "thick wall: equivalent stress / allowable stress"}};
 }
 
 /// Hoop and meridional stress at the inner surface.

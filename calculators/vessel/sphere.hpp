@@ -52,8 +52,7 @@ sigma_adm = "160 MPa"
                  .at_least_that_of_source("R")
                  .positive()
                  .usually(5, 50000)},
-      wall_inputs<Input>(),
-      liquid_inputs<Input>("height of the liquid's surface above the lowest position of the wall"),
+      wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid surface above the lowest point of the wall"),
       Fields{Field<Input, double>{&Input::phi_s, "phi_s", deg, "ring that holds a sphere with liquid: from the top"}
                  .within(20, 160)
                  .may_be_missing()});
@@ -63,7 +62,7 @@ sigma_adm = "160 MPa"
     double phi = unset<double>;
   };
   static constexpr Fields results = join(wall_results<Result>(),
-                                         Fields{Field{&Result::R_m, "R_m", mm, "mean radius of the carrying wall"},
+                                         Fields{Field{&Result::R_m, "R_m", mm, "mean radius at the analysis thickness"},
                                                 Field{&Result::phi, "phi", deg, "governing location, from the top"}},
                                          lame_results<Result>());
 

@@ -68,7 +68,7 @@ constexpr auto wall_inputs() {
           .at_least(0)
           .usually(0, 10),
       Field<Input, Length>{&Input::c_t, "c_t", mm, "mill under-tolerance of the plate"}.at_least(0).usually(0, 3),
-      Field<Input, double>{&Input::f_t, "f_t", ratio, "mill under-tolerance as a part of delta: of pipes 0.125"}
+      Field<Input, double>{&Input::f_t, "f_t", ratio, "mill under-tolerance as a share of delta; 0.125 for pipes"}
           .at_least(0)
           .below(0.5),
       Field<Input, double>{&Input::z_l, "z_l", ratio, "efficiency of longitudinal seams, which carry hoop stress"}
@@ -113,18 +113,18 @@ template <class Result>
 constexpr auto wall_results() {
   return Fields{
       Field<Result, Stress>{&Result::sigma_all, "sigma_all", MPa, "allowable stress"},
-      Field<Result, Length>{&Result::delta_min, "delta_min", mm, "minimum thickness to order, with its allowances"},
+      Field<Result, Length>{&Result::delta_min, "delta_min", mm, "minimum nominal thickness, allowances included"},
       Field<Result, Length>{&Result::delta, "delta", mm, "nominal wall thickness"},
-      Field<Result, Length>{&Result::delta_c, "delta_c", mm, "thickness that carries: corroded and thinned"},
+      Field<Result, Length>{&Result::delta_c, "delta_c", mm, "analysis thickness: corroded, under-tolerance deducted"},
       Field<Result, Stress>{&Result::p_i, "p_i", MPa, "pressure at the governing location"},
       Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "hoop stress at the governing location"},
       Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "meridional stress at the governing location"},
       Field<Result, Stress>{&Result::sigma_v, "sigma_v", MPa,
                             "equivalent stress at the governing location, seams included"},
       Field<Result, Stress>{&Result::p_max, "p_max", MPa, "allowable gas pressure at that thickness"},
-      Field<Result, double>{&Result::t_R, "t_R", ratio, "thin wall: thickness over the mean radius of curvature"}.limit(
+      Field<Result, double>{&Result::t_R, "t_R", ratio, "thin wall: thickness / mean radius of curvature"}.limit(
           0, 0.05 * (1 + 1e-12)),
-      Field<Result, double>{&Result::u_v, "u_v", ratio, "strength: equivalent stress over the allowable one"}.check()};
+      Field<Result, double>{&Result::u_v, "u_v", ratio, "strength: equivalent stress / allowable stress"}.check()};
 }
 
 /// Shallowness, for results with x_s.

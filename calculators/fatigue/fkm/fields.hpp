@@ -69,7 +69,7 @@ constexpr auto fkm_demand(double Input::*at, const char* key, const char* doc) {
 template <class Input>
 constexpr auto fkm_service() {
   return Fields{
-      Choice<Input, Overload>{&Input::overload, "overload", "load case of growth (quantity kept constant)"},
+      Choice<Input, Overload>{&Input::overload, "overload", "overload case: quantity kept constant"},
       Choice<Input, Means>{&Input::means, "means", "mean stress used for a stress component"}.may_be_missing(),
       Field<Input, double>{&Input::N, "N", ratio, "required life in cycles; infinite if omitted"}
           .at_least(1)

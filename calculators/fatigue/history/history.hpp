@@ -175,7 +175,7 @@ n_req = 1
           &Result::S_eq, "S_eq", MPa,
           "stress of one size that does in N_eq cycles what n_req passages do: amplitude of a part, range of a detail"},
       Field{&Result::u_y, "u_y", ratio, "yielding: maximum stress / yield strength"}.check("R_e"),
-      Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
+      Field{&Result::u_F, "u_F", ratio, "yielding: required / calculated safety factor"}.check("S_F"),
       Field{&Result::u_m, "u_m", ratio, "maximum mean stress / strength at which its rule ends"}
           .check()
           .where_it_applies(),

@@ -153,9 +153,7 @@ S_F = 1.5
           .may_be_infinite(),
       Field{&Result::n, "n", ratio, "safety by the criterion that decides"}.may_be_infinite(),
       Field{&Result::n_y, "n_y", ratio, "safety against yielding at the most stressed moment"},
-      Field{&Result::u_D, "u_D", ratio, "fatigue: required safety over the one that is there"}
-          .check()
-          .where_it_applies(),
+      Field{&Result::u_D, "u_D", ratio, "fatigue: required / calculated safety factor"}.check().where_it_applies(),
       Field{&Result::x_D, "x_D", ratio, "tau_D over sigma_D: of the metals that the criteria are of"}.limit(0.5 - 1e-9,
                                                                                                             0.8 + 1e-9),
       Field{&Result::x_C, "x_C", ratio, "Crossland only: sqrt(3) tau_D / sigma_D, at least 1"}
@@ -163,7 +161,7 @@ S_F = 1.5
           .where_it_applies(),
       Field{&Result::e_p, "e_p", ratio, "planes: difference of two searches from other grids, over the larger"},
       Field{&Result::u_y, "u_y", ratio, "yielding: maximum von Mises stress / yield strength"}.check("R_e"),
-      Field{&Result::u_F, "u_F", ratio, "yielding with its safety"}.check("S_F"),
+      Field{&Result::u_F, "u_F", ratio, "yielding: required / calculated safety factor"}.check("S_F"),
       cycles_over_told<Result>(&Result::x_N)};
 
   static bool in_step(const Input& in);

@@ -27,7 +27,7 @@ struct Driven {
 
 constexpr std::array drive_rows{
     row<Driven>(
-        "drive.M", "moment of the drive on the driven link, counter-clockwise positive", N_m,
+        "drive.M", "driving torque on the driven link, counter-clockwise positive", N_m,
         {.kind = Kind::drive_moment, .tabled = Tabled::always, .is_load = true, .loads_crank = true},
         [](const Driven& d, const Position& p) { return p.effort[d.index]; }, &Driven::is_rotary, "with a crank"),
     row<Driven>(

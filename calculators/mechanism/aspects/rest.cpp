@@ -29,15 +29,15 @@ struct Standing {
 constexpr const char* only_crank = "with friction and a crank as the only drive";
 constexpr const char* only_cylinder = "with friction, as the only drive";
 constexpr std::array standing_rows{
-    Standing{declare("drive.M_backward", "moment of the drive that begins to turn it backward from rest; no inertia",
-                     N_m, only_crank, {.is_load = true, .loads_crank = true}),
-             declare("cylinders.NAME.F_backward", "force of the drive that begins to move it backward from rest", N,
+    Standing{declare("drive.M_backward", "driving torque that starts backward motion from rest; no inertia", N_m,
+                     only_crank, {.is_load = true, .loads_crank = true}),
+             declare("cylinders.NAME.F_backward", "driving force that starts backward motion from rest", N,
                      only_cylinder, {.is_load = true}),
              &StandingEffort::backward},
-    Standing{declare("drive.M_forward", "moment of the drive that begins to turn it forward from rest; no inertia", N_m,
+    Standing{declare("drive.M_forward", "driving torque that starts forward motion from rest; no inertia", N_m,
                      only_crank, {.is_load = true, .loads_crank = true}),
-             declare("cylinders.NAME.F_forward", "force of the drive that begins to move it forward from rest", N,
-                     only_cylinder, {.is_load = true}),
+             declare("cylinders.NAME.F_forward", "driving force that starts forward motion from rest", N, only_cylinder,
+                     {.is_load = true}),
              &StandingEffort::forward}};
 
 /// Range of possible friction effects where joints rest.
@@ -71,15 +71,15 @@ Output::Values with_reason(std::vector<double> values) {
 }
 
 constexpr Declaration drive_least =
-    declare("drive.M_min", "minimum moment of the drive, friction of joints at rest in either direction", N_m,
+    declare("drive.M_min", "minimum driving torque, friction of joints at rest in either direction", N_m,
             "with friction and a crank", {.is_load = true, .loads_crank = true});
-constexpr Declaration drive_most = declare("drive.M_max", "maximum moment of the drive in this state", N_m,
+constexpr Declaration drive_most = declare("drive.M_max", "maximum driving torque in this state", N_m,
                                            "with friction and a crank", {.is_load = true, .loads_crank = true});
 constexpr Declaration cylinder_least =
-    declare("cylinders.NAME.F_min", "minimum force of the drive, friction of joints at rest in either direction", N,
+    declare("cylinders.NAME.F_min", "minimum driving force, friction of joints at rest in either direction", N,
             "with friction", {.is_load = true});
 constexpr Declaration cylinder_most =
-    declare("cylinders.NAME.F_max", "maximum force of the drive in this state", N, "with friction", {.is_load = true});
+    declare("cylinders.NAME.F_max", "maximum driving force in this state", N, "with friction", {.is_load = true});
 constexpr Declaration joint_most =
     declare("joints.NAME.F_max", "maximum magnitude of the joint force, friction of joints at rest in either direction",
             N, "with friction", {.tabled = Tabled::at_one_position, .is_load = true});

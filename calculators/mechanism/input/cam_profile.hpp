@@ -29,16 +29,16 @@ struct CamProfile {
     double swing = unset<double>;
     static constexpr Fields fields{
         Choice{&Segment::law, "law", "law of motion over the segment"}.may_be_missing(),
-        Field{&Segment::angle, "angle", deg, "angle of the cam that it takes"}.within(0, 360),
-        Field{&Segment::lift, "lift", mm, "rise of the follower over it; a fall is negative"}.may_be_missing(),
+        Field{&Segment::angle, "angle", deg, "cam angle of the segment"}.within(0, 360),
+        Field{&Segment::lift, "lift", mm, "rise of the follower over the segment; negative: fall"}.may_be_missing(),
         Field{&Segment::swing, "swing", deg, "swinging, swinging_flat: the same of the arm or face, away from the cam"}
             .within(-180, 180)
             .may_be_missing()};
   };
   struct Vertex {
     Length x = unset<Length>, y = unset<Length>;
-    static constexpr Fields fields{Field{&Vertex::x, "x", mm, "along the profile's axes"},
-                                   Field{&Vertex::y, "y", mm, "across them"}};
+    static constexpr Fields fields{Field{&Vertex::x, "x", mm, "x coordinate in the axes of the profile"},
+                                   Field{&Vertex::y, "y", mm, "y coordinate in the axes of the profile"}};
   };
 
   Name name;
@@ -53,7 +53,7 @@ struct CamProfile {
   std::vector<Vertex> points;
   static constexpr Fields fields{
       NameField{&CamProfile::name, "name", "name of the profile"},
-      Choice{&CamProfile::shape, "shape", "by what it is given"},
+      Choice{&CamProfile::shape, "shape", "type of definition"},
       Field{&CamProfile::base, "base", mm, "by lift: radius of the base circle of the cam itself"}
           .positive()
           .may_be_missing(),

@@ -29,7 +29,7 @@ struct Tolerance {
       Field{&Tolerance::t, "t", mm, "half width of a length, a coordinate, a radius"}.at_least(0).may_be_missing(),
       Field{&Tolerance::t_angle, "t_angle", deg, "half width of an angle"}.within(0, 45).may_be_missing(),
       Field{&Tolerance::t_mass, "t_mass", kg, "half width of a mass"}.at_least(0).may_be_missing(),
-      Field{&Tolerance::t_part, "t_part", ratio, "half width as a part of the value: mass, J, mu, rate"}
+      Field{&Tolerance::t_part, "t_part", ratio, "half width as a share of the value: mass, J, mu, rate"}
           .within(0, 1)
           .may_be_missing(),
       Field{&Tolerance::sigmas, "sigmas", ratio, "half width of the tolerance / standard deviation"}.within(0.5, 10)};
@@ -41,7 +41,7 @@ struct Accuracy {
   Name point, link, joint;
   static constexpr Fields fields{
       NameField{&Accuracy::name, "name", "name of the output"},
-      Choice{&Accuracy::of, "of", "number whose error is wanted"},
+      Choice{&Accuracy::of, "of", "output whose error is requested"},
       NameField{&Accuracy::point, "point", "x, y: the point"}.may_be_missing(),
       NameField{&Accuracy::link, "link",
                 "angle: the link; x, y: the link whose point is meant if a clearance separates them"}
@@ -77,8 +77,8 @@ struct Hodograph {
 constexpr auto choices_of(Toleranced) {
   using T = Toleranced;
   return std::array{ChoiceName<T>{T::length, "length", "distance of two points of a link"},
-                    ChoiceName<T>{T::x, "x", "coordinate of a point along its link's axes"},
-                    ChoiceName<T>{T::y, "y", "coordinate across them"},
+                    ChoiceName<T>{T::x, "x", "x coordinate of a point in its link's axes"},
+                    ChoiceName<T>{T::y, "y", "y coordinate of a point in its link's axes"},
                     ChoiceName<T>{T::angle, "angle", "direction from one point of a link to another"},
                     ChoiceName<T>{T::mass, "mass", "mass of a link"},
                     ChoiceName<T>{T::J, "J", "moment of inertia of a link"},

@@ -41,14 +41,14 @@ struct Crank {
           .may_be_missing(),
       Field{&Crank::speed, "speed", rad_per_s, "angular velocity, counter-clockwise positive"},
       Field{&Crank::acceleration, "acceleration", rad_per_s2, "angular acceleration at every position"},
-      Field{&Crank::start, "start", deg, "crank angle of the first position of a turn"}.within(-3600, 3600),
+      Field{&Crank::start, "start", deg, "crank angle of the first position of a revolution"}.within(-3600, 3600),
       Count{&Crank::positions, "positions", 8, 7200, "positions of a cycle"},
-      Count{&Crank::turns, "turns", 1, 100, "turns of the crank until the mechanism is back where it was"},
+      Count{&Crank::turns, "turns", 1, 100, "revolutions of the crank per cycle of the mechanism"},
       ListField{&Crank::at, "at", "given crank angles, rising or falling, instead of a full revolution"}
           .as_arrays()
           .may_be_missing(),
       ListField{&Crank::law, "law",
-                "crank angles over time, in place of a turn at a given speed; smooth, from rest to rest"}
+                "crank angles over time, replaces a revolution at a given speed; smooth, from rest to rest"}
           .as_arrays()
           .may_be_missing(),
       Choice{&Crank::law_shape, "law_shape", "interpolation of 'law' between its points"}.may_be_missing(),
@@ -89,7 +89,7 @@ struct Cylinder {
             "in place of joint: the two links that it lies between, itself without mass; the ground is called ground"}
           .as_array()
           .may_be_missing(),
-      Group{&Cylinder::points, "points", "its ends, on the first and on the second link; places are its lengths"}
+      Group{&Cylinder::points, "points", "its ends, on the first and on the second link; positions are its lengths"}
           .as_array()
           .may_be_missing(),
       Field{&Cylinder::F, "F", N, "between two points: given force in place of a drive, pushing the ends apart"}

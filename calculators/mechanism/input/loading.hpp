@@ -59,7 +59,7 @@ struct Spring {
       Group{&Spring::links, "links", "the two links; the ground is called ground"}.as_array(),
       Group{&Spring::points, "points", "its ends, on the first and on the second link"}.as_array().may_be_missing(),
       Field{&Spring::k, "k", N_per_mm, "rate"}.at_least(0),
-      Field{&Spring::free, "free", mm, "length without force"}.at_least(0).may_be_missing(),
+      Field{&Spring::free, "free", mm, "free length"}.at_least(0).may_be_missing(),
       Field{&Spring::c, "c", N_s_per_m, "damping"}.at_least(0),
       Field{&Spring::k_turn, "k_turn", N_m_per_rad, "rate of a turning spring, in place of k"}.at_least(0),
       Field{&Spring::free_angle, "free_angle", deg,

@@ -82,8 +82,8 @@ std::vector<FieldFault> check_fields(const planar::Spring& spring) {
   }
   std::vector<FieldFault> faults;
   if (in_si(spring.k) != 0.0 && !is_set(spring.free)) {
-    faults.push_back({path, say("the spring '{1}' needs its length without force", spring.name.view()),
-                      say("add free = \"80 mm\"")});
+    faults.push_back(
+        {path, say("the spring '{1}' needs its free length", spring.name.view()), say("add free = \"80 mm\"")});
   }
   if (spring.points.first.empty()) {
     faults.push_back({path, say("'{1}' needs the points of its ends", spring.name.view()),

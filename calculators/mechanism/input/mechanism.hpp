@@ -125,7 +125,7 @@ F_y = "0 N"
                 "assembly by the sides of its groups, which the report lists; as stated or drawn where missing"}
           .as_arrays()
           .may_be_missing(),
-      ListField{&Input::tolerances, "tolerances", "dimensions and masses that are not exact, by name"}.may_be_missing(),
+      ListField{&Input::tolerances, "tolerances", "toleranced dimensions and masses, by name"}.may_be_missing(),
       ListField{&Input::accuracy, "accuracy",
                 "outputs whose error due to tolerances and clearance is requested, by name"}
           .may_be_missing(),

@@ -15,19 +15,20 @@ struct Point {
   double angle = unset<double>;
   static constexpr Fields fields{
       NameField{&Point::name, "name", "name of the point"},
-      Field{&Point::x, "x", mm, "along the axes of the link"}.may_be_missing(),
-      Field{&Point::y, "y", mm, "across them"}.may_be_missing(),
+      Field{&Point::x, "x", mm, "x coordinate in the axes of the link"}.may_be_missing(),
+      Field{&Point::y, "y", mm, "y coordinate in the axes of the link"}.may_be_missing(),
       Field{&Point::r, "r", mm, "distance from the origin, in place of x and y"}.may_be_missing(),
       Field{&Point::angle, "angle", deg, "direction of that distance, from the x axis"}.may_be_missing()};
 };
 struct Origin {
   Length x = unset<Length>, y = unset<Length>;
-  static constexpr Fields fields{Field{&Origin::x, "x", mm, "global"}, Field{&Origin::y, "y", mm, "global"}};
+  static constexpr Fields fields{Field{&Origin::x, "x", mm, "global x coordinate"},
+                                 Field{&Origin::y, "y", mm, "global y coordinate"}};
 };
 struct Pair {
   Name first, second;
-  static constexpr Fields fields{NameField{&Pair::first, "first", "of the first link"},
-                                 NameField{&Pair::second, "second", "of the second link"}};
+  static constexpr Fields fields{NameField{&Pair::first, "first", "first link"},
+                                 NameField{&Pair::second, "second", "second link"}};
 };
 
 enum class MassLine { automatic, uniform, lumped };
@@ -45,7 +46,7 @@ struct Link {
   Pair mass_points;
   static constexpr Fields fields{
       NameField{&Link::name, "name", "name of the link"},
-      ListField{&Link::points, "points", "points in the link's axes, or as drawn where it has neither origin nor angle"}
+      ListField{&Link::points, "points", "points in the link's axes; without origin and angle in global axes"}
           .as_arrays(),
       Field{&Link::mass, "mass", kg, "mass"}.at_least(0),
       Field{&Link::J, "J", kg_m2,
@@ -56,14 +57,14 @@ struct Link {
                 "point that is the mass centre; where missing the middle S_LINK of a bar between two joints, of a "
                 "block of one point that"}
           .may_be_missing(),
-      Group{&Link::origin, "origin", "rough position of the link's origin in the stated assembly"}
+      Group{&Link::origin, "origin", "approximate position of the link's origin in the assembly position"}
           .as_array()
           .may_be_missing(),
-      Field{&Link::angle, "angle", deg, "rough angle of the link in the stated assembly"}.may_be_missing(),
+      Field{&Link::angle, "angle", deg, "approximate angle of the link in the assembly position"}.may_be_missing(),
       Choice{&Link::mass_line, "mass_line", "mass distribution along its axis, for its internal forces"}
           .may_be_missing(),
       Choice{&Link::masses, "masses", "reduction of its mass to points"}.may_be_missing(),
-      Group{&Link::mass_points, "mass_points", "two of its points, on a line with S, that the mass is reduced to"}
+      Group{&Link::mass_points, "mass_points", "two points, on a line with S, to which the mass is reduced"}
           .as_array()
           .may_be_missing()};
 };
@@ -87,8 +88,8 @@ enum class Type {
 enum class Holding { one_side, groove };
 struct Radii {
   Length first = unset<Length>, second = unset<Length>;
-  static constexpr Fields fields{Field{&Radii::first, "first", mm, "of the first link's wheel"}.positive(),
-                                 Field{&Radii::second, "second", mm, "of the second link's wheel"}.positive()};
+  static constexpr Fields fields{Field{&Radii::first, "first", mm, "radius of the first link's wheel"}.positive(),
+                                 Field{&Radii::second, "second", mm, "radius of the second link's wheel"}.positive()};
 };
 struct Joint {
   Name name;
@@ -111,7 +112,7 @@ struct Joint {
   TurningDamping c_turn = 0.0 * N_m_s.one;
   static constexpr Fields fields{
       NameField{&Joint::name, "name", "name of the joint; also of its point on both links unless points are given"},
-      Choice{&Joint::type, "type", "kind of joint"},
+      Choice{&Joint::type, "type", "joint type"},
       Group{&Joint::links, "links", "the two links; the ground is called ground"}.as_array(),
       Group{&Joint::points, "points", "point of the first and of the second link; of wheels their centres"}
           .as_array()
@@ -120,7 +121,7 @@ struct Joint {
             "of the guide, slot or rack through the second link's point, or of its profile's x axis, in that link's "
             "axes"},
       Field{&Joint::angle, "angle", deg,
-            "prismatic, rigid: angle of the first link against the second; as assembled where missing"}
+            "prismatic, rigid: angle of the first link relative to the second; omitted: as assembled"}
           .may_be_missing(),
       Group{&Joint::radii, "radii", "two wheels: their pitch or rolling radii"}.as_array().may_be_missing(),
       Field{&Joint::radius, "radius", mm,
@@ -151,10 +152,9 @@ struct Joint {
           .at_least(0)
           .may_be_missing(),
       Field{&Joint::rolling_arm, "rolling_arm", mm, "rolling: lever arm of the rolling resistance"}.at_least(0),
-      Field{&Joint::efficiency, "efficiency", ratio, "teeth, belts: power passed on over power taken in"}.within(0.01,
-                                                                                                                 1),
+      Field{&Joint::efficiency, "efficiency", ratio, "teeth, belts: output power / input power"}.within(0.01, 1),
       Field{&Joint::efficiency_back, "efficiency_back", ratio,
-            "the same when the second link drives; as efficiency where missing, negative where that locks (worms)"}
+            "efficiency when the second link drives; omitted: as efficiency; negative: self-locking (worms)"}
           .within(-20, 1)
           .may_be_missing(),
       Field{&Joint::c, "c", N_s_per_m, "prismatic, slot, cams: viscous resistance to sliding"}.at_least(0),

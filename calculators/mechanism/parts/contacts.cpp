@@ -48,7 +48,7 @@ constexpr std::array guide_rows{
         {.tabled = Tabled::always, .is_load = true}, [](const Guide&, const Guide::Pressure& at) { return at.N; },
         nullptr, "prismatic joints"),
     row<Guide>(
-        "joints.NAME.h", "where that force lies: distance from the first link's point, along the guide", mm,
+        "joints.NAME.h", "point of action of that force: distance from the first link's point, along the guide", mm,
         {.missing = "where there is none, the guide carries only a couple, or nothing"},
         [](const Guide&, const Guide::Pressure& at) { return at.M == 0.0   ? 0.0
                                                              : at.N == 0.0 ? none
@@ -71,7 +71,7 @@ struct Rubbing {
 };
 
 constexpr std::array rubbing_rows{row<Rubbing>(
-    "joints.NAME.P_loss", "power that friction or meshing takes", W, {.kind = Kind::joint_loss},
+    "joints.NAME.P_loss", "power loss by friction or meshing", W, {.kind = Kind::joint_loss},
     [](const Rubbing& r, const Position& p) { return loss_of(*r.model, r.index, p); }, nullptr,
     "joints with friction")};
 

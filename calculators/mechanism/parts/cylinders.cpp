@@ -42,9 +42,9 @@ constexpr std::array pushed_rows{row<Ram>("cylinders.NAME.F", "given force, push
 
 constexpr std::array ram_rows{row<Ram>("cylinders.NAME.s", "length between its two points, or position along its guide",
                                        mm, {.detail = true}, [](const Ram&, const Ram::State& now) { return now.s; }),
-                              row<Ram>("cylinders.NAME.v", "speed with which it gets longer", m_per_s, {.detail = true},
+                              row<Ram>("cylinders.NAME.v", "speed of extension", m_per_s, {.detail = true},
                                        [](const Ram&, const Ram::State& now) { return now.v; }),
-                              row<Ram>("cylinders.NAME.P", "power that it gives", W, {.detail = true},
+                              row<Ram>("cylinders.NAME.P", "power delivered", W, {.detail = true},
                                        [](const Ram&, const Ram::State& now) { return now.F * now.v; })};
 
 constexpr Declaration stroke =

@@ -101,7 +101,7 @@ constexpr std::array machine_rows{
         {.tabled = Tabled::always, .detail = true, .is_load = true},
         [](const Machine&, const Machine::Now& now) { return now.shaking.moment; }, &Machine::shakes,
         "links with mass"),
-    row<Machine>("drive.P_loss", "power that friction takes in all joints", W,
+    row<Machine>("drive.P_loss", "power loss by friction in all joints", W,
                  {.kind = Kind::friction_power, .tabled = Tabled::always, .loads_crank = true}, &loss,
                  &Machine::has_friction, "with friction"),
     row<Machine>("drive.P_useful", "power against the useful loads", W,

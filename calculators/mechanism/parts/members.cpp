@@ -87,7 +87,7 @@ constexpr std::array bar_rows{
         "links with two joints in different places, or with one joint and another point")};
 
 constexpr Declaration length =
-    declare("links.NAME.length", "distance of its joints that are farthest apart", mm,
+    declare("links.NAME.length", "maximum distance between its joints", mm,
             "links with two joints in different places, or with one joint and another point");
 
 void list_members(std::vector<ResultPattern>& patterns) {

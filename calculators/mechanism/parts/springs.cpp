@@ -24,7 +24,7 @@ constexpr std::array spring_rows{
         [](const Elastic& e, const Position& p) { return spring_now(e.spring, p).effort; }, &Elastic::pulls,
         "springs that pull"),
     row<Elastic>(
-        "springs.NAME.s", "stretch beyond the length without force", mm, {.tabled = Tabled::always},
+        "springs.NAME.s", "extension beyond the free length", mm, {.tabled = Tabled::always},
         [](const Elastic& e, const Position& p) { return spring_now(e.spring, p).stretch; }, &Elastic::pulls,
         "springs that pull"),
     row<Elastic>(

@@ -52,7 +52,7 @@ constexpr std::array contact_rows{
         {.tabled = Tabled::always, .is_load = true}, [](const Contact& c, const Position& p) { return c.forces(p).N; },
         &Contact::rolls, "rolling wheels"),
     row<Contact>(
-        "joints.NAME.mu_req", "coefficient of friction that rolling without slip needs", ratio,
+        "joints.NAME.mu_req", "coefficient of friction required for rolling without slip", ratio,
         [](const Contact& c, const Position& p) {
           const auto [T, pressing] = c.forces(p);
           return T == 0.0 ? 0.0 : pressing > 0.0 ? std::abs(T) / pressing : none;
@@ -104,10 +104,10 @@ constexpr std::array belt_rows{
         "joints.NAME.S_slack", "tension of the slack span", N, {.tabled = Tabled::at_one_position, .is_load = true},
         [](const Belt& b, const Position& p) { return b.spans(p).slack; }, nullptr, "belts"),
     row<Belt>(
-        "joints.NAME.wrap", "angle of wrap on the first link's wheel", deg,
+        "joints.NAME.wrap", "wrap angle on the first link's wheel", deg,
         [](const Belt& b, const Position& p) { return b.wrap(p); }, nullptr, "belts"),
     row<Belt>(
-        "joints.NAME.wrap_second", "angle of wrap on the second link's wheel", deg,
+        "joints.NAME.wrap_second", "wrap angle on the second link's wheel", deg,
         [](const Belt& b, const Position& p) { return b.wrap_second(p); }, nullptr, "belts")};
 
 }  // namespace

@@ -35,7 +35,7 @@ draw::Figure drive_figure(const Results::Line& line, const Axis& axis) {
   const Extreme peak = largest(entry.value);
   if (!std::isnan(peak.value)) plot.marks.push_back({peak.at, peak.value, "peak"});
   const bool timed = axis.quantity == "time";
-  const char* const moment = timed ? "Moment of the drive over time" : "Moment of the drive over the crank angle";
+  const char* const moment = timed ? "Driving torque over time" : "Driving torque over the crank angle";
   const char* const force = timed ? "Force of the drive over time" : "Force of the drive over the stroke";
   return {rotary ? "drive" : "drive-" + entry.path, rotary ? moment : force, std::move(plot)};
 }

@@ -160,7 +160,7 @@ struct BasicSpring {
   BasicVec<Scalar> point_i;  // frame of i
   BasicVec<Scalar> point_j;  // frame of j
   Scalar rate = 0.0;         // N/m or N m/rad
-  Scalar free = 0.0;         // length without force, m; turning: phi_i - phi_j without moment, rad
+  Scalar free = 0.0;         // free length, m; turning: phi_i - phi_j without moment, rad
   Scalar damping = 0.0;      // N s/m or N m s/rad
 };
 using Spring = BasicSpring<double>;

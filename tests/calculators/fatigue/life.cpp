@@ -129,7 +129,7 @@ TEST_SUITE("fatigue.life") {
     }
   }
 
-  TEST_CASE("shear is held against shear: 0.67 R_m in the line of finite life, R_e over the root of 3 by Soderberg") {
+  TEST_CASE("shear is held against shear: 0.67 R_m in the finite-life line, R_e over the root of 3 by Soderberg") {
     L::Input in = steel();
     in.stress = Stresses::shear, in.rule = MeanRule::soderberg, in.f = 0.9;
     CHECK(rel(life(in).n, 1 / (100 / 190.0 + 80 * std::sqrt(3.0) / 490)) < 1e-12);

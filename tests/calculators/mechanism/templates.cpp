@@ -333,8 +333,8 @@ TEST_SUITE("mechanism template faults") {
               .starts_with("a.asembly: 'asembly' is not a valid key here; did you mean 'assembly' ("));
     CHECK(said(slider, "r = \"50 mm\"\n", "") == "a.r: 'r' is missing: length of the crank OA; write r = \"... mm\"");
     CHECK(said(slider, "r = \"50", "links.rdo.mass = \"1 kg\"\nr = \"50") ==
-          "a.links.rdo.points: 'links.rdo.points' is missing: points in the link's axes, or as drawn where it has "
-          "neither origin nor angle; did you mean 'links.rod'?");
+          "a.links.rdo.points: 'links.rdo.points' is missing: points in the link's axes; without origin and angle in "
+          "global axes; did you mean 'links.rod'?");
     CHECK(said(slider, "r = \"50", "assembly = \"opne\"\nr = \"50") ==
           "a.assembly: 'opne' is not a valid word for 'assembly'; did you mean 'open'?");
     CHECK(said(axle + "T = \"9 N*m\"\ntau_adm = \"3 MPa\"\n", "T =", "template = \"x\"\nT =") ==

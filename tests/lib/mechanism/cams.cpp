@@ -1,5 +1,5 @@
 // Cams: against the mechanisms that an eccentric is equivalent to, against the laws of lift, and joints that only
-// push. Invariants of every kind of joint are tested in pairs.cpp and sensitivity.cpp.
+// push. Invariants of every joint type are tested in pairs.cpp and sensitivity.cpp.
 #include "lib/mechanism/groups/system.hpp"
 #include "lib/mechanism/structure/structure.hpp"
 #include "lib/mechanism/studies/cam_state.hpp"

@@ -57,7 +57,7 @@ double largest_force(const Position& at) {
 }  // namespace
 
 TEST_SUITE("mechanism") {
-  TEST_CASE("every kind of joint: the groups and the whole system agree") {
+  TEST_CASE("every joint type: the groups and the whole system agree") {
     for (const Case& c : cases()) {
       CAPTURE(c.name);
       CHECK(diagnose(c.model).empty());
@@ -78,7 +78,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("every kind of joint: links in equilibrium, power in balance") {
+  TEST_CASE("every joint type: links in equilibrium, power in balance") {
     for (const Case& c : cases()) {
       CAPTURE(c.name);
       Run<GroupSystem> run(c.model);
@@ -92,7 +92,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("every kind of joint: all proofs agree, over many turns") {
+  TEST_CASE("every joint type: all proofs agree, over many turns") {
     for (const Case& c : cases()) {
       CAPTURE(c.name);
       Run<GroupSystem> run(c.model);
@@ -104,7 +104,7 @@ TEST_SUITE("mechanism") {
     }
   }
 
-  TEST_CASE("every kind of joint: velocities and accelerations are derivatives of the positions") {
+  TEST_CASE("every joint type: velocities and accelerations are derivatives of the positions") {
     constexpr double h = 1e-3;
     for (const Case& c : cases()) {
       CAPTURE(c.name);

@@ -131,7 +131,7 @@ inline Model welded_four_bar() {
   return model;
 }
 
-/// A mechanism of each kind of joint other than pin, slide or slot.
+/// A mechanism of each joint type other than pin, slide or slot.
 struct Case {
   const char* name;
   Model model;

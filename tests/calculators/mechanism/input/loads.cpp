@@ -98,7 +98,7 @@ TEST_SUITE("mechanism faults") {
 
   TEST_CASE("springs and their fields") {
     CHECK(message_of("k = \"2 N/mm\", free = \"100 mm\"", "k = \"2 N/mm\"") ==
-          "the spring 'back' needs its length without force");
+          "the spring 'back' needs its free length");
     CHECK(message_of("k = \"2 N/mm\", free = \"100 mm\"", "free = \"100 mm\"") ==
           "'back' has neither a rate nor a damping");
     CHECK(message_of("k = \"2 N/mm\"", "k_turn = \"2 N*m/rad\", k = \"2 N/mm\"") ==

@@ -29,13 +29,13 @@ template <class Tracer>
 void links(const Input& in, Result& r, Tracer& trace) {
   if (is_set(in.a)) {
     r.X_0 = links_at(in.a / in.p, in.z_1, in.z_2);
-    trace.value("X_0", r.X_0, "links at the wanted centre distance, exact for circles of z pitches, [ISO10823]");
+    trace.value("X_0", r.X_0, "links at the required centre distance, exact for circles of z pitches, [ISO10823]");
   }
   r.X = trace.value("X", in.X > 0 ? in.X : even(r.X_0), in.X > 0 ? "as given" : "the nearest even number");
   STEP_TO(r, L, r.X * in.p, "chain length");
   r.a_p = pitches_of(r.X, in.z_1, in.z_2);
-  trace.value("a_p", r.a_p, "centre distance in pitches that belongs to the links, exact, [ISO10823]");
-  STEP_TO(r, a, r.a_p * in.p, "taut; 0.2 to 0.4 % less gives the slack strand its sag");
+  trace.value("a_p", r.a_p, "centre distance in pitches for this number of links, exact, [ISO10823]");
+  STEP_TO(r, a, r.a_p * in.p, "taut; 0.2 to 0.4 % less for the sag of the slack strand");
   r.odd = std::fmod(r.X, 2.0);
 }
 
@@ -74,7 +74,7 @@ Moment torque(const Input& in, Tracer& trace) {
 /// Without the mass of the chain, sag and centrifugal force are excluded from the largest tension, as reported.
 template <class Tracer>
 void pulls(const Input& in, Result& r, Tracer& trace) {
-  STEP_TO(r, F_t, 2.0 * pi * r.T_1 / (in.z_1 * in.p), "mean pull: the work of a turn over its z_1 pitches");
+  STEP_TO(r, F_t, 2.0 * pi * r.T_1 / (in.z_1 * in.p), "mean pull: work per revolution / (z_1 p)");
   STEP_TO(r, T_2, r.T_1 * r.i, "without losses");
   STEP(q, is_set(in.q) ? in.q : 0.0 * kg_per_m,
        is_set(in.q) ? "mass per length of a strand" : "not given: sag and centrifugal force left out");
@@ -84,8 +84,7 @@ void pulls(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, F_c, in.strands * q * v * v, "centrifugal force, [Chain-laws]");
   STEP_TO(r, F_f, in.K_f * in.strands * q * g * r.a, "pull by the sag of the slack strand, [Vunivere]");
   STEP_TO(r, F, in.K_A * F_t + F_c + F_f, "maximum pull; service factor included");
-  STEP_TO(r, F_W, in.K_A * F_t + 2.0 * F_f,
-          "both strands pull, [Vunivere]; the centrifugal force does not reach the shafts");
+  STEP_TO(r, F_W, in.K_A * F_t + 2.0 * F_f, "both strands, [Vunivere]; the centrifugal force does not load the shafts");
   const Force none = 0.0 * N.one;
   r.shaft_1 = shaft_load(in.K_A * r.T_1, {F_W, none, none}, r.d_1, in.n_1, 0.0);
   r.shaft_2 = shaft_load(in.K_A * T_2, {F_W, none, none}, r.d_2, r.n_2, 0.0);
@@ -115,7 +114,7 @@ void breaking(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, S_stat, F_u / (r.F_t + r.F_c + r.F_f), "not a design criterion by itself: wear and fatigue govern");
   STEP_TO(r, S_dyn, F_u / r.F, "with the service factor");
   if (!is_set(in.S_min)) return;
-  STEP_TO(r, u_S, in.S_min / S_dyn, "safety against breaking");
+  STEP_TO(r, u_S, in.S_min / S_dyn, "required / dynamic safety factor");
 }
 
 template <class Tracer>
@@ -123,9 +122,9 @@ void rating(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.P)) return;
   trace.value("z_min", r.z_min, "teeth of the smaller sprocket");
   STEP_TO(r, f_2, pow(19.0 / r.z_min, 1.08), "tooth factor, [ISO10823]");
-  STEP_TO(r, P_c, in.P * in.K_A * f_2, "power for which a rating with 19 teeth is chosen, [ISO10823]");
+  STEP_TO(r, P_c, in.P * in.K_A * f_2, "corrected power for the rating with 19 teeth, [ISO10823]");
   if (!is_set(in.P_R)) return;
-  STEP_TO(r, u_P, P_c / in.P_R, "against the rated power");
+  STEP_TO(r, u_P, P_c / in.P_R, "corrected / rated power");
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ void shift_from_distance(const PairInput& in, double g, PairResult& r, Tracer& t
           "working pressure angle at the centre distance, [ISO21771]");
   STEP(inv_wt, tan(alpha_wt) - alpha_wt, "its involute function");
   STEP_TO(r, x_0, g * (in.z_2 + g * in.z_1) * (inv_wt - inv_t) / (2.0 * tan(in.alpha_n)),
-          "sum of the profile shifts that meshes without backlash, [ISO21771]");
+          "sum of the profile shifts for zero backlash, [ISO21771]");
   r.a_w = in.a_w, r.x_2 = in.x_2;
   if (is_set(in.x_2)) return;
   STEP_TO(r, x_2, x_0 - in.x_1, "profile shift coefficient, gear 2");
@@ -55,8 +55,7 @@ void diameters(const PairInput& in, double g, PairResult& r, Tracer& trace) {
   if (in.shortening == Shortening::none) {
     r.k = trace.value("k", 0.0, "full addendum");
   } else {
-    STEP_TO(r, k, max(0.0, in.x_1 + r.x_2 - g * (r.a_w - r.a) / in.m_n),
-            "shortens both tips where the clearance would else be less");
+    STEP_TO(r, k, max(0.0, in.x_1 + r.x_2 - g * (r.a_w - r.a) / in.m_n), "tip shortening that keeps the clearance");
   }
   STEP_TO(r, d_a1, r.d_1 + 2.0 * in.m_n * (in.h_aP + in.x_1 - r.k), "tip circle");
   if (is_set(in.d_a2)) {
@@ -97,7 +96,7 @@ void lay_out(const PairInput& in, PairResult& r, Tracer& trace) {
   reference_circles(in, r, trace);
   if (in.mesh == Mesh::rack) return lay_out_rack(in, r, trace);
   const double g = sign_of(in.mesh);
-  trace.value("g", g, "1 with a wheel, -1 with a ring, whose teeth [ISO21771] counts negative");
+  trace.value("g", g, "1 for an external gear, -1 for a ring gear, with negative teeth in [ISO21771]");
   STEP_TO(r, a, r.m_t * (in.z_2 + g * in.z_1) / 2.0, "reference centre distance");
   if (is_set(in.a_w)) {
     shift_from_distance(in, g, r, trace);

@@ -18,13 +18,13 @@ void strength(const Input& in, Result& r, Tracer& trace) {
     STEP_TO(r, u_tau, tau / tau_a, "shear of the pin: shear stress / allowable shear stress");
   }
   if (is_set(in.p_adm_1)) {
-    STEP_TO(r, u_1, p_1 / in.p_adm_1, "against what the shaft allows");
+    STEP_TO(r, u_1, p_1 / in.p_adm_1, "shaft: bearing pressure / allowable pressure");
   }
   if (is_set(in.p_adm_2)) {
-    STEP_TO(r, u_2, p_2 / in.p_adm_2, "against what the hub allows");
+    STEP_TO(r, u_2, p_2 / in.p_adm_2, "hub: bearing pressure / allowable pressure");
   }
   if (is_set(in.tau_adm_1)) {
-    STEP_TO(r, u_t, tau_t / in.tau_adm_1, "against what the shaft allows");
+    STEP_TO(r, u_t, tau_t / in.tau_adm_1, "shaft: shear stress / allowable shear stress");
   }
 }
 

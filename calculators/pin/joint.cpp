@@ -86,10 +86,10 @@ template <class Tracer>
 void seats(const Input& in, Result& r, Tracer& trace) {
   const Stress p_1 = r.p_1, p_2 = r.p_2;
   if (is_set(in.p_adm_1)) {
-    STEP_TO(r, u_1, p_1 / in.p_adm_1, "against what the eye allows");
+    STEP_TO(r, u_1, p_1 / in.p_adm_1, "eye: bearing pressure / allowable pressure");
   }
   if (is_set(in.p_adm_2)) {
-    STEP_TO(r, u_2, p_2 / in.p_adm_2, "against what fork or wall allows");
+    STEP_TO(r, u_2, p_2 / in.p_adm_2, "clevis or wall: bearing pressure / allowable pressure");
   }
   if (!is_set(in.n)) return;
   STEP_TO(r, v, abs(in.n) * in.d / 2.0, "at the surface of the pin");
@@ -100,7 +100,7 @@ void seats(const Input& in, Result& r, Tracer& trace) {
        "pressure of the sliding contact; for a loose pin the larger");
   STEP_TO(r, pv, p_s * v, "pressure times speed");
   if (is_set(in.pv_adm)) {
-    STEP_TO(r, u_pv, pv / in.pv_adm, "against what the pair of materials allows");
+    STEP_TO(r, u_pv, pv / in.pv_adm, "pv value / allowable pv value");
   }
 }
 

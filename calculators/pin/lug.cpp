@@ -14,17 +14,17 @@ template <class Tracer>
 void strength(const Input& in, Result& r, Tracer& trace) {
   const Stress sigma_n = r.sigma_n, tau_s = r.tau_s, p = r.p;
   if (is_set(in.sigma_adm)) {
-    STEP_TO(r, u_n, sigma_n / in.sigma_adm, "against what the net section allows");
+    STEP_TO(r, u_n, sigma_n / in.sigma_adm, "net section stress / allowable stress");
   } else if (is_set(in.S)) {
     STEP_TO(r, u_n, in.S * sigma_n / in.R_e, "yield of the net section with its safety");
   }
   if (is_set(in.tau_adm)) {
-    STEP_TO(r, u_s, tau_s / in.tau_adm, "against what the eye allows in shear");
+    STEP_TO(r, u_s, tau_s / in.tau_adm, "shear-out stress / allowable shear stress");
   } else if (is_set(in.S)) {
     STEP_TO(r, u_s, in.S * sqrt(3.0) * tau_s / in.R_e, "yield in shear with its safety, [Mises]");
   }
   if (is_set(in.p_adm)) {
-    STEP_TO(r, u_p, p / in.p_adm, "against what the bore allows");
+    STEP_TO(r, u_p, p / in.p_adm, "bearing pressure / allowable pressure");
   }
 }
 

@@ -31,16 +31,16 @@ void strengths(const Input& in, Result& r, Tracer& trace) {
   const Stress p_a2 = allowed_pressure("p_a2", in.p_adm_2, in.R_e_2, trace);
   const Stress p_ak = allowed_pressure("p_ak", in.p_adm_k, in.R_e_k, trace);
   if (is_set(p_a1)) {
-    STEP_TO(r, u_1, p_1 / p_a1, "against what the shaft allows");
+    STEP_TO(r, u_1, p_1 / p_a1, "shaft: bearing pressure / allowable pressure");
   }
   if (is_set(p_a2)) {
-    STEP_TO(r, u_2, p_2 / p_a2, "against what the hub allows");
+    STEP_TO(r, u_2, p_2 / p_a2, "hub: bearing pressure / allowable pressure");
   }
   if (is_set(p_ak)) {
-    STEP_TO(r, u_k, max(p_1, p_2) / p_ak, "against what the key allows");
+    STEP_TO(r, u_k, max(p_1, p_2) / p_ak, "key: bearing pressure / allowable pressure");
   }
   if (is_set(in.tau_adm)) {
-    STEP_TO(r, u_tau, tau / in.tau_adm, "against what the key allows in shear");
+    STEP_TO(r, u_tau, tau / in.tau_adm, "shear stress / allowable shear stress of the key");
   } else if (is_set(p_ak)) {
     STEP_TO(r, u_tau, sqrt(3.0) * tau / p_ak, "equivalent stress of pure shear, [Mises]");
   }

@@ -139,7 +139,7 @@ void assembly(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.U_c) || !is_set(in.alpha_2)) return;
   STEP_TO(r, dT_A, (in.U_max + in.U_c) / (in.alpha_2 * in.d), "hub wider by the interference and the clearance");
   if (!is_set(in.dT_adm)) return;
-  STEP_TO(r, u_A, dT_A / in.dT_adm, "against what the hub allows");
+  STEP_TO(r, u_A, dT_A / in.dT_adm, "heating / allowable heating of the hub");
 }
 
 /// The speed up to which the fit is assessed: the given one, otherwise that at which 1 % of the smallest interference

@@ -42,20 +42,20 @@ void strengths(const Input& in, Result& r, Tracer& trace) {
   const Stress p_a1 = allowed_pressure("p_a1", in.p_adm_1, in.R_e_1, trace);
   const Stress p_a2 = allowed_pressure("p_a2", in.p_adm_2, in.R_e_2, trace);
   if (is_set(p_a1)) {
-    STEP_TO(r, u_1, p / p_a1, "against what the shaft allows");
+    STEP_TO(r, u_1, p / p_a1, "shaft: bearing pressure / allowable pressure");
   }
   if (is_set(p_a2)) {
-    STEP_TO(r, u_2, p / p_a2, "against what the hub allows");
+    STEP_TO(r, u_2, p / p_a2, "hub: bearing pressure / allowable pressure");
   }
   if (is_set(in.p_adm_w)) {
-    STEP_TO(r, u_w, p / in.p_adm_w, "against what a hub that slides allows");
+    STEP_TO(r, u_w, p / in.p_adm_w, "sliding hub: pressure / allowable pressure");
   }
   STEP_TO(r, tau_t, 16.0 / pi * r.T_eq * in.d_1 / (pow<4>(in.d_1) - pow<4>(in.d_bore)),
           "the shaft inside of its teeth");
   yielding_of_shaft(in, r, trace);
   if (!is_set(tau)) return;
   if (is_set(in.tau_adm)) {
-    STEP_TO(r, u_tau, tau / in.tau_adm, "against what a tooth allows in shear");
+    STEP_TO(r, u_tau, tau / in.tau_adm, "shear stress / allowable shear stress of a tooth");
   } else if (is_set(p_a1)) {
     STEP_TO(r, u_tau, sqrt(3.0) * tau / p_a1, "equivalent stress of pure shear, [Mises]");
   }

@@ -41,7 +41,7 @@ constexpr Named names[] = {
     {Dimension::of(2, 1, -2, 0, -1), "torsional stiffness"},
     {Dimension::of(-1, 1, -2) * Dimension::of(1, 0, 0).power(1, 2), "fracture toughness"},
     {Dimension::of(0, 0, 0, 0, 1), "angle"},
-    {Dimension::of(-1, 0, 0, 0, 1), "twist"},
+    {Dimension::of(-1, 0, 0, 0, 1), "angle per length"},
     {Dimension::of(0, 0, -1, 0, 1), "angular velocity"},
     {Dimension::of(0, 0, -2, 0, 1), "angular acceleration"},
     {Dimension::of(0, 0, 0, 1), "temperature"},

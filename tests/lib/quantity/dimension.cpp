@@ -11,7 +11,7 @@ TEST_SUITE("quantity") {
     const std::pair<std::string_view, std::string_view> rows[] = {{"N*m", "moment"},
                                                                   {"MPa", "stress"},
                                                                   {"rad/s", "angular velocity"},
-                                                                  {"deg/m", "twist"},
+                                                                  {"deg/m", "angle per length"},
                                                                   {"-", "plain number"},
                                                                   {"mm^4", "second moment of area"},
                                                                   {"N*m/rad", "torsional stiffness"},

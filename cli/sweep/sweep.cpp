@@ -20,6 +20,7 @@
 #include "lib/report/sweep/best.hpp"
 #include "lib/report/sweep/designs.hpp"
 #include "lib/report/sweep/influence.hpp"
+#include "lib/quantity/format.hpp"
 #include "lib/toml/tree.hpp"
 
 #include <algorithm>

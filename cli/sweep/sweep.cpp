@@ -17,10 +17,10 @@
 #include "lib/export/sweep/json.hpp"
 #include "lib/export/sweep/store.hpp"
 #include "lib/project/solving/read_project.hpp"
+#include "lib/quantity/format.hpp"
 #include "lib/report/sweep/best.hpp"
 #include "lib/report/sweep/designs.hpp"
 #include "lib/report/sweep/influence.hpp"
-#include "lib/quantity/format.hpp"
 #include "lib/toml/tree.hpp"
 
 #include <algorithm>

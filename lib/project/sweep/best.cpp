@@ -235,6 +235,13 @@ std::optional<SoughtValue> seek_value(const ReadAgain& read, const Placed& goal,
   std::vector<std::string> units;
   if (!can_read(read, {{result, goal.place}}, units, issues)) return std::nullopt;
   Variants variants(read(), {result});
+  const Dimension& dimension = variants.columns().front().dimension;
+  if (dimension.without_angle() != target->dimension.without_angle()) {
+    issues.push_back(
+        refusal(goal, say("'{1}' is {2}, and the goal is {3}", result, name_of(dimension), name_of(target->dimension)),
+                units[0].empty() ? Message{} : say("give the goal in {1}", units[0])));
+    return std::nullopt;
+  }
   std::vector<std::size_t> ranges;
   for (std::size_t i = 0; i < variants.axes().size(); ++i) {
     const SweptInput& input = variants.axes()[i];

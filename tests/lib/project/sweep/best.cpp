@@ -166,6 +166,37 @@ TEST_SUITE("the best machine" * test::by_case) {
     REQUIRE(none);
     CHECK(none->sought.meetings.empty());
     CHECK(none->sought.nearest == Approx(0.09));
+    CHECK_FALSE(project::seek_value(reader(text), asked("shaft.tau_max = 30 mm"), issues));
+    CHECK(contains(issues.back().message.text(), "shaft.tau_max"));
+  }
+
+  TEST_CASE("what scatters is never chosen: a tolerance, and what lies between two bounds") {
+    for (const std::string bore :
+         {"{ value = \"20 mm\", tolerance = \"2 mm\" }", "{ min = \"18 mm\", max = \"22 mm\" }"}) {
+      const std::string text =
+          "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"30 MPa\"\n"
+          "d = [\"45 mm\", \"50 mm\", \"60 mm\"]\nd_bore = " +
+          bore + "\n";
+      std::vector<Issue> issues;
+      const auto best = project::find_best(reader(text), {asked("shaft.d"), false, {}, {}, {}}, 10, 1, issues);
+      REQUIRE(best);
+      REQUIRE(best->chosen.size() == 1);
+      CHECK(best->inputs[best->chosen[0]].name == "shaft.d");
+      CHECK(best->point[1] == Approx(0.020));
+    }
+  }
+
+  TEST_CASE("a range without steps is for searches alone") {
+    const std::string text =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"500 N*m\"\ntau_adm = \"30 MPa\"\n"
+        "d = { from = \"40 mm\", to = \"60 mm\" }\n";
+    std::vector<Issue> issues;
+    project::Project project = reader(text)();
+    const auto plan = project::plan_sweep(project, project.sweep, issues);
+    CHECK(issues.empty());
+    project::refuse_open_ranges(plan, issues);
+    REQUIRE(issues.size() == 1);
+    CHECK(contains(issues[0].message.text(), "needs the values of 'shaft.d'"));
   }
 
   TEST_CASE("what a result hangs on: tau = 16 T/(pi d^3)") {
@@ -188,6 +219,10 @@ TEST_SUITE("the best machine" * test::by_case) {
     }
     CHECK(share_of_T == Approx(25.0 / 34.0).epsilon(1e-6));
     CHECK(influence->sobol[0].inputs[0].first == Approx(25.0 / 34.0).epsilon(0.1));
+    project.sweep.correlations.push_back({asked("shaft.T"), asked("shaft.d"), 0.6});
+    CHECK_FALSE(project::find_influence(reader(text), plan, project.sweep, 4000, issues));
+    CHECK(contains(issues.back().message.text(), "Sobol indices assume independent inputs"));
+    CHECK(project::find_influence(reader(text), plan, project.sweep, 0, issues));
   }
 
   TEST_CASE("an objective and a demand may bear a name") {

@@ -304,6 +304,7 @@ std::vector<Entry> input_entries(const Record& record,
 Origin plain_origin(const Reading& reading, const std::string& path, const Leaf& leaf) {
   const auto typed = reading.typed.find(path);
   if (typed != reading.typed.end()) {
+    if (typed->second.of_point) return {say("given, value of this point of the sweep"), {}, false};
     if (!typed->second.shared.empty()) return {say("given as {1}", typed->second.shared), {}, false};
     if (typed->second.mean_of_uncertain) return {say("given, middle value"), {}, false};
     const bool quantity = leaf.field->type == FieldInfo::Type::quantity && !typed->second.text.empty();

@@ -219,7 +219,14 @@ void refuse_open_ranges(const SweepPlan& plan, std::vector<Issue>& issues) {
 void set_point(Project& project, const SweepPlan& plan, std::uint64_t index, std::vector<Issue>& issues) {
   const std::vector<double> values = plan.at(index);
   const std::vector<SweptInput> inputs = swept_inputs(project);
-  for (std::size_t i = 0; i < inputs.size(); ++i) set_input(project, inputs[i], values[i], issues);
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    set_input(project, inputs[i], values[i], issues);
+    for (const SweptInput::Target& target : inputs[i].targets) {
+      Reading& reading = target.step->input().reading;
+      const auto typed = reading.typed.find(reading.varied[target.varied].path);
+      if (typed != reading.typed.end()) typed->second.of_point = true;
+    }
+  }
 }
 
 }  // namespace loadpath::project

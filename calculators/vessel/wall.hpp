@@ -84,7 +84,7 @@ constexpr auto wall_inputs() {
           .may_be_missing(),
       Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, with S in place of sigma_adm"}
           .positive()
-          .usually(50, 2500)
+          .usually(50, 1100)
           .from("material", "R_e", "delta", "sigma_adm"),
       Field<Input, double>{&Input::S, "S", ratio, "safety factor against yielding, with R_e"}
           .at_least(1)

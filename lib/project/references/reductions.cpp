@@ -92,6 +92,10 @@ class ReductionCheck {
       if (!operand.expression.references().empty()) take(operand);
     }
     for (const Taken& taken : step_.input().reading.taken) take(taken);
+    for (const Operand& operand : step_.input().reading.whole) {
+      if (is_share(operand) && !is_reduction_justified(step_, operand.path))
+        loads_.push_back({operand.path, share_message(operand)});
+    }
     for (auto& [path, message] : missed_notches(step_, project_)) {
       if (!is_reduction_justified(step_, path)) loads_.push_back({path, std::move(message)});
     }

@@ -63,8 +63,7 @@ std::vector<Message> heads(const SweepPlan& plan, const SweepStatistics& found) 
     return head;
   }
   const std::string level = format_number(100.0 * found.designs().asked().quantile, 6) + " %";
-  for (const Message& last :
-       {say("fails (95 % bounds)"), say("utilisation: median"), say("{1}", level), say("worst"), say("at point")})
+  for (const Message& last : {say("fails (95 %)"), say("median"), say("{1}", level), say("worst"), say("at point")})
     head.push_back(last);
   return head;
 }
@@ -148,6 +147,12 @@ std::string of_scattering(const SweepStatistics& found) {
   return text;
 }
 
+/// Of the columns behind the results.
+Message caption_of(std::size_t rows, std::size_t most, bool scatters) {
+  const Message designs = rows <= most ? say("Designs") : say("Designs: the first {1}", number(most));
+  return scatters ? say("{1}; failure share with 95 % bounds, utilisation of the samples", designs) : designs;
+}
+
 }  // namespace
 
 bool has_scattering_designs(const SweepPlan& plan) {
@@ -165,8 +170,7 @@ std::string count_of_designs(const SweepPlan& plan, const SweepStatistics& found
 
 Table design_table(const SweepPlan& plan, const SweepStatistics& found, std::size_t most) {
   const std::vector<DesignRow> rows = found.designs().rows();
-  Table table{
-      rows.size() <= most ? say("Designs") : say("Designs: the first {1}", number(most)), heads(plan, found), {}};
+  Table table{caption_of(rows.size(), most, scatters(found)), heads(plan, found), {}};
   for (std::size_t i = 0; i < std::min(rows.size(), most); ++i) table.rows.push_back(cells_of(plan, found, rows[i]));
   return table;
 }

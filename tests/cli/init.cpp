@@ -78,7 +78,7 @@ TEST_SUITE("cli init") {
     CHECK(ran.code == 0);
     CHECK(ran.error.empty());
     CHECK(contains(ran.out, "\nT = \"80 N*m\"     # torque\n"));
-    CHECK(contains(ran.out, "\nS_D = 1.6            # against fatigue\n"));
+    CHECK(contains(ran.out, "\nS_D = 1.6            # required safety factor, fatigue\n"));
     CHECK(contains(ran.out, "\ntitle = \"Countershaft\"\n"));
     CHECK(contains(ran.out, "{ name = \"left\", x = \"86 mm\", "));
     CHECK(Desk().run({"fmt", "--check", "-"}, ran.out).code == 0);

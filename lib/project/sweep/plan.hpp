@@ -27,6 +27,11 @@ struct SweepPlan {
   void fill(std::uint64_t first, std::size_t n, std::span<double* const> of_inputs) const;
 };
 
+/// Whether there are several designs, each with samples of uncertain inputs.
+inline bool has_scattering_designs(const SweepPlan& plan) {
+  return plan.space.samples() > 1 && plan.space.count() > plan.space.samples();
+}
+
 /// Errors in names, zips, correlations and results become issues.
 SweepPlan plan_sweep(Project& project, const SweepSettings& settings, std::vector<Issue>& issues);
 

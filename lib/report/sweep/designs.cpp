@@ -1,6 +1,5 @@
 #include "lib/report/sweep/designs.hpp"
 
-#include "lib/project/sweep/ranges.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/sweep/shares.hpp"
 
@@ -13,6 +12,7 @@ namespace {
 
 using project::DesignRow;
 using project::DesignTally;
+using project::has_scattering_designs;
 using project::Project;
 using project::SweepPlan;
 using project::SweepStatistics;
@@ -155,10 +155,6 @@ Message caption_of(std::size_t rows, std::size_t most, bool scatters) {
 
 }  // namespace
 
-bool has_scattering_designs(const SweepPlan& plan) {
-  return plan.space.samples() > 1 && plan.space.count() > plan.space.samples();
-}
-
 std::string count_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
   if (has_scattering_designs(plan)) return of_scattering(found);
   const auto& counts = found.designs().counts();
@@ -217,31 +213,6 @@ std::vector<Block> sweep_answer(const Project& project, const SweepPlan& plan, c
   if (const Message governing = governing_of(project, found); !governing.empty()) blocks.emplace_back(note(governing));
   if (!found.keep().objectives.empty() && scatters(found)) blocks.emplace_back(front_of_designs(plan, found));
   return blocks;
-}
-
-SolvedPoints points_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
-  std::vector<DesignRow> rows = found.designs().rows();
-  std::sort(rows.begin(), rows.end(), [](const DesignRow& a, const DesignRow& b) { return a.design < b.design; });
-  const double allowed = 1.0 - found.designs().asked().quantile;
-  SolvedPoints points;
-  points.inputs.resize(plan.inputs.size());
-  points.results.resize(plan.columns.size() + 2);
-  for (const DesignRow& row : rows) {
-    points.numbers.push_back(row.design * found.designs().asked().samples);
-    const std::vector<double> values = values_of(plan, found, row.design);
-    for (std::size_t i = 0; i < plan.inputs.size(); ++i)
-      points.inputs[i].push_back(plan.inputs[i].distribution ? project::middle_of(plan.inputs[i]) : values[i]);
-    for (std::size_t k = 0; k < plan.columns.size(); ++k) points.results[k].push_back(row.results[k]);
-    const auto samples = static_cast<double>(row.tally.samples);
-    const bool fails = static_cast<double>(row.tally.failing) > allowed * samples;
-    const bool open = static_cast<double>(row.tally.open()) > allowed * samples;
-    using account::State;
-    points.results[plan.columns.size()].push_back(account::number(fails  ? State::fail
-                                                                  : open ? State::not_judged
-                                                                         : State::pass));
-    points.results[plan.columns.size() + 1].push_back(row.quantile);
-  }
-  return points;
 }
 
 }  // namespace loadpath::report

@@ -3,15 +3,11 @@
 
 #include "lib/project/sweep/statistics.hpp"
 #include "lib/report/document.hpp"
-#include "lib/report/sweep/points.hpp"
 
 #include <string>
 #include <vector>
 
 namespace loadpath::report {
-
-/// Whether the sweep compares designs, each with samples of uncertain inputs.
-bool has_scattering_designs(const project::SweepPlan& plan);
 
 /// "20 of 29 designs pass in all 200 samples; 4 fail in some, 5 in all".
 std::string count_of_designs(const project::SweepPlan& plan, const project::SweepStatistics& found);
@@ -25,8 +21,5 @@ Table front_of_designs(const project::SweepPlan& plan, const project::SweepStati
 /// What a sweep prints if no more is asked for.
 std::vector<Block> sweep_answer(const project::Project& project, const project::SweepPlan& plan,
                                 const project::SweepStatistics& found);
-
-/// The designs as points of a figure: results as in their rows, as verdict that of the quantile.
-SolvedPoints points_of_designs(const project::SweepPlan& plan, const project::SweepStatistics& found);
 
 }  // namespace loadpath::report

@@ -1,6 +1,6 @@
 #include "lib/report/sweep/points.hpp"
 
-#include "lib/report/sweep/designs.hpp"
+#include "lib/project/sweep/ranges.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -129,14 +129,41 @@ std::optional<Plane> plane_of(const SweepPlan& plan) {
   return std::nullopt;
 }
 
+/// The designs as points of a figure: results as in their rows, as verdict that of the quantile.
+SolvedPoints points_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
+  std::vector<project::DesignRow> rows = found.designs().rows();
+  std::sort(rows.begin(), rows.end(),
+            [](const project::DesignRow& a, const project::DesignRow& b) { return a.design < b.design; });
+  const double allowed = 1.0 - found.designs().asked().quantile;
+  SolvedPoints points;
+  points.inputs.resize(plan.inputs.size());
+  points.results.resize(plan.columns.size() + 2);
+  for (const project::DesignRow& row : rows) {
+    points.numbers.push_back(row.design * found.designs().asked().samples);
+    const std::vector<double> values = plan.at(row.design * found.designs().asked().samples);
+    for (std::size_t i = 0; i < plan.inputs.size(); ++i)
+      points.inputs[i].push_back(plan.inputs[i].distribution ? project::middle_of(plan.inputs[i]) : values[i]);
+    for (std::size_t k = 0; k < plan.columns.size(); ++k) points.results[k].push_back(row.results[k]);
+    const auto samples = static_cast<double>(row.tally.samples);
+    const bool fails = static_cast<double>(row.tally.failing) > allowed * samples;
+    const bool open = static_cast<double>(row.tally.open()) > allowed * samples;
+    using account::State;
+    points.results[plan.columns.size()].push_back(account::number(fails  ? State::fail
+                                                                  : open ? State::not_judged
+                                                                         : State::pass));
+    points.results[plan.columns.size() + 1].push_back(row.quantile);
+  }
+  return points;
+}
+
 }  // namespace
 
 DrawnPoints points_to_draw(const SweepPlan& plan, const SweepStatistics& found, const BlockRange& blocks,
                            const project::ReadAgain& read) {
   DrawnPoints drawn;
   if (found.keep().objectives.size() >= 2)
-    drawn.cloud = has_scattering_designs(plan) ? points_of_designs(plan, found)
-                                               : solved(plan, read, numbers_of_cloud(plan, found, blocks));
+    drawn.cloud = project::has_scattering_designs(plan) ? points_of_designs(plan, found)
+                                                        : solved(plan, read, numbers_of_cloud(plan, found, blocks));
   const bool whole = blocks.count() == project::all_blocks(plan).count();
   if (whole) drawn.plane = plane_of(plan);
   if (drawn.plane) drawn.plane->points = solved(plan, read, std::move(drawn.plane->points.numbers));

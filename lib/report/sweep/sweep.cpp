@@ -13,6 +13,7 @@ namespace loadpath::report {
 
 namespace {
 
+using project::has_scattering_designs;
 using project::Project;
 using project::SweepPlan;
 using project::SweepStatistics;

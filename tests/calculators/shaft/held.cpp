@@ -277,7 +277,7 @@ TEST_SUITE("shaft held") {
     CHECK(fault("torques = [{ x = \"901 mm\", T = \"1 N*m\" }]").find("the bar ends at 900 mm") != std::string::npos);
     const std::string bush = "l = \"150 mm\", d = \"75 mm\", d_bore = \"60 mm\", G = \"27 GPa\"";
     CHECK(fault("sleeves = [{ x = \"100 mm\", " + bush + " }]").find("another material") != std::string::npos);
-    CHECK(fault("sleeves = [{ x = \"200 mm\", " + bush + ", tau_adm = \"30 MPa\" }]").find("cones") !=
+    CHECK(fault("sleeves = [{ x = \"200 mm\", " + bush + ", tau_adm = \"30 MPa\" }]").find("cylindrical") !=
           std::string::npos);
     CHECK(fault("sleeves = [{ x = \"800 mm\", " + bush + ", tau_adm = \"30 MPa\" }]").find("beyond") !=
           std::string::npos);

@@ -85,8 +85,8 @@ struct Typed {
   std::string text;
   Place place;
   bool mean_of_uncertain = false;
-  bool of_point = false;  // the value of a point of the sweep
   std::string shared = {};  // "values.n", which it was written as
+  bool of_point = false;    // the value of a point of the sweep
 };
 
 /// The content of a table for a record.

@@ -199,7 +199,7 @@ void write_row(JsonWriter& json, const SweepPlan& plan, const SweepStatistics& f
 
 /// The designs, each with its samples: `results` are medians, those of objectives quantiles.
 void write_designs(JsonWriter& json, const SweepPlan& plan, const SweepStatistics& found) {
-  const project::DesignCounts& counts = found.designs().counts();
+  const project::DesignCounts counts = found.design_counts();
   json.key("designs").open_object();
   json.member("samples", whole(found.designs().asked().samples));
   json.member("quantile", found.designs().asked().quantile);

@@ -1,6 +1,7 @@
 #include "lib/project/sweep/designs.hpp"
 
 #include "lib/account/fold.hpp"
+#include "lib/sweep/statistics/lanes.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,16 +20,19 @@ bool passes(double state) {
          state == account::number(State::open);
 }
 
+std::uint64_t count_in(std::span<const double> states, double state) {
+  return static_cast<std::uint64_t>(sweep::count_of(state, states));
+}
+
 /// The samples by their outcome alone.
 DesignTally outcomes_of(std::span<const double> states) {
   DesignTally tally;
   tally.samples = states.size();
-  for (const double state : states) {
-    const bool is_refused = state == account::refused_state;
-    tally.passing += passes(state) ? 1U : 0U;
-    tally.refused += is_refused ? 1U : 0U;
-    tally.failing += is_refused || state == account::number(State::fail) ? 1U : 0U;
-  }
+  for (const State state : {State::pass, State::accepted, State::open})
+    tally.passing += count_in(states, account::number(state));
+  if (tally.passing == tally.samples) return tally;
+  tally.refused = count_in(states, account::refused_state);
+  tally.failing = tally.refused + count_in(states, account::number(State::fail));
   return tally;
 }
 
@@ -76,8 +80,12 @@ void Designs::Open::merge(const Open& other) {
   for (std::size_t k = 0; k < results.size(); ++k) results[k].merge(other.results[k]);
 }
 
+/// Rows that are kept of designs without samples: each block brings some, which costs as much as solving its points.
+constexpr std::size_t most_single = 12;
+
 Designs::Designs(DesignsAsked asked)
     : asked_(std::move(asked)), pareto_(asked_.aims.empty() ? sweep::Pareto() : sweep::Pareto(asked_.aims)) {
+  if (asked_.samples == 1) asked_.most = std::min(asked_.most, most_single);
   scratch_ = none();
 }
 
@@ -94,12 +102,11 @@ void Designs::take(const SolvedBlock& block, std::size_t first, std::size_t n, O
   const auto utilisations = part(asked_.results + 1);
   DesignTally& tally = open.tally;
   tally.merge(outcomes_of(part(asked_.results)));
-  for (std::size_t i = 0; i < n; ++i) tally.worst.take(utilisations[i], block.first + first + i);
-  for (std::size_t mode = 0; mode < asked_.modes; ++mode) {
-    const auto of_mode = part(asked_.results + 2 + 2 * mode);
-    tally.by_mode[mode] +=
-        static_cast<std::uint64_t>(std::count(of_mode.begin(), of_mode.end(), account::number(State::fail)));
+  if (sweep::largest_of(utilisations) > tally.worst.value || std::isnan(tally.worst.value)) {
+    for (std::size_t i = 0; i < n; ++i) tally.worst.take(utilisations[i], block.first + first + i);
   }
+  for (std::size_t mode = 0; mode < asked_.modes; ++mode)
+    tally.by_mode[mode] += count_in(part(asked_.results + 2 + 2 * mode), account::number(State::fail));
   open.utilisation.add(utilisations);
   for (std::size_t k = 0; k < asked_.results; ++k) open.results[k].add(part(k));
 }
@@ -136,22 +143,34 @@ void Designs::add_part(const SolvedBlock& block, std::uint64_t design, std::size
   open_.erase(design);
 }
 
-/// Every point is a design.
+/// Every point is a design: only the first ones of a block can be among the first of all.
 void Designs::add_single(const SolvedBlock& block) {
   const std::vector<double>& states = block.results[asked_.results];
+  const Key last =
+      rows_.size() < asked_.most ? Key{INFINITY, INFINITY, INFINITY, INFINITY} : std::prev(rows_.end())->first;
+  candidates_.clear();
   for (std::size_t i = 0; i < block.count; ++i) {
-    const DesignTally tally = outcomes_of(std::span(states).subspan(i, 1));
-    count(tally);
-    if (tally.refused > 0) continue;
-    const std::uint64_t design = block.first + i;
-    const Key key = key_of(design, tally, asked_.results == 0 ? NAN : block.results[0][i]);
-    if (!is_among_the_first(key)) continue;
+    const double state = states[i];
+    if (state == account::refused_state) continue;
+    const double failing = state == account::number(State::fail) ? 1.0 : 0.0;
+    if (failing > last[0]) continue;
+    const double first = asked_.results == 0 ? INFINITY : block.results[0][i];
+    const Key key{failing, failing > 0.0 || passes(state) ? 0.0 : 1.0, std::isnan(first) ? INFINITY : first,
+                  static_cast<double>(block.first + i)};
+    if (key < last) candidates_.push_back(key);
+  }
+  const auto kept = std::min(candidates_.size(), asked_.most);
+  const auto end = candidates_.begin() + static_cast<std::ptrdiff_t>(kept);
+  std::partial_sort(candidates_.begin(), end, candidates_.end());
+  for (auto key = candidates_.begin(); key != end; ++key) {
+    const auto design = static_cast<std::uint64_t>((*key)[3]);
+    const auto i = static_cast<std::size_t>(design - block.first);
     scratch_.clear();
     take(block, i, 1, scratch_);
-    DesignRow row{
-        design, scratch_.tally, block.results[asked_.results + 1][i], block.results[asked_.results + 1][i], {}};
+    const double used = block.results[asked_.results + 1][i];
+    DesignRow row{design, scratch_.tally, used, used, {}};
     for (std::size_t k = 0; k < asked_.results; ++k) row.results.push_back(block.results[k][i]);
-    keep(key, std::move(row));
+    keep(*key, std::move(row));
   }
 }
 

@@ -60,11 +60,10 @@ class Designs {
   void add(const SolvedBlock& block);
   void merge(const Designs& other);
 
+  /// Without samples, the outcomes of the points are counted elsewhere: see SweepStatistics.
   [[nodiscard]] const DesignCounts& counts() const { return counts_; }
   /// First those that always pass, by the first result; then by the share of samples that fail or are not assessed.
   [[nodiscard]] std::vector<DesignRow> rows() const;
-  /// Points of designs of which every sample is refused: combinations that are no valid machine.
-  [[nodiscard]] std::uint64_t points_of_invalid() const { return counts_.invalid * asked_.samples; }
   /// Of the quantiles of the objectives; the index of a point is that of its design.
   [[nodiscard]] std::vector<sweep::Pareto::Point> pareto() const { return pareto_.points(); }
   [[nodiscard]] const DesignsAsked& asked() const { return asked_; }
@@ -102,6 +101,7 @@ class Designs {
   std::map<std::uint64_t, Open> open_;  // by number
   sweep::Pareto pareto_;
   Open scratch_;
+  std::vector<Key> candidates_;
 };
 
 }  // namespace loadpath::project

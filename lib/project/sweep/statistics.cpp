@@ -121,6 +121,19 @@ void SweepStatistics::add(const SolvedBlock& block) {
   if (columns.size() <= most_correlated) covariances_.add(number, sweep::Covariances(columns, block.count));
 }
 
+DesignCounts SweepStatistics::design_counts() const {
+  if (designs_.asked().samples != 1) return designs_.counts();
+  const Tally& points = tallies_.front();
+  DesignCounts counts{.all_pass = points.passing(), .all_fail = points.of(account::State::fail)};
+  counts.invalid = points.refused_points();
+  counts.not_assessed = points.total() - counts.all_pass - counts.all_fail - counts.invalid;
+  return counts;
+}
+
+std::uint64_t SweepStatistics::points_of_invalid() const {
+  return design_counts().invalid * std::max<std::uint64_t>(designs_.asked().samples, 1);
+}
+
 bool SweepStatistics::merge(const SweepStatistics& other) {
   for (std::size_t k = 0; k < results_.size(); ++k) {
     if (!results_[k].merge(other.results_[k])) return false;

@@ -136,7 +136,7 @@ Message governing_of(const Project& project, const SweepStatistics& found) {
 }
 
 std::string of_scattering(const SweepStatistics& found) {
-  const auto& counts = found.designs().counts();
+  const project::DesignCounts counts = found.design_counts();
   std::string text = number(counts.all_pass) + " of " + number(counts.valid()) + " designs pass in all " +
                      number(found.designs().asked().samples) + " samples";
   if (counts.some_fail > 0) text += "; " + number(counts.some_fail) + " fail in some";
@@ -157,7 +157,7 @@ Message caption_of(std::size_t rows, std::size_t most, bool scatters) {
 
 std::string count_of_designs(const SweepPlan& plan, const SweepStatistics& found) {
   if (has_scattering_designs(plan)) return of_scattering(found);
-  const auto& counts = found.designs().counts();
+  const project::DesignCounts counts = found.design_counts();
   std::string text = number(counts.all_pass) + " of " + number(counts.valid()) + " designs pass";
   if (counts.all_fail > 0) text += "; " + number(counts.all_fail) + " fail";
   if (counts.not_assessed > 0) text += "; " + number(counts.not_assessed) + " are not assessed";
@@ -200,7 +200,7 @@ std::vector<Block> sweep_answer(const Project& project, const SweepPlan& plan, c
     blocks.emplace_back(plain("Least " + plan.columns[plan.beside_inputs().front()].name +
                               " of those that always pass: " + described(plan, found, rows.front())));
   blocks.emplace_back(design_table(plan, found, most_in_answer));
-  const std::uint64_t valid = designs.counts().valid();
+  const std::uint64_t valid = found.design_counts().valid();
   if (valid > most_in_answer)
     blocks.emplace_back(note(say("{1} more designs: --full, --csv FILE", number(valid - most_in_answer))));
   if (scatters(found)) {

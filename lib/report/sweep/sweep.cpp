@@ -92,7 +92,7 @@ std::string mode_name(const SweptResult& column) { return column.step + "." + co
 /// Points of designs that are valid: the denominator of all shares. A sample that violates a rule is a failure of its
 /// design.
 std::uint64_t valid_points(const SweepStatistics& found) {
-  return found.tallies().front().total() - found.designs().points_of_invalid();
+  return found.tallies().front().total() - found.points_of_invalid();
 }
 
 Table mode_table(const Project& project, const SweepPlan& plan, const SweepStatistics& found) {
@@ -204,7 +204,7 @@ draw::Figure histogram_of(const SweptResult& column, const sweep::Summary& summa
 
 Paragraph conclusion(const SweepPlan& plan, const SweepStatistics& found) {
   const Tally& all = found.tallies().front();
-  const std::uint64_t invalid = found.designs().points_of_invalid(), refused = all.refused_points() - invalid;
+  const std::uint64_t invalid = found.points_of_invalid(), refused = all.refused_points() - invalid;
   const std::uint64_t n = valid_points(found), fails = all.of(State::fail) + refused;
   const std::uint64_t gaps = n - fails - all.passing();
   std::string text = number(n) + " points: " + number(all.passing()) + " pass, " +

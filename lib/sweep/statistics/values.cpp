@@ -17,12 +17,17 @@ void Values::take(double value) {
 }
 
 void Values::add(std::span<const double> values) {
+  const auto is_finite = [](double value) { return std::isfinite(value); };
+  if (count_ + values.size() <= most_exact && std::all_of(values.begin(), values.end(), is_finite)) {
+    count_ += values.size();
+    exact_.insert(exact_.end(), values.begin(), values.end());
+    return;
+  }
   if (count_ <= most_exact) {
     std::for_each(values.begin(), values.end(), [this](double value) { take(value); });
     return;
   }
-  count_ += static_cast<std::uint64_t>(
-      std::count_if(values.begin(), values.end(), [](double value) { return std::isfinite(value); }));
+  count_ += static_cast<std::uint64_t>(std::count_if(values.begin(), values.end(), is_finite));
   sketch_.add(values);
 }
 

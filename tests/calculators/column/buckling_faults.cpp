@@ -67,12 +67,14 @@ TEST_SUITE("column buckling faults") {
 
   TEST_CASE("a method says what it lacks") {
     says(rod + "d = \"40 mm\"\nmethod = \"euler\"\n", "the method 'euler' needs the proportional limit sigma_P");
-    says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\n",
-         "the method 'tetmajer' needs the constants of Tetmajer-Yasinsky");
+    says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\n", "the method 'tetmajer' needs the Tetmajer constants");
     says(rod + "d = \"40 mm\"\nmethod = \"secant\"\n", "the method 'secant' needs the eccentricity e_y or e_z");
-    says(rod + "d = \"40 mm\"\nd_bore = \"20 mm\"\nmethod = \"ec3\"\n", "the method 'ec3' needs the buckling curves");
+    says(rod + "A = \"10 cm^2\"\nI_y = \"100 cm^4\"\nI_z = \"100 cm^4\"\nmethod = \"ec3\"\n",
+         "the method 'ec3' needs the buckling curves");
+    CHECK(complaints(rod + "d = \"40 mm\"\nd_bore = \"20 mm\"\nmethod = \"ec3\"\n").empty());  // curve c of a tube
     says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\n", "the partial factor gamma_M1");
-    says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\ngamma_M1 = 1\n", "needs gamma_F");
+    says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\ngamma_M1 = 1\n",
+         "needs the partial factor gamma_F");
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"1 kN\"\n", "needs the required buckling safety factor n_st");
   }
 

@@ -308,7 +308,7 @@ TEST_SUITE("fatigue.din743") {
                "the yield strength must not exceed the tensile strength"));
     CHECK(says(bar + load + steel + "sigma_bW = \"480 MPa\"\n", "below the tensile strength"));
     CHECK(says(steel + shoulder + "r = \"2 mm\"\nR_z = \"6.3 um\"\n", "needs the larger diameter"));
-    CHECK(says(steel + shoulder + "r = \"2 mm\"\nD = \"40 mm\"\nR_z = \"6.3 um\"\n", "above d"));
+    CHECK(says(steel + shoulder + "r = \"2 mm\"\nD = \"40 mm\"\nR_z = \"6.3 um\"\n", "D > d"));
     CHECK(says(steel + shoulder + "D = \"50 mm\"\nR_z = \"6.3 um\"\n", "needs its radius"));
     CHECK(says(steel + shoulder + "D = \"50 mm\"\nr = \"2 mm\"\n", "give the roughness"));
     CHECK(says(steel + shoulder + "D = \"50 mm\"\nr = \"2 mm\"\nR_z = \"6.3 um\"\nd_h = \"45 mm\"\n",

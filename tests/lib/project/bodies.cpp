@@ -75,7 +75,7 @@ TEST_SUITE("project bodies") {
              section;
     };
     CHECK(contains(Solved(strut("a", "100 kN", "") + strut("b", "900 kN", "")).errors(),
-                   "the body 'strut' has one section"));
+                   "the body 'strut' needs a single section"));
     CHECK(Solved(strut("a", "900 kN", "") + strut("b", "900 kN", "")).errors() == "");
   }
 

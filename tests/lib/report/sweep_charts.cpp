@@ -105,10 +105,30 @@ TEST_SUITE("charts of a sweep") {
     check_values(swept, drawn.plane->points);
   }
 
-  TEST_CASE("of many points 2000 are drawn, the Pareto set and the worst among them") {
+  TEST_CASE("with samples the designs are drawn, each at its quantiles, with the Pareto set of them") {
     const Swept swept(shaft +
                           "d = { from = \"30 mm\", to = \"60 mm\", count = 7 }\nT = { mean = \"200 N*m\", sd = \"10 "
-                          "%\" }\n[project.sweep]\nsamples = 3000\n",
+                          "%\" }\n[project.sweep]\nsamples = 300\n",
+                      results, 1, kept());
+    REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
+    const report::DrawnPoints drawn = drawn_of(swept);
+    CHECK(drawn.cloud.numbers == std::vector<std::uint64_t>{0, 300, 600, 900, 1200, 1500, 1800});
+    for (std::size_t i = 0; i < 7; ++i) {
+      const double d = 0.030 + 0.005 * static_cast<double>(i), T = 200.0 * (1.0 + 0.1 * 2.326);  // 99 % of a normal law
+      CHECK(drawn.cloud.results[0][i] == doctest::Approx(d * d));
+      CHECK(drawn.cloud.results[1][i] == doctest::Approx(16.0 * T / (M_PI * d * d * d)).epsilon(0.05));
+    }
+    CHECK(swept.sum.designs().pareto().size() == 7);  // thicker is heavier and less stressed
+    const auto blocks = report::sweep_charts(swept.read_again(), swept.plan, swept.sum, drawn);
+    const draw::Chart* const cloud = chart_in(blocks, "cloud");
+    REQUIRE(cloud != nullptr);
+    CHECK(cloud->front.size() == 7);
+  }
+
+  TEST_CASE("of many points 2000 are drawn, the Pareto set and the worst among them") {
+    const Swept swept(shaft +
+                          "d = { from = \"30 mm\", to = \"60 mm\", count = 7 }\nT = { from = \"160 N*m\", to = "
+                          "\"240 N*m\", count = 3000 }\n",
                       results, 1, kept());
     REQUIRE_MESSAGE(swept.errors().empty(), swept.errors());
     const report::DrawnPoints drawn = drawn_of(swept);

@@ -262,7 +262,7 @@ TEST_SUITE("mechanism") {
     const auto findings = diagnose(model);
     const std::string message = only_message(findings);
     CHECK(message.find(" does not close: a gap of ") != std::string::npos);
-    CHECK(message.find(" mm stays open") != std::string::npos);
+    CHECK(message.find(" mm remains") != std::string::npos);
   }
 
   TEST_CASE("a frame without drivers is legal") {

@@ -137,7 +137,8 @@ TEST_SUITE("points of a sweep") {
     const auto fault = [](const std::string& T, const std::string& more = "") {
       return Swept(shaft + "d = \"40 mm\"\nT = " + T + "\n" + more, {}).errors();
     };
-    CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 N*m\" }"), "one of step, count, log"));
+    CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 N*m\", step = \"1 N*m\", count = 3 }"),
+                   "one of step, count, log"));
     CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 N*m\", step = \"-1 N*m\" }"), "leads away"));
     CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 mm\", count = 3 }"), "300 mm"));
     CHECK(contains(fault("{ from = \"100 N*m\", to = \"300 N*m\", count = 2.5 }"), "integer"));

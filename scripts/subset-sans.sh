@@ -1,0 +1,22 @@
+#!/bin/sh
+# Makes lib/report/assets/fonts/loadpath-sans{,-semibold,-italic}.woff2 from Open Sans 1.11: the letters of reports, with
+# tabular figures. Needs fonts-open-sans, python3-fonttools and python3-brotli.
+set -eu
+folder=${1:-/usr/share/fonts/truetype/open-sans}
+target=$(cd "$(dirname "$0")/.." && pwd)/lib/report/assets/fonts
+
+# Latin, its signs and accents, Greek, Cyrillic, punctuation, superscripts, arrows, operators
+letters="U+0020-007E,U+00A0-00FF,U+0100-017F,U+0391-03A1,U+03A3-03A9,U+03B1-03C9,U+0410-044F,U+0401,U+0451,\
+U+2009,U+200A,U+2013,U+2014,U+2018-201D,U+2022,U+2026,U+2032,U+2033,U+2070,U+2074-207B,U+2080-2089,U+2126,U+2190,U+2192,\
+U+2202,U+2206,U+2212,U+2215,U+221A,U+221E,U+2248,U+2260,U+2264,U+2265,U+2300,U+22C5"
+
+subset() {
+  /usr/bin/python3 -m fontTools.subset "$folder/$1.ttf" --output-file="$target/$2.woff2" --flavor=woff2 \
+    --layout-features='kern,lnum,tnum,liga' --no-hinting --desubroutinize --no-recalc-timestamp --notdef-outline \
+    --drop-tables+=DSIG,GDEF --unicodes="$3"
+}
+slim="U+0020-007E,U+00A0,U+00B0,U+00B2,U+00B3,U+00B5,U+00B7,U+00C4,U+00D6,U+00D7,U+00DC,U+00DF,U+00E4,U+00F6,U+00FC,\
+U+0391-03A1,U+03A3-03A9,U+03B1-03C9,U+2013,U+2026,U+2212,U+221E,U+2248,U+2264,U+2265"
+subset OpenSans-Regular loadpath-sans "$letters"
+subset OpenSans-Semibold loadpath-sans-semibold "$slim"
+subset OpenSans-Italic loadpath-sans-italic "$slim"

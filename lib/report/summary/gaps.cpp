@@ -23,7 +23,7 @@ std::string step_to_add(const Mode& mode) {
 /// The remedy for a mode that is not assessed.
 std::string action_of(const Mode& mode) {
   if (mode.state == State::not_covered || mode.state == State::not_available) {
-    if (mode.note.empty()) return say("method not valid: {1}", mode.governs).text();
+    if (mode.note.empty()) return say("method not valid").text();
     return mode.note.text();
   }
   const std::string add = step_to_add(mode);
@@ -99,7 +99,27 @@ std::vector<std::string> hints_of(const project::Project& project, const Modes& 
   return hints;
 }
 
+std::string listed(const std::vector<std::string>& names) {
+  std::string all;
+  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
+  return all;
+}
+
 }  // namespace
+
+std::string modes_text(const Gap& gap) {
+  std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> groups;  // steps, titles
+  for (const auto& [step, titles] : gap.modes) {
+    const auto same = std::ranges::find(groups, titles, [](const auto& group) { return group.second; });
+    if (same == groups.end())
+      groups.push_back({{step}, titles});
+    else
+      same->first.push_back(step);
+  }
+  std::string all;
+  for (const auto& [names, titles] : groups) all += (all.empty() ? "" : "; ") + listed(names) + ": " + listed(titles);
+  return all;
+}
 
 std::vector<Gap> gaps_of(const Modes& modes, Group group) {
   std::vector<Gap> gaps;

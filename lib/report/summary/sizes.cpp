@@ -100,6 +100,23 @@ std::string owner_of(const std::string& path) {
   return spoken(dot == std::string::npos ? element : element.substr(dot + 1));
 }
 
+std::vector<std::string> given_sizes(const Step& step) {
+  std::vector<std::string> sizes;
+  const auto& fields = step.input().calculator->input->fields;
+  for (const Entry& entry : step.account().inputs) {
+    const FieldInfo* const field = find_field_at(fields, entry.path);
+    const bool is_size = field != nullptr && *field->searched_in != '\0' && !entry.origin.searched;
+    if (is_size && has_value(entry)) sizes.push_back(unbroken(sized_text(entry)));
+  }
+  return sizes;
+}
+
+std::string next_text(const account::NextSize& next) {
+  if (next.title.empty() || !next.number) return next.name + " fails: " + next.reason.text();
+  if (next.unit != "-") return next.name + " fails: " + next.title.text() + " (" + next.reason.text() + ")";
+  return next.name + " fails: " + next.title.text() + " " + utilisation_text(*next.number);
+}
+
 bool is_sized(const Step& step) {
   return std::ranges::any_of(chosen(step.account()), [](const Entry* entry) { return has_value(*entry); });
 }

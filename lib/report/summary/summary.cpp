@@ -19,12 +19,6 @@ using account::State;
 using project::Project;
 using project::Step;
 
-/// A ratio of shapes is not a utilisation that depends on a load: it is shown only if it fails.
-bool is_told(const Mode& mode) {
-  return mode.subject == account::Subject::mode && !account::is_assessed_elsewhere(mode) &&
-         (mode.kind != ModeKind::shape || mode.state == State::fail);
-}
-
 double used(const Mode& mode) { return mode.utilisation.value_or(-1.0); }
 
 /// The failing mode, else the most utilised one of strength or service, else the first that passes.
@@ -111,6 +105,22 @@ double Component::utilisation() const {
   return governing && governing->utilisation ? *governing->utilisation : std::numeric_limits<double>::quiet_NaN();
 }
 
+bool is_told(const Mode& mode) {
+  return mode.subject == account::Subject::mode && !account::is_assessed_elsewhere(mode) &&
+         (mode.kind != ModeKind::shape || mode.state == State::fail);
+}
+
+std::string component_name(const Step& step) {
+  const std::string& body = step.input().body.text;
+  return spoken(body.empty() ? step.name() : body);
+}
+
+std::string location_of(const Mode& mode) {
+  if (mode.at) return short_quantity(mode.at->si, mode.at->unit);
+  const std::string owner = owner_of(mode.governs);
+  return owner.find('[') == std::string::npos ? owner : std::string();
+}
+
 std::string plain_title(const Mode& mode) {
   std::string title = mode.title.text();
   const std::size_t end = std::min({title.find(" ("), title.find(':'), title.find(';')});
@@ -131,9 +141,7 @@ std::string subject_of(const Project& project) {
 namespace {
 
 Component component_of(const Step& step, const Modes& modes) {
-  const std::string& body = step.input().body.text;
-  return {spoken(body.empty() ? step.name() : body), short_sizes(step), is_sized(step),
-          governing_of(modes, step.name())};
+  return {component_name(step), short_sizes(step), is_sized(step), governing_of(modes, step.name())};
 }
 
 /// What follows from the modes and the components.

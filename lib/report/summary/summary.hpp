@@ -61,6 +61,11 @@ std::vector<Gap> gaps_of(const account::Modes& modes, account::Group group);
 /// `several`: whether the modes are of several steps, which are named with them.
 NotConsidered not_considered(const project::Project& project, const account::Modes& modes, bool several);
 
+/// "crankshaft, crank end: fatigue, bending; key: shear"; steps with different modes are separate.
+std::string modes_text(const Gap& gap);
+/// "95 mm fails: angle of twist per length 1.055".
+std::string next_text(const account::NextSize& next);
+
 /// The subject of the only step's modes; empty if there are several steps, or it is not declared.
 std::string subject_of(const project::Project& project);
 /// The sizes of a step: what a search has found, else the headline that its calculator declares.
@@ -70,5 +75,13 @@ bool is_sized(const project::Step& step);
 std::string plain_title(const account::Mode& mode);
 /// "left seat" of "pieces.left_seat.d"; empty of a size of the step itself.
 std::string owner_of(const std::string& path);
+/// The sizes that a step was given where a search might have found them: "pulley seat 32 mm".
+std::vector<std::string> given_sizes(const project::Step& step);
+/// The name of a step's component: its body, else the step.
+std::string component_name(const project::Step& step);
+/// Whether the utilisation of a mode counts: of its own step, and no ratio of shapes unless it fails.
+bool is_told(const account::Mode& mode);
+/// The element or the position where a mode governs: "key end", "210°"; may be empty.
+std::string location_of(const account::Mode& mode);
 
 }  // namespace loadpath::report

@@ -31,27 +31,6 @@ void dim(Lines& lines) {
   for (std::string& line : lines) line = in_colour(line, "2");
 }
 
-std::string listed(const std::vector<std::string>& names) {
-  std::string all;
-  for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
-  return all;
-}
-
-/// "crankshaft, crank end: fatigue, bending"; steps with different modes are separate.
-std::string modes_of(const Gap& gap) {
-  std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> groups;  // steps, titles
-  for (const auto& [step, titles] : gap.modes) {
-    const auto same = std::ranges::find(groups, titles, [](const auto& group) { return group.second; });
-    if (same == groups.end())
-      groups.push_back({{step}, titles});
-    else
-      same->first.push_back(step);
-  }
-  std::string all;
-  for (const auto& [names, titles] : groups) all += (all.empty() ? "" : "; ") + listed(names) + ": " + listed(titles);
-  return all;
-}
-
 void add_rest(std::size_t left, Lines& lines) {
   if (left > 0) lines.push_back("  " + std::to_string(left) + " more: --full");
 }
@@ -60,7 +39,7 @@ void add_gaps(const std::vector<Gap>& gaps, std::size_t most, const char* headin
   if (gaps.empty()) return;
   add(lines, heading, look, 2);
   for (const Gap& gap : std::span(gaps).first(std::min(most, gaps.size())))
-    add(lines, "  " + modes_of(gap) + (gap.action.empty() ? "" : " -> " + gap.action), look, 4);
+    add(lines, "  " + report::modes_text(gap) + (gap.action.empty() ? "" : " -> " + gap.action), look, 4);
   add_rest(gaps.size() - std::min(most, gaps.size()), lines);
 }
 
@@ -125,12 +104,6 @@ Lines verdict_lines(const Summary& summary, const Look& look) {
   return {line};
 }
 
-std::string told(const account::NextSize& next) {
-  if (next.title.empty() || !next.number) return next.name + " fails: " + next.reason.text();
-  if (next.unit != "-") return next.name + " fails: " + next.title.text() + " (" + next.reason.text() + ")";
-  return next.name + " fails: " + next.title.text() + " " + report::utilisation_text(*next.number);
-}
-
 Lines next_lines(const Summary& summary, const Limits& limits, const Look& look) {
   const bool sized = std::ranges::any_of(summary.components, &report::Component::is_sized);
   if (!sized) return {};
@@ -138,7 +111,7 @@ Lines next_lines(const Summary& summary, const Limits& limits, const Look& look)
   Lines lines{"* sized; next smaller size:"};
   const std::size_t shown = std::min(limits.of(Limits::next), summary.next.size());
   for (const report::NextOf& next : std::span(summary.next).first(shown))
-    add(lines, "    " + next.name + ": " + told(next.size), look, 2);
+    add(lines, "    " + next.name + ": " + report::next_text(next.size), look, 2);
   if (summary.next.size() > shown)
     lines.push_back("    " + std::to_string(summary.next.size() - shown) + " more: --full");
   return lines;

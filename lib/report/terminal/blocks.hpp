@@ -42,7 +42,5 @@ Lines next_lines(const report::Summary& summary, const Limits& limits, const Loo
 Lines gap_lines(const report::Summary& summary, const Limits& limits, const Look& look);
 Lines open_lines(const report::Summary& summary, const Limits& limits, const Look& look);
 Lines more_line(const std::string& command, const Look& look);
-/// "35 mm fails: shoulder height 1.07"
-std::string told(const account::NextSize& next);
 
 }  // namespace loadpath::terminal

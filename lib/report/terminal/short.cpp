@@ -70,7 +70,8 @@ Lines size_lines(const Summary& summary, const Limits& limits, const Look& look)
   for (const Component& component : summary.components) {
     for (std::size_t i = 0; i < component.sizes.size(); ++i) {
       std::string line = (component.is_sized ? "* " : "  ") + component.sizes[i];
-      if (component.sizes.size() == 1 && summary.next.size() == 1) line += "; " + told(summary.next.front().size);
+      if (component.sizes.size() == 1 && summary.next.size() == 1)
+        line += "; " + report::next_text(summary.next.front().size);
       for (std::string& part : lines_of(line, look.width, 2)) lines.push_back(std::move(part));
     }
   }

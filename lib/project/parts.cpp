@@ -16,8 +16,9 @@ namespace {
 using toml::Tree;
 
 constexpr std::array reserved{"project", "values", "tables", "expect"};
-constexpr std::array keys_of_heading{"title", "number", "revision", "author", "checker", "date",
-                                     "note",  "paper",  "report",   "tables", "sweep"};
+constexpr std::array keys_of_heading{"title",    "company", "project", "load_case", "number",
+                                     "revision", "author",  "checker", "approver",  "date",
+                                     "note",     "paper",   "report",  "tables",    "sweep"};
 constexpr std::array papers{"A4", "letter"};
 const std::vector<std::string> step_keys{"calculator", "template", "title",   "note",
                                          "display",    "accept",   "because", "body"};

@@ -18,6 +18,7 @@ struct OutputOptions {
   std::string dxf;                  // file for the drawing to scale, or folder for several
   std::vector<std::string> series;  // patterns of those that JSON and CSV hold; none: all
   std::string detail;               // brief, normal, full; empty: as the command has it
+  bool brief = false;               // reports without the appendix
   bool quiet = false;
   bool strict = false;  // modes not considered count as not assessed
   bool full = false;    // with every table that the terminal has

@@ -6,9 +6,11 @@
 #include "lib/draw/dxf.hpp"
 #include "lib/export/csv.hpp"
 #include "lib/export/json.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/build/build.hpp"
 
 #include <algorithm>
+#include <array>
+#include <ctime>
 #include <filesystem>
 #include <iostream>
 #include <set>
@@ -233,7 +235,7 @@ bool put(const std::vector<File>& files, const std::vector<std::string>& prints,
       std::cerr << "loadpath: '" << path << "' is a device or a pipe, and a PDF needs a file\n";
       return false;
     }
-    if (!print_to_pdf(report::html(document), staged.aside(path), scratch)) {
+    if (!print_to_pdf(report::html(document, report::Folding::open), staged.aside(path), scratch)) {
       std::cerr << "loadpath: the browser did not write '" << path << "'\n";
       return false;
     }
@@ -274,6 +276,26 @@ bool write_reports(const report::Document& document, const std::vector<std::stri
   return true;
 }
 
+namespace {
+
+/// The date of the run, "2026-11-28".
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  std::tm local{};
+  std::array<char, 16> text{};
+  localtime_r(&now, &local);
+  return {text.data(), std::strftime(text.data(), text.size(), "%Y-%m-%d", &local)};
+}
+
+report::Document document_of(const project::Project& project, const OutputOptions& options, const std::string& input) {
+  const report::Detail detail = options.brief ? report::Detail::brief : detail_of(options, report::Detail::normal);
+  report::Document document = report::build(project, program(), detail, input);
+  document.heading.printed = today();
+  return document;
+}
+
+}  // namespace
+
 report::Detail detail_of(const OutputOptions& options, report::Detail usual) {
   if (options.detail.empty()) return usual;
   return options.detail == "brief"  ? report::Detail::brief
@@ -285,8 +307,7 @@ bool write(const project::Project& project, const OutputOptions& options, const 
   std::vector<File> files;
   std::vector<std::string> prints;
   report::Document document;
-  if (!options.reports.empty())
-    document = report::build(project, program(), detail_of(options, report::Detail::normal), input);
+  if (!options.reports.empty()) document = document_of(project, options, input);
   sort_reports(document, options.reports, files, prints);
   if (!options.csv.empty() && !add_series(project, options, files)) return false;
   if (!add_figures(project, options.svg, files) || !add_drawings(project, options.dxf, files)) return false;

@@ -105,6 +105,10 @@ int solve_and_show(const ReadProject& read, const std::vector<terminal::SourceTe
   project::Project project = read(issues);
   const OutputOptions output = with_report_of(project, asked);
   if (output.reports != asked.reports && !has_errors(issues) && !can_write(output)) return wrong_input;
+  if (output.brief && output.reports.empty()) {
+    std::cerr << "loadpath: --brief needs --report FILE\n";
+    return wrong_input;
+  }
   project.strict = output.strict;
   if (!has_errors(issues)) project::solve(project, issues, wanted_by(output, detail));
   if (!has_errors(issues)) check_series(project, output, issues);

@@ -4,7 +4,7 @@
 #include "lib/project/project.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/build/build.hpp"
 #include "lib/toml/tree.hpp"
 #include "tests/parts.hpp"
 

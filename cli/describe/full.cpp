@@ -3,7 +3,7 @@
 #include "cli/describe/rows.hpp"
 #include "cli/describe/templates.hpp"
 #include "lib/project/parts.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/appendix.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/table/library.hpp"
 #include "lib/table/table.hpp"

@@ -29,10 +29,13 @@ void add_output(CLI::App& app, OutputOptions& output) {
       ->expected(1)
       ->take_all()
       ->allow_extra_args(false);
-  app.add_option("--detail", output.detail,
-                 "detail of reports: brief (answer only), normal, full (every list, formula and input)")
-      ->type_name("WORD")
-      ->check(CLI::IsMember({"brief", "normal", "full"}));
+  auto* const detail =
+      app.add_option("--detail", output.detail,
+                     "detail of reports: brief (no appendix), normal, full (every list, formula and input)")
+          ->type_name("WORD")
+          ->check(CLI::IsMember({"brief", "normal", "full"}));
+  app.add_flag("--brief", output.brief, "with --report: only the pages to decide, to check and to recompute")
+      ->excludes(detail);
   app.add_flag("--json", output.json, "print the results as one JSON object, of several projects as a list");
   app.add_option("--csv", output.csv, "write the series: each step's into a folder, or the one's into FILE.csv or -")
       ->type_name("PATH");

@@ -286,7 +286,8 @@ int Sweeping::tell_blocks(const char* title, std::vector<report::Block> blocks) 
   document.title = project_.title.empty() ? project_.file : project_.title;
   document.meta.emplace_back(say("Project file"), project_.file);
   if (!options_.settings.empty()) document.meta.emplace_back(say("set"), told(options_.settings));
-  document.meta.emplace_back(say("Program"), program());
+  document.program = program();
+  document.meta.emplace_back(say("Program"), document.program);
   blocks.insert(blocks.begin(), report::Heading{2, title, "sweep"});
   document.blocks = std::move(blocks);
   return write_reports(document, options_.reports, project_, options_.quiet) ? passed : wrong_input;

@@ -6,7 +6,7 @@
 #include "cli/watch/watched.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/build/build.hpp"
 #include "lib/report/conclusion.hpp"
 
 #include <boost/asio/signal_set.hpp>

@@ -19,7 +19,15 @@ struct Quantity {
 struct Symbol {
   std::string name;
 };
+/// A utilisation: the writer draws a bar next to it.
+struct Utilisation {
+  double value = 0.0;
+};
+/// A value that a search has found: the writer emphasises it.
+struct Sized {
+  std::string text;
+};
 /// Text of the user or of a message: escaped by the writer.
-using Cell = std::variant<std::string, Message, Quantity, Symbol, State>;
+using Cell = std::variant<std::string, Message, Quantity, Symbol, State, Utilisation, Sized>;
 
 }  // namespace loadpath::account

@@ -5,7 +5,7 @@
 #include "lib/export/unit_name.hpp"
 #include "lib/project/project.hpp"
 #include "lib/quantity/format.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/appendix.hpp"
 
 #include <algorithm>
 #include <cmath>

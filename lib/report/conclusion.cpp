@@ -82,9 +82,14 @@ Message remote(const Modes& modes) {
 std::string Numbering::heading(int level) {
   if (level <= 2) {
     parts_ = 0;
-    return std::to_string(++sections_);
+    return prefix_ + std::to_string(++sections_);
   }
-  return std::to_string(sections_) + "." + std::to_string(++parts_);
+  return prefix_ + std::to_string(sections_) + "." + std::to_string(++parts_);
+}
+
+void Numbering::begin_appendix() {
+  prefix_ = "A";
+  sections_ = parts_ = 0;
 }
 
 }  // namespace loadpath::report

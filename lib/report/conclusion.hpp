@@ -29,12 +29,15 @@ Message remote(const Modes& modes);
 /// Counts through a document.
 class Numbering {
  public:
-  /// "2" or "2.1"
+  /// "2" or "2.1"; in the appendix "A2" or "A2.1"
   std::string heading(int level);
+  /// Headings count anew, with an A in front.
+  void begin_appendix();
   int table() { return ++tables_; }
   int figure() { return ++figures_; }
 
  private:
+  std::string prefix_;
   int sections_ = 0, parts_ = 0, tables_ = 0, figures_ = 0;
 };
 

@@ -1,7 +1,8 @@
-#include "lib/report/build.hpp"
+#include "lib/report/derivation_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace loadpath::report {
 
@@ -34,6 +35,33 @@ Derivation worked(const Lines& lines) {
   return derivation;
 }
 
+/// Values that are not calculated, as a table.
+Table taken_values(const Lines& lines) {
+  Table table{{}, {say("symbol"), say("meaning"), say("value")}, {}};
+  for (const Derived* line : lines) table.rows.push_back({Symbol{line->step.symbol}, line->step.why, line->step.value});
+  return table;
+}
+
+/// Lines in their order: formulas worked out, runs of values that are taken from elsewhere as tables.
+void add_lines(const Lines& lines, std::vector<Block>& blocks) {
+  constexpr std::size_t least_run = 2;
+  Lines formulas;
+  for (std::size_t i = 0; i < lines.size();) {
+    std::size_t end = i;
+    while (end < lines.size() && lines[end]->step.formula.empty()) ++end;
+    if (end - i >= least_run) {
+      if (!formulas.empty()) blocks.emplace_back(worked(std::exchange(formulas, {})));
+      blocks.emplace_back(taken_values(
+          {lines.begin() + static_cast<std::ptrdiff_t>(i), lines.begin() + static_cast<std::ptrdiff_t>(end)}));
+    } else {
+      end = i + 1;
+      formulas.push_back(lines[i]);
+    }
+    i = end;
+  }
+  if (!formulas.empty()) blocks.emplace_back(worked(formulas));
+}
+
 /// The name of an element within its list, or its number in brackets.
 std::string name_of(const Derived& line) {
   const std::string list = list_of(line.scope);
@@ -58,7 +86,7 @@ void add_list(const std::vector<Lines>& elements, std::vector<Block>& blocks) {
   if (!alike || elements.size() == 1) {
     for (const Lines& lines : elements) {
       blocks.emplace_back(Paragraph{say("For {1}:", lines[0]->element)});
-      blocks.emplace_back(worked(lines));
+      add_lines(lines, blocks);
     }
     return;
   }
@@ -66,7 +94,7 @@ void add_list(const std::vector<Lines>& elements, std::vector<Block>& blocks) {
     return std::abs(a.back()->step.value.si) < std::abs(b.back()->step.value.si);
   });
   blocks.emplace_back(Paragraph{say("Calculation for {1}; all results follow in the table.", (*largest)[0]->element)});
-  blocks.emplace_back(worked(*largest));
+  add_lines(*largest, blocks);
   blocks.emplace_back(values_of(elements));
 }
 
@@ -80,7 +108,7 @@ std::vector<Block> derivation_blocks(const std::vector<Derived>& lines) {
     if (lines[i].scope.empty()) {
       Lines top;
       for (std::size_t k = i; k < end; ++k) top.push_back(&lines[k]);
-      blocks.emplace_back(worked(top));
+      add_lines(top, blocks);
     } else {
       add_list(by_element(lines, i, end), blocks);
     }

@@ -1,5 +1,5 @@
 #include "lib/quantity/format.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/appendix.hpp"
 
 #include <algorithm>
 #include <map>

@@ -4,6 +4,7 @@
 #include "lib/report/conclusion.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -123,7 +124,7 @@ class Tracing {
       const account::Step& other = account_.derivation[k].step;
       const bool named_so = other.symbol.starts_with(taken.symbol) || taken.symbol.starts_with(other.symbol);
       if (named_so && may_take(account_.derivation[i], account_.derivation[k]) && !other.formula.empty() &&
-          other.value.si == taken.value.si)
+          std::abs(other.value.si) == std::abs(taken.value.si))
         return follow(k);
     }
   }

@@ -43,6 +43,31 @@ Worked worked(const Step& step) {
   return {formula::parse(step.formula), substituted, known};
 }
 
+namespace {
+
+/// Letters of a side of an equation; of a sum those of all terms.
+std::size_t letters_of_side(const Worked& w, const formula::Substituted& substituted) {
+  const std::size_t terms = formula::mathml_terms(*w.tree, substituted, w.known).size();
+  const std::size_t widest = formula::breadth(*w.tree, substituted, w.known);
+  return terms > 1 ? widest + (terms - 1) * (widest + 1) / 2 : widest;
+}
+
+}  // namespace
+
+Setting setting_of(const Step& step) {
+  constexpr std::size_t formula_column = 22, numbers_column = 26, both_columns = 50, three_columns = 64;  // letters
+  if (step.formula.empty()) return Setting::row;
+  const Worked w = worked(step);
+  if (!w.tree) return step.formula.size() > formula_column ? Setting::two_rows : Setting::row;
+  const std::size_t formula = letters_of_side(w, {}), numbers = letters_of_side(w, w.substituted);
+  if (formula <= formula_column && numbers <= numbers_column) return Setting::row;
+  const std::size_t longest = std::max(formula, numbers);
+  if (longest <= both_columns) return Setting::two_rows;
+  const std::size_t widest =
+      std::max(formula::breadth(*w.tree, {}, w.known), formula::breadth(*w.tree, w.substituted, w.known));
+  return widest <= three_columns ? Setting::wide : Setting::small;
+}
+
 NamedSymbol named_symbol(std::string_view path) {
   const std::size_t dot = path.rfind('.');
   if (dot == std::string_view::npos) return {{}, path};
@@ -80,7 +105,8 @@ std::vector<bool> numeric_columns(const Table& table) {
     other.resize(quantity.size());
     for (std::size_t i = 0; i < row.size(); ++i) {
       const auto* text = std::get_if<std::string>(&row[i]);
-      const bool is_quantity = std::holds_alternative<Quantity>(row[i]), empty = text != nullptr && text->empty();
+      const bool is_quantity = std::holds_alternative<Quantity>(row[i]) || std::holds_alternative<Utilisation>(row[i]);
+      const bool empty = text != nullptr && text->empty();
       quantity[i] = quantity[i] || is_quantity;
       other[i] = other[i] || (!is_quantity && !empty);
     }

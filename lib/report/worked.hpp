@@ -21,6 +21,15 @@ struct Worked {
 };
 Worked worked(const Step& step);
 
+/// How a line of a calculation is set on the grid of the report: symbol, formula, numbers, result, reason.
+enum class Setting {
+  row,       // in one row
+  two_rows,  // the formula and its numbers below each other, over both of their columns
+  wide,      // over the column of the result too, which follows below
+  small      // likewise, in smaller type
+};
+Setting setting_of(const Step& step);
+
 /// "segments[2].u_tau": the place, empty at the top, and the symbol.
 struct NamedSymbol {
   std::string_view where;

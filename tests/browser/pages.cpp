@@ -46,7 +46,7 @@ const std::string covered_text = R"((() => {
     const texts = [...svg.querySelectorAll("text")].filter((t) => t.textContent.trim() && getComputedStyle(t).visibility !== "hidden");
     const boxes = texts.map((t) => t.getBoundingClientRect());
     boxes.forEach((a, i) => {
-      if (a.left < frame.left - 1 || a.right > frame.right + 1 || a.top < frame.top - 1 || a.bottom > frame.bottom + 1)
+      if (a.left < frame.left - 1 || a.right > frame.right + 1 || a.top < frame.top - 4 || a.bottom > frame.bottom + 4)
         said.push(`out of the figure: ${texts[i].textContent}`);
       for (let k = i + 1; k < boxes.length; ++k) {
         const b = boxes[k];
@@ -68,13 +68,27 @@ const std::string squeezed = R"((() => {
   return said.slice(0, 5).join("\n");
 })())";
 
+/// Opens the sections of the appendix.
+const std::string unfold =
+    "(document.querySelectorAll('details').forEach((d) => { d.open = true; }), "
+    "document.querySelectorAll('details:not([open])').length + '')";
+
+/// Formulas below 8 points, other text of the page below 6.4, besides subscripts.
 const std::string small_text = R"((() => {
   const said = [];
-  for (const m of document.querySelectorAll("math")) {
-    const size = parseFloat(getComputedStyle(m).fontSize) * 0.75;
-    if (size < 8) said.push(`${size.toFixed(1)} pt: ${m.textContent.slice(0, 30)}`);
-  }
+  const tell = (e, least) => {
+    const size = parseFloat(getComputedStyle(e).fontSize) * 0.75;
+    if (size < least && e.getBoundingClientRect().width > 0) said.push(`${size.toFixed(1)} pt: ${e.textContent.slice(0, 30)}`);
+  };
+  for (const m of document.querySelectorAll("math")) tell(m, 7.9);
+  for (const e of document.querySelectorAll("main p, main td, main th, main dd, main dt, main h2, main h3, figcaption")) tell(e, 6.4);
   return said.slice(0, 3).join("\n");
+})())";
+
+/// Notes beside formulas begin at one place.
+const std::string ragged = R"((() => {
+  const lefts = new Set([...document.querySelectorAll(".step .why")].map((e) => Math.round(e.getBoundingClientRect().left)));
+  return lefts.size > 1 ? [...lefts].join(", ") : "";
 })())";
 
 }  // namespace
@@ -95,16 +109,19 @@ TEST_SUITE("pages in a browser") {
         browser.look(width, 900);
         browser.open(address_of(desk, "r.html"));
         CHECK(text_of(browser, beyond) == "");
+        CHECK(text_of(browser, unfold) == "0");
+        CHECK(text_of(browser, beyond) == "");
         CHECK(text_of(browser, squeezed) == "");
         if (width == 1280) {
           CHECK(text_of(browser, broken_links) == "");
           CHECK(text_of(browser, covered_text) == "");
         }
       }
-      browser.look_as_print(673);  // A4 between margins of 16 mm
+      browser.look_as_print(662);  // A4 between margins of 20 and 15 mm
       CHECK(text_of(browser, beyond) == "");
       CHECK(text_of(browser, squeezed) == "");
       CHECK(text_of(browser, small_text) == "");
+      CHECK(text_of(browser, ragged) == "");
     }
   }
 }

@@ -367,6 +367,30 @@ TEST_SUITE("cli run") {
              "[axle]\ncalculator = \"shaft.torsion\"\nT = \"2700 N*m\"\ntau_adm = \"30 MPa\"\nd = \"85 mm\"\n");
     const Ran ran = desk.run({"run", "a.toml", "--detail", "brief", "--report", "a.md"});
     CHECK(contains(ran.out, "d = 85 mm"));
-    CHECK(contains(desk.get("a.md"), "| given "));
+    CHECK(contains(desk.get("a.md"), "d\u00A0=\u00A085\u00A0mm"));
+  }
+
+  TEST_CASE("--brief writes the pages without the appendix, and needs a report") {
+    const Desk desk;
+    desk.put("a.toml", passing);
+    const Ran brief = desk.run({"run", "a.toml", "--brief", "--report", "b.html", "--report", "b.md"});
+    CHECK(brief.code == 0);
+    CHECK(brief.out == desk.run({"run", "a.toml", "--report", "n.html"}).out);
+    CHECK(!contains(desk.get("b.html"), "id=\"appendix\""));
+    CHECK(contains(desk.get("n.html"), "id=\"appendix\""));
+    CHECK(contains(desk.get("b.md"), "## Assumptions"));
+    CHECK(!contains(desk.get("b.md"), "# Appendix"));
+    const Ran alone = desk.run({"run", "a.toml", "--brief"});
+    CHECK(alone.code == 2);
+    CHECK(alone.error == "loadpath: --brief needs --report FILE\n");
+    CHECK(desk.run({"run", "a.toml", "--brief", "--detail", "full", "--report", "c.html"}).code == 2);
+  }
+
+  TEST_CASE("a page that is signed has the date of the run, a text that is compared does not") {
+    const Desk desk;
+    desk.put("a.toml", passing);
+    CHECK(desk.run({"run", "a.toml", "--report", "a.html", "--report", "a.md"}).code == 0);
+    CHECK(contains(desk.get("a.html"), "<dt>Date</dt><dd>20"));
+    CHECK(contains(desk.get("a.md"), "- Date: not given"));
   }
 }

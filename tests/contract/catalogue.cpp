@@ -1,7 +1,7 @@
 // Invariants of the catalogue: fields are complete, ids and sources are sound, every example runs.
 #include "lib/project/solving/solve.hpp"
 #include "lib/quantity/unit.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/appendix.hpp"
 #include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
 #include "tests/contract/calculators.hpp"

@@ -4,7 +4,7 @@
 #include "lib/formula/names.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/appendix.hpp"
 #include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
 #include "lib/toml/tree.hpp"

@@ -3,7 +3,7 @@
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
 #include "lib/quantity/series.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/build/build.hpp"
 #include "tests/found/modes.hpp"
 
 #include <algorithm>

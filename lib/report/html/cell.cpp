@@ -1,6 +1,7 @@
 #include "lib/account/conclusion.hpp"
 #include "lib/formula/formula.hpp"
 #include "lib/report/html/html.hpp"
+#include "lib/report/summary/numbers.hpp"
 #include "lib/report/worked.hpp"
 #include "lib/text/markup.hpp"
 
@@ -15,6 +16,10 @@ struct CellText {
   }
   std::string operator()(const Symbol& s) const { return symbol(s.name); }
   std::string operator()(State s) const { return state(s); }
+  std::string operator()(const Utilisation& u) const {
+    return "<span class=\"quantity\">" + escaped(utilisation_text(u.value)) + "</span>" + bar(u.value);
+  }
+  std::string operator()(const Sized& s) const { return "<b class=\"sized\">" + escaped(s.text) + "*</b>"; }
 };
 
 }  // namespace

@@ -1,5 +1,4 @@
 #include "lib/formula/formula.hpp"
-#include "lib/report/columns.hpp"
 #include "lib/report/html/html.hpp"
 #include "lib/report/worked.hpp"
 #include "lib/text/markup.hpp"
@@ -17,40 +16,38 @@ std::string side(std::vector<std::string> terms) {
   return out;
 }
 
-std::string result(const Quantity& value) { return side({formula::quantity_mathml(written(value))}); }
-
-/// Formula, numbers, value; the numbers move to a line of their own where one is too short.
-std::string sides(const Step& step) {
-  const std::string value = result(step.value);
-  if (step.formula.empty()) return value;
-  const Worked w = worked(step);
-  if (!w.tree) return "<code>= " + escaped(step.formula) + "</code> " + value;
-  const std::string symbolic = side(formula::mathml_terms(*w.tree, {}, w.known));
-  const std::string numeric = side(formula::mathml_terms(*w.tree, w.substituted, w.known));
-  const bool says_more = numeric != symbolic && numeric != value;
-  if (symbolic == value) return value;
-  return symbolic + "<wbr><span class=\"numbers\">" + (says_more ? numeric + "<wbr>" : "") + value + "</span>";
+std::string cell_of(const char* name, const std::string& content) {
+  return content.empty() ? "" : "<div class=\"" + std::string(name) + "\">" + content + "</div>";
 }
 
-/// Whether it takes half a line: an imported value, or a short formula with a short reason.
-bool is_half(const Step& step, const Worked& w) {
-  constexpr double half = 46.0, formula = 34.0;  // letters
-  if (step.formula.empty()) return true;
-  if (!w.tree) return false;
-  const auto sides =
-      static_cast<double>(formula::breadth(*w.tree, {}, w.known) + formula::breadth(*w.tree, w.substituted, w.known));
-  const double letters = sides + letters_of(formula::quantity_plain(written(step.value)));
-  return letters <= formula && letters + letters_of(step.why.text()) <= half;
+/// The two sides of an equation, each empty if it says nothing more than its result.
+struct Sides {
+  std::string formula, numbers;
+};
+
+Sides sides_of(const Step& step, const std::string& result) {
+  if (step.formula.empty()) return {};
+  const Worked w = worked(step);
+  if (!w.tree) return {"<code>= " + escaped(step.formula) + "</code>", ""};
+  Sides sides{side(formula::mathml_terms(*w.tree, {}, w.known)),
+              side(formula::mathml_terms(*w.tree, w.substituted, w.known))};
+  if (sides.numbers == sides.formula || sides.numbers == result) sides.numbers.clear();
+  if (sides.formula == result) return {};
+  return sides;
 }
 
-/// Full width for a formula that cannot be broken to fit next to its reason, or on a page at all.
-std::string_view width_class(const Step& step) {
-  constexpr std::size_t beside_reason = 58, page = 84;  // letters
-  const Worked w = worked(step);
-  if (is_half(step, w)) return "step half";
-  const std::size_t letters = w.tree ? formula::breadth(*w.tree, w.substituted, w.known) : step.formula.size();
-  if (letters > page) return "step wide small";
-  return letters > beside_reason ? "step wide" : "step";
+std::string_view class_of(const Step& step) {
+  switch (setting_of(step)) {
+    case Setting::row:
+      return "step";
+    case Setting::two_rows:
+      return "step long";
+    case Setting::wide:
+      return "step long wide";
+    case Setting::small:
+      return "step long wide small";
+  }
+  return "step";
 }
 
 }  // namespace
@@ -58,8 +55,10 @@ std::string_view width_class(const Step& step) {
 std::string derivation(const Derivation& derivation) {
   std::string out = "<div class=\"derivation\">\n";
   for (const Step& step : derivation.steps) {
-    out += "<div class=\"" + std::string(width_class(step)) + "\"><div class=\"formula\"><div class=\"left\">" +
-           symbol(step.symbol) + "</div><div class=\"right\">" + sides(step) + "</div></div>";
+    const std::string result = side({formula::quantity_mathml(written(step.value))});
+    const Sides sides = sides_of(step, result);
+    out += "<div class=\"" + std::string(class_of(step)) + "\">" + cell_of("left", symbol(step.symbol)) +
+           cell_of("formula", sides.formula) + cell_of("numbers", sides.numbers) + cell_of("result", result);
     if (!step.why.empty()) out += "<p class=\"why\">" + escaped(step.why.text()) + "</p>";
     out += "</div>\n";
   }

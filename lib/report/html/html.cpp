@@ -1,10 +1,13 @@
 #include "lib/report/html/html.hpp"
 
 #include "lib/draw/page.hpp"
+#include "lib/quantity/format.hpp"
 #include "lib/report/conclusion.hpp"
 #include "lib/report/worked.hpp"
 #include "lib/text/embedded.hpp"
 #include "lib/text/markup.hpp"
+
+#include <utility>
 
 namespace loadpath::report {
 namespace {
@@ -23,15 +26,38 @@ class Writer {
     }
   }
 
+  /// The head of a document without pages.
   std::string front(const Document& document) {
-    std::string out = "<header>\n<h1>" + escaped(document.title) + "</h1>\n<dl class=\"meta\">\n";
-    for (const auto& [name, text] : document.meta) {
-      out += "<div><dt>" + escaped(name.text()) + "</dt><dd>" + escaped(text) + "</dd></div>\n";
+    return "<header>\n<h1>" + escaped(document.title) + "</h1>\n" + meta(document) + "</header>\n" +
+           page::conclusion(document.summary) + overview(document) + contents(document);
+  }
+
+  std::string pages(const Document& document) {
+    std::string out;
+    for (const Page& one : document.pages) {
+      out += "<section class=\"sheet\">\n";
+      if (&one == &document.pages.front()) out += page::title_block(document) + page::finding(document.finding);
+      for (const Band& band : one.bands) out += written(band, one.is_numbered);
+      out += "</section>\n";
     }
-    out += "</dl>\n</header>\n" + page::conclusion(document.summary);
-    if (!document.chosen.rows.empty()) out += (*this)(document.chosen);
-    return out + page::doubts(document.summary, anchors_) + path(document.path) +
-           page::passes(document.summary, anchors_) + contents(document);
+    return out;
+  }
+
+  /// Section by section, each folded or open.
+  std::string appendix(const Document& document, Folding folding) {
+    numbering_.begin_appendix();
+    folding_ = folding;
+    std::string out = "<section class=\"appendix\">\n<h2 class=\"part\" id=\"appendix\">" +
+                      escaped(say("Appendix").text()) + "</h2>\n" + meta(document) + contents(document);
+    out += section(modes_heading()) + "<p class=\"note\">" + escaped(tally(document.summary).text()) + "</p>\n" +
+           overview(document);
+    for (const Block& block : document.blocks) {
+      const auto* const heading = std::get_if<Heading>(&block);
+      const bool begins = heading != nullptr && heading->level <= 2;
+      out += begins ? section(*heading) : std::visit([&](const auto& b) { return (*this)(b); }, block);
+    }
+    if (!document.input.empty()) out += section(input_heading()) + as_typed(document.input);
+    return out + end_of_section() + "</section>\n";
   }
 
   std::string operator()(const Heading& heading) {
@@ -68,10 +94,8 @@ class Writer {
                     : "<figure>" + draw::svg_in_page(figure)) +
            "<figcaption>" + numbered("Figure", numbering_.figure(), say(figure.caption)) + "</figcaption></figure>\n";
   }
-  std::string appendix(const std::string& input) {
-    if (input.empty()) return {};
-    return (*this)(Heading{2, say("Input").text(), "input"}) + "<pre class=\"input\" tabindex=\"0\">" + escaped(input) +
-           "</pre>\n";
+  std::string input(const std::string& text) {
+    return text.empty() ? std::string() : (*this)(input_heading()) + as_typed(text);
   }
   /// The pictures in the page are those of the printed frame. To show another frame the script moves every part from
   /// there.
@@ -83,6 +107,55 @@ class Writer {
   }
 
  private:
+  static Heading modes_heading() { return {2, say("Failure modes").text(), "failure-modes"}; }
+  static Heading input_heading() { return {2, say("Input").text(), "input"}; }
+  static std::string as_typed(const std::string& text) {
+    return "<pre class=\"input\" tabindex=\"0\">" + escaped(text) + "</pre>\n";
+  }
+  static std::string meta(const Document& document) {
+    std::string out = "<dl class=\"meta\">\n";
+    for (const auto& [name, text] : document.meta)
+      out += "<div><dt>" + escaped(name.text()) + "</dt><dd>" + escaped(text) + "</dd></div>\n";
+    return out + "</dl>\n";
+  }
+  std::string overview(const Document& document) {
+    std::string out;
+    if (!document.chosen.rows.empty()) out += (*this)(document.chosen);
+    return out + page::doubts(document.summary, anchors_) + path(document.path) +
+           page::passes(document.summary, anchors_);
+  }
+  std::string section(const Heading& heading) {
+    const std::string begin = end_of_section();
+    is_in_section_ = true;
+    return begin + (folding_ == Folding::open ? "<details open>" : "<details>") + "<summary>" + (*this)(heading) +
+           "</summary>\n";
+  }
+  std::string end_of_section() { return std::exchange(is_in_section_, false) ? "</details>\n" : ""; }
+
+  std::string written(const Band& band, bool is_numbered) {
+    std::string shares, columns;
+    for (const Stack& stack : band) {
+      shares += (shares.empty() ? "" : " ") + ("minmax(0," + format_number(stack.share, 4) + "fr)");
+      columns += "<div>\n";
+      for (const Panel& panel : stack.panels) columns += written(panel, is_numbered);
+      columns += "</div>\n";
+    }
+    const std::string style = band.size() > 1 ? " style=\"grid-template-columns:" + shares + "\"" : "";
+    return "<div class=\"band\"" + style + ">\n" + columns + "</div>\n";
+  }
+  std::string written(const Panel& panel, bool is_numbered) {
+    std::string out = "<section class=\"panel\">" + heading_of(panel, is_numbered);
+    for (const Block& block : panel.blocks) out += std::visit([&](const auto& b) { return (*this)(b); }, block);
+    return out + "</section>\n";
+  }
+  std::string heading_of(const Panel& panel, bool is_numbered) {
+    if (panel.title.empty()) return {};
+    const std::string number = is_numbered ? "<span class=\"no\">" + numbering_.heading(2) + "</span> " : std::string();
+    const std::string remark =
+        panel.remark.empty() ? std::string() : " <small>" + escaped(panel.remark.text()) + "</small>";
+    return "<h2>" + number + escaped(panel.title.text()) + remark + "</h2>\n";
+  }
+
   std::string path(const draw::Flow& flow) {
     if (flow.parts.empty()) return {};
     const Message caption = say("Load path: loads between the steps");
@@ -90,38 +163,57 @@ class Writer {
            numbered("Figure", numbering_.figure(), caption) + "</figcaption></figure>\n";
   }
   static std::string contents(const Document& document) {
-    const std::vector<const Heading*> headings = listed_headings(document);
+    std::vector<const Heading*> headings = listed_headings(document);
     if (headings.empty()) return {};
+    const Heading modes = modes_heading(), input = input_heading();
     Numbering numbering;
+    if (!document.pages.empty()) {
+      numbering.begin_appendix();
+      headings.insert(headings.begin(), &modes);
+    }
+    if (!document.input.empty()) headings.push_back(&input);
     std::string out = "<nav aria-label=\"" + escaped(say("Contents").text()) + "\"><ol>\n";
     for (const Heading* heading : headings) {
       out += "<li><span class=\"no\">" + numbering.heading(2) + "</span> <a href=\"#" + escaped(heading->anchor) +
              "\">" + escaped(heading->text) + "</a></li>\n";
     }
-    if (!document.input.empty())
-      out += "<li><span class=\"no\">" + numbering.heading(2) + "</span> <a href=\"#input\">" +
-             escaped(say("Input").text()) + "</a></li>\n";
     return out + "</ol></nav>\n";
   }
 
   std::set<std::string> anchors_;
   Numbering numbering_;
-  bool has_motion_ = false, has_chart_ = false;
+  Folding folding_ = Folding::folded;
+  bool is_in_section_ = false, has_motion_ = false, has_chart_ = false;
 };
 
 }  // namespace
 
-std::string html(const Document& document) {
-  const std::string footer = document.meta.empty() ? "" : document.meta.back().second;
+namespace {
+
+page::Running running_of(const Document& document) {
+  const std::string input = document.heading.number.empty() ? std::string() : document.heading.number.back().text;
+  const std::string program = document.program;
+  return {document.title, input.empty() ? program : say("{1}, input {2}", program, input).text()};
+}
+
+}  // namespace
+
+std::string html(const Document& document, Folding folding) {
   Writer writer(document);
   std::string out =
       "<!doctype html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
       "<meta name=\"color-scheme\" content=\"light dark\">\n<title>" +
-      escaped(document.title) + "</title>\n<style>\n" + page::style(document.title, footer, document.paper) +
-      "</style>\n</head>\n<body>\n" + std::string(page::shapes()) + "<main>\n" + writer.front(document);
-  for (const Block& block : document.blocks) out += std::visit([&](const auto& b) { return writer(b); }, block);
-  out += writer.appendix(document.input);
+      escaped(document.title) + "</title>\n<style>\n" + page::style(running_of(document), document.paper) +
+      "</style>\n</head>\n<body>\n" + std::string(page::shapes()) + "<main>\n";
+  if (document.pages.empty()) {
+    out += writer.front(document);
+    for (const Block& block : document.blocks) out += std::visit([&](const auto& b) { return writer(b); }, block);
+    out += writer.input(document.input);
+  } else {
+    out += writer.pages(document);
+    if (document.has_appendix) out += writer.appendix(document, folding);
+  }
   return out + "</main>\n" + writer.script() + "</body>\n</html>\n";
 }
 

@@ -44,7 +44,16 @@ std::string motion(const draw::Figure& figure);
 /// A figure that holds a chart: scripts show its points.
 std::string chart(const draw::Figure& figure);
 
-/// The style sheet with the math font in it; `header` and `footer` are on every printed page.
-std::string style(std::string_view header, std::string_view footer, std::string_view paper);
+/// The title block of page 1.
+std::string title_block(const Document& document);
+/// The headline and what it is about.
+std::string finding(const Finding& finding);
+
+/// The texts in the footer of every printed page.
+struct Running {
+  std::string title, program;
+};
+/// The style sheet with the fonts in it.
+std::string style(const Running& running, std::string_view paper);
 
 }  // namespace loadpath::report::page

@@ -9,7 +9,7 @@ namespace {
 
 /// A CSS string: all characters but letters and digits are written as codes, so that nothing ends the string or the
 /// sheet.
-std::string quoted(std::string_view words) {
+std::string css_string(std::string_view words) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string out = "\"";
   for (const char c : words) {
@@ -24,24 +24,32 @@ std::string quoted(std::string_view words) {
   return out + "\"";
 }
 
-std::string page_rules(std::string_view header, std::string_view footer, std::string_view paper) {
-  const std::string face =
-      "font:9pt Cambria,\"STIX Two Text\",STIX,\"Liberation Serif\",\"Times New Roman\",serif;color:#5b626b;";
-  return "@page{size:" + std::string(paper) + ";margin:18mm 18mm 17mm;@top-left{" + face + "content:" + quoted(header) +
-         "}@bottom-left{" + face + "content:" + quoted(footer) + "}@bottom-right{" + face +
-         "content:counter(page) \" / \" counter(pages)}}\n@page:first{@top-left{content:none}}\n";
+std::string page_rules(const Running& running, std::string_view paper) {
+  const std::string face = "font:7pt \"Loadpath Sans\",sans-serif;color:#555;vertical-align:top;padding-top:2mm;";
+  const auto corner = [&](const char* place, const std::string& content) {
+    return std::string("@") + place + "{" + face + "content:" + content + "}";
+  };
+  return "@page{size:" + std::string(paper) + ";margin:11mm 15mm 14mm 20mm;" +
+         corner("bottom-left", css_string(running.title)) + corner("bottom-center", css_string(running.program)) +
+         corner("bottom-right", "counter(page) \" / \" counter(pages)") + "}\n";
 }
 
-std::string math_font() {
-  return "@font-face{font-family:\"Loadpath Math\";src:url(data:font/woff2;base64," +
-         base64(embedded::asset("fonts/loadpath-math.woff2")) + ") format(\"woff2\")}\n";
+std::string font(const char* family, const char* file, const char* more) {
+  return std::string("@font-face{font-family:\"") + family + "\";src:url(data:font/woff2;base64," +
+         base64(embedded::asset(file)) + ") format(\"woff2\")" + more + "}\n";
+}
+
+std::string fonts() {
+  return font("Loadpath Math", "fonts/loadpath-math.woff2", "") +
+         font("Loadpath Sans", "fonts/loadpath-sans.woff2", ";font-weight:400") +
+         font("Loadpath Sans", "fonts/loadpath-sans-semibold.woff2", ";font-weight:600 700") +
+         font("Loadpath Sans", "fonts/loadpath-sans-italic.woff2", ";font-style:italic");
 }
 
 }  // namespace
 
-std::string style(std::string_view header, std::string_view footer, std::string_view paper) {
-  return math_font() + std::string(embedded::asset("report.css")) + draw::style_sheet() + "\n" +
-         page_rules(header, footer, paper);
+std::string style(const Running& running, std::string_view paper) {
+  return fonts() + draw::style_sheet() + "\n" + std::string(embedded::asset("report.css")) + page_rules(running, paper);
 }
 
 }  // namespace loadpath::report::page

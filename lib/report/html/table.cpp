@@ -41,19 +41,14 @@ std::string close_part(const Table& table, const Part& part) {
   return out + "</tbody></table></div>";
 }
 
-/// Whether it is a form to be filled in by hand: only the first column has words.
-bool is_form(const Table& table) {
-  const auto is_empty = [](const Cell& of) {
-    const auto* const text = std::get_if<std::string>(&of);
-    return text != nullptr && text->empty();
-  };
-  return !table.rows.empty() && std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) {
-    return row.size() > 1 && std::all_of(row.begin() + 1, row.end(), is_empty);
-  });
+/// Quantities with their values; symbols with their meanings, and maybe their sources: in print two columns of these
+/// fit on a page.
+std::string_view class_of(const Table& table) {
+  if (table.head.empty()) return {};
+  if (table.head[0].id == "Quantity") return "quantities";
+  if (table.head[0].id != "symbol") return {};
+  return table.head.size() == 3 ? "of-values" : table.head.size() == 4 ? "of-values with-source" : "";
 }
-
-/// Symbols with their meanings: in print two columns of them fit on a page.
-bool is_of_values(const Table& table) { return table.head.size() == 3 && table.head[0].id == "symbol"; }
 
 /// Numbers and names that fill less than half of a line: such a table is placed next to the following one.
 bool is_narrow(const Table& table, const std::vector<bool>& numeric) {
@@ -61,7 +56,7 @@ bool is_narrow(const Table& table, const std::vector<bool>& numeric) {
   const auto breaks = [](const Cell& of) {
     return !std::holds_alternative<Quantity>(of) && !std::holds_alternative<std::string>(of);
   };
-  if (table.head.empty() || is_form(table)) return false;
+  if (table.head.empty()) return false;
   double letters = 0.0;
   for (std::size_t i = 0; i < table.head.size(); ++i) {
     letters += between_columns + column_of(table, i, numeric[i]).letters;
@@ -73,7 +68,8 @@ bool is_narrow(const Table& table, const std::vector<bool>& numeric) {
 }
 
 std::string wide(const Table& table, const std::vector<bool>& numeric) {
-  const std::string style = is_form(table) ? " class=\"form\"" : is_of_values(table) ? " class=\"of-values\"" : "";
+  const std::string_view name = class_of(table);
+  const std::string style = name.empty() ? std::string() : " class=\"" + std::string(name) + "\"";
   std::string out = "<div class=\"scroll\"><table" + style + ">\n";
   if (!table.head.empty()) {
     out += "<thead><tr>";

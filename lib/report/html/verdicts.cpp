@@ -7,7 +7,7 @@
 namespace loadpath::report::page {
 namespace {
 
-constexpr double limit_at = 80.0;  // percentage of the bar for a utilisation of 1
+constexpr double limit_at = 100.0 / 1.2;  // percentage of the bar for a utilisation of 1
 
 std::string subject(const Verdict& row, const std::set<std::string>& anchors) {
   std::string out = escaped(row.step);

@@ -1,6 +1,7 @@
 #include "lib/account/conclusion.hpp"
 #include "lib/formula/formula.hpp"
 #include "lib/report/latex/tex.hpp"
+#include "lib/report/summary/numbers.hpp"
 #include "lib/report/worked.hpp"
 #include "lib/text/latex.hpp"
 
@@ -13,6 +14,8 @@ struct CellText {
   std::string operator()(const Quantity& q) const { return latex_text(formula::quantity_plain(written(q))); }
   std::string operator()(const Symbol& s) const { return symbol(s.name); }
   std::string operator()(State s) const { return state(s); }
+  std::string operator()(const Utilisation& u) const { return latex_text(utilisation_text(u.value)); }
+  std::string operator()(const Sized& s) const { return "\\textbf{" + latex_text(s.text) + "}*"; }
 };
 
 std::string_view colour_of(State state) {
@@ -45,6 +48,11 @@ std::string state_of(const Mode& mode) { return marked(mode.state, account::show
 
 std::string headline(const Modes& modes) {
   return marked(account::overall(modes), account::word(account::conclude(modes).headline));
+}
+
+std::string finding(const Finding& finding) {
+  return "\\lpconclusion{" + marked(finding.state, account::word(finding.headline)) + ": " +
+         latex_text(finding.text.text()) + "}\n\n";
 }
 
 }  // namespace loadpath::report::tex

@@ -2,6 +2,7 @@
 
 #include "lib/draw/tikz.hpp"
 #include "lib/draw/tikz/style.hpp"
+#include "lib/report/conclusion.hpp"
 #include "lib/report/document.hpp"
 #include "lib/report/latex/letters.hpp"
 #include "lib/report/latex/tex.hpp"
@@ -23,6 +24,15 @@ class Writer {
     }
   }
 
+  std::string operator()(const Page& page) {
+    std::string out;
+    for (const Band& band : page.bands) {
+      for (const Stack& stack : band) {
+        for (const Panel& panel : stack.panels) out += panel_of(panel, page.is_numbered);
+      }
+    }
+    return out;
+  }
   std::string operator()(const Heading& heading) {
     const auto anchor = anchors_.find(heading.anchor);
     const std::string target =
@@ -52,16 +62,57 @@ class Writer {
   }
 
   std::string front(const Document& document) {
-    const auto linked = [this](const std::string& step) { return link(step); };
-    std::string out = "\\lptitle{" + latex_text(document.title) + "}\n";
-    for (const auto& [name, text] : document.meta)
-      out += "\\lpmeta{" + latex_text(name.text()) + "}{" + latex_text(text) + "}\n";
-    return out + "\n" + tex::conclusion(document.summary) + tex::table(document.chosen) +
-           tex::doubts(document.summary, linked) + (*this)(document.path) + tex::passes(document.summary, linked) +
-           (listed_headings(document).empty() ? "" : "\\tableofcontents\n\n");
+    std::string out = title(document) + meta(document) + "\n" + tex::conclusion(document.summary);
+    return out + overview(document) + contents(document);
+  }
+
+  std::string pages(const Document& document) {
+    std::string out = title(document) + title_block(document.heading) + "\n" + tex::finding(document.finding);
+    for (const Page& page : document.pages) out += (*this)(page);
+    if (!document.has_appendix) return out;
+    out += "\\lpappendix{" + latex_text(say("Appendix").text()) + "}\n" + meta(document) + contents(document);
+    out += (*this)(Heading{2, say("Failure modes").text(), ""});
+    return out + "\\lpnote{" + latex_text(tally(document.summary).text()) + "}\n\n" + overview(document);
   }
 
  private:
+  static std::string title(const Document& document) { return "\\lptitle{" + latex_text(document.title) + "}\n"; }
+  static std::string meta_line(const std::string& name, const std::string& text) {
+    return "\\lpmeta{" + latex_text(name) + "}{" + latex_text(text) + "}\n";
+  }
+  static std::string meta(const Document& document) {
+    std::string out;
+    for (const auto& [name, text] : document.meta) out += meta_line(name.text(), text);
+    return out;
+  }
+  static std::string contents(const Document& document) {
+    return listed_headings(document).empty() ? "" : "\\tableofcontents\n\n";
+  }
+  std::string overview(const Document& document) {
+    const auto linked = [this](const std::string& step) { return link(step); };
+    return tex::table(document.chosen) + tex::doubts(document.summary, linked) + (*this)(document.path) +
+           tex::passes(document.summary, linked);
+  }
+  static std::string title_block(const TitleBlock& block) {
+    std::string out;
+    for (const auto* const fields : {&block.subject, &block.number}) {
+      for (const TitleBlock::Field& field : *fields)
+        out += meta_line(field.name.text(), field.text.empty() ? say("not given").text() : field.text);
+    }
+    Table signatures{{}, {say("part"), say("name"), say("date"), say("signature")}, {}};
+    for (const TitleBlock::Signature& one : block.signatures)
+      signatures.rows.push_back({one.role, one.name, one.date, std::string()});
+    return out + "\n" + tex::table(signatures);
+  }
+  std::string panel_of(const Panel& panel, bool is_numbered) {
+    std::string out;
+    if (!panel.title.empty())
+      out = "\n\\" + std::string(is_numbered ? "section{" : "section*{") + latex_text(panel.title.text()) + "}\n\n";
+    if (!panel.remark.empty()) out += "\\lpnote{" + latex_text(panel.remark.text()) + "}\n\n";
+    for (const Block& block : panel.blocks) out += std::visit(*this, block);
+    return out;
+  }
+
   [[nodiscard]] std::string link(const std::string& step) const {
     const auto anchor = anchors_.find(step);
     const std::string words = latex_text(step);
@@ -76,7 +127,7 @@ class Writer {
 
 /// Title and program at the head and foot of every page.
 std::string running(const Document& document) {
-  const std::string foot = document.meta.empty() ? "" : latex_text(document.meta.back().second);
+  const std::string foot = latex_text(document.program);
   return "\\hypersetup{pdftitle={" + latex_text(document.title) + "}}\n\\pagestyle{fancy}\n\\fancyhf{}\n" +
          "\\renewcommand{\\headrulewidth}{0pt}\n\\fancyhead[L]{\\parbox[b]{\\textwidth}{\\raggedright\\footnotesize" +
          "\\color{lpmuted}" + latex_text(document.title) + "}}\n\\fancyfoot[L]{\\footnotesize\\color{lpmuted}" + foot +
@@ -87,7 +138,8 @@ std::string running(const Document& document) {
 
 std::string latex(const Document& document) {
   Writer writer(document);
-  std::string body = "\\begin{document}\n\\thispagestyle{first}\n" + writer.front(document);
+  std::string body = "\\begin{document}\n\\thispagestyle{first}\n" +
+                     (document.pages.empty() ? writer.front(document) : writer.pages(document));
   for (const Block& block : document.blocks) body += std::visit(writer, block);
   if (!document.input.empty()) body += writer(Heading{2, say("Input").text(), ""}) + tex::listing(document.input);
   body += "\\end{document}\n";

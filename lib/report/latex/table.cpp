@@ -3,6 +3,7 @@
 #include "lib/report/columns.hpp"
 #include "lib/report/latex/tex.hpp"
 #include "lib/report/latex/widths.hpp"
+#include "lib/report/summary/numbers.hpp"
 #include "lib/report/worked.hpp"
 #include "lib/text/latex.hpp"
 
@@ -20,6 +21,8 @@ struct Plain {
   std::string operator()(const Quantity& q) const { return formula::quantity_plain(written(q)); }
   std::string operator()(const Symbol& s) const { return formula::symbol_plain(s.name); }
   std::string operator()(State s) const { return account::shown(s).text(); }
+  std::string operator()(const Utilisation& u) const { return utilisation_text(u.value); }
+  std::string operator()(const Sized& s) const { return s.text + "*"; }
 };
 
 /// The longest word between blanks; an underscore is a possible break too.

@@ -25,6 +25,8 @@ std::string table(const Table& table);
 std::string derivation(const Derivation& derivation);
 std::string verdicts(const Verdicts& verdicts, const Linked& linked);
 
+/// The headline of page 1 and what it is about.
+std::string finding(const Finding& finding);
 /// The outcome of all modes in a sentence.
 std::string conclusion(const Modes& modes);
 /// Each that does not pass in a row, those excluded by proof and those that are open and remote in a line each.

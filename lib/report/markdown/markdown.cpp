@@ -3,6 +3,7 @@
 #include "lib/quantity/format.hpp"
 #include "lib/report/conclusion.hpp"
 #include "lib/report/markdown/text.hpp"
+#include "lib/report/summary/numbers.hpp"
 #include "lib/report/worked.hpp"
 
 #include <algorithm>
@@ -33,6 +34,8 @@ struct CellText {
   std::string operator()(const Quantity& q) const { return text(formula::quantity_plain(written(q))); }
   std::string operator()(const Symbol& s) const { return symbol(s.name); }
   std::string operator()(State s) const { return state(s); }
+  std::string operator()(const Utilisation& u) const { return text(utilisation_text(u.value)); }
+  std::string operator()(const Sized& s) const { return "**" + text(s.text) + "**\\*"; }
 };
 std::string cell(const Cell& cell) { return std::visit(CellText{}, cell); }
 
@@ -135,7 +138,26 @@ class Writer {
   }
   void operator()(const draw::Figure& figure) { add_figure(figure.id, say(figure.caption).text(), draw::svg(figure)); }
 
+  void operator()(const Page& page) {
+    for (const Band& band : page.bands) {
+      for (const Stack& stack : band) {
+        for (const Panel& panel : stack.panels) add(panel, page.is_numbered);
+      }
+    }
+  }
+  void begin_appendix() {
+    numbering_.begin_appendix();
+    out_.text += "# " + text(say("Appendix").text()) + "\n\n";
+  }
+
  private:
+  void add(const Panel& panel, bool is_numbered) {
+    if (!panel.title.empty()) {
+      out_.text += "## " + (is_numbered ? numbering_.heading(2) + " " : std::string()) + text(panel.title.text());
+      out_.text += (panel.remark.empty() ? "" : " (" + text(panel.remark.text()) + ")") + "\n\n";
+    }
+    for (const Block& block : panel.blocks) std::visit(*this, block);
+  }
   void add_figure(const std::string& id, const std::string& words_of_it, std::string svg) {
     const int number = numbering_.figure();
     const std::string words = caption("Figure", number, say("{1}", words_of_it));
@@ -153,26 +175,69 @@ class Writer {
   Numbering numbering_;
 };
 
-}  // namespace
+std::string meta(const Document& document) {
+  std::string out;
+  for (const auto& [name, value] : document.meta) out += "- " + text(name.text()) + ": " + text(value) + "\n";
+  return out.empty() ? out : out + "\n";
+}
 
-Markdown markdown(const Document& document, std::string_view stem) {
-  Markdown out;
-  out.text = "# " + text(document.title) + "\n\n";
-  for (const auto& [name, value] : document.meta) out.text += "- " + text(name.text()) + ": " + text(value) + "\n";
-  out.text += (document.meta.empty() ? "" : "\n") + conclusion(document.summary);
-  Writer writer(stem, out);
+std::string title_block(const TitleBlock& block) {
+  std::string out;
+  const auto add = [&](const std::string& name, const std::string& value) {
+    out += "- " + text(name) + ": " + text(value.empty() ? say("not given").text() : value) + "\n";
+  };
+  for (const TitleBlock::Field& field : block.subject) add(field.name.text(), field.text);
+  for (const TitleBlock::Field& field : block.number) add(field.name.text(), field.text);
+  for (const TitleBlock::Signature& one : block.signatures) add(one.role.text(), one.name);
+  return out + "\n";
+}
+
+std::string finding(const Finding& finding) {
+  return marked(finding.state, account::word(finding.headline)) + ": " + text(finding.text.text()) + "\n\n";
+}
+
+/// Sizes, all failure modes and the load path.
+void add_overview(const Document& document, Markdown& out, Writer& writer) {
   if (!document.chosen.rows.empty()) writer(document.chosen);
   out.text += doubts(document.summary);
   if (!document.path.parts.empty()) writer(document.path);
   out.text += table_of(passing(document.summary));
-  for (const Block& block : document.blocks) std::visit(writer, block);
-  if (document.input.empty()) return out;
+}
+
+void add_input(const Document& document, Markdown& out, Writer& writer) {
+  if (document.input.empty()) return;
   writer(Heading{2, say("Input").text(), "input"});
   for (std::size_t at = 0; at < document.input.size();) {  // indented: nothing in it can end the block
     const std::size_t end = std::min(document.input.find('\n', at), document.input.size());
     out.text += "    " + document.input.substr(at, end - at) + "\n";
     at = end + 1;
   }
+}
+
+void add_pages(const Document& document, Markdown& out, Writer& writer) {
+  out.text += title_block(document.heading) + finding(document.finding);
+  for (const Page& page : document.pages) writer(page);
+  if (!document.has_appendix) return;
+  writer.begin_appendix();
+  out.text += meta(document);
+  writer(Heading{2, say("Failure modes").text(), "failure-modes"});
+  out.text += text(tally(document.summary).text()) + "\n\n";
+}
+
+}  // namespace
+
+Markdown markdown(const Document& document, std::string_view stem) {
+  Markdown out;
+  out.text = "# " + text(document.title) + "\n\n";
+  Writer writer(stem, out);
+  if (document.pages.empty())
+    out.text += meta(document) + conclusion(document.summary);
+  else
+    add_pages(document, out, writer);
+  if (!document.has_appendix) return out;
+  add_overview(document, out, writer);
+  for (const Block& block : document.blocks) std::visit(writer, block);
+  add_input(document, out, writer);
   return out;
 }
 

@@ -227,7 +227,8 @@ Document sweep_document(const Project& project, const SweepPlan& plan, const Swe
   for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
   document.meta.emplace_back(say("Points"), number(found.points()));
   if (is_sample(plan)) document.meta.emplace_back(say("Seed"), number(project.sweep.seed));
-  document.meta.emplace_back(say("Program"), std::string(program));
+  document.program = program;
+  document.meta.emplace_back(say("Program"), document.program);
   auto& blocks = document.blocks;
   blocks.emplace_back(Heading{2, "Sweep", "sweep"});
   if (has_scattering_designs(plan))

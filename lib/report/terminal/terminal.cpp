@@ -2,7 +2,7 @@
 
 #include "lib/account/conclusion.hpp"
 #include "lib/quantity/format.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/appendix.hpp"
 #include "lib/report/summary/numbers.hpp"
 #include "lib/report/summary/summary.hpp"
 #include "lib/report/terminal/answer.hpp"
@@ -48,6 +48,8 @@ std::string text_of(const account::Cell& cell) {
   if (const auto* quantity = std::get_if<account::Quantity>(&cell))
     return format_quantity(quantity->si, quantity->unit, quantity->digits);
   if (const auto* symbol = std::get_if<account::Symbol>(&cell)) return symbol->name;
+  if (const auto* used = std::get_if<account::Utilisation>(&cell)) return report::utilisation_text(used->value);
+  if (const auto* sized = std::get_if<account::Sized>(&cell)) return sized->text;
   return state_word(std::get<account::State>(cell));
 }
 

@@ -2,7 +2,7 @@
 // not fit together.
 #include "calculators/mechanism/input/mechanism.hpp"
 #include "lib/quantity/format.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/build/build.hpp"
 #include "tests/lib/project/texts.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "lib/project/project.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/build/build.hpp"
 
 #include <doctest/doctest.h>
 

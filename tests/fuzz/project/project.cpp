@@ -7,7 +7,7 @@
 #include "lib/export/json.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
-#include "lib/report/build.hpp"
+#include "lib/report/build/build.hpp"
 #include "tests/fuzz/project/mutate.hpp"
 
 #include <algorithm>

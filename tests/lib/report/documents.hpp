@@ -48,6 +48,25 @@ inline Document shaft_document() {
   return document;
 }
 
+/// Two pages and an appendix.
+inline Document paged_document() {
+  Document document = shaft_document();
+  document.heading.subject = {{say("Company"), "Seiler & Co"}};
+  document.heading.number = {{say("Revision"), ""}, {say("Date"), ""}, {say("Input"), "da4e7fac"}};
+  document.heading.signatures = {{say("Checked"), "Ada", ""}};
+  document.finding = {account::Headline::pass, State::pass, say("1 failure mode assessed.")};
+  const Table sizes{{}, {say("Component"), say("Size")}, {{std::string("shaft"), Sized{"45 mm"}}}};
+  const Table modes{{}, {say("Failure mode"), say("Utilisation")}, {{std::string("yield"), Utilisation{0.83}}}};
+  Page decide;
+  decide.bands = {
+      {{66.0, {{say("Chosen sizes"), {}, {sizes}}}}, {105.0, {{say("Governing failure modes"), {}, {modes}}}}}};
+  decide.is_numbered = false;
+  Page check;
+  check.bands = {{{1.0, {{say("Input data"), say("given values"), {Paragraph{say("none")}}}}}}};
+  document.pages = {decide, check};
+  return document;
+}
+
 /// Text with special characters of every format; none of it may reach the page as markup.
 inline constexpr const char* hostile = "</title></style><script>alert(\"1\")</script> & 'q' \\ { } $x$ a|b `c` *d*";
 
@@ -76,6 +95,20 @@ inline Document hostile_document() {
                      Derivation{{step}},
                      Verdicts{{row}},
                      figure};
+  document.heading.subject = {{say("{1}", hostile), hostile}};
+  document.heading.number = {{say("{1}", hostile), hostile}};
+  document.heading.signatures = {{say("{1}", hostile), hostile, hostile}};
+  document.finding = {account::Headline::fail, State::fail, say("{1}", hostile)};
+  return document;
+}
+
+/// The same with pages.
+inline Document hostile_pages() {
+  Document document = hostile_document();
+  const Table table{{}, {say("{1}", hostile)}, {{Sized{hostile}}, {Utilisation{1.2}}}};
+  Page page;
+  page.bands = {{{1.0, {{say("{1}", hostile), say("{1}", hostile), {table}}}}}};
+  document.pages = {page};
   return document;
 }
 

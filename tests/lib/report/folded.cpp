@@ -1,5 +1,5 @@
 // Checks passed by many elements of a list are one row, and nothing else is left out.
-#include "lib/report/build.hpp"
+#include "lib/report/appendix.hpp"
 
 #include <doctest/doctest.h>
 

@@ -26,14 +26,15 @@ TEST_SUITE("report") {
         body({Derivation{{torsion_step()}}}) ==
         "</header>\n"
         "<div class=\"derivation\">\n"
-        "<div class=\"step half\"><div class=\"formula\"><div class=\"left\"><math><mi>τ</mi></math></div>"
-        "<div class=\"right\"><math displaystyle=\"true\"><mo>=</mo><mfrac><mi>T</mi>"
-        "<mrow><mn>2</mn><mspace width=\"0.17em\"/><mi>W</mi></mrow></mfrac></math><wbr><span class=\"numbers\">"
-        "<math displaystyle=\"true\"><mo>=</mo><mfrac><mrow><mn>600</mn><mspace width=\"0.2em\"/>"
+        "<div class=\"step\"><div class=\"left\"><math><mi>τ</mi></math></div>"
+        "<div class=\"formula\"><math displaystyle=\"true\"><mo>=</mo><mfrac><mi>T</mi>"
+        "<mrow><mn>2</mn><mspace width=\"0.17em\"/><mi>W</mi></mrow></mfrac></math></div>"
+        "<div class=\"numbers\"><math displaystyle=\"true\"><mo>=</mo><mfrac><mrow><mn>600</mn><mspace "
+        "width=\"0.2em\"/>"
         "<mi mathvariant=\"normal\">N·m</mi></mrow><mrow><mn>2</mn><mo form=\"infix\">⋅</mo><mn>24500</mn>"
-        "<mspace width=\"0.2em\"/><msup><mi mathvariant=\"normal\">mm</mi><mn>3</mn></msup></mrow></mfrac></math><wbr>"
-        "<math displaystyle=\"true\"><mo>=</mo><mn>12.24</mn><mspace width=\"0.2em\"/>"
-        "<mi mathvariant=\"normal\">MPa</mi></math></span></div></div><p class=\"why\">at the surface</p></div>\n"
+        "<mspace width=\"0.2em\"/><msup><mi mathvariant=\"normal\">mm</mi><mn>3</mn></msup></mrow></mfrac></math></div>"
+        "<div class=\"result\"><math displaystyle=\"true\"><mo>=</mo><mn>12.24</mn><mspace width=\"0.2em\"/>"
+        "<mi mathvariant=\"normal\">MPa</mi></math></div><p class=\"why\">at the surface</p></div>\n"
         "</div>\n</main>");
   }
 
@@ -41,7 +42,7 @@ TEST_SUITE("report") {
     Step step{"d", "", {}, {std::numeric_limits<double>::quiet_NaN(), "mm"}, {}};
     CHECK(contains(
         body({Derivation{{step}}}),
-        "<div class=\"right\"><math displaystyle=\"true\"><mo>=</mo><mtext>not available</mtext></math></div>"));
+        "<div class=\"result\"><math displaystyle=\"true\"><mo>=</mo><mtext>not available</mtext></math></div>"));
   }
 
   TEST_CASE("a formula outside of the language is shown as written") {
@@ -58,12 +59,14 @@ TEST_SUITE("report") {
                    "<mo form=\"infix\">+</mo><mi>W</mi></math>"));
   }
 
-  TEST_CASE("a formula too wide for its reason beside it has the reason below") {
+  TEST_CASE("a formula too wide for its column is on a line of its own, its reason stays in its column") {
     Step step = torsion_step();
     step.why = say("shear stress at the surface of the thinner side");
     CHECK(contains(body({Derivation{{step}}}), "<div class=\"step\">"));
+    step.formula = "T * W * T * W * T";
+    CHECK(contains(body({Derivation{{step}}}), "<div class=\"step long\">"));
     step.formula = "(T * T * W + T * T * W + T * T * W) * (T * W + W * T)";
-    CHECK(contains(body({Derivation{{step}}}), "<div class=\"step wide small\">"));
+    CHECK(contains(body({Derivation{{step}}}), "<div class=\"step long wide"));
   }
 
   TEST_CASE("a table has its numbers flush right, symbols typeset and a numbered caption") {
@@ -112,21 +115,6 @@ TEST_SUITE("report") {
     CHECK(names == parts);
     table.rows[1][3] = Quantity{1.0, "kN"};  // two units in a column stay with their numbers
     CHECK(contains(body({table}), "<span class=\"quantity\">1235 N·m</span>"));
-  }
-
-  TEST_CASE("what is taken from elsewhere, and short formulas, stand side by side") {
-    const Step taken{"d", "", {}, {0.05, "mm"}, say("of the section")};
-    const Step brief{"r", "d / 2", {{"d", 0.05, "mm"}}, {0.025, "mm"}, say("radius")};
-    const auto halves = [](const Derivation& derivation) {
-      const std::string out = body({derivation});
-      std::size_t count = 0;
-      for (std::size_t at = 0; (at = out.find("<div class=\"step half\">", at)) != std::string::npos; ++at) ++count;
-      return count;
-    };
-    CHECK(halves({{taken, taken, torsion_step(), brief}}) == 4);
-    Step wordy = brief;
-    wordy.why = say("a reason that takes more room than half of a line has");
-    CHECK(halves({{taken, wordy}}) == 1);
   }
 
   TEST_CASE("a narrow table stands beside the next one, its units in the head") {
@@ -195,7 +183,7 @@ TEST_SUITE("report") {
   }
 
   TEST_CASE("a utilisation draws a bar that ends at the edge") {
-    CHECK(contains(body({Verdicts{{check(0.5, State::pass)}}}), "<span class=\"pass\" style=\"width:40%\">"));
+    CHECK(contains(body({Verdicts{{check(0.5, State::pass)}}}), "<span class=\"pass\" style=\"width:41.7%\">"));
     CHECK(contains(body({Verdicts{{check(7.0, State::fail)}}}), "<span class=\"fail\" style=\"width:100%\">"));
     Verdict limit = check(0.0, State::pass);
     limit.utilisation.reset();
@@ -206,11 +194,58 @@ TEST_SUITE("report") {
     CHECK(contains(html(shaft_document()), "<td class=\"subject\"><a href=\"#shaft\">shaft</a>: yield in torsion<br>"));
   }
 
+  TEST_CASE("pages come before the appendix, which is folded on the screen and open for printing") {
+    const std::string page = html(paged_document());
+    const std::size_t first = page.find("<section class=\"sheet\">"),
+                      second = page.find("<section class=\"sheet\">", first + 1),
+                      appendix = page.find("<section class=\"appendix\">");
+    CHECK(first < second);
+    CHECK(second < appendix);
+    CHECK(appendix != std::string::npos);
+    CHECK(contains(page, "<details><summary><h2 id=\"shaft\"><span class=\"no\">A2</span> Shaft</h2>\n</summary>"));
+    CHECK_FALSE(contains(page, "<details open>"));
+    const std::string printed = html(paged_document(), Folding::open);
+    CHECK(contains(printed, "<details open><summary><h2 id=\"shaft\">"));
+    CHECK_FALSE(contains(printed, "<details>"));
+  }
+
+  TEST_CASE("a short report ends with its pages") {
+    Document document = paged_document();
+    document.has_appendix = false;
+    const std::string page = html(document);
+    CHECK(contains(page, "short report"));
+    CHECK_FALSE(contains(page, "class=\"appendix\""));
+    CHECK_FALSE(contains(page, "<details"));
+  }
+
+  TEST_CASE("the title block has an entry for every field, and room for the signatures") {
+    Document document = paged_document();
+    const std::string block = between(html(document), "<header class=\"title-block\">", "</header>");
+    CHECK(contains(block, "<dt>Company</dt><dd>Seiler &amp; Co</dd>"));
+    CHECK(contains(block, "<dt>Revision</dt><dd><span class=\"none\">not given</span></dd>"));
+    CHECK(contains(block, "<dt>Date</dt><dd><span class=\"none\">not given</span></dd>"));
+    CHECK(contains(block, "<th scope=\"row\">Checked</th><td>Ada</td><td></td>"));
+    document.heading.printed = "2026-11-28";
+    CHECK(contains(html(document), "<dt>Date</dt><dd>2026-11-28</dd>"));
+  }
+
+  TEST_CASE("panels stand side by side with their shares, numbered where the page is") {
+    const std::string page = html(paged_document());
+    CHECK(contains(page, "<div class=\"band\" style=\"grid-template-columns:minmax(0,66fr) minmax(0,105fr)\">"));
+    CHECK(contains(page, "<h2>Chosen sizes</h2>"));
+    CHECK(contains(page, "<h2><span class=\"no\">1</span> Input data <small>given values</small></h2>"));
+    CHECK(contains(page, "<b class=\"sized\">45 mm*</b>"));
+    CHECK(contains(page, "<span class=\"quantity\">0.830</span><span class=\"bar\""));
+  }
+
   TEST_CASE("no text of a user becomes markup") {
+    for (const Document& document : {hostile_document(), hostile_pages()}) {
+      const std::string text = html(document);
+      CHECK_FALSE(contains(text, "<script>alert"));
+      CHECK(text.find("<script") == text.rfind("<script"));  // ours, at the end
+      CHECK_FALSE(contains(text, "alert(\""));
+    }
     const std::string page = html(hostile_document());
-    CHECK_FALSE(contains(page, "<script>alert"));
-    CHECK(page.find("<script") == page.rfind("<script"));  // ours, at the end
-    CHECK_FALSE(contains(page, "alert(\""));
     CHECK(contains(page, "&lt;script&gt;alert(&quot;1&quot;)&lt;/script&gt; &amp; &#39;q&#39;"));
     CHECK_FALSE(contains(page, "</style><"));
     CHECK(contains(page, "content:\"\\3c \\2f title\\3e "));

@@ -106,4 +106,17 @@ TEST_SUITE("report") {
         Table{{}, {say("part"), say("name"), say("signature")}, {{say("checked"), std::string(), std::string()}}}};
     CHECK(contains(latex(document), "part & name & signature \\\\\n\\hline\nchecked &  &  \\\\\n\\hline\n"));
   }
+
+  TEST_CASE("pages are sections before the appendix, whose sections have an A in front") {
+    const std::string text = latex(paged_document());
+    CHECK(contains(text, "\\lpmeta{Company}{Seiler \\& Co}"));
+    CHECK(contains(text, "\\lpmeta{Revision}{not given}"));
+    CHECK(contains(text, "\\section*{Chosen sizes}"));
+    CHECK(contains(text, "\\textbf{45 mm}*"));
+    CHECK(contains(text, "\\section{Input data}"));
+    CHECK(text.find("\\section{Input data}") < text.find("\\lpappendix{Appendix}"));
+    Document brief = paged_document();
+    brief.has_appendix = false;
+    CHECK_FALSE(contains(latex(brief), "\\lpappendix{Appendix}"));
+  }
 }

@@ -37,6 +37,33 @@ TEST_SUITE("report") {
           "\n");
   }
 
+  TEST_CASE("pages are sections before the appendix") {
+    const std::string text = markdown(paged_document(), "x").text;
+    CHECK(
+        text.starts_with("# Shaft\n\n"
+                         "- Company: Seiler \\& Co\n"
+                         "- Revision: not given\n"
+                         "- Date: not given\n"
+                         "- Input: da4e7fac\n"
+                         "- Checked: Ada\n\n"
+                         "✓ PASS: 1 failure mode assessed.\n\n"
+                         "## Chosen sizes\n\n"
+                         "| Component | Size        |\n"
+                         "| :-------- | :---------- |\n"
+                         "| shaft     | **45 mm**\\* |\n\n"
+                         "## Governing failure modes\n\n"
+                         "| Failure mode | Utilisation |\n"
+                         "| :----------- | ----------: |\n"
+                         "| yield        |       0.830 |\n\n"
+                         "## 1 Input data (given values)\n\nnone\n\n"
+                         "# Appendix\n\n"));
+    CHECK(contains(text, "## A1 Failure modes\n\n1 failure mode: 1 pass.\n\n"));
+    CHECK(contains(text, "## A2 Shaft\n\n### A2.1 Calculation\n\n"));
+    Document brief = paged_document();
+    brief.has_appendix = false;
+    CHECK(text.starts_with(markdown(brief, "x").text));
+  }
+
   TEST_CASE("words are never read as markup") {
     struct Row {
       std::string_view words, written;

@@ -1,8 +1,7 @@
-#include "lib/report/build.hpp"
+#include "lib/report/appendix.hpp"
 
 #include "lib/quantity/format.hpp"
-#include "lib/report/answer.hpp"
-#include "lib/report/fingerprint.hpp"
+#include "lib/report/repeated.hpp"
 #include "lib/report/why.hpp"
 #include "lib/table/library.hpp"
 #include "lib/table/table.hpp"
@@ -23,19 +22,6 @@ using project::Step;
 bool is_list_path(const std::string& path) { return path.find_first_of("[.") != std::string::npos; }
 
 Cell symbol_cell(const Entry& entry) { return is_list_path(entry.path) ? Cell(entry.path) : Cell(Symbol{entry.path}); }
-
-/// A value as one cell: a number, or the extreme of a series.
-Cell cell_of(const Entry& entry) {
-  if (!entry.word.empty()) return entry.word;
-  if (!entry.value.is_series()) {
-    const double si = entry.value.si.empty() ? NAN : entry.value.si[0];
-    if (std::isnan(si) && !entry.missing.empty()) return say("not available: {1}", entry.missing);
-    return Quantity{si, entry.unit};
-  }
-  if (is_constant(entry.value)) return Quantity{entry.value.si.front(), entry.unit};
-  const double low = minimum(entry.value).value, high = maximum(entry.value).value;
-  return say("{1} to {2}", format_quantity(low, entry.unit, 5), format_quantity(high, entry.unit, 5));
-}
 
 /// The origin of a value, with the keys of its sources; a recalled value is marked.
 Cell origin_cell(const account::Origin& origin) {
@@ -65,8 +51,6 @@ std::optional<ElementPath> element_path(const std::string& path) {
   return ElementPath{path.substr(0, first), path.substr(first + 1, last - first - (numbered ? 2 : 1)),
                      path.substr(last + 1)};
 }
-
-bool is_available(const Entry& e) { return !e.word.empty() || (!e.value.si.empty() && !std::isnan(e.value.si[0])); }
 
 /// Fields of a list's elements that have a value in one of them at least: "segments.tau". A name is the row's own.
 std::set<std::string> available_fields(const std::vector<Entry>& entries) {
@@ -106,10 +90,12 @@ void add_remarks(const std::vector<Message>& remarks, std::vector<Block>& blocks
   blocks.emplace_back(Paragraph{all, Paragraph::Tone::note});
 }
 
+std::string title_of(const Step& step) { return step.input().title.empty() ? step.name() : step.input().title; }
+
 /// Title of the part, warnings, notes.
 void add_head(const Step& step, std::vector<Block>& blocks) {
   const auto& input = step.input();
-  blocks.emplace_back(Heading{2, input.title.empty() ? step.name() : input.title, step.name()});
+  blocks.emplace_back(Heading{2, title_of(step), step.name()});
   blocks.emplace_back(
       Paragraph{say("{1} ({2}). {3}", input.calculator->title, input.calculator->id, input.calculator->scope),
                 Paragraph::Tone::note});
@@ -118,43 +104,74 @@ void add_head(const Step& step, std::vector<Block>& blocks) {
   if (!input.note.empty()) blocks.emplace_back(Paragraph{say("{1}", input.note)});
 }
 
-/// Its first figure and its verdicts.
-void add_step_in_brief(const Step& step, std::vector<Block>& blocks) {
-  const Account& account = step.account();
-  add_head(step, blocks);
-  if (!account.figures.empty()) blocks.emplace_back(account.figures.front());
-  if (!account.verdicts.empty()) blocks.emplace_back(Verdicts{folded(account.verdicts)});
+/// Adds steps one after the other.
+class Appendix {
+ public:
+  Appendix(Detail detail, const ShownFigures& shown) : detail_(detail), shown_(shown) {}
+
+  void add(const Step& step);
+  [[nodiscard]] std::vector<Block>& blocks() { return blocks_; }
+
+ private:
+  void add_figures(const Account& account);
+  void add_inputs(const Step& step);
+  void add_calculation(const Step& step);
+  void add_results(const Step& step);
+
+  Detail detail_;
+  const ShownFigures& shown_;
+  PrintedFormulas printed_;
+  std::vector<Block> blocks_;
+};
+
+void Appendix::add_figures(const Account& account) {
+  for (const draw::Figure& figure : account.figures) {
+    if (!shown_.contains(&figure)) blocks_.emplace_back(figure);
+  }
 }
 
-void add_step(const Step& step, Detail detail, std::vector<Block>& blocks) {
+void Appendix::add_inputs(const Step& step) {
   const Account& account = step.account();
-  add_head(step, blocks);
-  if (account.blocks.empty()) append(blocks, account.figures);
   if (account.input_blocks.empty()) {
-    blocks.emplace_back(input_table(account));
-    append(blocks, list_tables(account.inputs));
+    blocks_.emplace_back(input_table(account));
+    append(blocks_, list_tables(account.inputs));
   }
-  append(blocks, account.input_blocks);
-  add_remarks(step.remarks(), blocks);
-  if (!account.derivation.empty()) {
-    blocks.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
-    if (!account.governing.empty()) blocks.emplace_back(Paragraph{say("Calculated {1}.", account.governing)});
-    const auto lines = detail == Detail::full ? account.derivation : deciding_lines(account);
-    if (lines.size() < account.derivation.size())
-      blocks.emplace_back(
-          Paragraph{say("For lists, the governing element is shown in full; the tables contain the others."),
-                    Paragraph::Tone::note});
-    append(blocks, derivation_blocks(lines));
-  }
-  blocks.emplace_back(Heading{3, "Results", step.name() + "-results"});
+  append(blocks_, account.input_blocks);
+  add_remarks(step.remarks(), blocks_);
+}
+
+void Appendix::add_calculation(const Step& step) {
+  const Account& account = step.account();
+  if (account.derivation.empty()) return;
+  blocks_.emplace_back(Heading{3, "Calculation", step.name() + "-calculation"});
+  if (!account.governing.empty()) blocks_.emplace_back(Paragraph{say("Calculated {1}.", account.governing)});
+  const auto lines = detail_ == Detail::full ? account.derivation : deciding_lines(account);
+  if (lines.size() < account.derivation.size())
+    blocks_.emplace_back(
+        Paragraph{say("For lists, the governing element is shown in full; the tables contain the others."),
+                  Paragraph::Tone::note});
+  append(blocks_, printed_.blocks(step.input().calculator->id, title_of(step), lines));
+}
+
+void Appendix::add_results(const Step& step) {
+  const Account& account = step.account();
+  blocks_.emplace_back(Heading{3, "Results", step.name() + "-results"});
   if (account.blocks.empty()) {
-    blocks.emplace_back(result_table(account));
-    append(blocks, list_tables(without_limits(account.results)));
+    blocks_.emplace_back(result_table(account));
+    append(blocks_, list_tables(without_limits(account.results)));
   }
-  append(blocks, account.blocks);
-  if (!account.blocks.empty()) append(blocks, account.figures);
+  append(blocks_, account.blocks);
+  if (!account.blocks.empty()) add_figures(account);
   if (!account.verdicts.empty())
-    blocks.emplace_back(Verdicts{account.blocks.empty() ? folded(account.verdicts) : account.verdicts});
+    blocks_.emplace_back(Verdicts{account.blocks.empty() ? folded(account.verdicts) : account.verdicts});
+}
+
+void Appendix::add(const Step& step) {
+  add_head(step, blocks_);
+  if (step.account().blocks.empty()) add_figures(step.account());
+  add_inputs(step);
+  add_calculation(step);
+  add_results(step);
 }
 
 /// The inputs that the verdicts of a step follow from; none if no formula is written out.
@@ -166,20 +183,11 @@ std::set<std::string> deciding_inputs(const Account& account) {
   return paths;
 }
 
-/// Factors that raise a load or lower a strength, each where it is applied: once. A factor that is neither given nor
-/// used by a verdict belongs to another method.
+/// Factors that raise a load or lower a strength, each where it is applied: once.
 void add_factors(const Project& project, std::vector<Block>& blocks) {
   Table table{say("Load factors (each applied once)"), {say("step"), say("factor"), say("meaning"), say("value")}, {}};
-  for (const auto& step : project.steps) {
-    const auto& inputs = step->account().inputs;
-    if (std::none_of(inputs.begin(), inputs.end(), [](const Entry& e) { return e.is_factor; })) continue;
-    const std::set<std::string> deciding = deciding_inputs(step->account());
-    for (const Entry& e : inputs) {
-      const bool of_another = e.origin.assumed && !deciding.empty() && !deciding.contains(e.path);
-      if (e.is_factor && !of_another)
-        table.rows.push_back({step->name(), Symbol{e.path}, say("{1}", e.doc), cell_of(e)});
-    }
-  }
+  for (const auto& [step, entry] : applied_factors(project))
+    table.rows.push_back({step->name(), Symbol{entry->path}, say("{1}", entry->doc), cell_of(*entry)});
   if (!table.rows.empty()) blocks.emplace_back(std::move(table));
 }
 
@@ -191,31 +199,10 @@ void add_sources(const Project& project, std::vector<Block>& blocks) {
     for (const auto& line : step->account().derivation) keys.merge(keys_in(line.step.why.text()));
     for (const Entry& e : step->account().inputs) keys.insert(e.origin.sources.begin(), e.origin.sources.end());
   }
-  Table sources{say("References"), {}, {}};
-  for (const std::string& key : keys) {
-    const std::string citation = table::citation(key);
-    if (!citation.empty()) sources.rows.push_back({"[" + key + "]", citation});
-  }
+  Table sources = citations(keys);
   if (sources.rows.empty()) return;
   blocks.emplace_back(Heading{2, "References", "sources"});
   blocks.emplace_back(std::move(sources));
-}
-
-std::string heading_of(const Project& project, std::string_view key) {
-  for (const auto& [name, text] : project.meta) {
-    if (name == key) return text;
-  }
-  return {};
-}
-
-/// The preparer comes from the project, with the date; the checker signs separately.
-void add_signatures(const Project& project, std::vector<Block>& blocks) {
-  blocks.emplace_back(Heading{2, "Signatures", "signatures"});
-  Table table{{}, {say("part"), say("name"), say("date"), say("signature")}, {}};
-  table.rows.push_back({say("prepared"), heading_of(project, "author"), heading_of(project, "date"), std::string()});
-  table.rows.push_back({say("checked"), heading_of(project, "checker"), std::string(), std::string()});
-  table.rows.push_back({say("approved"), std::string(), std::string(), std::string()});
-  blocks.emplace_back(std::move(table));
 }
 
 }  // namespace
@@ -261,27 +248,49 @@ std::vector<Table> list_tables(const std::vector<Entry>& entries) {
   return tables;
 }
 
-Document build(const Project& project, std::string_view program, Detail detail, std::string_view input) {
-  Document document;
-  document.title = project.title.empty() ? project.file : project.title;
-  document.meta.emplace_back(say("Project file"), project.file);
-  for (const auto& [key, value] : project.meta) document.meta.emplace_back(say("{1}", key), value);
-  if (project.strict)
-    document.meta.emplace_back(say("Strict"),
-                               say("failure modes not considered count as not assessed (--strict)").text());
-  if (!input.empty()) document.meta.emplace_back(say("Input"), fingerprint(input, project));
-  document.meta.emplace_back(say("Program"), std::string(program));
-  document.paper = project.paper;
-  document.chosen = chosen_table(project);
-  document.path = load_path(project);
-  document.summary = project::modes(project);
-  add_factors(project, document.blocks);
-  for (const auto& step : project.steps)
-    detail == Detail::brief ? add_step_in_brief(*step, document.blocks) : add_step(*step, detail, document.blocks);
-  add_sources(project, document.blocks);
-  if (detail == Detail::full) document.input = input;
-  add_signatures(project, document.blocks);
-  return document;
+std::vector<AppliedFactor> applied_factors(const Project& project) {
+  std::vector<AppliedFactor> factors;
+  for (const auto& step : project.steps) {
+    const auto& inputs = step->account().inputs;
+    if (std::none_of(inputs.begin(), inputs.end(), [](const Entry& e) { return e.is_factor; })) continue;
+    const std::set<std::string> deciding = deciding_inputs(step->account());
+    for (const Entry& e : inputs) {
+      const bool of_another = e.origin.assumed && !deciding.empty() && !deciding.contains(e.path);
+      if (e.is_factor && !of_another) factors.push_back({step.get(), &e});
+    }
+  }
+  return factors;
+}
+
+Cell cell_of(const Entry& entry) {
+  if (!entry.word.empty()) return entry.word;
+  if (!entry.value.is_series()) {
+    const double si = entry.value.si.empty() ? NAN : entry.value.si[0];
+    if (std::isnan(si) && !entry.missing.empty()) return say("not available: {1}", entry.missing);
+    return Quantity{si, entry.unit};
+  }
+  if (is_constant(entry.value)) return Quantity{entry.value.si.front(), entry.unit};
+  const double low = minimum(entry.value).value, high = maximum(entry.value).value;
+  return say("{1} to {2}", format_quantity(low, entry.unit, 5), format_quantity(high, entry.unit, 5));
+}
+
+bool is_available(const Entry& e) { return !e.word.empty() || (!e.value.si.empty() && !std::isnan(e.value.si[0])); }
+
+Table citations(const std::set<std::string>& keys) {
+  Table sources{say("References"), {}, {}};
+  for (const std::string& key : keys) {
+    const std::string citation = table::citation(key);
+    if (!citation.empty()) sources.rows.push_back({"[" + key + "]", citation});
+  }
+  return sources;
+}
+
+std::vector<Block> appendix_blocks(const Project& project, Detail detail, const ShownFigures& shown) {
+  Appendix appendix(detail, shown);
+  add_factors(project, appendix.blocks());
+  for (const auto& step : project.steps) appendix.add(*step);
+  add_sources(project, appendix.blocks());
+  return std::move(appendix.blocks());
 }
 
 }  // namespace loadpath::report

@@ -1,0 +1,214 @@
+#include "lib/report/brief/brief.hpp"
+
+#include "lib/report/brief/derivations.hpp"
+#include "lib/report/brief/fields.hpp"
+#include "lib/report/brief/figures.hpp"
+#include "lib/report/brief/governing.hpp"
+#include "lib/report/brief/inputs.hpp"
+#include "lib/report/brief/results.hpp"
+#include "lib/report/brief/sizes.hpp"
+#include "lib/report/columns.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace loadpath::report {
+
+namespace {
+
+using project::Project;
+
+constexpr double half = 84.0, other_half = 87.0, narrow = 66.0, wide = 105.0;  // shares of the grid, mm
+constexpr double page_height = 258.0;                                          // mm
+constexpr std::size_t most_modes = 10;
+
+/// A band of one column over the whole width.
+Band across(Panel panel) { return {{1.0, {std::move(panel)}}}; }
+
+/// Builds the pages from one set of choices.
+class Pages {
+ public:
+  Pages(const Project& project, const Summary& summary)
+      : project_(project),
+        summary_(summary),
+        rows_(governing_modes(project, summary, most_modes)),
+        main_(main_figures(project, summary)),
+        further_(further_figures(project, summary, main_)) {}
+
+  Brief all();
+
+ private:
+  [[nodiscard]] bool is_short() const;
+  Page deciding();
+  Page checking();
+  Band inputs_and_diagrams();
+  bool takes(const Panel& panel);
+  [[nodiscard]] Page recomputing() const;
+  void add_derivations(double height, Page& page) const;
+  [[nodiscard]] Band sizes_and_modes() const;
+  void add_figure(const StepFigure& figure, bool whole, Panel& panel);
+  [[nodiscard]] const project::Step* main_step() const { return main_.empty() ? nullptr : main_.back().step; }
+
+  const Project& project_;
+  const Summary& summary_;
+  std::vector<Governing> rows_;
+  std::vector<StepFigure> main_, further_;
+  ShownFigures shown_;
+  double rest_ = 0.0;  // height left on the page, mm
+};
+
+/// Whether one page holds all: a step of which few formulas govern.
+bool Pages::is_short() const {
+  constexpr double unlimited = 1e6, most_height = 60.0;  // mm
+  if (project_.steps.size() != 1) return false;
+  double height = 0.0;
+  for (const Panel& panel : governing_derivations(project_, rows_, unlimited).panels) {
+    for (const Block& block : panel.blocks) {
+      if (const auto* const lines = std::get_if<Derivation>(&block)) height += height_of(*lines);
+    }
+  }
+  return height > 0.0 && height <= most_height;
+}
+
+void Pages::add_figure(const StepFigure& figure, bool whole, Panel& panel) {
+  panel.blocks.emplace_back(whole ? *figure.figure : in_brief(*figure.figure));
+  if (whole || is_brief(*figure.figure)) shown_.insert(figure.figure);
+}
+
+Band Pages::sizes_and_modes() const {
+  constexpr std::size_t most_sizes = 12, most_next = 3;
+  Band band;
+  Panel sizes{say("Chosen sizes"), {}, {}};
+  Table table = sizes_table(project_, summary_, most_sizes);
+  if (!table.rows.empty()) {
+    sizes.blocks.emplace_back(std::move(table));
+    for (Block& note : next_size_notes(summary_, most_next)) sizes.blocks.push_back(std::move(note));
+    band.push_back({narrow, {std::move(sizes)}});
+  }
+  if (rows_.empty()) return band;
+  const auto assessed = std::ranges::count_if(
+      summary_.modes, [](const account::Mode& mode) { return is_told(mode) && mode.utilisation.has_value(); });
+  const Message remark = say("{1} of {2} with a utilisation", std::to_string(rows_.size()), std::to_string(assessed));
+  band.push_back({wide, {{say("Governing failure modes"), remark, {governing_table(project_, rows_)}}}});
+  return band;
+}
+
+Page Pages::deciding() {
+  Page page;
+  page.is_numbered = false;
+  Band figures;
+  for (const StepFigure& figure : main_) {
+    Panel panel;
+    add_figure(figure, false, panel);
+    figures.push_back({figures.empty() ? half : other_half, {std::move(panel)}});
+  }
+  if (!figures.empty()) page.bands.push_back(std::move(figures));
+  if (Band band = sizes_and_modes(); !band.empty()) page.bands.push_back(std::move(band));
+  page.bands.push_back({{half, {outside_scope(summary_), not_assessed(summary_), assumptions(project_)}},
+                        {other_half, {accepted_by_user(summary_), not_considered(summary_)}}});
+  return page;
+}
+
+/// Inputs at the left, at the right the diagrams.
+Band Pages::inputs_and_diagrams() {
+  constexpr double beside_tall = 150.0, beside_others = 128.0, alone = 90.0;  // mm
+  const bool has_tall = !further_.empty() && has_diagrams(*further_.front().figure);
+  const std::size_t beside = has_tall ? 1 : 2;
+  const double height = has_tall ? beside_tall : further_.size() > 1 ? beside_others : alone;
+  Panel inputs{say("Input data"), {}, {inputs_table(project_, rows_, height)}};
+  Panel figures{say("Diagrams"), {}, {}};
+  for (std::size_t i = 0; i < std::min(beside, further_.size()); ++i) add_figure(further_[i], true, figures);
+  rest_ = page_height - height;
+  Band band{{half, {std::move(inputs)}}};
+  if (!figures.blocks.empty()) band.push_back({other_half, {std::move(figures)}});
+  return band;
+}
+
+/// Takes the height of a table, if there is as much left on the page.
+bool Pages::takes(const Panel& panel) {
+  constexpr double of_row = 3.9, of_name_row = 5.2, heading = 15.0;  // mm; names in half a page's width may break
+  const auto& table = std::get<Table>(panel.blocks.front());
+  const double row = table.head.front().id == "Quantity" ? of_name_row : of_row;
+  const double height = heading + row * static_cast<double>(table.rows.size());
+  if (height > rest_) return false;
+  rest_ -= height;
+  return true;
+}
+
+Page Pages::checking() {
+  constexpr std::size_t most_results = 40;
+  Page page;
+  page.bands.push_back(inputs_and_diagrams());
+  if (const project::Step* const step = main_step()) {
+    for (Panel& panel : list_panels(*step, summary_.modes)) {
+      if (takes(panel)) page.bands.push_back(across(std::move(panel)));
+    }
+  }
+  std::vector<Panel> results = result_panels(project_, summary_, main_step(), most_results);
+  for (std::size_t i = 0; i < results.size(); i += 2) {
+    const bool has_two = i + 1 < results.size();
+    const auto rows = [&](std::size_t k) { return std::get<Table>(results[k].blocks.front()).rows.size(); };
+    if (!takes(results[has_two && rows(i + 1) > rows(i) ? i + 1 : i])) continue;
+    Band band{{half, {std::move(results[i])}}};
+    if (has_two) band.push_back({other_half, {std::move(results[i + 1])}});
+    page.bands.push_back(std::move(band));
+  }
+  return page;
+}
+
+/// The citations that fit into a height.
+Table fitting(Table sources, double height) {
+  constexpr double letters_in_line = 105.0, of_line = 3.3, gap = 0.9;  // mm
+  std::size_t count = 0;
+  for (const auto& row : sources.rows) {
+    height -= gap + of_line * std::ceil(letters_of(std::get<std::string>(row.back())) / letters_in_line);
+    if (height < 0.0) break;
+    ++count;
+  }
+  sources.rows.resize(count);
+  sources.caption = {};
+  return sources;
+}
+
+void Pages::add_derivations(double height, Page& page) const {
+  constexpr double of_sources = 42.0, heading = 14.0;  // mm
+  Derivations derivations = governing_derivations(project_, rows_, height - of_sources);
+  for (Panel& panel : derivations.panels) page.bands.push_back(across(std::move(panel)));
+  Table sources = fitting(citations(derivations.sources), height - derivations.height - heading);
+  if (!sources.rows.empty())
+    page.bands.push_back(
+        across({say("References"), say("named on this page; all sources: appendix"), {std::move(sources)}}));
+}
+
+Page Pages::recomputing() const {
+  Page page;
+  add_derivations(page_height, page);
+  return page;
+}
+
+/// The contents of the appendix, at the end of the last page.
+Band appendix_note() {
+  const Message contents =
+      say("Appendix of the full report: all failure modes, load path, inputs, formulas and results of every step, "
+          "references.");
+  return across({{}, {}, {Paragraph{contents, Paragraph::Tone::note}}});
+}
+
+Brief Pages::all() {
+  constexpr double rest_of_page = 110.0;  // mm
+  std::vector<Page> pages{deciding()};
+  if (is_short()) {
+    add_derivations(rest_of_page, pages.front());
+  } else {
+    pages.push_back(checking());
+    if (Page page = recomputing(); !page.bands.empty()) pages.push_back(std::move(page));
+  }
+  pages.back().bands.push_back(appendix_note());
+  return {std::move(pages), std::move(shown_)};
+}
+
+}  // namespace
+
+Brief brief_of(const Project& project, const Summary& summary) { return Pages(project, summary).all(); }
+
+}  // namespace loadpath::report

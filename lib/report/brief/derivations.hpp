@@ -1,0 +1,25 @@
+// The governing derivations of page 3, within its height.
+#pragma once
+
+#include "lib/report/brief/governing.hpp"
+#include "lib/report/document.hpp"
+
+#include <set>
+#include <string>
+#include <vector>
+
+namespace loadpath::report {
+
+struct Derivations {
+  std::vector<Panel> panels;
+  std::set<std::string> sources;  // keys that their reasons name
+  double height = 0.0;            // mm
+};
+/// The derivation of the governing mode of each component, in the order of the rows, as far as the height suffices, mm.
+/// A derivation has at most 30 lines; the lines before are in the appendix.
+Derivations governing_derivations(const project::Project& project, const std::vector<Governing>& rows, double height);
+
+/// The height of a derivation as it is set, mm.
+double height_of(const Derivation& derivation);
+
+}  // namespace loadpath::report

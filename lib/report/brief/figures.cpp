@@ -1,0 +1,126 @@
+#include "lib/report/brief/figures.hpp"
+
+#include "lib/figure/chart.hpp"
+#include "lib/figure/drawing.hpp"
+
+#include <algorithm>
+#include <memory>
+
+namespace loadpath::report {
+
+namespace {
+
+using project::Project;
+using project::Step;
+
+bool moves(const draw::Figure& figure) { return std::holds_alternative<draw::Motion>(figure.content); }
+bool is_mechanism(const draw::Figure& figure) {
+  const auto* const scheme = std::get_if<draw::Scheme>(&figure.content);
+  return scheme != nullptr && !scheme->bodies.empty();
+}
+bool is_shaft(const draw::Figure& figure) { return std::holds_alternative<draw::Shaft>(figure.content); }
+bool is_part(const draw::Figure& figure) {
+  return is_shaft(figure) || std::holds_alternative<draw::Drawn>(figure.content);
+}
+bool is_curve(const draw::Figure& figure) {
+  return std::holds_alternative<draw::Plot>(figure.content) || std::holds_alternative<draw::Charted>(figure.content);
+}
+
+/// The steps by falling utilisation of their components.
+std::vector<const Step*> by_utilisation(const Project& project, const Summary& summary) {
+  std::vector<const Step*> steps;
+  for (const auto& step : project.steps) steps.push_back(step.get());
+  const auto used = [&](const Step* step) {
+    const auto found = std::ranges::find(summary.components, component_name(*step), &Component::name);
+    return found == summary.components.end() || !(found->utilisation() >= 0.0) ? -1.0 : found->utilisation();
+  };
+  std::ranges::stable_sort(steps, [&](const Step* a, const Step* b) { return used(a) > used(b); });
+  return steps;
+}
+
+template <class Meant>
+StepFigure first_of(const std::vector<const Step*>& steps, const Meant& is_meant) {
+  for (const Step* step : steps) {
+    for (const draw::Figure& figure : step->account().figures) {
+      if (is_meant(figure)) return {step, &figure};
+    }
+  }
+  return {nullptr, nullptr};
+}
+
+/// The views in the first row of a drawing.
+std::size_t first_row(const draw::Drawing& drawing) {
+  double share = 0.0;
+  std::size_t count = 0;
+  for (const auto& view : drawing.views) {
+    share += view.share;
+    if (count > 0 && share > 1.0 + 1e-9) break;
+    ++count;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<StepFigure> main_figures(const Project& project, const Summary& summary) {
+  const std::vector<const project::Step*> steps = by_utilisation(project, summary);
+  std::vector<StepFigure> main;
+  StepFigure mechanism = first_of(steps, moves);
+  if (mechanism.figure == nullptr) mechanism = first_of(steps, is_mechanism);
+  if (mechanism.figure != nullptr) main.push_back(mechanism);
+  StepFigure part = first_of(steps, is_shaft);
+  if (part.figure == nullptr) part = first_of(steps, is_part);
+  if (part.figure != nullptr) main.push_back(part);
+  if (main.empty()) {
+    if (const StepFigure curve = first_of(steps, is_curve); curve.figure != nullptr) main.push_back(curve);
+  }
+  return main;
+}
+
+std::vector<StepFigure> further_figures(const Project& project, const Summary& summary,
+                                        const std::vector<StepFigure>& main) {
+  std::vector<StepFigure> diagrams, parts, curves;
+  for (const project::Step* step : by_utilisation(project, summary)) {
+    for (const draw::Figure& figure : step->account().figures) {
+      const bool is_main = std::ranges::find(main, &figure, &StepFigure::figure) != main.end();
+      const bool is_of_main = std::ranges::find(main, step, &StepFigure::step) != main.end();
+      if (is_main && is_brief(figure)) continue;
+      if (is_main && has_diagrams(figure))
+        diagrams.push_back({step, &figure});
+      else if (is_part(figure) && is_brief(figure) && !is_main)
+        parts.push_back({step, &figure});
+      else if (is_curve(figure))
+        curves.insert(is_of_main ? curves.begin() : curves.end(), {step, &figure});
+    }
+  }
+  parts.insert(parts.end(), curves.begin(), curves.end());
+  diagrams.insert(diagrams.end(), parts.begin(), parts.end());
+  return diagrams;
+}
+
+draw::Figure in_brief(const draw::Figure& figure) {
+  draw::Figure brief = figure;
+  if (auto* const shaft = std::get_if<draw::Shaft>(&brief.content)) {
+    shaft->diagrams.clear();
+    shaft->places.clear();
+  }
+  if (const auto* const drawn = std::get_if<draw::Drawn>(&figure.content)) {
+    draw::Drawing drawing = **drawn;
+    drawing.views.resize(first_row(drawing));
+    brief.content = std::make_shared<const draw::Drawing>(std::move(drawing));
+  }
+  return brief;
+}
+
+bool is_brief(const draw::Figure& figure) {
+  if (const auto* const drawn = std::get_if<draw::Drawn>(&figure.content))
+    return first_row(**drawn) == (*drawn)->views.size();
+  return !has_diagrams(figure);
+}
+
+bool has_diagrams(const draw::Figure& figure) {
+  const auto* const shaft = std::get_if<draw::Shaft>(&figure.content);
+  return shaft != nullptr && !shaft->diagrams.empty();
+}
+
+}  // namespace loadpath::report

@@ -1,0 +1,30 @@
+// The figures of the first pages: the part that decides, and the diagrams below it.
+#pragma once
+
+#include "lib/figure/figure.hpp"
+#include "lib/report/summary/summary.hpp"
+
+#include <vector>
+
+namespace loadpath::report {
+
+struct StepFigure {
+  const project::Step* step;
+  const draw::Figure* figure;
+};
+
+/// Page 1: the mechanism, if there is one, and the drawn part with the highest utilisation, a shaft before others.
+/// Without a drawing, the first curve of the part that governs.
+std::vector<StepFigure> main_figures(const project::Project& project, const Summary& summary);
+/// Page 2: the diagrams of the main part, then further drawings and curves by falling utilisation.
+std::vector<StepFigure> further_figures(const project::Project& project, const Summary& summary,
+                                        const std::vector<StepFigure>& main);
+
+/// A figure as page 1 shows it: a shaft without its diagrams, of several views those in the first row.
+draw::Figure in_brief(const draw::Figure& figure);
+/// Whether page 1 shows all of it.
+bool is_brief(const draw::Figure& figure);
+/// Whether it is a shaft with diagrams, which is narrow and tall.
+bool has_diagrams(const draw::Figure& figure);
+
+}  // namespace loadpath::report

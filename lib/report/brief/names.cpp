@@ -1,0 +1,68 @@
+#include "lib/report/brief/names.hpp"
+
+#include "lib/formula/formula.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/report/summary/numbers.hpp"
+#include "lib/report/worked.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace loadpath::report {
+
+using account::Entry;
+
+std::string short_name(const Entry& entry) {
+  std::string name = say("{1}", entry.doc).text();
+  const std::size_t end = std::min({name.find(" ("), name.find(':'), name.find(';'), name.find(", ")});
+  if (end != std::string::npos) name.resize(end);
+  const std::string owner = owner_of(entry.path);
+  return owner.empty() ? name : owner + ": " + name;
+}
+
+std::string short_symbol(const std::string& path) { return formula::symbol_plain(named_symbol(path).symbol); }
+
+std::string unbroken(std::string text) {
+  for (std::size_t at = text.find(' '); at != std::string::npos; at = text.find(' ', at)) text.replace(at, 1, "\u00A0");
+  return text;
+}
+
+namespace {
+
+bool is_typed(const Entry& entry) { return entry.origin.text.text() == say("given").text(); }
+
+/// "belts" of "= belts.n_2", "shaft" of "= 2*shaft.T": the step that a value comes from; empty if it names none.
+std::string origin_step(const std::string& text) {
+  const std::size_t dot = text.find('.');
+  if (dot == std::string::npos) return {};
+  std::size_t begin = dot;
+  while (begin > 0 && (std::isalnum(static_cast<unsigned char>(text[begin - 1])) != 0 || text[begin - 1] == '_'))
+    --begin;
+  return begin == dot || std::isdigit(static_cast<unsigned char>(text[begin])) != 0 ? std::string()
+                                                                                    : text.substr(begin, dot - begin);
+}
+
+}  // namespace
+
+std::string short_value(const Entry& entry) {
+  constexpr int digits = 5;
+  if (!entry.word.empty()) return entry.word;
+  if (entry.value.si.empty()) return {};
+  if (entry.value.is_series()) return unbroken(short_quantity(largest(entry.value).value, entry.unit));
+  const double si = entry.value.si.front();
+  const bool as_typed = is_typed(entry) && std::isfinite(si);
+  return unbroken(as_typed ? format_quantity(si, entry.unit, digits) : short_quantity(si, entry.unit));
+}
+
+std::string short_origin(const Entry& entry) {
+  std::string text = entry.origin.text.text();
+  text.resize(std::min({text.size(), text.find("; "), text.find(", "), text.find(": "), text.find(" with ")}));
+  if (text.starts_with(say("given").text())) return say("given").text();
+  const std::string step = origin_step(text);
+  if (text.starts_with("=") && !step.empty()) return say("from {1}", spoken(step)).text();
+  if (!entry.origin.sources.empty()) text += " [" + entry.origin.sources.front() + "]";
+  return text;
+}
+
+}  // namespace loadpath::report

@@ -1,0 +1,22 @@
+// Names and values of inputs and results in few words.
+#pragma once
+
+#include "lib/account/account.hpp"
+#include "lib/report/document.hpp"
+
+#include <string>
+
+namespace loadpath::report {
+
+/// The description up to its first condition: "service factor of the basis"; of an element after its name.
+std::string short_name(const account::Entry& entry);
+/// The symbol of a path as text: "K_A" of "K_A", "d" of "pieces.seat.d".
+std::string short_symbol(const std::string& path);
+/// The value with few digits: "11 kW", "13.75 kN"; of a series the value of the largest magnitude.
+std::string short_value(const account::Entry& entry);
+/// The origin with the key of its source: "given", "default", "from gears", "C45E [Lucefin-C45E]".
+std::string short_origin(const account::Entry& entry);
+/// A text that is not broken between lines.
+std::string unbroken(std::string text);
+
+}  // namespace loadpath::report

@@ -1,0 +1,219 @@
+#include "lib/report/brief/results.hpp"
+
+#include "lib/report/appendix.hpp"
+#include "lib/report/brief/names.hpp"
+#include "lib/report/summary/numbers.hpp"
+#include "lib/report/why.hpp"
+#include "lib/report/worked.hpp"
+
+#include <algorithm>
+#include <set>
+
+namespace loadpath::report {
+
+namespace {
+
+using account::Entry;
+using account::Mode;
+using project::Project;
+using project::Step;
+
+/// "sections" of "sections.key_end.u_v" and "sections[2].u_v"; empty for a path of the step itself.
+std::string list_of(const std::string& path) {
+  const std::size_t end = path.find_first_of("[.");
+  return end == std::string::npos || path.rfind('.') == std::string::npos ? std::string() : path.substr(0, end);
+}
+
+/// Lists whose elements govern, by falling utilisation.
+std::vector<std::string> governing_lists(const Step& step, account::Modes modes) {
+  std::erase_if(modes,
+                [&](const Mode& mode) { return mode.step != step.name() || !is_told(mode) || !mode.utilisation; });
+  std::ranges::stable_sort(modes, [](const Mode& a, const Mode& b) { return *a.utilisation > *b.utilisation; });
+  std::vector<std::string> lists;
+  for (const Mode& mode : modes) {
+    std::string list = list_of(mode.governs);
+    if (!list.empty() && std::ranges::find(lists, list) == lists.end()) lists.push_back(std::move(list));
+  }
+  return lists;
+}
+
+/// The names from which a symbol of the lines follows directly.
+std::set<std::string> given_of(const Reasons& reasons, const std::set<std::string>& symbols) {
+  std::set<std::string> names;
+  for (const account::Derived& line : reasons.lines) {
+    if (!symbols.contains(line.step.symbol)) continue;
+    for (const account::Step::Given& given : line.step.given) names.insert(given.name);
+  }
+  return names;
+}
+
+/// The checks of a list, and the fields that they follow from over a few formulas.
+std::set<std::string> deciding_fields(const Step& step, const account::Modes& modes, const std::string& list) {
+  constexpr int most_formulas = 3;
+  std::set<std::string> fields;
+  for (const Mode& mode : modes) {
+    if (mode.step != step.name() || list_of(mode.governs) != list || !is_told(mode)) continue;
+    const Reasons reasons = reasons_of(step.account(), mode.governs);
+    std::set<std::string> last{mode.governs.substr(mode.governs.rfind('.') + 1)};
+    fields.insert(*last.begin());
+    for (int i = 0; i < most_formulas; ++i) {
+      last = given_of(reasons, last);
+      fields.insert(last.begin(), last.end());
+    }
+  }
+  return fields;
+}
+
+bool is_zero(const Cell& cell) {
+  const auto* const q = std::get_if<Quantity>(&cell);
+  return q != nullptr && q->si == 0.0;
+}
+
+/// The columns of these fields that hold more than zeros.
+Table with_columns(const Table& table, const std::set<std::string>& fields) {
+  std::vector<std::size_t> kept{0};
+  for (std::size_t i = 1; i < table.head.size(); ++i) {
+    const bool is_empty = std::ranges::all_of(table.rows, [&](const auto& row) { return is_zero(row[i]); });
+    if (fields.contains(table.head[i].text()) && !is_empty) kept.push_back(i);
+  }
+  Table part{table.caption, {}, {}};
+  for (const std::size_t i : kept) part.head.push_back(table.head[i]);
+  for (const auto& row : table.rows) {
+    part.rows.emplace_back();
+    for (const std::size_t i : kept) part.rows.back().push_back(row[i]);
+  }
+  return part;
+}
+
+std::vector<std::string> row_names(const Table& table) {
+  std::vector<std::string> names;
+  for (const auto& row : table.rows) names.push_back(std::get<std::string>(row.front()));
+  return names;
+}
+
+/// Adds the columns of a table with the same rows.
+void join(const Table& other, Table& table) {
+  for (std::size_t i = 1; i < other.head.size(); ++i) {
+    const std::string name = other.head[i].text();
+    if (std::ranges::any_of(table.head, [&](const Message& head) { return head.text() == name; })) continue;
+    table.head.push_back(other.head[i]);
+    for (std::size_t k = 0; k < table.rows.size(); ++k) table.rows[k].push_back(other.rows[k][i]);
+  }
+}
+
+/// Rows that are only numbered, where others have names: the ends of a shaft.
+void drop_unnamed(Table& table) {
+  const auto is_numbered = [](const auto& row) {
+    const std::string& name = std::get<std::string>(row.front());
+    return name.find_first_not_of("0123456789") == std::string::npos;
+  };
+  if (std::ranges::all_of(table.rows, is_numbered)) return;
+  std::erase_if(table.rows, is_numbered);
+}
+
+/// The tables of the lists that govern, by falling utilisation; lists of the same elements are one table.
+std::vector<Table> joined_lists(const Step& step, const account::Modes& modes) {
+  constexpr std::size_t least_columns = 4;
+  const std::vector<Table> tables = list_tables(step.account().results);
+  std::vector<Table> all;
+  for (const std::string& list : governing_lists(step, modes)) {
+    const auto table = std::ranges::find_if(tables, [&](const Table& t) { return t.caption.text() == list; });
+    if (table == tables.end()) continue;
+    Table part = with_columns(*table, deciding_fields(step, modes, list));
+    drop_unnamed(part);
+    const auto same = std::ranges::find_if(all, [&](const Table& t) { return row_names(t) == row_names(part); });
+    if (same != all.end())
+      join(part, *same);
+    else
+      all.push_back(std::move(part));
+  }
+  std::erase_if(all, [](const Table& table) { return table.head.size() < least_columns; });
+  return all;
+}
+
+bool is_leading(const Entry& entry) {
+  return entry.brief && entry.role == Role::result && !entry.handed_over && is_available(entry) &&
+         list_of(entry.path).empty();
+}
+
+/// A table with a column for each of the steps.
+Table results_of(const std::vector<const Step*>& steps, std::size_t most) {
+  Table table{{}, {say("Quantity"), say("Symbol")}, {}};
+  for (const Step* step : steps) table.head.push_back(say("{1}", component_name(*step)));
+  for (const Entry& entry : steps.front()->account().results) {
+    if (!is_leading(entry) || table.rows.size() == most) continue;
+    const std::string_view symbol = named_symbol(entry.path).symbol;
+    std::vector<Cell> row{capitalised(short_name(entry)),
+                          is_word(symbol) ? Cell(std::string()) : Cell(Symbol{std::string(symbol)})};
+    for (const Step* step : steps) {
+      const auto& results = step->account().results;
+      const auto same = std::ranges::find(results, entry.path, &Entry::path);
+      row.emplace_back(same == results.end() ? std::string() : short_value(*same));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
+/// Steps of one calculator together, in the order of the file.
+std::vector<std::vector<const Step*>> grouped(const Project& project, const Step* main) {
+  std::vector<std::vector<const Step*>> groups;
+  for (const auto& step : project.steps) {
+    if (step.get() == main || !step->account().blocks.empty()) continue;
+    const auto same = std::ranges::find_if(
+        groups, [&](const auto& group) { return group.front()->input().calculator == step->input().calculator; });
+    constexpr std::size_t most_columns = 3;
+    if (same != groups.end() && same->size() < most_columns)
+      same->push_back(step.get());
+    else
+      groups.push_back({step.get()});
+  }
+  return groups;
+}
+
+std::string step_names(const std::vector<const Step*>& steps) {
+  std::string all;
+  for (const Step* step : steps) all += (all.empty() ? "" : ", ") + component_name(*step);
+  return capitalised(all);
+}
+
+}  // namespace
+
+std::vector<Panel> list_panels(const project::Step& step, const account::Modes& modes) {
+  std::vector<Panel> panels;
+  for (Table& table : joined_lists(step, modes)) {
+    Message title = say("{1}", capitalised(spoken(table.caption.text())));
+    table.caption = {};
+    for (auto& row : table.rows) row.front() = spoken(std::get<std::string>(row.front()));
+    panels.push_back({std::move(title), say("{1}", component_name(step)), {std::move(table)}});
+  }
+  return panels;
+}
+
+std::vector<Panel> result_panels(const Project& project, const Summary& summary, const project::Step* main,
+                                 std::size_t most) {
+  constexpr std::size_t most_of_one = 9, heading = 3;
+  std::vector<Panel> panels;
+  std::vector<std::vector<const project::Step*>> groups = grouped(project, main);
+  const auto used = [&](const std::vector<const project::Step*>& group) {
+    double most_used = -1.0;
+    for (const Component& component : summary.components) {
+      const bool is_of =
+          std::ranges::any_of(group, [&](const project::Step* s) { return component_name(*s) == component.name; });
+      if (is_of && component.utilisation() > most_used) most_used = component.utilisation();
+    }
+    return most_used;
+  };
+  std::ranges::stable_sort(groups, [&](const auto& a, const auto& b) { return used(a) > used(b); });
+  std::size_t rows = 0;
+  for (const auto& group : groups) {
+    Table table = results_of(group, most_of_one);
+    if (table.rows.empty() || rows + table.rows.size() + heading > most) continue;
+    rows += table.rows.size() + heading;
+    panels.push_back(
+        {say("{1}", step_names(group)), say("{1}", group.front()->input().calculator->title), {std::move(table)}});
+  }
+  return panels;
+}
+
+}  // namespace loadpath::report

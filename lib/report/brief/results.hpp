@@ -1,0 +1,18 @@
+// The results of page 2: sections of the main part, bearings, joints.
+#pragma once
+
+#include "lib/report/brief/governing.hpp"
+#include "lib/report/document.hpp"
+
+#include <vector>
+
+namespace loadpath::report {
+
+/// The lists of a step in which its modes govern, with the columns from which the checks follow.
+std::vector<Panel> list_panels(const project::Step& step, const account::Modes& modes);
+
+/// The leading results of the other steps; steps of one calculator share a table. At most so many rows in all.
+std::vector<Panel> result_panels(const project::Project& project, const Summary& summary, const project::Step* main,
+                                 std::size_t most);
+
+}  // namespace loadpath::report

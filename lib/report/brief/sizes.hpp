@@ -1,0 +1,16 @@
+// The chosen sizes with their materials, and why the next smaller ones do not do.
+#pragma once
+
+#include "lib/report/document.hpp"
+#include "lib/report/summary/summary.hpp"
+
+#include <vector>
+
+namespace loadpath::report {
+
+/// Sized values first, then the given sizes: a row for each component.
+Table sizes_table(const project::Project& project, const Summary& summary, std::size_t most);
+/// The next smaller size of each value that was found, and the mode that it fails.
+std::vector<Block> next_size_notes(const Summary& summary, std::size_t most);
+
+}  // namespace loadpath::report

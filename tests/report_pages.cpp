@@ -1,0 +1,241 @@
+// The pages of a report that decide, check and recompute, for every example.
+#include "calculators/catalogue.hpp"
+#include "lib/account/conclusion.hpp"
+#include "lib/project/project.hpp"
+#include "lib/project/solving/read_project.hpp"
+#include "lib/project/solving/solve.hpp"
+#include "lib/report/build/build.hpp"
+#include "lib/toml/tree.hpp"
+#include "tests/parts.hpp"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace loadpath;
+using report::Document;
+using report::Panel;
+
+constexpr std::size_t most_rows = 10, most_lines = 30, most_pages = 3;
+
+std::string text_of(const std::string& path) {
+  std::string text;
+  REQUIRE(toml::read_file(path, text));
+  return text;
+}
+
+std::vector<std::string> examples() {
+  std::vector<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(LOADPATH_ROOT) + "/examples")) {
+    const std::string name = entry.path().filename().string();
+    const bool is_project = std::filesystem::exists(entry.path() / "project.toml");
+    if (is_project && name != "strut-sweep" && test::takes(name)) names.push_back(name);
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+project::Project solved(const std::string& name, const std::string& more = {}) {
+  const std::string file = std::string(LOADPATH_ROOT) + "/examples/" + name + "/project.toml";
+  std::string text = text_of(file);
+  const std::size_t heading = text.find("[project]\n");
+  REQUIRE(heading != std::string::npos);
+  text.insert(heading + 10, more);
+  std::vector<Issue> issues;
+  project::Project project = project::read_project(text, file, catalogue(), issues);
+  project::solve(project, issues);
+  REQUIRE(issues.empty());
+  return project;
+}
+
+Document brief_of(const project::Project& project) {
+  return report::build(project, "loadpath", report::Detail::brief, "x");
+}
+
+std::vector<const Panel*> panels_of(const Document& document) {
+  std::vector<const Panel*> panels;
+  for (const report::Page& page : document.pages) {
+    for (const report::Band& band : page.bands) {
+      for (const report::Stack& stack : band) {
+        for (const Panel& panel : stack.panels) panels.push_back(&panel);
+      }
+    }
+  }
+  return panels;
+}
+
+const Panel* panel_of(const Document& document, const std::string& title) {
+  for (const Panel* panel : panels_of(document)) {
+    if (panel->title.text() == title) return panel;
+  }
+  return nullptr;
+}
+
+const report::Table& table_of(const Document& document, const std::string& title) {
+  const Panel* const panel = panel_of(document, title);
+  REQUIRE(panel != nullptr);
+  return std::get<report::Table>(panel->blocks.front());
+}
+
+std::string written(const Panel& panel) {
+  Document document;
+  document.pages = {{{{{1.0, {panel}}}}, false}};
+  document.has_appendix = false;
+  return report::markdown(document, "x").text;
+}
+
+/// With ordinary blanks.
+std::string plain(std::string text) {
+  const std::string hard = "\u00A0";
+  for (std::size_t at = text.find(hard); at != std::string::npos; at = text.find(hard))
+    text.replace(at, hard.size(), " ");
+  return text;
+}
+
+bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_SUITE("report pages" * test::by_example) {
+  TEST_CASE("page 1 has everything to decide by, and at most three pages come before the appendix") {
+    for (const std::string& name : examples()) {
+      CAPTURE(name);
+      const project::Project project = solved(name);
+      const Document document = brief_of(project);
+      CHECK(document.pages.size() <= most_pages);
+      CHECK(document.heading.signatures.size() == 3);
+      for (const char* title :
+           {"Outside the scope of loadpath", "Accepted by user", "Not assessed", "Not considered", "Assumptions"}) {
+        CAPTURE(title);
+        CHECK(panel_of(document, title) != nullptr);
+      }
+      CHECK(document.finding.headline == account::conclude(project::modes(project)).headline);
+      CHECK(document.blocks.empty());
+    }
+  }
+
+  TEST_CASE("of the governing modes each has a number, the failing ones come first, then the most utilised") {
+    for (const std::string& name : examples()) {
+      CAPTURE(name);
+      const Document document = brief_of(solved(name));
+      if (panel_of(document, "Governing failure modes") == nullptr) continue;
+      const auto& rows = table_of(document, "Governing failure modes").rows;
+      CHECK(!rows.empty());
+      CHECK(rows.size() <= most_rows);
+      double before = 1e9;
+      for (const auto& row : rows) {
+        const auto* const used = std::get_if<report::Utilisation>(&row.back());
+        if (used == nullptr) continue;
+        CHECK(used->value <= before * (1.0 + 1e-9));
+        before = used->value;
+      }
+    }
+  }
+
+  TEST_CASE("a derivation has at most 30 lines and ends with the utilisation of its mode") {
+    for (const std::string& name : examples()) {
+      CAPTURE(name);
+      const Document document = brief_of(solved(name));
+      for (const Panel* panel : panels_of(document)) {
+        for (const report::Block& block : panel->blocks) {
+          const auto* const derivation = std::get_if<report::Derivation>(&block);
+          if (derivation == nullptr) continue;
+          CHECK(derivation->steps.size() <= most_lines);
+          CHECK(derivation->steps.back().symbol.starts_with("u"));
+        }
+      }
+    }
+  }
+
+  TEST_CASE("no key of a result is on the pages, outside formulas") {
+    const std::regex key("\\b[ux]_[A-Za-z]");
+    for (const std::string& name : examples()) {
+      CAPTURE(name);
+      const Document document = brief_of(solved(name));
+      CHECK_FALSE(std::regex_search(document.finding.text.text(), key));
+      for (const char* title : {"Chosen sizes", "Governing failure modes"}) {
+        const Panel* const panel = panel_of(document, title);
+        if (panel != nullptr) CHECK_FALSE(std::regex_search(written(*panel), key));
+      }
+    }
+  }
+
+  TEST_CASE("the short report is the beginning of the full one") {
+    for (const std::string& name : examples()) {
+      CAPTURE(name);
+      const project::Project project = solved(name);
+      const std::string brief = report::markdown(brief_of(project), name).text;
+      const Document full = report::build(project, "loadpath", report::Detail::normal, "x");
+      CHECK(report::markdown(full, name).text.starts_with(brief));
+      CHECK(full.blocks.size() > 1);
+    }
+  }
+}
+
+TEST_SUITE("report of one machine") {
+  TEST_CASE("found sizes are marked, with the next smaller ones below; given sizes follow") {
+    const Document document = brief_of(solved("gearbox-shaft"));
+    const auto& rows = table_of(document, "Chosen sizes").rows;
+    CHECK(std::get<report::Sized>(rows[0][1]).text == "left\u00A0seat\u00A040\u00A0mm");
+    CHECK(std::get<report::Sized>(rows[1][1]).text == "pinion\u00A0seat\u00A050\u00A0mm");
+    CHECK(std::get<std::string>(rows[2][1]) == "pulley\u00A0seat\u00A032\u00A0mm");
+    CHECK(contains(plain(written(*panel_of(document, "Chosen sizes"))), "Next smaller size: left seat: 35 mm fails"));
+  }
+
+  TEST_CASE("demand, capacity and safety factors are those of the check") {
+    const Document document = brief_of(solved("gearbox-shaft"));
+    const auto row = [&](const std::string& component, const std::string& mode) {
+      for (const auto& cells : table_of(document, "Governing failure modes").rows) {
+        if (std::get<std::string>(cells[0]) == component && contains(std::get<std::string>(cells[1]), mode))
+          return plain(std::get<std::string>(cells[2]) + "; " + std::get<std::string>(cells[3]));
+      }
+      return std::string("none");
+    };
+    CHECK(row("belts", "power rating of the belts") == "13.75 / 18.99 kW; 1.381 / 1");
+    CHECK(row("gears", "tooth root bending") == "187.2 / 260 MPa; in σ_adm");
+    CHECK(row("shaft", "fatigue of sections and notches, key end") == "1.5 / 2.54; 2.54 / 1.5");
+  }
+
+  TEST_CASE("the title block has the texts of the project") {
+    const Document document = brief_of(solved(
+        "line-shaft", "company = \"Seiler & Co\"\nload_case = \"start\"\napprover = \"Ada\"\ndate = \"2026-11-28\"\n"));
+    const auto text = [&](const char* name) {
+      for (const auto* const fields : {&document.heading.subject, &document.heading.number}) {
+        for (const auto& field : *fields) {
+          if (field.name.text() == name) return field.text;
+        }
+      }
+      return std::string("none");
+    };
+    CHECK(text("Company") == "Seiler & Co");
+    CHECK(text("Load case") == "start");
+    CHECK(text("Date") == "2026-11-28");
+    CHECK(text("Project") == "");
+    CHECK(text("File") == "project.toml");
+    CHECK(document.heading.signatures.back().name == "Ada");
+  }
+
+  TEST_CASE("the first sentence names the modes that prevent the verdict") {
+    const std::string text = brief_of(solved("gearbox-shaft")).finding.text.text();
+    CHECK(contains(plain(text), "pitting, gear 1 (gears), pitting, gear 2 (gears)."));
+    CHECK(contains(text, "highest utilisation 0.961: key, bearing pressure, hub keyway."));
+  }
+
+  TEST_CASE("one step with few formulas is one page") {
+    const Document document = brief_of(solved("line-shaft"));
+    REQUIRE(document.pages.size() == 1);
+    CHECK(panel_of(document, "Line shaft: angle of twist per length") != nullptr);
+  }
+
+  TEST_CASE("a formula set is printed once: the second bearing has its numbers only") {
+    const Document full = report::build(solved("gearbox-shaft"), "loadpath");
+    const std::string text = report::markdown(full, "x").text;
+    CHECK(contains(text, "Formulas as for Fixed bearing, 6308, with these numbers:"));
+  }
+}

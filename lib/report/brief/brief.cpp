@@ -126,7 +126,7 @@ Band Pages::inputs_and_diagrams() {
 
 /// Takes the height of a table, if there is as much left on the page.
 bool Pages::takes(const Panel& panel) {
-  constexpr double of_row = 3.9, of_name_row = 5.2, heading = 15.0;  // mm; names in half a page's width may break
+  constexpr double of_row = 3.9, of_name_row = 6.2, heading = 15.0;  // mm; names in half a page's width may break
   const auto& table = std::get<Table>(panel.blocks.front());
   const double row = table.head.front().id == "Quantity" ? of_name_row : of_row;
   const double height = heading + row * static_cast<double>(table.rows.size());

@@ -56,9 +56,10 @@ double height_with_heading(const std::vector<Derived>& lines) {
 Panel panel_of(const Governing& row, const project::Step& step, const std::vector<Derived>& lines, std::size_t left) {
   Panel panel{say("{1}: {2}", capitalised(row.component), mode_name(row.mode)), {}, {}};
   if (!step.account().governing.empty()) panel.remark = say("calculated {1}", step.account().governing);
-  if (left > 0)
-    panel.blocks.emplace_back(Paragraph{
-        say("{1} formulas before these: appendix, {2}.", std::to_string(left), step.name()), Paragraph::Tone::note});
+  if (left > 0) {
+    const Message before = say("{1} lines before: appendix", std::to_string(left));
+    panel.remark = panel.remark.empty() ? before : say("{1}; {2}", panel.remark, before);
+  }
   Derivation derivation;
   for (const Derived& line : lines) derivation.steps.push_back(line.step);
   panel.blocks.emplace_back(std::move(derivation));

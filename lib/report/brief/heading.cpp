@@ -3,6 +3,7 @@
 #include "lib/report/brief/governing.hpp"
 #include "lib/report/summary/numbers.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace loadpath::report {

@@ -3,6 +3,7 @@
 #include "lib/formula/formula.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/summary/numbers.hpp"
+#include "lib/report/summary/summary.hpp"
 #include "lib/report/worked.hpp"
 
 #include <algorithm>

@@ -113,7 +113,7 @@ void drop_unnamed(Table& table) {
 
 /// The tables of the lists that govern, by falling utilisation; lists of the same elements are one table.
 std::vector<Table> joined_lists(const Step& step, const account::Modes& modes) {
-  constexpr std::size_t least_columns = 4;
+  constexpr std::size_t least_columns = 5;
   const std::vector<Table> tables = list_tables(step.account().results);
   std::vector<Table> all;
   for (const std::string& list : governing_lists(step, modes)) {
@@ -184,6 +184,7 @@ std::vector<Panel> list_panels(const project::Step& step, const account::Modes& 
   for (Table& table : joined_lists(step, modes)) {
     Message title = say("{1}", capitalised(spoken(table.caption.text())));
     table.caption = {};
+    table.head.front() = say("Name");
     for (auto& row : table.rows) row.front() = spoken(std::get<std::string>(row.front()));
     panels.push_back({std::move(title), say("{1}", component_name(step)), {std::move(table)}});
   }
@@ -192,7 +193,7 @@ std::vector<Panel> list_panels(const project::Step& step, const account::Modes& 
 
 std::vector<Panel> result_panels(const Project& project, const Summary& summary, const project::Step* main,
                                  std::size_t most) {
-  constexpr std::size_t most_of_one = 9, heading = 3;
+  constexpr std::size_t most_of_one = 7, heading = 3;
   std::vector<Panel> panels;
   std::vector<std::vector<const project::Step*>> groups = grouped(project, main);
   const auto used = [&](const std::vector<const project::Step*>& group) {

@@ -55,7 +55,8 @@ void add_rows(const Project& project, const Component& component, Table& table) 
 Table sizes_table(const Project& project, const Summary& summary, std::size_t most) {
   Table table{{}, {say("Component"), say("Size"), say("Material")}, {}};
   std::vector<Component> components = summary.components;
-  std::ranges::stable_partition(components, [](const Component& component) { return component.is_sized; });
+  std::stable_partition(components.begin(), components.end(),
+                        [](const Component& component) { return component.is_sized; });
   std::size_t left = 0;
   for (const Component& component : components) {
     if (component.sizes.empty()) continue;

@@ -124,4 +124,22 @@ TEST_SUITE("pages in a browser") {
       CHECK(text_of(browser, ragged) == "");
     }
   }
+
+  TEST_CASE("the appendix is folded, and a link opens the section that it leads to") {
+    if (browser_there().empty()) {
+      MESSAGE("skipped: no Chromium");
+      return;
+    }
+    const Desk desk;
+    Browser browser;
+    REQUIRE(write_report(desk, "line-shaft", "r.html"));
+    const std::string open = "document.getElementById('line_shaft').closest('details').open + ''";
+    browser.look(1280, 900);
+    browser.open(address_of(desk, "r.html"));
+    CHECK(text_of(browser, open) == "false");
+    CHECK(text_of(browser, "document.querySelector('a[href=\"#line_shaft\"]') === null ? 'none' : 'link'") == "link");
+    CHECK(text_of(browser, "(location.hash = 'line_shaft', '')") == "");
+    browser.open(address_of(desk, "r.html") + "#line_shaft");
+    CHECK(text_of(browser, open) == "true");
+  }
 }

@@ -9,3 +9,13 @@
   };
   new ResizeObserver(reach).observe(document.body);
 }
+{  // Folded sections open for printing, and where a link leads to one.
+  addEventListener("beforeprint", () => { for (const one of document.querySelectorAll("details")) one.open = true; });
+  const reveal = () => {
+    const target = document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    const section = target && target.closest("details");
+    if (section) section.open = true;
+  };
+  addEventListener("hashchange", reveal);
+  reveal();
+}

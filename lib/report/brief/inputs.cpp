@@ -26,6 +26,12 @@ struct Input {
 
 bool is_of_list(const Entry& entry) { return entry.path.find_first_of("[.") != std::string::npos; }
 
+/// A coordinate of zero says little.
+bool is_zero_of_list(const Entry& entry) {
+  return is_of_list(entry) && entry.word.empty() && !entry.value.is_series() && !entry.value.si.empty() &&
+         entry.value.si.front() == 0.0;
+}
+
 bool is_name(const Entry& entry) { return entry.path == "name" || entry.path.ends_with(".name"); }
 
 /// The inputs that the governing modes follow from.
@@ -46,6 +52,7 @@ std::vector<Input> given_inputs(const Project& project, const std::vector<Govern
     for (const Entry& entry : step->account().inputs) {
       const bool decides = deciding.contains(&entry);
       if (!is_available(entry) || is_name(entry) || (entry.origin.assumed && !decides)) continue;
+      if (!decides && is_zero_of_list(entry)) continue;
       const int rank = decides ? 0 : is_of_list(entry) ? 2 : 1;
       inputs.push_back({step.get(), &entry, rank});
     }

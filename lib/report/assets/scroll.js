@@ -1,6 +1,6 @@
 "use strict";
 {  // What is wider than its place can be moved by keys as well.
-  const boxes = document.querySelectorAll(".scroll, .right");
+  const boxes = document.querySelectorAll(".scroll, .formula, .numbers, .result");
   const reach = () => {
     for (const box of boxes) {
       if (box.scrollWidth > box.clientWidth) box.tabIndex = 0;
@@ -8,6 +8,8 @@
     }
   };
   new ResizeObserver(reach).observe(document.body);
+  document.fonts.ready.then(reach);  // wider letters than before they were read
+  addEventListener("toggle", reach, true);  // of a folded section: without width until it opens
 }
 {  // Folded sections open for printing, and where a link leads to one.
   addEventListener("beforeprint", () => { for (const one of document.querySelectorAll("details")) one.open = true; });

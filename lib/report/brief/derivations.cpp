@@ -102,8 +102,8 @@ std::vector<Derivable> derivable(const project::Project& project, const std::vec
 
 /// The height that each may take where none takes more than it needs: what the short ones leave goes to the long ones.
 double fair_height(const std::vector<Derivable>& all, double height) {
-  std::vector<double> needs;
-  for (const Derivable& one : all) needs.push_back(one.height());
+  std::vector<double> needs(all.size());
+  std::ranges::transform(all, needs.begin(), [](const Derivable& one) { return one.height(); });
   std::ranges::sort(needs);
   double left = height;
   for (std::size_t i = 0; i < needs.size(); ++i) {

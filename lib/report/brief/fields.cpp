@@ -49,9 +49,10 @@ std::vector<std::string> factors_of(const project::Project& project, bool assume
     else if (known->second.find(name) == std::string::npos)
       known->second += ", " + name;
   }
-  std::vector<std::string> texts;
-  for (const auto& [factor, steps] : all)
-    texts.push_back(project.steps.size() > 1 ? factor + " (" + steps + ")" : factor);
+  std::vector<std::string> texts(all.size());
+  std::ranges::transform(all, texts.begin(), [&](const auto& of) {
+    return project.steps.size() > 1 ? std::string(of.first).append(" (").append(of.second).append(")") : of.first;
+  });
   return texts;
 }
 

@@ -63,7 +63,7 @@ const Length none = 0.0 * mm;
 TEST_SUITE("section") {
   TEST_CASE("closed forms with sharp corners are the integrals over their contours") {
     const Length h = 100.0 * mm, b = 60.0 * mm, t_w = 7.0 * mm, t_f = 9.0 * mm;
-    check_same(solve<section::I>({h, b, t_w, t_f}), of_outline(i_outline(h, b, t_w, t_f, none)), 1e-12);
+    check_same(solve<section::I>({{h, b, t_w, t_f}}), of_outline(i_outline(h, b, t_w, t_f, none)), 1e-12);
     check_same(solve<section::Channel>({h, b, t_w, t_f}), of_outline(channel_outline(h, b, t_w, t_f)), 1e-12);
     check_same(solve<section::Angle>({h, b, t_f}), of_outline(angle_outline(h, b, t_f)), 1e-12);
     check_same(solve<section::Tee>({h, b, t_w, t_f}), of_outline(tee_outline(h, b, t_w, t_f)), 1e-12);
@@ -72,7 +72,7 @@ TEST_SUITE("section") {
 
   TEST_CASE("closed forms with fillets are the integrals over contours that follow the arcs") {
     const Length h = 100.0 * mm, b = 60.0 * mm, t_w = 7.0 * mm, t_f = 9.0 * mm, r = 8.0 * mm;
-    check_same(solve<section::I>({h, b, t_w, t_f, r}), of_outline(i_outline(h, b, t_w, t_f, r)), 4e-3);
+    check_same(solve<section::I>({{h, b, t_w, t_f, r}}), of_outline(i_outline(h, b, t_w, t_f, r)), 4e-3);
     check_same(solve<section::Channel>({h, b, t_w, t_f, r}), of_outline(channel_outline(h, b, t_w, t_f, r)), 4e-3);
     check_same(solve<section::Angle>({h, b, t_f, r, 4.0 * mm}), of_outline(angle_outline(h, b, t_f, r, 4.0 * mm)),
                4e-3);
@@ -82,7 +82,7 @@ TEST_SUITE("section") {
 
   TEST_CASE("closed forms with large fillets are the integrals over contours of fine arcs") {
     const Length h = 100.0 * mm, b = 60.0 * mm, t_w = 7.0 * mm, t_f = 9.0 * mm, r = 16.0 * mm, o = none;
-    check_same(solve<section::I>({h, b, t_w, t_f, r}),
+    check_same(solve<section::I>({{h, b, t_w, t_f, r}}),
                of_rounded(i_outline(h, b, t_w, t_f, none), {o, o, o, r, r, o, o, o, o, r, r, o}), 2e-6);
     check_same(solve<section::Channel>({h, b, t_w, t_f, r}),
                of_rounded(channel_outline(h, b, t_w, t_f), {o, o, o, r, r, o, o, o}), 2e-6);
@@ -106,7 +106,7 @@ TEST_SUITE("section") {
                              {152.4, 152.2, 5.8, 6.8, 7.6, 4.63, 0.005},
                              {474.6, 424.0, 47.6, 77.0, 15.2, 13700, 50}}) {
       CAPTURE(p.I_t);
-      const auto rolled = solve<section::I>({p.h * mm, p.b * mm, p.t_w * mm, p.t_f * mm, p.r * mm});
+      const auto rolled = solve<section::I>({{p.h * mm, p.b * mm, p.t_w * mm, p.t_f * mm, p.r * mm}});
       CHECK(std::abs(in_si(rolled.I_t) * 1e8 - p.I_t) <= p.half_unit);
     }
   }
@@ -213,9 +213,9 @@ TEST_SUITE("section") {
     CHECK_FALSE(is_set(thick.I_t));
     CHECK(is_set(thick.I_min));
     CHECK(is_set(solve<section::Angle>({50.0 * mm, 50.0 * mm, 9.0 * mm}).I_t));
-    CHECK_FALSE(is_set(solve<section::I>({200.0 * mm, 100.0 * mm, 3.0 * mm, 10.0 * mm}).I_t));
-    CHECK(is_set(solve<section::I>({200.0 * mm, 100.0 * mm, 4.1 * mm, 10.0 * mm}).I_t));
-    CHECK_FALSE(is_set(solve<section::I>({200.0 * mm, 100.0 * mm, 6.0 * mm, 10.0 * mm, 21.0 * mm}).I_t));
+    CHECK_FALSE(is_set(solve<section::I>({{200.0 * mm, 100.0 * mm, 3.0 * mm, 10.0 * mm}}).I_t));
+    CHECK(is_set(solve<section::I>({{200.0 * mm, 100.0 * mm, 4.1 * mm, 10.0 * mm}}).I_t));
+    CHECK_FALSE(is_set(solve<section::I>({{200.0 * mm, 100.0 * mm, 6.0 * mm, 10.0 * mm, 21.0 * mm}}).I_t));
     CHECK(is_set(solve<section::Hollow>({60.0 * mm, 60.0 * mm, 9.0 * mm}).I_t));
     CHECK_FALSE(is_set(solve<section::Hollow>({60.0 * mm, 60.0 * mm, 13.0 * mm}).I_t));
   }
@@ -240,8 +240,9 @@ TEST_SUITE("section") {
     ring.t = 3.0 * mm;
     CHECK(broken<section::Ring>(ring) == "give either d_i or t");
     CHECK(broken<section::Ring>({40.0 * mm, 40.0 * mm}) == "the bore must be smaller than the ring");
-    CHECK(broken<section::I>({100.0 * mm, 60.0 * mm, 7.0 * mm, 50.1 * mm}) == "h is too small for flanges and fillets");
-    CHECK(broken<section::I>({100.0 * mm, 60.0 * mm, 61.0 * mm, 9.0 * mm}) == "b is too small for web and fillets");
+    CHECK(broken<section::I>({{100.0 * mm, 60.0 * mm, 7.0 * mm, 50.1 * mm}}) ==
+          "h is too small for flanges and fillets");
+    CHECK(broken<section::I>({{100.0 * mm, 60.0 * mm, 61.0 * mm, 9.0 * mm}}) == "b is too small for web and fillets");
     CHECK(broken<section::Channel>({100.0 * mm, 10.0 * mm, 7.0 * mm, 9.0 * mm, 8.0 * mm}) ==
           "b is too small for web and fillet");
     CHECK(broken<section::Angle>({50.0 * mm, 20.0 * mm, 21.0 * mm}) ==

@@ -77,7 +77,7 @@ TEST_SUITE("section tables") {
 
   TEST_CASE("W sections are what their sizes make them, but for the fillets, which the table does not give") {
     const std::size_t count = for_family("sections/w", [](const Row& row) {
-      const auto p = solve<section::I>({row.h, row.b, row.t_w, row.t_f});
+      const auto p = solve<section::I>({{row.h, row.b, row.t_w, row.t_f}});
       CHECK(in_si(p.A) / in_si(row.A) < 1.03);
       CHECK(in_si(p.A) / in_si(row.A) > 0.93);
       CHECK(rel(row.I_y, p.I_y) < 0.07);

@@ -8,8 +8,8 @@
     }
   };
   new ResizeObserver(reach).observe(document.body);
-  document.fonts.ready.then(reach);  // wider letters than before they were read
-  addEventListener("toggle", reach, true);  // of a folded section: without width until it opens
+  document.fonts.ready.then(reach);
+  addEventListener("toggle", reach, true);
 }
 {  // Folded sections open for printing, and where a link leads to one.
   addEventListener("beforeprint", () => { for (const one of document.querySelectorAll("details")) one.open = true; });

@@ -67,7 +67,7 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
     const bool is_the_same = std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside));
     if (is_the_same && beside.has_margin && !std::isnan(typed)) {
       beside.is_full = true;
-      for (double& si : beside.value.si) si *= 0.5;  // any lower value shows what it decides
+      for (double& si : beside.value.si) si *= 0.5;  // a lower value shows which checks it decides
       bolder.push_back(std::move(beside));
       continue;
     }

@@ -16,8 +16,8 @@ using sweep::Reader;
 using sweep::Writer;
 
 bool passes(double state) {
-  return state == account::number(State::pass) || state == account::number(State::accepted) ||
-         state == account::number(State::open);
+  return std::any_of(passing_states.begin(), passing_states.end(),
+                     [&](State passing) { return state == account::number(passing); });
 }
 
 std::uint64_t count_in(std::span<const double> states, double state) {
@@ -28,8 +28,7 @@ std::uint64_t count_in(std::span<const double> states, double state) {
 DesignTally outcomes_of(std::span<const double> states) {
   DesignTally tally;
   tally.samples = states.size();
-  for (const State state : {State::pass, State::accepted, State::open})
-    tally.passing += count_in(states, account::number(state));
+  for (const State state : passing_states) tally.passing += count_in(states, account::number(state));
   if (tally.passing == tally.samples) return tally;
   tally.refused = count_in(states, account::refused_state);
   tally.failing = tally.refused + count_in(states, account::number(State::fail));

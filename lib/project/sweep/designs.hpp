@@ -16,6 +16,9 @@
 
 namespace loadpath::project {
 
+/// The states of a project that count as passing.
+inline constexpr std::array passing_states{account::State::pass, account::State::accepted, account::State::open};
+
 /// The samples of a design by their outcome. A sample that violates a rule of its calculator counts as failing.
 struct DesignTally {
   std::uint64_t samples = 0, passing = 0, failing = 0, refused = 0;  // refused ones are part of the failing ones

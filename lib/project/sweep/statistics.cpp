@@ -80,8 +80,9 @@ std::uint64_t Tally::total() const {
 }
 
 std::uint64_t Tally::passing() const {
-  using account::State;
-  return of(State::pass) + of(State::accepted) + of(State::open);
+  std::uint64_t sum = 0;
+  for (const account::State state : passing_states) sum += of(state);
+  return sum;
 }
 
 SweepStatistics::SweepStatistics(std::size_t inputs, std::size_t results, std::size_t verdicts, std::uint64_t samples,

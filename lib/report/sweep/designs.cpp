@@ -143,7 +143,7 @@ std::string of_scattering(const SweepStatistics& found) {
   if (counts.all_fail > 0)
     text += (counts.some_fail > 0 ? ", " : "; ") + number(counts.all_fail) +
             (counts.some_fail > 0 ? " in all" : " fail in all");
-  if (counts.not_assessed > 0) text += "; " + number(counts.not_assessed) + " are not assessed";
+  if (counts.not_assessed > 0) text += "; " + number(counts.not_assessed) + " not assessed";
   return text;
 }
 
@@ -160,7 +160,7 @@ std::string count_of_designs(const SweepPlan& plan, const SweepStatistics& found
   const project::DesignCounts counts = found.design_counts();
   std::string text = number(counts.all_pass) + " of " + number(counts.valid()) + " designs pass";
   if (counts.all_fail > 0) text += "; " + number(counts.all_fail) + " fail";
-  if (counts.not_assessed > 0) text += "; " + number(counts.not_assessed) + " are not assessed";
+  if (counts.not_assessed > 0) text += "; " + number(counts.not_assessed) + " not assessed";
   return text;
 }
 

@@ -1,6 +1,7 @@
 #include "lib/report/sweep/influence.hpp"
 
 #include "lib/quantity/format.hpp"
+#include "lib/report/sweep/shares.hpp"
 
 #include <cmath>
 
@@ -9,8 +10,6 @@ namespace loadpath::report {
 namespace {
 
 using project::Influence;
-
-std::string percent(double share) { return std::isnan(share) ? "-" : format_number(100.0 * share, 3) + " %"; }
 
 Quantity shown(double si, const std::string& unit) { return {si, unit.empty() ? std::string("-") : unit, 4}; }
 
@@ -73,7 +72,7 @@ Table budget_table(const Influence& influence, std::size_t k) {
   for (const sweep::BudgetLine& line : budget.lines) {
     if (!influence.inputs[line.input].distribution) continue;
     table.rows.push_back(
-        {influence.inputs[line.input].name, percent(line.share), shown(std::sqrt(line.variance), unit)});
+        {influence.inputs[line.input].name, in_percent(line.share), shown(std::sqrt(line.variance), unit)});
   }
   return table;
 }
@@ -85,8 +84,9 @@ Table sobol_table(const Influence& influence, std::size_t k) {
               {}};
   for (std::size_t i = 0; i < indices.inputs.size(); ++i) {
     const sweep::SobolIndex& index = indices.inputs[i];
-    table.rows.push_back({influence.inputs[influence.scattering[i]].name, percent(index.first),
-                          "±" + percent(index.first_within), percent(index.total), "±" + percent(index.total_within)});
+    table.rows.push_back({influence.inputs[influence.scattering[i]].name, in_percent(index.first),
+                          "±" + in_percent(index.first_within), in_percent(index.total),
+                          "±" + in_percent(index.total_within)});
   }
   return table;
 }

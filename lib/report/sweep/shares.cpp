@@ -3,9 +3,11 @@
 #include "lib/quantity/format.hpp"
 #include "lib/sweep/statistics/confidence.hpp"
 
+#include <cmath>
+
 namespace loadpath::report {
 
-std::string in_percent(double share) { return format_number(100.0 * share, 3) + " %"; }
+std::string in_percent(double share) { return std::isnan(share) ? "-" : format_number(100.0 * share, 3) + " %"; }
 
 std::string share_text(std::uint64_t met, std::uint64_t n, bool is_sample) {
   if (n == 0) return "-";

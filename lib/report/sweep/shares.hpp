@@ -8,7 +8,7 @@ namespace loadpath::report {
 
 inline constexpr double confidence_of_shares = 0.95;
 
-/// "12.5 %", with as many digits as a share near 0 or 1 needs.
+/// "12.5 %"; "-" of NaN.
 std::string in_percent(double share);
 
 /// "2.1 % (1.9 to 2.3 %)"; without bounds for a grid, which is not a sample.

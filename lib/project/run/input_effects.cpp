@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <set>
 #include <span>
 
@@ -87,10 +88,17 @@ bool keeps_rules(const Evaluation& evaluation) {
   return true;
 }
 
+/// A position at which inputs are tried, with the effects of the inputs as given, found once for all of them.
+struct Probe {
+  std::size_t position;
+  std::optional<Effects> given = std::nullopt;
+};
+
 /// Whether another value of the leaf changes anything at the position; also where it may have no other.
-bool has_effect(Evaluation& evaluation, const Leaf& leaf, std::size_t position) {
-  if (!evaluation.set_position(position)) return false;
-  const Effects before = effects_of(evaluation);
+bool has_effect(Evaluation& evaluation, const Leaf& leaf, Probe& probe) {
+  if (!evaluation.set_position(probe.position)) return false;
+  if (!probe.given) probe.given = effects_of(evaluation);
+  const Effects& before = *probe.given;
   const double given = leaf.get();
   bool tried = false, moved = false;
   for (const double value : others(*leaf.field, given)) {
@@ -105,10 +113,13 @@ bool has_effect(Evaluation& evaluation, const Leaf& leaf, std::size_t position) 
 }
 
 /// The positions for trying inputs: a few of a cycle, and the governing one.
-std::vector<std::size_t> probes(const Evaluation& evaluation, const Governing& governing) {
+std::vector<Probe> probes(const Evaluation& evaluation, const Governing& governing) {
   const std::size_t count = evaluation.positions();
-  const std::set<std::size_t> places{governing.position, 0, count / 4, count / 2, 3 * count / 4};
-  return {places.begin(), places.end()};
+  const std::set<std::size_t> positions{governing.position, 0, count / 4, count / 2, 3 * count / 4};
+  std::vector<Probe> probes;
+  probes.reserve(positions.size());
+  for (const std::size_t position : positions) probes.push_back({position});
+  return probes;
 }
 
 /// The value of the leaf if nobody types it; NaN if it is required, or its list is inside another one.
@@ -164,14 +175,14 @@ void warn_of_unused(Evaluation& evaluation, const Results& results, const Govern
                     std::vector<Issue>& issues) {
   if (!governing.is_evaluated || lacks_checks(evaluation, results) || takes_long(evaluation.record())) return;
   const StepInput& step = evaluation.step().input();
-  const std::vector<std::size_t> places = probes(evaluation, governing);
+  std::vector<Probe> places = probes(evaluation, governing);
   for (const auto& entry : step.reading.typed) {
     const std::string& path = entry.first;
     const Leaf leaf = evaluation.inputs().leaf(path);
     if (!leaf || leaf.field->get == nullptr || !std::isfinite(leaf.get())) continue;
     if (path == evaluation.inputs().size_field()) continue;  // tables are looked up with the size
     if (is_of_record(step.reading, path)) continue;
-    const auto counts = [&](std::size_t position) { return has_effect(evaluation, leaf, position); };
+    const auto counts = [&](Probe& probe) { return has_effect(evaluation, leaf, probe); };
     if (std::any_of(places.begin(), places.end(), counts) || !is_spare(evaluation, path, leaf)) continue;
     Issue issue = issue_at(step, path, say("'{1}' has no effect here: no result changes with it", path));
     issue.severity = Severity::warning;

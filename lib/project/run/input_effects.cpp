@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <numeric>
 #include <optional>
 #include <set>
 #include <span>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -112,6 +115,62 @@ bool has_effect(Evaluation& evaluation, const Leaf& leaf, Probe& probe) {
   return moved || !tried;
 }
 
+/// Every so many positions of an axis, which together have its time.
+Axis thinned_axis(const Axis& axis, std::size_t step) {
+  Axis thinned = axis;
+  thinned.at.clear();
+  thinned.share.clear();
+  for (std::size_t i = 0; i < axis.at.size(); i += step) {
+    thinned.at.push_back(axis.at[i]);  // NOLINT(performance-inefficient-vector-operation): a few
+    if (axis.share.empty()) continue;
+    const auto first = axis.share.begin() + static_cast<std::ptrdiff_t>(i);
+    const std::size_t covered = std::min(step, axis.share.size() - i);
+    thinned.share.push_back(std::accumulate(first, first + static_cast<std::ptrdiff_t>(covered), 0.0));
+  }
+  return thinned;
+}
+
+/// The series of a record at a few positions while it lives: an input that changes a result there has an effect, at
+/// a tenth of the cost. One without an effect there may have it in between.
+class ThinnedSeries {
+ public:
+  explicit ThinnedSeries(const Record& record) {
+    for_each_leaf(record, [&](const std::string&, const Leaf& leaf) {
+      if (!leaf.field->takes_whole()) return;
+      const Value* const series = leaf.field->series(leaf.owner);
+      if (series != nullptr && series->si.size() >= 2 * kept) whole_.push_back({leaf, *series});
+    });
+    for (const Whole& whole : whole_) whole.leaf.field->set_series(whole.leaf.owner, thinned(whole.series));
+  }
+  ThinnedSeries(const ThinnedSeries&) = delete;
+  ThinnedSeries& operator=(const ThinnedSeries&) = delete;
+  ~ThinnedSeries() {
+    for (Whole& whole : whole_) whole.leaf.field->set_series(whole.leaf.owner, std::move(whole.series));
+  }
+  [[nodiscard]] bool has_any() const { return !whole_.empty(); }
+
+ private:
+  static constexpr std::size_t kept = 36;
+  struct Whole {
+    Leaf leaf;
+    Value series;
+  };
+
+  Value thinned(const Value& series) {
+    const std::size_t step = series.si.size() / kept;
+    const auto [axis, is_new] = axes_.try_emplace(series.signature.axis);
+    if (is_new) axis->second = thinned_axis(*series.signature.axis, step);
+    Value few{series.signature, {}, series.rounding};
+    few.signature.axis = &axis->second;
+    few.si.reserve(kept + 1);
+    for (std::size_t i = 0; i < series.si.size(); i += step) few.si.push_back(series.si[i]);
+    return few;
+  }
+
+  std::vector<Whole> whole_;
+  std::map<const Axis*, Axis> axes_;  // their addresses stay
+};
+
 /// The positions for trying inputs: a few of a cycle, and the governing one.
 std::vector<Probe> probes(const Evaluation& evaluation, const Governing& governing) {
   const std::size_t count = evaluation.positions();
@@ -169,6 +228,32 @@ bool takes_long(const Record& record) {
   return found;
 }
 
+using TypedInputs = std::vector<std::pair<std::string, Leaf>>;
+
+/// The inputs with typed values that can be tried.
+TypedInputs typed_inputs(const Evaluation& evaluation) {
+  const StepInput& step = evaluation.step().input();
+  TypedInputs inputs;
+  for (const auto& entry : step.reading.typed) {
+    const std::string& path = entry.first;
+    const Leaf leaf = evaluation.inputs().leaf(path);
+    if (!leaf || leaf.field->get == nullptr || !std::isfinite(leaf.get())) continue;
+    if (path == evaluation.inputs().size_field()) continue;  // tables are looked up with the size
+    if (!is_of_record(step.reading, path)) inputs.emplace_back(path, leaf);
+  }
+  return inputs;
+}
+
+/// The inputs without an effect on a few positions of the series; all if there are no series.
+TypedInputs without_effect(Evaluation& evaluation, TypedInputs inputs, const Governing& governing) {
+  if (!evaluation.set_position(governing.position)) return inputs;
+  const ThinnedSeries thinned(evaluation.record());
+  if (!thinned.has_any() || !keeps_rules(evaluation)) return inputs;
+  Probe probe{governing.position};
+  std::erase_if(inputs, [&](const auto& input) { return has_effect(evaluation, input.second, probe); });
+  return inputs;
+}
+
 }  // namespace
 
 void warn_of_unused(Evaluation& evaluation, const Results& results, const Governing& governing,
@@ -176,13 +261,8 @@ void warn_of_unused(Evaluation& evaluation, const Results& results, const Govern
   if (!governing.is_evaluated || lacks_checks(evaluation, results) || takes_long(evaluation.record())) return;
   const StepInput& step = evaluation.step().input();
   std::vector<Probe> places = probes(evaluation, governing);
-  for (const auto& entry : step.reading.typed) {
-    const std::string& path = entry.first;
-    const Leaf leaf = evaluation.inputs().leaf(path);
-    if (!leaf || leaf.field->get == nullptr || !std::isfinite(leaf.get())) continue;
-    if (path == evaluation.inputs().size_field()) continue;  // tables are looked up with the size
-    if (is_of_record(step.reading, path)) continue;
-    const auto counts = [&](Probe& probe) { return has_effect(evaluation, leaf, probe); };
+  for (const auto& [path, leaf] : without_effect(evaluation, typed_inputs(evaluation), governing)) {
+    const auto counts = [&evaluation, &input = leaf](Probe& probe) { return has_effect(evaluation, input, probe); };
     if (std::any_of(places.begin(), places.end(), counts) || !is_spare(evaluation, path, leaf)) continue;
     Issue issue = issue_at(step, path, say("'{1}' has no effect here: no result changes with it", path));
     issue.severity = Severity::warning;

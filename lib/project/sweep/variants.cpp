@@ -109,16 +109,23 @@ void Variants::solve_alone(std::span<const double* const> in, std::span<double* 
 
 namespace {
 
-/// Whether a part leaves a mode to a calculator of an existing step: its verdict depends on more than the part.
+/// Whether the judge takes a record of the part.
+bool takes_record(const Step& judge, const Step& part) {
+  const auto& records = judge.input().reading.records;
+  return std::any_of(records.begin(), records.end(),
+                     [&](const Taken& taken) { return taken.source.starts_with(part.name() + "."); });
+}
+
+/// Whether a part leaves a mode to a step that takes a record of it: its verdict depends on more than the part.
 bool leaves_modes(const Project& project) {
-  const auto runs = [&](std::string_view calculator) {
-    return std::any_of(project.steps.begin(), project.steps.end(),
-                       [&](const auto& step) { return step->input().calculator->id == calculator; });
+  const auto is_left = [&](const Step& part, const ModeInfo& mode) {
+    return std::any_of(project.steps.begin(), project.steps.end(), [&](const auto& step) {
+      return step->input().calculator->id == std::string_view(mode.judge) && takes_record(*step, part);
+    });
   };
   return std::any_of(project.steps.begin(), project.steps.end(), [&](const auto& step) {
     const auto& modes = step->input().calculator->modes;
-    return std::any_of(modes.begin(), modes.end(),
-                       [&](const ModeInfo& mode) { return *mode.judge != '\0' && runs(mode.judge); });
+    return std::any_of(modes.begin(), modes.end(), [&](const ModeInfo& mode) { return is_left(*step, mode); });
   });
 }
 

@@ -359,13 +359,15 @@ std::vector<std::string> PreparedStep::companions_of(const std::string& path) co
 }
 
 /// Records the non-zero ones: a spur gear has no axial force.
+bool acts(const Value& component) {
+  return std::any_of(component.si.begin(), component.si.end(),
+                     [&](double x) { return !(std::abs(x) <= component.rounding); });
+}
+
 void PreparedStep::leave_what_acts(const Known& known) {
   std::string names;
   for (const std::string& path : rest_) {
-    const Value& value = known(path);
-    const bool acts =
-        std::any_of(value.si.begin(), value.si.end(), [&](double x) { return !(std::abs(x) <= value.rounding); });
-    if (acts) names += (names.empty() ? "" : ", ") + path;
+    if (acts(known(path))) names += (names.empty() ? "" : ", ") + path;
   }
   loads().left = std::move(names);
 }

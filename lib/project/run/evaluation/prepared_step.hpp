@@ -6,6 +6,9 @@
 
 namespace loadpath::project {
 
+/// Whether a component of a load is more than its rounding at any position.
+bool acts(const Value& component);
+
 class PreparedStep : public Step {
  public:
   using Step::Step;
@@ -30,8 +33,8 @@ class PreparedStep : public Step {
   [[nodiscard]] bool names_row_for(const std::string& field) const;
   /// Whether a check or a limit is active: through an input that has a value, or that a row is to give.
   [[nodiscard]] bool is_asked(const FieldInfo& check, const Record& record) const;
-  /// Whether its loads have components that it does not include.
-  [[nodiscard]] bool leaves_loads() const { return !rest_.empty(); }
+  /// Components of its loads that it does not include.
+  [[nodiscard]] const std::vector<std::string>& left_components() const { return rest_; }
   /// Whether a rule of the calculator concerns an input, or the list that it is in.
   [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
 

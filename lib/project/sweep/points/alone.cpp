@@ -29,7 +29,7 @@ AloneStep::AloneStep(Step& step, const Wanted& wanted) : step_(step), wanted_(wa
 std::unique_ptr<AloneStep> AloneStep::of(Step& step, const Wanted& wanted, const std::set<std::string>& referred,
                                          const PointColumns& points) {
   const auto* const calculator = dynamic_cast<const CalculatorStep*>(&step);
-  if (!takes_numbers(step) || (calculator != nullptr && calculator->leaves_loads())) return nullptr;
+  if (!takes_numbers(step)) return nullptr;
   std::unique_ptr<AloneStep> alone(new AloneStep(step, wanted));
   const auto refer_to = [&](const std::string& path) { alone->refer_to(path, points); };
   for_each_reference(step.input().reading, refer_to);
@@ -38,6 +38,7 @@ std::unique_ptr<AloneStep> AloneStep::of(Step& step, const Wanted& wanted, const
     for (const Provided& provided : calculator->provided()) {
       for (const std::string& path : provided.companions) alone->refer_to(path, points);
     }
+    for (const std::string& path : calculator->left_components()) alone->refer_to(path, points);
   }
   for (const std::string& path : referred) {
     const auto signature = points.signatures.find(path);

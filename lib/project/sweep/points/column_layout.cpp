@@ -26,6 +26,7 @@ struct ColumnLayout : ColumnPlan {
   [[nodiscard]] std::optional<std::size_t> place_of(const FieldInfo& field, const std::string& path) const;
   bool add_companions(const PointColumns& points);
   bool add_absent(const Provided& provided, const PointColumns& points);
+  void add_left(const PointColumns& points);
   bool add_values_of_rows();
   [[nodiscard]] std::string size_field() const;
   [[nodiscard]] Size size_of(const std::string& field) const;
@@ -55,6 +56,7 @@ bool ColumnLayout::lay_out(const std::set<std::string>& wanted, const PointColum
   if (!is_plain() || !add_fed(points) || !add_companions(points) || !add_search() || !add_values_of_rows() ||
       !add_read(wanted))
     return false;
+  add_left(points);
   add_rules();
   add_rules_of_search();
   add_judging();
@@ -62,10 +64,10 @@ bool ColumnLayout::lay_out(const std::set<std::string>& wanted, const PointColum
   return true;
 }
 
-/// Whether the step takes no complete objects, and includes all load components.
+/// Whether the step takes no complete objects, and its loads contain their factors.
 bool ColumnLayout::is_plain() const {
   const Reading& reading = step.input().reading;
-  return reading.taken.empty() && reading.whole.empty() && !step.leaves_loads() && !step.goes_point_by_point() &&
+  return reading.taken.empty() && reading.whole.empty() && !step.goes_point_by_point() &&
          !step.account().results.empty() && step.loads().lacking_factor.empty();
 }
 
@@ -127,6 +129,16 @@ bool ColumnLayout::add_companions(const PointColumns& points) {
     fed.emplace_back(step.name() + "." + provided.path, *provided.field, *place, provided.companions, points);
   }
   return true;
+}
+
+void ColumnLayout::add_left(const PointColumns& points) {
+  const auto acting = listed_keys(step.loads().left);
+  for (const std::string& path : step.left_components()) {
+    const auto signature = points.signatures.find(path);
+    if (signature == points.signatures.end()) continue;  // it has no value at any point
+    const bool acts = std::find(acting.begin(), acting.end(), path) != acting.end();
+    left_components.push_back({path, {signature->second, {}}, acts});
+  }
 }
 
 /// The first of the sizes that rows are asked at which is given, "d_h, d", else the last; empty if none is asked.

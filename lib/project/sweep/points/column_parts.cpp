@@ -26,6 +26,16 @@ void ColumnParts::feed(PointColumns& points) {
   }
 }
 
+/// Leaves points where others of the components that the step does not include act: its modes tell of them.
+void ColumnParts::leave_other_components(PointColumns& points) {
+  for (LeftComponent& component : left_components) {
+    for (std::size_t point = 0; point < points.count; ++point) {
+      points.read(component.path, point, component.value);
+      if (acts(component.value) != component.acts) leave(points, point);
+    }
+  }
+}
+
 /// Values of rows at the sizes as they are now, behind the inputs that are fed.
 void ColumnParts::provide(PointColumns& points) {
   in.resize(inputs_fed);

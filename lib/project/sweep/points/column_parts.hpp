@@ -24,6 +24,7 @@ struct ColumnParts : ColumnPlan {
   explicit ColumnParts(ColumnPlan&& plan) : ColumnPlan(std::move(plan)) {}
 
   void feed(PointColumns& points);
+  void leave_other_components(PointColumns& points);
   void provide(PointColumns& points);
   void start_sizes(PointColumns& points);
   void settle_sizes(PointColumns& points);

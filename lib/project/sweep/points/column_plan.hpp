@@ -67,12 +67,20 @@ struct Judging {
   account::Unjudged unjudged = {};
 };
 
+/// A component of a load that the step does not include, and whether it acts where the step was laid out.
+struct LeftComponent {
+  std::string path;
+  Value value;
+  bool acts;
+};
+
 struct ColumnPlan {
   CalculatorStep& step;
   const Calculator& calculator;
   const Axis* axis;  // null: one position
   Record record, result;
   std::vector<Fed> fed;
+  std::vector<LeftComponent> left_components = {};
   std::vector<std::string> absent;  // load components that were absent where this was laid out
   std::vector<Sized> sized;
   std::optional<Size> size;      // size of the sized inputs

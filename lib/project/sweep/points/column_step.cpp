@@ -18,6 +18,7 @@ std::unique_ptr<ColumnStep> ColumnStep::of(CalculatorStep& step, const std::set<
 
 void ColumnStep::evaluate(PointColumns& points, std::vector<account::ModeColumns>& modes) {
   parts_->feed(points);
+  parts_->leave_other_components(points);
   parts_->check_inputs(points);
   parts_->tell_found(points);
   parts_->run(points);

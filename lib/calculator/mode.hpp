@@ -8,7 +8,7 @@
 namespace loadpath {
 
 /// Whether a mode concerns a part; unseen: the input does not decide it.
-enum class Applies { no, unseen, yes };
+enum class Applies : unsigned char { no, unseen, yes };
 
 /// The kind of a mode, which determines its state if it is not assessed.
 enum class ModeKind {

@@ -1,5 +1,6 @@
 #include "lib/project/sweep/axes.hpp"
 
+#include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -84,6 +85,23 @@ bool set_input(Project& project, const SweptInput& input, double value, std::vec
 std::string written(const SweptInput& input, double value) {
   if (!input.words.empty()) return input.words[static_cast<std::size_t>(value)];
   return format_quantity(value, input.unit, 6);
+}
+
+std::set<std::string> affected_steps(const Project& project, const std::vector<SweptInput>& inputs) {
+  std::set<std::string> affected;
+  for (const SweptInput& input : inputs) {
+    if (input.is_literal) affected.insert(split_step(input.name).first);  // "values"
+    for (const SweptInput::Target& target : input.targets) affected.insert(target.step->name());
+  }
+  for (const std::size_t i : project.order) {  // each after those that it refers to
+    const Step& step = *project.steps[i];
+    const auto visit = [&](const std::string& path) {
+      if (affected.contains(split_step(path).first)) affected.insert(step.name());
+    };
+    for_each_reference(step.input().reading, visit);
+    for_each_compared(step.input(), visit);
+  }
+  return affected;
 }
 
 }  // namespace loadpath::project

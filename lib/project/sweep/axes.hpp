@@ -3,6 +3,7 @@
 
 #include "lib/project/project.hpp"
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct SweptInput {
 
 /// In the order of the file, those of [values] first.
 std::vector<SweptInput> swept_inputs(Project& project);
+
+/// The names of the steps that the inputs affect, directly or through other steps.
+std::set<std::string> affected_steps(const Project& project, const std::vector<SweptInput>& inputs);
 
 /// Gives the input a value in SI, or the number of a word. False, and an issue, where a field does not allow it: of a
 /// range all values have been checked, of a sample none.

@@ -4,6 +4,7 @@
 #include "lib/project/solving/solve.hpp"
 #include "lib/project/sweep/points/alone.hpp"
 #include "lib/project/sweep/points/column_step.hpp"
+#include "lib/project/sweep/points/constant.hpp"
 #include "lib/sweep/nan.hpp"
 
 #include <algorithm>
@@ -169,12 +170,14 @@ bool Variants::find_kernels() {
     points_.signatures[path] = value->signature;
     if (!value->is_series()) points_.constants[path] = value->si[0];
   }
+  const std::set<std::string> affected = affected_steps(project_, axes_);
   bool brings = false;
   for (const std::size_t i : project_.order) {
     Step& step = *project_.steps[i];
     auto* const calculator = dynamic_cast<CalculatorStep*>(&step);
     std::unique_ptr<PointStep> kernel;
-    if (calculator != nullptr) kernel = ColumnStep::of(*calculator, referred, points_);
+    if (!affected.contains(step.name())) kernel = ConstantStep::of(step, referred, points_);
+    if (!kernel && calculator != nullptr) kernel = ColumnStep::of(*calculator, referred, points_);
     brings = brings || kernel != nullptr;
     if (!kernel) kernel = AloneStep::of(step, wanted_, referred, points_);
     if (!kernel) {

@@ -73,6 +73,11 @@ void Fed::spread(std::span<const double> of_points, std::size_t positions) {
 }
 
 void Fed::fill_from_expression(PointColumns& points, std::size_t positions) {
+  if (expression_->reads_series() && expression_->is_same_everywhere(points)) {
+    if (same_.si.empty()) same_ = expression_->at(points, 0);
+    for (std::size_t point = 0; point < points.count; ++point) put(point, same_, positions);
+    return;
+  }
   if (expression_->reads_series()) {
     for (std::size_t point = 0; point < points.count; ++point) {
       if (points.is_other[point] == 0) put(point, expression_->at(points, point), positions);

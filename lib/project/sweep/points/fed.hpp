@@ -51,6 +51,7 @@ class Fed {
   bool is_open_ = false;
   std::optional<PointExpression> expression_;
   std::vector<std::pair<std::string, Value>> companions_;
+  Value same_;  // of an expression that has one value for all points
   std::vector<double> si_;
   std::vector<double> of_points_;
   std::vector<double> rounding_;  // rounding at each point

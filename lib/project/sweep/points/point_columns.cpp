@@ -36,6 +36,11 @@ PointExpression::PointExpression(const Expression& expression,
   }
 }
 
+bool PointExpression::is_same_everywhere(const PointColumns& points) const {
+  return std::all_of(referred_.begin(), referred_.end(),
+                     [&](const auto& r) { return points.same_everywhere.contains(r.first); });
+}
+
 Value PointExpression::at(PointColumns& points, std::size_t point) {
   for (auto& [path, value] : referred_) points.read(path, point, value);
   return expression_.evaluate([&](const std::string& path) -> const Value& {

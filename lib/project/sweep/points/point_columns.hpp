@@ -5,7 +5,9 @@
 #include "lib/quantity/series.hpp"
 
 #include <cstddef>
+#include <functional>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +29,7 @@ struct PointColumns {
   std::map<std::string, SeriesColumn, std::less<>> series;
   std::map<std::string, double, std::less<>> constants;      // values equal at every point
   std::map<std::string, Signature, std::less<>> signatures;  // signatures of the referenced values
+  std::set<std::string, std::less<>> same_everywhere;        // paths of steps that no varied input affects
   std::vector<char> is_other;
   bool axes_differ = false;   // between points: no common series can represent them
   bool speeds_matter = true;  // speeds of axes are read
@@ -45,6 +48,8 @@ class PointExpression {
 
   /// Whether it is made of series.
   [[nodiscard]] bool reads_series() const { return reads_series_; }
+  /// Whether it has the same value at every point.
+  [[nodiscard]] bool is_same_everywhere(const PointColumns& points) const;
   Value at(PointColumns& points, std::size_t point);
   /// One number per point; without series in lanes. False if it takes a place of a series of numbers.
   bool fill(PointColumns& points, std::span<double> out);

@@ -318,6 +318,44 @@ TEST_SUITE("points of sweeps: columns") {
     CHECK(all.differ == 0);
   }
 
+  TEST_CASE("load components that a step leaves out, at some points or at all") {
+    const std::string end =
+        "[crank_end]\ncalculator = \"shaft.overhung\"\nF = \"=lever.joints.A.F\"\nT = \"=lever.drive.M\"\na = \"50 "
+        "mm\"\nK_A = 1.4\nsigma_adm = \"60 MPa\"\ntau_adm = \"30 MPa\"\n";
+    const Compared always = compare(lever(even, pins, "\"20 kg\"") + crankshaft + end, {"u = peak(crank_end.u_v)"});
+    CHECK(always.points == 9);
+    CHECK(always.alone == 0);
+    CHECK(always.differ == 0);
+    // A spur gear has no axial force.
+    const std::string gears =
+        "[gears]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 60\nm_n = \"3 mm\"\nb = \"30 mm\"\nbeta = [\"10 deg\", "
+        "\"0 deg\", \"15 deg\"]\nT_1 = \"100 N*m\"\nn_1 = \"1450 rpm\"\n[pinion]\ncalculator = \"shaft.overhung\"\nF = "
+        "\"=gears.gear_1.F_y\"\nT = \"=gears.gear_1.T\"\na = \"50 mm\"\nK_A = 1.4\nsigma_adm = \"60 MPa\"\ntau_adm = "
+        "\"30 MPa\"\n";
+    CHECK(compare(gears, {"u = pinion.u_v"}).differ == 0);
+  }
+
+  TEST_CASE("a step that no varied input affects has its values at every point") {
+    const std::string end =
+        "[crank_end]\ncalculator = \"shaft.overhung\"\nload = \"=lever.drive\"\na = { from = \"40 mm\", to = \"60 "
+        "mm\", "
+        "count = 30 }\nK_A = 1.4\nsigma_adm = \"60 MPa\"\ntau_adm = \"30 MPa\"\n";
+    const Compared all = compare(lever(even, "\"30 mm\"", "\"20 kg\"") + crankshaft + end,
+                                 with(loads, {"d = crankshaft.d", "d_end = peak(crank_end.d)"}));
+    CHECK(all.points == 30);
+    CHECK(all.alone == 0);
+    CHECK(all.differ == 0);
+    // By a value that expressions contain, and by a size that another step takes.
+    const std::string shafts =
+        "[values]\nT = { from = \"50 N*m\", to = \"90 N*m\", count = 5 }\n[one]\ncalculator = \"shaft.torsion\"\nT = "
+        "\"=2*values.T\"\nmaterial = \"C45E\"\nS = 2\n[other]\ncalculator = \"shaft.torsion\"\nT = \"10 N*m\"\nd = "
+        "\"=one.d\"\ntau_adm = \"30 MPa\"\n[same]\ncalculator = \"shaft.torsion\"\nT = \"10 N*m\"\ntau_adm = \"30 "
+        "MPa\"\n";
+    const Compared by_value = compare(shafts, {"one.d", "other.tau_max", "same.d"});
+    CHECK(by_value.points == 5);
+    CHECK(by_value.differ == 0);
+  }
+
   TEST_CASE("most mechanisms of a sweep are solved without what people read") {
     const std::string text = lever(even, pins, "\"20 kg\"");
     std::vector<Issue> issues;

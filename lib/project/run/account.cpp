@@ -104,8 +104,8 @@ void fill_account(const Evaluation& evaluation, const Findings& found, const Wan
   add_numbers(evaluation, found.results, account.results);
   add_verdicts(evaluation, found.results, account.verdicts);
   for (account::Verdict& verdict : account.verdicts) {
-    const auto compared = found.compared.find(verdict.symbol);
-    if (compared != found.compared.end()) verdict.compared = compared->second;
+    const auto compared = found.governing.compared.find(verdict.symbol);
+    if (compared != found.governing.compared.end()) verdict.compared = compared->second;
   }
   add_modes(evaluation, found.results, found.weighed, account.verdicts, account.modes);
   tell_unjudged(account);

@@ -1,7 +1,6 @@
 // Conversion of the findings of an evaluation to an account.
 #pragma once
 
-#include "lib/project/run/compared.hpp"
 #include "lib/project/run/governing.hpp"
 #include "lib/project/run/typed_values.hpp"
 
@@ -12,7 +11,6 @@ struct Findings {
   Results results;
   WeighedValues weighed = {};
   Governing governing = {};
-  ComparedValues compared = {};  // where words are wanted
 };
 void fill_account(const Evaluation& evaluation, const Findings& found, const Wanted& wanted, Account& account);
 

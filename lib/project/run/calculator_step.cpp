@@ -13,9 +13,8 @@ void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector
   if (!inputs.take_from_others(issues) || !inputs.evaluate_operands(issues)) return;
   if (!refuse_other_parts(evaluation, known, issues) || !evaluation.check_rules(issues)) return;
   if (!run_search(evaluation, wanted.words, issues)) return;
-  Findings found{.results = evaluate_all(evaluation)};
+  Findings found{.results = evaluate_all(evaluation, wanted.words)};
   found.weighed = weigh_typed_values(evaluation, found.results, known, wanted, issues);
-  if (wanted.words) found.compared = compare_checks(evaluation, found.results);
   found.governing = evaluate_governing(evaluation, found.results, wanted.words);
   if (wanted.unused) warn_of_unused(evaluation, found.results, found.governing, issues);
   fill_account(evaluation, found, wanted, own_account());

@@ -10,20 +10,6 @@ namespace loadpath::project {
 
 namespace {
 
-using Checks = std::map<std::string, double>;  // by path: the utilisation at the position
-
-/// Checks by the position that is nearest to their largest value.
-std::map<std::size_t, Checks> checks_by_position(const Evaluation& evaluation, const Results& results) {
-  std::map<std::size_t, Checks> all;
-  for (const ResultSeries& series : results.series) {
-    if (series.field->role != Role::check || series.value.si.empty() || !is_reported(evaluation, series)) continue;
-    const bool is_single = evaluation.axis() == nullptr || !series.value.is_series();
-    const Extreme most = is_single ? Extreme{series.value.si[0], 0.0, 0} : maximum(series.value);
-    if (!std::isnan(most.value)) all[most.nearest][series.path] = most.value;
-  }
-  return all;
-}
-
 /// The unit of a side of a fraction that is one symbol; empty where it is not.
 std::string unit_of_side(const formula::Node& side, const std::string& scope, const Names& names) {
   if (side.kind != formula::Kind::symbol) return {};
@@ -48,6 +34,19 @@ std::optional<account::Compared> compared_in(const Line& line, const Names& name
   return account::Compared{{demand, unit, digits}, {capacity, unit, digits}};
 }
 
+}  // namespace
+
+std::map<std::size_t, Checks> checks_by_position(const Evaluation& evaluation, const Results& results) {
+  std::map<std::size_t, Checks> all;
+  for (const ResultSeries& series : results.series) {
+    if (series.field->role != Role::check || series.value.si.empty() || !is_reported(evaluation, series)) continue;
+    const bool is_single = evaluation.axis() == nullptr || !series.value.is_series();
+    const Extreme most = is_single ? Extreme{series.value.si[0], 0.0, 0} : maximum(series.value);
+    if (!std::isnan(most.value)) all[most.nearest][series.path] = most.value;
+  }
+  return all;
+}
+
 void add_compared(const Trace& trace, const Evaluation& evaluation, const Checks& checks, ComparedValues& compared) {
   Names names(evaluation.record(), evaluation.result());
   for (const Line& line : trace.lines()) {
@@ -58,20 +57,6 @@ void add_compared(const Trace& trace, const Evaluation& evaluation, const Checks
     }
     names.add(line, names.unit_of(line));
   }
-}
-
-}  // namespace
-
-ComparedValues compare_checks(Evaluation& evaluation, const Results& results) {
-  ComparedValues compared;
-  const Calculator& calculator = evaluation.calculator();
-  for (const auto& [position, checks] : checks_by_position(evaluation, results)) {
-    if (!evaluation.set_position(position)) continue;
-    Trace trace;
-    calculator.explain(evaluation.record().data.get(), evaluation.result().data.get(), trace);
-    add_compared(trace, evaluation, checks, compared);
-  }
-  return compared;
 }
 
 }  // namespace loadpath::project

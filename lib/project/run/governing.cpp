@@ -2,6 +2,8 @@
 
 #include "lib/numerics/magnitude.hpp"
 
+#include <utility>
+
 namespace loadpath::project {
 
 namespace {
@@ -21,17 +23,36 @@ std::size_t position_of_largest_check(const Evaluation& evaluation, const Result
   return best;
 }
 
+/// Compares the checks that are largest at other positions than the governing one.
+void compare_elsewhere(Evaluation& evaluation, const std::map<std::size_t, Checks>& checks, Governing& governing) {
+  for (const auto& [position, here] : checks) {
+    if (position == governing.position || !evaluation.set_position(position)) continue;
+    Trace trace;
+    evaluation.explain_record(trace);
+    add_compared(trace, evaluation, here, governing.compared);
+  }
+}
+
 }  // namespace
 
-Governing evaluate_governing(Evaluation& evaluation, const Results& results, bool in_words) {
+Governing evaluate_governing(Evaluation& evaluation, Results& results, bool in_words) {
   Governing governing{.position = position_of_largest_check(evaluation, results), .is_evaluated = false, .trace = {}};
+  std::map<std::size_t, Checks> checks;
+  if (in_words) {
+    checks = checks_by_position(evaluation, results);
+    compare_elsewhere(evaluation, checks, governing);
+  }
   if (results.series.empty() || !evaluation.set_position(governing.position)) return governing;
   governing.is_evaluated = true;
-  const Calculator& calculator = evaluation.calculator();
-  if (in_words)
-    calculator.explain(evaluation.record().data.get(), evaluation.result().data.get(), governing.trace);
-  else if (evaluation.positions() > 1)
-    evaluation.evaluate_record();
+  if (!in_words) {
+    if (evaluation.positions() > 1) evaluation.evaluate_record();
+    return governing;
+  }
+  if (results.trace)
+    governing.trace = *std::exchange(results.trace, std::nullopt);
+  else
+    evaluation.explain_record(governing.trace);
+  add_compared(governing.trace, evaluation, checks[governing.position], governing.compared);
   return governing;
 }
 

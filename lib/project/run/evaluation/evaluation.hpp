@@ -42,6 +42,8 @@ class Evaluation {
   bool evaluate_at(std::size_t i);
   /// Evaluates the record as it is.
   void evaluate_record() { calculator_.evaluate(record().data.get(), result_.data.get()); }
+  /// The same, with the lines of the calculation.
+  void explain_record(Trace& trace) { calculator_.explain(record().data.get(), result_.data.get(), trace); }
   /// The largest value of a result over the positions, refined between them; NaN if one is not available.
   double largest_result(const FieldInfo& field);
 

@@ -56,7 +56,7 @@ void add_applies(const Evaluation& evaluation, bool is_available, std::vector<Ap
 
 }  // namespace
 
-Results evaluate_all(Evaluation& evaluation) {
+Results evaluate_all(Evaluation& evaluation, bool in_words) {
   const auto& fields = evaluation.calculator().result->fields;
   Results results{{}, std::vector<Applies>(evaluation.calculator().modes.size(), Applies::no)};
   std::vector<std::size_t> order, shape;  // order and shape of the result with these series
@@ -65,7 +65,10 @@ Results evaluate_all(Evaluation& evaluation) {
     const bool is_available = evaluation.set_position(i);
     add_applies(evaluation, is_available, results.applies);
     if (!is_available) continue;
-    evaluation.evaluate_record();
+    if (in_words && evaluation.positions() == 1)
+      evaluation.explain_record(results.trace.emplace());
+    else
+      evaluation.evaluate_record();
     void* const result = evaluation.result().data.get();
     std::vector<std::size_t> here = list_sizes(fields, result);
     if (results.series.empty() || here != shape) {

@@ -3,6 +3,7 @@
 
 #include "lib/project/run/evaluation/evaluation.hpp"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,10 +19,11 @@ struct ResultSeries {
 struct Results {
   std::vector<ResultSeries> series;  // empty if no position is available
   std::vector<Applies> applies;      // applicability of every mode, over the positions
+  std::optional<Trace> trace = {};   // lines of the calculation, if there is one position
 };
 
-/// At the sizes that follow from the values of rows.
-Results evaluate_all(Evaluation& evaluation);
+/// At the sizes that follow from the values of rows. `in_words`: with the lines of the calculation.
+Results evaluate_all(Evaluation& evaluation, bool in_words = false);
 
 /// Whether a result is requested, and not left unset by the calculator.
 bool is_reported(const Evaluation& evaluation, const ResultSeries& series);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace loadpath::rainflow {
@@ -10,12 +11,9 @@ namespace {
 
 double factor_of(Measure measure) { return measure == Measure::amplitude ? 0.5 : 1.0; }
 
-/// Adds the damage of up to a lot of loops; the lot is filled up with cycles of zero range.
-LOADPATH_INLINE void add(std::span<const Loop> loops, std::span<const SnCurve::Segment> segments, double factor,
-                         DamageSum::Lots& lots, DamageSum::Sums& sums) {
+/// The damage of the stresses of a lot.
+LOADPATH_INLINE void weigh(std::span<const SnCurve::Segment> segments, DamageSum::Lots& lots) {
   auto& [stress, scaled, power, damage] = lots;
-  for (std::size_t i = 0; i < loops.size(); ++i) stress[i] = std::abs(loops[i].to - loops[i].from) * factor;
-  for (std::size_t i = loops.size(); i < lot; ++i) stress[i] = 0.0;
   damage.fill(0.0);
   for (auto segment = segments.rbegin(); segment != segments.rend(); ++segment) {
     const double from = segment->from, unit = 1.0 / segment->point.stress, each = 1.0 / segment->point.cycles;
@@ -23,6 +21,16 @@ LOADPATH_INLINE void add(std::span<const Loop> loops, std::span<const SnCurve::S
     powers(scaled, segment->slope, power);
     for (std::size_t i = 0; i < lot; ++i) damage[i] = stress[i] >= from ? power[i] * each : damage[i];
   }
+}
+
+/// Adds the damage of up to a lot of loops; the lot is filled up with cycles of zero range.
+LOADPATH_INLINE void add(std::span<const Loop> loops, std::span<const SnCurve::Segment> segments, double factor,
+                         DamageSum::Lots& lots, DamageSum::Sums& sums) {
+  auto& stress = lots.stress;
+  for (std::size_t i = 0; i < loops.size(); ++i) stress[i] = std::abs(loops[i].to - loops[i].from) * factor;
+  for (std::size_t i = loops.size(); i < lot; ++i) stress[i] = 0.0;
+  weigh(segments, lots);
+  const Lot& damage = lots.damage;
   DamageSum::Sums added = sums;
   for (std::size_t i = 0; i < lot; i += DamageSum::lanes) {
     for (std::size_t l = 0; l < DamageSum::lanes; ++l) {
@@ -37,6 +45,9 @@ LOADPATH_INLINE void add(std::span<const Loop> loops, std::span<const SnCurve::S
 __attribute__((target("avx2"))) void add_avx2(std::span<const Loop> loops, std::span<const SnCurve::Segment> segments,
                                               double factor, DamageSum::Lots& lots, DamageSum::Sums& sums) {
   add(loops, segments, factor, lots, sums);
+}
+__attribute__((target("avx2"))) void weigh_avx2(std::span<const SnCurve::Segment> segments, DamageSum::Lots& lots) {
+  weigh(segments, lots);
 }
 #endif
 
@@ -73,6 +84,16 @@ Outcome<double> DamageSum::total() const {
 }
 
 double DamageSum::largest_stress() const { return *std::max_element(sums_.largest.begin(), sums_.largest.end()); }
+
+void damages_of(const SnCurve& curve, DamageSum::Lots& lots, Instructions instructions) {
+#if defined(__x86_64__)
+  if (instructions == Instructions::avx2)
+    weigh_avx2(curve.segments(), lots);
+  else
+#endif
+    weigh(curve.segments(), lots);
+  for (double& damage : lots.damage) damage = std::min(damage, std::numeric_limits<double>::max());
+}
 
 std::optional<double> equivalent_stress(const SnCurve& curve, double damage, double cycles) {
   return damage > 0.0 && cycles > 0.0 ? curve.stress(cycles / damage) : std::nullopt;

@@ -47,6 +47,9 @@ class DamageSum : public Consumer {
   Lots lots_{};
 };
 
+/// The damage of one cycle of each stress of a lot, 0 or more, into `damage`; finite.
+void damages_of(const SnCurve& curve, DamageSum::Lots& lots, Instructions instructions = best_instructions());
+
 /// The stress, in the measure of the curve, that does this damage in so many cycles: with a curve of one endless branch
 /// of slope m, (sum of n S^m / cycles)^(1/m), the damage-equivalent range or amplitude of IEC 61400-1. None of no
 /// damage.

@@ -79,7 +79,7 @@ void classify(const HistoryTypes::Input& in, HistoryTypes::Result& r) {
   rainflow::LevelCrossings crossings(std::move(levels));
   rainflow::Consumers all({&matrix, &pairs, &crossings});
   AboveGate kept(in_si(in.gate), all);
-  count_into(in, kept);
+  count_into(in, kept, false);
   put_matrix(in, matrix, r), put_pairs(in, pairs, r), put_crossings(in, crossings, r);
 }
 

@@ -14,7 +14,7 @@ using Input = HistoryTypes::Input;
 using Counting = HistoryTypes::Counting;
 using Residue = HistoryTypes::Residue;
 
-rainflow::Rules rules_of(const Input& in) {
+rainflow::Rules rules_of(const Input& in, bool placed) {
   rainflow::Rules rules;
   rules.method = in.counting == Counting::astm  ? rainflow::Method::astm
                  : in.counting == Counting::hcm ? rainflow::Method::hcm
@@ -23,33 +23,15 @@ rainflow::Rules rules_of(const Input& in) {
   rules.residue = !halves                         ? rainflow::Residue::ignore
                   : in.counting == Counting::astm ? rainflow::Residue::astm
                                                   : rainflow::Residue::half_cycles;
-  rules.placed = true;
+  rules.placed = placed;
   return rules;
-}
-
-std::vector<rainflow::Cycle> counted(const Input& in) {
-  rainflow::CycleList list;
-  count_into(in, list);
-  return list.cycles();
-}
-
-Collective of_blocks(const Input& in) {
-  Collective all;
-  all.largest = -HUGE_VAL, all.least = HUGE_VAL;
-  for (std::size_t i = 0; i < in.blocks.size(); ++i) {
-    const auto& block = in.blocks[i];
-    const double a = in_si(block.sigma_a), m = in_si(block.sigma_m);
-    all.cycles.push_back({2.0 * a, m, block.n, {i, i}});
-    all.largest = std::max(all.largest, m + a), all.least = std::min(all.least, m - a);
-  }
-  return all;
 }
 
 }  // namespace
 
-void count_into(const Input& in, rainflow::Consumer& consumer) {
+void count_into(const Input& in, rainflow::Consumer& consumer, bool placed) {
   const std::vector<double>& samples = in.sigma.series->si;
-  const rainflow::Rules rules = rules_of(in);
+  const rainflow::Rules rules = rules_of(in, placed);
   if (in.residue == Residue::repeated) {
     rainflow::count_periodic(samples, rules, consumer);
     return;
@@ -58,18 +40,37 @@ void count_into(const Input& in, rainflow::Consumer& consumer) {
   if (!counter.feed(samples)) counter.finish();
 }
 
-Collective collective_of(const Input& in) {
-  if (!in.blocks.empty()) return of_blocks(in);
-  if (!in.sigma.is_series()) return {};
-  Collective all;
-  for (rainflow::Cycle& cycle : counted(in)) (cycle.range < in_si(in.gate) ? all.small : all.cycles).push_back(cycle);
-  if (const Value& series = *in.sigma.series; is_turn(in)) {  // its extremes may lie between two positions
-    all.largest = maximum(series).value, all.least = minimum(series).value;
-  } else {
-    const auto [least, largest] = std::minmax_element(series.si.begin(), series.si.end());
-    all.largest = *largest, all.least = *least;
+std::vector<rainflow::Cycle> cycles_of_blocks(const Input& in) {
+  std::vector<rainflow::Cycle> cycles;
+  cycles.reserve(in.blocks.size());
+  for (const auto& block : in.blocks) cycles.push_back({2.0 * in_si(block.sigma_a), in_si(block.sigma_m), block.n, {}});
+  return cycles;
+}
+
+std::vector<rainflow::Cycle> cycles_of(const Input& in) {
+  if (!in.sigma.is_series()) return cycles_of_blocks(in);
+  rainflow::CycleList list;
+  count_into(in, list, false);
+  std::vector<rainflow::Cycle> cycles = list.cycles();
+  std::erase_if(cycles, [&](const rainflow::Cycle& cycle) { return cycle.range < in_si(in.gate); });
+  return cycles;
+}
+
+Extremes extremes_of(const Input& in) {
+  Extremes of;
+  if (!in.blocks.empty()) {
+    of = {-HUGE_VAL, HUGE_VAL};
+    for (const auto& block : in.blocks) {
+      of.largest = std::max(of.largest, in_si(block.sigma_m + block.sigma_a));
+      of.least = std::min(of.least, in_si(block.sigma_m - block.sigma_a));
+    }
+  } else if (is_turn(in)) {  // they may lie between two positions
+    of = {maximum(*in.sigma.series).value, minimum(*in.sigma.series).value};
+  } else if (in.sigma.is_series()) {
+    const auto [least, largest] = std::minmax_element(in.sigma.series->si.begin(), in.sigma.series->si.end());
+    of = {*largest, *least};
   }
-  return all;
+  return of;
 }
 
 bool is_turn(const Input& in) { return in.sigma.is_series() && in.sigma.series->signature.axis->cyclic(); }

@@ -8,15 +8,21 @@
 
 namespace loadpath::fatigue {
 
-/// In Pa, without any factor; `where` of the samples or positions of the series, of blocks their place in the list.
-struct Collective {
-  std::vector<rainflow::Cycle> cycles, small;  // small: below the omission level
+/// The cycles above the omission level, in Pa and without any factor.
+std::vector<rainflow::Cycle> cycles_of(const HistoryTypes::Input& in);
+
+/// The maximum and minimum stress, in Pa.
+struct Extremes {
   double largest = 0.0, least = 0.0;
 };
-Collective collective_of(const HistoryTypes::Input& in);
+Extremes extremes_of(const HistoryTypes::Input& in);
 
-/// Counted cycles of a series, in Pa and without omission level, by its method and its rule for the residue.
-void count_into(const HistoryTypes::Input& in, rainflow::Consumer& consumer);
+/// Counted cycles of a series, in Pa and without omission level, by its method and its rule for the residue. `placed`:
+/// with the places of their begin and end.
+void count_into(const HistoryTypes::Input& in, rainflow::Consumer& consumer, bool placed);
+
+/// The blocks as cycles; none of a series.
+std::vector<rainflow::Cycle> cycles_of_blocks(const HistoryTypes::Input& in);
 
 /// One turn of what turns: it comes again, and begins anywhere.
 bool is_turn(const HistoryTypes::Input& in);

@@ -102,6 +102,7 @@ n_req = 1
       Field{&Input::k, "k", ratio, "curve of a part: its slope"}.within(1, 32).usually(3, 20).may_be_missing(),
       Choice{&Input::miner, "miner", "rule for cycles below the fatigue limit, of the curve of a part"}
           .may_be_missing(),
+      Choice{&Input::other_rules, "other_rules", "damage by the other rules, for comparison"}.may_be_missing(),
       Field{&Input::sigma_C, "sigma_C", MPa, "detail of EN 1993-1-9: its category, the range at 2e6 cycles"}
           .positive()
           .usually(30, 200)

@@ -3,6 +3,7 @@
 #include "calculators/fatigue/history/cycles.hpp"
 #include "calculators/fatigue/history/history.hpp"
 #include "calculators/fatigue/history/means.hpp"
+#include "calculators/fatigue/history/weighing.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -17,7 +18,6 @@ using Input = History::Input;
 using Curve = History::Curve;
 using Means = History::Means;
 using Detail = History::Detail;
-using rainflow::Cycle;
 
 bool any_given(std::initializer_list<double> numbers) {
   return std::any_of(numbers.begin(), numbers.end(), [](double x) { return is_set(x); });
@@ -33,13 +33,7 @@ std::size_t rare_block(const Input& in) {
 
 Applies History::has_tension(const Input& in) {
   if (!is_of_part(in) || in.mean != Means::none) return Applies::no;
-  const Collective all = collective_of(in);
-  const auto pulls = [&](const Cycle& c) {
-    const double mean = in.stress == Stresses::shear ? std::abs(c.mean) : c.mean;
-    return mean > 1e-9 * c.range;
-  };
-  return where(std::any_of(all.cycles.begin(), all.cycles.end(), pulls) ||
-               std::any_of(all.small.begin(), all.small.end(), pulls));
+  return where(has_tensile_mean(in));
 }
 
 bool History::one_source(const Input& in) { return is_set(in.sigma) == in.blocks.empty(); }

@@ -20,6 +20,8 @@ struct HistoryTypes {
   using Detail = DnvDetail;
   /// How mean stresses count: not at all, or by a rule.
   enum class Means { none, goodman, soderberg, gerber, elliptic, morrow, swt, walker, fkm };
+  /// Whether the damage by other rules than the one that decides is computed.
+  enum class OtherRules { untold, yes, no };
   enum class MinerRule { original, elementary, modified, consistent, liu_zenner };
 
   struct Block {
@@ -46,6 +48,7 @@ struct HistoryTypes {
     Stress sigma_D = unset<Stress>;
     double N_D = unset<double>, k = unset<double>;
     MinerRule miner = MinerRule::modified;
+    OtherRules other_rules = OtherRules::untold;
     Stress sigma_C = unset<Stress>;
     Detail detail = Detail::untold;
     double lg_a = unset<double>, m_1 = unset<double>, m_2 = unset<double>, N_1 = unset<double>;
@@ -61,6 +64,12 @@ struct HistoryTypes {
     Whole classes = 0;
   };
   static bool is_of_part(const Input& in) { return in.curve == Curve::part; }
+  /// Long histories are not sorted for a comparison that nobody asks for.
+  static bool compares_rules(const Input& in) {
+    constexpr std::size_t most_compared = 100'000;
+    return in.other_rules == OtherRules::yes ||
+           (in.other_rules == OtherRules::untold && in.sigma.positions() <= most_compared);
+  }
 
   /// A cycle that does much of the damage.
   struct Worst {
@@ -150,6 +159,11 @@ constexpr auto choices_of(HistoryTypes::Means) {
                     as(M::swt, MeanRule::swt),
                     as(M::walker, MeanRule::walker),
                     as(M::fkm, MeanRule::fkm)};
+}
+constexpr auto choices_of(HistoryTypes::OtherRules) {
+  using O = HistoryTypes::OtherRules;
+  return std::array{ChoiceName<O>{O::untold, "", "of histories up to 100,000 samples"},
+                    ChoiceName<O>{O::yes, "yes", "computed"}, ChoiceName<O>{O::no, "no", "not computed"}};
 }
 constexpr auto choices_of(HistoryTypes::MinerRule) {
   using M = HistoryTypes::MinerRule;

@@ -109,8 +109,8 @@ bool History::mean_given(const Input& in) { return !counts_means(in) || knows(ha
 
 bool History::varies(const Input& in) {
   if (!in.sigma.is_series()) return true;
-  const auto [least, largest] = std::minmax_element(in.sigma.series->si.begin(), in.sigma.series->si.end());
-  return least != in.sigma.series->si.end() && (std::isnan(*largest) || *largest > *least);
+  const std::vector<double>& si = in.sigma.series->si;
+  return std::any_of(si.begin(), si.end(), [&](double x) { return x != si.front(); });
 }
 
 bool History::may_be_left(const Input& in) { return !is_turn(in) || in.residue == Residue::repeated; }

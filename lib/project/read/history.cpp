@@ -121,54 +121,73 @@ Outcome<std::unique_ptr<rainflow::Source>> open(const Tree& table) {
   return rainflow::open_source(path.string());
 }
 
+/// The samples that a file of plain numbers has at most; none of what is piped in.
+std::size_t samples_in(const Tree& table) {
+  std::error_code error;
+  const auto bytes = fs::file_size(path_of(table.find("file")->value), error);
+  return error ? 0 : std::min<std::size_t>(bytes / sizeof(double), most_turns);
+}
+
 /// Where the series turns, or all of it, in the unit of the file.
 class Turns {
  public:
   explicit Turns(Kept kept) : kept_(kept) {}
 
+  /// Memory for so many samples: what is not needed is never touched.
+  void expect(std::size_t samples) {
+    values_.reserve(samples);
+    at_.reserve(samples);
+  }
+
   /// None where all is well.
   std::optional<Fault> take(std::span<const double> samples) {
     if (kept_ == Kept::all) return take_all(samples);
-    values_.resize(count_ + samples.size() + 4);
-    at_.resize(values_.size());
-    const auto more = turning_points_.feed(samples, values_.data() + count_, at_.data() + count_);
+    next_values_.resize(samples.size() + 4);
+    next_at_.resize(next_values_.size());
+    const auto more = turning_points_.feed(samples, next_values_.data(), next_at_.data());
     if (!more) return more.fault();
-    count_ += *more;
-    if (count_ > most_turns)
+    append(*more);
+    if (values_.size() > most_turns)
       return told(say("it turns more than {1} times", std::to_string(most_turns)), say("cut it, and count its parts"));
     return std::nullopt;
   }
   /// None where there is a history.
   std::optional<Fault> finish(const Message& what) {
-    if (kept_ == Kept::turns) count_ += turning_points_.finish(values_.data() + count_, at_.data() + count_);
-    values_.resize(count_);
-    at_.resize(count_);
+    if (kept_ == Kept::turns) append(turning_points_.finish(next_values_.data(), next_at_.data()));
     if (samples() == 0) return told(say("{1} has no values", what), {});
     if (samples() == 1) return told(say("{1} has one value, and a history two at least", what), {});
     return std::nullopt;
   }
-  [[nodiscard]] const std::vector<double>& values() const { return values_; }
-  [[nodiscard]] const std::vector<std::uint64_t>& at() const { return at_; }
-  [[nodiscard]] std::uint64_t samples() const { return kept_ == Kept::all ? count_ : turning_points_.samples(); }
+  [[nodiscard]] std::vector<double>& values() { return values_; }
+  /// Their samples, counted from 0.
+  [[nodiscard]] std::vector<double>& at() { return at_; }
+  [[nodiscard]] std::uint64_t samples() const {
+    return kept_ == Kept::all ? values_.size() : turning_points_.samples();
+  }
 
  private:
   std::optional<Fault> take_all(std::span<const double> samples) {
-    if (count_ + samples.size() > most_in_step)
+    if (values_.size() + samples.size() > most_in_step)
       return told(say("it has more than {1} samples", std::to_string(most_in_step)),
                   say("several series stay in step: cut all of them to the same range"));
-    values_.resize(count_), at_.resize(count_);
     for (const double sample : samples) {
-      if (!std::isfinite(sample)) return told(say("sample {1} is not a number", std::to_string(count_)), {});
-      values_.push_back(sample), at_.push_back(count_++);
+      if (!std::isfinite(sample)) return told(say("sample {1} is not a number", std::to_string(values_.size())), {});
+      at_.push_back(static_cast<double>(values_.size()));
+      values_.push_back(sample);
     }
     return std::nullopt;
+  }
+  void append(std::size_t count) {
+    const auto end = static_cast<std::ptrdiff_t>(count);
+    values_.insert(values_.end(), next_values_.begin(), next_values_.begin() + end);
+    at_.insert(at_.end(), next_at_.begin(), next_at_.begin() + end);
   }
 
   Kept kept_;
   rainflow::TurningPoints turning_points_;
-  std::vector<double> values_ = std::vector<double>(4);
-  std::vector<std::uint64_t> at_ = std::vector<std::uint64_t>(4);
-  std::size_t count_ = 0;
+  std::vector<double> values_, at_;
+  std::vector<double> next_values_ = std::vector<double>(4);  // of the samples that were taken last
+  std::vector<std::uint64_t> next_at_ = std::vector<std::uint64_t>(4);
 };
 
 std::optional<Fault> read_turns(rainflow::Reader& reader, Turns& turns) {
@@ -193,17 +212,19 @@ std::optional<Fault> take_values(const Tree& list, Turns& turns) {
 }
 
 /// In SI, over the samples; a value that the field refuses is a fault.
-std::optional<Fault> put(const Turns& turns, double unit, const FieldInfo& field, History& history) {
+std::optional<Fault> put(Turns& turns, double unit, const FieldInfo& field, History& history) {
   auto axis = std::make_shared<Axis>();
   axis->quantity = "sample", axis->unit = "-";
   for (std::size_t i = 0; i < turns.values().size(); ++i) {
-    const double si = turns.values()[i] * unit;
+    double& si = turns.values()[i];
+    si *= unit;
     if (!field.bounds.holds(si) || std::abs(si) > largest)
-      return told(say("sample {1} is {2}", std::to_string(turns.at()[i]), format_quantity(si, field.unit)),
+      return told(say("sample {1} is {2}", std::to_string(static_cast<std::uint64_t>(turns.at()[i])),
+                      format_quantity(si, field.unit)),
                   say("check the column and the unit"));
-    history.series.si.push_back(si);
-    axis->at.push_back(static_cast<double>(turns.at()[i]));
   }
+  history.series.si = std::move(turns.values());
+  axis->at = std::move(turns.at());
   history.series.signature = {field.dimension, axis.get()};
   history.axis = std::move(axis);
   return std::nullopt;
@@ -251,6 +272,7 @@ bool read_history(const Tree& table, const FieldInfo& field, Kept kept, History&
   if (const auto found = contradiction(table, field, (*reader)->heading())) return refuse("unit", *found);
   const auto scale = unit_of(table, field, (*reader)->heading());
   if (!scale) return refuse("unit", scale.fault());
+  if (form->format == rainflow::Format::f64) turns.expect(samples_in(table));
   if (const auto found = read_turns(**reader, turns)) return refuse_at_line("file", *found);
   if (const auto found = put(turns, *scale, field, history)) return refuse("file", *found);
   return true;

@@ -36,7 +36,8 @@ std::vector<Entry> input_entries_of(const Inputs& inputs, const WeighedValues& w
   std::vector<Entry> entries = input_entries(
       inputs.record(), [&](const std::string& path, const Leaf& leaf) { return inputs.origin_of(path, leaf); });
   for (Entry& entry : entries) {
-    if (const ComputedInput* const computed = inputs.find_computed(entry.path)) entry.value = computed->value;
+    const ComputedInput* const computed = inputs.find_computed(entry.path);
+    if (computed != nullptr && !computed->is_whole) entry.value = computed->value;  // the record has a whole series
     if (const auto reason = weighed.reasons.find(entry.path); reason != weighed.reasons.end())
       entry.origin.text = say("{1}; {2}", entry.origin.text, reason->second);
   }

@@ -2,6 +2,8 @@
 
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
+#include "lib/rainflow/counter.hpp"
+#include "lib/rainflow/damage.hpp"
 #include "tests/calculators/evaluated.hpp"
 #include "tests/cli/process.hpp"
 #include "tests/found/modes.hpp"
@@ -9,6 +11,7 @@
 #include <cmath>
 #include <fstream>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -163,6 +166,39 @@ TEST_SUITE("fatigue.history") {
     CHECK(r.D_modified < r.D_elementary);
     CHECK(rel(r.D_original, 100e-6 * std::pow(1.5, 6)) < 1e-12);
     CHECK(rel(r.D_modified, 100e-6 * std::pow(1.5, 6) + 0.1 * std::pow(0.8, 11) + std::pow(0.55, 11)) < 1e-12);
+  }
+
+  TEST_CASE("a long history has the damage of its count, and other rules on request alone") {
+    Axis axis;
+    std::vector<double> values;
+    std::mt19937_64 random(7);
+    std::normal_distribution<double> normal(0.0, 30.0);
+    for (int i = 0; i < 200'000; ++i) values.push_back(normal(random));
+    axis.at.resize(values.size());
+    In in = of_part(100, 1e6, 5);
+    in.sigma = series(axis, values), in.residue = History::Residue::half_cycles;
+    in.miner = History::MinerRule::elementary;
+    rainflow::DamageSum sum(*rainflow::SnCurve::make(rainflow::Measure::amplitude, {100e6, 1e6},
+                                                     std::vector<rainflow::SnCurve::Branch>{{5.0}}));
+    rainflow::Counter counter({}, sum);
+    REQUIRE(!counter.feed(in.sigma.series->si));
+    counter.finish();
+    const auto alone = counted(in);
+    CHECK(rel(alone.D, *sum.total()) < 1e-12);
+    CHECK(alone.n == sum.cycles());
+    CHECK(rel(alone.worst.front().sigma_a / MPa, sum.largest_stress() / 1e6) < 1e-12);
+    CHECK(!is_set(alone.D_modified));
+    in.other_rules = History::OtherRules::yes;
+    const auto compared = counted(in);
+    CHECK(compared.D == alone.D);
+    CHECK(compared.D_original < compared.D_modified);
+    CHECK(compared.D_consistent > 0.0);
+    CHECK(compared.D_LZ > 0.0);
+    in.other_rules = History::OtherRules::no, in.miner = History::MinerRule::original;
+    const auto original = counted(in);
+    CHECK(rel(original.D, compared.D_original) < 1e-12);
+    CHECK(rel(original.x_O, 1.0 - compared.D_original / compared.D_modified) < 1e-9);
+    CHECK(!is_set(original.D_LZ));
   }
 
   TEST_CASE("details: at the limit of constant amplitude nothing fails, with one larger cycle it counts") {

@@ -178,15 +178,21 @@ TEST_SUITE("fatigue.history") {
     In in = of_part(100, 1e6, 5);
     in.sigma = series(axis, values), in.residue = History::Residue::half_cycles;
     in.miner = History::MinerRule::elementary;
-    rainflow::DamageSum sum(*rainflow::SnCurve::make(rainflow::Measure::amplitude, {100e6, 1e6},
-                                                     std::vector<rainflow::SnCurve::Branch>{{5.0}}));
-    rainflow::Counter counter({}, sum);
+    const auto curve = *rainflow::SnCurve::make(rainflow::Measure::amplitude, {100e6, 1e6},
+                                                std::vector<rainflow::SnCurve::Branch>{{5.0}});
+    rainflow::DamageSum sum(curve);
+    rainflow::LargestShares shares(curve, 10);
+    rainflow::Consumers both({&sum, &shares});
+    rainflow::Counter counter({}, both);
     REQUIRE(!counter.feed(in.sigma.series->si));
     counter.finish();
     const auto alone = counted(in);
     CHECK(rel(alone.D, *sum.total()) < 1e-12);
     CHECK(alone.n == sum.cycles());
-    CHECK(rel(alone.worst.front().sigma_a / MPa, sum.largest_stress() / 1e6) < 1e-12);
+    for (std::size_t i = 0; i < 10; ++i) {
+      CHECK(rel(2.0 * in_si(alone.worst[i].sigma_a), shares.shares()[i].cycle.range) < 1e-12);
+      CHECK(rel(alone.worst[i].share, shares.shares()[i].damage / *sum.total()) < 1e-9);
+    }
     CHECK(!is_set(alone.D_modified));
     in.other_rules = History::OtherRules::yes;
     const auto compared = counted(in);

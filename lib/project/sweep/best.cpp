@@ -33,6 +33,19 @@ std::string meant(const std::string& text, const Names& results) {
   return found == results.end() ? text : found->second;
 }
 
+/// Whether a text names the utilisation of the project, a part or a failure mode, which no expression contains.
+bool is_utilisation(const std::string& text) {
+  return text == "utilisation" || text.ends_with(".utilisation") || text.find(".modes.") != std::string::npos;
+}
+
+/// "rod.utilisation <= 0.8".
+std::optional<Demand> bound_of_utilisation(const Placed& asked, const std::string& utilisation, double bound,
+                                           bool below, std::vector<Issue>& issues) {
+  if (below) return Demand{asked.text, utilisation, Kind::at_most_one, bound};
+  issues.push_back(refusal(asked, say("a utilisation has an upper bound only"), say("write {1} <= 0.8", utilisation)));
+  return std::nullopt;
+}
+
 /// "rod.mass <= 5 kg" as a utilisation: (rod.mass)/(5 kg).
 std::optional<Demand> bound_of(const Placed& asked, const Names& results, std::vector<Issue>& issues) {
   for (const char* sign : {"<=", ">="}) {
@@ -47,6 +60,8 @@ std::optional<Demand> bound_of(const Placed& asked, const Names& results, std::v
       return std::nullopt;
     }
     const bool below = *sign == '<';
+    if (literal && literal->dimension.is_number() && is_utilisation(left))
+      return bound_of_utilisation(asked, left, literal->si, below, issues);
     return Demand{asked.text, "(" + (below ? left : right) + ")/(" + (below ? right : left) + ")", Kind::at_most_one};
   }
   issues.push_back(refusal(asked, say("'{1}' is not a constraint", asked.text),
@@ -124,7 +139,7 @@ std::vector<sweep::Constraint> constraints_of(const BestAsked& asked, const std:
     const bool is_followed = i + 1 < demands.size() && demands[i + 1].kind == Kind::is_one;  // by its flag: see above
     const bool is_shown = demands[i].kind == Kind::at_most_one && is_followed && demands[i].text == demands[i + 1].text;
     all.push_back({i + 1, asked.quantile ? Kind::at_most_one : demands[i].kind,  // the share over the permitted one
-                   is_shown ? i + 1 : sweep::Constraint::itself});
+                   is_shown ? i + 1 : sweep::Constraint::itself, demands[i].bound});
   }
   return all;
 }
@@ -144,14 +159,19 @@ bool can_read(const ReadAgain& read, const std::vector<Placed>& columns, std::ve
   return !has_errors(issues);
 }
 
-/// The reason why a point is invalid, or the failure mode without a verdict.
-Message lack_of(Variants& variants, const std::vector<double>& point) {
+std::vector<double> outputs_at(Variants& variants, const std::vector<double>& point) {
   std::vector<double> found(variants.outputs());
   std::vector<const double*> in(point.size());
   std::vector<double*> out(found.size());
   std::ranges::transform(point, in.begin(), [](const double& value) { return &value; });
   std::ranges::transform(found, out.begin(), [](double& value) { return &value; });
   variants.evaluate(in, out, 1);
+  return found;
+}
+
+/// The reason why a point is invalid, or the failure mode without a verdict.
+Message lack_of(Variants& variants, const std::vector<double>& point) {
+  const std::vector<double> found = outputs_at(variants, point);
   if (!variants.refusals().empty()) {
     const Issue& issue = variants.refusals().front().issue;
     return say("invalid design: {1}: {2}", issue.key, issue.message);
@@ -165,16 +185,47 @@ Message lack_of(Variants& variants, const std::vector<double>& point) {
   return {};
 }
 
+/// The failure mode that a point fails by, or does not assess; empty if all pass.
+Message failure_of(Variants& variants, const std::vector<double>& point) {
+  const std::vector<double> found = outputs_at(variants, point);
+  const SweptResult* worst = nullptr;
+  double state = account::number(account::State::open);
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    const SweptResult& column = variants.columns()[k];
+    if (column.kind != SweptResult::Kind::state || column.mode.empty() || !(found[k] > state)) continue;
+    worst = &column;
+    state = found[k];
+  }
+  if (worst == nullptr) return {};
+  const Step& step = *variants.project().find(worst->step);
+  const auto& modes = step.input().calculator->modes;
+  const auto info = std::find_if(modes.begin(), modes.end(), [&](const ModeInfo& m) { return worst->mode == m.id; });
+  const std::string title = info == modes.end() ? worst->mode : info->title;
+  return state == account::number(account::State::fail) ? say("{1}: {2}", step.name(), title)
+                                                        : say("{1}: {2} is not assessed", step.name(), title);
+}
+
+/// Why a design violates a demand with this value; nothing where the demand says it all.
+Message reason_at(Variants& variants, const Demand& demand, double value, const std::vector<double>& point) {
+  if (!std::isfinite(value)) return lack_of(variants, point);
+  return demand.text.ends_with("passes") || is_utilisation(demand.column) ? failure_of(variants, point) : Message{};
+}
+
 /// Reasons that searches ignore but the reader needs.
 void find_lacks(Variants& variants, Best& best) {
-  for (const sweep::Neighbour& neighbour : best.optimum.neighbours) {
-    Message& lack = best.lacks.emplace_back();
-    const bool breaks = neighbour.broken < best.demands.size();
-    if (!breaks || std::isfinite(neighbour.outputs[neighbour.broken + 1])) continue;
+  const auto point_at = [&](const std::vector<double>& chosen) {
     std::vector<double> point = best.point;
-    for (std::size_t k = 0; k < best.chosen.size(); ++k) point[best.chosen[k]] = neighbour.point[k];
-    lack = lack_of(variants, point);
-  }
+    for (std::size_t k = 0; k < best.chosen.size(); ++k) point[best.chosen[k]] = chosen[k];
+    return point;
+  };
+  const auto reason = [&](std::size_t broken, const std::vector<double>& outputs, const std::vector<double>& chosen) {
+    if (broken >= best.demands.size()) return Message{};
+    return reason_at(variants, best.demands[broken], outputs[broken + 1], point_at(chosen));
+  };
+  const sweep::Optimum& optimum = best.optimum;
+  best.lacks.reserve(optimum.neighbours.size());
+  for (const sweep::Neighbour& n : optimum.neighbours) best.lacks.push_back(reason(n.broken, n.outputs, n.point));
+  if (!optimum.allowed) best.lack = reason(optimum.worst, optimum.outputs, optimum.point);
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ struct Demand {
   std::string text;  // as requested
   std::string column;
   sweep::Constraint::Kind kind;
+  double bound = 1.0;
 };
 
 struct Best {
@@ -35,7 +36,8 @@ struct Best {
   std::string unit;                 // unit of the objective
   std::vector<Demand> demands;
   sweep::Optimum optimum;      // over the chosen ones; its outputs are the objective, then the demands
-  std::vector<Message> lacks;  // per neighbour, why the violated constraint has no value; empty if it has one
+  std::vector<Message> lacks;  // per neighbour, why the violated constraint has no value, or the mode that fails
+  Message lack;                // the same of the nearest design, if none satisfies the constraints
 };
 
 /// Inputs with values, words and stocks are chosen from these, { from, to } from the interval; uncertain inputs

@@ -45,6 +45,8 @@ Message lot_of(const Best& best, const sweep::Neighbour& neighbour, const Messag
   if (neighbour.broken >= best.demands.size()) return say("no nearer to the constraints");
   const std::string& demand = best.demands[neighbour.broken].text;
   const double value = neighbour.outputs[neighbour.broken + 1];
+  if (std::isfinite(value) && !lack.empty())
+    return say("violates '{1}' ({2}): {3}", demand, format_number(value, 4), lack);
   if (std::isfinite(value)) return say("violates '{1}' ({2})", demand, format_number(value, 4));
   if (lack.empty()) return say("violates '{1}' ({2})", demand, say("not available"));
   return lack;
@@ -72,8 +74,9 @@ std::vector<Block> best_blocks(const Best& best) {
         Paragraph{say("{1} = {2}: {3}", best.objective, value, reach_of(optimum)), Paragraph::Tone::plain});
   } else {
     const std::string worst = optimum.worst < best.demands.size() ? best.demands[optimum.worst].text : best.objective;
+    const Message broken = best.lack.empty() ? say("'{1}'", worst) : say("'{1}' ({2})", worst, best.lack);
     blocks.emplace_back(
-        Paragraph{say("no design satisfies the constraints; the nearest violates '{1}'; {2}", worst, reach_of(optimum)),
+        Paragraph{say("no design satisfies the constraints; the nearest violates {1}; {2}", broken, reach_of(optimum)),
                   Paragraph::Tone::warning});
   }
   blocks.emplace_back(chosen_table(best));

@@ -70,7 +70,7 @@ void Descent::take(std::span<const double> outputs, double* into) const {
   for (std::size_t i = 0; i < limited.size(); ++i) {
     const double u = outputs[limited[i]->output];
     const bool holds = !std::isfinite(u) && excess(trials.problem(), *limited[i], outputs) == 0.0;
-    into[i + 1] = holds ? -1.0 : (std::isfinite(u) ? tamed(u - 1.0) : unknown) + inside;
+    into[i + 1] = holds ? -1.0 : (std::isfinite(u) ? tamed(u / limited[i]->bound - 1.0) : unknown) + inside;
   }
 }
 

@@ -15,19 +15,19 @@ bool better(const Standing& a, const Standing& b) {
   return a.objective < b.objective;
 }
 
-double excess(Constraint::Kind kind, double value) {
+double excess(const Constraint& constraint, double value) {
   if (!std::isfinite(value)) return std::numeric_limits<double>::infinity();
-  if (kind == Constraint::Kind::is_one) return value == 1.0 ? 0.0 : 1.0;
-  return value > 1.0 ? value - 1.0 : 0.0;
+  if (constraint.kind == Constraint::Kind::is_one) return value == 1.0 ? 0.0 : 1.0;
+  return value > constraint.bound ? value / constraint.bound - 1.0 : 0.0;
 }
 
 double excess(const Problem& problem, const Constraint& constraint, std::span<const double> outputs) {
   const double value = outputs[constraint.output];
   if (!std::isfinite(value) && constraint.decided_by != Constraint::itself) {
     const Constraint& other = problem.constraints[constraint.decided_by];
-    if (excess(other.kind, outputs[other.output]) == 0.0) return 0.0;
+    if (excess(other, outputs[other.output]) == 0.0) return 0.0;
   }
-  return excess(constraint.kind, value);
+  return excess(constraint, value);
 }
 
 Standing judge(const Problem& problem, std::span<const double> outputs) {

@@ -23,13 +23,14 @@ struct Variable {
 /// An output that decides whether a point is feasible. NaN and infinity are not.
 struct Constraint {
   enum class Kind {
-    at_most_one,  // a utilisation
+    at_most_one,  // a utilisation, over its bound
     is_one        // a flag, 1 where it passes
   };
   static constexpr std::size_t itself = static_cast<std::size_t>(-1);
   std::size_t output = 0;
   Kind kind = Kind::at_most_one;
   std::size_t decided_by = itself;  // the constraint that decides if this one has no value
+  double bound = 1.0;               // above zero: of a utilisation
 };
 
 /// The variables are the inputs of the function, in their order.
@@ -60,7 +61,7 @@ struct Standing {
 [[nodiscard]] Standing judge(const Problem& problem, std::span<const double> outputs);
 
 /// By how much a value of this output breaks it; 0 if it does not, infinity where the value is not finite.
-[[nodiscard]] double excess(Constraint::Kind kind, double value);
+[[nodiscard]] double excess(const Constraint& constraint, double value);
 
 /// The same of one constraint of a problem.
 [[nodiscard]] double excess(const Problem& problem, const Constraint& constraint, std::span<const double> outputs);

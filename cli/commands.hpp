@@ -59,7 +59,9 @@ int sweep(const SweepOptions& options);
 /// Why a project, a step, a result or a failure mode came out as it did.
 struct WhyOptions {
   std::string file;
-  std::string of;  // "rod", "rod.u", "rod.buckling"; empty: every step in a line
+  std::string of;                      // "rod", "rod.u", "rod.buckling"; empty: the step that decides the verdict
+  std::optional<std::uint64_t> point;  // index of a point of a sweep
+  PointOptions points;
   /// Fields that replace those of the file: "shaft.d=45 mm".
   std::vector<std::string> settings;
 };

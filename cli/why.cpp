@@ -1,6 +1,7 @@
 #include "lib/report/terminal/why.hpp"
 
 #include "cli/commands.hpp"
+#include "cli/points.hpp"
 #include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
 #include "lib/project/solving/solve.hpp"
@@ -30,7 +31,11 @@ int why(const WhyOptions& options) {
   }
   const std::string name = options.file == "-" ? "standard input" : options.file;
   std::vector<Issue> issues;
-  project::Project project = read_set(text, name, options.settings, issues);
+  using project::Ranges;
+  project::Project project =
+      read_set(text, name, options.settings, issues, options.point ? Ranges::taken : Ranges::refused);
+  take_points(options.points, project.sweep);
+  if (options.point && !has_errors(issues)) take_point(project, *options.point, issues);
   const project::SeriesChoice asked({options.of});
   if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = true, .series = asked});
   terminal::show_issues(issues, with_files_of(project, {{name, text}, source_of(options.settings)}));

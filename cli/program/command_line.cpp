@@ -34,6 +34,8 @@ void setup_why(CLI::App& app, WhyOptions& options, Action& action) {
   sub->add_option(
       "of", options.of,
       "step, or a result or mode of failure of one: rod, rod.u; the step that decides the verdict where missing");
+  sub->add_option("--point", options.point, "of point N (from 0) of the project's sweep")->type_name("N");
+  add_points(*sub, options.points);
   add_settings(*sub, options.settings);
   sub->callback([&] { action = [&] { return why(options); }; });
 }

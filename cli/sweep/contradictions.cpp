@@ -12,9 +12,8 @@ std::string contradiction(const SweepOptions& options) {
   const int aims = !options.minimise.empty() + !options.maximise.empty() + !options.seek.empty() +
                    (options.influence || options.sobol != 0);
   if (aims > 1) return "use one of '--minimise', '--maximise', '--seek' and '--influence' at a time";
-  if (aims == 1 && (!options.out.empty() || !options.csv.empty() || !options.hdf5.empty() || !options.pareto.empty() ||
-                    options.json))
-    return "'--out', '--csv', '--hdf5', '--json' and '--pareto' are about a sweep over all points";
+  if (aims == 1 && (!options.out.empty() || !options.csv.empty() || !options.hdf5.empty() || !options.pareto.empty()))
+    return "'--out', '--csv', '--hdf5' and '--pareto' are about a sweep over all points";
   if (!options.seek.empty() + (options.influence || options.sobol != 0) > 0 && options.quantile > 0.0)
     return "'--quantile' is about designs: it does not go with --seek or --influence";
   if (options.minimise.empty() && options.maximise.empty() && !options.such_that.empty())

@@ -15,6 +15,7 @@
 #include "lib/export/sweep/csv.hpp"
 #include "lib/export/sweep/hdf5.hpp"
 #include "lib/export/sweep/json.hpp"
+#include "lib/export/sweep/searches.hpp"
 #include "lib/export/sweep/store.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/quantity/format.hpp"
@@ -72,7 +73,8 @@ class Sweeping {
   [[nodiscard]] std::string what_is_left(const SweepStore& store) const;
   [[nodiscard]] bool solve(SweepStore* store, project::SweepStatistics& found);
   [[nodiscard]] int tell(const project::SweepStatistics& found) const;
-  [[nodiscard]] int tell_blocks(const char* title, std::vector<report::Block> blocks) const;
+  template <class Found>
+  [[nodiscard]] int tell_found(const char* title, const Found& found, std::vector<report::Block> blocks) const;
   [[nodiscard]] int refuse_all(const std::vector<Issue>& issues) const;
   [[nodiscard]] int choose() const;
   [[nodiscard]] int seek() const;
@@ -278,9 +280,13 @@ int Sweeping::refuse_all(const std::vector<Issue>& issues) const {
   return wrong_input;
 }
 
-/// Prints blocks of results other than of a sweep over all points.
-int Sweeping::tell_blocks(const char* title, std::vector<report::Block> blocks) const {
-  if (!options_.quiet) terminal::show_tables(blocks);
+/// Prints what was found other than by a sweep over all points.
+template <class Found>
+int Sweeping::tell_found(const char* title, const Found& found, std::vector<report::Block> blocks) const {
+  if (options_.json)
+    std::cout << exports::json_of(project_, found);
+  else if (!options_.quiet)
+    terminal::show_tables(blocks);
   if (options_.reports.empty()) return passed;
   report::Document document;
   document.title = project_.title.empty() ? project_.file : project_.title;
@@ -304,7 +310,7 @@ int Sweeping::choose() const {
   std::vector<Issue> issues;
   const auto best = project::find_best(reading(), asked, project_.sweep.samples, project_.sweep.seed, issues);
   if (!best) return refuse_all(issues);
-  const int code = tell_blocks("The best design", report::best_blocks(*best));
+  const int code = tell_found("The best design", *best, report::best_blocks(*best));
   return code == passed && !best->optimum.allowed ? int{not_passed} : code;
 }
 
@@ -312,7 +318,7 @@ int Sweeping::seek() const {
   std::vector<Issue> issues;
   const auto sought = project::seek_value(reading(), {options_.seek, {"--seek", 1, 1, 1}}, issues);
   if (!sought) return refuse_all(issues);
-  const int code = tell_blocks("The value sought", report::seek_blocks(*sought));
+  const int code = tell_found("The value sought", *sought, report::seek_blocks(*sought));
   return code == passed && sought->sought.meetings.empty() ? int{not_passed} : code;
 }
 
@@ -320,7 +326,7 @@ int Sweeping::ask_influence() const {
   std::vector<Issue> issues;
   const auto influence = project::find_influence(reading(), plan_, project_.sweep, options_.sobol, issues);
   if (!influence) return refuse_all(issues);
-  return tell_blocks("Sensitivity of the results", report::influence_blocks(*influence));
+  return tell_found("Sensitivity of the results", *influence, report::influence_blocks(*influence));
 }
 
 int Sweeping::help(const std::string& text) {

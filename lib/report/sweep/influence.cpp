@@ -3,6 +3,7 @@
 #include "lib/quantity/format.hpp"
 #include "lib/report/sweep/shares.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace loadpath::report {
@@ -37,19 +38,43 @@ const char* kind_of(const sweep::Slope& slope, double swing) {
   return "";
 }
 
+/// The swing of an input next to the largest one.
+std::string bar_of(double swing, double largest) {
+  constexpr double longest = 12.0;
+  if (std::isnan(swing) || !(largest > 0.0)) return "";
+  std::string bar;
+  for (int i = 0; i < static_cast<int>(std::lround(longest * swing / largest)); ++i) bar += "█";
+  return bar;
+}
+
+double largest_swing(const sweep::Tornado& tornado) {
+  double largest = 0.0;
+  for (const sweep::Bar& bar : tornado.bars) largest = std::max(largest, std::isnan(bar.swing) ? 0.0 : bar.swing);
+  return largest;
+}
+
+/// "4.2 to 5.1 mm"; "not available" for an end without a result.
+std::string from_to(double low, double high, const std::string& unit) {
+  const auto end = [&](double si) {
+    return std::isnan(si) ? std::string("not available") : format_quantity(si, unit.empty() ? "-" : unit, 4);
+  };
+  return end(low) + " to " + end(high);
+}
+
 Table tornado_table(const Influence& influence, std::size_t k) {
   const sweep::Tornado& tornado = influence.tornados[k];
   const std::string& unit = influence.units[k];
+  const double largest = largest_swing(tornado);
   Table table{say("{1}: each input by itself, low and high; {2} in the middle", influence.names[k],
                   format_quantity(tornado.base, unit.empty() ? "-" : unit, 4)),
-              {say("input"), say("low"), say("result"), say("high"), say("result"), say("swing"), say("relative slope"),
-               say("remark")},
+              {say("input"), say("low to high"), say("result"), say("swing"), say("relative slope"), say("remark")},
               {}};
   for (const sweep::Bar& bar : tornado.bars) {
     const auto& input = influence.inputs[bar.input];
     const sweep::Slope& slope = influence.slopes.at(k, bar.input);
-    table.rows.push_back({input.name, written(input, influence.low[bar.input]), shown(bar.low, unit),
-                          written(input, influence.high[bar.input]), shown(bar.high, unit), shown(bar.swing, unit),
+    table.rows.push_back({input.name,
+                          written(input, influence.low[bar.input]) + " to " + written(input, influence.high[bar.input]),
+                          from_to(bar.low, bar.high, unit), bar_of(bar.swing, largest),
                           std::isnan(slope.elasticity) ? Cell(std::string("-")) : Cell(shown(slope.elasticity, "-")),
                           std::string(kind_of(slope, bar.swing))});
   }

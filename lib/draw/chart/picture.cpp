@@ -48,7 +48,9 @@ std::string counts_of(const Chart& chart) {
   std::string text =
       say("{1} points drawn: {2} pass", std::to_string(chart.dots.size()), std::to_string(passing)).text();
   for (std::size_t m = 0; m < failing.size(); ++m) {
-    if (failing[m] > 0) text += "; " + say("{1} fail by {2}", std::to_string(failing[m]), plain(chart.modes[m])).text();
+    if (failing[m] == 0) continue;
+    const std::string count = std::to_string(failing[m]), mode = plain(chart.modes[m]);
+    text += "; " + (mode.empty() ? say("{1} fail", count) : say("{1} fail by {2}", count, mode)).text();
   }
   if (open > 0) text += "; " + say("{1} have no result", std::to_string(open)).text();
   if (none > 0) text += "; " + say("{1} are invalid designs", std::to_string(none)).text();

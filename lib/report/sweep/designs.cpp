@@ -118,6 +118,17 @@ Message resolution_of(std::uint64_t samples) {
              in_percent(most), format_number(needed, 6));
 }
 
+/// A quantile that so few samples do not bound with the usual confidence: none of them may lie beyond it.
+Message doubt_of_quantile(std::uint64_t samples, double quantile) {
+  const double doubt = 1.0 - confidence_of_shares;
+  const double needed = std::ceil(std::log(doubt) / std::log(quantile));
+  if (static_cast<double>(samples) >= needed) return {};
+  const double shown = std::pow(doubt, 1.0 / static_cast<double>(samples));
+  return say("{1} samples bound the {2} % quantile with 95 % confidence, not that of {3} %: use --samples {4}",
+             number(samples), format_number(100.0 * shown, 3), format_number(100.0 * quantile, 6),
+             format_number(needed, 6));
+}
+
 /// The mode with the most failures over the designs.
 Message governing_of(const Project& project, const SweepStatistics& found) {
   const auto columns = project::verdict_columns(project);
@@ -206,6 +217,8 @@ std::vector<Block> sweep_answer(const Project& project, const SweepPlan& plan, c
   if (scatters(found)) {
     blocks.emplace_back(note(scatter_of(plan, designs.asked().samples)));
     blocks.emplace_back(note(resolution_of(designs.asked().samples)));
+    if (Message doubt = doubt_of_quantile(designs.asked().samples, designs.asked().quantile); !doubt.empty())
+      blocks.emplace_back(Paragraph{std::move(doubt), Paragraph::Tone::warning});
   }
   for (const auto& [id, refused] : found.refusals())
     blocks.emplace_back(note(say("Invalid: {1} of {2} points, {3}: {4}", number(refused.count), number(found.points()),

@@ -47,7 +47,7 @@ Momentum impulse_of(const Written& law, const Impulse::Input& in) {
   double sum = 0.0;
   for (std::size_t k = 0; k + 1 < pieces.corners.size(); ++k) {
     for_each_graded(pieces.corners[k].first, pieces.corners[k + 1].first, [&](double from, double to) {
-      for_each_gauss_8(from, to, [&](double t, double weight) { sum += weight * motion::at(law, t).value; });
+      numerics::for_each_gauss_8(from, to, [&](double t, double weight) { sum += weight * motion::at(law, t).value; });
     });
   }
   return sum * N_s;

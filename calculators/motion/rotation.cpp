@@ -61,7 +61,7 @@ FieldFault Rotation::gap(const Input& in) {
 template <class Tracer>
 Rotation::Result Rotation::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const Jet now = motion::at(law_of(in), in_si(in.t));
+  const numerics::Jet now = motion::at(law_of(in), in_si(in.t));
   r.phi_t = trace.value("phi_t", now.value, "law of rotation at the time t");
   r.omega = trace.value("omega", now.first * rad_per_s, "first derivative of the law, [B28]");
   r.n = trace.value("n", r.omega, "the same in turns per minute");

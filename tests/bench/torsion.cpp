@@ -65,7 +65,7 @@ LOADPATH_SWEEP void short_form_in_lanes(const double* T, const double* tau_adm, 
                                   results[4], results[5], results[6], results[7]};
   LOADPATH_POINTWISE
   for (std::size_t i = 0; i < points; ++i) {
-    const auto found = short_form_of(T[i], tau_adm[i], [](double x) { return cube_root(x); });
+    const auto found = short_form_of(T[i], tau_adm[i], [](double x) { return numerics::cube_root(x); });
     for (std::size_t k = 0; k < to.size(); ++k) to[k][i] = found[k];
   }
 }

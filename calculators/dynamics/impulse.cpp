@@ -105,8 +105,8 @@ Impulse::Result Impulse::evaluate(const Input& in, Tracer& trace) {
 template Impulse::Result Impulse::evaluate(const Input&, NoTrace&);
 template Impulse::Result Impulse::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Impulse::figures(const Input& in, const Result& r) {
-  draw::Plot plot = motion::over_time("F", "force", "N");
+std::vector<figure::Figure> Impulse::figures(const Input& in, const Result& r) {
+  figure::Plot plot = motion::over_time("F", "force", "N");
   for (const Written& law : laws_of(in)) {
     if (law.text->empty()) continue;
     const auto force = [&](double t) { return motion::at(law, t).value; };

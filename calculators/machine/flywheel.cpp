@@ -229,13 +229,13 @@ Flywheel::Result Flywheel::evaluate(const Input& in, Tracer& trace) {
 template Flywheel::Result Flywheel::evaluate(const Input&, NoTrace&);
 template Flywheel::Result Flywheel::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Flywheel::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Flywheel::figures(const Input& in, const Result& r) {
   const Samples samples = samples_of(in);
-  draw::Plot moment, energy;
+  figure::Plot moment, energy;
   moment.x = energy.x = {"phi", "angle", "deg"};
   moment.y = {"M", "moment", "N*m"};
   energy.y = {"E", "work of the moment beyond its mean", "J"};
-  draw::Curve M{"M", {}, {}}, E{"E", {}, {}, true};
+  figure::Curve M{"M", {}, {}}, E{"E", {}, {}, true};
   for (std::size_t i = 0; i < samples.size(); ++i) {
     M.x.push_back(samples[i].phi);
     E.x.push_back(samples[i].phi);

@@ -277,12 +277,12 @@ History::Result History::evaluate(const Input& in, Tracer& trace) {
 template History::Result History::evaluate(const Input&, NoTrace&);
 template History::Result History::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> History::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> History::figures(const Input& in, const Result& r) {
   const Collective all = collective_of(in);
-  std::vector<draw::Figure> figures = class_figures(r);
+  std::vector<figure::Figure> figures = class_figures(r);
   if (all.cycles.empty() || largest_mean(in, all) >= 1.0) return figures;
   const OnCurve on = on_curve(in, all.cycles);
-  for (draw::Figure& figure :
+  for (figure::Figure& figure :
        collective_figure(all.cycles, on.stress, weighing_curve(in, on.largest), is_set(in.n_req) ? in.n_req : 1.0,
                          is_of_part(in) ? "amplitude at r = -1" : "range"))
     figures.push_back(std::move(figure));

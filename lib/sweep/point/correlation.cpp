@@ -1,7 +1,7 @@
 #include "lib/sweep/point/correlation.hpp"
 
 #include "lib/numerics/dense_inverse.hpp"
-#include "lib/sweep/columns.hpp"
+#include "lib/simd/attributes.hpp"
 
 #include <cmath>
 #include <cstdio>

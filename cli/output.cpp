@@ -4,6 +4,7 @@
 #include "cli/staged.hpp"
 #include "cli/version.hpp"
 #include "lib/draw/dxf.hpp"
+#include "lib/draw/svg.hpp"
 #include "lib/export/csv.hpp"
 #include "lib/export/json.hpp"
 #include "lib/report/build/build.hpp"
@@ -92,7 +93,7 @@ bool add_series(const project::Project& project, const OutputOptions& options, s
 
 struct Drawing {
   std::string step;
-  const draw::Figure* figure;
+  const figure::Figure* figure;
 };
 
 /// The first drawing to scale of every step: of a mechanism at its first position, of a section, of a drive.
@@ -137,7 +138,7 @@ bool add_figures(const project::Project& project, const std::string& path, std::
     return true;
   }
   for (const auto& step : project.steps) {
-    for (const draw::Figure& figure : step->account().figures)
+    for (const figure::Figure& figure : step->account().figures)
       files.push_back({fs::path(path) / (step->name() + "-" + figure.id + ".svg"), draw::svg(figure)});
   }
   return true;

@@ -149,16 +149,16 @@ template Course::Result Course::evaluate(const Input&, Trace&);
 
 namespace {
 
-using draw::Drawing;
+using figure::Drawing;
 
 /// The displacement of the movable pulley, and its initial position.
 void draw_way(const Input& in, const Result& r, Drawing::View& view) {
   if (!is_set(in.L)) return;
   const std::size_t moving = moving_one(in);
   const auto& p = in.pulleys[moving];
-  const draw::Point given{in_si(p.x), in_si(p.y)}, there{in_si(r.pulleys[moving].x), in_si(r.pulleys[moving].y)};
+  const figure::Point given{in_si(p.x), in_si(p.y)}, there{in_si(r.pulleys[moving].x), in_si(r.pulleys[moving].y)};
   const double reach = 0.8 * in_si(p.d);
-  const draw::Point e{reach * std::cos(p.along), reach * std::sin(p.along)};
+  const figure::Point e{reach * std::cos(p.along), reach * std::sin(p.along)};
   view.paths.push_back({{{there.x - e.x, there.y - e.y}, {there.x + e.x, there.y + e.y}}, Drawing::Line::hidden});
   if (std::abs(in_si(r.s)) > 0.05 * in_si(p.d)) {
     view.circles.push_back({given, 0.5 * in_si(p.d), Drawing::Line::hidden});
@@ -171,7 +171,7 @@ void draw_pulley(const Input& in, const Result& r, std::size_t k, const Circle& 
   const auto& pulley = r.pulleys[k];
   const LoopSpan& before = loop.spans[(k + loop.count - 1) % loop.count];
   view.circles.push_back({circle.at, circle.radius, Drawing::Line::outline, true});
-  for (const draw::Point touch : {before.to, loop.spans[k].from})
+  for (const figure::Point touch : {before.to, loop.spans[k].from})
     view.paths.push_back({{circle.at, touch}, Drawing::Line::thin});
   const auto given = in.pulleys[k].name.view();
   const std::string name = given.empty() ? std::to_string(k + 1) : std::string(given);
@@ -186,7 +186,7 @@ void draw_pulley(const Input& in, const Result& r, std::size_t k, const Circle& 
 
 }  // namespace
 
-std::vector<draw::Figure> Course::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Course::figures(const Input& in, const Result& r) {
   if (r.pulleys.empty()) return {};
   Circles circles = circles_of(in);
   for (std::size_t k = 0; k < r.pulleys.size(); ++k) circles[k].at = {in_si(r.pulleys[k].x), in_si(r.pulleys[k].y)};
@@ -199,7 +199,8 @@ std::vector<draw::Figure> Course::figures(const Input& in, const Result& r) {
   view.paths.push_back({belt_line(circles, turn_of(in), loop), Drawing::Line::belt, true});
   draw_way(in, r, view);
   drawing->views = {std::move(view)};
-  return {{"course", "The belt to scale with its wraps, and the loads of the shafts", draw::Drawn(std::move(drawing))}};
+  return {
+      {"course", "The belt to scale with its wraps, and the loads of the shafts", figure::Drawn(std::move(drawing))}};
 }
 
 }  // namespace loadpath::belt

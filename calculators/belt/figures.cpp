@@ -10,8 +10,8 @@ namespace loadpath::belt {
 
 namespace {
 
-using draw::Drawing;
-using draw::Point;
+using figure::Drawing;
+using figure::Point;
 
 Point along(double angle) { return {std::cos(angle), std::sin(angle)}; }
 Point from(Point at, double by, Point direction) { return {at.x + by * direction.x, at.y + by * direction.y}; }
@@ -144,11 +144,11 @@ Drawing::View drive_view(const TwoWheels& w, const Pulls& pulls) {
   return view;
 }
 
-draw::Figure drive_figure(const TwoWheels& w, const Pulls& pulls) {
+figure::Figure drive_figure(const TwoWheels& w, const Pulls& pulls) {
   auto drawing = std::make_shared<Drawing>();
   drawing->views = {drive_view(w, pulls)};
   return {"drive", "The drive to scale: 1 drives, clockwise as drawn, so that its tight span lies below",
-          draw::Drawn(std::move(drawing))};
+          figure::Drawn(std::move(drawing))};
 }
 
 }  // namespace loadpath::belt

@@ -33,10 +33,10 @@ struct Pulls {
 /// The straight pieces between the wheels, each from wheel 1 to wheel 2: the upper one, as it leaves wheel 1, first.
 std::array<LoopSpan, 2> spans_of(const TwoWheels& w);
 /// The belt as one closed line, from wheel 1 at the origin to wheel 2 at (a, 0).
-std::vector<draw::Point> line_of(const TwoWheels& w);
+std::vector<figure::Point> line_of(const TwoWheels& w);
 
-draw::Drawing::View drive_view(const TwoWheels& w, const Pulls& pulls);
+figure::Drawing::View drive_view(const TwoWheels& w, const Pulls& pulls);
 
-draw::Figure drive_figure(const TwoWheels& w, const Pulls& pulls);
+figure::Figure drive_figure(const TwoWheels& w, const Pulls& pulls);
 
 }  // namespace loadpath::belt

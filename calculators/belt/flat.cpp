@@ -158,7 +158,7 @@ Flat::Result Flat::evaluate(const Input& in, Tracer& trace) {
 template Flat::Result Flat::evaluate(const Input&, NoTrace&);
 template Flat::Result Flat::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Flat::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Flat::figures(const Input& in, const Result& r) {
   TwoWheels w;
   w.d_1 = in_si(in.d_1), w.d_2 = in_si(r.d_2), w.a = in_si(r.a);
   w.crossed = in.arrangement == Arrangement::crossed;

@@ -9,7 +9,7 @@ namespace loadpath::belt {
 
 namespace {
 
-using draw::Point;
+using figure::Point;
 
 Point between(Point from, Point to) { return {to.x - from.x, to.y - from.y}; }
 double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
@@ -259,8 +259,8 @@ Shift shift_for(double length, std::span<const Circle> circles, double turn, std
   return shift;
 }
 
-std::vector<draw::Point> belt_line(std::span<const Circle> circles, double turn, const Loop& loop) {
-  std::vector<draw::Point> line;
+std::vector<figure::Point> belt_line(std::span<const Circle> circles, double turn, const Loop& loop) {
+  std::vector<figure::Point> line;
   for (std::size_t k = 0; k < circles.size(); ++k) {
     const LoopSpan& to = loop.spans[(k + circles.size() - 1) % circles.size()];
     const double side = sense(circles[k], turn);

@@ -19,13 +19,13 @@ inline constexpr std::size_t most_pulleys = 16;
 
 /// A pulley as the circle of the belt's middle line; m.
 struct Circle {
-  draw::Point at;
+  figure::Point at;
   double radius = 0.0;
   bool outside = false;  // the belt's back runs on it
 };
 
 struct LoopSpan {
-  draw::Point from, to;
+  figure::Point from, to;
   double direction = 0.0;  // rad
   double length = 0.0;     // m
 };
@@ -55,6 +55,6 @@ struct Shift {
 Shift shift_for(double length, std::span<const Circle> circles, double turn, std::size_t moving, double direction);
 
 /// One closed line of the belt, for drawings.
-std::vector<draw::Point> belt_line(std::span<const Circle> circles, double turn, const Loop& loop);
+std::vector<figure::Point> belt_line(std::span<const Circle> circles, double turn, const Loop& loop);
 
 }  // namespace loadpath::belt

@@ -176,7 +176,7 @@ Roller::Result Roller::evaluate(const Input& in, Tracer& trace) {
 template Roller::Result Roller::evaluate(const Input&, NoTrace&);
 template Roller::Result Roller::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Roller::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Roller::figures(const Input& in, const Result& r) {
   if (!is_set(r.a)) return {};
   belt::TwoWheels w;
   w.d_1 = in_si(r.d_1), w.d_2 = in_si(r.d_2), w.a = in_si(r.a);
@@ -185,10 +185,10 @@ std::vector<draw::Figure> Roller::figures(const Input& in, const Result& r) {
   belt::Pulls pulls;
   pulls.tight_symbol = "F", pulls.tight = in_si(r.F);
   pulls.symbol = "F_W", pulls.R = pulls.R_x = in_si(r.F_W), pulls.R_y = 0.0;
-  auto drawing = std::make_shared<draw::Drawing>();
+  auto drawing = std::make_shared<figure::Drawing>();
   drawing->views = {belt::drive_view(w, pulls)};
   return {{"chain", "The drive on its pitch circles: 1 drives, clockwise as drawn, so that its tight span lies below",
-           draw::Drawn(std::move(drawing))}};
+           figure::Drawn(std::move(drawing))}};
 }
 
 }  // namespace loadpath::chain

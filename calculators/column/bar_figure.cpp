@@ -12,8 +12,8 @@ namespace loadpath::column {
 
 namespace {
 
-using draw::Drawing;
-using draw::Point;
+using figure::Drawing;
+using figure::Point;
 using Kind = Drawing::Support::Kind;
 using Points = std::vector<Point>;
 
@@ -162,7 +162,7 @@ bool is_shown(const BucklingInput& in, const MemberResult& r, AxisName axis) {
 
 }  // namespace
 
-std::optional<draw::Figure> bar_figure(const BucklingInput& in, const MemberResult& r) {
+std::optional<figure::Figure> bar_figure(const BucklingInput& in, const MemberResult& r) {
   auto drawing = std::make_shared<Drawing>();
   for (const auto axis : {AxisName::y, AxisName::z}) {
     if (is_shown(in, r, axis)) drawing->views.push_back(bar_view(in, r, axis));
@@ -175,7 +175,7 @@ std::optional<draw::Figure> bar_figure(const BucklingInput& in, const MemberResu
     section->share = 1.0 - 0.3 * static_cast<double>(drawing->views.size());
     drawing->views.push_back(std::move(*section));
   }
-  return draw::Figure{"bar", "The bar as it buckles, and its section", draw::Drawn(std::move(drawing))};
+  return figure::Figure{"bar", "The bar as it buckles, and its section", figure::Drawn(std::move(drawing))};
 }
 
 }  // namespace loadpath::column

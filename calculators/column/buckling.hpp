@@ -95,7 +95,7 @@ n_st = 3
   /// The same of a bar that something bends: then a part of its walls is pressed in tension too.
   template <class Tracer>
   static Result judge(const Input& in, bool is_bent, Tracer& trace);
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 }  // namespace loadpath::column

@@ -23,15 +23,15 @@ Method method_named(std::string_view name) {
   return Method::euler;
 }
 
-draw::Plot chart(const Buckling::Input& in, const Buckling::Result& r) {
+figure::Plot chart(const Buckling::Input& in, const Buckling::Result& r) {
   const Material material = material_of(in);
   const AxisResult& axis = r.axes[r.axis == AxisName::y ? 0 : 1];
   const double end = std::max({200.0, 1.2 * r.lambda, 1.2 * material.lambda_1});
-  draw::Plot plot;
+  figure::Plot plot;
   plot.x = {"lambda", "slenderness", "-"};
   plot.y = {"sigma_cr", "critical stress", "MPa"};
   for (const auto& by : r.methods) {
-    draw::Curve curve{std::string(by.name.view()), {}, {}, false};
+    figure::Curve curve{std::string(by.name.view()), {}, {}, false};
     constexpr int points = 160;
     for (int i = 1; i <= points; ++i) {
       const double lambda = end * i / points;
@@ -46,7 +46,7 @@ draw::Plot chart(const Buckling::Input& in, const Buckling::Result& r) {
   return plot;
 }
 
-void add_shape(const Buckling::Input& in, AxisName axis, draw::Plot& plot) {
+void add_shape(const Buckling::Input& in, AxisName axis, figure::Plot& plot) {
   const bool about_y = axis == AxisName::y;
   if (is_set(about_y ? in.beta_y : in.beta_z)) return;  // the factor does not give the end conditions
   const Bar bar = bar_of(in, axis);
@@ -57,10 +57,10 @@ void add_shape(const Buckling::Input& in, AxisName axis, draw::Plot& plot) {
 
 }  // namespace
 
-std::vector<draw::Figure> Buckling::figures(const Input& in, const Result& r) {
-  std::vector<draw::Figure> figures{
+std::vector<figure::Figure> Buckling::figures(const Input& in, const Result& r) {
+  std::vector<figure::Figure> figures{
       {"critical-stress", "Critical stress against slenderness (no safety factor)", chart(in, r)}};
-  draw::Plot shapes;
+  figure::Plot shapes;
   shapes.x = {"x", "position along the bar", "mm"};
   shapes.y = {"w", "deflection / maximum deflection", "-"};
   for (const auto axis : {AxisName::y, AxisName::z}) add_shape(in, axis, shapes);

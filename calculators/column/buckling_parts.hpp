@@ -63,6 +63,6 @@ inline Method method_of(const BucklingInput& in) {
 }
 
 /// The buckled bar about each axis with known ends, next to its section; none if no ends are known.
-std::optional<draw::Figure> bar_figure(const BucklingInput& in, const MemberResult& r);
+std::optional<figure::Figure> bar_figure(const BucklingInput& in, const MemberResult& r);
 
 }  // namespace loadpath::column

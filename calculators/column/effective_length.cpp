@@ -94,11 +94,11 @@ Result EffectiveLength::evaluate(const Input& in, Tracer& trace) {
 template Result EffectiveLength::evaluate(const Input&, NoTrace&);
 template Result EffectiveLength::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> EffectiveLength::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> EffectiveLength::figures(const Input& in, const Result& r) {
   if (!is_set(r.u)) return {};
   Shape shape = buckled_shape(bar_of(in, r), r.u);
   for (double& x : shape.x) x *= in_si(in.l);
-  draw::Plot plot;
+  figure::Plot plot;
   plot.x = {"x", "position along the bar", "mm"};
   plot.y = {"w", "deflection / maximum deflection", "-"};
   plot.curves.push_back({"w", std::move(shape.x), std::move(shape.w), false});

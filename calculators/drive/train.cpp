@@ -145,12 +145,12 @@ Train::Result Train::evaluate(const Input& in, Tracer& trace) {
 template Train::Result Train::evaluate(const Input&, NoTrace&);
 template Train::Result Train::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Train::figures(const Input&, const Result& r) {
+std::vector<figure::Figure> Train::figures(const Input&, const Result& r) {
   if (!is_set(r.shafts.front().T)) return {};
-  draw::Plot plot;
+  figure::Plot plot;
   plot.x = {"k", "shaft, the first to the last", "-"};
   plot.y = {"T", "torque of the shaft, without its sign", "N*m"};
-  draw::Curve curve{"T", {}, {}, true};
+  figure::Curve curve{"T", {}, {}, true};
   for (std::size_t k = 0; k < r.shafts.size(); ++k) {
     const double at = static_cast<double>(k) + 1.0;
     curve.x.insert(curve.x.end(), {at - 0.4, at + 0.4});

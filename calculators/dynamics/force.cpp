@@ -111,11 +111,11 @@ ForceOfMotion::Result ForceOfMotion::evaluate(const Input& in, Tracer& trace) {
 template ForceOfMotion::Result ForceOfMotion::evaluate(const Input&, NoTrace&);
 template ForceOfMotion::Result ForceOfMotion::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> ForceOfMotion::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> ForceOfMotion::figures(const Input& in, const Result& r) {
   if (!is_set(in.t_1)) return {};
   const PointPath path = path_of(in);
-  std::vector<draw::Figure> all{motion::path_figure(path, in_si(in.t), in_si(in.t_1), in_si(in.t_2))};
-  draw::Plot plot = motion::over_time("R", "missing force", "N");
+  std::vector<figure::Figure> all{motion::path_figure(path, in_si(in.t), in_si(in.t_1), in_si(in.t_2))};
+  figure::Plot plot = motion::over_time("R", "missing force", "N");
   const auto missing = [&](double t) { return missing_at(in, path.at(t)); };
   plot.curves.push_back(motion::curve_over(in_si(in.t_1), in_si(in.t_2), samples, "R", missing));
   plot.marks.push_back({in_si(r.t_max), in_si(r.R_max), "largest"});

@@ -109,7 +109,7 @@ t_2 = "1.9 s"
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 }  // namespace loadpath::dynamics

@@ -47,7 +47,7 @@ Momentum impulse_of(const Written& law, const Impulse::Input& in) {
   double sum = 0.0;
   for (std::size_t k = 0; k + 1 < pieces.corners.size(); ++k) {
     for_each_graded(pieces.corners[k].first, pieces.corners[k + 1].first, [&](double from, double to) {
-      for_each_gauss_8(from, to, [&](double t, double weight) { sum += weight * motion::at(law, t).value; });
+      numerics::for_each_gauss_8(from, to, [&](double t, double weight) { sum += weight * motion::at(law, t).value; });
     });
   }
   return sum * N_s;
@@ -105,8 +105,8 @@ Impulse::Result Impulse::evaluate(const Input& in, Tracer& trace) {
 template Impulse::Result Impulse::evaluate(const Input&, NoTrace&);
 template Impulse::Result Impulse::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Impulse::figures(const Input& in, const Result& r) {
-  draw::Plot plot = motion::over_time("F", "force", "N");
+std::vector<figure::Figure> Impulse::figures(const Input& in, const Result& r) {
+  figure::Plot plot = motion::over_time("F", "force", "N");
   for (const Written& law : laws_of(in)) {
     if (law.text->empty()) continue;
     const auto force = [&](double t) { return motion::at(law, t).value; };

@@ -70,11 +70,13 @@ Throw::Result Throw::evaluate(const Input& in, Tracer& trace) {
 template Throw::Result Throw::evaluate(const Input&, NoTrace&);
 template Throw::Result Throw::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Throw::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Throw::figures(const Input& in, const Result& r) {
   if (!is_set(r.t_L)) return {};
-  draw::Scheme scheme;
-  draw::Scheme::Path way{"", {}};
-  const auto at = [&](double t) { return draw::Point{in_si(r.V_x) * t, in_si(r.V_z) * t - 0.5 * in_si(in.g) * t * t}; };
+  figure::Scheme scheme;
+  figure::Scheme::Path way{"", {}};
+  const auto at = [&](double t) {
+    return figure::Point{in_si(r.V_x) * t, in_si(r.V_z) * t - 0.5 * in_si(in.g) * t * t};
+  };
   constexpr int points = 91;
   for (int i = 0; i < points; ++i) way.points.push_back(at(in_si(r.t_L) * i / (points - 1)));
   scheme.paths.push_back(std::move(way));

@@ -48,12 +48,12 @@ bool are_similar(const Characteristics& a, const Characteristics& b) {
 std::string greek(const Input& in) { return in.stress == Stresses::shear ? "tau" : "sigma"; }
 
 /// Two periods of a sine: what happens between the extremes does not matter.
-draw::Figure over_time(const Input& in, const Result& r) {
+figure::Figure over_time(const Input& in, const Result& r) {
   const std::string s = greek(in);
-  draw::Plot plot;
+  figure::Plot plot;
   plot.x = {"t/T", "time over period", "-"};
   plot.y = {s, "stress", "MPa"};
-  draw::Curve wave{s, {}, {}};
+  figure::Curve wave{s, {}, {}};
   for (int i = 0; i <= 96; ++i) {
     const double t = i / 48.0;
     wave.x.push_back(t);
@@ -67,9 +67,9 @@ draw::Figure over_time(const Input& in, const Result& r) {
 }
 
 /// The cycle in the plane of amplitude over mean stress, where similar cycles lie on a ray.
-draw::Figure in_the_plane(const Input& in, const Result& r) {
+figure::Figure in_the_plane(const Input& in, const Result& r) {
   const std::string s = greek(in);
-  draw::Plot plot;
+  figure::Plot plot;
   plot.x = {s + "_m", "mean stress", "MPa"};
   plot.y = {s + "_a", "amplitude", "MPa"};
   double longest = 1.0;
@@ -148,7 +148,7 @@ Cycle::Result Cycle::evaluate(const Input& in, Tracer& trace) {
 template Cycle::Result Cycle::evaluate(const Input&, NoTrace&);
 template Cycle::Result Cycle::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Cycle::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Cycle::figures(const Input& in, const Result& r) {
   return {over_time(in, r), in_the_plane(in, r)};
 }
 

@@ -158,7 +158,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 constexpr auto choices_of(Cycle::Similar) {

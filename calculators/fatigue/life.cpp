@@ -252,9 +252,9 @@ FieldFault lacks(const char* path, const char* what, const char* remedy) { retur
 // ---- figures
 
 /// Closer together towards its end, where an ellipse falls steeply.
-draw::Curve limit_line(const Haigh& h, MeanRule rule, double reach) {
+figure::Curve limit_line(const Haigh& h, MeanRule rule, double reach) {
   NoTrace quiet;
-  draw::Curve curve{word_of(rule), {}, {}};
+  figure::Curve curve{word_of(rule), {}, {}};
   const Stress most = largest_mean(h, rule);
   const double end = is_set(most) ? std::min(reach, in_si(most)) : reach;
   constexpr int points = 48;
@@ -266,8 +266,8 @@ draw::Curve limit_line(const Haigh& h, MeanRule rule, double reach) {
   return curve;
 }
 
-draw::Figure haigh_diagram(const Input& in, const Haigh& h, const Result& r) {
-  draw::Plot plot;
+figure::Figure haigh_diagram(const Input& in, const Haigh& h, const Result& r) {
+  figure::Plot plot;
   plot.x = {"sigma_m", "mean stress, as it is counted", "MPa"};
   plot.y = {"sigma_a", "amplitude", "MPa"};
   const double m = std::max(0.0, in_si(in_shear(in) ? abs(r.sigma_m) : r.sigma_m)), a = in_si(r.sigma_a);
@@ -288,13 +288,13 @@ draw::Figure haigh_diagram(const Input& in, const Haigh& h, const Result& r) {
   return {"haigh", "Haigh diagram: stress cycle, load line, limit curves of the mean stress rules", std::move(plot)};
 }
 
-draw::Figure wohler_diagram(const Input& in, const Result& r) {
+figure::Figure wohler_diagram(const Input& in, const Result& r) {
   const double N_D = cycles_of_limit(in);
   const auto S = [&](double N) { return in_si(r.a_N) * std::pow(N, r.b_N); };
-  draw::Plot plot;
+  figure::Plot plot;
   plot.x = {"N", "cycles", "-", true};
   plot.y = {"sigma_ar", "amplitude of symmetric cycles", "MPa", true};
-  draw::Curve curve{word_of(in.line), {1e3, N_D}, {S(1e3), S(N_D)}};
+  figure::Curve curve{word_of(in.line), {1e3, N_D}, {S(1e3), S(N_D)}};
   if (is_set(in.sigma_D)) curve.x.push_back(10.0 * N_D), curve.y.push_back(in_si(in.sigma_D));
   plot.curves.push_back(std::move(curve));
   if (is_set(in.sigma_D)) plot.bounds.push_back({in_si(in.sigma_D), "sigma_D"});
@@ -384,12 +384,12 @@ Life::Result Life::evaluate(const Input& in, Tracer& trace) {
 template Life::Result Life::evaluate(const Input&, NoTrace&);
 template Life::Result Life::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Life::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Life::figures(const Input& in, const Result& r) {
   if (r.kind == Kind::constant) return {};
   NoTrace quiet;
   Haigh h = strengths(in, r, quiet);
   h.S_e = r.S_e;
-  std::vector<draw::Figure> all{haigh_diagram(in, h, r)};
+  std::vector<figure::Figure> all{haigh_diagram(in, h, r)};
   if (is_set(r.a_N)) all.push_back(wohler_diagram(in, r));
   return all;
 }

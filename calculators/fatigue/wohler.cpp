@@ -147,15 +147,15 @@ void life(const Input& in, const Sums& sums, Result& r, Tracer& trace) {
 }
 
 /// Straight where both scales are logarithmic.
-draw::Curve line(const std::string& label, double A, double B, double X_from, double X_to) {
+figure::Curve line(const std::string& label, double A, double B, double X_from, double X_to) {
   const auto N = [&](double X) { return std::pow(10.0, A + B * X); };
   const auto S = [](double X) { return in_si(std::pow(10.0, X) * MPa); };
   return {label, {N(X_from), N(X_to)}, {S(X_from), S(X_to)}};
 }
 
 /// Points of one kind, not joined.
-draw::Curve dots(const Input& in, End end, const std::string& label) {
-  draw::Curve points{label, {}, {}};
+figure::Curve dots(const Input& in, End end, const std::string& label) {
+  figure::Curve points{label, {}, {}};
   for (const auto& t : in.tests) {
     if (t.end != end) continue;
     points.x.insert(points.x.end(), {t.N, unset<double>});
@@ -194,9 +194,9 @@ Wohler::Result Wohler::evaluate(const Input& in, Tracer& trace) {
 template Wohler::Result Wohler::evaluate(const Input&, NoTrace&);
 template Wohler::Result Wohler::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Wohler::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Wohler::figures(const Input& in, const Result& r) {
   const Sums sums = sums_of(in);
-  draw::Plot plot;
+  figure::Plot plot;
   plot.x = {"N", "cycles", "-", true};
   plot.y = {"S", "stress", "MPa", true};
   const double X_low = is_set(r.S_D) && r.S_D > 0.0 * MPa ? std::min(lg_stress(r.S_D), sums.X_low) : sums.X_low;

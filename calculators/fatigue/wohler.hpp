@@ -138,7 +138,7 @@ S = "350 MPa"
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 constexpr auto choices_of(Wohler::End) {

@@ -8,7 +8,7 @@ namespace loadpath::gear {
 
 namespace {
 
-using draw::Point;
+using figure::Point;
 using std::numbers::pi;
 
 constexpr int on_flank = 16, on_fillet = 6, on_arc = 3;

@@ -16,17 +16,17 @@ struct Body {
   Whole z = 0;
   double x = 0.0;  // profile shift in transverse modules
   double r_a = 0.0, r_f = 0.0;
-  draw::Point at;     // the axis
+  figure::Point at;   // the axis
   double turn = 0.0;  // direction of the middle of a tooth (of a space of a ring), rad
 };
 
 /// The closed outline of a wheel with outer teeth.
-[[nodiscard]] std::vector<draw::Point> wheel_outline(const Body& body);
+[[nodiscard]] std::vector<figure::Point> wheel_outline(const Body& body);
 /// The closed inner outline of a ring.
-[[nodiscard]] std::vector<draw::Point> ring_outline(const Body& body);
+[[nodiscard]] std::vector<figure::Point> ring_outline(const Body& body);
 /// The closed outline of a rack segment with its reference line at x = at.x, teeth to the left; y = at.y is the
 /// middle of the segment: a space if the number of teeth is even.
-[[nodiscard]] std::vector<draw::Point> rack_outline(const Rack& rack, double m_t, double h_a, int teeth,
-                                                    draw::Point at);
+[[nodiscard]] std::vector<figure::Point> rack_outline(const Rack& rack, double m_t, double h_a, int teeth,
+                                                      figure::Point at);
 
 }  // namespace loadpath::gear

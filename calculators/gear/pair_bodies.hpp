@@ -12,6 +12,6 @@ namespace loadpath::gear {
 [[nodiscard]] Body second_body(const PairInput& in, const PairResult& r);
 
 /// A closed polygon close to a circle.
-[[nodiscard]] std::vector<draw::Point> rim_of(draw::Point centre, double radius);
+[[nodiscard]] std::vector<figure::Point> rim_of(figure::Point centre, double radius);
 
 }  // namespace loadpath::gear

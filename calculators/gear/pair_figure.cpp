@@ -11,8 +11,8 @@ namespace loadpath::gear {
 
 namespace {
 
-using draw::Drawing;
-using draw::Point;
+using figure::Drawing;
+using figure::Point;
 
 /// The generating rack in the transverse plane: heights stay, its module is longer.
 Rack transverse(const Pair::Input& in, const Pair::Result& r) {
@@ -226,12 +226,12 @@ std::vector<Point> rim_of(Point centre, double radius) {
   return points;
 }
 
-std::vector<draw::Figure> Pair::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Pair::figures(const Input& in, const Result& r) {
   if (!is_set(r.eps_alpha) || !is_set(r.j_bn) || !has_teeth(in, r)) return {};
   const Scene scene(in, r);
   auto drawing = std::make_shared<Drawing>();
   drawing->views = {whole(scene), mesh(scene)};
-  return {{"pair", "The pair in the transverse plane, and its teeth in mesh", draw::Drawn(std::move(drawing))}};
+  return {{"pair", "The pair in the transverse plane, and its teeth in mesh", figure::Drawn(std::move(drawing))}};
 }
 
 }  // namespace loadpath::gear

@@ -22,13 +22,13 @@ struct LawSamples {
   double period;
   std::size_t steps;
 
-  [[nodiscard]] Jet jet(double phi) const {
+  [[nodiscard]] numerics::Jet jet(double phi) const {
     constexpr double before_end = 1.0 - 1e-12;
     return law.at(std::min(phi, period * before_end));
   }
   Sample operator()(std::size_t i) const {
     const double phi = period * static_cast<double>(i) / static_cast<double>(steps);
-    const Jet moment = jet(phi);
+    const numerics::Jet moment = jet(phi);
     return {phi, moment.value, moment.first};
   }
   [[nodiscard]] TurningEnergy energy() const {
@@ -36,7 +36,7 @@ struct LawSamples {
   }
   /// The largest magnitude near the largest sample: that of the parabola there leads to it.
   [[nodiscard]] double peak(const TurningEnergy& sampled) const {
-    const Jet at = jet(sampled.peak_phi);
+    const numerics::Jet at = jet(sampled.peak_phi);
     const double step = -at.first / at.second, h = period / static_cast<double>(steps);
     const double phi = sampled.peak_phi + step;
     if (!(std::abs(step) <= h) || phi < 0.0 || phi > period) return sampled.peak;
@@ -168,8 +168,8 @@ FieldFault Flywheel::law_fault(const Input& in) {
   if (const Fault* const fault = in.M_of_phi.fault()) return {"M_of_phi", fault->message, fault->hint};
   const Law* const law = in.M_of_phi.law();
   const auto moment = [&](double phi) {  // whose slope may be infinite, as at the end of a root
-    const Jet jet = law->at(phi);
-    return std::isfinite(jet.first) && std::isfinite(jet.second) ? jet : Jet{jet.value, 0.0, 0.0};
+    const numerics::Jet jet = law->at(phi);
+    return std::isfinite(jet.first) && std::isfinite(jet.second) ? jet : numerics::Jet{jet.value, 0.0, 0.0};
   };
   const double end = in.period * (1.0 - 1e-12);  // the period's end is its start
   const motion::Gap gap = motion::first_gap(moment, 0.0, end, static_cast<int>(most_samples) + 1);
@@ -229,13 +229,13 @@ Flywheel::Result Flywheel::evaluate(const Input& in, Tracer& trace) {
 template Flywheel::Result Flywheel::evaluate(const Input&, NoTrace&);
 template Flywheel::Result Flywheel::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Flywheel::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Flywheel::figures(const Input& in, const Result& r) {
   const Samples samples = samples_of(in);
-  draw::Plot moment, energy;
+  figure::Plot moment, energy;
   moment.x = energy.x = {"phi", "angle", "deg"};
   moment.y = {"M", "moment", "N*m"};
   energy.y = {"E", "work of the moment beyond its mean", "J"};
-  draw::Curve M{"M", {}, {}}, E{"E", {}, {}, true};
+  figure::Curve M{"M", {}, {}}, E{"E", {}, {}, true};
   for (std::size_t i = 0; i < samples.size(); ++i) {
     M.x.push_back(samples[i].phi);
     E.x.push_back(samples[i].phi);

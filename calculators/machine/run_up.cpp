@@ -149,12 +149,12 @@ RunUp::Result RunUp::evaluate(const Input& in, Tracer& trace) {
 template RunUp::Result RunUp::evaluate(const Input&, NoTrace&);
 template RunUp::Result RunUp::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> RunUp::figures(const Input& in, const Result&) {
+std::vector<figure::Figure> RunUp::figures(const Input& in, const Result&) {
   const Balance balance(in);
-  draw::Plot plot;
+  figure::Plot plot;
   plot.x = {"n", "speed", "rpm"};
   plot.y = {"M", "moment at the motor's shaft", "N*m"};
-  draw::Curve motor{"motor", {}, {}}, load{"load", {}, {}};
+  figure::Curve motor{"motor", {}, {}}, load{"load", {}, {}};
   for (const double omega : speeds_of(in, balance)) {
     motor.x.push_back(omega);
     motor.y.push_back(balance.motor_at(omega));

@@ -72,10 +72,10 @@ Compound::Result Compound::evaluate(const Input& in, Tracer& trace) {
 template Compound::Result Compound::evaluate(const Input&, NoTrace&);
 template Compound::Result Compound::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Compound::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Compound::figures(const Input& in, const Result& r) {
   const auto turned = [&in](auto along, auto across) {
     const double a = in_si(along), b = in_si(across), c = cos(in.phi), s = sin(in.phi);
-    return draw::Point{a * c - b * s, a * s + b * c};
+    return figure::Point{a * c - b * s, a * s + b * c};
   };
   const Vectors velocities{
       "Velocities",
@@ -88,7 +88,7 @@ std::vector<draw::Figure> Compound::figures(const Input& in, const Result& r) {
                                {"a_c", turned(r.a_cxi, r.a_ceta)},
                                {"a", turned(r.a_axi, r.a_aeta)}}};
   auto plan = plan_figure({velocities, accelerations});
-  if (std::get<draw::Plans>(plan.content).panels.empty()) return {};
+  if (std::get<figure::Plans>(plan.content).panels.empty()) return {};
   return {std::move(plan)};
 }
 

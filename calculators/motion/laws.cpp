@@ -26,10 +26,10 @@ FieldFault reading_fault(std::span<const Written> laws) {
   return {};
 }
 
-Jet at(const Written& written, double t) {
+numerics::Jet at(const Written& written, double t) {
   if (written.text->empty()) return {};
   const Law* const law = written.text->law();
-  return law == nullptr ? Jet{nan, nan, nan} : law->at(t);
+  return law == nullptr ? numerics::Jet{nan, nan, nan} : law->at(t);
 }
 
 double without_rounding(double value, double scale) {
@@ -37,7 +37,7 @@ double without_rounding(double value, double scale) {
   return std::abs(value) <= rounding * std::abs(scale) ? 0.0 : value;
 }
 
-bool is_finite(const Jet& jet) {
+bool is_finite(const numerics::Jet& jet) {
   constexpr double largest = 1e30;  // beyond all machines, and products of such numbers leave the range of numbers
   return std::abs(jet.value) <= largest && std::abs(jet.first) <= largest && std::abs(jet.second) <= largest;
 }
@@ -54,7 +54,7 @@ bool goes_against(double value_1, double slope_1, double value_2, double slope_2
 }
 
 /// Whether a law has a pole between two places, or turns there and back; not whether it has a kink.
-bool leaps(const Jet& a, const Jet& b, double step) {
+bool leaps(const numerics::Jet& a, const numerics::Jet& b, double step) {
   if (goes_against(a.value, a.first, b.value, b.first, step)) return true;
   const double turn = step * std::max(std::abs(a.second), std::abs(b.second));
   return std::abs(b.first - a.first) <= turn && goes_against(a.first, a.second, b.first, b.second, step);
@@ -62,12 +62,12 @@ bool leaps(const Jet& a, const Jet& b, double step) {
 
 }  // namespace
 
-Gap first_gap(const std::function<Jet(double)>& law, double t_1, double t_2, int count) {
-  Jet before;
+Gap first_gap(const std::function<numerics::Jet(double)>& law, double t_1, double t_2, int count) {
+  numerics::Jet before;
   double last = t_1;
   for (int i = 0; i < count; ++i) {
     const double t = i + 1 == count ? t_2 : t_1 + (t_2 - t_1) * i / (count - 1);
-    const Jet here = law(t);
+    const numerics::Jet here = law(t);
     if (!is_finite(here)) return {t, t};
     if (i > 0 && leaps(before, here, t - last)) return {last, t};
     before = here, last = t;

@@ -31,13 +31,13 @@ bool reads(const Written& written);
 FieldFault reading_fault(std::span<const Written> laws);
 
 /// Value and derivatives at a time, SI: zero for an empty formula, NaN for an invalid law.
-Jet at(const Written& written, double t);
+numerics::Jet at(const Written& written, double t);
 
 /// The value, or zero if it is only rounding relative to `scale`.
 double without_rounding(double value, double scale);
 
 /// Whether value and both derivatives are there, and of sizes that machines have.
-bool is_finite(const Jet& jet);
+bool is_finite(const numerics::Jet& jet);
 
 /// Where a law has no value or derivatives, or leaps between two places that follow each other; none where it has all.
 struct Gap {
@@ -46,7 +46,7 @@ struct Gap {
   explicit operator bool() const { return !std::isnan(from); }
 };
 /// The first of `count` places from t_1 to t_2, their ends included, or between two of them.
-Gap first_gap(const std::function<Jet(double)>& law, double t_1, double t_2, int count = 257);
+Gap first_gap(const std::function<numerics::Jet(double)>& law, double t_1, double t_2, int count = 257);
 /// None also if the formula is an invalid law, which another rule reports.
 Gap first_gap(const Written& written, double t_1, double t_2);
 /// A message for the first law that has one.

@@ -10,7 +10,7 @@ constexpr int points = 181;
 
 /// A curve of a number of the state over the range.
 template <class Number>
-draw::Curve curve(const PointPath& path, double t_1, double t_2, const char* label, Number number) {
+figure::Curve curve(const PointPath& path, double t_1, double t_2, const char* label, Number number) {
   return curve_over(t_1, t_2, points, label, [&](double t) { return number(path.at(t)); });
 }
 
@@ -18,16 +18,16 @@ bool lies_between(double t, double t_1, double t_2) { return t_1 <= t && t <= t_
 
 }  // namespace
 
-draw::Plot over_time(const char* symbol, const char* meaning, const char* unit) {
-  draw::Plot plot;
+figure::Plot over_time(const char* symbol, const char* meaning, const char* unit) {
+  figure::Plot plot;
   plot.x = {"t", "time", "s"};
   plot.y = {symbol, meaning, unit};
   return plot;
 }
 
-draw::Figure path_figure(const PointPath& path, double t, double t_1, double t_2) {
-  draw::Scheme scheme;
-  draw::Scheme::Path way{"", {}};
+figure::Figure path_figure(const PointPath& path, double t, double t_1, double t_2) {
+  figure::Scheme scheme;
+  figure::Scheme::Path way{"", {}};
   for (int i = 0; i < points; ++i) {
     const PointState s = path.at(t_1 + (t_2 - t_1) * i / (points - 1));
     way.points.push_back({s.r[0], s.r[1]});
@@ -41,15 +41,15 @@ draw::Figure path_figure(const PointPath& path, double t, double t_1, double t_2
   return {"path", "Path in the plane xy, with the start of the range and the point M at the time t", std::move(scheme)};
 }
 
-draw::Figure speed_figure(const PointPath& path, double t, double t_1, double t_2) {
-  draw::Plot plot = over_time("v", "speed", "m/s");
+figure::Figure speed_figure(const PointPath& path, double t, double t_1, double t_2) {
+  figure::Plot plot = over_time("v", "speed", "m/s");
   plot.curves.push_back(curve(path, t_1, t_2, "v", [](const PointState& s) { return s.speed; }));
   if (lies_between(t, t_1, t_2)) plot.marks.push_back({t, path.at(t).speed, "at t"});
   return {"speed", "Speed over time", std::move(plot)};
 }
 
-draw::Figure acceleration_figure(const PointPath& path, double t, double t_1, double t_2) {
-  draw::Plot plot = over_time("a", "acceleration and its parts", "m/s^2");
+figure::Figure acceleration_figure(const PointPath& path, double t, double t_1, double t_2) {
+  figure::Plot plot = over_time("a", "acceleration and its parts", "m/s^2");
   plot.curves.push_back(curve(path, t_1, t_2, "a", [](const PointState& s) { return s.acceleration; }));
   plot.curves.push_back(curve(path, t_1, t_2, "a_tau", [](const PointState& s) { return s.a_tau; }));
   plot.curves.push_back(curve(path, t_1, t_2, "a_n", [](const PointState& s) { return s.a_n; }));
@@ -57,11 +57,11 @@ draw::Figure acceleration_figure(const PointPath& path, double t, double t_1, do
   return {"acceleration", "Acceleration and its parts along the path over time", std::move(plot)};
 }
 
-draw::Figure plan_figure(const std::vector<Vectors>& panels) {
-  using Tone = draw::Plan::Tone;
-  draw::Plans plans;
+figure::Figure plan_figure(const std::vector<Vectors>& panels) {
+  using Tone = figure::Plan::Tone;
+  figure::Plans plans;
   for (const Vectors& vectors : panels) {
-    draw::Plan plan;
+    figure::Plan plan;
     plan.title = vectors.title;
     plan.unit = vectors.unit;
     Tone tone = Tone::first;

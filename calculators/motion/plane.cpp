@@ -151,9 +151,9 @@ Plane::Result Plane::evaluate(const Input& in, Tracer& trace) {
 template Plane::Result Plane::evaluate(const Input&, NoTrace&);
 template Plane::Result Plane::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Plane::figures(const Input&, const Result& r) {
-  draw::Scheme scheme;
-  draw::Scheme::Body body{"", {}};
+std::vector<figure::Figure> Plane::figures(const Input&, const Result& r) {
+  figure::Scheme scheme;
+  figure::Scheme::Body body{"", {}};
   Vectors velocities{"Velocities", "m/s", {}}, accelerations{"Accelerations", "m/s^2", {}};
   for (const PointState& s : r.states) {
     const std::string name(s.name.view());
@@ -164,9 +164,9 @@ std::vector<draw::Figure> Plane::figures(const Input&, const Result& r) {
   }
   scheme.bodies.push_back(std::move(body));
   if (is_set(r.x_P)) scheme.points.push_back({"P", {in_si(r.x_P), in_si(r.y_P)}});
-  std::vector<draw::Figure> all{{"body", "The body with the pole P of its velocities", std::move(scheme)}};
+  std::vector<figure::Figure> all{{"body", "The body with the pole P of its velocities", std::move(scheme)}};
   auto plan = plan_figure({velocities, accelerations});
-  if (!std::get<draw::Plans>(plan.content).panels.empty()) all.push_back(std::move(plan));
+  if (!std::get<figure::Plans>(plan.content).panels.empty()) all.push_back(std::move(plan));
   return all;
 }
 

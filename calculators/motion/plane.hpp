@@ -115,7 +115,7 @@ points = [{ name = "C", x = "1.5 m", y = "2 m" }]
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 }  // namespace loadpath::motion

@@ -151,25 +151,25 @@ Point::Result Point::evaluate(const Input& in, Tracer& trace) {
 template Point::Result Point::evaluate(const Input&, NoTrace&);
 template Point::Result Point::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Point::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Point::figures(const Input& in, const Result& r) {
   const PointPath path = path_of(in);
-  std::vector<draw::Figure> all;
+  std::vector<figure::Figure> all;
   const double t = in_si(in.t);
   if (is_set(in.t_1)) {
     all.push_back(path_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
     all.push_back(speed_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
     all.push_back(acceleration_figure(path, t, in_si(in.t_1), in_si(in.t_2)));
   }
-  const draw::Point v{in_si(r.v_x), in_si(r.v_y)}, a{in_si(r.a_x), in_si(r.a_y)};
-  std::vector<std::pair<std::string, draw::Point>> parts{{"a", a}};
+  const figure::Point v{in_si(r.v_x), in_si(r.v_y)}, a{in_si(r.a_x), in_si(r.a_y)};
+  std::vector<std::pair<std::string, figure::Point>> parts{{"a", a}};
   if (is_set(r.a_tau) && is_set(r.v) && in.z.empty()) {
     const double along = in_si(r.a_tau) / in_si(r.v);
-    const draw::Point tangential{along * v.x, along * v.y};
+    const figure::Point tangential{along * v.x, along * v.y};
     parts.push_back({"a_tau", tangential});
     parts.push_back({"a_n", {a.x - tangential.x, a.y - tangential.y}});
   }
   auto plan = plan_figure({{"Velocity", "m/s", {{"v", v}}}, {"Acceleration", "m/s^2", parts}});
-  if (!std::get<draw::Plans>(plan.content).panels.empty()) all.push_back(std::move(plan));
+  if (!std::get<figure::Plans>(plan.content).panels.empty()) all.push_back(std::move(plan));
   return all;
 }
 

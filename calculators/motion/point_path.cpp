@@ -31,7 +31,7 @@ PointState PointPath::at(double t) const {
   PointState s;
   const std::array<Written, 3> laws = all();
   for (std::size_t i = 0; i < laws.size(); ++i) {
-    const Jet jet = motion::at(laws[i], t);
+    const numerics::Jet jet = motion::at(laws[i], t);
     s.r[i] = jet.value, s.v[i] = jet.first, s.a[i] = jet.second;
   }
   for (Vector* const vector : {&s.r, &s.v, &s.a}) drop_rounding(*vector);

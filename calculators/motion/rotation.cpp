@@ -61,7 +61,7 @@ FieldFault Rotation::gap(const Input& in) {
 template <class Tracer>
 Rotation::Result Rotation::evaluate(const Input& in, Tracer& trace) {
   Result r;
-  const Jet now = motion::at(law_of(in), in_si(in.t));
+  const numerics::Jet now = motion::at(law_of(in), in_si(in.t));
   r.phi_t = trace.value("phi_t", now.value, "law of rotation at the time t");
   r.omega = trace.value("omega", now.first * rad_per_s, "first derivative of the law, [B28]");
   r.n = trace.value("n", r.omega, "the same in turns per minute");
@@ -75,10 +75,10 @@ Rotation::Result Rotation::evaluate(const Input& in, Tracer& trace) {
 template Rotation::Result Rotation::evaluate(const Input&, NoTrace&);
 template Rotation::Result Rotation::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Rotation::figures(const Input& in, const Result& r) {
-  std::vector<draw::Figure> all;
+std::vector<figure::Figure> Rotation::figures(const Input& in, const Result& r) {
+  std::vector<figure::Figure> all;
   if (is_set(in.t_1)) {
-    draw::Plot plot = over_time("omega", "angular velocity", "rad/s");
+    figure::Plot plot = over_time("omega", "angular velocity", "rad/s");
     const auto speed = [law = law_of(in)](double t) { return motion::at(law, t).first; };
     plot.curves.push_back(curve_over(in_si(in.t_1), in_si(in.t_2), 181, "omega", speed));
     if (in.t_1 <= in.t && in.t <= in.t_2) plot.marks.push_back({in_si(in.t), in_si(r.omega), "at t"});
@@ -87,7 +87,7 @@ std::vector<draw::Figure> Rotation::figures(const Input& in, const Result& r) {
   if (!is_set(in.R)) return all;
   auto plan = plan_figure({{"Velocity of the point", "m/s", {{"v", {in_si(r.v_x), in_si(r.v_y)}}}},
                            {"Acceleration of the point", "m/s^2", {{"a", {in_si(r.a_x), in_si(r.a_y)}}}}});
-  if (!std::get<draw::Plans>(plan.content).panels.empty()) all.push_back(std::move(plan));
+  if (!std::get<figure::Plans>(plan.content).panels.empty()) all.push_back(std::move(plan));
   return all;
 }
 

@@ -124,7 +124,7 @@ BuiltUp::Result BuiltUp::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-std::vector<draw::Figure> BuiltUp::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> BuiltUp::figures(const Input& in, const Result& r) {
   Sketch sketch;
   for (const Part& part : in.parts) {
     const auto [outline, hole] = contours(part);

@@ -89,7 +89,7 @@ Polygon::Result Polygon::evaluate(const Input& in, Tracer& trace) {
   return r;
 }
 
-std::vector<draw::Figure> Polygon::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Polygon::figures(const Input& in, const Result& r) {
   Sketch sketch{{outline_of({in.points.data(), in.points.size()})}, {}};
   for (const Hole& hole : in.holes) sketch.holes.push_back(outline_of({hole.points.data(), hole.points.size()}));
   return section::figures(sketch, r);

@@ -67,7 +67,7 @@ holes = [{ points = [["10 mm", "10 mm"], ["40 mm", "10 mm"], ["10 mm", "40 mm"]]
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);
-  static std::vector<draw::Figure> figures(const Input& in, const Result& r);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
 };
 
 }  // namespace loadpath::section

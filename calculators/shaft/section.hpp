@@ -9,7 +9,7 @@ namespace loadpath::shaft {
 /// Newton from above: the function is convex there, so the sequence falls to the root.
 inline Length diameter_for_modulus(SectionModulus W_t, Length d_bore) {
   const double w = 16.0 * in_si(W_t) / pi, b = in_si(d_bore);
-  double d = b + cube_root(w);
+  double d = b + numerics::cube_root(w);
   for (int i = 0; i < 60; ++i) {
     const double next = d - (d * d * d * d - b * b * b * b - w * d) / (4.0 * d * d * d - w);
     if (!(next < d)) break;

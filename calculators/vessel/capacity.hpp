@@ -103,10 +103,10 @@ Length least_thickness(const Make& make, Stress p, Length scale, const Strength&
   const auto needed = [&](Length delta_c) { return in_si(needed_thickness(make(delta_c), p, scale, strength)); };
   if constexpr (requires { make(scale).is_straight(); }) {
     const auto by_si = [&](double delta_c) { return needed(from_si<Length>(delta_c)); };
-    if (make(scale).is_straight()) return from_si<Length>(straight_fixed_point(by_si, most));
+    if (make(scale).is_straight()) return from_si<Length>(numerics::straight_fixed_point(by_si, most));
   }
   const auto of_some = [&](double delta_c) { return needed(max(from_si<Length>(delta_c), thinnest * scale)); };
-  return from_si<Length>(fixed_point(of_some, most));
+  return from_si<Length>(numerics::fixed_point(of_some, most));
 }
 
 }  // namespace loadpath::vessel

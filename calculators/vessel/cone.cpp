@@ -104,21 +104,21 @@ Section section_of(const Input& in, const Cone::Result& r) {
   s.middle = {{0.0, 0.0}, {0.25 * R_m, 0.25 * high}, {0.5 * R_m, 0.5 * high}, {R_m, high}};
   s.within = {0.0, 0.8 * high};
   auto& view = s.dimensioned;
-  view.lengths.push_back({{0.0, high}, {R, high}, {"R", R, "mm"}, draw::Drawing::Side::above});
+  view.lengths.push_back({{0.0, high}, {R, high}, {"R", R, "mm"}, figure::Drawing::Side::above});
   view.angles.push_back({{0.0, 0.0}, 0.45 * high, 0.5 * pi, -in.alpha, {"alpha", in.alpha, "deg"}});
   if (has_liquid(in) && in.h_l > 0.0 * mm) {
     const double h = in_si(in.h_l);
     s.surface = h;
-    view.lengths.push_back({{0.0, 0.0}, {h * std::tan(in.alpha), h}, {"h_l", h, "mm"}, draw::Drawing::Side::right});
+    view.lengths.push_back({{0.0, 0.0}, {h * std::tan(in.alpha), h}, {"h_l", h, "mm"}, figure::Drawing::Side::right});
   }
   const double place = in_si(r.r);
-  s.governing = draw::Point{-place, place / std::tan(in.alpha)};
+  s.governing = figure::Point{-place, place / std::tan(in.alpha)};
   return s;
 }
 
 }  // namespace
 
-std::vector<draw::Figure> Cone::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Cone::figures(const Input& in, const Result& r) {
   return pictures(samples(ConeShape(in, r.R_m), in, r), in, r, section_of(in, r));
 }
 

@@ -137,7 +137,7 @@ template Cylinder::Result Cylinder::evaluate(const Input&, Trace&);
 namespace {
 
 /// Their form is not known: squares of their section.
-void draw_rings(const Input& in, double outside, double height, draw::Drawing::View& view) {
+void draw_rings(const Input& in, double outside, double height, figure::Drawing::View& view) {
   constexpr int most = 40;
   if (!is_set(in.l_r) || !is_set(in.A_r)) return;
   const double l_r = in_si(in.l_r), side = std::sqrt(in_si(in.A_r));
@@ -146,12 +146,12 @@ void draw_rings(const Input& in, double outside, double height, draw::Drawing::V
     for (const double x : {outside, -outside - side}) {
       view.areas.push_back(
           {{{x, z - 0.5 * side}, {x + side, z - 0.5 * side}, {x + side, z + 0.5 * side}, {x, z + 0.5 * side}},
-           draw::Drawing::Kind::cut});
+           figure::Drawing::Kind::cut});
     }
   }
   if (count > 1) {
     view.lengths.push_back(
-        {{-outside - side, 0.5 * l_r}, {-outside - side, 1.5 * l_r}, {"l_r", l_r, "mm"}, draw::Drawing::Side::left});
+        {{-outside - side, 0.5 * l_r}, {-outside - side, 1.5 * l_r}, {"l_r", l_r, "mm"}, figure::Drawing::Side::left});
   }
 }
 
@@ -165,17 +165,17 @@ Section section_of(const Input& in, const Cylinder::Result& r) {
   s.broken_start = !(h > 0.0), s.broken_end = true;
   if (h > 0.0) {
     s.surface = h;
-    s.governing = draw::Point{R_m, 0.0};
-    s.dimensioned.lengths.push_back({{R, 0.0}, {R, h}, {"h_l", h, "mm"}, draw::Drawing::Side::right});
+    s.governing = figure::Point{R_m, 0.0};
+    s.dimensioned.lengths.push_back({{R, 0.0}, {R, h}, {"h_l", h, "mm"}, figure::Drawing::Side::right});
   }
-  s.dimensioned.lengths.push_back({{0.0, 0.0}, {R, 0.0}, {"R", R, "mm"}, draw::Drawing::Side::below});
+  s.dimensioned.lengths.push_back({{0.0, 0.0}, {R, 0.0}, {"R", R, "mm"}, figure::Drawing::Side::below});
   draw_rings(in, R + inside_of(in, in_si(r.delta)) + in_si(r.delta), height, s.dimensioned);
   return s;
 }
 
 }  // namespace
 
-std::vector<draw::Figure> Cylinder::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Cylinder::figures(const Input& in, const Result& r) {
   const Length a_r = is_set(r.a_r) ? r.a_r : 0.0 * mm;
   return pictures(samples(CylinderShape(in, r.R_m, r.delta_c, a_r), in, r), in, r, section_of(in, r));
 }

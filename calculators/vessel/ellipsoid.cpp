@@ -87,16 +87,16 @@ Section section_of(const Input& in, const Ellipsoid::Result& r) {
   s.within = {0.0, 0.35 * b};
   s.radius = "a, b";
   auto& view = s.dimensioned;
-  view.lengths.push_back({{0.0, 0.0}, {a, 0.0}, {"a", a, "mm"}, draw::Drawing::Side::below});
-  view.lengths.push_back({{a, 0.0}, {0.0, b}, {"b", b, "mm"}, draw::Drawing::Side::right});
+  view.lengths.push_back({{0.0, 0.0}, {a, 0.0}, {"a", a, "mm"}, figure::Drawing::Side::below});
+  view.lengths.push_back({{a, 0.0}, {0.0, b}, {"b", b, "mm"}, figure::Drawing::Side::right});
   const double place = in_si(r.r);
-  s.governing = draw::Point{-place, b_m * std::sqrt(std::max(0.0, 1.0 - place * place / (a_m * a_m)))};
+  s.governing = figure::Point{-place, b_m * std::sqrt(std::max(0.0, 1.0 - place * place / (a_m * a_m)))};
   return s;
 }
 
 }  // namespace
 
-std::vector<draw::Figure> Ellipsoid::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Ellipsoid::figures(const Input& in, const Result& r) {
   return pictures(samples(EllipsoidShape(r.a_m, r.b_m), in, r), in, r, section_of(in, r));
 }
 

@@ -76,7 +76,7 @@ double least_thickness_ratio(const Thick& thick, Stress p_i, const Strength& str
       {growing(solid.s_o, half.s_o, x_half), growing(solid.s_M, half.s_M, x_half), {in_si(-p_i), 0.0}}, strength);
   if (!(x > 0.0)) return unset<double>;
   // 1 - 1/c of the ratio c of the radii, c^power = 1 + 1/x, without the cancellation of thin walls
-  const double c = Thick::power == 2 ? std::sqrt(1.0 + 1.0 / x) : cube_root(1.0 + 1.0 / x);
+  const double c = Thick::power == 2 ? std::sqrt(1.0 + 1.0 / x) : numerics::cube_root(1.0 + 1.0 / x);
   const double wall = 1.0 / (x * c * (Thick::power == 2 ? c + 1.0 : c * c + c + 1.0));  // over the outer radius
   return 2.0 * wall / (2.0 - wall);
 }

@@ -6,11 +6,11 @@ namespace loadpath::vessel {
 
 namespace {
 
-draw::Figure stresses_along(const std::vector<Sample>& along) {
-  draw::Plot plot;
+figure::Figure stresses_along(const std::vector<Sample>& along) {
+  figure::Plot plot;
   plot.x = {"s", "distance along the meridian", "mm"};
   plot.y = {"sigma", "membrane stress", "MPa"};
-  draw::Curve hoop{"sigma_o", {}, {}}, meridional{"sigma_M", {}, {}};
+  figure::Curve hoop{"sigma_o", {}, {}}, meridional{"sigma_M", {}, {}};
   double s = 0.0;
   for (std::size_t i = 0; i < along.size(); ++i) {
     if (i > 0) s += std::hypot(along[i].r - along[i - 1].r, along[i].z - along[i - 1].z);
@@ -23,8 +23,8 @@ draw::Figure stresses_along(const std::vector<Sample>& along) {
 
 }  // namespace
 
-std::vector<draw::Figure> pictures(const std::vector<Sample>& along, const WallInput& in, const WallResult& r,
-                                   const Section& section) {
+std::vector<figure::Figure> pictures(const std::vector<Sample>& along, const WallInput& in, const WallResult& r,
+                                     const Section& section) {
   if (!is_set(r.sigma_v) || !std::isfinite(in_si(r.delta)) || along.size() < 2) return {};
   return {section_figure(in, r, section), stresses_along(along)};
 }

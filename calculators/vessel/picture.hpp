@@ -29,7 +29,7 @@ std::vector<Sample> samples(const Shape& shape, const WallInput& in, const WallR
 }
 
 /// The section of the vessel, and the stresses over the length of its meridian; nothing where none were computed.
-std::vector<draw::Figure> pictures(const std::vector<Sample>& along, const WallInput& in, const WallResult& r,
-                                   const Section& section);
+std::vector<figure::Figure> pictures(const std::vector<Sample>& along, const WallInput& in, const WallResult& r,
+                                     const Section& section);
 
 }  // namespace loadpath::vessel

@@ -9,8 +9,8 @@ namespace loadpath::vessel {
 
 namespace {
 
-using draw::Drawing;
-using draw::Point;
+using figure::Drawing;
+using figure::Point;
 using Points = std::vector<Point>;
 
 double length(Point a) { return std::hypot(a.x, a.y); }
@@ -252,7 +252,7 @@ double inside_of(const WallInput& in, double delta) {
   return in.measured == Measured::inner ? 0.0 : in.measured == Measured::outer ? -delta : -0.5 * delta;
 }
 
-draw::Figure section_figure(const WallInput& in, const WallResult& r, const Section& s) {
+figure::Figure section_figure(const WallInput& in, const WallResult& r, const Section& s) {
   const Wall wall = wall_of(in, r, s);
   auto drawing = std::make_shared<Drawing>();
   Drawing::View view = s.dimensioned;
@@ -270,7 +270,7 @@ draw::Figure section_figure(const WallInput& in, const WallResult& r, const Sect
   Drawing::View enlarged = wall_view(in, r, s.radius);
   if (flat) enlarged.share = 0.6, enlarged.most_height = 250.0;
   drawing->views = {std::move(view), std::move(enlarged)};
-  return {"section", "Section of the vessel through its axis, and its wall", draw::Drawn(std::move(drawing))};
+  return {"section", "Section of the vessel through its axis, and its wall", figure::Drawn(std::move(drawing))};
 }
 
 }  // namespace loadpath::vessel

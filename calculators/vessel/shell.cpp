@@ -195,20 +195,20 @@ Section section_of(const Input& in, const Shell::Result& r) {
   auto& view = s.dimensioned;
   const auto widest =
       std::max_element(in.points.begin(), in.points.end(), [](const auto& a, const auto& b) { return a.r < b.r; });
-  const draw::Point at{in_si(widest->r), in_si(widest->z)};
-  view.lengths.push_back({{0.0, at.y}, at, {"r", at.x, "mm"}, draw::Drawing::Side::below});
+  const figure::Point at{in_si(widest->r), in_si(widest->z)};
+  view.lengths.push_back({{0.0, at.y}, at, {"r", at.x, "mm"}, figure::Drawing::Side::below});
   if (has_liquid(in)) {
     const double h = in_si(in.h_l);
     s.surface = h;
-    view.names.push_back({{0.0, h}, "", draw::Drawing::Value{"h_l", h, "mm"}});
+    view.names.push_back({{0.0, h}, "", figure::Drawing::Value{"h_l", h, "mm"}});
   }
-  s.governing = draw::Point{-in_si(r.r), in_si(r.z)};
+  s.governing = figure::Point{-in_si(r.r), in_si(r.z)};
   return s;
 }
 
 }  // namespace
 
-std::vector<draw::Figure> Shell::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Shell::figures(const Input& in, const Result& r) {
   std::vector<Sample> along;
   for (const Along& a : r.along) along.push_back({in_si(a.r), in_si(a.z), in_si(a.sigma_o), in_si(a.sigma_M)});
   return pictures(along, in, r, section_of(in, r));

@@ -116,7 +116,7 @@ Section section_of(const Input& in, const Sphere::Result& r) {
     const double phi = pi * i / count;
     s.middle.push_back({R_m * std::sin(phi), R_m * (1.0 + std::cos(phi))});
   }
-  const draw::Point centre{0.0, R_m};
+  const figure::Point centre{0.0, R_m};
   s.within = centre;
   auto& view = s.dimensioned;
   view.radii.push_back({centre, R, 0.25 * pi, {"R", R, "mm"}});
@@ -124,18 +124,18 @@ Section section_of(const Input& in, const Sphere::Result& r) {
   const double h = in_si(in.h_l);
   if (h > 0.0) {
     s.surface = h;
-    view.lengths.push_back({{0.0, 0.0}, {0.0, h}, {"h_l", h, "mm"}, draw::Drawing::Side::left});
+    view.lengths.push_back({{0.0, 0.0}, {0.0, h}, {"h_l", h, "mm"}, figure::Drawing::Side::left});
   }
   view.angles.push_back({centre, 0.28 * R, 0.5 * pi, -in.phi_s, {"phi_s", in.phi_s, "deg"}, true});
   const double out = R_m + in_si(r.delta);
   view.names.push_back({{out * std::sin(in.phi_s), centre.y + out * std::cos(in.phi_s)}, say("ring").text()});
-  if (is_set(r.phi)) s.governing = draw::Point{-R_m * std::sin(r.phi), centre.y + R_m * std::cos(r.phi)};
+  if (is_set(r.phi)) s.governing = figure::Point{-R_m * std::sin(r.phi), centre.y + R_m * std::cos(r.phi)};
   return s;
 }
 
 }  // namespace
 
-std::vector<draw::Figure> Sphere::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Sphere::figures(const Input& in, const Result& r) {
   return pictures(samples(SphereShape(in, r.R_m), in, r), in, r, section_of(in, r));
 }
 

@@ -68,19 +68,19 @@ Section section_of(const Input& in, const Torus::Result& r) {
   s.radius = "r";
   s.within = {R_0, 0.0};
   auto& view = s.dimensioned;
-  view.lengths.push_back({{0.0, -tube}, {R_0, 0.0}, {"R_0", R_0, "mm"}, draw::Drawing::Side::below});
+  view.lengths.push_back({{0.0, -tube}, {R_0, 0.0}, {"R_0", R_0, "mm"}, figure::Drawing::Side::below});
   view.radii.push_back({{R_0, 0.0}, tube, 0.3 * pi, {"r", tube, "mm"}});
   for (const double x : {R_0, -R_0}) {
-    for (const draw::Point e : {draw::Point{1.25 * tube, 0.0}, draw::Point{0.0, 1.25 * tube}})
-      view.paths.push_back({{{x - e.x, -e.y}, {x + e.x, e.y}}, draw::Drawing::Line::centre});
+    for (const figure::Point e : {figure::Point{1.25 * tube, 0.0}, figure::Point{0.0, 1.25 * tube}})
+      view.paths.push_back({{{x - e.x, -e.y}, {x + e.x, e.y}}, figure::Drawing::Line::centre});
   }
-  s.governing = draw::Point{r_m - R_0, 0.0};
+  s.governing = figure::Point{r_m - R_0, 0.0};
   return s;
 }
 
 }  // namespace
 
-std::vector<draw::Figure> Torus::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Torus::figures(const Input& in, const Result& r) {
   return pictures(samples(TorusShape(in.R_0, r.r_m), in, r), in, r, section_of(in, r));
 }
 

@@ -64,16 +64,16 @@ struct Derived {
 struct Account {
   std::vector<Entry> inputs;
   std::vector<Entry> results;
-  std::vector<Verdict> verdicts;      // states of checks and limits
-  Modes modes;                        // the verdict on the part that follows from them
-  std::vector<Message> warnings;      // customs that the input breaks
-  Message governing;                  // position of the derivation; empty if there is one value
-  std::vector<Derived> derivation;    // if formulas are requested
-  std::set<std::string> scopes;       // subjects of its lines: "", "methods[2]"; known without it
-  std::vector<Block> input_blocks;    // if the step shows its inputs itself, not in a list; if pictures are requested
-  std::vector<Block> blocks;          // output specific to this kind of step: tables, notes; pictures on request
-  std::vector<draw::Figure> figures;  // if pictures are requested
-  std::vector<std::string> sources;   // keys of tables/sources.toml, besides those that the calculator always cites
+  std::vector<Verdict> verdicts;        // states of checks and limits
+  Modes modes;                          // the verdict on the part that follows from them
+  std::vector<Message> warnings;        // customs that the input breaks
+  Message governing;                    // position of the derivation; empty if there is one value
+  std::vector<Derived> derivation;      // if formulas are requested
+  std::set<std::string> scopes;         // subjects of its lines: "", "methods[2]"; known without it
+  std::vector<Block> input_blocks;      // if the step shows its inputs itself, not in a list; if pictures are requested
+  std::vector<Block> blocks;            // output specific to this kind of step: tables, notes; pictures on request
+  std::vector<figure::Figure> figures;  // if pictures are requested
+  std::vector<std::string> sources;     // keys of tables/sources.toml, besides those that the calculator always cites
 };
 
 }  // namespace loadpath::account

@@ -44,6 +44,6 @@ struct Derivation {
   std::vector<Step> steps;
 };
 
-using Block = std::variant<Heading, Paragraph, Table, Derivation, Verdicts, draw::Figure>;
+using Block = std::variant<Heading, Paragraph, Table, Derivation, Verdicts, figure::Figure>;
 
 }  // namespace loadpath::account

@@ -1,7 +1,7 @@
 #include "lib/account/fold.hpp"
 
 #include "lib/account/rows.hpp"
-#include "lib/sweep/columns.hpp"
+#include "lib/simd/attributes.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -34,7 +34,7 @@ Varying varying(std::span<const double> cuts, const Section& section, const Spre
   double bending = 0.0, first = 0.0, second = 0.0, shear = 0.0;  // integrals of 1/EI with powers of x, and of 1/GA
   double turned = 0.0, lifted = 0.0;                             // by the load on a cantilever fixed at the left
   for (std::size_t k = 0; k + 1 < cuts.size(); ++k) {
-    for_each_gauss_8(cuts[k], cuts[k + 1], [&](double x, double weight) {
+    numerics::for_each_gauss_8(cuts[k], cuts[k + 1], [&](double x, double weight) {
       const auto [EI, GA] = section(x);
       const double soft = weight / EI;
       bending += soft, first += x * soft, second += x * x * soft, shear += weight / GA;

@@ -93,7 +93,7 @@ struct Calculator {
   Applies (*applies)(std::size_t mode, const void* input) = nullptr;
   void (*evaluate)(const void* input, void* result) = nullptr;
   void (*explain)(const void* input, void* result, Trace& trace) = nullptr;
-  std::vector<draw::Figure> (*figures)(const void* input, const void* result) = nullptr;
+  std::vector<figure::Figure> (*figures)(const void* input, const void* result) = nullptr;
   /// The fastest loop for the given base, varying inputs and requested results. It serves every block of columns with
   /// these offsets: a sweep of many blocks requests it once.
   SweepLoop (*loop)(const void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out) = nullptr;

@@ -17,7 +17,7 @@
 //     static constexpr std::array senses{SenseClaim{...}...};  // inputs that state whether a load reverses
 //     static constexpr std::array meanings{Meaning{...}...};   // meanings of values of like dimension
 //     static constexpr std::array bounds{Bound<Input>{...}...};  // bounds of typed inputs
-//     static std::vector<draw::Figure> figures(const Input&, const Result&);
+//     static std::vector<figure::Figure> figures(const Input&, const Result&);
 //   };
 #pragma once
 

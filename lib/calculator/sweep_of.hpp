@@ -7,22 +7,12 @@
 
 #include "lib/calculator/calculator.hpp"
 #include "lib/calculator/form_of.hpp"
+#include "lib/simd/attributes.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
-
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
-    !defined(__SANITIZE_ADDRESS__)
-/// The loop of a sweep: fully inlined, and compiled for wide registers too; the CPU decides at startup.
-#define LOADPATH_SWEEP __attribute__((flatten, target_clones("default", "arch=x86-64-v3")))
-/// The points of a loop do not depend on each other.
-#define LOADPATH_POINTWISE _Pragma("GCC ivdep")
-#else
-#define LOADPATH_SWEEP
-#define LOADPATH_POINTWISE
-#endif
 
 namespace loadpath::detail {
 
@@ -41,7 +31,7 @@ void sweep_records(void* input, std::span<const InputColumn> in, std::span<const
 
 /// The same with `evaluate` and all that it calls inlined.
 template <class C>
-LOADPATH_SWEEP void sweep_inlined(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
+LOADPATH_LANES void sweep_inlined(void* input, std::span<const InputColumn> in, std::span<const ResultColumn> out,
                                   std::size_t count) {
   sweep_records<C>(input, in, out, count);
 }
@@ -83,7 +73,7 @@ bool serves(const typename C::Input& base, std::span<const InputColumn> in, std:
 
 /// A block in lanes. No value of `in` is missing.
 template <class C, class F, class... Given, class... Asked, std::size_t... K, std::size_t... J>
-LOADPATH_SWEEP void sweep_lanes(const typename C::Input& base, const double* const* in, double* const* out,
+LOADPATH_LANES void sweep_lanes(const typename C::Input& base, const double* const* in, double* const* out,
                                 std::size_t count, Leaves<Given...>, Leaves<Asked...>, std::index_sequence<K...>,
                                 std::index_sequence<J...>) {
   NoTrace trace;

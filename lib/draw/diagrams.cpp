@@ -10,14 +10,14 @@ namespace {
 
 constexpr double depth = 60.0, gap = 35.0;  // height of a diagram, and the gap above it for its title
 
-double at(const Shaft::Place& place, Range along, double length) {
+double at(const figure::Shaft::Place& place, Range along, double length) {
   return along.low + (along.high - along.low) * std::clamp(place.x / length, 0.0, 1.0);
 }
 
 /// Writes the names of the sections above the lines, and returns the space needed.
-double name_places(const Shaft& shaft, Range along, double length, double top, Canvas& canvas) {
+double name_places(const figure::Shaft& shaft, Range along, double length, double top, Canvas& canvas) {
   Rows rows;
-  for (const Shaft::Place& place : shaft.places) {
+  for (const figure::Shaft::Place& place : shaft.places) {
     const Text text = typeset(place.label);
     const double half = 0.5 * width(text, text_size), x = at(place, along, length);
     const double middle = std::clamp(x, half + 4.0, view_width - half - 4.0);
@@ -29,7 +29,7 @@ double name_places(const Shaft& shaft, Range along, double length, double top, C
 
 }  // namespace
 
-Picture diagrams(const Shaft& shaft, Range along, double length, double top) {
+Picture diagrams(const figure::Shaft& shaft, Range along, double length, double top) {
   Picture all;
   double y = top + name_places(shaft, along, length, top, all.canvas);
   const double first = y;
@@ -42,7 +42,7 @@ Picture diagrams(const Shaft& shaft, Range along, double length, double top) {
     all.height = drawn.height;
     y = area.bottom;
   }
-  for (const Shaft::Place& place : shaft.places) {
+  for (const figure::Shaft::Place& place : shaft.places) {
     const double x = at(place, along, length);
     all.canvas.line("light dash c1", {x, first + 6.0}, {x, y});
   }

@@ -8,6 +8,6 @@
 namespace loadpath::draw {
 
 /// From `top` down; `along`: where the shaft begins and ends, in view units; `length`: its own, m.
-Picture diagrams(const Shaft& shaft, Range along, double length, double top);
+Picture diagrams(const figure::Shaft& shaft, Range along, double length, double top);
 
 }  // namespace loadpath::draw

@@ -14,32 +14,32 @@ namespace {
 
 constexpr auto dimensions = "dimensions", names = "names", hatching_layer = "hatching";
 
-const char* layer_of(Drawing::Line line) {
+const char* layer_of(figure::Drawing::Line line) {
   switch (line) {
-    case Drawing::Line::outline:
+    case figure::Drawing::Line::outline:
       return "outlines";
-    case Drawing::Line::thin:
-    case Drawing::Line::hidden:
+    case figure::Drawing::Line::thin:
+    case figure::Drawing::Line::hidden:
       return "thin";
-    case Drawing::Line::centre:
+    case figure::Drawing::Line::centre:
       return "centre-lines";
-    case Drawing::Line::belt:
+    case figure::Drawing::Line::belt:
       return "belt";
-    case Drawing::Line::action:
-    case Drawing::Line::contact:
+    case figure::Drawing::Line::action:
+    case figure::Drawing::Line::contact:
       return "line-of-action";
   }
   return "outlines";
 }
 
-std::string words_for_cad(const Drawing::Value& value) {
+std::string words_for_cad(const figure::Drawing::Value& value) {
   const std::string number = format_quantity(value.si, value.unit, digits_of(value));
   return value.symbol.empty() ? number : value.symbol + " = " + number;
 }
 
 class ViewDrawing {
  public:
-  ViewDrawing(const Drawing::View& view, double left, DxfWriter& dxf) : view_(view), dxf_(dxf) {
+  ViewDrawing(const figure::Drawing::View& view, double left, DxfWriter& dxf) : view_(view), dxf_(dxf) {
     fit_ = fit(view, {0.0, 0.0}, view_width);
     // The fit's page, blown up to mm: rows and heads keep their share of the drawing.
     mm_ = 1e3 / fit_.scale;
@@ -56,7 +56,7 @@ class ViewDrawing {
     for (const auto& s : view_.surfaces) dxf_.line("thin", at(s.from), at(s.to));
     for (const Row& row : fit_.rows) draw_length(row);
     for (const auto& l : view_.lengths) {
-      if (l.side == Drawing::Side::in_place) dimension(at(l.from), at(l.to), l.value, false);
+      if (l.side == figure::Drawing::Side::in_place) dimension(at(l.from), at(l.to), l.value, false);
     }
     for (const auto& r : view_.radii) {
       const Point e = 1e3 * r.radius * along(r.angle), c = at(r.centre);
@@ -76,8 +76,8 @@ class ViewDrawing {
     return all;
   }
 
-  void draw_area(const Drawing::Area& area) {
-    if (area.kind != Drawing::Kind::cut) return;  // others have their outlines as paths
+  void draw_area(const figure::Drawing::Area& area) {
+    if (area.kind != figure::Drawing::Kind::cut) return;  // others have their outlines as paths
     const double spacing = 6.0 * mm_;
     const std::vector<Point> outline = at(area.outline);
     dxf_.polygon("outlines", outline);
@@ -87,7 +87,7 @@ class ViewDrawing {
   }
 
   /// Along a line with short strokes across its ends, as R12 has no heads.
-  void dimension(Point from, Point to, const Drawing::Value& value, bool upright) {
+  void dimension(Point from, Point to, const figure::Drawing::Value& value, bool upright) {
     dxf_.line(dimensions, from, to);
     const double tick = 2.0 * mm_;
     for (const Point p : {from, to}) dxf_.line(dimensions, p - Point{tick, tick}, p + Point{tick, tick});
@@ -99,18 +99,18 @@ class ViewDrawing {
     const auto& l = view_.lengths[row.length];
     const double out = first_row + dimension_row * static_cast<double>(row.row);
     const Point from = fit_.at(l.from), to = fit_.at(l.to);
-    const bool upright = l.side == Drawing::Side::left || l.side == Drawing::Side::right;
+    const bool upright = l.side == figure::Drawing::Side::left || l.side == figure::Drawing::Side::right;
     Point a = from, b = to;
     if (upright)
-      a.x = b.x = l.side == Drawing::Side::left ? fit_.extent.left - out : fit_.extent.right + out;
+      a.x = b.x = l.side == figure::Drawing::Side::left ? fit_.extent.left - out : fit_.extent.right + out;
     else
-      a.y = b.y = l.side == Drawing::Side::above ? fit_.extent.top - out : fit_.extent.bottom + out;
+      a.y = b.y = l.side == figure::Drawing::Side::above ? fit_.extent.top - out : fit_.extent.bottom + out;
     dxf_.line(dimensions, from_page(from), from_page(a));
     dxf_.line(dimensions, from_page(to), from_page(b));
     dimension(from_page(a), from_page(b), l.value, upright);
   }
 
-  void draw_angle(const Drawing::Angle& a) {
+  void draw_angle(const figure::Drawing::Angle& a) {
     const double low = std::min(a.start, a.start + a.sweep), high = std::max(a.start, a.start + a.sweep);
     const double radius = 1e3 * a.radius;
     if (!(radius > 0.0)) return;
@@ -119,13 +119,13 @@ class ViewDrawing {
               words_for_cad(a.value));
   }
 
-  void draw_name(const Drawing::Name& name) {
+  void draw_name(const figure::Drawing::Name& name) {
     std::string words = name.words;
     if (name.value) words += (words.empty() ? "" : ", ") + words_for_cad(*name.value);
     dxf_.text(names, at(name.at) + Point{0.0, height_}, height_, words);
   }
 
-  const Drawing::View& view_;
+  const figure::Drawing::View& view_;
   DxfWriter& dxf_;
   ViewFit fit_;
   double mm_ = 1.0, height_ = 1.0;
@@ -134,24 +134,24 @@ class ViewDrawing {
 
 }  // namespace
 
-bool is_to_scale(const Figure& figure) {
-  if (const auto* drawing = std::get_if<Drawn>(&figure.content)) {
+bool is_to_scale(const figure::Figure& figure) {
+  if (const auto* drawing = std::get_if<figure::Drawn>(&figure.content)) {
     const auto& views = (*drawing)->views;
-    return std::any_of(views.begin(), views.end(), [](const Drawing::View& view) { return view.is_scaled; });
+    return std::any_of(views.begin(), views.end(), [](const figure::Drawing::View& view) { return view.is_scaled; });
   }
-  return std::holds_alternative<Scheme>(figure.content);
+  return std::holds_alternative<figure::Scheme>(figure.content);
 }
 
-std::string dxf_of(const Figure& figure) {
-  if (const auto* scheme = std::get_if<Scheme>(&figure.content)) return dxf_of(*scheme);
-  const auto* drawing = std::get_if<Drawn>(&figure.content);
+std::string dxf_of(const figure::Figure& figure) {
+  if (const auto* scheme = std::get_if<figure::Scheme>(&figure.content)) return dxf_of(*scheme);
+  const auto* drawing = std::get_if<figure::Drawn>(&figure.content);
   if (drawing == nullptr || !is_to_scale(figure)) return {};
   DxfWriter dxf;
   dxf.begin({"outlines", "thin", "centre-lines", "belt", "line-of-action", hatching_layer, dimensions, names});
   double left = 0.0;
-  for (const Drawing::View& given : (*drawing)->views) {
+  for (const figure::Drawing::View& given : (*drawing)->views) {
     if (given.window || !given.is_scaled) continue;  // a part of another view, which has it 1:1; or no scale at all
-    const Drawing::View view = without_gaps(given);
+    const figure::Drawing::View view = without_gaps(given);
     ViewDrawing drawn(view, left, dxf);
     drawn.drawn();
     left += drawn.width();

@@ -1,7 +1,7 @@
 // Writes the entities of a DXF file, R12, lengths in mm.
 #pragma once
 
-#include "lib/figure/figure.hpp"
+#include "lib/draw/canvas/view.hpp"
 
 #include <string>
 #include <string_view>

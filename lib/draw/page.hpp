@@ -8,6 +8,6 @@
 namespace loadpath::draw {
 
 /// The figure as `svg` draws it, without its style sheet (lib/draw/canvas/style.hpp).
-std::string svg_in_page(const Figure& figure);
+std::string svg_in_page(const figure::Figure& figure);
 
 }  // namespace loadpath::draw

@@ -22,14 +22,14 @@ std::string millimetres(double metres) { return format_number(1e3 * metres, 5); 
 std::string diameter_text(double metres) { return "⌀" + millimetres(metres); }
 
 /// "40 mm", of a taper "40 mm to 30 mm".
-std::string diameters(const Shaft::Part& part) {
+std::string diameters(const figure::Shaft::Part& part) {
   const std::string left = format_quantity(part.diameter, "mm", 5);
   if (part.right_diameter() == part.diameter) return left;
   return say("{1} to {2}", left, format_quantity(part.right_diameter(), "mm", 5)).text();
 }
 
 struct Cylinder {
-  const Shaft::Part* part;
+  const figure::Shaft::Part* part;
   double left, right, radius, bore;  // view units
   double right_radius = 0.0;         // right radius; differs for a taper
   [[nodiscard]] bool tapers() const { return part->right_diameter() != part->diameter; }
@@ -40,27 +40,27 @@ struct Cylinder {
 };
 
 struct TorqueSign {
-  const Shaft::Torque* torque;
+  const figure::Shaft::Torque* torque;
   Text text;
   double x, half_width;
   std::size_t row;
 };
 
 struct BearingSign {
-  const Shaft::Bearing* bearing;
+  const figure::Shaft::Bearing* bearing;
   Text text;
   double x;
 };
 
 class ShaftPicture {
  public:
-  explicit ShaftPicture(const Shaft& shaft);
+  explicit ShaftPicture(const figure::Shaft& shaft);
   Picture drawn();
 
  private:
   void place_cylinders();
-  void place_torques(const Shaft& shaft);
-  void place_bearings(const Shaft& shaft);
+  void place_torques(const figure::Shaft& shaft);
+  void place_bearings(const figure::Shaft& shaft);
   void draw_cylinders();
   void draw_bores();
   void draw_diameter(const Cylinder& c);
@@ -69,14 +69,14 @@ class ShaftPicture {
   void draw_lengths();
   void draw_length(double left, double right, double y);
   void draw_note();
-  void draw_place(const Shaft::Place& place);
+  void draw_place(const figure::Shaft::Place& place);
   [[nodiscard]] double at(double x) const { return 0.5 * (left_ + right_) + scale_ * (x - 0.5 * length_); }
   [[nodiscard]] double radius_at(double x) const;
   /// The extent of the symbols below the thickest part.
   [[nodiscard]] double reach_below() const;
   [[nodiscard]] std::string description() const;
 
-  const Shaft& shaft_;
+  const figure::Shaft& shaft_;
   std::vector<Cylinder> cylinders_;
   std::vector<TorqueSign> torques_;
   std::vector<BearingSign> bearings_;
@@ -86,7 +86,7 @@ class ShaftPicture {
   Canvas canvas_;
 };
 
-ShaftPicture::ShaftPicture(const Shaft& shaft) : shaft_(shaft) {
+ShaftPicture::ShaftPicture(const figure::Shaft& shaft) : shaft_(shaft) {
   for (const auto& part : shaft.parts) {
     const bool real = drawable(part.length) && drawable(part.diameter) && part.length > 1e-9 && part.diameter > 1e-9 &&
                       drawable(part.right);
@@ -118,7 +118,7 @@ void ShaftPicture::place_cylinders() {
   }
 }
 
-void ShaftPicture::place_torques(const Shaft& shaft) {
+void ShaftPicture::place_torques(const figure::Shaft& shaft) {
   Rows rows;
   for (const auto& torque : shaft.torques) {
     if (!drawable(torque.x) || !drawable(torque.value) || torque.value == 0.0) continue;
@@ -134,7 +134,7 @@ void ShaftPicture::place_torques(const Shaft& shaft) {
   axis_ = above + radius_;
 }
 
-void ShaftPicture::place_bearings(const Shaft& shaft) {
+void ShaftPicture::place_bearings(const figure::Shaft& shaft) {
   for (const auto& bearing : shaft.bearings) {
     if (drawable(bearing.x))
       bearings_.push_back({&bearing, typeset(bearing.label), at(std::clamp(bearing.x, 0.0, length_))});
@@ -247,7 +247,7 @@ void ShaftPicture::draw_bearing(const BearingSign& sign) {
   canvas_.text("halo", {middle, axis_ + radius_ + support_depth + row_height - 4.0}, sign.text, Anchor::middle);
 }
 
-void ShaftPicture::draw_place(const Shaft::Place& place) {
+void ShaftPicture::draw_place(const figure::Shaft::Place& place) {
   constexpr double beyond = 5.0;
   const double x = at(std::clamp(place.x, 0.0, length_)), reach = radius_at(x) + beyond;
   canvas_.line("light dash c1", {x, axis_ - reach}, {x, axis_ + reach});
@@ -333,7 +333,7 @@ Picture ShaftPicture::drawn() {
   draw_lengths();
   draw_note();
   if (shaft_.diagrams.empty()) return {std::move(canvas_), height_, description()};
-  for (const Shaft::Place& place : shaft_.places) draw_place(place);
+  for (const figure::Shaft::Place& place : shaft_.places) draw_place(place);
   const Picture below = diagrams(shaft_, {at(0.0), at(length_)}, length_, height_ + 8.0);
   canvas_.append(below.canvas);
   return {std::move(canvas_), below.height, description() + below.description};
@@ -341,6 +341,6 @@ Picture ShaftPicture::drawn() {
 
 }  // namespace
 
-Picture picture(const Shaft& shaft) { return ShaftPicture(shaft).drawn(); }
+Picture picture(const figure::Shaft& shaft) { return ShaftPicture(shaft).drawn(); }
 
 }  // namespace loadpath::draw

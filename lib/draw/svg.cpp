@@ -1,15 +1,17 @@
+#include "lib/draw/svg.hpp"
+
 #include "lib/draw/canvas/svg_writer.hpp"
 #include "lib/draw/page.hpp"
 #include "lib/text/issue.hpp"
 
 namespace loadpath::draw {
 
-Picture picture(const Figure& figure) {
+Picture picture(const figure::Figure& figure) {
   return std::visit([](const auto& content) { return picture(content); }, figure.content);
 }
 
-std::string svg(const Figure& figure) { return svg_file(picture(figure), say(figure.caption).text()); }
+std::string svg(const figure::Figure& figure) { return svg_file(picture(figure), say(figure.caption).text()); }
 
-std::string svg_in_page(const Figure& figure) { return svg_part(picture(figure), say(figure.caption).text()); }
+std::string svg_in_page(const figure::Figure& figure) { return svg_part(picture(figure), say(figure.caption).text()); }
 
 }  // namespace loadpath::draw

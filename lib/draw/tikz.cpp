@@ -4,6 +4,6 @@
 
 namespace loadpath::draw {
 
-std::string tikz(const Figure& figure) { return tikz(picture(figure)); }
+std::string tikz(const figure::Figure& figure) { return tikz(picture(figure)); }
 
 }  // namespace loadpath::draw

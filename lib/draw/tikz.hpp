@@ -8,6 +8,6 @@
 namespace loadpath::draw {
 
 /// The figure as `svg` draws it, a tikzpicture; the document has the styles of lib/draw/tikz/style.hpp once.
-std::string tikz(const Figure& figure);
+std::string tikz(const figure::Figure& figure);
 
 }  // namespace loadpath::draw

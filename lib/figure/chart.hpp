@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace loadpath::draw {
+namespace loadpath::figure {
 
 struct Chart {
   enum class Verdict : char { passes, fails, open, none };  // open: not assessed; none: invalid design
@@ -45,4 +45,4 @@ struct Chart {
   std::size_t shown = 0;  // dot that is shown first
 };
 
-}  // namespace loadpath::draw
+}  // namespace loadpath::figure

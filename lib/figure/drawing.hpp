@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace loadpath::draw {
+namespace loadpath::figure {
 
 struct Drawing {
   /// The style of a line: outlines, thin edges and breaks, hidden edges, axes and pitch lines, and accented lines: a
@@ -134,4 +134,4 @@ struct Drawing {
   std::vector<View> views;
 };
 
-}  // namespace loadpath::draw
+}  // namespace loadpath::figure

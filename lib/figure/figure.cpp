@@ -2,7 +2,7 @@
 
 #include <utility>
 
-namespace loadpath::draw {
+namespace loadpath::figure {
 
 Plot::Plot() = default;
 Plot::Plot(Scale across, Scale up) : x(std::move(across)), y(std::move(up)) {}
@@ -39,4 +39,4 @@ Figure& Figure::operator=(const Figure&) = default;
 Figure& Figure::operator=(Figure&&) noexcept = default;
 Figure::~Figure() = default;
 
-}  // namespace loadpath::draw
+}  // namespace loadpath::figure

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-namespace loadpath::draw {
+namespace loadpath::figure {
 
 struct Point {
   double x = 0.0;
@@ -316,8 +316,4 @@ struct Figure {
   std::variant<Plot, Scheme, Shaft, Plans, Motion, Charted, Drawn> content;
 };
 
-/// The figure as one <svg> element: no script, no external reference, colours by CSS variables with fallbacks,
-/// <title> and <desc>, all text escaped. Deterministic to the byte.
-std::string svg(const Figure& figure);
-
-}  // namespace loadpath::draw
+}  // namespace loadpath::figure

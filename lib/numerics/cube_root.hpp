@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 /// Within 0.67 units in the last place, without a branch, so that it goes in lanes. A third of the exponent gives t to
 /// 4 %; a quartic (minimax) of t^3/|x| about 1 makes it 23 bits; rounded to 26 bits its square is exact, and a step of
@@ -30,4 +30,4 @@ inline double cube_root(double x) {
   return itself ? x : std::copysign(t, x);
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::numerics {
 namespace {
 
 using Row = std::span<double>;
@@ -58,4 +58,4 @@ double largest_row_sum(std::span<const double> matrix, std::size_t size) {
   return most;
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

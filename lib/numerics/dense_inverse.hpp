@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 class DenseInverse {
  public:
@@ -54,4 +54,4 @@ double estimated_inverse_norm(std::span<double> probe, Solve solve, SolveTranspo
   return estimate;
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

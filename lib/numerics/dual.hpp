@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 /// A value and its derivatives with respect to `lanes` parameters. Comparisons are those of the values, so a branch is
 /// differentiated as it is taken; where it changes, the derivative is that of one side.
@@ -86,4 +86,4 @@ using Dual = DualNumber<8>;
 inline double value_of(double number) { return number; }
 inline double value_of(const Dual& number) { return number.value; }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

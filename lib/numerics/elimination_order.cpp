@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace loadpath {
+namespace loadpath::numerics {
 namespace {
 
 constexpr double smallest_ratio = 0.25;  // ratio of a pivot to the largest value in its row
@@ -106,4 +106,4 @@ void EliminationOrder::subtract(std::size_t row, std::size_t step) {
   }
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

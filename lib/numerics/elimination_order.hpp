@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 struct MatrixEntry {
   int row;
@@ -49,4 +49,4 @@ class EliminationOrder {
   std::vector<std::size_t> columns_, subtracted_;
 };
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 namespace detail {
 
@@ -67,4 +67,4 @@ double straight_fixed_point(const Function& g, double most) {
   return x >= 0.0 && x <= most ? x : std::numeric_limits<double>::quiet_NaN();
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 struct Jet {
   double value = 0.0, first = 0.0, second = 0.0;
@@ -83,4 +83,4 @@ inline Jet atan2(const Jet& y, const Jet& x) {
   return {std::atan2(y.value, x.value), slope.value, slope.first};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

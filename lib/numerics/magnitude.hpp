@@ -5,14 +5,12 @@
 #include <cmath>
 #include <cstdint>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 /// The larger magnitude; NaN propagates.
 inline double larger_magnitude(double most, double x) {
   return std::isnan(most) || std::abs(x) <= most ? most : std::abs(x);
 }
-
-namespace numerics {
 
 /// Rounded to 30 bits, nine digits.
 inline double nine_digits(double x) {
@@ -26,6 +24,4 @@ inline double nine_digits(double x) {
 /// equal by symmetry.
 inline bool exceeds(double a, double b) { return a > b && nine_digits(a) > nine_digits(b); }
 
-}  // namespace numerics
-
-}  // namespace loadpath
+}  // namespace loadpath::numerics

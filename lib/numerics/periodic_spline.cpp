@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 // The second derivatives at the points follow from equal slopes on both sides: a cyclic tridiagonal system, diagonally
 // dominant.
@@ -51,4 +51,4 @@ PeriodicSpline::Value<Scalar> PeriodicSpline::at(Scalar x) const {
 template PeriodicSpline::Value<double> PeriodicSpline::at(double) const;
 template PeriodicSpline::Value<Dual> PeriodicSpline::at(Dual) const;
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

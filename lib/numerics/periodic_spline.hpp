@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 class PeriodicSpline {
  public:
@@ -23,4 +23,4 @@ class PeriodicSpline {
   std::vector<double> x_, y_, second_;  // with the first point again at the end
 };
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 /// Calls with each of the eight places of Gauss's rule, and its weight.
 template <class Take>
@@ -48,4 +48,4 @@ double integral(const Function& f, double from, double to) {
   return detail::halved(f, from, to, whole, rounding * std::abs(whole), most_halvings);
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

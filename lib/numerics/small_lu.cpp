@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace loadpath {
+namespace loadpath::numerics {
 namespace {
 
 double larger(double a, double b) { return std::max(std::abs(a), std::abs(b)); }
@@ -85,4 +85,4 @@ void SmallLu::solve_any_transposed(std::span<double> x) {
   }
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 class SmallLu {
  public:
@@ -62,4 +62,4 @@ inline bool SmallLu::factor_two() {
   return determinant * determinant > rounding * rounding * first * second;
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

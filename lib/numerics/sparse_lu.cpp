@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numeric>
 
-namespace loadpath {
+namespace loadpath::numerics {
 namespace {
 
 constexpr double poor_growth = 64.0;  // ratio of a row to its pivot
@@ -174,4 +174,4 @@ double SparseLu::norm(std::span<const double> values) {
   return *std::ranges::max_element(probe_);
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

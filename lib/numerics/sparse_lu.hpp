@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 class SparseLu {
  public:
@@ -60,4 +60,4 @@ class SparseLu {
   std::vector<double> x_, probe_;
 };
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 namespace {
 
@@ -88,4 +88,4 @@ Jet MonotoneSpline::at(double x) const {
           t * (6.0 * c3 + t * (12.0 * c4 + t * 20.0 * c5)) / (width * width)};
 }
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

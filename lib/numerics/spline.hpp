@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace loadpath {
+namespace loadpath::numerics {
 
 /// The cubic spline: smooth, but it may overshoot beyond its points.
 class RestToRestSpline {
@@ -44,4 +44,4 @@ class MonotoneSpline {
   std::vector<double> x_, y_, slope_;
 };
 
-}  // namespace loadpath
+}  // namespace loadpath::numerics

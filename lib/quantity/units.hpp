@@ -89,7 +89,7 @@ template <class Unit, class Number>
 template <class Unit, class Number>
 [[nodiscard]] auto cbrt(const boost::units::quantity<Unit, Number>& q) {
   using Result = decltype(root<3>(q));
-  return Result::from_value(cube_root(q.value()));
+  return Result::from_value(numerics::cube_root(q.value()));
 }
 
 // Functions of a ratio of like quantities, whose unit Boost keeps, as numbers; an angle is a double in rad.

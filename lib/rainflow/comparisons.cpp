@@ -1,10 +1,11 @@
 #include "lib/rainflow/comparisons.hpp"
 
+#include "lib/simd/attributes.hpp"
+
 #include <cmath>
 
 #if defined(__x86_64__)
 #include <immintrin.h>
-#define LOADPATH_AVX2 __attribute__((target("avx2")))
 #endif
 
 namespace loadpath::rainflow {

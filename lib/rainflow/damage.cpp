@@ -1,5 +1,7 @@
 #include "lib/rainflow/damage.hpp"
 
+#include "lib/simd/attributes.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -42,8 +44,8 @@ LOADPATH_INLINE void add(std::span<const Loop> loops, std::span<const SnCurve::S
 }
 
 #if defined(__x86_64__)
-__attribute__((target("avx2"))) void add_avx2(std::span<const Loop> loops, std::span<const SnCurve::Segment> segments,
-                                              double factor, DamageSum::Lots& lots, DamageSum::Sums& sums) {
+LOADPATH_AVX2 void add_avx2(std::span<const Loop> loops, std::span<const SnCurve::Segment> segments, double factor,
+                            DamageSum::Lots& lots, DamageSum::Sums& sums) {
   add(loops, segments, factor, lots, sums);
 }
 __attribute__((target("avx2"))) void weigh_avx2(std::span<const SnCurve::Segment> segments, DamageSum::Lots& lots) {

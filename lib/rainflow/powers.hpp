@@ -2,6 +2,8 @@
 // the results are the same to the bit.
 #pragma once
 
+#include "lib/simd/attributes.hpp"
+
 #include <array>
 #include <bit>
 #include <cmath>
@@ -9,8 +11,6 @@
 #include <cstdint>
 #include <limits>
 #include <numbers>
-
-#define LOADPATH_INLINE inline __attribute__((always_inline))
 
 namespace loadpath::rainflow {
 

@@ -125,7 +125,7 @@ class Appendix {
 };
 
 void Appendix::add_figures(const Account& account) {
-  for (const draw::Figure& figure : account.figures) {
+  for (const figure::Figure& figure : account.figures) {
     if (!shown_.contains(&figure)) blocks_.emplace_back(figure);
   }
 }

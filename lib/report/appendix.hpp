@@ -13,7 +13,7 @@
 namespace loadpath::report {
 
 /// Figures that pages before the appendix show in full; it does not repeat them.
-using ShownFigures = std::set<const draw::Figure*>;
+using ShownFigures = std::set<const figure::Figure*>;
 
 /// Load factors, then step by step: inputs, formulas, results, checks; at the end the references. A formula set is
 /// printed once: a step that repeats it refers to the first one and lists its numbers.

@@ -60,12 +60,12 @@ std::array<double, 8> short_form_of(double T, double tau_adm, CubeRoot root) {
 }
 
 /// The floor of floors: columns in wide registers, with a cube root that goes there.
-LOADPATH_SWEEP void short_form_in_lanes(const double* T, const double* tau_adm, double* const* results) {
+LOADPATH_LANES void short_form_in_lanes(const double* T, const double* tau_adm, double* const* results) {
   const std::array<double*, 8> to{results[0], results[1], results[2], results[3],
                                   results[4], results[5], results[6], results[7]};
   LOADPATH_POINTWISE
   for (std::size_t i = 0; i < points; ++i) {
-    const auto found = short_form_of(T[i], tau_adm[i], [](double x) { return cube_root(x); });
+    const auto found = short_form_of(T[i], tau_adm[i], [](double x) { return numerics::cube_root(x); });
     for (std::size_t k = 0; k < to.size(); ++k) to[k][i] = found[k];
   }
 }

@@ -85,7 +85,7 @@ TEST_SUITE("moving report in a browser") {
       for (const char* path : {"drive.M", "joints.O.F", "joints.B.F", "joints.A.F"}) {
         CAPTURE(path);
         const auto& result = step.at("results").at(path);
-        const draw::Motion::Number number{"", "", result.at("unit").as_string().c_str(), column(result.at("values"))};
+        const figure::Motion::Number number{"", "", result.at("unit").as_string().c_str(), column(result.at("values"))};
         CHECK(number_shown(page, n++) == draw::printed(draw::number_text(number, at)));
       }
       CHECK(page.find("aria-valuetext=\"" + degrees + " deg\"") != std::string::npos);

@@ -105,7 +105,7 @@ VSizing::Result VSizing::evaluate(const Input& in, Tracer& trace) {
 template VSizing::Result VSizing::evaluate(const Input&, NoTrace&);
 template VSizing::Result VSizing::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> VSizing::figures(const Input&, const Result& r) {
+std::vector<figure::Figure> VSizing::figures(const Input&, const Result& r) {
   if (!is_set(r.d_1)) return {};
   TwoWheels w;
   w.d_1 = in_si(r.d_1), w.d_2 = in_si(r.d_2), w.a = in_si(r.a);

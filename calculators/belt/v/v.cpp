@@ -140,7 +140,7 @@ V::Result V::evaluate(const Input& in, Tracer& trace) {
 template V::Result V::evaluate(const Input&, NoTrace&);
 template V::Result V::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> V::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> V::figures(const Input& in, const Result& r) {
   TwoWheels w;
   w.d_1 = in_si(in.d_1), w.d_2 = in_si(r.d_2), w.a = in_si(r.a);
   w.d_a1 = in_si(r.d_a1), w.d_a2 = in_si(r.d_a2);

@@ -86,15 +86,15 @@ void show(const Input& in, const TableSection& section, Tracer& trace) {
   if (!in.strengths.empty()) trace.value("R_e", strength_of(in, section.t_f), "at its thickness");
 }
 
-draw::Plot forces_over_mass(const Input& in, const Result& r) {
+figure::Plot forces_over_mass(const Input& in, const Result& r) {
   constexpr double reach = 2.5;  // masses of the section found
   NoTrace quiet;
   const Input member = with_factors(in, r);
-  draw::Plot plot;
+  figure::Plot plot;
   plot.x = {"q", "mass per length", kg_per_m.symbol};
   plot.y = {"P_all", "allowable force", kN.symbol};
   for (const auto& f : in.families) {
-    draw::Curve& curve = plot.curves.emplace_back();
+    figure::Curve& curve = plot.curves.emplace_back();
     curve.label = f.family.view();
     for (const TableSection& section : sections_by_mass()) {
       if (family_of(section.name()) != f.family.view() || !belongs(section, in)) continue;
@@ -131,13 +131,13 @@ Result Lightest::evaluate(const Input& in, Tracer& trace) {
 template Result Lightest::evaluate(const Input&, NoTrace&);
 template Result Lightest::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Lightest::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Lightest::figures(const Input& in, const Result& r) {
   const auto& all = sections_by_mass();
   const auto best = std::find_if(all.begin(), all.end(), [&](const TableSection& s) { return r.section == s.name(); });
   if (best == all.end()) return {};
-  std::vector<draw::Figure> figures{
+  std::vector<figure::Figure> figures{
       {"allowable-force", "Allowable force over mass, local buckling and slenderness aside", forces_over_mass(in, r)}};
-  for (draw::Figure& figure : Buckling::figures(bar_of(in, *best), r)) figures.push_back(std::move(figure));
+  for (figure::Figure& figure : Buckling::figures(bar_of(in, *best), r)) figures.push_back(std::move(figure));
   return figures;
 }
 

@@ -83,22 +83,22 @@ void classify(const HistoryTypes::Input& in, HistoryTypes::Result& r) {
   put_matrix(in, matrix, r), put_pairs(in, pairs, r), put_crossings(in, crossings, r);
 }
 
-std::vector<draw::Figure> class_figures(const HistoryTypes::Result& r) {
+std::vector<figure::Figure> class_figures(const HistoryTypes::Result& r) {
   if (r.range_pairs.empty()) return {};
-  draw::Plot pairs;
+  figure::Plot pairs;
   pairs.x = {"n", "cycles that are at least so large", "-", true};
   pairs.y = {"range", "range", "MPa"};
-  draw::Curve steps{"range pairs", {}, {}};
+  figure::Curve steps{"range pairs", {}, {}};
   for (const auto& pair : r.range_pairs) {
     if (!(pair.n_least > 0.0)) continue;
     steps.x.insert(steps.x.end(), {pair.n_least, pair.n_least});
     steps.y.insert(steps.y.end(), {in_si(pair.to), in_si(pair.from)});
   }
   pairs.curves.push_back(std::move(steps));
-  draw::Plot levels;
+  figure::Plot levels;
   levels.x = {"n", "crossings upwards", "-", true};
   levels.y = {"sigma", "level", "MPa"};
-  draw::Curve ups{"level crossings", {}, {}};
+  figure::Curve ups{"level crossings", {}, {}};
   for (const auto& crossing : r.crossings) {
     if (crossing.up > 0.0) ups.x.push_back(crossing.up), ups.y.push_back(in_si(crossing.sigma));
   }

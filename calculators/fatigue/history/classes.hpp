@@ -10,6 +10,6 @@ namespace loadpath::fatigue {
 void classify(const HistoryTypes::Input& in, HistoryTypes::Result& r);
 
 /// The range pairs and the level crossings as curves, over their counts.
-std::vector<draw::Figure> class_figures(const HistoryTypes::Result& r);
+std::vector<figure::Figure> class_figures(const HistoryTypes::Result& r);
 
 }  // namespace loadpath::fatigue

@@ -13,12 +13,13 @@ constexpr double Pa = 1e6;                // Pa per MPa
 constexpr double least_share = 0.01;      // share of the largest cycle: smaller ones would compress the rest
 
 /// Cumulative steps down from the largest cycle: number of cycles at least so large. Many steps are joined.
-draw::Curve collective(const std::vector<rainflow::Cycle>& cycles, const std::vector<double>& stress, double passages) {
+figure::Curve collective(const std::vector<rainflow::Cycle>& cycles, const std::vector<double>& stress,
+                         double passages) {
   std::vector<std::size_t> order(cycles.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::sort(order.begin(), order.end(),
             [&](std::size_t a, std::size_t b) { return stress[a] != stress[b] ? stress[a] > stress[b] : a < b; });
-  draw::Curve curve{"collective", {}, {}};
+  figure::Curve curve{"collective", {}, {}};
   double sum = 0.0;
   const std::size_t every = 1 + order.size() / most_points;
   for (std::size_t i = 0; i < order.size(); ++i) {
@@ -33,8 +34,8 @@ draw::Curve collective(const std::vector<rainflow::Cycle>& cycles, const std::ve
   return curve;
 }
 
-draw::Curve lives(const rainflow::SnCurve& curve, double most) {
-  draw::Curve line{"S-N curve", {}, {}};
+figure::Curve lives(const rainflow::SnCurve& curve, double most) {
+  figure::Curve line{"S-N curve", {}, {}};
   constexpr int points = 60;
   const double from = 3.0, to = std::max(8.0, std::log10(most) + 0.5);
   for (int i = 0; i <= points; ++i) {
@@ -46,10 +47,10 @@ draw::Curve lives(const rainflow::SnCurve& curve, double most) {
 
 }  // namespace
 
-std::vector<draw::Figure> collective_figure(const std::vector<rainflow::Cycle>& cycles,
-                                            const std::vector<double>& stress, const rainflow::SnCurve& curve,
-                                            double passages, const std::string& meaning) {
-  draw::Plot plot;
+std::vector<figure::Figure> collective_figure(const std::vector<rainflow::Cycle>& cycles,
+                                              const std::vector<double>& stress, const rainflow::SnCurve& curve,
+                                              double passages, const std::string& meaning) {
+  figure::Plot plot;
   plot.x = {"N", "cycles", "-", true};
   plot.y = {"S", meaning, "MPa", true};
   plot.curves.push_back(collective(cycles, stress, passages));

@@ -231,8 +231,8 @@ History::Result History::evaluate(const Input& in, Tracer& trace) {
 template History::Result History::evaluate(const Input&, NoTrace&);
 template History::Result History::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> History::figures(const Input& in, const Result& r) {
-  std::vector<draw::Figure> figures = class_figures(r);
+std::vector<figure::Figure> History::figures(const Input& in, const Result& r) {
+  std::vector<figure::Figure> figures = class_figures(r);
   if (!(r.n > 0.0) || r.u_m >= 1.0) return figures;
   const std::vector<Cycle> cycles = cycles_of(in);
   const Haigh haigh = haigh_of(in);
@@ -241,7 +241,7 @@ std::vector<draw::Figure> History::figures(const Input& in, const Result& r) {
   stress.reserve(cycles.size());
   for (const Cycle& cycle : cycles) stress.push_back(on_curve(in, haigh, cycle, quiet) / MPa);
   const double largest = *std::ranges::max_element(stress);
-  for (draw::Figure& figure :
+  for (figure::Figure& figure :
        collective_figure(cycles, stress, curve_by(weighing_rule(in), in, largest), is_set(in.n_req) ? in.n_req : 1.0,
                          is_of_part(in) ? "amplitude at r = -1" : "range"))
     figures.push_back(std::move(figure));

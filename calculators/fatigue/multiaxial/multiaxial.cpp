@@ -127,8 +127,8 @@ void decide(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_D, in.S_D / r.n, "required safety over the one that is there");
 }
 
-draw::Curve circle(const numerics::Ball<2>& ball, double K_A) {
-  draw::Curve curve{"minimum circumscribed circle", {}, {}};
+figure::Curve circle(const numerics::Ball<2>& ball, double K_A) {
+  figure::Curve curve{"minimum circumscribed circle", {}, {}};
   constexpr int points = 96;
   for (int i = 0; i <= points; ++i) {
     const double angle = 2.0 * pi * i / points;
@@ -190,14 +190,14 @@ Multiaxial::Result Multiaxial::evaluate(const Input& in, Tracer& trace) {
 template Multiaxial::Result Multiaxial::evaluate(const Input&, NoTrace&);
 template Multiaxial::Result Multiaxial::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Multiaxial::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Multiaxial::figures(const Input& in, const Result& r) {
   if (!is_set(r.theta_F)) return {};
   const StressPath path = path_of(in);
   const PlaneView view({r.theta_F, r.phi_F});
-  draw::Plot plot;
+  figure::Plot plot;
   plot.x = {"tau_1", "shear stress towards the inside", "MPa"};
   plot.y = {"tau_2", "shear stress along the surface", "MPa"};
-  draw::Curve way{"path", {}, {}};
+  figure::Curve way{"path", {}, {}};
   for (std::size_t i = 0; i <= path.size(); ++i) {
     const auto shear = view.shear(path.at(i % path.size()));
     way.x.push_back(in.K_A * shear[0]), way.y.push_back(in.K_A * shear[1]);

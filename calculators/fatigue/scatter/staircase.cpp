@@ -87,8 +87,8 @@ void logarithmic(const Input& in, const Counts& c, double half, bool has_scatter
 }
 
 /// Tests of one outcome in their order.
-draw::Curve dots(const Input& in, End end, const char* label) {
-  draw::Curve curve{label, {}, {}};
+figure::Curve dots(const Input& in, End end, const char* label) {
+  figure::Curve curve{label, {}, {}};
   for (std::size_t i = 0; i < in.tests.size(); ++i) {
     if (in.tests[i].end != end) continue;
     curve.x.insert(curve.x.end(), {static_cast<double>(i + 1), unset<double>});
@@ -137,8 +137,8 @@ Staircase::Result Staircase::evaluate(const Input& in, Tracer& trace) {
 template Staircase::Result Staircase::evaluate(const Input&, NoTrace&);
 template Staircase::Result Staircase::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Staircase::figures(const Input& in, const Result& r) {
-  draw::Plot plot;
+std::vector<figure::Figure> Staircase::figures(const Input& in, const Result& r) {
+  figure::Plot plot;
   plot.x = {"test", "tests in their order", "-"};
   plot.y = {"S", "stress", "MPa"};
   plot.curves = {dots(in, End::failure, "failures"), dots(in, End::runout, "run-outs")};

@@ -13,8 +13,8 @@ namespace loadpath::gear {
 
 namespace {
 
-using draw::Drawing;
-using draw::Point;
+using figure::Drawing;
+using figure::Point;
 
 Point at_angle(double radius, double angle) { return {radius * std::cos(angle), radius * std::sin(angle)}; }
 
@@ -117,7 +117,7 @@ void add_members(const Planetary::Input& in, const Planetary::Result& r, const S
 
 }  // namespace
 
-std::vector<draw::Figure> Planetary::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Planetary::figures(const Input& in, const Result& r) {
   constexpr double page = 380.0, finest = 3.5;  // view units: of the page, of a pitch
   const SetMeshes m = meshes_of(in);
   const bool meshed = is_set(m.with_sun.eps_alpha) && is_set(m.with_ring.eps_alpha) && has_teeth(m.sun, m.with_sun) &&
@@ -138,7 +138,7 @@ std::vector<draw::Figure> Planetary::figures(const Input& in, const Result& r) {
   view.note = view.is_scaled ? rim : say("{1}; no module is given", rim).text();
   drawing->views = {std::move(view)};
   return {{"set", "Sun, planets, ring and carrier in the transverse plane; speeds are positive counter-clockwise",
-           draw::Drawn(std::move(drawing))}};
+           figure::Drawn(std::move(drawing))}};
 }
 
 }  // namespace loadpath::gear

@@ -11,7 +11,7 @@ namespace loadpath::planar {
 
 namespace {
 
-using draw::Plan;
+using figure::Plan;
 using mechanism::Position;
 using mechanism::Vec;
 
@@ -73,9 +73,9 @@ class Drawing {
   Drawing(const mechanism::Model& model, const Cycle& cycle, const Axis& axis, const Loaded& of)
       : model_(model), cycle_(cycle), axis_(axis), of_(of), joint_(model.joints[of.joint]) {}
 
-  [[nodiscard]] draw::Figure figure() const {
+  [[nodiscard]] figure::Figure figure() const {
     const std::string first = link_name(model_, joint_.i), second = link_name(model_, joint_.j);
-    draw::Plans plans;
+    figure::Plans plans;
     for (const int link : {joint_.j, joint_.i}) {
       if (link == mechanism::ground) continue;
       plans.panels.push_back(
@@ -91,7 +91,7 @@ class Drawing {
 
  private:
   /// The force of the first link on the second.
-  [[nodiscard]] draw::Point force(std::size_t k, int link) const {
+  [[nodiscard]] figure::Point force(std::size_t k, int link) const {
     const Position& at = cycle_.positions[k];
     const Vec f = mechanism::placed_at(at, link).turned.back()(-at.reactions[of_.joint].force);
     return {f.x, f.y};
@@ -160,7 +160,7 @@ void show_hodographs(const Solved& solved, const Results&, std::vector<account::
 
 /// Hodographs of the joints that the project names, else of the three pins with the largest forces. A joint without a
 /// force, or whose force is not unique, has none.
-void draw_all(const Solved& solved, const Results&, std::vector<draw::Figure>& figures) {
+void draw_all(const Solved& solved, const Results&, std::vector<figure::Figure>& figures) {
   if (solved.axis == nullptr) return;
   for (const Loaded& l : chosen(solved.in, solved.given, solved.cycle))
     figures.push_back(Drawing(solved.given, solved.cycle, *solved.axis, l).figure());

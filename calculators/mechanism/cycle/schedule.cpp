@@ -71,7 +71,7 @@ Drive drive_at(const DriveLaw& law, const Drive& start, double since, double t) 
     const double after = t - since, speed = start.speed + start.acceleration * after;
     return {start.coordinate + 0.5 * (start.speed + speed) * after, speed, start.acceleration};
   }
-  const Jet there = law.at(t);
+  const numerics::Jet there = law.at(t);
   return {there.value, there.first, there.second};
 }
 

@@ -119,7 +119,7 @@ class LawCheck {
     if (!law) return add(path, law.fault().message, law.fault().hint);
     for (int k = 0; k < positions; ++k) {
       const double t = positions > 1 ? in_si(drive.duration) * k / (positions - 1) : 0.0;
-      const Jet at = law->at(t);
+      const numerics::Jet at = law->at(t);
       if (std::isfinite(at.value) && std::isfinite(at.first) && std::isfinite(at.second)) continue;
       return add(path, say("the law has no position, speed or acceleration at t = {1}", format_quantity(t, "s", 4)),
                  say("it divides by zero there, or takes a root or an arc of what has none"));
@@ -142,9 +142,9 @@ void DriveLaw::take(const Drive& drive) {
     first_ = t.front();
     last_ = t.back();
     if (drive.law_shape == planar::LawShape::monotone) {
-      motion_ = MonotoneSpline(t, place);
+      motion_ = numerics::MonotoneSpline(t, place);
     } else {
-      motion_ = RestToRestSpline(t, place);
+      motion_ = numerics::RestToRestSpline(t, place);
     }
   }
   if (formula_of(drive).empty()) return;
@@ -158,11 +158,11 @@ DriveLaw::DriveLaw(const Crank& crank) { take(crank); }
 
 DriveLaw::DriveLaw(const Cylinder& cylinder) { take(cylinder); }
 
-Jet DriveLaw::at(double t) const {
+numerics::Jet DriveLaw::at(double t) const {
   return std::visit(
       [t](const auto& motion) {
         if constexpr (std::is_same_v<std::decay_t<decltype(motion)>, std::monostate>) {
-          return Jet{};
+          return numerics::Jet{};
         } else {
           return motion.at(t);
         }
@@ -185,7 +185,7 @@ std::vector<FieldFault> overshooting_laws(const Mechanism::Input& in) {
     if (drive.law.size() < 2 || drive.law_shape != planar::LawShape::spline) return;
     const auto [t, place] = points_of(drive);
     const auto [low, high] = std::minmax_element(place.begin(), place.end());
-    const auto over = RestToRestSpline(t, place).largest_overshoot();
+    const auto over = numerics::RestToRestSpline(t, place).largest_overshoot();
     if (!(over.by > negligible * (*high - *low))) return;
     warnings.push_back({path_of(drive) + ".law",
                         say("the law swings beyond its points: to {1} at {2}, which is {3} too far",

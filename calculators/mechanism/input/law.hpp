@@ -23,7 +23,7 @@ class DriveLaw {
   [[nodiscard]] double first() const { return first_; }
   [[nodiscard]] double last() const { return last_; }
   /// Place, speed and acceleration at a time; before a law by points and after it the drive rests.
-  [[nodiscard]] Jet at(double t) const;
+  [[nodiscard]] numerics::Jet at(double t) const;
   /// Its formula; null where it has points.
   [[nodiscard]] const Law* formula() const { return std::get_if<Law>(&motion_); }
 
@@ -31,7 +31,7 @@ class DriveLaw {
   template <class Drive>
   void take(const Drive& drive);
 
-  std::variant<std::monostate, RestToRestSpline, MonotoneSpline, Law> motion_;
+  std::variant<std::monostate, numerics::RestToRestSpline, numerics::MonotoneSpline, Law> motion_;
   double first_ = 0.0, last_ = 0.0;
 };
 

@@ -12,13 +12,13 @@ namespace loadpath::planar {
 
 namespace {
 
-using draw::Motion;
+using figure::Motion;
 using mechanism::Vec;
 using Cause = ActingForce::Cause;
 
 constexpr std::size_t most_frames = 360, most_columns_times_frames = 60000, most_numbers = 16;
 
-double largest(const std::vector<draw::Point>& values) {
+double largest(const std::vector<figure::Point>& values) {
   double most = 0.0;
   for (const auto& v : values) most = std::max(most, std::hypot(v.x, v.y));
   return most;
@@ -177,7 +177,7 @@ std::vector<std::size_t> frames_of(const Cycle& cycle, std::size_t governing, st
   return frames;
 }
 
-draw::Figure animation(const AnimationSubject& subject) {
+figure::Figure animation(const AnimationSubject& subject) {
   return {"peak-position",
           "Mechanism near the position of maximum driving effort, with forces and the force polygon "
           "of a link",

@@ -21,7 +21,7 @@ struct AnimationSubject {
 };
 
 /// Frames are all positions that have forces, or every second, third... where they are very many.
-draw::Figure animation(const AnimationSubject& subject);
+figure::Figure animation(const AnimationSubject& subject);
 
 /// The positions that become frames, the governing one among them.
 std::vector<std::size_t> frames_of(const Cycle& cycle, std::size_t governing, std::size_t most);

@@ -15,9 +15,9 @@ namespace loadpath::planar {
 namespace {
 
 /// A cyclic series is drawn with its first point repeated at the end.
-draw::Curve curve_of(const std::string& label, const Value& value) {
+figure::Curve curve_of(const std::string& label, const Value& value) {
   const Axis& axis = *value.signature.axis;
-  draw::Curve curve{label, axis.at, value.si, false};
+  figure::Curve curve{label, axis.at, value.si, false};
   if (axis.cyclic()) {
     curve.x.push_back(axis.at.front() + axis.period);
     curve.y.push_back(value.si.front());
@@ -25,12 +25,12 @@ draw::Curve curve_of(const std::string& label, const Value& value) {
   return curve;
 }
 
-draw::Scale scale_of(const Axis& axis) { return {axis_symbol(axis), axis.quantity, axis.unit}; }
+figure::Scale scale_of(const Axis& axis) { return {axis_symbol(axis), axis.quantity, axis.unit}; }
 
-draw::Figure drive_figure(const Results::Line& line, const Axis& axis) {
+figure::Figure drive_figure(const Results::Line& line, const Axis& axis) {
   const account::Entry& entry = *line.entry;
   const bool rotary = line.kind() == Kind::drive_moment;
-  draw::Plot plot{scale_of(axis), {rotary ? "M" : "F", entry.doc, entry.unit}};
+  figure::Plot plot{scale_of(axis), {rotary ? "M" : "F", entry.doc, entry.unit}};
   plot.curves.push_back(curve_of(rotary ? "M" : "F", entry.value));
   const Extreme peak = largest(entry.value);
   if (!std::isnan(peak.value)) plot.marks.push_back({peak.at, peak.value, "peak"});
@@ -40,8 +40,8 @@ draw::Figure drive_figure(const Results::Line& line, const Axis& axis) {
   return {rotary ? "drive" : "drive-" + entry.path, rotary ? moment : force, std::move(plot)};
 }
 
-draw::Figure reactions_figure(const Results& results, const Axis& axis) {
-  draw::Plot plot{scale_of(axis), {"R", "force of the joints", "N"}};
+figure::Figure reactions_figure(const Results& results, const Axis& axis) {
+  figure::Plot plot{scale_of(axis), {"R", "force of the joints", "N"}};
   for (const auto& line : results) {
     if (plot.curves.size() == 6) break;  // more cannot be distinguished
     if (line.kind() == Kind::joint_force) plot.curves.push_back(curve_of("R_" + line.output->name, line.entry->value));
@@ -55,26 +55,26 @@ draw::Figure reactions_figure(const Results& results, const Axis& axis) {
 bool draws_each(const Mechanism::Input& in) { return in.crank.at.size() > 1 && in.crank.at.size() <= 12; }
 
 /// With the loads and, in each joint, the force of its first link on its second.
-draw::Scheme first_position(const Solved& solved, std::size_t first, const Extents& extents,
-                            const std::vector<TracedPoint>& points) {
-  draw::Scheme scheme = scheme_at(solved.given, solved.cycle.positions[first], extents, points, Shown::at_rest).still;
+figure::Scheme first_position(const Solved& solved, std::size_t first, const Extents& extents,
+                              const std::vector<TracedPoint>& points) {
+  figure::Scheme scheme = scheme_at(solved.given, solved.cycle.positions[first], extents, points, Shown::at_rest).still;
   if (solved.axis != nullptr) add_paths(points, solved.cycle, solved.axis->cyclic(), scheme);
   return scheme;
 }
 
 void add_governing(const Solved& solved, const Results& results, const Extents& extents,
-                   const std::vector<TracedPoint>& points, std::vector<draw::Figure>& figures) {
+                   const std::vector<TracedPoint>& points, std::vector<figure::Figure>& figures) {
   const Cycle& cycle = solved.cycle;
   const std::size_t governing = solved.axis == nullptr ? 0 : governing_position(cycle, results);
   if (governing >= cycle.positions.size() || !cycle.has_forces(governing)) return;
   const bool statics = solved.in.analysis == Mechanism::Analysis::statics;
   if (solved.axis != nullptr)
     figures.push_back(animation({solved.given, cycle, extents, points, results, *solved.axis, governing, statics}));
-  for (draw::Figure& plan : plan_figures({solved.given, points, cycle.positions[governing], statics}))
+  for (figure::Figure& plan : plan_figures({solved.given, points, cycle.positions[governing], statics}))
     figures.push_back(std::move(plan));
 }
 
-void draw_all(const Solved& solved, const Results& results, std::vector<draw::Figure>& figures) {
+void draw_all(const Solved& solved, const Results& results, std::vector<figure::Figure>& figures) {
   const Cycle& cycle = solved.cycle;
   const auto first = std::find(cycle.closed.begin(), cycle.closed.end(), true);
   if (first == cycle.closed.end()) return;

@@ -89,9 +89,9 @@ void add_joints(const Model& model, const Position& at, int link, std::vector<Ac
 
 std::string ActingForce::name() const { return sense < 0.0 ? "−" + draw::symbol(label) : label; }
 
-draw::Plan::Tone ActingForce::tone() const {
-  if (cause == Cause::joint) return draw::Plan::Tone::first;
-  return cause == Cause::weight || cause == Cause::inertia ? draw::Plan::Tone::third : draw::Plan::Tone::second;
+figure::Plan::Tone ActingForce::tone() const {
+  if (cause == Cause::joint) return figure::Plan::Tone::first;
+  return cause == Cause::weight || cause == Cause::inertia ? figure::Plan::Tone::third : figure::Plan::Tone::second;
 }
 
 std::vector<ActingForce> external_forces(const Model& model, const Position& at, int link, bool statics) {
@@ -109,8 +109,8 @@ std::vector<ActingForce> acting_on(const Model& model, const Position& at, int l
   return forces;
 }
 
-draw::Point middle_of(const std::vector<draw::Point>& points) {
-  draw::Point sum;
+figure::Point middle_of(const std::vector<figure::Point>& points) {
+  figure::Point sum;
   for (const auto& p : points) sum.x += p.x, sum.y += p.y;
   const double n = std::max(1.0, static_cast<double>(points.size()));
   return {sum.x / n, sum.y / n};

@@ -21,7 +21,7 @@ struct ActingForce {
 
   /// With its sign.
   [[nodiscard]] std::string name() const;
-  [[nodiscard]] draw::Plan::Tone tone() const;
+  [[nodiscard]] figure::Plan::Tone tone() const;
 };
 
 /// Loads, springs, weight, inertia (the force -m a at the mass centre, with the couple -J epsilon), drives, then
@@ -34,9 +34,9 @@ std::vector<ActingForce> acting_on(const mechanism::Model& model, const mechanis
 std::vector<ActingForce> external_forces(const mechanism::Model& model, const mechanism::Position& at, int link,
                                          bool statics);
 
-inline draw::Point point(mechanism::Vec v) { return {v.x, v.y}; }
+inline figure::Point point(mechanism::Vec v) { return {v.x, v.y}; }
 /// The mean of points; of none the origin.
-draw::Point middle_of(const std::vector<draw::Point>& points);
+figure::Point middle_of(const std::vector<figure::Point>& points);
 
 /// The direction of the line of a joint, a guide or slot, in global axes.
 mechanism::Vec line_of(const mechanism::Joint& joint, const mechanism::Position& at);

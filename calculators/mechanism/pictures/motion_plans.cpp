@@ -11,7 +11,7 @@ namespace loadpath::planar {
 
 namespace {
 
-using draw::Plan;
+using figure::Plan;
 using mechanism::JointKind;
 using mechanism::length;
 using mechanism::Vec;

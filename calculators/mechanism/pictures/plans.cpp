@@ -9,7 +9,7 @@ namespace loadpath::planar {
 
 namespace {
 
-using draw::Plan;
+using figure::Plan;
 using mechanism::length;
 using mechanism::Vec;
 using Cause = ActingForce::Cause;
@@ -58,8 +58,8 @@ Plan force_plan(const PlanSubject& subject, int link) {
   return plan;
 }
 
-draw::Plans force_plans(const PlanSubject& subject) {
-  draw::Plans plans;
+figure::Plans force_plans(const PlanSubject& subject) {
+  figure::Plans plans;
   std::vector<double> sizes;
   for (std::size_t k = 0; k < subject.model.links.size(); ++k) {
     Plan plan = force_plan(subject, static_cast<int>(k));
@@ -77,7 +77,7 @@ draw::Plans force_plans(const PlanSubject& subject) {
 
 Plan zhukovsky_lever(const PlanSubject& subject) {
   Plan plan = velocity_plan(subject);
-  const auto turned = [](draw::Point p) { return draw::Point{p.y, -p.x}; };
+  const auto turned = [](figure::Point p) { return figure::Point{p.y, -p.x}; };
   for (auto& image : plan.images) {
     for (auto& p : image.points) p = turned(p);
   }
@@ -89,7 +89,7 @@ Plan zhukovsky_lever(const PlanSubject& subject) {
     const int link = static_cast<int>(k);
     for (const ActingForce& acting : external_forces(subject.model, subject.at, link, subject.statics)) {
       const bool load = acting.cause != Cause::weight && acting.cause != Cause::inertia;
-      const draw::Point foot = point(lever_arm(subject, link, acting.at));
+      const figure::Point foot = point(lever_arm(subject, link, acting.at));
       const bool has_moment = length(acting.force) > 0.0 && std::hypot(foot.x, foot.y) > rounding * largest;
       if (has_moment) plan.forces.push_back({foot, point(acting.force), acting.name(), load});
       const bool turns = acting.couple != 0.0 && subject.at.velocity[k].phi != 0.0;
@@ -104,9 +104,9 @@ Plan zhukovsky_lever(const PlanSubject& subject) {
   return plan;
 }
 
-std::vector<draw::Figure> plan_figures(const PlanSubject& subject) {
-  std::vector<draw::Figure> figures;
-  draw::Plans forces = force_plans(subject);
+std::vector<figure::Figure> plan_figures(const PlanSubject& subject) {
+  std::vector<figure::Figure> figures;
+  figure::Plans forces = force_plans(subject);
   if (!forces.panels.empty()) {
     const bool all = forces.panels.size() < most_panels;
     figures.push_back({"force-plans",
@@ -119,11 +119,11 @@ std::vector<draw::Figure> plan_figures(const PlanSubject& subject) {
   figures.push_back({"velocity-plan",
                      "Velocity plan: from the pole p to the image of every point; the image of a link is similar to it "
                      "and turned by a right angle",
-                     draw::Plans{{velocity_plan(subject)}}});
+                     figure::Plans{{velocity_plan(subject)}}});
   figures.push_back({"acceleration-plan",
                      "Acceleration plan, with the normal and tangential parts between the points of a link and, where "
                      "links slide, the relative part and that of Coriolis",
-                     draw::Plans{{acceleration_plan(subject)}}});
+                     figure::Plans{{acceleration_plan(subject)}}});
   const bool rubs = std::any_of(subject.model.joints.begin(), subject.model.joints.end(),
                                 [](const mechanism::Joint& j) { return j.friction.any(); });
   if (rubs) return figures;  // the lever says nothing of the forces inside the joints, which then do work
@@ -134,7 +134,7 @@ std::vector<draw::Figure> plan_figures(const PlanSubject& subject) {
          "Zhukovsky's lever: the velocity plan turned clockwise by a right angle, with the forces at the "
          "images of their points; the moments about the pole, with couples times their angular velocity, sum "
          "to zero",
-         draw::Plans{{std::move(lever)}}});
+         figure::Plans{{std::move(lever)}}});
   }
   return figures;
 }

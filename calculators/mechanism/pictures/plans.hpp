@@ -19,22 +19,22 @@ struct PlanSubject {
 };
 
 /// The forces on a link head to tail: a closed polygon. Forces that rounding leaves of zeros are left out.
-draw::Plan force_plan(const PlanSubject& subject, int link);
+figure::Plan force_plan(const PlanSubject& subject, int link);
 /// The links with the largest forces, at most a dozen, in their order.
-draw::Plans force_plans(const PlanSubject& subject);
+figure::Plans force_plans(const PlanSubject& subject);
 
 /// From the pole, at which the ground is, to the velocity of every point. Where links slide on each other the point of
 /// the second link has the second link's name.
-draw::Plan velocity_plan(const PlanSubject& subject);
+figure::Plan velocity_plan(const PlanSubject& subject);
 /// The same of accelerations, with their parts towards and across the lines between the points of a link, and with
 /// those of sliding: relative and Coriolis.
-draw::Plan acceleration_plan(const PlanSubject& subject);
+figure::Plan acceleration_plan(const PlanSubject& subject);
 
 /// The velocity plan turned clockwise by a right angle, with the forces at the images of their points: their moments
 /// about the pole, and couples times angular velocities, sum to zero.
-draw::Plan zhukovsky_lever(const PlanSubject& subject);
+figure::Plan zhukovsky_lever(const PlanSubject& subject);
 
 /// The figures of all plans that say something at this position.
-std::vector<draw::Figure> plan_figures(const PlanSubject& subject);
+std::vector<figure::Figure> plan_figures(const PlanSubject& subject);
 
 }  // namespace loadpath::planar

@@ -11,8 +11,8 @@ namespace loadpath::planar {
 
 namespace {
 
-using draw::Motion;
-using draw::Scheme;
+using figure::Motion;
+using figure::Scheme;
 using mechanism::JointKind;
 using mechanism::Position;
 using mechanism::Vec;
@@ -68,12 +68,12 @@ class Drawing {
  private:
   Scheme& scheme() { return motion_.still; }
 
-  draw::Point middle_of_body(int link) { return middle_of(scheme().bodies[static_cast<std::size_t>(link)].points); }
+  figure::Point middle_of_body(int link) { return middle_of(scheme().bodies[static_cast<std::size_t>(link)].points); }
 
   /// From the first point of the links to the farthest.
   double size() {
     double most = 0.0;
-    const draw::Point* first = nullptr;
+    const figure::Point* first = nullptr;
     for (const auto& body : scheme().bodies) {
       for (const auto& p : body.points) {
         if (first == nullptr) first = &p;
@@ -152,7 +152,7 @@ class Drawing {
     Vec sum;
     for (const int link : {j.i, j.j}) {
       if (link == mechanism::ground) continue;
-      const draw::Point middle = middle_of_body(link);
+      const figure::Point middle = middle_of_body(link);
       const Vec off = Vec{middle.x, middle.y} - place;
       if (mechanism::length(off) > 0.0) sum = sum + (1.0 / mechanism::length(off)) * off;
     }
@@ -254,7 +254,7 @@ class Drawing {
     if (now.moment == 0.0 && !(moving_ && extents_.loads_turn[n])) return;
     // A couple without a point belongs to the full link.
     const bool has_place = extents_.loads_push[n] || mechanism::length(l.point) > 0.0;
-    const draw::Point seat = has_place ? point(place) : middle_of_body(l.link);
+    const figure::Point seat = has_place ? point(place) : middle_of_body(l.link);
     scheme().moments.push_back({seat, now.moment, l.name.empty() ? "M" : l.name});
     motion_.couples.push_back({{}, {l.link, -1}});
   }

@@ -16,10 +16,10 @@ enum class Shown { at_rest, moving };
 /// The scheme at a position, as `still`, and by which links its parts are carried. A joint's arrow is the force of its
 /// first link on its second.
 /// `points`: named where no joint has them.
-draw::Motion scheme_at(const mechanism::Model& model, const mechanism::Position& at, const Extents& extents,
-                       const std::vector<TracedPoint>& points, Shown shown);
+figure::Motion scheme_at(const mechanism::Model& model, const mechanism::Position& at, const Extents& extents,
+                         const std::vector<TracedPoint>& points, Shown shown);
 
 /// The paths of moving points over the positions, with a dozen of these on each; `cyclic`: they end where they began.
-void add_paths(const std::vector<TracedPoint>& points, const Cycle& cycle, bool cyclic, draw::Scheme& scheme);
+void add_paths(const std::vector<TracedPoint>& points, const Cycle& cycle, bool cyclic, figure::Scheme& scheme);
 
 }  // namespace loadpath::planar

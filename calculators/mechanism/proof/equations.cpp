@@ -47,23 +47,23 @@ struct Leftovers {
   bool any = false;
 
   void add_force(mechanism::Vec force_there, mechanism::Vec at) {
-    largest_force = larger_magnitude(largest_force, mechanism::length(force_there));
-    largest_moment = larger_magnitude(largest_moment, mechanism::length(force_there) * mechanism::length(at));
+    largest_force = numerics::larger_magnitude(largest_force, mechanism::length(force_there));
+    largest_moment = numerics::larger_magnitude(largest_moment, mechanism::length(force_there) * mechanism::length(at));
   }
   /// The effort of a crank is a moment, that of a cylinder a force.
   void add(const mechanism::Position& p, const mechanism::Residuals& r, bool crank) {
     any = true;
-    force = larger_magnitude(force, r.force);
-    moment = larger_magnitude(moment, r.moment);
-    power = larger_magnitude(power, r.power);
-    largest_power = larger_magnitude(largest_power, r.power_scale);
+    force = numerics::larger_magnitude(force, r.force);
+    moment = numerics::larger_magnitude(moment, r.moment);
+    power = numerics::larger_magnitude(power, r.power);
+    largest_power = numerics::larger_magnitude(largest_power, r.power_scale);
     for (const auto& reaction : p.reactions) {
       add_force(reaction.force, reaction.at);
-      largest_moment = larger_magnitude(largest_moment, reaction.couple);
+      largest_moment = numerics::larger_magnitude(largest_moment, reaction.couple);
     }
     for (std::size_t d = 0; d < p.effort.size(); ++d) {
       double& largest = d == 0 && crank ? largest_moment : largest_force;
-      largest = larger_magnitude(largest, p.effort[d]);
+      largest = numerics::larger_magnitude(largest, p.effort[d]);
     }
   }
 };

@@ -41,7 +41,7 @@ struct Aspect {
   // In a report: tables of what is given and of what is found, notes of what is missing, figures.
   void (*show_input)(const Mechanism::Input& in, std::vector<account::Block>& blocks) = nullptr;
   void (*show)(const Solved& solved, const Results& results, std::vector<account::Block>& blocks) = nullptr;
-  void (*draw)(const Solved& solved, const Results& results, std::vector<draw::Figure>& figures) = nullptr;
+  void (*draw)(const Solved& solved, const Results& results, std::vector<figure::Figure>& figures) = nullptr;
   std::span<const Citation> citations = {};
   /// Its results follow only from forces, efforts and velocities, and depend on no number of the model.
   bool reads_forces_alone = false;

@@ -29,9 +29,9 @@ Outline rounded(std::initializer_list<Vertex> vertices) {
     }
     const auto towards = [&](const Vertex& other) {
       const double y = in_si(other.y - at.y), z = in_si(other.z - at.z), length = std::hypot(y, z);
-      return draw::Point{y / length, z / length};
+      return figure::Point{y / length, z / length};
     };
-    const draw::Point u = towards(before), v = towards(after);
+    const figure::Point u = towards(before), v = towards(after);
     const Length centre_y = at.y + at.r * (u.x + v.x), centre_z = at.z + at.r * (u.y + v.y);
     for (int k = 0; k <= parts; ++k) {
       const double c = std::cos(0.5 * pi * k / parts), s = std::sin(0.5 * pi * k / parts);
@@ -41,24 +41,24 @@ Outline rounded(std::initializer_list<Vertex> vertices) {
   return outline;
 }
 
-std::vector<draw::Point> loop_of(const Outline& outline) {
-  std::vector<draw::Point> loop;
+std::vector<figure::Point> loop_of(const Outline& outline) {
+  std::vector<figure::Point> loop;
   for (const Place& p : outline) loop.push_back({in_si(p.y), in_si(p.z)});
   return loop;
 }
 
 /// A line through the centroid, across the full section and beyond, named at its end.
-void add_axis(draw::Scheme& scheme, draw::Point centroid, double angle, const char* name) {
+void add_axis(figure::Scheme& scheme, figure::Point centroid, double angle, const char* name) {
   double low = 0.0, high = 0.0;
   const double c = std::cos(angle), s = std::sin(angle);
   for (const auto& outline : scheme.outlines) {
-    for (const draw::Point& p : outline.points) {
+    for (const figure::Point& p : outline.points) {
       const double reach = (p.x - centroid.x) * c + (p.y - centroid.y) * s;
       low = std::min(low, reach), high = std::max(high, reach);
     }
   }
   const double beyond = 0.15 * (high - low);
-  const auto at = [&](double reach) { return draw::Point{centroid.x + c * reach, centroid.y + s * reach}; };
+  const auto at = [&](double reach) { return figure::Point{centroid.x + c * reach, centroid.y + s * reach}; };
   scheme.paths.push_back({"", {at(low - beyond), at(high + beyond)}});
   scheme.points.push_back({name, at(high + beyond)});
 }
@@ -125,9 +125,9 @@ Extremes corners_of(const Outline& outline) {
   return extremes;
 }
 
-std::vector<draw::Figure> figures(const Sketch& sketch, const Properties& properties) {
-  draw::Scheme scheme;
-  const draw::Point centroid{in_si(properties.y_S), in_si(properties.z_S)};
+std::vector<figure::Figure> figures(const Sketch& sketch, const Properties& properties) {
+  figure::Scheme scheme;
+  const figure::Point centroid{in_si(properties.y_S), in_si(properties.z_S)};
   for (const auto* outlines : {&sketch.material, &sketch.holes}) {
     for (const Outline& outline : *outlines) scheme.outlines.push_back({centroid, loop_of(outline)});
   }
@@ -144,7 +144,7 @@ std::vector<draw::Figure> figures(const Sketch& sketch, const Properties& proper
   return {{"section", caption, scheme}};
 }
 
-std::vector<draw::Figure> figures(const Contours& contours, const Properties& properties) {
+std::vector<figure::Figure> figures(const Contours& contours, const Properties& properties) {
   Sketch sketch{{contours.outline}, {}};
   if (!contours.hole.empty()) sketch.holes.push_back(contours.hole);
   return figures(sketch, properties);

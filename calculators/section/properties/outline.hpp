@@ -39,7 +39,7 @@ struct Sketch {
 };
 
 /// The section with its centroid and its axes.
-std::vector<draw::Figure> figures(const Sketch& sketch, const Properties& properties);
-std::vector<draw::Figure> figures(const Contours& contours, const Properties& properties);
+std::vector<figure::Figure> figures(const Sketch& sketch, const Properties& properties);
+std::vector<figure::Figure> figures(const Contours& contours, const Properties& properties);
 
 }  // namespace loadpath::section

@@ -24,7 +24,7 @@ struct ShapeCalculator {
     return result;
   }
   template <class Input>
-  static std::vector<draw::Figure> figures(const Input& in, const Properties& r) {
+  static std::vector<figure::Figure> figures(const Input& in, const Properties& r) {
     return section::figures(Shape::contours(in), r);
   }
 };

@@ -16,8 +16,9 @@ namespace loadpath::shaft {
 
 namespace {
 
-draw::Curve along(const Loaded& loaded, const char* label, double (*of)(const Loaded&, std::size_t span, bool right)) {
-  draw::Curve curve{label, {}, {}, true};
+figure::Curve along(const Loaded& loaded, const char* label,
+                    double (*of)(const Loaded&, std::size_t span, bool right)) {
+  figure::Curve curve{label, {}, {}, true};
   for (std::size_t s = 0; s + 1 < loaded.stations.x.size(); ++s) {
     curve.x.insert(curve.x.end(), {loaded.stations.x[s], loaded.stations.x[s + 1]});
     curve.y.insert(curve.y.end(), {of(loaded, s, false), of(loaded, s, true)});
@@ -25,8 +26,8 @@ draw::Curve along(const Loaded& loaded, const char* label, double (*of)(const Lo
   return curve;
 }
 
-draw::Plot diagram(draw::Scale up, std::vector<draw::Curve> curves) {
-  draw::Plot plot;
+figure::Plot diagram(figure::Scale up, std::vector<figure::Curve> curves) {
+  figure::Plot plot;
   plot.x = {"z", "position along the shaft", "mm"};
   plot.y = std::move(up);
   plot.curves = std::move(curves);
@@ -48,8 +49,8 @@ double force_y(const Loaded& l, std::size_t s, bool right) {
 double torque(const Loaded& l, std::size_t s, bool) { return l.T[s]; }
 double thrust(const Loaded& l, std::size_t s, bool) { return l.N[s]; }
 
-draw::Shaft side(const Design::Input& in, std::size_t position) {
-  draw::Shaft shaft;
+figure::Shaft side(const Design::Input& in, std::size_t position) {
+  figure::Shaft shaft;
   for (const Piece& piece : in.pieces)
     shaft.parts.push_back({in_si(piece.l), in_si(piece.d), in_si(piece.d_bore), in_si(right_diameter(piece))});
   for (std::size_t i = 0; i < in.seats.size(); ++i) {
@@ -64,9 +65,9 @@ draw::Shaft side(const Design::Input& in, std::size_t position) {
   return shaft;
 }
 
-draw::Plot elastic_line(const Loaded& loaded) {
+figure::Plot elastic_line(const Loaded& loaded) {
   const std::vector<double> places(loaded.stations.x.begin(), loaded.stations.x.end());
-  draw::Curve x{"v_X", places, {}}, y{"v_Y", places, {}};
+  figure::Curve x{"v_X", places, {}}, y{"v_Y", places, {}};
   for (std::size_t n = 0; n < loaded.stations.x.size(); ++n) {
     x.y.push_back(loaded.x.nodes[n].v);
     y.y.push_back(loaded.y.nodes[n].v);
@@ -76,7 +77,7 @@ draw::Plot elastic_line(const Loaded& loaded) {
 
 /// The section that governs, as its line is called: "yield: pulley".
 template <class Elements, class Use>
-draw::Shaft::Place governing(const char* what, const Elements& all, const Use& use) {
+figure::Shaft::Place governing(const char* what, const Elements& all, const Use& use) {
   const auto most = std::max_element(all.begin(), all.end(),
                                      [&](const auto& a, const auto& b) { return numerics::exceeds(use(b), use(a)); });
   std::string name(most->name.view());
@@ -85,8 +86,8 @@ draw::Shaft::Place governing(const char* what, const Elements& all, const Use& u
   return {in_si(most->x), say("{1}: {2}", what, name).text()};
 }
 
-std::vector<draw::Shaft::Place> governing(const Design::Result& r) {
-  std::vector<draw::Shaft::Place> places;
+std::vector<figure::Shaft::Place> governing(const Design::Result& r) {
+  std::vector<figure::Shaft::Place> places;
   if (!r.sections.empty())
     places.push_back(governing("yield", r.sections, [](const Section& p) { return in_si(p.sigma_v); }));
   if (!r.safeties.empty()) places.push_back(governing("fatigue", r.safeties, [](const Safety& s) { return s.u_D; }));
@@ -94,17 +95,17 @@ std::vector<draw::Shaft::Place> governing(const Design::Result& r) {
 }
 
 /// The stresses of the section that decides, at a point that is fixed to the shaft.
-draw::Figure over_turn(const Design::Input& in, const Elastic& elastic, const Section& p, double theta) {
+figure::Figure over_turn(const Design::Input& in, const Elastic& elastic, const Section& p, double theta) {
   const Value& series = *any_series(in);
   const std::size_t node = elastic.stations.at(p.x);
-  draw::Curve sigma{"sigma", series.signature.axis->at, {}}, tau{"tau", series.signature.axis->at, {}};
+  figure::Curve sigma{"sigma", series.signature.axis->at, {}}, tau{"tau", series.signature.axis->at, {}};
   Turn turn(in, elastic.stations.x.size());
   for (std::size_t i = 0; i < turn.positions(); ++i) {
     turn.take(loaded_at(in, elastic, i));
     sigma.y.push_back(turn.moment(node, i, theta) * in_si(p.sigma_b / p.M));
     if (in_si(p.T) != 0.0) tau.y.push_back(turn.felt(node, i).T * in_si(p.tau / abs(p.T)));
   }
-  draw::Plot plot;
+  figure::Plot plot;
   plot.x = {"phi", series.signature.axis->quantity, series.signature.axis->unit};
   plot.y = {"sigma", "bending and torsional stress", "MPa"};
   plot.curves = {sigma};
@@ -114,12 +115,12 @@ draw::Figure over_turn(const Design::Input& in, const Elastic& elastic, const Se
 
 }  // namespace
 
-std::vector<draw::Figure> Design::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Design::figures(const Input& in, const Result& r) {
   const auto elastic = elastic_shaft(in);
   if (!elastic) return {};
   const std::size_t position = most_bent(in, *elastic);
   const Loaded loaded = loaded_at(in, *elastic, position);
-  draw::Shaft shaft = side(in, position);
+  figure::Shaft shaft = side(in, position);
   shaft.places = governing(r);
   if (std::any_of(loaded.N.begin(), loaded.N.end(), [](double N) { return N != 0.0; }))
     shaft.diagrams.push_back(diagram({"N", "force along the shaft", "N"}, {along(loaded, "N", &thrust)}));
@@ -133,7 +134,7 @@ std::vector<draw::Figure> Design::figures(const Input& in, const Result& r) {
       varies(in) ? "The shaft where it is bent most in a turn: torques, bearings, diagrams in both planes, and the "
                    "sections that govern"
                  : "Shaft with loads and bearings, internal forces in both planes, governing sections";
-  std::vector<draw::Figure> all{{"shaft", caption, std::move(shaft)}};
+  std::vector<figure::Figure> all{{"shaft", caption, std::move(shaft)}};
   if (auto whirl = campbell(in, *elastic, r)) all.push_back(*std::move(whirl));
   const auto weakest = std::max_element(r.safeties.begin(), r.safeties.end(), [](const Safety& a, const Safety& b) {
     return numerics::exceeds(b.u_D, a.u_D);

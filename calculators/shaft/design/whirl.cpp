@@ -75,9 +75,9 @@ Whirled whirled(std::size_t i, const beam::Whirl& whirl, AngularSpeed n, double 
 }
 
 /// One frequency over the speed, each looked for where the last was.
-draw::Curve branch(const beam::Whirl& whirl, std::size_t i, Sense sense, double fastest) {
+figure::Curve branch(const beam::Whirl& whirl, std::size_t i, Sense sense, double fastest) {
   constexpr int parts = 30;
-  draw::Curve curve{std::to_string(i + 1) + (sense == Sense::forward ? " forward" : " backward"), {}, {}};
+  figure::Curve curve{std::to_string(i + 1) + (sense == Sense::forward ? " forward" : " backward"), {}, {}};
   double near = unset<double>;
   for (int k = 0; k <= parts; ++k) {
     curve.x.push_back(fastest * k / parts);
@@ -114,13 +114,13 @@ void judge_whirl(const Input& in, const Elastic& elastic, Result& r, Tracer& tra
   r.n_F = trace.speed("n_F", r.whirls.front().n_F, "the first with discs that turn: unbalance excites forward whirl");
 }
 
-std::optional<draw::Figure> campbell(const Input& in, const Elastic& elastic, const Result& r) {
+std::optional<figure::Figure> campbell(const Input& in, const Elastic& elastic, const Result& r) {
   const auto whirl = whirl_of(in, elastic);
   if (!whirl || !is_set(r.n) || !is_set(r.n_F)) return std::nullopt;
   const double n = in_si(r.n), fastest = 1.25 * std::max(n, in_si(r.n_F));
   double highest = in_si(per_second(fastest));
-  draw::Plot plot({"n", "speed of the shaft", "rpm"}, {"f", "frequency of whirl", "Hz"});
-  const draw::Curve turning{"once in a turn", {0.0, fastest}, {0.0, highest}};
+  figure::Plot plot({"n", "speed of the shaft", "rpm"}, {"f", "frequency of whirl", "Hz"});
+  const figure::Curve turning{"once in a turn", {0.0, fastest}, {0.0, highest}};
   for (std::size_t i = 0; i < most_whirls; ++i) {
     const double rest = whirl->natural(i, Sense::forward, 0.0), met = whirl->critical(i, Sense::forward, above(rest));
     if (i > 0 && !(rest < 2.0 * fastest)) break;
@@ -132,8 +132,8 @@ std::optional<draw::Figure> campbell(const Input& in, const Elastic& elastic, co
   }
   plot.curves.push_back(turning);
   plot.curves.push_back({"n", {n, n}, {0.0, highest}});
-  return draw::Figure("whirl", "Campbell diagram: whirl frequencies against speed, with the unbalance line",
-                      std::move(plot));
+  return figure::Figure("whirl", "Campbell diagram: whirl frequencies against speed, with the unbalance line",
+                        std::move(plot));
 }
 
 template void judge_whirl(const Input&, const Elastic&, Result&, NoTrace&);

@@ -20,6 +20,6 @@ template <class Tracer>
 void judge_whirl(const DesignInput& in, const Elastic& elastic, DesignResult& r, Tracer& trace);
 
 /// Their frequencies over the speed; nothing where one of these is not known.
-std::optional<draw::Figure> campbell(const DesignInput& in, const Elastic& elastic, const DesignResult& r);
+std::optional<figure::Figure> campbell(const DesignInput& in, const Elastic& elastic, const DesignResult& r);
 
 }  // namespace loadpath::shaft

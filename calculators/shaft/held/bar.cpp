@@ -90,8 +90,8 @@ TorsionalStiffness stiffness_at(const HeldTypes::Input& in, const Slice& s, Leng
 Flexibility integrated(const HeldTypes::Input& in, const Slice& s) {
   const double l = in_si(s.l);
   const auto yielding = [&](double x) { return 1.0 / in_si(stiffness_at(in, s, from_si<Length>(x))); };
-  return {from_si<Yielding>(integral(yielding, 0.0, l)),
-          from_si<SpreadYielding>(integral([&](double x) { return x * yielding(x); }, 0.0, l))};
+  return {from_si<Yielding>(numerics::integral(yielding, 0.0, l)),
+          from_si<SpreadYielding>(numerics::integral([&](double x) { return x * yielding(x); }, 0.0, l))};
 }
 
 }  // namespace loadpath::shaft

@@ -21,8 +21,8 @@ Ring outline_of(const Input& in, const Slice& s) {
   return ring;
 }
 
-draw::Shaft side(const Input& in, const Slices& slices, const Held::Result& r) {
-  draw::Shaft shaft;
+figure::Shaft side(const Input& in, const Slices& slices, const Held::Result& r) {
+  figure::Shaft shaft;
   for (const Slice& s : slices) {
     const Ring ring = outline_of(in, s);
     shaft.parts.push_back({in_si(s.l), in_si(ring.d), in_si(ring.d_bore)});
@@ -35,14 +35,14 @@ draw::Shaft side(const Input& in, const Slices& slices, const Held::Result& r) {
   return shaft;
 }
 
-draw::Plot along(const draw::Scale& up, draw::Curve curve) {
-  draw::Plot plot{{"x", "position along the bar", "mm"}, up};
+figure::Plot along(const figure::Scale& up, figure::Curve curve) {
+  figure::Plot plot{{"x", "position along the bar", "mm"}, up};
   plot.curves.push_back(std::move(curve));
   return plot;
 }
 
-draw::Curve moment(const Held::Result& r) {
-  draw::Curve curve{"M", {}, {}, true};
+figure::Curve moment(const Held::Result& r) {
+  figure::Curve curve{"M", {}, {}, true};
   for (const Held::Stretch& s : r.stretches) {
     curve.x.insert(curve.x.end(), {in_si(s.x), in_si(s.x + s.l)});
     curve.y.insert(curve.y.end(), {in_si(s.M_1), in_si(s.M_2)});
@@ -51,9 +51,9 @@ draw::Curve moment(const Held::Result& r) {
 }
 
 /// Straight where the moment and the section are constant.
-draw::Curve rotation(const Input& in, const Slices& slices, const Held::Result& r) {
+figure::Curve rotation(const Input& in, const Slices& slices, const Held::Result& r) {
   constexpr int parts = 16;
-  draw::Curve curve{"phi", {0.0}, {r.phi_1}};
+  figure::Curve curve{"phi", {0.0}, {r.phi_1}};
   for (std::size_t i = 0; i < slices.size(); ++i) {
     const Slice& s = slices[i];
     const bool straight = in_si(s.m) == 0.0 && !is_cone(in.segments[s.segment]);
@@ -68,9 +68,9 @@ draw::Curve rotation(const Input& in, const Slices& slices, const Held::Result& 
 
 }  // namespace
 
-std::vector<draw::Figure> Held::figures(const Input& in, const Result& r) {
+std::vector<figure::Figure> Held::figures(const Input& in, const Result& r) {
   const Slices slices = slices_of(in);
-  std::vector<draw::Figure> figures;
+  std::vector<figure::Figure> figures;
   if (std::none_of(in.segments.begin(), in.segments.end(), &is_cone))
     figures.emplace_back("bar", "The bar from the side", side(in, slices, r));
   figures.emplace_back("torque-diagram", "Torque diagram", along({"M", "moment in the bar", "N*m"}, moment(r)));

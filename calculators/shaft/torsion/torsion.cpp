@@ -134,10 +134,10 @@ Torsion::Result Torsion::evaluate(const Input& in, Tracer& trace) {
 template Torsion::Result Torsion::evaluate(const Input&, NoTrace&);
 template Torsion::Result Torsion::evaluate(const Input&, Trace&);
 
-std::vector<draw::Figure> Torsion::figures(const Input&, const Result& r) {
+std::vector<figure::Figure> Torsion::figures(const Input&, const Result& r) {
   if (!is_set(r.segments.front().l)) return {};
-  draw::Curve moment{"M", {}, {}, true};
-  draw::Shaft side;
+  figure::Curve moment{"M", {}, {}, true};
+  figure::Shaft side;
   for (const Stretch& s : r.segments) {
     for (const double x : {in_si(s.x), in_si(s.x + s.l)}) {
       moment.x.push_back(x);
@@ -145,7 +145,7 @@ std::vector<draw::Figure> Torsion::figures(const Input&, const Result& r) {
     }
     side.parts.push_back({in_si(s.l), in_si(s.d), in_si(s.d_bore)});
   }
-  draw::Plot diagram;
+  figure::Plot diagram;
   diagram.x = {"x", "position along the shaft", "mm"};
   diagram.y = {"M", "internal moment", "N*m"};
   diagram.curves.push_back(std::move(moment));

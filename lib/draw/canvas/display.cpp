@@ -20,7 +20,7 @@ std::string superscript(int number) {
   return text;
 }
 
-Display::Display(const Scale& scale) : scale_(scale), degrees_(scale.unit == "deg") {
+Display::Display(const figure::Scale& scale) : scale_(scale), degrees_(scale.unit == "deg") {
   if (scale.unit.empty() || scale.unit == "-" || scale.unit == "1") return;
   printed_ = pretty_unit(scale.unit);
   offset_ = in_unit(0.0, scale.unit);

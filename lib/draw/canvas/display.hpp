@@ -13,7 +13,7 @@ std::string superscript(int number);
 /// The conversion of a scale's SI values to its display unit.
 class Display {
  public:
-  explicit Display(const Scale& scale);
+  explicit Display(const figure::Scale& scale);
 
   [[nodiscard]] double value(double si) const { return slope_ * si + offset_; }
   [[nodiscard]] std::string number(double si) const;    // "-86"
@@ -26,7 +26,7 @@ class Display {
   [[nodiscard]] std::string title(int power, bool with_meaning = true) const;
 
  private:
-  Scale scale_;
+  figure::Scale scale_;
   std::string printed_;  // empty: a plain number
   double slope_ = 1.0, offset_ = 0.0;
   bool degrees_ = false;

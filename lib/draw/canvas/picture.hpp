@@ -15,17 +15,17 @@ struct Picture {
   double width = view_width;
 };
 
-Picture picture(const Plot& plot);
-Picture picture(const Scheme& scheme);
-Picture picture(const Shaft& shaft);
-Picture picture(const Plans& plans);
+Picture picture(const figure::Plot& plot);
+Picture picture(const figure::Scheme& scheme);
+Picture picture(const figure::Shaft& shaft);
+Picture picture(const figure::Plans& plans);
 /// At the position that is printed.
-Picture picture(const Motion& motion);
+Picture picture(const figure::Motion& motion);
 /// The chart that it holds.
-Picture picture(const Charted& chart);
+Picture picture(const figure::Charted& chart);
 /// The drawing that it holds.
-Picture picture(const Drawn& drawing);
+Picture picture(const figure::Drawn& drawing);
 /// The bounds of its content.
-Picture picture(const Figure& figure);
+Picture picture(const figure::Figure& figure);
 
 }  // namespace loadpath::draw

@@ -1,7 +1,7 @@
 // The plane of the drawing: view units, y downwards.
 #pragma once
 
-#include "lib/figure/figure.hpp"
+#include "lib/figure/point.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -9,19 +9,13 @@
 
 namespace loadpath::draw {
 
+using figure::Point;
+
 inline constexpr double view_width = 480.0;  // 350 px on a phone, 560 px on a page: 13 units read well on both
 inline constexpr double text_size = 13.0;
 inline constexpr double line_height = 16.0;
 
-inline Point operator+(Point a, Point b) { return {a.x + b.x, a.y + b.y}; }
-inline Point operator-(Point a, Point b) { return {a.x - b.x, a.y - b.y}; }
-inline Point operator*(double k, Point a) { return {k * a.x, k * a.y}; }
-inline double length(Point a) { return std::hypot(a.x, a.y); }
-inline double dot(Point a, Point b) { return a.x * b.x + a.y * b.y; }
-inline double cross(Point a, Point b) { return a.x * b.y - a.y * b.x; }
-inline Point across(Point a) { return {-a.y, a.x}; }
 inline Point along(double angle) { return {std::cos(angle), std::sin(angle)}; }
-inline Point unit(Point a) { return length(a) > 0.0 ? 1.0 / length(a) * a : Point{1.0, 0.0}; }
 
 /// Whether a number can be drawn: its magnitude must not overflow in arithmetic on ranges.
 inline bool drawable(double v) { return std::fabs(v) < 1e100; }

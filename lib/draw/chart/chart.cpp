@@ -39,7 +39,7 @@ std::string list(std::size_t count, const Write& write) {
 std::string tenths(double at) { return std::to_string(std::lround(10.0 * at)); }
 
 /// Numbers as one text, words as a list and numbers of them.
-std::string column(const Chart::Told& told, const std::vector<std::size_t>& dots) {
+std::string column(const figure::Chart::Told& told, const std::vector<std::size_t>& dots) {
   std::string texts;
   for (const std::size_t dot : dots)
     texts += (texts.empty() ? "" : " ") +
@@ -50,15 +50,15 @@ std::string column(const Chart::Told& told, const std::vector<std::size_t>& dots
 
 }  // namespace
 
-std::string told_text(const Chart::Told& told, std::size_t dot) {
+std::string told_text(const figure::Chart::Told& told, std::size_t dot) {
   const double si = told.si[dot];
   if (!std::isfinite(si)) return "–";
   if (!told.words.empty()) return told.words[static_cast<std::size_t>(si)];
   return format_number(in_unit(si, told.unit), 5);
 }
 
-ToldChart told_chart(const Figure& figure) {
-  const Chart& chart = *std::get<Charted>(figure.content);
+ToldChart told_chart(const figure::Figure& figure) {
+  const figure::Chart& chart = *std::get<figure::Charted>(figure.content);
   ChartPicture drawn = chart_picture(chart);
   std::vector<std::size_t> dots;
   std::size_t shown = 0;

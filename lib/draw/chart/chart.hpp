@@ -13,9 +13,9 @@ struct ToldChart {
 };
 
 /// `figure` holds a chart.
-ToldChart told_chart(const Figure& figure);
+ToldChart told_chart(const figure::Figure& figure);
 
 /// The text for a dot: "12.5", a word; a dash if there is nothing.
-std::string told_text(const Chart::Told& told, std::size_t dot);
+std::string told_text(const figure::Chart::Told& told, std::size_t dot);
 
 }  // namespace loadpath::draw

@@ -5,7 +5,7 @@
 namespace loadpath::draw {
 namespace {
 
-using Verdict = Chart::Verdict;
+using Verdict = figure::Chart::Verdict;
 using Places = std::vector<std::optional<Point>>;
 
 constexpr double arm = 2.6;     // half size of a cross
@@ -23,7 +23,7 @@ void draw_ring(Canvas& canvas, const std::vector<Point>& at) {
   canvas.dots("hole", at);
 }
 
-std::vector<Point> of_verdict(const Chart& chart, const Places& places, Verdict verdict) {
+std::vector<Point> of_verdict(const figure::Chart& chart, const Places& places, Verdict verdict) {
   std::vector<Point> found;
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (places[i] && chart.dots[i].verdict == verdict) found.push_back(*places[i]);
@@ -41,7 +41,7 @@ std::vector<Point> of_dots(const std::vector<std::size_t>& which, const Places& 
 
 /// Points between two neighbours of the front that are worse in both results are not feasible: stairs, not a line
 /// between them.
-std::vector<Point> stairs(const Chart& chart, const std::vector<Point>& front) {
+std::vector<Point> stairs(const figure::Chart& chart, const std::vector<Point>& front) {
   std::vector<Point> line;
   for (const Point p : front) {
     if (!line.empty()) {
@@ -56,7 +56,8 @@ std::vector<Point> stairs(const Chart& chart, const std::vector<Point>& front) {
 
 void draw_worst(Canvas& canvas, Point at) { canvas.rectangle("thin", Box::around(at, 2.0 * around, 2.0 * around)); }
 
-void draw_legend(const Chart& chart, Canvas& canvas, Legend& legend, const std::vector<std::vector<Point>>& groups) {
+void draw_legend(const figure::Chart& chart, Canvas& canvas, Legend& legend,
+                 const std::vector<std::vector<Point>>& groups) {
   if (!groups[0].empty()) canvas.dots("passing", {legend.next(say("passes").text())});
   if (!groups[1].empty()) {
     Strokes cross;
@@ -69,8 +70,8 @@ void draw_legend(const Chart& chart, Canvas& canvas, Legend& legend, const std::
 }
 
 /// The captions "less is better" of both scales.
-std::string aims(const Chart& chart) {
-  const auto aim = [](const Scale& scale, bool more) {
+std::string aims(const figure::Chart& chart) {
+  const auto aim = [](const figure::Scale& scale, bool more) {
     return (more ? say("more {1} is better", plain(scale.symbol)) : say("less {1} is better", plain(scale.symbol)))
         .text();
   };
@@ -79,7 +80,7 @@ std::string aims(const Chart& chart) {
 
 }  // namespace
 
-Picture cloud_picture(const Chart& chart, const PlotFrame& frame, const Places& places) {
+Picture cloud_picture(const figure::Chart& chart, const PlotFrame& frame, const Places& places) {
   Canvas canvas;
   frame.draw(canvas);
   const std::vector<std::vector<Point>> groups{of_verdict(chart, places, Verdict::passes),

@@ -9,12 +9,12 @@
 namespace loadpath::draw {
 namespace {
 
-using Verdict = Chart::Verdict;
+using Verdict = figure::Chart::Verdict;
 using Lines = std::vector<std::vector<Point>>;
 
 constexpr double hatch_spacing = 8.0, speckle_spacing = 11.0;
 
-Lattice lattice_of(const Chart& chart, const PlotFrame& frame) {
+Lattice lattice_of(const figure::Chart& chart, const PlotFrame& frame) {
   Lattice lattice;
   const Point origin{frame.area().left, frame.area().bottom};
   for (std::size_t i = 0; i < chart.columns; ++i)
@@ -25,7 +25,7 @@ Lattice lattice_of(const Chart& chart, const PlotFrame& frame) {
 }
 
 /// Levels to draw, SI: round ones, at equal steps, or doubling where the values go through decades.
-std::vector<double> levels_of(const Chart& chart, const Display& display) {
+std::vector<double> levels_of(const figure::Chart& chart, const Display& display) {
   Extent seen;
   bool positive = true;
   for (const double level : chart.levels) {
@@ -48,10 +48,10 @@ std::vector<double> levels_of(const Chart& chart, const Display& display) {
 
 class FieldPicture {
  public:
-  FieldPicture(const Chart& chart, const PlotFrame& frame)
+  FieldPicture(const figure::Chart& chart, const PlotFrame& frame)
       : chart_(chart),
         frame_(frame),
-        display_(Scale{chart.level, "", chart.level_unit}),
+        display_(figure::Scale{chart.level, "", chart.level_unit}),
         lattice_(lattice_of(chart, frame)),
         regions_(chart, lattice_),
         area_{lattice_.x.front(), lattice_.y.back(), lattice_.x.back(), lattice_.y.front()},
@@ -69,7 +69,7 @@ class FieldPicture {
   void label_level(double level, const Lines& lines);
   void draw_legend(Legend& legend);
 
-  const Chart& chart_;
+  const figure::Chart& chart_;
   const PlotFrame& frame_;
   Display display_;
   Lattice lattice_;
@@ -80,7 +80,7 @@ class FieldPicture {
 };
 
 bool FieldPicture::fails_by(Point at, std::size_t mode) const {
-  const Chart::Dot& dot = regions_.at(at);
+  const figure::Chart::Dot& dot = regions_.at(at);
   return dot.verdict == Verdict::fails && dot.mode == mode;
 }
 
@@ -92,7 +92,7 @@ bool FieldPicture::is_open(Point at) const {
 void FieldPicture::hatch() {
   for (const std::size_t odd : {0U, 1U}) {
     const auto holds = [&](Point at) {
-      const Chart::Dot& dot = regions_.at(at);
+      const figure::Chart::Dot& dot = regions_.at(at);
       return dot.verdict == Verdict::fails && dot.mode % 2 == odd;
     };
     canvas_.strokes("hatch", hatching(area_, hatch_spacing, odd == 0, holds));
@@ -210,6 +210,6 @@ Picture FieldPicture::drawn() {
 
 }  // namespace
 
-Picture field_picture(const Chart& chart, const PlotFrame& frame) { return FieldPicture(chart, frame).drawn(); }
+Picture field_picture(const figure::Chart& chart, const PlotFrame& frame) { return FieldPicture(chart, frame).drawn(); }
 
 }  // namespace loadpath::draw

@@ -5,13 +5,13 @@
 namespace loadpath::draw {
 namespace {
 
-using Verdict = Chart::Verdict;
+using Verdict = figure::Chart::Verdict;
 
 /// The ends, and in a cloud a little more, so that no dot lies on the frame.
-Extent extent_of(const Chart& chart, double Chart::Dot::*value, bool logarithmic) {
+Extent extent_of(const figure::Chart& chart, double figure::Chart::Dot::*value, bool logarithmic) {
   constexpr double room = 0.03;
   Extent seen;
-  for (const Chart::Dot& dot : chart.dots) {
+  for (const figure::Chart::Dot& dot : chart.dots) {
     const bool has_place = drawable(dot.x) && drawable(dot.y) && (!logarithmic || dot.*value > 0.0);
     if (has_place && (chart.columns > 0 || dot.verdict != Verdict::none)) seen.see(dot.*value);
   }
@@ -31,15 +31,15 @@ Extent extent_of(const Chart& chart, double Chart::Dot::*value, bool logarithmic
 
 }  // namespace
 
-PlotFrame frame_of(const Chart& chart) {
-  return {chart.x, chart.y, extent_of(chart, &Chart::Dot::x, chart.x.logarithmic),
-          extent_of(chart, &Chart::Dot::y, chart.y.logarithmic)};
+PlotFrame frame_of(const figure::Chart& chart) {
+  return {chart.x, chart.y, extent_of(chart, &figure::Chart::Dot::x, chart.x.logarithmic),
+          extent_of(chart, &figure::Chart::Dot::y, chart.y.logarithmic)};
 }
 
-std::string counts_of(const Chart& chart) {
+std::string counts_of(const figure::Chart& chart) {
   std::size_t passing = 0, open = 0, none = 0;
   std::vector<std::size_t> failing(chart.modes.size());
-  for (const Chart::Dot& dot : chart.dots) {
+  for (const figure::Chart::Dot& dot : chart.dots) {
     passing += static_cast<std::size_t>(dot.verdict == Verdict::passes);
     open += static_cast<std::size_t>(dot.verdict == Verdict::open);
     none += static_cast<std::size_t>(dot.verdict == Verdict::none);
@@ -68,16 +68,16 @@ Point Legend::next(std::string_view words) {
   return middle;
 }
 
-ChartPicture chart_picture(const Chart& chart) {
+ChartPicture chart_picture(const figure::Chart& chart) {
   const PlotFrame frame = frame_of(chart);
   std::vector<std::optional<Point>> places;
-  for (const Chart::Dot& dot : chart.dots)
+  for (const figure::Chart::Dot& dot : chart.dots)
     places.push_back(chart.columns == 0 && dot.verdict == Verdict::none ? std::nullopt : frame.place(dot.x, dot.y));
   Picture drawn = chart.columns == 0 ? cloud_picture(chart, frame, places) : field_picture(chart, frame);
   if (frame.empty()) drawn.canvas.centred_text("quiet", frame.area(), typeset(say("not available").text()));
   return {std::move(drawn), std::move(places)};
 }
 
-Picture picture(const Charted& chart) { return chart_picture(*chart).picture; }
+Picture picture(const figure::Charted& chart) { return chart_picture(*chart).picture; }
 
 }  // namespace loadpath::draw

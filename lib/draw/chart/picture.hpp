@@ -15,12 +15,12 @@ struct ChartPicture {
   std::vector<std::optional<Point>> places;  // positions of the dots; none for dots without any
 };
 
-ChartPicture chart_picture(const Chart& chart);
+ChartPicture chart_picture(const figure::Chart& chart);
 
 // The frame common to the two kinds.
-PlotFrame frame_of(const Chart& chart);
+PlotFrame frame_of(const figure::Chart& chart);
 /// The number of dots that pass, that fail by each mode...
-std::string counts_of(const Chart& chart);
+std::string counts_of(const figure::Chart& chart);
 /// One row below the figure: a symbol and its meaning.
 class Legend {
  public:
@@ -35,8 +35,9 @@ class Legend {
 };
 
 /// Over two results: dots, and the front that none of them is beyond.
-Picture cloud_picture(const Chart& chart, const PlotFrame& frame, const std::vector<std::optional<Point>>& places);
+Picture cloud_picture(const figure::Chart& chart, const PlotFrame& frame,
+                      const std::vector<std::optional<Point>>& places);
 /// Over two inputs: contour lines, and the failing region hatched.
-Picture field_picture(const Chart& chart, const PlotFrame& frame);
+Picture field_picture(const figure::Chart& chart, const PlotFrame& frame);
 
 }  // namespace loadpath::draw

@@ -9,10 +9,10 @@ namespace loadpath::draw {
 
 class Regions {
  public:
-  Regions(const Chart& chart, Lattice lattice);
+  Regions(const figure::Chart& chart, Lattice lattice);
 
   /// The dot nearest to a place, if the place is on its side of the limit; else one about it that is.
-  [[nodiscard]] const Chart::Dot& at(Point place) const;
+  [[nodiscard]] const figure::Chart::Dot& at(Point place) const;
   /// The boundary of the failing region.
   [[nodiscard]] std::vector<std::vector<Point>> limit() const;
   /// Within the region that does not fail, the boundary of points not assessed or invalid.
@@ -22,7 +22,7 @@ class Regions {
   [[nodiscard]] std::vector<std::vector<Point>> level(double value) const;
 
  private:
-  const Chart& chart_;
+  const figure::Chart& chart_;
   Lattice lattice_;
   std::vector<double> excess_;  // above zero if a dot fails; NaN if the design is invalid
 };

@@ -16,7 +16,7 @@ constexpr double shift = 7.0;  // offset of an arrow from its reference line
 
 Point turned_to(double angle) { return {std::cos(angle), -std::sin(angle)}; }
 
-Text text_of(const Drawing::Value& value) { return typeset(words_of(value)); }
+Text text_of(const figure::Drawing::Value& value) { return typeset(words_of(value)); }
 
 }  // namespace
 
@@ -71,20 +71,20 @@ void ViewPicture::draw_beside(const Row& row) {
   const Point from = at(l.from), to = at(l.to);
   const double out = first_row + dimension_row * static_cast<double>(row.row);
   switch (l.side) {
-    case Drawing::Side::below:
+    case figure::Drawing::Side::below:
       return draw_level(row, from, to, fit_.extent.bottom + out, false);
-    case Drawing::Side::above:
+    case figure::Drawing::Side::above:
       return draw_level(row, from, to, fit_.extent.top - out, true);
-    case Drawing::Side::left:
+    case figure::Drawing::Side::left:
       return draw_upright(row, from, to, fit_.extent.left - out, true);
-    case Drawing::Side::right:
+    case figure::Drawing::Side::right:
       return draw_upright(row, from, to, fit_.extent.right + out, false);
-    case Drawing::Side::in_place:
+    case figure::Drawing::Side::in_place:
       return;
   }
 }
 
-void ViewPicture::draw_in_place(const Drawing::Length& l) {
+void ViewPicture::draw_in_place(const figure::Drawing::Length& l) {
   const Point from = at(l.from), to = at(l.to);
   const Text text = text_of(l.value);
   headed(from, to);
@@ -96,11 +96,11 @@ void ViewPicture::draw_lengths() {
   // Over the extension lines of dimensions farther out.
   for (const Fixed& fixed : fixed_texts_) fixed_text(fixed.centre, fixed.text, fixed.turned);
   for (const auto& l : view_.lengths) {
-    if (l.side == Drawing::Side::in_place) draw_in_place(l);
+    if (l.side == figure::Drawing::Side::in_place) draw_in_place(l);
   }
 }
 
-void ViewPicture::draw_radius(const Drawing::Radius& radius) {
+void ViewPicture::draw_radius(const figure::Drawing::Radius& radius) {
   constexpr double reach = 16.0;
   const Point centre = at(radius.centre), e = turned_to(radius.angle);
   const double r = fit_.scale * radius.radius;
@@ -123,7 +123,7 @@ void ViewPicture::draw_radius(const Drawing::Radius& radius) {
   free_text("halo", places, text);
 }
 
-void ViewPicture::draw_angle(const Drawing::Angle& angle) {
+void ViewPicture::draw_angle(const figure::Drawing::Angle& angle) {
   const Point corner = at(angle.corner);
   const double r = std::max(fit_.scale * angle.radius, 12.0), sweep = angle.sweep;
   const double end = angle.start + sweep;
@@ -154,7 +154,7 @@ void ViewPicture::draw_angle(const Drawing::Angle& angle) {
   free_text("halo", places, text);
 }
 
-std::pair<Point, Point> ViewPicture::placed(const Drawing::Force& f) const {
+std::pair<Point, Point> ViewPicture::placed(const figure::Drawing::Force& f) const {
   const Point way = fit_.newton * Point{f.force.x, -f.force.y};
   const Point start = at(f.at) + shift * f.offset * across(unit(way));
   return f.towards ? std::pair{start - way, start} : std::pair{start, start + way};
@@ -180,7 +180,7 @@ void ViewPicture::name_forces() {
 }
 
 /// An arc of a third of a turn with a head at its end.
-void ViewPicture::draw_turn(const Drawing::Turn& turn) {
+void ViewPicture::draw_turn(const figure::Drawing::Turn& turn) {
   const double r = std::max(fit_.scale * turn.radius, 8.0), side = turn.counter_clockwise ? 1.0 : -1.0;
   const double sweep = side * std::clamp(46.0 / r, 0.5, 2.2), start = turn.around - 0.5 * sweep, end = start + sweep;
   const Point centre = at(turn.centre);
@@ -201,11 +201,11 @@ void ViewPicture::name_turns() {
   }
 }
 
-void ViewPicture::draw_pressure(const Drawing::Pressure& pressure) {
+void ViewPicture::draw_pressure(const figure::Drawing::Pressure& pressure) {
   constexpr double reach = 13.0, size = 5.0;
   std::vector<std::pair<Point, Point>> shafts;
   for (const auto& a : pressure.arrows) {
-    const Point tip = at(a.foot), way = unit({a.direction.x, -a.direction.y});
+    const Point tip = at(a.foot), way = unit(Point{a.direction.x, -a.direction.y});
     if (!is_in_window(tip)) continue;
     shafts.emplace_back(tip - reach * way, tip - size * way);
     arrow_head(canvas_, "f1", tip - 1.0 * way, way, size);

@@ -10,15 +10,15 @@
 namespace loadpath::draw {
 namespace {
 
-using View = Drawing::View;
-using Side = Drawing::Side;
+using View = figure::Drawing::View;
+using Side = figure::Drawing::Side;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double title_height = 20.0, scale_height = 24.0, note_height = 16.0;
 constexpr double edge_of_page = 10.0;  // around all
 constexpr double force_reach = 62.0;
 
-bool has(const Drawing::Value& value) { return drawable(value.si); }
+bool has(const figure::Drawing::Value& value) { return drawable(value.si); }
 
 template <class Items, class Keeps>
 void keep(Items& items, const Keeps& keeps) {
@@ -53,7 +53,7 @@ struct Margins {
 
 bool is_upright(Side side) { return side == Side::left || side == Side::right; }
 
-double text_width(const Drawing::Value& value) { return width(typeset(words_of(value)), 1.05 * text_size); }
+double text_width(const figure::Drawing::Value& value) { return width(typeset(words_of(value)), 1.05 * text_size); }
 
 /// The occupied stretches of the rows on one side.
 class Taken {
@@ -144,14 +144,14 @@ Box on_page(const View& view, const Box& parts, double scale) {
 
 }  // namespace
 
-int digits_of(const Drawing::Value& value) { return value.unit == "mm" && std::fabs(value.si) >= 1.0 ? 5 : 4; }
+int digits_of(const figure::Drawing::Value& value) { return value.unit == "mm" && std::fabs(value.si) >= 1.0 ? 5 : 4; }
 
-std::string words_of(const Drawing::Value& value) {
+std::string words_of(const figure::Drawing::Value& value) {
   const std::string number = format_quantity(value.si, value.unit, digits_of(value));
   return value.symbol.empty() ? number : say("{1} = {2}", symbol(value.symbol), number).text();
 }
 
-Drawing::View without_gaps(const View& view) {
+figure::Drawing::View without_gaps(const View& view) {
   View kept = view;
   keep(kept.areas,
        [](const auto& a) { return a.outline.size() > 2 && all_drawable(a.outline) && all_drawable(a.hole); });

@@ -14,13 +14,13 @@ inline constexpr double first_row = 20.0;                           // from the 
 inline constexpr double short_dimension = 24.0, short_lead = 16.0;  // has its heads outside, with lines so long
 
 /// The view without parts that have no position or no value.
-Drawing::View without_gaps(const Drawing::View& view);
+figure::Drawing::View without_gaps(const figure::Drawing::View& view);
 
 /// The number of digits of a value in a drawing: four; five for lengths from one metre.
-int digits_of(const Drawing::Value& value);
+int digits_of(const figure::Drawing::Value& value);
 
 /// "R = 600 mm", the symbol marked.
-std::string words_of(const Drawing::Value& value);
+std::string words_of(const figure::Drawing::Value& value);
 
 /// A dimension outside the drawing, and the row of its line.
 struct Row {
@@ -42,6 +42,6 @@ struct ViewFit {
 };
 
 /// At this corner of the page, in this width.
-ViewFit fit(const Drawing::View& view, Point corner, double width);
+ViewFit fit(const figure::Drawing::View& view, Point corner, double width);
 
 }  // namespace loadpath::draw

@@ -45,9 +45,9 @@ void plate(Canvas& canvas, Point at, Point into) {
 
 }  // namespace
 
-void ViewPicture::draw_support(const Drawing::Support& given) {
-  using Kind = Drawing::Support::Kind;
-  const Point place = at(given.at), into = unit({given.into.x, -given.into.y});
+void ViewPicture::draw_support(const figure::Drawing::Support& given) {
+  using Kind = figure::Drawing::Support::Kind;
+  const Point place = at(given.at), into = unit(Point{given.into.x, -given.into.y});
   switch (given.kind) {
     case Kind::hinge:
       support(canvas_, place, into);

@@ -11,7 +11,7 @@
 namespace loadpath::draw {
 namespace {
 
-using Line = Drawing::Line;
+using Line = figure::Drawing::Line;
 
 constexpr double least_hatched = 4.0;  // sections of thinner walls are filled, as ISO 128 permits
 constexpr double thinnest_seen = 0.7;  // thinner walls are drawn as lines
@@ -95,16 +95,16 @@ void ViewPicture::draw_areas() {
     if (view_.window) face = clipped_area(face, fit_.extent);
     if (face.size() < 3) continue;
     switch (area.kind) {
-      case Drawing::Kind::cut:
+      case figure::Drawing::Kind::cut:
         draw_cut(face, outline, hole);
         break;
-      case Drawing::Kind::body:
+      case figure::Drawing::Kind::body:
         canvas_.polygon("body", face);
         break;
-      case Drawing::Kind::liquid:
+      case figure::Drawing::Kind::liquid:
         canvas_.polygon("liquid", face);
         break;
-      case Drawing::Kind::lost:
+      case figure::Drawing::Kind::lost:
         canvas_.polygon("worn", face);
         break;
     }
@@ -211,12 +211,12 @@ void ViewPicture::drawn() {
   draw_words();
 }
 
-std::string description(const Drawing::View& view) {
+std::string description(const figure::Drawing::View& view) {
   std::string text = view.title;
   const auto add = [&](const std::string& part) {
     if (!part.empty()) text += (text.empty() ? "" : "; ") + part;
   };
-  const auto told = [](const Drawing::Value& value) { return plain(words_of(value)); };
+  const auto told = [](const figure::Drawing::Value& value) { return plain(words_of(value)); };
   for (const auto& area : view.areas) add(plain(area.name));
   for (const auto& length : view.lengths) add(told(length.value));
   for (const auto& radius : view.radii) add(told(radius.value));
@@ -233,11 +233,11 @@ std::string description(const Drawing::View& view) {
   return text;
 }
 
-Picture picture(const Drawn& drawing) {
+Picture picture(const figure::Drawn& drawing) {
   Picture out;
   double left = 0.0, row_end = 0.0;
-  for (const Drawing::View& given : drawing->views) {
-    const Drawing::View view = without_gaps(given);
+  for (const figure::Drawing::View& given : drawing->views) {
+    const figure::Drawing::View view = without_gaps(given);
     const double wide = view_width * std::clamp(view.share, 0.2, 1.0);
     if (left + wide > view_width + 0.5) left = 0.0, out.height = row_end;
     const ViewFit placed = fit(view, {left, out.height}, wide);

@@ -14,7 +14,7 @@ namespace loadpath::draw {
 
 class ViewPicture {
  public:
-  ViewPicture(const Drawing::View& view, const ViewFit& fit, Canvas& canvas)
+  ViewPicture(const figure::Drawing::View& view, const ViewFit& fit, Canvas& canvas)
       : view_(view), fit_(fit), canvas_(canvas), labels_(fit.words) {}
   void drawn();
 
@@ -25,22 +25,22 @@ class ViewPicture {
   void draw_paths();
   void draw_surfaces();
   void draw_frame();
-  void draw_support(const Drawing::Support& support);
-  void stroke(Drawing::Line line, const std::vector<Point>& page);
+  void draw_support(const figure::Drawing::Support& support);
+  void stroke(figure::Drawing::Line line, const std::vector<Point>& page);
 
   void draw_lengths();
   void draw_beside(const Row& row);
   void draw_level(const Row& row, Point from, Point to, double y, bool above);
   void draw_upright(const Row& row, Point from, Point to, double x, bool left);
-  void draw_in_place(const Drawing::Length& length);
-  void draw_radius(const Drawing::Radius& radius);
-  void draw_angle(const Drawing::Angle& angle);
-  [[nodiscard]] std::pair<Point, Point> placed(const Drawing::Force& force) const;
+  void draw_in_place(const figure::Drawing::Length& length);
+  void draw_radius(const figure::Drawing::Radius& radius);
+  void draw_angle(const figure::Drawing::Angle& angle);
+  [[nodiscard]] std::pair<Point, Point> placed(const figure::Drawing::Force& force) const;
   void draw_forces();
   void name_forces();
-  void draw_turn(const Drawing::Turn& turn);
+  void draw_turn(const figure::Drawing::Turn& turn);
   void name_turns();
-  void draw_pressure(const Drawing::Pressure& pressure);
+  void draw_pressure(const figure::Drawing::Pressure& pressure);
   void draw_names();
   void draw_words();
 
@@ -52,7 +52,7 @@ class ViewPicture {
   [[nodiscard]] std::vector<Point> at(const std::vector<Point>& points) const;
   [[nodiscard]] bool is_in_window(Point page) const;
 
-  const Drawing::View& view_;
+  const figure::Drawing::View& view_;
   const ViewFit& fit_;
   Canvas& canvas_;
   Labels labels_;
@@ -65,6 +65,6 @@ class ViewPicture {
 };
 
 /// A description of a view for screen readers.
-std::string description(const Drawing::View& view);
+std::string description(const figure::Drawing::View& view);
 
 }  // namespace loadpath::draw

@@ -39,14 +39,14 @@ std::string column_of(const Items& items, double step, const Read& read) {
   return column(values, step);
 }
 
-std::string link_data(const Motion::Link& link, const Fit& fit) {
-  using Pose = Motion::Pose;
+std::string link_data(const figure::Motion::Link& link, const Fit& fit) {
+  using Pose = figure::Motion::Pose;
   return "[" + column_of(link.poses, length_step, [&](const Pose& p) { return fit.at(p.at).x; }) + "," +
          column_of(link.poses, length_step, [&](const Pose& p) { return fit.at(p.at).y; }) + "," +
          column_of(link.poses, angle_step, [](const Pose& p) { return p.phi; }) + "]";
 }
 
-std::string force_data(const Motion::Force& force, const Fit& fit) {
+std::string force_data(const figure::Motion::Force& force, const Fit& fit) {
   double most = 0.0;
   for (const Point f : force.values) most = std::max({most, std::fabs(f.x), std::fabs(f.y)});
   const double step = most > 0.0 ? most / force_steps : 1.0;
@@ -59,22 +59,22 @@ std::string force_data(const Motion::Force& force, const Fit& fit) {
   return text + "]";
 }
 
-std::string signs(const Motion::Couple& couple) {
+std::string signs(const figure::Motion::Couple& couple) {
   std::string text = "\"";
   for (const double m : couple.values) text += m > 0.0 ? '+' : m < 0.0 ? '-' : '0';
   return text + "\"";
 }
 
-std::string plan_data(const Motion::LinkPlan& plan, const PlanFit& fit) {
+std::string plan_data(const figure::Motion::LinkPlan& plan, const PlanFit& fit) {
   return "[" + format_number(fit.scale, 7) + "," +
          list(plan.sides,
-              [](const Motion::Side& side) {
+              [](const figure::Motion::Side& side) {
                 return "[" + std::to_string(side.force) + "," + (side.sense < 0.0 ? "-1" : "1") + "]";
               }) +
          "]";
 }
 
-std::string texts(const Motion::Number& number) {
+std::string texts(const figure::Motion::Number& number) {
   std::string text = "\"";
   for (std::size_t k = 0; k < number.si.size(); ++k) text += (k == 0 ? "" : " ") + number_text(number, k);
   return text + "\"";
@@ -82,7 +82,7 @@ std::string texts(const Motion::Number& number) {
 
 }  // namespace
 
-std::string motion_data(const Motion& motion, const Fit& scheme, const std::vector<PlanFit>& plans) {
+std::string motion_data(const figure::Motion& motion, const Fit& scheme, const std::vector<PlanFit>& plans) {
   std::vector<std::string> shapes;
   shapes.reserve(plans.size());
   for (std::size_t k = 0; k < plans.size(); ++k) shapes.push_back(plan_data(motion.plans[k], plans[k]));

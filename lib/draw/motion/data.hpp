@@ -11,6 +11,6 @@ namespace loadpath::draw {
 
 /// Columns over the frames are integers, each minus the one before; a constant column is one number. `plans`:
 /// positions of the force plans of the links.
-std::string motion_data(const Motion& motion, const Fit& scheme, const std::vector<PlanFit>& plans);
+std::string motion_data(const figure::Motion& motion, const Fit& scheme, const std::vector<PlanFit>& plans);
 
 }  // namespace loadpath::draw

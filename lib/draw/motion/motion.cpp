@@ -10,8 +10,8 @@ namespace {
 
 constexpr double plan_width = 260.0, plan_height = 240.0, plan_room = 32.0, plan_bar = 28.0;
 
-Plan plan_at(const Motion& motion, const Motion::LinkPlan& of, std::size_t frame) {
-  Plan plan{"", "N", {}};
+figure::Plan plan_at(const figure::Motion& motion, const figure::Motion::LinkPlan& of, std::size_t frame) {
+  figure::Plan plan{"", "N", {}};
   Point end;
   for (const auto& side : of.sides) {
     const Point next = end + side.sense * motion.forces[side.force].values[frame];
@@ -21,7 +21,7 @@ Plan plan_at(const Motion& motion, const Motion::LinkPlan& of, std::size_t frame
   return plan;
 }
 
-Box extent(const Motion& motion, const Motion::LinkPlan& of, std::size_t frame) {
+Box extent(const figure::Motion& motion, const figure::Motion::LinkPlan& of, std::size_t frame) {
   Box box;
   Point end;
   for (const auto& side : of.sides) {
@@ -32,7 +32,7 @@ Box extent(const Motion& motion, const Motion::LinkPlan& of, std::size_t frame) 
 }
 
 /// One scale for all frames; the polygon is centred in each frame.
-PlanFit plan_fit(const Motion& motion, const Motion::LinkPlan& plan) {
+PlanFit plan_fit(const figure::Motion& motion, const figure::Motion::LinkPlan& plan) {
   double width = 1e-300, height = 1e-300;
   for (std::size_t k = 0; k < motion.axis.si.size(); ++k) {
     const Box box = extent(motion, plan, k);
@@ -46,11 +46,11 @@ PlanFit plan_fit(const Motion& motion, const Motion::LinkPlan& plan) {
   return fit;
 }
 
-std::string plan_picture(const Motion& motion, const std::vector<PlanFit>& fits) {
+std::string plan_picture(const figure::Motion& motion, const std::vector<PlanFit>& fits) {
   Canvas canvas;
   std::string words;
   for (std::size_t k = 0; k < fits.size(); ++k) {
-    const Plan plan = plan_at(motion, motion.plans[k], motion.shown);
+    const figure::Plan plan = plan_at(motion, motion.plans[k], motion.shown);
     const bool shown = k == motion.shown_plan;
     canvas.begin_group({{"data-plan", std::to_string(k)}, {"visibility", shown ? "visible" : "hidden"}});
     draw_plan(canvas, plan, fits[k], Findable::yes);
@@ -64,8 +64,8 @@ std::string plan_picture(const Motion& motion, const std::vector<PlanFit>& fits)
 
 }  // namespace
 
-MotionPictures motion_pictures(const Figure& figure) {
-  const auto& motion = std::get<Motion>(figure.content);
+MotionPictures motion_pictures(const figure::Figure& figure) {
+  const auto& motion = std::get<figure::Motion>(figure.content);
   const Fit placed = fit(motion);
   const Picture drawn = SchemePicture(motion.still, placed, &motion).drawn();
   std::vector<PlanFit> fits;

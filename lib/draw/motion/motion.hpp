@@ -15,6 +15,6 @@ struct MotionPictures {
 };
 
 /// `figure` holds a Motion.
-MotionPictures motion_pictures(const Figure& figure);
+MotionPictures motion_pictures(const figure::Figure& figure);
 
 }  // namespace loadpath::draw

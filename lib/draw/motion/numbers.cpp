@@ -6,7 +6,7 @@
 
 namespace loadpath::draw {
 
-std::string number_text(const Motion::Number& number, std::size_t frame) {
+std::string number_text(const figure::Motion::Number& number, std::size_t frame) {
   const double si = number.si[frame];
   return std::isfinite(si) ? format_number(in_unit(si, number.unit), 5) : "–";
 }

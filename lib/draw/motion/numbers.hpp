@@ -9,7 +9,7 @@
 namespace loadpath::draw {
 
 /// The text of a number of the motion at a frame, in its unit: "-1234.5"; a dash if there is none.
-std::string number_text(const Motion::Number& number, std::size_t frame);
+std::string number_text(const figure::Motion::Number& number, std::size_t frame);
 /// The same as it is printed, with a minus sign.
 std::string printed(std::string number);
 

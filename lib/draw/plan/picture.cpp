@@ -31,13 +31,13 @@ std::vector<Text> title_lines(const std::string& title, double panel) {
   return lines;
 }
 
-double title_room(const Plan& plan, double panel) {
+double title_room(const figure::Plan& plan, double panel) {
   if (plan.title.empty()) return 0.0;
   return title_height + line_height * static_cast<double>(title_lines(plan.title, panel).size() - 1);
 }
 
 /// The area for names: without the title and the scale bars.
-Box free_of_words(const Plan& plan, const Box& area) {
+Box free_of_words(const figure::Plan& plan, const Box& area) {
   constexpr double bar_words = 22.0;
   return {area.left + 2.0, area.top + title_room(plan, area.width()) + 2.0, area.right - 2.0, area.bottom - bar_words};
 }
@@ -51,7 +51,7 @@ std::vector<Candidate> close_to(Point dot, double wide) {
 }
 
 /// Everything that must be seen, in the unit of the vectors and upwards; forces as arrows of `per_newton`.
-Box extent(const Plan& plan, double per_newton) {
+Box extent(const figure::Plan& plan, double per_newton) {
   Box box;  // with the pole
   const auto include = [&](Point p) { box.include({p.x, p.y, p.x, p.y}); };
   for (const auto& v : plan.vectors) include(v.from), include(v.to);
@@ -67,7 +67,7 @@ Box extent(const Plan& plan, double per_newton) {
   return box;
 }
 
-double strongest(const Plan& plan) {
+double strongest(const figure::Plan& plan) {
   double most = 0.0;
   for (const auto& force : plan.forces) most = std::max(most, length(force.force));
   return most;
@@ -81,7 +81,7 @@ std::string (*text_in(const std::string& unit))(double) {
 
 class PlanPicture {
  public:
-  PlanPicture(Canvas& canvas, const Plan& plan, const PlanFit& fit, Findable findable)
+  PlanPicture(Canvas& canvas, const figure::Plan& plan, const PlanFit& fit, Findable findable)
       : canvas_(canvas),
         plan_(plan),
         fit_(fit),
@@ -148,7 +148,7 @@ class PlanPicture {
       }
     }
   }
-  [[nodiscard]] std::vector<Candidate> places_of(const Plan::Mark& mark) const {
+  [[nodiscard]] std::vector<Candidate> places_of(const figure::Plan::Mark& mark) const {
     return close_to(fit_.at(mark.at), width(typeset(mark.label), text_size));
   }
 
@@ -164,7 +164,7 @@ class PlanPicture {
   }
 
   /// Two forces of a plan lie on one line: they are drawn side by side.
-  [[nodiscard]] Point shift(const Plan::Vector& v) const {
+  [[nodiscard]] Point shift(const figure::Plan::Vector& v) const {
     if (plan_.vectors.size() != 2 || plan_.unit != "N") return {};
     const Point d = fit_.at(v.to) - fit_.at(v.from);
     return length(d) > 0.0 ? 3.0 * across(unit(d)) : Point{};
@@ -175,7 +175,7 @@ class PlanPicture {
       const auto& v = plan_.vectors[i];
       const Point from = fit_.at(v.from) + shift(v), to = fit_.at(v.to) + shift(v);
       if (findable_) canvas_.begin_group({{"data-side", std::to_string(i)}});
-      if (v.tone == Plan::Tone::part) {
+      if (v.tone == figure::Plan::Tone::part) {
         const double head = std::min(8.0, 0.7 * length(to - from));
         canvas_.line("light dash", from, to);
         arrow_head(canvas_, "dot", to, unit(to - from), head);
@@ -219,7 +219,8 @@ class PlanPicture {
       const Point from = fit_.at(v.from), to = fit_.at(v.to), aside = shift(v);
       auto places = beside(from + aside, to + aside, 4.0, wide);
       for (Candidate& c : around(to, 4.0, wide)) places.push_back({c.box, 6.0 + c.cost});
-      const std::string colour = v.tone == Plan::Tone::part ? "quiet" : "f" + std::to_string(static_cast<int>(v.tone));
+      const std::string colour =
+          v.tone == figure::Plan::Tone::part ? "quiet" : "f" + std::to_string(static_cast<int>(v.tone));
       if (findable_) canvas_.begin_group({{"data-side-name", std::to_string(i)}});
       canvas_.centred_text("halo " + colour, labels_.place(places), text);
       if (findable_) canvas_.end_group();
@@ -239,12 +240,12 @@ class PlanPicture {
     }
   }
 
-  [[nodiscard]] Point tip(const Scheme::Arrow& force) const {
+  [[nodiscard]] Point tip(const figure::Scheme::Arrow& force) const {
     return fit_.at(force.at) + fit_.newton * Point{force.force.x, -force.force.y};
   }
 
   Canvas& canvas_;
-  const Plan& plan_;
+  const figure::Plan& plan_;
   const PlanFit& fit_;
   bool findable_;
   Labels labels_;
@@ -252,7 +253,7 @@ class PlanPicture {
 
 }  // namespace
 
-PlanFit fit(const Plan& plan, Point corner, double width, double most_height) {
+PlanFit fit(const figure::Plan& plan, Point corner, double width, double most_height) {
   constexpr double force_share = 0.35;
   const Box bare = extent(plan, 0.0);
   const double size = std::max(bare.width(), bare.height()), most = strongest(plan);
@@ -272,17 +273,17 @@ PlanFit fit(const Plan& plan, Point corner, double width, double most_height) {
   return fit;
 }
 
-void draw_plan(Canvas& canvas, const Plan& plan, const PlanFit& fit, Findable findable) {
+void draw_plan(Canvas& canvas, const figure::Plan& plan, const PlanFit& fit, Findable findable) {
   PlanPicture(canvas, plan, fit, findable).draw();
 }
 
-void draw_plan_scales(Canvas& canvas, const Plan& plan, const PlanFit& fit) {
+void draw_plan_scales(Canvas& canvas, const figure::Plan& plan, const PlanFit& fit) {
   const double y = fit.area.bottom - 12.0;
   const double x = scale_bar(canvas, {fit.area.left + 10.0, y}, fit.scale, text_in(plan.unit));
   if (fit.newton > 0.0) scale_bar(canvas, {x, y}, fit.newton, force_text);
 }
 
-std::string description(const Plan& plan) {
+std::string description(const figure::Plan& plan) {
   std::string text = plan.title;
   const auto add = [&](const std::string& label, const std::string& value) {
     if (!label.empty()) text += (text.empty() ? "" : "; ") + say("{1} = {2}", plain(label), value).text();

@@ -19,16 +19,16 @@ struct PlanFit {
 };
 
 /// The largest plan in a panel at `corner`, with room for its names.
-PlanFit fit(const Plan& plan, Point corner, double width, double most_height);
+PlanFit fit(const figure::Plan& plan, Point corner, double width, double most_height);
 
 /// Whether a vector and its name are parts of a picture that a script can find.
 enum class Findable { no, yes };
 
-void draw_plan(Canvas& canvas, const Plan& plan, const PlanFit& fit, Findable findable = Findable::no);
+void draw_plan(Canvas& canvas, const figure::Plan& plan, const PlanFit& fit, Findable findable = Findable::no);
 /// The bars at the foot of the panel.
-void draw_plan_scales(Canvas& canvas, const Plan& plan, const PlanFit& fit);
+void draw_plan_scales(Canvas& canvas, const figure::Plan& plan, const PlanFit& fit);
 
 /// For screen readers.
-std::string description(const Plan& plan);
+std::string description(const figure::Plan& plan);
 
 }  // namespace loadpath::draw

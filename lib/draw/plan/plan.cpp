@@ -5,9 +5,9 @@
 namespace loadpath::draw {
 namespace {
 
-bool drawable(const Plan& plan) {
-  const auto whole = [](const Plan::Vector& v) { return draw::drawable(v.from) && draw::drawable(v.to); };
-  const auto drawn = [](const Plan::Trace& t) {
+bool drawable(const figure::Plan& plan) {
+  const auto whole = [](const figure::Plan::Vector& v) { return draw::drawable(v.from) && draw::drawable(v.to); };
+  const auto drawn = [](const figure::Plan::Trace& t) {
     return std::all_of(t.points.begin(), t.points.end(), [](Point p) { return draw::drawable(p); });
   };
   return std::all_of(plan.vectors.begin(), plan.vectors.end(), whole) &&
@@ -16,14 +16,14 @@ bool drawable(const Plan& plan) {
 
 }  // namespace
 
-Picture picture(const Plans& plans) {
+Picture picture(const figure::Plans& plans) {
   constexpr double alone = 330.0, in_row = 210.0, gap = 8.0;
   const std::size_t columns = plans.panels.size() > 1 ? 2 : 1;
   const double width = (view_width - gap * static_cast<double>(columns - 1)) / static_cast<double>(columns);
   Picture out;
   double row_end = 0.0;
   for (std::size_t n = 0; n < plans.panels.size(); ++n) {
-    const Plan& plan = plans.panels[n];
+    const figure::Plan& plan = plans.panels[n];
     if (n % columns == 0) out.height = row_end + (n == 0 ? 0.0 : gap);
     const double left = static_cast<double>(n % columns) * (width + gap);
     const PlanFit placed = fit(plan, {left, out.height}, width, columns == 1 ? alone : in_row);

@@ -18,7 +18,7 @@ void see_level(std::vector<Level>& levels, Point from, Point to, double si) {
 
 }  // namespace
 
-DrawnCurve drawn_curve(const Curve& curve, const PlotFrame& frame) {
+DrawnCurve drawn_curve(const figure::Curve& curve, const PlotFrame& frame) {
   DrawnCurve drawn;
   std::vector<Point> piece;
   const auto end_piece = [&] {

@@ -18,6 +18,6 @@ struct DrawnCurve {
   std::vector<Level> levels;  // levels of a filled curve only
 };
 
-DrawnCurve drawn_curve(const Curve& curve, const PlotFrame& frame);
+DrawnCurve drawn_curve(const figure::Curve& curve, const PlotFrame& frame);
 
 }  // namespace loadpath::draw

@@ -29,20 +29,20 @@ void Extent::see(double value) {
   if (drawable(value)) range_ = {std::min(range_.low, value), std::max(range_.high, value)};
 }
 
-PlotFrame::PlotFrame(const Plot& plot, const std::optional<Strip>& strip) : x_(plot.x), y_(plot.y) {
+PlotFrame::PlotFrame(const figure::Plot& plot, const std::optional<Strip>& strip) : x_(plot.x), y_(plot.y) {
   Extent x_seen, y_seen;
   bool filled = false;
   const auto see = [&](double x_si, double y_si) {
     const Point p{x_.value(x_si), y_.value(y_si)};
     if (x_.has_place(p.x) && y_.has_place(p.y)) x_seen.see(p.x), y_seen.see(p.y);
   };
-  for (const Curve& curve : plot.curves) {
+  for (const figure::Curve& curve : plot.curves) {
     filled = filled || curve.filled;
     for (std::size_t i = 0; i < std::min(curve.x.size(), curve.y.size()); ++i) see(curve.x[i], curve.y[i]);
   }
-  for (const Mark& mark : plot.marks) see(mark.x, mark.y);
+  for (const figure::Mark& mark : plot.marks) see(mark.x, mark.y);
   empty_ = x_seen.empty();
-  for (const Bound& bound : plot.bounds) {
+  for (const figure::Bound& bound : plot.bounds) {
     if (y_.has_place(y_.value(bound.y))) y_seen.see(y_.value(bound.y));
   }
   up_ = y_.logarithmic() ? logarithmic_axis(positive(y_seen), Ends::ticks)
@@ -67,7 +67,7 @@ static Axis close_axis(const Display& display, const Extent& seen, int most) {
                                : axis(shown.range(), most, steps_of(display), Ends::data);
 }
 
-PlotFrame::PlotFrame(const Scale& x, const Scale& y, const Extent& across, const Extent& up)
+PlotFrame::PlotFrame(const figure::Scale& x, const figure::Scale& y, const Extent& across, const Extent& up)
     : x_(x), y_(y), across_(close_axis(x_, across, 8)), up_(close_axis(y_, up, 6)), empty_(across.empty()) {
   take_page();
 }

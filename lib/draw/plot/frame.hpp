@@ -30,9 +30,9 @@ struct Strip {
 class PlotFrame {
  public:
   /// On a page of its own; or as a strip.
-  explicit PlotFrame(const Plot& plot, const std::optional<Strip>& strip = {});
+  explicit PlotFrame(const figure::Plot& plot, const std::optional<Strip>& strip = {});
   /// On a page of its own, around exactly these SI values.
-  PlotFrame(const Scale& x, const Scale& y, const Extent& across, const Extent& up);
+  PlotFrame(const figure::Scale& x, const figure::Scale& y, const Extent& across, const Extent& up);
 
   /// The place of SI values; nothing if one is not available.
   [[nodiscard]] std::optional<Point> place(double x, double y) const;

@@ -22,22 +22,22 @@ bool is_dots(const DrawnCurve& curve) {
 
 class PlotPicture {
  public:
-  explicit PlotPicture(const Plot& plot, const std::optional<Strip>& strip = {});
+  explicit PlotPicture(const figure::Plot& plot, const std::optional<Strip>& strip = {});
   Picture drawn();
 
  private:
   void draw_piece(std::size_t i, const std::vector<Point>& piece);
   void draw_bounds();
   void draw_marks();
-  void label_bound(const Bound& bound);
-  void label_mark(const Mark& mark);
+  void label_bound(const figure::Bound& bound);
+  void label_mark(const figure::Mark& mark);
   void label_level(const Level& level);
   void label_curves();
   [[nodiscard]] std::vector<Candidate> beside_curve(const DrawnCurve& drawn, double width) const;
   void draw_legend();
   [[nodiscard]] std::string description() const;
 
-  const Plot& plot_;
+  const figure::Plot& plot_;
   PlotFrame frame_;
   bool is_strip_;
   std::vector<DrawnCurve> curves_;
@@ -46,9 +46,9 @@ class PlotPicture {
   double height_;
 };
 
-PlotPicture::PlotPicture(const Plot& plot, const std::optional<Strip>& strip)
+PlotPicture::PlotPicture(const figure::Plot& plot, const std::optional<Strip>& strip)
     : plot_(plot), frame_(plot, strip), is_strip_(strip), labels_(frame_.area().grown(1.0)), height_(frame_.height()) {
-  for (const Curve& curve : plot.curves) curves_.push_back(drawn_curve(curve, frame_));
+  for (const figure::Curve& curve : plot.curves) curves_.push_back(drawn_curve(curve, frame_));
 }
 
 void PlotPicture::draw_piece(std::size_t i, const std::vector<Point>& piece) {
@@ -64,7 +64,7 @@ void PlotPicture::draw_piece(std::size_t i, const std::vector<Point>& piece) {
 }
 
 void PlotPicture::draw_bounds() {
-  for (const Bound& bound : plot_.bounds) {
+  for (const figure::Bound& bound : plot_.bounds) {
     const auto from = frame_.left_end(bound.y);
     if (!from) continue;
     const Point to{frame_.area().right, from->y};
@@ -73,7 +73,7 @@ void PlotPicture::draw_bounds() {
   }
 }
 
-void PlotPicture::label_bound(const Bound& bound) {
+void PlotPicture::label_bound(const figure::Bound& bound) {
   const auto end = frame_.left_end(bound.y);
   if (!end) return;
   const Text text = typeset(symbol(bound.label) + " " + frame_.y().quantity(bound.y));
@@ -89,7 +89,7 @@ void PlotPicture::label_bound(const Bound& bound) {
 }
 
 void PlotPicture::draw_marks() {
-  for (const Mark& mark : plot_.marks) {
+  for (const figure::Mark& mark : plot_.marks) {
     const auto dot = frame_.place(mark.x, mark.y);
     if (!dot) continue;
     canvas_.circle("solid", *dot, 3.2);
@@ -97,7 +97,7 @@ void PlotPicture::draw_marks() {
   }
 }
 
-void PlotPicture::label_mark(const Mark& mark) {
+void PlotPicture::label_mark(const figure::Mark& mark) {
   const auto dot = frame_.place(mark.x, mark.y);
   if (!dot) return;
   const std::string value = symbol(mark.label) + " " + frame_.y().quantity(mark.y);
@@ -177,18 +177,18 @@ void PlotPicture::draw_legend() {
 std::string PlotPicture::description() const {
   const Display &x = frame_.x(), &y = frame_.y();
   std::string text = say("{1} over {2}", plain(y.title(0)), plain(x.title(0))).text();
-  for (const Curve& curve : plot_.curves) {
+  for (const figure::Curve& curve : plot_.curves) {
     Extent seen;
     for (const double v : curve.y) seen.see(v);
     if (seen.empty()) continue;
     const std::string name = plain(curve.label.empty() ? plot_.y.symbol : curve.label);
     text += "; " + say("{1}: {2} to {3}", name, y.quantity(seen.range().low), y.quantity(seen.range().high)).text();
   }
-  for (const Mark& mark : plot_.marks) {
+  for (const figure::Mark& mark : plot_.marks) {
     if (!frame_.place(mark.x, mark.y)) continue;
     text += "; " + say("{1}: {2} at {3}", plain(mark.label), y.quantity(mark.y), x.quantity(mark.x)).text();
   }
-  for (const Bound& bound : plot_.bounds) {
+  for (const figure::Bound& bound : plot_.bounds) {
     if (frame_.left_end(bound.y)) text += "; " + say("{1}: {2}", plain(bound.label), y.quantity(bound.y)).text();
   }
   return text;
@@ -201,8 +201,8 @@ Picture PlotPicture::drawn() {
   }
   draw_bounds();
   draw_marks();
-  for (const Mark& mark : plot_.marks) label_mark(mark);
-  for (const Bound& bound : plot_.bounds) label_bound(bound);
+  for (const figure::Mark& mark : plot_.marks) label_mark(mark);
+  for (const figure::Bound& bound : plot_.bounds) label_bound(bound);
   for (const DrawnCurve& curve : curves_) {
     if (curve.levels.size() > most_levels) continue;  // a histogram
     for (const Level& level : curve.levels) label_level(level);
@@ -214,7 +214,7 @@ Picture PlotPicture::drawn() {
 
 }  // namespace
 
-Picture picture(const Plot& plot) { return PlotPicture(plot).drawn(); }
-Picture picture(const Plot& plot, const Strip& strip) { return PlotPicture(plot, strip).drawn(); }
+Picture picture(const figure::Plot& plot) { return PlotPicture(plot).drawn(); }
+Picture picture(const figure::Plot& plot, const Strip& strip) { return PlotPicture(plot, strip).drawn(); }
 
 }  // namespace loadpath::draw

@@ -7,6 +7,6 @@
 namespace loadpath::draw {
 
 /// In the place of the page that the strip has; the picture's height is where it ends.
-Picture picture(const Plot& plot, const Strip& strip);
+Picture picture(const figure::Plot& plot, const Strip& strip);
 
 }  // namespace loadpath::draw

@@ -31,7 +31,7 @@ std::vector<Point> drawable_points(const std::vector<Point>& points) {
   return kept;
 }
 
-std::vector<Sign> signs(const Scheme& scheme) {
+std::vector<Sign> signs(const figure::Scheme& scheme) {
   std::vector<Sign> all;
   const auto add = [&](const std::vector<Point>& points, double room) {
     for (const Point p : points) all.push_back({p, room});
@@ -81,8 +81,8 @@ double largest_scale(const std::vector<Sign>& signs, double first) {
 
 }  // namespace
 
-Scheme without_gaps(const Scheme& scheme) {
-  Scheme kept;
+figure::Scheme without_gaps(const figure::Scheme& scheme) {
+  figure::Scheme kept;
   for (const auto& body : scheme.bodies) kept.bodies.push_back({body.name, drawable_points(body.points)});
   for (const auto& path : scheme.paths)
     kept.paths.push_back({path.name, drawable_points(path.points), drawable_points(path.positions)});
@@ -137,7 +137,7 @@ std::vector<Sign> corners(const std::vector<Sign>& signs) {
 /// The largest arrow takes a fixed share of the drawing.
 constexpr double arrow_share = 0.25;
 
-Fit fit(std::vector<Sign> all, const std::vector<Scheme::Arrow>& arrows) {
+Fit fit(std::vector<Sign> all, const std::vector<figure::Scheme::Arrow>& arrows) {
   if (all.empty()) return {1.0, 1.0, {}, least_height};
   const double size = extent_in_metres(all);
   double strongest = 0.0;
@@ -157,24 +157,24 @@ Fit fit(std::vector<Sign> all, const std::vector<Scheme::Arrow>& arrows) {
 }
 
 /// A point of the still scheme at another frame.
-Point moved(const Motion& motion, Motion::Carried by, Point at, std::size_t frame) {
+Point moved(const figure::Motion& motion, figure::Motion::Carried by, Point at, std::size_t frame) {
   if (by.place < 0) return at;
   const auto& poses = motion.links[static_cast<std::size_t>(by.place)].poses;
-  const Motion::Pose &from = poses[motion.shown], &to = poses[frame];
+  const figure::Motion::Pose &from = poses[motion.shown], &to = poses[frame];
   const Point arm = at - from.at, e = along(to.phi - from.phi);
   return to.at + Point{e.x * arm.x - e.y * arm.y, e.y * arm.x + e.x * arm.y};
 }
 
 }  // namespace
 
-Fit fit(const Scheme& scheme) { return fit(signs(scheme), scheme.arrows); }
+Fit fit(const figure::Scheme& scheme) { return fit(signs(scheme), scheme.arrows); }
 
-Fit fit(const Motion& motion) {
+Fit fit(const figure::Motion& motion) {
   std::vector<Sign> all = signs(motion.still);
-  std::vector<Scheme::Arrow> arrows;
-  const Scheme& still = motion.still;
+  std::vector<figure::Scheme::Arrow> arrows;
+  const figure::Scheme& still = motion.still;
   for (std::size_t k = 0; k < motion.axis.si.size(); ++k) {
-    const auto add = [&](Motion::Carried by, Point at, double room) {
+    const auto add = [&](figure::Motion::Carried by, Point at, double room) {
       all.push_back({moved(motion, by, at, k), room});
     };
     for (std::size_t n = 0; n < still.bodies.size(); ++n) {

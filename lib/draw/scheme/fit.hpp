@@ -7,7 +7,7 @@
 namespace loadpath::draw {
 
 /// The scheme without gaps: points, forces and couples that were not computed or are zero.
-Scheme without_gaps(const Scheme& scheme);
+figure::Scheme without_gaps(const figure::Scheme& scheme);
 
 struct Fit {
   double scale = 1.0;   // view units per metre
@@ -17,15 +17,15 @@ struct Fit {
 
   [[nodiscard]] Point at(Point p) const { return {origin.x + scale * p.x, origin.y - scale * p.y}; }
   [[nodiscard]] Point back(Point view) const { return {(view.x - origin.x) / scale, (origin.y - view.y) / scale}; }
-  [[nodiscard]] Point tip(const Scheme::Arrow& arrow) const {
+  [[nodiscard]] Point tip(const figure::Scheme::Arrow& arrow) const {
     return at(arrow.at) + newton * Point{arrow.force.x, -arrow.force.y};
   }
 };
 
 /// The largest drawing with equal scales in x and y that holds all signs and a quarter of its size for the largest
 /// force.
-Fit fit(const Scheme& scheme);
+Fit fit(const figure::Scheme& scheme);
 /// The same for all positions of a scheme that moves.
-Fit fit(const Motion& motion);
+Fit fit(const figure::Motion& motion);
 
 }  // namespace loadpath::draw

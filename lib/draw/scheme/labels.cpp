@@ -11,12 +11,12 @@ namespace loadpath::draw {
 
 static std::string rounded(double v) { return format_number(std::round(100.0 * v) / 100.0); }
 
-std::string SchemePicture::text_of(Motion::Carried by, Point anchor) {
+std::string SchemePicture::text_of(figure::Motion::Carried by, Point anchor) {
   return std::to_string(by.place) + " " + std::to_string(by.turn) + " " + rounded(anchor.x) + " " + rounded(anchor.y);
 }
 
-std::string SchemePicture::text_of(Motion::Between by, Point from, Point to) {
-  return text_of(Motion::Carried{by.from, by.to}, from) + " " + rounded(to.x) + " " + rounded(to.y);
+std::string SchemePicture::text_of(figure::Motion::Between by, Point from, Point to) {
+  return text_of(figure::Motion::Carried{by.from, by.to}, from) + " " + rounded(to.x) + " " + rounded(to.y);
 }
 
 void SchemePicture::label_points() {
@@ -28,9 +28,9 @@ void SchemePicture::label_points() {
     carried({by, -1}, fit_.back(place.centre()), [&] { canvas_.centred_text("halo", place, typeset(text)); });
   };
   for (std::size_t n = 0; n < scheme_.joints.size(); ++n)
-    name(scheme_.joints[n].name, scheme_.joints[n].at, pin_radius + 2.5, carrier(&Motion::joints, n).place);
+    name(scheme_.joints[n].name, scheme_.joints[n].at, pin_radius + 2.5, carrier(&figure::Motion::joints, n).place);
   for (std::size_t n = 0; n < scheme_.points.size(); ++n)
-    name(scheme_.points[n].name, scheme_.points[n].at, 5.0, carrier(&Motion::points, n).place);
+    name(scheme_.points[n].name, scheme_.points[n].at, 5.0, carrier(&figure::Motion::points, n).place);
 }
 
 void SchemePicture::label_forces() {
@@ -103,8 +103,8 @@ std::string SchemePicture::description() const {
   const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   for (const auto& body : scheme_.bodies) add(say("link {1}", plain(body.name)).text());
   for (const auto& joint : scheme_.joints) {
-    const bool slider = joint.pin == Scheme::Pin::slider;
-    const bool welded = joint.pin == Scheme::Pin::welded;
+    const bool slider = joint.pin == figure::Scheme::Pin::slider;
+    const bool welded = joint.pin == figure::Scheme::Pin::welded;
     if (joint.name.empty()) continue;
     add(say(slider        ? "slider {1}"
             : welded      ? "weld {1}"

@@ -6,7 +6,7 @@
 
 namespace loadpath::draw {
 
-std::vector<Point> SchemePicture::outline(const Scheme::Body& body) const {
+std::vector<Point> SchemePicture::outline(const figure::Scheme::Body& body) const {
   std::vector<Point> points;
   for (const Point p : body.points) points.push_back(at(p));
   return convex_hull(points);
@@ -21,7 +21,7 @@ void SchemePicture::draw_guides() {
       const Point below = (0.5 * block_width + 1.0) * across(unit(to - from));
       from = from + below, to = to + below;
     }
-    carried(carrier(&Motion::guides, n), guide.from, [&, from = from, to = to] {
+    carried(carrier(&figure::Motion::guides, n), guide.from, [&, from = from, to = to] {
       canvas_.line(guide.fixed ? "outline" : "rail", from, to);
       if (guide.fixed) hatch(canvas_, from, to);
     });
@@ -53,7 +53,7 @@ void SchemePicture::draw_bodies() {
 }
 
 /// Downwards, or the side that is freest of links and forces.
-Point SchemePicture::support_direction(const Scheme::Joint& joint) const {
+Point SchemePicture::support_direction(const figure::Scheme::Joint& joint) const {
   struct Side {
     Point direction;
     double reluctance;
@@ -84,10 +84,10 @@ Point SchemePicture::support_direction(const Scheme::Joint& joint) const {
 void SchemePicture::draw_supports() {
   for (std::size_t n = 0; n < scheme_.joints.size(); ++n) {
     const auto& joint = scheme_.joints[n];
-    if (joint.pin == Scheme::Pin::slider) {
-      carried(carrier(&Motion::joints, n), joint.at, [&] { draw_block(joint); });
-    } else if (joint.pin == Scheme::Pin::welded) {
-      carried(carrier(&Motion::joints, n), joint.at, [&] { draw_weld(joint); });
+    if (joint.pin == figure::Scheme::Pin::slider) {
+      carried(carrier(&figure::Motion::joints, n), joint.at, [&] { draw_block(joint); });
+    } else if (joint.pin == figure::Scheme::Pin::welded) {
+      carried(carrier(&figure::Motion::joints, n), joint.at, [&] { draw_weld(joint); });
     } else if (joint.fixed) {
       const Point direction = support_direction(joint);
       support(canvas_, at(joint.at), direction);
@@ -96,24 +96,25 @@ void SchemePicture::draw_supports() {
   }
 }
 
-bool SchemePicture::lies_on(Point p, const Scheme::Guide& guide) const {
+bool SchemePicture::lies_on(Point p, const figure::Scheme::Guide& guide) const {
   return std::fabs(cross(unit(at(guide.to) - at(guide.from)), at(p) - at(guide.from))) < 1.0;
 }
 
-bool SchemePicture::carries_block(const Scheme::Guide& guide) const {
-  return std::any_of(scheme_.joints.begin(), scheme_.joints.end(), [&](const Scheme::Joint& joint) {
-    return joint.pin == Scheme::Pin::slider && lies_on(joint.at, guide);
+bool SchemePicture::carries_block(const figure::Scheme::Guide& guide) const {
+  return std::any_of(scheme_.joints.begin(), scheme_.joints.end(), [&](const figure::Scheme::Joint& joint) {
+    return joint.pin == figure::Scheme::Pin::slider && lies_on(joint.at, guide);
   });
 }
 
-void SchemePicture::draw_block(const Scheme::Joint& joint) {
+void SchemePicture::draw_block(const figure::Scheme::Joint& joint) {
   const double angle = std::isfinite(joint.angle) ? joint.angle : 0.0;
   Point direction{std::cos(angle), -std::sin(angle)};
   if (direction.x < 0.0) direction = -1.0 * direction;
   const Point centre = at(joint.at);
   const auto corners = block(centre, direction);
-  const bool guided = std::any_of(scheme_.guides.begin(), scheme_.guides.end(),
-                                  [&](const Scheme::Guide& guide) { return guide.fixed && lies_on(joint.at, guide); });
+  const bool guided =
+      std::any_of(scheme_.guides.begin(), scheme_.guides.end(),
+                  [&](const figure::Scheme::Guide& guide) { return guide.fixed && lies_on(joint.at, guide); });
   if (joint.fixed && !guided) {
     const Point below = centre + (0.5 * block_width + 1.0) * across(direction), half = 1.3 * block_length * direction;
     canvas_.line("outline", below - half, below + half);
@@ -127,14 +128,14 @@ void SchemePicture::draw_block(const Scheme::Joint& joint) {
 void SchemePicture::draw_pins() {
   for (std::size_t n = 0; n < scheme_.joints.size(); ++n) {
     const auto& joint = scheme_.joints[n];
-    const Motion::Carried by{carrier(&Motion::joints, n).place, -1};
-    if (joint.pin == Scheme::Pin::revolute)
+    const figure::Motion::Carried by{carrier(&figure::Motion::joints, n).place, -1};
+    if (joint.pin == figure::Scheme::Pin::revolute)
       carried(by, joint.at, [&] { canvas_.circle("pin", at(joint.at), pin_radius); });
     labels_.keep_off(Box::around(at(joint.at), 2.0 * pin_radius, 2.0 * pin_radius));
   }
   for (std::size_t n = 0; n < scheme_.points.size(); ++n) {
     const Point place = scheme_.points[n].at;
-    carried(carrier(&Motion::points, n), place, [&] { canvas_.circle("solid", at(place), 3.0); });
+    carried(carrier(&figure::Motion::points, n), place, [&] { canvas_.circle("solid", at(place), 3.0); });
     labels_.keep_off(Box::around(at(place), 7.0, 7.0));
   }
 }
@@ -142,7 +143,7 @@ void SchemePicture::draw_pins() {
 /// The direction free for the arc of a couple: at the support of its joint.
 Point SchemePicture::couple_opening(Point p) const {
   for (const auto& joint : scheme_.joints) {
-    const bool supported = joint.fixed && joint.pin == Scheme::Pin::revolute;
+    const bool supported = joint.fixed && joint.pin == figure::Scheme::Pin::revolute;
     if (supported && length(at(joint.at) - at(p)) < 1.0) return support_direction(joint);
   }
   return {0.0, 1.0};
@@ -199,11 +200,11 @@ Picture SchemePicture::drawn() {
   return {std::move(canvas_), fit_.height, description()};
 }
 
-Picture picture(const Scheme& scheme) {
-  const Scheme kept = without_gaps(scheme);
+Picture picture(const figure::Scheme& scheme) {
+  const figure::Scheme kept = without_gaps(scheme);
   return SchemePicture(kept, fit(kept)).drawn();
 }
 
-Picture picture(const Motion& motion) { return picture(motion.still); }
+Picture picture(const figure::Motion& motion) { return picture(motion.still); }
 
 }  // namespace loadpath::draw

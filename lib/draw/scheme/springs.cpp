@@ -15,13 +15,13 @@ void SchemePicture::draw_springs() {
   }
   for (std::size_t n = 0; n < scheme_.coils.size(); ++n) {
     const auto& c = scheme_.coils[n];
-    carried(carrier(&Motion::coils, n), c.at, [&] { coil(canvas_, at(c.at), c.pulls); });
+    carried(carrier(&figure::Motion::coils, n), c.at, [&] { coil(canvas_, at(c.at), c.pulls); });
     labels_.keep_off(ring(at(c.at), coil_radius), 2.0);
   }
 }
 
 /// From a joint along its links to their other points, in view units; a link's first one is enough.
-std::vector<Point> SchemePicture::directions_at(const Scheme::Joint& joint) const {
+std::vector<Point> SchemePicture::directions_at(const figure::Scheme::Joint& joint) const {
   std::vector<Point> directions;
   for (const auto& body : scheme_.bodies) {
     const auto near = [&](Point p) { return length(at(p) - at(joint.at)) < 1.0; };
@@ -32,7 +32,7 @@ std::vector<Point> SchemePicture::directions_at(const Scheme::Joint& joint) cons
   return directions;
 }
 
-void SchemePicture::draw_weld(const Scheme::Joint& joint) {
+void SchemePicture::draw_weld(const figure::Scheme::Joint& joint) {
   const std::vector<Point> directions = directions_at(joint);
   const Point between{std::cos(joint.angle), -std::sin(joint.angle)};
   Point first = between, second = between;  // directions of the links joined here, those with the weld between them
@@ -62,7 +62,7 @@ void SchemePicture::label_springs() {
   for (std::size_t n = 0; n < scheme_.coils.size(); ++n) {
     const auto& c = scheme_.coils[n];
     const Text text = typeset(c.name);
-    carried({carrier(&Motion::coils, n).place, -1}, c.at,
+    carried({carrier(&figure::Motion::coils, n).place, -1}, c.at,
             [&] { label("quiet halo", around(at(c.at), coil_radius + 2.0, width(text, text_size)), text); });
   }
 }

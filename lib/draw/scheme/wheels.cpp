@@ -8,7 +8,7 @@ namespace {
 using Span = std::pair<Point, Point>;
 
 /// The two straight spans of a belt between its wheels, in the plane of the mechanism.
-std::vector<Span> spans(const Scheme::Belt& belt) {
+std::vector<Span> spans(const figure::Scheme::Belt& belt) {
   const Point apart = belt.to - belt.from;
   const double distance = length(apart), sense = belt.crossed ? -1.0 : 1.0;
   const double sine = (belt.radius_from - sense * belt.radius_to) / distance;
@@ -38,7 +38,7 @@ void SchemePicture::draw_racks() {
     const auto& rack = scheme_.racks[n];
     const Point from = at(rack.from), to = at(rack.to);
     const Point away = (rack.left ? 1.0 : -1.0) * across(unit(to - from));  // the page counts downwards
-    carried(carrier(&Motion::racks, n), rack.from, [&] {
+    carried(carrier(&figure::Motion::racks, n), rack.from, [&] {
       if (rack.toothed) canvas_.line("centre", from, to);
       const Point shift = (rack.toothed ? 4.0 : 0.0) * away;
       canvas_.line("outline", from + shift, to + shift);
@@ -48,7 +48,7 @@ void SchemePicture::draw_racks() {
   }
 }
 
-void SchemePicture::draw_wheel(const Scheme::Wheel& wheel) {
+void SchemePicture::draw_wheel(const figure::Scheme::Wheel& wheel) {
   const Point centre = at(wheel.at);
   const double radius = fit_.scale * std::fabs(wheel.radius);
   canvas_.circle("wheel", centre, radius);
@@ -62,7 +62,7 @@ void SchemePicture::draw_outlines() {
     const auto& outline = scheme_.outlines[n];
     std::vector<Point> points;
     for (const Point p : outline.points) points.push_back(at(p));
-    carried(carrier(&Motion::outlines, n), outline.at, [&] { canvas_.polygon("wheel", points); });
+    carried(carrier(&figure::Motion::outlines, n), outline.at, [&] { canvas_.polygon("wheel", points); });
     labels_.keep_off(points, 2.0);
   }
 }
@@ -70,7 +70,7 @@ void SchemePicture::draw_outlines() {
 void SchemePicture::draw_wheels() {
   for (std::size_t n = 0; n < scheme_.wheels.size(); ++n) {
     const auto& wheel = scheme_.wheels[n];
-    carried(carrier(&Motion::wheels, n), wheel.at, [&] { draw_wheel(wheel); });
+    carried(carrier(&figure::Motion::wheels, n), wheel.at, [&] { draw_wheel(wheel); });
     labels_.keep_off(ring(at(wheel.at), fit_.scale * std::fabs(wheel.radius)), 2.0, 0.6);
   }
 }

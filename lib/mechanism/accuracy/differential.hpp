@@ -15,6 +15,8 @@
 
 namespace loadpath::mechanism {
 
+using numerics::Dual;
+
 class Differential {
  public:
   /// The instant must outlive this.
@@ -65,7 +67,7 @@ class Differential {
   std::vector<BasicInducedMode<Dual>> modes_;
   std::vector<Dual> amounts_, induced_amounts_;
   std::vector<double> change_;
-  SmallLu induction_;
+  numerics::SmallLu induction_;
 
   // In SI units.
   std::vector<BasicPose<Dual>> poses_, velocities_, accelerations_;

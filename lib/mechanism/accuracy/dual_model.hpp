@@ -6,6 +6,8 @@
 
 namespace loadpath::mechanism {
 
+using numerics::Dual;
+
 /// The same, its numbers as constants.
 BasicModel<Dual> as_dual(const Model& model);
 

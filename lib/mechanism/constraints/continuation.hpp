@@ -27,7 +27,7 @@ class Continuation {
   [[nodiscard]] std::span<const double> q() const { return q_; }
   [[nodiscard]] std::span<const double> drives() const { return held_; }
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
-  [[nodiscard]] SparseLu& factors() { return factors_; }
+  [[nodiscard]] numerics::SparseLu& factors() { return factors_; }
   [[nodiscard]] Gap gap() const { return gap_; }
 
  private:
@@ -47,7 +47,7 @@ class Continuation {
   Status give_up(double reached, std::span<const double> goal);
 
   Constraints constraints_;
-  SparseLu factors_;
+  numerics::SparseLu factors_;
   std::vector<double> q_, base_, start_;
   std::vector<double> first_, second_;  // derivatives along the rest of a move
   std::vector<double> newton_;

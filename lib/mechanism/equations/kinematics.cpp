@@ -7,6 +7,9 @@
 #include <cmath>
 
 namespace loadpath::mechanism {
+
+using numerics::Dual;
+
 namespace {
 
 constexpr std::size_t discarded = 0;

@@ -47,7 +47,7 @@ class BasicConstraints {
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] std::size_t columns() const { return 3 * ground_; }
   [[nodiscard]] std::size_t first_driver_row() const { return rows_ - drives().size(); }
-  [[nodiscard]] std::span<const MatrixEntry> pattern() const { return std::span(pattern_).subspan(1); }
+  [[nodiscard]] std::span<const numerics::MatrixEntry> pattern() const { return std::span(pattern_).subspan(1); }
 
   /// Goes to these coordinates; `targets`: required coordinates of the drivers.
   void place(std::span<const Scalar> q, std::span<const Scalar> targets);
@@ -79,7 +79,7 @@ class BasicConstraints {
   std::size_t rows_ = 0;
   std::vector<BasicPair<Scalar>> pairs_;  // joints, then drives
   std::vector<BasicPlaced<Scalar>> placed_;
-  std::vector<MatrixEntry> pattern_;  // the first takes the ground's values, and is not an entry
+  std::vector<numerics::MatrixEntry> pattern_;  // the first takes the ground's values, and is not an entry
   std::vector<Scalar> jacobian_, residual_;
 };
 using Constraints = BasicConstraints<double>;

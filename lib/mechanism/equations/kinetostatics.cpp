@@ -4,6 +4,9 @@
 #include "lib/numerics/dual.hpp"
 
 namespace loadpath::mechanism {
+
+using numerics::Dual;
+
 namespace {
 
 template <class Scalar>
@@ -77,7 +80,7 @@ void share_out(const BasicModel<Scalar>& model, const BasicConstraints<Scalar>& 
       reaction.couple += length * multiplier * pair.at.rows[r].m;
     }
     reaction.at = length * pair.at.at;
-    reaction.touch = value_of(pair.at.touch.parameter);
+    reaction.touch = numerics::value_of(pair.at.touch.parameter);
   }
   const auto efforts = multipliers.subspan(constraints.first_driver_row());
   for (std::size_t k = 0; k < effort.size(); ++k) {

@@ -29,7 +29,7 @@ InducedForces::InducedForces(const Model& model) : model_(model), size_(characte
   for (auto* x : {&amounts_, &induced_, &before_}) x->resize(modes_.size());
   for (auto* x : {&free_, &by_, &moved_}) x->resize(sources_.size());
   influences_.resize(modes_.size() * sources_.size());
-  newton_ = SmallLu(modes_.size());
+  newton_ = numerics::SmallLu(modes_.size());
 }
 
 void InducedForces::start(const Position& at, Resting resting) {

@@ -87,7 +87,7 @@ class InducedForces {
   std::vector<Reaction> free_, by_, moved_;  // by source: at zero, at these, at neighbouring amounts
   std::vector<Reaction> influences_;         // per mode, the effect of a unit amount on each source
   double scale_ = 0.0;                       // N, of the reactions
-  SmallLu newton_{0};
+  numerics::SmallLu newton_{0};
   double size_ = 1.0;  // size of the mechanism, m
   bool some_rest_ = false;
   int parts_ = 1;  // in which friction grows

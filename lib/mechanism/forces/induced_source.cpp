@@ -8,6 +8,9 @@
 #include <cmath>
 
 namespace loadpath::mechanism {
+
+using numerics::Dual;
+
 namespace {
 
 using std::abs, std::copysign, std::sqrt, std::tan;
@@ -125,7 +128,7 @@ void induce_in_slot(const BasicJoint<Scalar>& joint, const BasicInducedSource<Sc
                     const BasicReaction<Scalar>& by, double share, std::span<std::type_identity_t<Scalar>> amount) {
   const Scalar pressing = dot(by.force, normal(source.place.along));
   const Scalar arm = sign(pressing) * joint.friction.pin_radius;
-  const double sense = sign(source.tendency.sliding + value_of(arm) * source.tendency.turning);
+  const double sense = sign(source.tendency.sliding + numerics::value_of(arm) * source.tendency.turning);
   amount[0] = -sense * share * joint.friction.coefficient * abs(pressing) -
               share * joint.friction.viscous * (source.sliding + arm * source.turning);
   amount[1] = arm * amount[0];

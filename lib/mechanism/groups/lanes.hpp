@@ -3,17 +3,10 @@
 #pragma once
 
 #include "lib/mechanism/model/vec.hpp"
+#include "lib/simd/attributes.hpp"
 
 #include <array>
 #include <cstddef>
-
-#if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__) && defined(__OPTIMIZE__) && \
-    !defined(__SANITIZE_ADDRESS__)
-/// A loop over lanes: fully inlined, and compiled for wide registers too; the CPU decides at startup.
-#define LOADPATH_LANES __attribute__((flatten, target_clones("default", "arch=x86-64-v3")))
-#else
-#define LOADPATH_LANES
-#endif
 
 namespace loadpath::mechanism {
 
@@ -40,13 +33,10 @@ struct TurnLanes {
   }
 };
 
-/// Applies a function to each lane. Its stores reach no other lane; unrolled first it would not be vectorised.
+/// Applies a function to each lane. Its stores reach no other lane.
 template <std::size_t Count, class OfLane>
 inline void each_lane(OfLane of_lane) {
-#if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC ivdep
-#pragma GCC unroll 1
-#endif
+  LOADPATH_LANEWISE
   for (std::size_t lane = 0; lane < Count; ++lane) of_lane(lane);
 }
 

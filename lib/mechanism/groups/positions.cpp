@@ -341,7 +341,7 @@ bool GroupPositions::factor() {
 
 bool GroupPositions::factor(std::size_t g) {
   const GroupPlan& group = plan_.groups[g];
-  SmallLu& loops = loops_[g];
+  numerics::SmallLu& loops = loops_[g];
   if (loops.size() == 0) return true;
   loops.clear();
   for (std::size_t k = group.first_cut; k < group.last_cut; ++k) {

@@ -62,7 +62,7 @@ class GroupPositions {
   [[nodiscard]] const Hung& hung(std::size_t tree) const { return hung_[tree]; }
   [[nodiscard]] const CutPlace& cut(std::size_t k) const { return cuts_[k]; }
   /// The closing equations of a group: rows by its cuts, columns by its unknown coordinates.
-  [[nodiscard]] SmallLu& loops(std::size_t group) { return loops_[group]; }
+  [[nodiscard]] numerics::SmallLu& loops(std::size_t group) { return loops_[group]; }
 
  private:
   void place(std::size_t tree);
@@ -102,9 +102,9 @@ class GroupPositions {
   std::vector<Placed> links_;
   std::vector<Hung> hung_;
   std::vector<CutPlace> cuts_;
-  std::vector<double> branch_;  // sides of groups
-  std::vector<SmallLu> loops_;  // equations of groups
-  std::vector<double> target_;  // coordinates of drives
+  std::vector<double> branch_;            // sides of groups
+  std::vector<numerics::SmallLu> loops_;  // equations of groups
+  std::vector<double> target_;            // coordinates of drives
   std::vector<double> step_;
   double least_sine_ = 0.0;
   double change_ = 0.0;  // change of the drives, in a move

@@ -81,7 +81,7 @@ double GroupInverse::norm_of_inverse() {
       find_motion(rates_, probe_, g);
       double sum = 0.0;
       for (const double x : probe_) sum += std::abs(x);
-      most = larger_magnitude(most, sum);
+      most = numerics::larger_magnitude(most, sum);
     }
   }
   return most;
@@ -96,7 +96,7 @@ double GroupInverse::estimated_norm_of_inverse() {
     std::ranges::copy(x, rates_.begin());
     find_supply(rates_, x);
   };
-  return estimated_inverse_norm(probe_, motion, supply);
+  return numerics::estimated_inverse_norm(probe_, motion, supply);
 }
 
 // The largest sum of a column.
@@ -106,7 +106,7 @@ double GroupInverse::norm() {
     probe_[static_cast<std::size_t>(pattern_[n].column)] += std::abs(jacobian_[n]);
   }
   double most = 0.0;
-  for (const double sum : probe_) most = larger_magnitude(most, sum);
+  for (const double sum : probe_) most = numerics::larger_magnitude(most, sum);
   return most;
 }
 

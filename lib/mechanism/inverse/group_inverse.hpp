@@ -38,7 +38,7 @@ class GroupInverse {
  private:
   struct Block {
     explicit Block(std::size_t size) : inverse(size), motions(size * size) {}
-    DenseInverse inverse;
+    numerics::DenseInverse inverse;
     std::vector<double> motions;  // motions of the group's links for each of its rows
   };
 
@@ -47,7 +47,7 @@ class GroupInverse {
   [[nodiscard]] double estimated_norm_of_inverse();
 
   std::vector<GroupRows> groups_;
-  std::vector<MatrixEntry> pattern_;
+  std::vector<numerics::MatrixEntry> pattern_;
   std::vector<double> jacobian_;
   std::vector<Block> blocks_;
   std::vector<double> probe_, rates_;

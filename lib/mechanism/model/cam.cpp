@@ -3,17 +3,20 @@
 #include "lib/numerics/dual.hpp"
 
 namespace loadpath::mechanism {
+
+using numerics::Dual;
+
 namespace {
 
 template <class Scalar>
 Vec value_of(const BasicVec<Scalar>& v) {
-  return {loadpath::value_of(v.x), loadpath::value_of(v.y)};
+  return {numerics::value_of(v.x), numerics::value_of(v.y)};
 }
 
 /// The nearest point of the curve: found in numbers; one step more brings the derivatives.
 template <class Scalar>
 BasicCurvePoint<Scalar> nearest(const Profile& profile, BasicVec<Scalar> pin, Scalar& parameter) {
-  parameter = profile.nearest(value_of(pin), loadpath::value_of(parameter));
+  parameter = profile.nearest(value_of(pin), numerics::value_of(parameter));
   BasicCurvePoint<Scalar> on = profile.at(parameter);
   if constexpr (!std::is_same_v<Scalar, double>) {
     const BasicVec<Scalar> away = pin - on.at;
@@ -26,7 +29,7 @@ BasicCurvePoint<Scalar> nearest(const Profile& profile, BasicVec<Scalar> pin, Sc
 /// The point of the curve with this normal direction, likewise.
 template <class Scalar>
 BasicCurvePoint<Scalar> facing(const Profile& profile, BasicVec<Scalar> out, Scalar& parameter) {
-  parameter = profile.facing(value_of(out), loadpath::value_of(parameter));
+  parameter = profile.facing(value_of(out), numerics::value_of(parameter));
   BasicCurvePoint<Scalar> on = profile.at(parameter);
   if constexpr (!std::is_same_v<Scalar, double>) {
     parameter += cross(outward(on.tangent), out) / on.turning;

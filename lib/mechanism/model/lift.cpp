@@ -8,6 +8,9 @@
 #include <numbers>
 
 namespace loadpath::mechanism {
+
+using numerics::Dual;
+
 namespace {
 
 using std::cos, std::sin;
@@ -17,7 +20,7 @@ using std::numbers::pi;
 template <class Scalar>
 BasicLift<Scalar> modified_sine(Scalar x) {
   constexpr double part = 1.0 / (4.0 + pi);
-  if (value_of(x) < 0.125) {
+  if (numerics::value_of(x) < 0.125) {
     const Scalar wave = 4.0 * pi * x;
     return {part * (pi * x - 0.25 * sin(wave)), part * pi * (1.0 - cos(wave)), part * 4.0 * pi * pi * sin(wave)};
   }
@@ -29,11 +32,11 @@ BasicLift<Scalar> modified_sine(Scalar x) {
 template <class Scalar>
 BasicLift<Scalar> modified_trapezoid(Scalar x) {
   constexpr double part = 1.0 / (2.0 + pi);
-  if (value_of(x) < 0.125) {
+  if (numerics::value_of(x) < 0.125) {
     const Scalar wave = 4.0 * pi * x;
     return {part * (2.0 * x - sin(wave) / whole_turn), part * 2.0 * (1.0 - cos(wave)), part * 8.0 * pi * sin(wave)};
   }
-  if (value_of(x) < 0.375) {
+  if (numerics::value_of(x) < 0.375) {
     const Scalar past = x - 0.125;
     return {part * (4.0 * pi * past * past + 2.0 * x - 1.0 / whole_turn), part * (8.0 * pi * past + 2.0),
             Scalar(part * 8.0 * pi)};
@@ -46,7 +49,7 @@ BasicLift<Scalar> modified_trapezoid(Scalar x) {
 /// A law whose second half is its first in reverse.
 template <class Scalar, class Half>
 BasicLift<Scalar> there_and_back(Scalar x, Half half) {
-  if (value_of(x) <= 0.5) return half(x);
+  if (numerics::value_of(x) <= 0.5) return half(x);
   const BasicLift<Scalar> back = half(Scalar(1.0 - x));
   return {1.0 - back.s, back.first, -back.second};
 }
@@ -97,10 +100,10 @@ BasicLift<Scalar> Lift::of(const Piece& piece, Scalar angle) {
 
 template <class Scalar>
 BasicLift<Scalar> Lift::at(Scalar angle) const {
-  const double turns = std::floor(value_of(angle) / whole_turn);
+  const double turns = std::floor(numerics::value_of(angle) / whole_turn);
   const Scalar within = angle - whole_turn * turns;
   auto piece = pieces_.begin();
-  while (piece + 1 != pieces_.end() && value_of(within) >= (piece + 1)->start) ++piece;
+  while (piece + 1 != pieces_.end() && numerics::value_of(within) >= (piece + 1)->start) ++piece;
   return of<Scalar>(*piece, within);
 }
 

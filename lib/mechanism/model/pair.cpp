@@ -7,6 +7,9 @@
 #include <cmath>
 
 namespace loadpath::mechanism {
+
+using numerics::Dual;
+
 namespace {
 
 using std::atan2, std::copysign, std::round, std::sqrt;

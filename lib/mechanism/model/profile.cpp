@@ -8,6 +8,9 @@
 #include <vector>
 
 namespace loadpath::mechanism {
+
+using numerics::Dual;
+
 namespace {
 
 using std::cos, std::sin, std::sqrt;

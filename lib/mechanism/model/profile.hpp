@@ -79,12 +79,12 @@ struct Circle {
 class SplineCurve {
  public:
   explicit SplineCurve(std::span<const Vec> points);
-  [[nodiscard]] const PeriodicSpline& x() const { return x_; }
-  [[nodiscard]] const PeriodicSpline& y() const { return y_; }
+  [[nodiscard]] const numerics::PeriodicSpline& x() const { return x_; }
+  [[nodiscard]] const numerics::PeriodicSpline& y() const { return y_; }
 
  private:
   SplineCurve(std::span<const Vec> points, std::span<const double> parameters);
-  PeriodicSpline x_, y_;
+  numerics::PeriodicSpline x_, y_;
 };
 
 class Profile {

@@ -9,6 +9,8 @@
 
 namespace loadpath::mechanism {
 
+using numerics::Dual;
+
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();

@@ -17,7 +17,7 @@ class AllEquations {
  private:
   void supply(const ActiveForce& active);
 
-  SparseLu factors_;
+  numerics::SparseLu factors_;
   std::vector<double> velocity_, acceleration_, unknowns_;
 };
 

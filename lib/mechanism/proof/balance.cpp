@@ -42,8 +42,8 @@ class Balance {
     left.links.reserve(sums_.size());
     for (const Sum& sum : sums_) {
       left.links.push_back({length(sum.force), std::abs(sum.moment)});
-      left.force = larger_magnitude(left.force, left.links.back().force);
-      left.moment = larger_magnitude(left.moment, left.links.back().moment);
+      left.force = numerics::larger_magnitude(left.force, left.links.back().force);
+      left.moment = numerics::larger_magnitude(left.moment, left.links.back().moment);
     }
     return left;
   }

@@ -13,7 +13,7 @@ Forces blank_forces(const Model& model) {
 
 double difference(const Reaction& a, const Reaction& b, double length) {
   const double moment = b.couple + cross(b.at - a.at, b.force) - a.couple;
-  return larger_magnitude(mechanism::length(b.force - a.force), moment / length);
+  return numerics::larger_magnitude(mechanism::length(b.force - a.force), moment / length);
 }
 
 }  // namespace loadpath::mechanism

@@ -17,13 +17,13 @@ void flatten(std::span<const Pose> poses, double length, std::span<double> flat)
 
 double largest(std::span<const double> values) {
   double most = 0.0;
-  for (const double x : values) most = larger_magnitude(most, x);
+  for (const double x : values) most = numerics::larger_magnitude(most, x);
   return most;
 }
 
 /// The error of J x - right, which replaces `right`, relative to the largest value of both and `scale`.
 double error(const Constraints& constraints, std::span<const double> x, std::span<double> right, double scale) {
-  scale = larger_magnitude(larger_magnitude(scale, largest(x)), largest(right));
+  scale = numerics::larger_magnitude(numerics::larger_magnitude(scale, largest(x)), largest(right));
   const auto pattern = constraints.pattern();
   for (std::size_t n = 0; n < pattern.size(); ++n) {
     right[static_cast<std::size_t>(pattern[n].row)] -=
@@ -51,14 +51,14 @@ double MotionProof::residual(const Instant& instant, std::span<const Drive> driv
   double most = largest(constraints.residual().first(first));
   for (std::size_t k = 0; k < drives.size(); ++k) {
     const double unit = instant.virtual_rate(k);
-    most = larger_magnitude(most, constraints.coordinate(k) - drives[k].coordinate / unit);
+    most = numerics::larger_magnitude(most, constraints.coordinate(k) - drives[k].coordinate / unit);
     rate_[first + k] = drives[k].speed / unit;
     rate_change_[first + k] += drives[k].acceleration / unit;
   }
   // Centripetal accelerations may cancel, but still determine the rounding error.
   const double centripetal = largest(velocity_) * largest(velocity_);
-  most = larger_magnitude(most, error(constraints, velocity_, rate_, 0.0));
-  return larger_magnitude(most, error(constraints, acceleration_, rate_change_, centripetal));
+  most = numerics::larger_magnitude(most, error(constraints, velocity_, rate_, 0.0));
+  return numerics::larger_magnitude(most, error(constraints, acceleration_, rate_change_, centripetal));
 }
 
 }  // namespace loadpath::mechanism

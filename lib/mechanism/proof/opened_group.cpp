@@ -54,7 +54,7 @@ OpenedGroup::OpenedGroup(const Instant& instant, const GroupRows& group)
   for (std::size_t n = rows_ - group.drivers.size(); n < rows_; ++n) unknowns_.push_back(n);
   const std::size_t size = unknowns_.size();
   on_part_.resize(links_ * (size + 1));
-  inverse_ = DenseInverse(size);
+  inverse_ = numerics::DenseInverse(size);
   moments_.resize(size * size);
   active_moments_.resize(size);
   forces_.resize(size);

@@ -74,7 +74,7 @@ class OpenedGroup {
   std::vector<Acting> on_part_;  // on each link and all beyond it: of a unit of each unknown; then active
 
   // An equation for each freedom of the tree; a column for each unknown.
-  DenseInverse inverse_;
+  numerics::DenseInverse inverse_;
   std::vector<double> moments_, active_moments_;
   std::vector<double> forces_;  // the unknowns, N
 };

@@ -49,7 +49,7 @@ void Prover::compare(Proof::Method method, Proof& proof) const {
   double& most = proof.disagreement[method];
   for (std::size_t k = 0; k < at.reactions.size(); ++k) {
     const Reaction found = forces_.reactions[k] + instant_.beside_constraints(k);
-    most = larger_magnitude(most, difference(at.reactions[k], found, instant_.length()));
+    most = numerics::larger_magnitude(most, difference(at.reactions[k], found, instant_.length()));
   }
   for (std::size_t k = 0; k < at.effort.size(); ++k) compare_effort(method, k, forces_.effort[k], proof);
 }
@@ -57,19 +57,19 @@ void Prover::compare(Proof::Method method, Proof& proof) const {
 void Prover::compare_effort(Proof::Method method, std::size_t driver, double effort, Proof& proof) const {
   const double off = effort - instant_.at().effort[driver];
   double& most = proof.disagreement[method];
-  most = larger_magnitude(most, off / instant_.effort_arm(driver));
+  most = numerics::larger_magnitude(most, off / instant_.effort_arm(driver));
 }
 
 double Prover::largest_force(const Position& at) const {
   double most = 0.0;
   for (const Reaction& r : at.reactions) {
-    most = larger_magnitude(larger_magnitude(most, length(r.force)), r.couple / instant_.length());
+    most = numerics::larger_magnitude(numerics::larger_magnitude(most, length(r.force)), r.couple / instant_.length());
   }
   for (std::size_t k = 0; k < at.effort.size(); ++k) {
-    most = larger_magnitude(most, at.effort[k] / instant_.effort_arm(k));
+    most = numerics::larger_magnitude(most, at.effort[k] / instant_.effort_arm(k));
   }
   for (const ActiveForce& a : instant_.active()) {
-    most = larger_magnitude(larger_magnitude(most, length(a.force)), a.couple / instant_.length());
+    most = numerics::larger_magnitude(numerics::larger_magnitude(most, length(a.force)), a.couple / instant_.length());
   }
   return most;
 }
@@ -77,7 +77,7 @@ double Prover::largest_force(const Position& at) const {
 double Prover::largest_residual(const Residuals& residuals) const {
   double most = 0.0;
   for (const LinkResidual& link : residuals.links) {
-    most = larger_magnitude(larger_magnitude(most, link.force), link.moment / instant_.length());
+    most = numerics::larger_magnitude(numerics::larger_magnitude(most, link.force), link.moment / instant_.length());
   }
   return most;
 }

@@ -28,10 +28,10 @@ constexpr Function reduction(std::string_view name, std::string_view form, doubl
 // The functions at a point, next to those over an interval.
 using expression::acos, expression::asin, expression::atan, expression::atan2, expression::cbrt, expression::cos;
 using expression::exp, expression::log, expression::sin, expression::sqrt, expression::tan;
-using loadpath::acos, loadpath::asin, loadpath::atan, loadpath::atan2, loadpath::cbrt, loadpath::cos, loadpath::exp;
-using loadpath::log, loadpath::sin, loadpath::sqrt, loadpath::tan;
+using numerics::acos, numerics::asin, numerics::atan, numerics::atan2, numerics::cbrt, numerics::cos, numerics::exp;
+using numerics::log, numerics::sin, numerics::sqrt, numerics::tan;
 
-using JetOf = Jet (*)(const Jet&);
+using JetOf = numerics::Jet (*)(const numerics::Jet&);
 using BoundsOf = IntervalJet (*)(const IntervalJet&);
 
 constexpr Function map(std::string_view name, std::string_view form, Rule rule, double (*f)(double), JetOf jet,

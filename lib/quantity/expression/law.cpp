@@ -25,10 +25,12 @@ const Node* find_kink(const Node& node) {
 }
 
 struct AtPlace {
-  using Number = Jet;
-  static Jet constant(double value) { return {value}; }
-  static Jet of(const expression::Function& f, const Jet& a) { return f.jet(a); }
-  static Jet of(const expression::Function& f, const Jet& a, const Jet& b) { return f.jet_of_two(a, b); }
+  using Number = numerics::Jet;
+  static numerics::Jet constant(double value) { return {value}; }
+  static numerics::Jet of(const expression::Function& f, const numerics::Jet& a) { return f.jet(a); }
+  static numerics::Jet of(const expression::Function& f, const numerics::Jet& a, const numerics::Jet& b) {
+    return f.jet_of_two(a, b);
+  }
 };
 
 struct Between {
@@ -69,7 +71,7 @@ typename How::Number value_of(const Node& node, const typename How::Number& vari
 }
 
 /// Narrows the bounds: the deviation from the tangent in the middle is limited by the derivatives.
-void draw_closer(IntervalJet& bounds, const Jet& middle, const Interval& away) {
+void draw_closer(IntervalJet& bounds, const numerics::Jet& middle, const Interval& away) {
   const auto at = [](double x) { return Interval{x, x}; };
   const bool known = std::isfinite(middle.value) && std::isfinite(middle.first) && std::isfinite(middle.second);
   if (!known) return;
@@ -115,7 +117,7 @@ Outcome<Law> Law::parse(std::string_view text, const Variable& variable, const D
   return law;
 }
 
-Jet Law::at(double variable) const { return value_of<AtPlace>(tree_->root, {variable, 1.0, 0.0}); }
+numerics::Jet Law::at(double variable) const { return value_of<AtPlace>(tree_->root, {variable, 1.0, 0.0}); }
 
 IntervalJet Law::over(const Interval& places) const {
   IntervalJet bounds = value_of<Between>(tree_->root, {places, {1.0, 1.0}, {}});

@@ -34,7 +34,7 @@ class Law {
   static Outcome<Law> parse(std::string_view text, const Variable& variable, const Dimension& result);
 
   /// The value in SI and its derivatives; not finite where the law is not smooth, as a root of zero.
-  [[nodiscard]] Jet at(double variable) const;
+  [[nodiscard]] numerics::Jet at(double variable) const;
 
   /// Intervals that hold the value and both derivatives everywhere between two places; without bounds where the law
   /// may have a pole or leave its domain.

@@ -51,7 +51,7 @@ class Resolving {
 
  private:
   double value(double place) {
-    const Jet jet = law_.at(place);
+    const numerics::Jet jet = law_.at(place);
     const double y = what_ == Followed::value ? jet.value : jet.second;
     if (std::isfinite(y)) most_ = std::max(most_, std::abs(y));
     return y;

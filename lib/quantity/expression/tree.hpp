@@ -37,9 +37,10 @@ struct Function {
   double (*map)(double) = nullptr;
   double (*join)(double, double) = nullptr;
   int degree = 1;
-  bool is_magnitude = false;         // never negative, for any argument
-  Jet (*jet)(const Jet&) = nullptr;  // smooth functions of one argument; null for functions with kinks
-  Jet (*jet_of_two)(const Jet&, const Jet&) = nullptr;
+  bool is_magnitude = false;  // never negative, for any argument
+  numerics::Jet (*jet)(const numerics::Jet&) =
+      nullptr;  // smooth functions of one argument; null for functions with kinks
+  numerics::Jet (*jet_of_two)(const numerics::Jet&, const numerics::Jet&) = nullptr;
   IntervalJet (*bounds)(const IntervalJet&) = nullptr;  // set if `jet` is
   IntervalJet (*bounds_of_two)(const IntervalJet&, const IntervalJet&) = nullptr;
 };

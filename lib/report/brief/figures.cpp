@@ -13,17 +13,18 @@ namespace {
 using project::Project;
 using project::Step;
 
-bool moves(const draw::Figure& figure) { return std::holds_alternative<draw::Motion>(figure.content); }
-bool is_mechanism(const draw::Figure& figure) {
-  const auto* const scheme = std::get_if<draw::Scheme>(&figure.content);
+bool moves(const figure::Figure& figure) { return std::holds_alternative<figure::Motion>(figure.content); }
+bool is_mechanism(const figure::Figure& figure) {
+  const auto* const scheme = std::get_if<figure::Scheme>(&figure.content);
   return scheme != nullptr && !scheme->bodies.empty();
 }
-bool is_shaft(const draw::Figure& figure) { return std::holds_alternative<draw::Shaft>(figure.content); }
-bool is_part(const draw::Figure& figure) {
-  return is_shaft(figure) || std::holds_alternative<draw::Drawn>(figure.content);
+bool is_shaft(const figure::Figure& figure) { return std::holds_alternative<figure::Shaft>(figure.content); }
+bool is_part(const figure::Figure& figure) {
+  return is_shaft(figure) || std::holds_alternative<figure::Drawn>(figure.content);
 }
-bool is_curve(const draw::Figure& figure) {
-  return std::holds_alternative<draw::Plot>(figure.content) || std::holds_alternative<draw::Charted>(figure.content);
+bool is_curve(const figure::Figure& figure) {
+  return std::holds_alternative<figure::Plot>(figure.content) ||
+         std::holds_alternative<figure::Charted>(figure.content);
 }
 
 /// The steps by falling utilisation of their components.
@@ -41,7 +42,7 @@ std::vector<const Step*> by_utilisation(const Project& project, const Summary& s
 template <class Meant>
 StepFigure first_of(const std::vector<const Step*>& steps, const Meant& is_meant) {
   for (const Step* step : steps) {
-    for (const draw::Figure& figure : step->account().figures) {
+    for (const figure::Figure& figure : step->account().figures) {
       if (is_meant(figure)) return {step, &figure};
     }
   }
@@ -49,7 +50,7 @@ StepFigure first_of(const std::vector<const Step*>& steps, const Meant& is_meant
 }
 
 /// The views in the first row of a drawing.
-std::size_t first_row(const draw::Drawing& drawing) {
+std::size_t first_row(const figure::Drawing& drawing) {
   double share = 0.0;
   std::size_t count = 0;
   for (const auto& view : drawing.views) {
@@ -81,7 +82,7 @@ std::vector<StepFigure> further_figures(const Project& project, const Summary& s
                                         const std::vector<StepFigure>& main) {
   std::vector<StepFigure> diagrams, parts, curves;
   for (const project::Step* step : by_utilisation(project, summary)) {
-    for (const draw::Figure& figure : step->account().figures) {
+    for (const figure::Figure& figure : step->account().figures) {
       const bool is_main = std::ranges::find(main, &figure, &StepFigure::figure) != main.end();
       const bool is_of_main = std::ranges::find(main, step, &StepFigure::step) != main.end();
       if (is_main && is_brief(figure)) continue;
@@ -98,28 +99,28 @@ std::vector<StepFigure> further_figures(const Project& project, const Summary& s
   return diagrams;
 }
 
-draw::Figure in_brief(const draw::Figure& figure) {
-  draw::Figure brief = figure;
-  if (auto* const shaft = std::get_if<draw::Shaft>(&brief.content)) {
+figure::Figure in_brief(const figure::Figure& figure) {
+  figure::Figure brief = figure;
+  if (auto* const shaft = std::get_if<figure::Shaft>(&brief.content)) {
     shaft->diagrams.clear();
     shaft->places.clear();
   }
-  if (const auto* const drawn = std::get_if<draw::Drawn>(&figure.content)) {
-    draw::Drawing drawing = **drawn;
+  if (const auto* const drawn = std::get_if<figure::Drawn>(&figure.content)) {
+    figure::Drawing drawing = **drawn;
     drawing.views.resize(first_row(drawing));
-    brief.content = std::make_shared<const draw::Drawing>(std::move(drawing));
+    brief.content = std::make_shared<const figure::Drawing>(std::move(drawing));
   }
   return brief;
 }
 
-bool is_brief(const draw::Figure& figure) {
-  if (const auto* const drawn = std::get_if<draw::Drawn>(&figure.content))
+bool is_brief(const figure::Figure& figure) {
+  if (const auto* const drawn = std::get_if<figure::Drawn>(&figure.content))
     return first_row(**drawn) == (*drawn)->views.size();
   return !has_diagrams(figure);
 }
 
-bool has_diagrams(const draw::Figure& figure) {
-  const auto* const shaft = std::get_if<draw::Shaft>(&figure.content);
+bool has_diagrams(const figure::Figure& figure) {
+  const auto* const shaft = std::get_if<figure::Shaft>(&figure.content);
   return shaft != nullptr && !shaft->diagrams.empty();
 }
 

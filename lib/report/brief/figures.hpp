@@ -10,7 +10,7 @@ namespace loadpath::report {
 
 struct StepFigure {
   const project::Step* step;
-  const draw::Figure* figure;
+  const figure::Figure* figure;
 };
 
 /// Page 1: the mechanism, if there is one, and the drawn part with the highest utilisation, a shaft before others.
@@ -21,10 +21,10 @@ std::vector<StepFigure> further_figures(const project::Project& project, const S
                                         const std::vector<StepFigure>& main);
 
 /// A figure as page 1 shows it: a shaft without its diagrams, of several views those in the first row.
-draw::Figure in_brief(const draw::Figure& figure);
+figure::Figure in_brief(const figure::Figure& figure);
 /// Whether page 1 shows all of it.
-bool is_brief(const draw::Figure& figure);
+bool is_brief(const figure::Figure& figure);
 /// Whether it is a shaft with diagrams, which is narrow and tall.
-bool has_diagrams(const draw::Figure& figure);
+bool has_diagrams(const figure::Figure& figure);
 
 }  // namespace loadpath::report

@@ -9,7 +9,7 @@
 namespace loadpath::report::page {
 namespace {
 
-using draw::Chart;
+using figure::Chart;
 
 std::string told_row(const Chart::Told& told, std::size_t k) {
   const bool is_word = !told.words.empty();
@@ -28,8 +28,8 @@ std::string told(const Chart& chart) {
 
 }  // namespace
 
-std::string chart(const draw::Figure& figure) {
-  const Chart& content = *std::get<draw::Charted>(figure.content);
+std::string chart(const figure::Figure& figure) {
+  const Chart& content = *std::get<figure::Charted>(figure.content);
   const draw::ToldChart drawn = draw::told_chart(figure);
   return "<div class=\"chart\">\n<div class=\"picture\" role=\"group\" aria-label=\"" +
          escaped(say("Arrow keys go from point to point").text()) + "\">" + drawn.svg + "</div>\n" + told(content) +

@@ -84,9 +84,9 @@ class Writer {
   }
   std::string operator()(const Derivation& derivation) { return page::derivation(derivation); }
   std::string operator()(const Verdicts& verdicts) { return page::verdicts(verdicts, {}); }
-  std::string operator()(const draw::Figure& figure) {
-    const bool moves = std::holds_alternative<draw::Motion>(figure.content);
-    const bool tells = std::holds_alternative<draw::Charted>(figure.content);
+  std::string operator()(const figure::Figure& figure) {
+    const bool moves = std::holds_alternative<figure::Motion>(figure.content);
+    const bool tells = std::holds_alternative<figure::Charted>(figure.content);
     has_motion_ = has_motion_ || moves;
     has_chart_ = has_chart_ || tells;
     return (moves   ? "<figure class=\"moving\">" + page::motion(figure)

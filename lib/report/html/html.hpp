@@ -40,9 +40,9 @@ std::string doubts(const Modes& modes, const std::set<std::string>& anchors);
 std::string passes(const Modes& modes, const std::set<std::string>& anchors);
 
 /// A figure that holds a Motion; without scripts it is a picture.
-std::string motion(const draw::Figure& figure);
+std::string motion(const figure::Figure& figure);
 /// A figure that holds a chart: scripts show its points.
-std::string chart(const draw::Figure& figure);
+std::string chart(const figure::Figure& figure);
 
 /// The title block of page 1.
 std::string title_block(const Document& document);

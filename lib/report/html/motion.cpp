@@ -9,7 +9,7 @@
 namespace loadpath::report::page {
 namespace {
 
-using draw::Motion;
+using figure::Motion;
 
 std::string number_row(const Motion::Number& number, std::size_t frame, const std::string& mark) {
   return "<tr title=\"" + escaped(say(number.meaning).text()) + "\"><td>" + symbol(number.symbol) +
@@ -46,7 +46,7 @@ std::string controls(const Motion& motion) {
 
 }  // namespace
 
-std::string motion(const draw::Figure& figure) {
+std::string motion(const figure::Figure& figure) {
   const auto& content = std::get<Motion>(figure.content);
   const draw::MotionPictures pictures = draw::motion_pictures(figure);
   std::string out = "<div class=\"motion\">\n" + controls(content) + "<div class=\"pictures\"><div class=\"scheme\">" +

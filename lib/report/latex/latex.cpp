@@ -55,7 +55,7 @@ class Writer {
   std::string operator()(const Table& table) { return tex::table(table); }
   std::string operator()(const Derivation& derivation) { return tex::derivation(derivation); }
   std::string operator()(const Verdicts& verdicts) { return tex::verdicts(verdicts, latex_text); }
-  std::string operator()(const draw::Figure& figure) { return pictured(draw::tikz(figure), say(figure.caption)); }
+  std::string operator()(const figure::Figure& figure) { return pictured(draw::tikz(figure), say(figure.caption)); }
   std::string operator()(const draw::Flow& flow) {
     if (flow.parts.empty()) return {};
     return pictured(draw::flow_tikz(flow), say("Load path: loads between the steps"));

@@ -1,4 +1,5 @@
 #include "lib/account/conclusion.hpp"
+#include "lib/draw/svg.hpp"
 #include "lib/formula/formula.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/conclusion.hpp"
@@ -136,7 +137,9 @@ class Writer {
     const std::string caption = say("Load path: loads between the steps").text();
     add_figure("path", caption, draw::flow_file(flow, caption));
   }
-  void operator()(const draw::Figure& figure) { add_figure(figure.id, say(figure.caption).text(), draw::svg(figure)); }
+  void operator()(const figure::Figure& figure) {
+    add_figure(figure.id, say(figure.caption).text(), draw::svg(figure));
+  }
 
   void operator()(const Page& page) {
     for (const Band& band : page.bands) {

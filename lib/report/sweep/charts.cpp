@@ -10,7 +10,7 @@ namespace loadpath::report {
 
 namespace {
 
-using draw::Chart;
+using figure::Chart;
 using project::Project;
 using project::SweepPlan;
 using project::SweepStatistics;
@@ -91,7 +91,7 @@ Chart chart_of(const Project& project, const SweepPlan& plan, const SolvedPoints
 }
 
 /// A logarithmic scale for values over several decades.
-draw::Scale scale_of(const SweptResult& column, const std::vector<double>& values) {
+figure::Scale scale_of(const SweptResult& column, const std::vector<double>& values) {
   constexpr double decades = 30.0;
   double least = INFINITY, most = 0.0;
   for (const double v : values) {
@@ -101,7 +101,7 @@ draw::Scale scale_of(const SweptResult& column, const std::vector<double>& value
 }
 
 /// Equal ratios on a logarithmic scale.
-draw::Scale scale_of(const SweptInput& input) {
+figure::Scale scale_of(const SweptInput& input) {
   const std::uint64_t n = input.axis.size();
   const double first = input.axis.at(0), second = input.axis.at(1), last = input.axis.at(n - 1);
   const bool positive = first > 0.0 && last > 0.0 && n > 2;
@@ -114,8 +114,8 @@ std::size_t place_of(const std::vector<std::uint64_t>& numbers, std::uint64_t nu
   return static_cast<std::size_t>(std::lower_bound(numbers.begin(), numbers.end(), number) - numbers.begin());
 }
 
-draw::Figure cloud_of(const Project& project, const SweepPlan& plan, const SweepStatistics& found,
-                      const SolvedPoints& points) {
+figure::Figure cloud_of(const Project& project, const SweepPlan& plan, const SweepStatistics& found,
+                        const SolvedPoints& points) {
   const auto& objectives = found.keep().objectives;
   const std::size_t across = objectives[0].column, up = objectives[1].column;
   Chart chart = chart_of(project, plan, points);
@@ -160,7 +160,7 @@ std::size_t last_that_passes(const Chart& chart) {
   return found;
 }
 
-draw::Figure field_of(const Project& project, const SweepPlan& plan, const Plane& plane) {
+figure::Figure field_of(const Project& project, const SweepPlan& plan, const Plane& plane) {
   const std::size_t asked = plan.columns.size();
   Chart chart = chart_of(project, plan, plane.points);
   chart.x = scale_of(plan.inputs[plane.across]);

@@ -117,9 +117,9 @@ Table sobol_table(const Influence& influence, std::size_t k) {
 }
 
 /// A bar for each input, the longest on top: its result from low to high.
-draw::Figure tornado_figure(const Influence& influence, std::size_t k) {
+figure::Figure tornado_figure(const Influence& influence, std::size_t k) {
   const sweep::Tornado& tornado = influence.tornados[k];
-  draw::Plot plot(draw::Scale{influence.names[k], "", influence.units[k]}, draw::Scale{"rank", "input", "-"});
+  figure::Plot plot(figure::Scale{influence.names[k], "", influence.units[k]}, figure::Scale{"rank", "input", "-"});
   const auto count = static_cast<double>(tornado.bars.size());
   for (std::size_t b = 0; b < tornado.bars.size(); ++b) {
     const sweep::Bar& bar = tornado.bars[b];

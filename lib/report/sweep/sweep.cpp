@@ -182,10 +182,11 @@ std::optional<Table> correlation_table(const SweepPlan& plan, const SweepStatist
 }
 
 /// Bars of a histogram as one line.
-draw::Figure histogram_of(const SweptResult& column, const sweep::Summary& summary, std::size_t number_of_column) {
+figure::Figure histogram_of(const SweptResult& column, const sweep::Summary& summary, std::size_t number_of_column) {
   const sweep::Histogram histogram = summary.ranks().histogram(bins);
-  draw::Plot plot(draw::Scale{column.name, "", column.unit}, draw::Scale{"", "share of the points in a class", "%"});
-  draw::Curve curve;
+  figure::Plot plot(figure::Scale{column.name, "", column.unit},
+                    figure::Scale{"", "share of the points in a class", "%"});
+  figure::Curve curve;
   curve.filled = true;
   for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
     const double share = static_cast<double>(histogram.counts[i]) / static_cast<double>(summary.count());

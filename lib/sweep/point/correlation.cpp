@@ -1,7 +1,7 @@
 #include "lib/sweep/point/correlation.hpp"
 
 #include "lib/numerics/dense_inverse.hpp"
-#include "lib/sweep/columns.hpp"
+#include "lib/simd/attributes.hpp"
 
 #include <cmath>
 #include <cstdio>
@@ -85,7 +85,7 @@ Fault not_definite(const Matrix& R, std::size_t i, const std::vector<std::string
   for (std::size_t a = 0; a < i; ++a) {
     for (std::size_t b = 0; b < i; ++b) inverse[a * i + b] = R(a, b);
   }
-  DenseInverse(i).invert(inverse);
+  numerics::DenseInverse(i).invert(inverse);
   std::optional<Bounds> nearest;
   for (std::size_t j = 0; j < i; ++j) {
     const auto bounds = bounds_of(R, inverse, i, j);

@@ -1,6 +1,6 @@
 #include "lib/sweep/point/probit.hpp"
 
-#include "lib/sweep/columns.hpp"
+#include "lib/simd/attributes.hpp"
 #include "lib/sweep/point/elementary.hpp"
 
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "lib/sweep/point/uniform.hpp"
 
-#include "lib/sweep/columns.hpp"
+#include "lib/simd/attributes.hpp"
 
 #include <Random123/philox.h>
 #include <algorithm>

@@ -1,6 +1,6 @@
 #include "lib/sweep/statistics/lanes.hpp"
 
-#include "lib/sweep/columns.hpp"
+#include "lib/simd/attributes.hpp"
 
 #include <algorithm>
 

@@ -13,8 +13,8 @@
 using namespace loadpath;
 using namespace loadpath::draw::test;
 using belt::TwoWheels;
-using draw::Drawing;
-using draw::Point;
+using figure::Drawing;
+using figure::Point;
 
 namespace {
 
@@ -27,7 +27,7 @@ belt::Flat::Input fan() {
   return in;
 }
 
-draw::Figure figure_of(const belt::Flat::Input& in) {
+figure::Figure figure_of(const belt::Flat::Input& in) {
   return belt::Flat::figures(in, test::evaluated<belt::Flat>(in)).at(0);
 }
 
@@ -50,12 +50,12 @@ TEST_SUITE("belt figures") {
         for (const auto& span : belt::spans_of(w)) {
           const Point e{std::cos(span.direction), std::sin(span.direction)};
           const Point arm_1 = span.from, arm_2 = span.to - Point{w.a, 0.0};
-          CHECK(draw::length(arm_1) == doctest::Approx(0.5 * w.d_1));
-          CHECK(draw::length(arm_2) == doctest::Approx(0.5 * w.d_2));
-          CHECK(std::fabs(draw::dot(unit(arm_1), e)) < 1e-9);
-          CHECK(std::fabs(draw::dot(unit(arm_2), e)) < 1e-9);
+          CHECK(figure::length(arm_1) == doctest::Approx(0.5 * w.d_1));
+          CHECK(figure::length(arm_2) == doctest::Approx(0.5 * w.d_2));
+          CHECK(std::fabs(figure::dot(unit(arm_1), e)) < 1e-9);
+          CHECK(std::fabs(figure::dot(unit(arm_2), e)) < 1e-9);
           // On one side of an open belt, on both sides of a crossed one.
-          CHECK((draw::cross(e, arm_1) * draw::cross(e, arm_2) > 0.0) == !crossed);
+          CHECK((figure::cross(e, arm_1) * figure::cross(e, arm_2) > 0.0) == !crossed);
         }
       }
     }
@@ -76,10 +76,10 @@ TEST_SUITE("belt figures") {
         double length = 0.0;
         for (std::size_t i = 0; i < line.size(); ++i) {
           const Point to = line[(i + 1) % line.size()];
-          length += draw::length(to - line[i]);
+          length += figure::length(to - line[i]);
           const Point middle = 0.5 * (line[i] + to);
-          CHECK(draw::length(middle) > 0.5e-3 * sizes[0] * (1.0 - 1e-3));
-          CHECK(draw::length(middle - Point{1e-3 * sizes[2], 0.0}) > 0.5e-3 * sizes[1] * (1.0 - 1e-3));
+          CHECK(figure::length(middle) > 0.5e-3 * sizes[0] * (1.0 - 1e-3));
+          CHECK(figure::length(middle - Point{1e-3 * sizes[2], 0.0}) > 0.5e-3 * sizes[1] * (1.0 - 1e-3));
         }
         CHECK(length == doctest::Approx(in_si(r.L)).epsilon(2e-4));
       }
@@ -94,8 +94,8 @@ TEST_SUITE("belt figures") {
     CHECK_FALSE(view.turns[1].counter_clockwise);
     double tight = 0.0, slack = 0.0;
     for (const auto& f : view.forces) {
-      if (f.value.symbol == "S_1") tight = draw::length(f.force);
-      if (f.value.symbol == "S_2") slack = draw::length(f.force);
+      if (f.value.symbol == "S_1") tight = figure::length(f.force);
+      if (f.value.symbol == "S_2") slack = figure::length(f.force);
       if (f.value.symbol != "R")
         CHECK((f.at.y < 0.0) == (f.value.symbol == "S_1"));
       else
@@ -115,7 +115,7 @@ TEST_SUITE("belt figures") {
     for (const auto arrangement : {belt::Arrangement::open, belt::Arrangement::crossed}) {
       in.arrangement = arrangement;
       Point pulls, load;
-      const draw::Figure figure = figure_of(in);
+      const figure::Figure figure = figure_of(in);
       for (const auto& f : drawing_of(figure).views[0].forces) {
         if (f.value.symbol == "R" && f.at.x == 0.0) load = f.force;
         if (f.value.symbol != "R") pulls = pulls + f.force;

@@ -11,8 +11,8 @@
 using namespace loadpath;
 using namespace loadpath::draw::test;
 using column::Ends;
-using draw::Drawing;
-using draw::Point;
+using figure::Drawing;
+using figure::Point;
 using Sign = Drawing::Support::Kind;
 
 namespace {
@@ -27,7 +27,7 @@ Input rod(Ends ends) {
   return in;
 }
 
-draw::Figure figure_of(const Input& in) {
+figure::Figure figure_of(const Input& in) {
   const auto figures = column::Buckling::figures(in, test::evaluated<column::Buckling>(in));
   REQUIRE(!figures.empty());
   REQUIRE(figures[0].id == "bar");
@@ -38,7 +38,8 @@ draw::Figure figure_of(const Input& in) {
 /// Twice the area of a closed outline.
 double area_of(const std::vector<Point>& outline) {
   double twice = 0.0;
-  for (std::size_t i = 0; i < outline.size(); ++i) twice += draw::cross(outline[i], outline[(i + 1) % outline.size()]);
+  for (std::size_t i = 0; i < outline.size(); ++i)
+    twice += figure::cross(outline[i], outline[(i + 1) % outline.size()]);
   return 0.5 * std::fabs(twice);
 }
 

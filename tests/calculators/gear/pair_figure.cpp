@@ -9,8 +9,8 @@
 
 using namespace loadpath;
 using namespace loadpath::draw::test;
-using draw::Drawing;
-using draw::Point;
+using figure::Drawing;
+using figure::Point;
 using gear::Mesh;
 using gear::Turns;
 
@@ -26,7 +26,7 @@ Input pair_of(int z_1, int z_2, Mesh mesh = Mesh::external) {
   return in;
 }
 
-draw::Figure figure_of(const Input& in) {
+figure::Figure figure_of(const Input& in) {
   const auto figures = gear::Pair::figures(in, solve(in));
   REQUIRE(figures.size() == 1);
   check_drawn(figures[0]);
@@ -34,7 +34,7 @@ draw::Figure figure_of(const Input& in) {
 }
 
 /// The path of contact in the view of the mesh, from where it begins to where it ends.
-std::vector<Point> contact_of(const draw::Figure& figure) {
+std::vector<Point> contact_of(const figure::Figure& figure) {
   return paths_of(drawing_of(figure).views.at(1), Drawing::Line::contact).at(0);
 }
 
@@ -49,10 +49,10 @@ std::vector<Point> crossings(const std::vector<Point>& outline, Point from, Poin
   const Point e = to - from;
   for (std::size_t i = 0; i < outline.size(); ++i) {
     const Point p = outline[i], q = outline[(i + 1) % outline.size()];
-    const double a = draw::cross(e, p - from), b = draw::cross(e, q - from);
+    const double a = figure::cross(e, p - from), b = figure::cross(e, q - from);
     if ((a < 0.0) == (b < 0.0)) continue;
     const Point x = p + a / (a - b) * (q - p);
-    const double t = draw::dot(x - from, e) / draw::dot(e, e);
+    const double t = figure::dot(x - from, e) / figure::dot(e, e);
     if (t > 0.0 && t < 1.0) found.push_back(x);
   }
   return found;
@@ -68,9 +68,9 @@ TEST_SUITE("gear pair figure") {
         in.turns = turns, in.x_1 = 0.2;
         const auto r = solve(in);
         const auto contact = contact_of(figure_of(in));
-        CHECK(draw::length(contact[0] - axis_2(in)) == doctest::Approx(in_si(r.d_a2) / 2.0).epsilon(1e-6));
-        CHECK(draw::length(contact[1]) == doctest::Approx(in_si(r.d_a1) / 2.0).epsilon(1e-6));
-        CHECK(draw::length(contact[1] - contact[0]) == doctest::Approx(in_si(r.g_alpha)));
+        CHECK(figure::length(contact[0] - axis_2(in)) == doctest::Approx(in_si(r.d_a2) / 2.0).epsilon(1e-6));
+        CHECK(figure::length(contact[1]) == doctest::Approx(in_si(r.d_a1) / 2.0).epsilon(1e-6));
+        CHECK(figure::length(contact[1] - contact[0]) == doctest::Approx(in_si(r.g_alpha)));
         CHECK((contact[1].y > 0.0) == (turns == Turns::ccw));  // the contact moves as the flanks do
       }
     }
@@ -113,8 +113,8 @@ TEST_SUITE("gear pair figure") {
     const Point e = unit(contact[1] - contact[0]);
     CHECK(std::fabs(std::asin(e.x)) == doctest::Approx(r.alpha_wt));
     // It is a tangent of both base circles.
-    CHECK(std::fabs(draw::cross(e, C)) == doctest::Approx(in_si(r.d_b1) / 2.0));
-    CHECK(std::fabs(draw::cross(e, C - axis_2(in))) == doctest::Approx(in_si(r.d_b2) / 2.0));
+    CHECK(std::fabs(figure::cross(e, C)) == doctest::Approx(in_si(r.d_b1) / 2.0));
+    CHECK(std::fabs(figure::cross(e, C - axis_2(in))) == doctest::Approx(in_si(r.d_b2) / 2.0));
   }
 
   TEST_CASE("the force of the flanks on gear 1 points along the line of action, against the way of the contact") {
@@ -126,7 +126,7 @@ TEST_SUITE("gear pair figure") {
         Point sum;
         for (const auto& f : drawing_of(figure).views[0].forces) sum = sum + f.force;
         const auto contact = contact_of(figure);
-        CHECK(draw::dot(unit(sum), unit(contact[1] - contact[0])) == doctest::Approx(-1.0));
+        CHECK(figure::dot(unit(sum), unit(contact[1] - contact[0])) == doctest::Approx(-1.0));
       }
     }
   }

@@ -1,6 +1,7 @@
 // Planetary sets as drawn: every planet meshes with sun and ring, where it can be put in.
 #include "calculators/gear/planetary/planetary.hpp"
 #include "lib/draw/dxf.hpp"
+#include "lib/draw/svg.hpp"
 #include "tests/calculators/evaluated.hpp"
 #include "tests/lib/draw/drawing/drawings.hpp"
 
@@ -8,8 +9,8 @@
 
 using namespace loadpath;
 using namespace loadpath::draw::test;
-using draw::Drawing;
-using draw::Point;
+using figure::Drawing;
+using figure::Point;
 using Member = gear::Planetary::Member;
 
 namespace {
@@ -23,7 +24,7 @@ Input set_of(int z_s, int z_p, int planets) {
   return in;
 }
 
-draw::Figure figure_of(const Input& in) {
+figure::Figure figure_of(const Input& in) {
   const auto figures = gear::Planetary::figures(in, test::evaluated<gear::Planetary>(in));
   REQUIRE(figures.size() == 1);
   check_drawn(figures[0]);

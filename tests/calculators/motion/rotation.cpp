@@ -51,7 +51,7 @@ TEST_SUITE("motion rotation") {
     NoTrace trace;
     const auto figures = motion::Rotation::figures(in, motion::Rotation::evaluate(in, trace));
     REQUIRE(!figures.empty());
-    const auto& curve = std::get<draw::Plot>(figures[0].content).curves.at(0);
+    const auto& curve = std::get<figure::Plot>(figures[0].content).curves.at(0);
     CHECK(curve.x.front() == 1.0);
     CHECK(curve.x.back() == 3.0);
     for (std::size_t i = 0; i < curve.x.size(); ++i) CHECK(near(curve.y[i], 3.0 * curve.x[i] * curve.x[i]));

@@ -14,15 +14,15 @@
 
 using namespace loadpath;
 using namespace loadpath::draw::test;
-using draw::Drawing;
-using draw::Point;
+using figure::Drawing;
+using figure::Point;
 using tests::solve;
 using vessel::Measured;
 
 namespace {
 
 template <class C>
-draw::Figure section_of(const typename C::Input& in) {
+figure::Figure section_of(const typename C::Input& in) {
   const auto figures = C::figures(in, solve<C>(in));
   REQUIRE(!figures.empty());
   REQUIRE(figures[0].id == "section");
@@ -30,7 +30,7 @@ draw::Figure section_of(const typename C::Input& in) {
   return figures[0];
 }
 
-const Drawing::Area& wall_of(const draw::Figure& figure) {
+const Drawing::Area& wall_of(const figure::Figure& figure) {
   for (const auto& area : drawing_of(figure).views[0].areas) {
     if (area.kind == Drawing::Kind::cut) return area;
   }
@@ -52,7 +52,7 @@ TEST_SUITE("vessel section") {
     for (const Measured measured : {Measured::inner, Measured::mean, Measured::outer}) {
       auto in = loaded<vessel::Sphere::Input>(4.0);
       in.R = 600.0 * mm, in.delta = 20.0 * mm, in.c = 2.0 * mm, in.measured = measured;
-      const draw::Figure figure = section_of<vessel::Sphere>(in);
+      const figure::Figure figure = section_of<vessel::Sphere>(in);
       const Drawing::Area& wall = wall_of(figure);
       REQUIRE(!wall.hole.empty());
       const double inside = measured == Measured::inner ? 0.6 : measured == Measured::outer ? 0.58 : 0.59;
@@ -84,7 +84,7 @@ TEST_SUITE("vessel section") {
     for (const Measured measured : {Measured::inner, Measured::mean, Measured::outer}) {
       in.measured = measured;
       const auto r = solve<vessel::Cylinder>(in);
-      const draw::Figure figure = section_of<vessel::Cylinder>(in);
+      const figure::Figure figure = section_of<vessel::Cylinder>(in);
       const auto& view = drawing_of(figure).views[1];
       std::string symbols;
       for (const auto& l : view.lengths) symbols += l.value.symbol + " ";
@@ -126,7 +126,7 @@ TEST_SUITE("vessel section") {
     CHECK(pressure.arrows.size() == 14);
     for (const auto& a : pressure.arrows) {
       const Point from_centre = a.foot - Point{0.0, in_si(solve<vessel::Sphere>(in).R_m)};
-      CHECK(draw::dot(unit(from_centre), unit(a.direction)) > 0.999);
+      CHECK(figure::dot(unit(from_centre), unit(a.direction)) > 0.999);
     }
   }
 

@@ -70,7 +70,7 @@ TEST_SUITE("vessel.sphere") {
     for (const double phi_deg : {60.0, 90.0, 120.0}) {
       in.phi_s = phi_deg * pi / 180;
       const auto along = vessel::Sphere::figures(in, solve<vessel::Sphere>(in)).back();
-      const auto& curve = std::get<draw::Plot>(along.content).curves[1];  // the meridional stress
+      const auto& curve = std::get<figure::Plot>(along.content).curves[1];  // the meridional stress
       double above = 0.0, below = 0.0;
       for (std::size_t i = 0; i < curve.x.size(); ++i) {
         const double phi = (static_cast<double>(i) + 0.5) / static_cast<double>(curve.x.size()) * pi;

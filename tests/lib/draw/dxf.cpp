@@ -40,11 +40,12 @@ std::vector<Entity> on_layer(const std::string& text, const char* kind, const st
   return found;
 }
 
-draw::Scheme slider_crank() {
-  draw::Scheme scheme;
+figure::Scheme slider_crank() {
+  figure::Scheme scheme;
   scheme.bodies = {
       {"crank", {{0.0, 0.0}, {0.03, 0.04}}}, {"slider", {{0.2, 0.0}}}, {"plate", {{0.0, 0.0}, {0.1, 0.0}, {0.0, 0.1}}}};
-  scheme.joints = {{"O", {0.0, 0.0}, draw::Scheme::Pin::revolute, true}, {"B", {0.2, 0.0}, draw::Scheme::Pin::slider}};
+  scheme.joints = {{"O", {0.0, 0.0}, figure::Scheme::Pin::revolute, true},
+                   {"B", {0.2, 0.0}, figure::Scheme::Pin::slider}};
   scheme.guides = {{{0.1, 0.0}, {0.3, 0.0}, true}};
   return scheme;
 }
@@ -78,7 +79,7 @@ TEST_SUITE("dxf") {
   }
 
   TEST_CASE("what has no place is left out, and no number is none") {
-    draw::Scheme scheme = slider_crank();
+    figure::Scheme scheme = slider_crank();
     scheme.bodies[0].points[1].x = std::nan("");
     scheme.guides[0].to.y = INFINITY;
     const std::string text = draw::dxf_of(scheme);

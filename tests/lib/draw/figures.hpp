@@ -1,6 +1,7 @@
 // Figures as calculators make them, for the tests of drawing.
 #pragma once
 
+#include "lib/draw/svg.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <cmath>
@@ -11,11 +12,11 @@ namespace loadpath::draw::test {
 inline constexpr double degree = std::numbers::pi / 180.0;
 
 /// A driving moment over one turn with its peak of -86 N m at 202.7 degrees.
-inline Plot moment_plot() {
-  Plot plot;
+inline figure::Plot moment_plot() {
+  figure::Plot plot;
   plot.x = {"phi", "crank angle", "deg"};
   plot.y = {"M", "driving moment", "N*m"};
-  Curve curve{"M", {}, {}};
+  figure::Curve curve{"M", {}, {}};
   for (int i = 0; i < 360; ++i) {
     curve.x.push_back(i * degree);
     curve.y.push_back(-86.0 * std::exp(-std::pow((i - 202.7) / 38.0, 2)));
@@ -26,11 +27,11 @@ inline Plot moment_plot() {
 }
 
 /// Two reactions that cross, with a bound above.
-inline Plot reaction_plot() {
-  Plot plot;
+inline figure::Plot reaction_plot() {
+  figure::Plot plot;
   plot.x = {"phi", "crank angle", "deg"};
   plot.y = {"R", "reaction", "N"};
-  Curve a{"R_12", {}, {}}, b{"R_23", {}, {}};
+  figure::Curve a{"R_12", {}, {}}, b{"R_23", {}, {}};
   for (int i = 0; i < 360; ++i) {
     const double phi = i * degree;
     a.x.push_back(phi), b.x.push_back(phi);
@@ -42,8 +43,8 @@ inline Plot reaction_plot() {
 }
 
 /// The torque along a shaft with 900, -2700 and -1200 N m.
-inline Plot torque_plot() {
-  Plot plot;
+inline figure::Plot torque_plot() {
+  figure::Plot plot;
   plot.x = {"x", "", "mm"};
   plot.y = {"T", "torque", "N*m"};
   plot.curves = {{"T", {0, 0.3, 0.3, 0.8, 0.8, 1.0}, {900, 900, -2700, -2700, -1200, -1200}, true}};
@@ -51,15 +52,15 @@ inline Plot torque_plot() {
 }
 
 /// A slotted lever in one position: the crank rotates about O, its slider moves on the lever about B.
-inline Scheme lever() {
-  const Point O{0.09, 0.0}, B{0.0, 0.0}, A{0.105, -0.0259808};
+inline figure::Scheme lever() {
+  const figure::Point O{0.09, 0.0}, B{0.0, 0.0}, A{0.105, -0.0259808};
   const double angle = std::atan2(A.y, A.x);
-  const Point C{0.04 * std::cos(angle), 0.04 * std::sin(angle)};
-  Scheme scheme;
+  const figure::Point C{0.04 * std::cos(angle), 0.04 * std::sin(angle)};
+  figure::Scheme scheme;
   scheme.bodies = {{"1", {O, A}}, {"3", {B, C, A}}};
-  scheme.joints = {{"O", O, Scheme::Pin::revolute, true},
-                   {"B", B, Scheme::Pin::revolute, true},
-                   {"", A, Scheme::Pin::slider, false, angle},
+  scheme.joints = {{"O", O, figure::Scheme::Pin::revolute, true},
+                   {"B", B, figure::Scheme::Pin::revolute, true},
+                   {"", A, figure::Scheme::Pin::slider, false, angle},
                    {"A", A}};
   scheme.points = {{"C", C}};
   scheme.arrows = {{C, {0.0, -500.0}, "F"}, {O, {-200.0, 420.0}, "R_O", false}, {B, {150.0, 260.0}, "R_B", false}};
@@ -68,13 +69,13 @@ inline Scheme lever() {
 }
 
 /// A crank with a group of six links, its reactions and couples.
-inline Scheme six_bar() {
-  const Point O{0, 0}, H{6, 0}, E{2, 6}, G{6, 6}, A{2, 3.464}, B{3.732, 4.464}, I{3.732, 1}, C{3.732, 8}, D{0, 8},
-      F{8, 8};
-  Scheme scheme;
+inline figure::Scheme six_bar() {
+  const figure::Point O{0, 0}, H{6, 0}, E{2, 6}, G{6, 6}, A{2, 3.464}, B{3.732, 4.464}, I{3.732, 1}, C{3.732, 8},
+      D{0, 8}, F{8, 8};
+  figure::Scheme scheme;
   scheme.bodies = {{"1", {O, A}},    {"2", {A, B}}, {"3", {I, B, C}}, {"4", {H, I}},
                    {"5", {D, C, F}}, {"6", {E, D}}, {"7", {G, F}}};
-  const auto fixed = Scheme::Pin::revolute;
+  const auto fixed = figure::Scheme::Pin::revolute;
   scheme.joints = {{"O", O, fixed, true},
                    {"H", H, fixed, true},
                    {"E", E, fixed, true},
@@ -93,8 +94,8 @@ inline Scheme six_bar() {
   return scheme;
 }
 
-inline Shaft stepped_shaft() {
-  Shaft shaft;
+inline figure::Shaft stepped_shaft() {
+  figure::Shaft shaft;
   shaft.parts = {{0.3, 0.05, 0.0}, {0.5, 0.07, 0.02}, {0.2, 0.055, 0.0}};
   shaft.torques = {{0.0, 900.0, "T_1"}, {0.3, -3600.0, "T_2"}, {0.8, 1500.0, "T_3"}, {1.0, 1200.0, "T_4"}};
   return shaft;

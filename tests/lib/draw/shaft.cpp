@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 using namespace loadpath::draw::test;
 
 TEST_SUITE("draw") {

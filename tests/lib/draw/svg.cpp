@@ -1,3 +1,5 @@
+#include "lib/draw/svg.hpp"
+
 #include "tests/lib/draw/figures.hpp"
 #include "tests/lib/draw/svg_reader.hpp"
 
@@ -6,6 +8,7 @@
 #include <limits>
 
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 using namespace loadpath::draw::test;
 
 namespace {

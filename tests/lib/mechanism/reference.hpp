@@ -1,4 +1,5 @@
-// Reads the random mechanisms and the answers of an independent solver in tests/mechanism/data.
+// Reads the random mechanisms and the answers of an independent solver in tests/mechanism/data; its README.md describes
+// the fields.
 #pragma once
 
 #include "lib/mechanism/model/model.hpp"
@@ -20,7 +21,9 @@ namespace json = boost::json;
 
 inline std::vector<std::filesystem::path> files() {
   std::vector<std::filesystem::path> files;
-  for (const auto& file : std::filesystem::directory_iterator(LOADPATH_TEST_DATA)) files.push_back(file.path());
+  for (const auto& file : std::filesystem::directory_iterator(LOADPATH_TEST_DATA)) {
+    if (file.path().extension() == ".json") files.push_back(file.path());
+  }
   std::ranges::sort(files);
   return files;
 }

@@ -9,14 +9,14 @@ TEST_SUITE("numerics") {
   TEST_CASE("the cube root is right to a unit of the last place, over all magnitudes") {
     for (double x = 1e-300; x < 1e300; x *= 1.0371) {
       const long double expected = std::cbrt(static_cast<long double>(x));
-      CHECK(std::abs(static_cast<double>((loadpath::cube_root(x) - expected) / expected)) <= 2.23e-16);
-      CHECK(loadpath::cube_root(-x) == -loadpath::cube_root(x));
+      CHECK(std::abs(static_cast<double>((loadpath::numerics::cube_root(x) - expected) / expected)) <= 2.23e-16);
+      CHECK(loadpath::numerics::cube_root(-x) == -loadpath::numerics::cube_root(x));
     }
   }
 
   TEST_CASE("the cube roots of 0 and of what is not available are themselves") {
-    CHECK(loadpath::cube_root(0.0) == 0.0);
-    CHECK(std::isnan(loadpath::cube_root(NAN)));
-    for (const double n : {1.0, 2.0, 3.0, 10.0, 1e5}) CHECK(loadpath::cube_root(n * n * n) == n);
+    CHECK(loadpath::numerics::cube_root(0.0) == 0.0);
+    CHECK(std::isnan(loadpath::numerics::cube_root(NAN)));
+    for (const double n : {1.0, 2.0, 3.0, 10.0, 1e5}) CHECK(loadpath::numerics::cube_root(n * n * n) == n);
   }
 }

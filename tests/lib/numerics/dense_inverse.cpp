@@ -24,7 +24,7 @@ Matrix sparse(std::size_t size, std::mt19937_64& random) {
 }
 
 Matrix inverse_of(Matrix a, std::size_t size) {
-  DenseInverse(size).invert(a);
+  numerics::DenseInverse(size).invert(a);
   return a;
 }
 
@@ -49,7 +49,7 @@ TEST_SUITE("numerics") {
     for (const std::size_t size : {1U, 2U, 3U, 8U, 15U, 40U}) {
       for (int n = 0; n < 20; ++n) {
         const Matrix a = sparse(size, random), inverse = inverse_of(a, size);
-        const double condition = largest_row_sum(a, size) * largest_row_sum(inverse, size);
+        const double condition = numerics::largest_row_sum(a, size) * numerics::largest_row_sum(inverse, size);
         CAPTURE(size);
         CHECK(std::isfinite(condition));
         CHECK(off_unit(a, inverse, size) <= 1e-15 * condition * static_cast<double>(size));
@@ -71,7 +71,7 @@ TEST_SUITE("numerics") {
 
   TEST_CASE("a singular matrix has no inverse of finite numbers, and its sums tell it") {
     const Matrix a{1.0, 2.0, 2.0, 4.0};
-    CHECK(largest_row_sum(a, 2) == 6.0);
-    CHECK_FALSE(std::isfinite(largest_row_sum(inverse_of(a, 2), 2)));
+    CHECK(numerics::largest_row_sum(a, 2) == 6.0);
+    CHECK_FALSE(std::isfinite(numerics::largest_row_sum(inverse_of(a, 2), 2)));
   }
 }

@@ -13,7 +13,7 @@ namespace {
 template <class Function>
 int calls(const Function& function, double root, double most = 100.0) {
   int count = 0;
-  const double found = fixed_point([&](double x) { return ++count, function(x); }, most);
+  const double found = numerics::fixed_point([&](double x) { return ++count, function(x); }, most);
   CAPTURE(found);
   CHECK(std::abs(found - root) <= 4e-16 * root);
   return count;
@@ -36,20 +36,20 @@ TEST_SUITE("fixed point") {
   }
 
   TEST_CASE("where there is none up to the bound it is not a number") {
-    CHECK(std::isnan(fixed_point([](double x) { return 1.0 + x; }, 100.0)));
-    CHECK(std::isnan(fixed_point([](double x) { return 1.0 + 2.0 * x; }, 100.0)));
-    CHECK(std::isnan(fixed_point([](double) { return 101.0; }, 100.0)));
-    CHECK(std::isnan(fixed_point([](double) { return std::nan(""); }, 100.0)));
+    CHECK(std::isnan(numerics::fixed_point([](double x) { return 1.0 + x; }, 100.0)));
+    CHECK(std::isnan(numerics::fixed_point([](double x) { return 1.0 + 2.0 * x; }, 100.0)));
+    CHECK(std::isnan(numerics::fixed_point([](double) { return 101.0; }, 100.0)));
+    CHECK(std::isnan(numerics::fixed_point([](double) { return std::nan(""); }, 100.0)));
   }
 
   TEST_CASE("a straight line is met without a search") {
-    CHECK(straight_fixed_point([](double) { return 0.7; }, 100.0) == 0.7);
-    CHECK(straight_fixed_point([](double) { return 0.0; }, 100.0) == 0.0);
-    CHECK(std::abs(straight_fixed_point([](double x) { return 0.7 + 0.3 * x; }, 100.0) - 1.0) < 1e-15);
-    CHECK(std::abs(straight_fixed_point([](double x) { return 3.0 - 0.5 * x; }, 100.0) - 2.0) < 1e-15);
-    CHECK(std::isnan(straight_fixed_point([](double x) { return 1.0 + x; }, 100.0)));
-    CHECK(std::isnan(straight_fixed_point([](double x) { return 1.0 + 2.0 * x; }, 100.0)));
-    CHECK(std::isnan(straight_fixed_point([](double) { return 101.0; }, 100.0)));
-    CHECK(std::isnan(straight_fixed_point([](double) { return std::nan(""); }, 100.0)));
+    CHECK(numerics::straight_fixed_point([](double) { return 0.7; }, 100.0) == 0.7);
+    CHECK(numerics::straight_fixed_point([](double) { return 0.0; }, 100.0) == 0.0);
+    CHECK(std::abs(numerics::straight_fixed_point([](double x) { return 0.7 + 0.3 * x; }, 100.0) - 1.0) < 1e-15);
+    CHECK(std::abs(numerics::straight_fixed_point([](double x) { return 3.0 - 0.5 * x; }, 100.0) - 2.0) < 1e-15);
+    CHECK(std::isnan(numerics::straight_fixed_point([](double x) { return 1.0 + x; }, 100.0)));
+    CHECK(std::isnan(numerics::straight_fixed_point([](double x) { return 1.0 + 2.0 * x; }, 100.0)));
+    CHECK(std::isnan(numerics::straight_fixed_point([](double) { return 101.0; }, 100.0)));
+    CHECK(std::isnan(numerics::straight_fixed_point([](double) { return std::nan(""); }, 100.0)));
   }
 }

@@ -41,7 +41,7 @@ class Sample {
     return static_cast<double>(static_cast<std::int64_t>(state_)) * 0x1p-63;
   }
 
-  std::vector<MatrixEntry> pattern;
+  std::vector<numerics::MatrixEntry> pattern;
   std::vector<double> values;
 
  private:
@@ -61,7 +61,7 @@ TEST_SUITE("numerics") {
   TEST_CASE("random sparse systems are solved, straight and transposed, as their values change") {
     for (const std::size_t size : {1U, 2U, 5U, 12U, 40U}) {
       Sample sample(size, 3.0 / static_cast<double>(size));
-      SparseLu lu(size, sample.pattern);
+      numerics::SparseLu lu(size, sample.pattern);
       for (int round = 0; round < 50; ++round) {
         sample.renew();
         std::vector<double> x(size);
@@ -78,8 +78,8 @@ TEST_SUITE("numerics") {
   }
 
   TEST_CASE("a pivot that vanishes brings a new order, not a failure") {
-    const std::vector<MatrixEntry> pattern{{0, 0}, {0, 1}, {1, 0}, {1, 1}};
-    SparseLu lu(2, pattern);
+    const std::vector<numerics::MatrixEntry> pattern{{0, 0}, {0, 1}, {1, 0}, {1, 1}};
+    numerics::SparseLu lu(2, pattern);
     REQUIRE(lu.factor(std::vector{1.0, 0.1, 0.1, 1.0}));
     REQUIRE(lu.factor(std::vector{0.0, 2.0, 4.0, 0.0}));
     std::vector b{2.0, 8.0};
@@ -88,8 +88,8 @@ TEST_SUITE("numerics") {
   }
 
   TEST_CASE("a singular matrix is refused, and the next one is solved") {
-    const std::vector<MatrixEntry> pattern{{0, 0}, {0, 1}, {1, 0}, {1, 1}};
-    SparseLu lu(2, pattern);
+    const std::vector<numerics::MatrixEntry> pattern{{0, 0}, {0, 1}, {1, 0}, {1, 1}};
+    numerics::SparseLu lu(2, pattern);
     CHECK_FALSE(lu.factor(std::vector{1.0, 2.0, 2.0, 4.0}));
     REQUIRE(lu.factor(std::vector{1.0, 2.0, 2.0, 3.0}));
     CHECK_FALSE(lu.factor(std::vector{1.0, 2.0, 2.0, 4.0}));
@@ -100,8 +100,8 @@ TEST_SUITE("numerics") {
   }
 
   TEST_CASE("the condition number of a diagonal matrix is the ratio of its ends") {
-    const std::vector<MatrixEntry> pattern{{0, 0}, {1, 1}, {2, 2}};
-    SparseLu lu(3, pattern);
+    const std::vector<numerics::MatrixEntry> pattern{{0, 0}, {1, 1}, {2, 2}};
+    numerics::SparseLu lu(3, pattern);
     const std::vector values{5.0, -0.25, 1.0};
     REQUIRE(lu.factor(values));
     CHECK(lu.reciprocal_condition(values) == doctest::Approx(0.05).epsilon(1e-14));

@@ -10,8 +10,8 @@
 #include <numbers>
 #include <vector>
 
-using loadpath::MonotoneSpline;
-using loadpath::RestToRestSpline;
+using loadpath::numerics::MonotoneSpline;
+using loadpath::numerics::RestToRestSpline;
 
 TEST_SUITE("numerics") {
   TEST_CASE("two points give the cubic that starts and ends at rest") {
@@ -91,7 +91,7 @@ TEST_SUITE("numerics") {
       x.push_back(1.0 + period * k / 40.0);
       y.push_back(std::sin(x.back()));
     }
-    const loadpath::PeriodicSpline spline(x, y, period);
+    const loadpath::numerics::PeriodicSpline spline(x, y, period);
     const double h = period / 40.0;  // the bounds of Hall and Meyer for a fourth derivative of 1
     for (double at = -9.0; at < 20.0; at += 0.37) {
       CHECK(std::abs(spline.at(at).y - std::sin(at)) < 5.0 / 384.0 * h * h * h * h);

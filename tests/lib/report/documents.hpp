@@ -87,7 +87,7 @@ inline Document hostile_document() {
   Step step = torsion_step();
   step.symbol = step.formula = hostile;
   step.why = say("{1}", hostile);
-  const draw::Figure figure{"x", hostile, draw::Plot{}};
+  const figure::Figure figure{"x", hostile, figure::Plot{}};
   document.blocks = {Heading{2, hostile, hostile},
                      Paragraph{say("{1}", hostile)},
                      Paragraph{say("{1}", hostile), Paragraph::Tone::warning},

@@ -40,10 +40,10 @@ void check_values(const Swept& swept, const report::SolvedPoints& points) {
   }
 }
 
-const draw::Chart* chart_in(const std::vector<report::Block>& blocks, const std::string& id) {
+const figure::Chart* chart_in(const std::vector<report::Block>& blocks, const std::string& id) {
   for (const report::Block& block : blocks) {
-    const auto* const figure = std::get_if<draw::Figure>(&block);
-    if (figure != nullptr && figure->id == id) return std::get<draw::Charted>(figure->content).get();
+    const auto* const figure = std::get_if<figure::Figure>(&block);
+    if (figure != nullptr && figure->id == id) return std::get<figure::Charted>(figure->content).get();
   }
   return nullptr;
 }
@@ -61,17 +61,17 @@ TEST_SUITE("charts of a sweep") {
     CHECK(drawn.plane->points.numbers[0] == 1);  // 30 mm and 100 N*m, the second of the list
     check_values(swept, drawn.plane->points);
     const auto blocks = report::sweep_charts(swept.read_again(), swept.plan, swept.sum, drawn);
-    const draw::Chart* const plane = chart_in(blocks, "plane");
+    const figure::Chart* const plane = chart_in(blocks, "plane");
     REQUIRE(plane != nullptr);
     CHECK(plane->is_limited);
     for (std::size_t i = 0; i < 39; ++i) {
       const double u = 16.0 * plane->dots[i].y / (M_PI * std::pow(plane->dots[i].x, 3)) / 30e6;
       CHECK(plane->levels[i] == doctest::Approx(u));
-      CHECK(plane->dots[i].verdict == (u > 1.0 ? draw::Chart::Verdict::fails : draw::Chart::Verdict::passes));
+      CHECK(plane->dots[i].verdict == (u > 1.0 ? figure::Chart::Verdict::fails : figure::Chart::Verdict::passes));
     }
     CHECK(std::all_of(plane->modes.begin(), plane->modes.end(),
                       [](const std::string& mode) { return mode.starts_with("shaft."); }));
-    CHECK(plane->dots[plane->shown].verdict == draw::Chart::Verdict::passes);
+    CHECK(plane->dots[plane->shown].verdict == figure::Chart::Verdict::passes);
   }
 
   TEST_CASE("nothing else makes one") {
@@ -120,7 +120,7 @@ TEST_SUITE("charts of a sweep") {
     }
     CHECK(swept.sum.designs().pareto().size() == 7);  // thicker is heavier and less stressed
     const auto blocks = report::sweep_charts(swept.read_again(), swept.plan, swept.sum, drawn);
-    const draw::Chart* const cloud = chart_in(blocks, "cloud");
+    const figure::Chart* const cloud = chart_in(blocks, "cloud");
     REQUIRE(cloud != nullptr);
     CHECK(cloud->front.size() == 7);
   }

@@ -62,7 +62,8 @@ Stretch of_taper(const Input& in, const Piece& piece, double from, double l) {
   s.left_mass = weight.force(l) - s.right_mass;
   const auto turning = [&](double begin, double end) {
     double sum = 0.0;
-    for_each_gauss_8(begin, end, [&](double x, double part) { sum += part * in_si(in.rho) * inertia_of(ring(x)); });
+    numerics::for_each_gauss_8(begin, end,
+                               [&](double x, double part) { sum += part * in_si(in.rho) * inertia_of(ring(x)); });
     return sum;
   };
   s.left_I_d = turning(0.0, l / 2.0), s.right_I_d = turning(l / 2.0, l);

@@ -1,7 +1,7 @@
 #include "lib/project/sweep/points/bounds.hpp"
 
 #include "lib/account/fold.hpp"
-#include "lib/sweep/columns.hpp"
+#include "lib/simd/attributes.hpp"
 
 #include <array>
 #include <cstddef>

@@ -245,7 +245,7 @@ TEST_SUITE("mechanism cams") {
   }
 
   TEST_CASE("a drawing for other programs has the profile on a layer of its own") {
-    draw::Scheme scheme;
+    figure::Scheme scheme;
     scheme.bodies.push_back({"cam", {{0.0, 0.0}, {0.04, 0.0}}});
     CHECK(draw::dxf_of(scheme).find("cams") == std::string::npos);
     scheme.outlines.push_back({{0.0, 0.0}, {{0.03, 0.0}, {0.0, 0.03}, {-0.03, 0.0}}});

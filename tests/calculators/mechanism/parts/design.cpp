@@ -1,4 +1,5 @@
 // Counterweights, masses in points, efficiency, belts and hodographs as a project gives them.
+#include "lib/draw/svg.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/series.hpp"
 #include "tests/lib/project/accounts.hpp"
@@ -34,8 +35,8 @@ const Value& value_of(const project::Project& project, const std::string& path) 
 }
 double number_of(const project::Project& project, const std::string& path) { return value_of(project, path).si[0]; }
 
-const draw::Figure* figure_of(const project::Project& project, const std::string& id) {
-  for (const draw::Figure& figure : project.steps[0]->account().figures) {
+const figure::Figure* figure_of(const project::Project& project, const std::string& id) {
+  for (const figure::Figure& figure : project.steps[0]->account().figures) {
     if (figure.id == id) return &figure;
   }
   return nullptr;
@@ -241,22 +242,22 @@ loads = [{ link = "large", M = "-20 N*m" }]
   TEST_CASE("hodographs of the busiest pins, and of those that are named") {
     const std::string load = "loads = [{ link = \"slider\", at = \"B\", F_x = \"-1 kN\", F_y = \"0 N\" }]\n";
     const auto all = solved(press("", "", load));
-    const draw::Figure* figure = figure_of(all, "hodograph-A");
+    const figure::Figure* figure = figure_of(all, "hodograph-A");
     REQUIRE(figure != nullptr);
-    const auto& plans = std::get<draw::Plans>(figure->content);
+    const auto& plans = std::get<figure::Plans>(figure->content);
     REQUIRE(plans.panels.size() == 3);
     CHECK(plans.panels[0].title == "A: crank on rod, in the axes of rod");
-    for (const draw::Plan& panel : plans.panels) {
+    for (const figure::Plan& panel : plans.panels) {
       REQUIRE(panel.traces.size() == 1);
       REQUIRE(panel.traces[0].points.size() == 37);  // closed
       CHECK(panel.traces[0].marks.size() == 12);     // every 30 degrees, the governing one among them or next to them
       for (std::size_t k = 0; k < 36; ++k) {
-        const draw::Point f = panel.traces[0].points[k];
+        const figure::Point f = panel.traces[0].points[k];
         CHECK(std::hypot(f.x, f.y) == doctest::Approx(value_of(all, "joints.A.F").si[k]).epsilon(1e-12));
       }
     }
     // A rod without mass takes no force across.
-    for (const draw::Point f : plans.panels[0].traces[0].points) CHECK(std::abs(f.y) < 1e-9);
+    for (const figure::Point f : plans.panels[0].traces[0].points) CHECK(std::abs(f.y) < 1e-9);
     for (std::size_t k = 0; k < 36; ++k)
       CHECK(plans.panels[2].traces[0].points[k].x == doctest::Approx(value_of(all, "joints.A.x").si[k]).epsilon(1e-12));
 
@@ -305,7 +306,7 @@ springs.turn = { links = ["crank", "ground"], k_turn = "2 N*m/rad" }
 links.arm = { points = { C = ["0 mm", "0 mm"], E = ["0 mm", "60 mm"] }, angle = "-7 deg" }
 joints.C = { type = "rigid", links = ["rod", "arm"] }
 )");
-    const auto& scheme = std::get<draw::Scheme>(figure_of(project, "first-position")->content);
+    const auto& scheme = std::get<figure::Scheme>(figure_of(project, "first-position")->content);
     REQUIRE(scheme.springs.size() == 1);
     CHECK(scheme.springs[0].pulls);
     CHECK(scheme.springs[0].damps);
@@ -313,8 +314,8 @@ joints.C = { type = "rigid", links = ["rod", "arm"] }
     REQUIRE(scheme.coils.size() == 1);
     CHECK_FALSE(scheme.coils[0].damps);
     CHECK(std::count_if(scheme.joints.begin(), scheme.joints.end(),
-                        [](const auto& j) { return j.pin == draw::Scheme::Pin::welded; }) == 1);
-    for (const draw::Figure& figure : project.steps[0]->account().figures)
+                        [](const auto& j) { return j.pin == figure::Scheme::Pin::welded; }) == 1);
+    for (const figure::Figure& figure : project.steps[0]->account().figures)
       CHECK(draw::svg(figure).find("nan") == std::string::npos);
   }
 

@@ -47,7 +47,7 @@ void at_positions(const std::function<void(const PlanSubject&)>& check) {
   }
 }
 
-double side(const draw::Plan::Vector& v) { return std::hypot(v.to.x - v.from.x, v.to.y - v.from.y); }
+double side(const figure::Plan::Vector& v) { return std::hypot(v.to.x - v.from.x, v.to.y - v.from.y); }
 
 /// The moments of the drawn forces about the pole and of the couples at their angular velocities, over their
 /// magnitudes.
@@ -62,7 +62,9 @@ double left_on_lever(const PlanSubject& subject) {
   return std::abs(sum) / magnitudes;
 }
 
-draw::Point last_of(const draw::Plan& plan) { return plan.vectors.empty() ? draw::Point{} : plan.vectors.back().to; }
+figure::Point last_of(const figure::Plan& plan) {
+  return plan.vectors.empty() ? figure::Point{} : plan.vectors.back().to;
+}
 
 }  // namespace
 
@@ -70,10 +72,10 @@ TEST_SUITE("mechanism plans") {
   TEST_CASE("the forces on every link close a polygon") {
     at_positions([](const PlanSubject& subject) {
       for (std::size_t k = 0; k < subject.model.links.size(); ++k) {
-        const draw::Plan plan = force_plan(subject, static_cast<int>(k));
+        const figure::Plan plan = force_plan(subject, static_cast<int>(k));
         double largest = 0.0;
         for (const auto& v : plan.vectors) largest = std::max(largest, side(v));
-        const draw::Point end = last_of(plan);
+        const figure::Point end = last_of(plan);
         CHECK(std::hypot(end.x, end.y) <= 1e-9 * largest);
       }
     });
@@ -109,7 +111,7 @@ TEST_SUITE("mechanism plans") {
     mechanism::Position at = system.blank();
     const mechanism::Drive drive{system.coordinate(0), 20.0, 0.0};
     REQUIRE(system.solve({&drive, 1}, at, false) == mechanism::Status::closed);
-    const draw::Plan plan = velocity_plan({model, {{"B", 2, {}}}, at, false});
+    const figure::Plan plan = velocity_plan({model, {{"B", 2, {}}}, at, false});
     const auto& image = plan.images[2].points;  // points of the plate: B, C, E
     const Vec own[] = {{}, {0.259, 0.0}, {0.091, 0.3013}};
     REQUIRE(image.size() == 3);
@@ -130,7 +132,7 @@ TEST_SUITE("mechanism plans") {
     REQUIRE(system.solve({&drive, 1}, at, false) == mechanism::Status::closed);
     const std::vector<TracedPoint> points{
         {"P", 0, {0.1, 0.0}}, {"p", 0, {0.2, 0.0}}, {"A", 0, {0.3, 0.0}}, {"P_a", 0, {0.4, 0.0}}};
-    const auto names = [](const draw::Plan& plan) {
+    const auto names = [](const figure::Plan& plan) {
       std::vector<std::string> all;
       for (const auto& p : plan.points) all.push_back(draw::plain(p.name));
       return all;
@@ -142,7 +144,7 @@ TEST_SUITE("mechanism plans") {
 
   TEST_CASE("the parts of an acceleration lead from the image of one point to that of the other") {
     at_positions([](const PlanSubject& subject) {
-      const draw::Plan plan = acceleration_plan(subject);
+      const figure::Plan plan = acceleration_plan(subject);
       for (std::size_t n = 0; n + 1 < plan.vectors.size(); ++n) {
         const auto &first = plan.vectors[n], &second = plan.vectors[n + 1];
         const bool pair =
@@ -164,7 +166,7 @@ TEST_SUITE("mechanism plans") {
     mechanism::Position at = system.blank();
     const mechanism::Drive drive{system.coordinate(0), 45.0, 0.0};
     REQUIRE(system.solve({&drive, 1}, at, false) == mechanism::Status::closed);
-    const draw::Plan plan = acceleration_plan({model, {{"A", 0, {0.03, 0.0}}}, at, false});
+    const figure::Plan plan = acceleration_plan({model, {{"A", 0, {0.03, 0.0}}}, at, false});
     const auto relative = std::find_if(plan.vectors.begin(), plan.vectors.end(),
                                        [](const auto& v) { return v.label.starts_with("a_r_"); });
     REQUIRE(relative != plan.vectors.end());
@@ -186,7 +188,7 @@ TEST_SUITE("mechanism plans") {
 
   TEST_CASE("a lever is the velocity plan turned clockwise by a right angle") {
     at_positions([](const PlanSubject& subject) {
-      const draw::Plan velocities = velocity_plan(subject), lever = zhukovsky_lever(subject);
+      const figure::Plan velocities = velocity_plan(subject), lever = zhukovsky_lever(subject);
       REQUIRE(velocities.points.size() == lever.points.size());
       for (std::size_t n = 0; n < lever.points.size(); ++n) {
         CHECK(lever.points[n].at.x == velocities.points[n].at.y);

@@ -21,7 +21,7 @@ TEST_SUITE("mechanism schemes") {
     extents.strokes.resize(model.joints.size());
     extents.loads_push.resize(model.loads.size());
     extents.loads_turn.resize(model.loads.size());
-    const draw::Motion drawn = scheme_at(model, at, extents, {}, Shown::at_rest);
+    const figure::Motion drawn = scheme_at(model, at, extents, {}, Shown::at_rest);
     CHECK(drawn.still.wheels.size() == 3);
   }
 }

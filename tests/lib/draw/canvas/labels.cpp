@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 
 TEST_SUITE("draw") {
   TEST_CASE("a label takes the cheapest place that is free") {

@@ -5,6 +5,7 @@
 #include <numbers>
 
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 
 namespace {
 

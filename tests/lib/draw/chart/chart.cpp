@@ -2,6 +2,7 @@
 #include "lib/draw/chart/chart.hpp"
 
 #include "lib/draw/chart/picture.hpp"
+#include "lib/draw/svg.hpp"
 #include "tests/lib/draw/svg_reader.hpp"
 
 #include <boost/json.hpp>
@@ -10,6 +11,7 @@
 #include <limits>
 
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 using namespace loadpath::draw::test;
 
 namespace {

@@ -10,6 +10,7 @@
 #include <numbers>
 
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 using doctest::Approx;
 
 namespace {

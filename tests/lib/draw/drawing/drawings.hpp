@@ -3,6 +3,7 @@
 
 #include "lib/draw/canvas/view.hpp"
 #include "lib/draw/drawing/clip.hpp"
+#include "lib/draw/svg.hpp"
 #include "lib/figure/drawing.hpp"
 #include "tests/lib/draw/svg_reader.hpp"
 
@@ -13,25 +14,27 @@
 
 namespace loadpath::draw::test {
 
-inline const Drawing& drawing_of(const Figure& figure) { return *std::get<Drawn>(figure.content); }
+inline const figure::Drawing& drawing_of(const figure::Figure& figure) {
+  return *std::get<figure::Drawn>(figure.content);
+}
 
 /// A length is measured along its line: a level one in x, an upright one in y.
-inline double measured(const Drawing::Length& l) {
+inline double measured(const figure::Drawing::Length& l) {
   switch (l.side) {
-    case Drawing::Side::below:
-    case Drawing::Side::above:
+    case figure::Drawing::Side::below:
+    case figure::Drawing::Side::above:
       return std::fabs(l.to.x - l.from.x);
-    case Drawing::Side::left:
-    case Drawing::Side::right:
+    case figure::Drawing::Side::left:
+    case figure::Drawing::Side::right:
       return std::fabs(l.to.y - l.from.y);
-    case Drawing::Side::in_place:
+    case figure::Drawing::Side::in_place:
       break;
   }
   return length(l.to - l.from);
 }
 
 /// Every dimension has the length, width or magnitude in the drawing that it states.
-inline void check_dimensions(const Figure& figure) {
+inline void check_dimensions(const figure::Figure& figure) {
   for (const auto& view : drawing_of(figure).views) {
     for (const auto& l : view.lengths) {
       CAPTURE(l.value.symbol);
@@ -63,7 +66,7 @@ inline std::string outside_frame(std::string_view svg) {
   }
   for (const Element& e : elements(svg, "path")) {  // M x y l dx dy ..., or strokes M x y L x y
     const std::string d(attribute(e.tag, "d"));
-    Point at;
+    figure::Point at;
     char command = 'M';
     for (std::size_t i = 0; i < d.size();) {
       if (std::isalpha(static_cast<unsigned char>(d[i])) != 0) {
@@ -85,7 +88,7 @@ inline std::string outside_frame(std::string_view svg) {
         i += used;
         const double y = std::stod(d.substr(i), &used);
         i += used;
-        at = command == 'l' ? Point{at.x + x, at.y + y} : Point{x, y};
+        at = command == 'l' ? figure::Point{at.x + x, at.y + y} : figure::Point{x, y};
       }
       if (is_out(at.x, at.y)) return std::string(e.tag).substr(0, 60);
     }
@@ -94,7 +97,7 @@ inline std::string outside_frame(std::string_view svg) {
 }
 
 /// Invariants of every drawing: it is complete, shows no NaN, and stays within its frame.
-inline void check_drawn(const Figure& figure) {
+inline void check_drawn(const figure::Figure& figure) {
   const std::string text = svg(figure);
   CHECK(well_formed(text));
   CHECK_FALSE(has(text, "nan"));
@@ -106,21 +109,21 @@ inline void check_drawn(const Figure& figure) {
 }
 
 /// The points of the paths of a kind of line in a view.
-inline std::vector<std::vector<Point>> paths_of(const Drawing::View& view, Drawing::Line line) {
-  std::vector<std::vector<Point>> found;
+inline std::vector<std::vector<figure::Point>> paths_of(const figure::Drawing::View& view, figure::Drawing::Line line) {
+  std::vector<std::vector<figure::Point>> found;
   for (const auto& path : view.paths) {
     if (path.line == line) found.push_back(path.points);
   }
   return found;
 }
 
-inline double distance_to_segment(Point p, Point from, Point to) {
-  const Point d = to - from;
+inline double distance_to_segment(figure::Point p, figure::Point from, figure::Point to) {
+  const figure::Point d = to - from;
   const double whole = dot(d, d), t = whole > 0.0 ? std::clamp(dot(p - from, d) / whole, 0.0, 1.0) : 0.0;
   return length(p - (from + t * d));
 }
 
-inline double distance_to(Point p, const std::vector<Point>& closed) {
+inline double distance_to(figure::Point p, const std::vector<figure::Point>& closed) {
   double least = 1e300;
   for (std::size_t i = 0; i < closed.size(); ++i)
     least = std::min(least, distance_to_segment(p, closed[i], closed[(i + 1) % closed.size()]));

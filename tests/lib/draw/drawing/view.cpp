@@ -1,5 +1,6 @@
 #include "lib/draw/drawing/fit.hpp"
 #include "lib/draw/dxf.hpp"
+#include "lib/draw/svg.hpp"
 #include "tests/lib/draw/drawing/drawings.hpp"
 
 #include <doctest/doctest.h>
@@ -8,6 +9,7 @@
 
 using namespace loadpath;
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 using namespace loadpath::draw::test;
 
 namespace {

@@ -1,6 +1,7 @@
 #include "lib/draw/motion/motion.hpp"
 
 #include "lib/draw/scheme/fit.hpp"
+#include "lib/draw/svg.hpp"
 #include "tests/lib/draw/figures.hpp"
 #include "tests/lib/draw/svg_reader.hpp"
 
@@ -10,6 +11,7 @@
 #include <limits>
 
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 using namespace loadpath::draw::test;
 namespace json = boost::json;
 

@@ -1,11 +1,13 @@
 #include "lib/draw/canvas/typeset.hpp"
 #include "lib/draw/plan/picture.hpp"
+#include "lib/draw/svg.hpp"
 #include "tests/lib/draw/figures.hpp"
 #include "tests/lib/draw/svg_reader.hpp"
 
 #include <doctest/doctest.h>
 
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 using namespace loadpath::draw::test;
 
 namespace {

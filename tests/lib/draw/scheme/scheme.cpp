@@ -8,6 +8,7 @@
 #include <numbers>
 
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 using namespace loadpath::draw::test;
 
 TEST_SUITE("draw") {

@@ -1,4 +1,5 @@
 // Springs, dampers, welds and hodographs as pictures.
+#include "lib/draw/svg.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <doctest/doctest.h>
@@ -9,6 +10,7 @@
 namespace {
 
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 
 std::string drawn(Scheme scheme) { return svg({"scheme", "A mechanism", std::move(scheme)}); }
 

@@ -7,6 +7,7 @@
 #include <string>
 
 using namespace loadpath::draw;
+using namespace loadpath::figure;
 
 namespace {
 

@@ -46,7 +46,7 @@ std::vector<double> jacobian_of(const Constraints& constraints) {
 
 /// Column after column, that is motion after motion.
 std::vector<double> inverse_of(std::vector<double> jacobian, std::size_t size) {
-  loadpath::DenseInverse(size).invert(jacobian);
+  loadpath::numerics::DenseInverse(size).invert(jacobian);
   return jacobian;
 }
 
@@ -106,8 +106,8 @@ TEST_SUITE("mechanism") {
       instant.take(solved.at, false);
       const std::size_t size = instant.constraints().rows();
       const std::vector<double> jacobian = jacobian_of(instant.constraints());
-      const double condition =
-          loadpath::largest_row_sum(jacobian, size) * loadpath::largest_row_sum(inverse_of(jacobian, size), size);
+      const double condition = loadpath::numerics::largest_row_sum(jacobian, size) *
+                               loadpath::numerics::largest_row_sum(inverse_of(jacobian, size), size);
       CHECK(instant.condition() <= condition * (1.0 + 1e-9));
       CHECK(instant.condition() >= condition / 3.0);
     }

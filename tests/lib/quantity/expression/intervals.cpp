@@ -86,7 +86,7 @@ TEST_SUITE("intervals of laws") {
         ++all;
         bounded += bounds.value.is_bounded() ? 1 : 0;
         for (int i = 0; i <= 10; ++i) {
-          const Jet jet = law->at(from + (to - from) * i / 10.0);
+          const numerics::Jet jet = law->at(from + (to - from) * i / 10.0);
           INFO(text << " at " << from + (to - from) * i / 10.0);
           check_holds(bounds.value, jet.value, 0.0);
           if (std::isfinite(jet.value)) check_holds(bounds.first, jet.first, std::abs(jet.value));

@@ -18,11 +18,11 @@ Outcome<Law> parsed(const std::string& text, const Dimension& result) {
   return Law::parse(text, {"t", Dimension::of(0, 0, 1)}, result);
 }
 
-void check(const std::string& text, const Dimension& result, double t, Jet expected) {
+void check(const std::string& text, const Dimension& result, double t, numerics::Jet expected) {
   CAPTURE(text);
   const auto law = parsed(text, result);
   REQUIRE(law);
-  const Jet at = law->at(t);
+  const numerics::Jet at = law->at(t);
   CHECK(at.value == doctest::Approx(expected.value).epsilon(1e-13));
   CHECK(at.first == doctest::Approx(expected.first).epsilon(1e-13));
   CHECK(at.second == doctest::Approx(expected.second).epsilon(1e-13));

@@ -129,7 +129,7 @@ TEST_SUITE("report") {
 
   TEST_CASE("headings are numbered, tables and figures count through the page") {
     const Table table{say("a"), {}, {}};
-    const draw::Figure figure{"", "moment", draw::Plot{}};
+    const figure::Figure figure{"", "moment", figure::Plot{}};
     const std::string out = body({Heading{2, "One", "one"}, Heading{3, "Part", "p"}, table, figure,
                                   Heading{2, "Two", "two"}, Heading{3, "Part", "q"}, table, figure});
     for (const char* part :
@@ -262,14 +262,14 @@ TEST_SUITE("report") {
   }
 
   TEST_CASE("a mechanism that moves has one small script in the page, and no name stands in its data") {
-    draw::Motion motion;
+    figure::Motion motion;
     motion.still.bodies = {{hostile, {{0.0, 0.0}, {1.0, 0.0}}}};
     motion.links = {{{{{0.0, 0.0}, 0.0}, {{0.0, 0.0}, 0.1}}}};
     motion.forces = {{{{1.0, 0.0}, {1.0, 0.0}}}, {{{-1.0, 0.0}, {-1.0, 0.0}}}};
     motion.plans = {{hostile, {{0, 1.0, hostile}, {1, 1.0, hostile}}}};
     motion.axis = {"phi", hostile, "deg", {0.0, 0.1}};
     motion.numbers = {{hostile, hostile, "N", {1.0, 2.0}}};
-    const draw::Figure figure{"turn", "It turns", motion};
+    const figure::Figure figure{"turn", "It turns", motion};
     Document document;
     document.blocks = {figure, figure};
     const std::string page = html(document);

@@ -1,3 +1,4 @@
+#include "lib/draw/svg.hpp"
 #include "tests/lib/report/documents.hpp"
 
 #include <doctest/doctest.h>
@@ -98,7 +99,7 @@ TEST_SUITE("report") {
 
   TEST_CASE("figures are files beside the text, numbered so that their names differ") {
     Document document;
-    const draw::Figure figure{"moment", "Drive moment", draw::Plot{}};
+    const figure::Figure figure{"moment", "Drive moment", figure::Plot{}};
     document.blocks = {figure, figure};
     const Markdown out = markdown(document, "my report");
     REQUIRE(out.figures.size() == 2);

@@ -227,7 +227,7 @@ class ReductionCheck {
 
   /// One end of a cycle with r = -1 is safe for any sign of the series; another ratio is not that of the series.
   [[nodiscard]] bool is_alternating(const Operand& operand) const {
-    return has_reversed_ratio(step_, prefix_of(operand.path));
+    return has_reversed_ratio(step_, prefix_of(operand.path), project_);
   }
 
   /// A field defined as this reduction: an amplitude; one extreme of a cycle, if the other is given too.

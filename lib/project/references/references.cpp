@@ -1,6 +1,7 @@
 #include "lib/project/references/references.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace loadpath::project {
 
@@ -288,12 +289,26 @@ std::string prefix_of(const std::string& path) {
   return dot == std::string::npos ? "" : path.substr(0, dot + 1);
 }
 
-bool has_reversed_ratio(const Step& step, const std::string& beside) {
+namespace {
+
+/// The value of an operand whose sources are solved; NaN where it is a series, or a source is not.
+double value_of(const Operand& operand, const Project& project) {
+  static const Value none{{}, {std::nan("")}};
+  const Value value = operand.expression.evaluate([&](const std::string& path) -> const Value& {
+    const Value* const known = project.value(path);
+    return known == nullptr || known->si.empty() ? none : *known;
+  });
+  return value.is_series() ? std::nan("") : value.si[0];
+}
+
+}  // namespace
+
+bool has_reversed_ratio(const Step& step, const std::string& beside, const Project& project) {
   const Reading& reading = step.input().reading;
   const std::string path = beside + "r";
   const auto is_it = [&](const Operand& operand) { return operand.path == path; };
   const auto operand = std::find_if(reading.operands.begin(), reading.operands.end(), is_it);
-  if (operand != reading.operands.end()) return operand->early == -1.0;  // unknown where other steps decide
+  if (operand != reading.operands.end()) return operand->early == -1.0 || value_of(*operand, project) == -1.0;
   const Leaf r = find_leaf(reading.record, path);
   return r && r.get() == -1.0;
 }

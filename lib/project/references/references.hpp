@@ -17,6 +17,6 @@ bool is_reduction(const Meaning& meaning);
 std::string prefix_of(const std::string& path);
 
 /// Whether the stress ratio of a cycle is typed as r = -1, `beside`: prefix of its inputs.
-bool has_reversed_ratio(const Step& step, const std::string& beside);
+bool has_reversed_ratio(const Step& step, const std::string& beside, const Project& project);
 
 }  // namespace loadpath::project

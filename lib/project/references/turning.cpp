@@ -74,7 +74,7 @@ const Operand* operand_at(const Step& step, const std::string& path) {
 /// Whether the other inputs of the cycle make it symmetric: r = -1, the other end, the amplitude or the mean.
 bool is_reversed(const Step& step, const Operand& operand, const Project& project) {
   const std::string beside = prefix_of(operand.path);
-  if (has_reversed_ratio(step, beside)) return true;
+  if (has_reversed_ratio(step, beside, project)) return true;
   Share share(project);
   const double own = share.of(operand);
   const auto share_of = [&](const char* key) {

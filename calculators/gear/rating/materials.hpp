@@ -5,6 +5,7 @@
 #include "lib/quantity/units.hpp"
 
 #include <array>
+#include <limits>
 
 namespace loadpath::gear {
 
@@ -52,6 +53,23 @@ constexpr const StrengthLine* strength_line(GearMaterial material, Quality quali
       return &line;
   }
   return nullptr;
+}
+
+/// The largest values of a material in table 1, at a hardness or, where it is unset, at any; NaN at a hardness that
+/// table 1 does not have.
+struct StrengthBounds {
+  double sigma_H = std::numeric_limits<double>::quiet_NaN(), sigma_F = std::numeric_limits<double>::quiet_NaN();
+};
+constexpr StrengthBounds strength_bounds(GearMaterial material, double hardness) {
+  StrengthBounds most;
+  for (const StrengthLine& line : strength_lines) {
+    const double H = hardness == hardness ? hardness : line.high;
+    if (line.material != material || H < line.low || H > line.high) continue;
+    const double h = (line.A_H * H + line.B_H) * 1e6, f = (line.A_F * H + line.B_F) * 1e6;
+    if (!(most.sigma_H >= h)) most.sigma_H = h;
+    if (!(most.sigma_F >= f)) most.sigma_F = f;
+  }
+  return most;
 }
 
 /// Modulus of elasticity and Poisson's ratio: [DIN3990-2] table 1, from memory.

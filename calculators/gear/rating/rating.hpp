@@ -10,6 +10,7 @@
 
 #include "calculators/gear/rating/materials.hpp"
 #include "calculators/gear/rating/types.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 
@@ -55,6 +56,7 @@ quality_1 = "MQ"
 quality_2 = "MQ"
 H_1 = 720
 H_2 = 720
+place = "middle"
 S_Hmin = 1.1
 S_Fmin = 1.4
 )";
@@ -120,7 +122,7 @@ S_Fmin = 1.4
           .positive()
           .usually(40, 525)
           .may_be_missing(),
-      Choice{&Input::place, "place", "place of the pinion on its shaft"}.may_be_missing(),
+      Choice{&Input::place, "place", "place of the pinion on its shaft"},
       Field{&Input::l, "l", mm, "bearing span of the pinion shaft"}.positive().may_be_missing(),
       Field{&Input::s, "s", mm, "distance of the pinion from the middle of the span"}.at_least(0),
       Field{&Input::d_sh, "d_sh", mm, "diameter of the pinion shaft"}.positive().may_be_missing(),
@@ -209,6 +211,16 @@ S_Fmin = 1.4
                   "midway between the bearings s is zero: name the place a to e"},
       Rule<Input>{[](const Input& in) { return !(abs(in.n_1) <= 0.0 * rpm); }, "n_1",
                   "a running gear needs a speed greater than zero"}};
+
+  static constexpr std::array bounds{
+      Bound<Input>{"sigma_Hlim_1", "the best quality of this material in ISO 6336-5",
+                   [](const Input& in) { return strength_bounds(in.material_1, in.H_1).sigma_H; }},
+      Bound<Input>{"sigma_Hlim_2", "the best quality of this material in ISO 6336-5",
+                   [](const Input& in) { return strength_bounds(in.material_2, in.H_2).sigma_H; }},
+      Bound<Input>{"sigma_Flim_1", "the best quality of this material in ISO 6336-5",
+                   [](const Input& in) { return strength_bounds(in.material_1, in.H_1).sigma_F; }},
+      Bound<Input>{"sigma_Flim_2", "the best quality of this material in ISO 6336-5",
+                   [](const Input& in) { return strength_bounds(in.material_2, in.H_2).sigma_F; }}};
 
   static constexpr bool turns = true;
   static constexpr std::array modes{

@@ -206,5 +206,10 @@ TEST_SUITE("gear.rating") {
     CHECK(mode_with("gear.rating", "", "pitting_1") == "pass");
     CHECK(mode_with("gear.rating", "T_1 = \"4000 N*m\"", "pitting_1") == "fail");
     CHECK(mode_with("gear.rating", "n_1 = \"20000 rpm\"", "dynamic") == "not-covered");
+    // Numbers of no such material.
+    const std::string soft = "material_1 = \"through_alloy\"\nquality_1 = \nH_1 = 266\nsigma_Flim_1 = \"300 MPa\"\n";
+    CHECK(mode_with("gear.rating", soft + "sigma_Hlim_1 = \"800 MPa\"\nT_1 = \"100 N*m\"", "pitting_1") == "pass");
+    CHECK(mode_with("gear.rating", soft + "sigma_Hlim_1 = \"1500 MPa\"\nT_1 = \"250 N*m\"", "pitting_1") ==
+          "not-judged");
   }
 }

@@ -17,7 +17,7 @@ namespace section {
 namespace column { struct Buckling; struct Lightest; struct EffectiveLength; }
 namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; }
 namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; struct Life; struct Combined; struct History; struct Multiaxial; struct Staircase; struct Survival; struct Fkm; }
-namespace gear { struct Pair; struct Planetary; }
+namespace gear { struct Pair; struct Planetary; struct Rating; }
 namespace chain { struct Roller; }
 namespace drive { struct Train; }
 namespace belt { struct Flat; struct V; struct VSizing; struct Course; }
@@ -89,6 +89,7 @@ static constexpr std::array all{
     Row{&erased<fatigue::Survival>},
     Row{&erased<gear::Pair>},
     Row{&erased<gear::Planetary>},
+    Row{&erased<gear::Rating>},
     Row{&erased<chain::Roller>},
     Row{&erased<drive::Train>},
     Row{&erased<belt::Flat>},

@@ -31,7 +31,7 @@ struct Pair {
   static constexpr auto scope =
       "Geometry, contact ratio, tooth thickness, base tangent length and tooth forces of spur and helical "
       "gears with profile shift, external, internal or with a rack, and static bending stress by Lewis as a "
-      "first estimate; pitting and the rating of ISO 6336 are not covered.";
+      "first estimate; pitting and tooth breakage by gear.rating.";
   static constexpr auto source = "[ISO21771], [Lewis]";
   static constexpr auto headline = "z {z_1}/{z_2}, m {m_n}";
   static constexpr auto synonyms =
@@ -219,19 +219,25 @@ sigma_adm_2 = "200 MPa"
                     return carries(in) && in.cutting == Cutting::none ? shown_by(is_set(in.n_1)) : Applies::no;
                   }}
           .wanting("n_1, cutting")
-          .in_service(),
+          .in_service()
+          .left_to("gear.rating", "mesh.dynamic"),
       Mode<Input>{"root_1", "tooth root bending, gear 1 (Lewis)", [](const Input& in) { return where(carries(in)); }}
-          .judged_by("u_F1, v_share"),
+          .judged_by("u_F1, v_share")
+          .left_to("gear.rating", "mesh.root_1"),
       Mode<Input>{"root_2", "tooth root bending, gear 2 (Lewis)",
                   [](const Input& in) { return where(carries(in) && in.mesh == Mesh::external); }}
-          .judged_by("u_F2, v_share"),
+          .judged_by("u_F2, v_share")
+          .left_to("gear.rating", "mesh.root_2"),
       Mode<Input>{"root_mate", "tooth root bending, ring or rack",
                   [](const Input& in) { return where(carries(in) && in.mesh != Mesh::external); }},
       Mode<Input>{"fillet", "stress concentration at the root fillet",
                   [](const Input& in) { return carries(in) && in.K_f == 1.0 ? shown_by(is_set(in.n_1)) : Applies::no; }}
-          .wanting("K_f"),
-      Mode<Input>{"pitting_1", "pitting, gear 1", [](const Input& in) { return where(carries(in)); }},
-      Mode<Input>{"pitting_2", "pitting, gear 2", [](const Input& in) { return where(carries(in)); }},
+          .wanting("K_f")
+          .left_to("gear.rating", "mesh.root_1, mesh.root_2"),
+      Mode<Input>{"pitting_1", "pitting, gear 1", [](const Input& in) { return where(carries(in)); }}.left_to(
+          "gear.rating", "mesh.pitting_1"),
+      Mode<Input>{"pitting_2", "pitting, gear 2", [](const Input& in) { return where(carries(in)); }}.left_to(
+          "gear.rating", "mesh.pitting_2"),
       Mode<Input>{"contact", "contact ratio", &always<Input>}.judged_by("eps_gamma").of_shape(),
       Mode<Input>{"flanks", "involute form of the flanks", &always<Input>}.judged_by("q_a, x_2").of_shape(),
       Mode<Input>{"undercut", "undercut", &always<Input>}.judged_by("x_free").of_shape(),

@@ -155,6 +155,21 @@ void bend_all(const PairInput& in, PairResult& r, Tracer& trace) {
 
 }  // namespace load
 
+namespace load {
+
+/// For the rating of an external pair.
+inline RatedMesh mesh_of(const PairInput& in, Moment T_1, const PairResult& r) {
+  if (in.mesh != Mesh::external || is_set(in.d_a2)) return {};
+  RatedMesh mesh;
+  mesh.z_1 = in.z_1, mesh.z_2 = in.z_2, mesh.m_n = in.m_n, mesh.alpha_n = in.alpha_n, mesh.beta = in.beta;
+  mesh.x_1 = in.x_1, mesh.x_2 = r.x_2, mesh.a_w = r.a_w;
+  mesh.h_aP = in.h_aP, mesh.h_fP = in.h_fP, mesh.rho_fP = in.rho_fP, mesh.shortening = in.shortening;
+  mesh.b = r.b, mesh.T_1 = abs(T_1), mesh.n_1 = abs(in.n_1), mesh.K_A = in.K_A, mesh.idler = in.idler;
+  return mesh;
+}
+
+}  // namespace load
+
 /// Speeds, torques, forces, bending by Lewis; only what the load that is given allows.
 template <class Tracer>
 void load_teeth(const PairInput& in, PairResult& r, Tracer& trace) {
@@ -162,6 +177,7 @@ void load_teeth(const PairInput& in, PairResult& r, Tracer& trace) {
   if (is_set(in.n_1)) speeds(in, r, trace);
   const Moment T_1 = torque(in, trace);
   if (is_set(T_1)) forces(in, T_1, r, trace);
+  r.mesh = mesh_of(in, T_1, r);
   velocity_factor(in, r, trace);
   if (!is_set(T_1) || !is_set(r.b) || !has_teeth(in, r)) return;
   bend_all(in, r, trace);

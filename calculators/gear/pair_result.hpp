@@ -1,6 +1,7 @@
 // Result of a gear pair.
 #pragma once
 
+#include "calculators/gear/rated_mesh.hpp"
 #include "calculators/load/shaft_load.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -34,6 +35,7 @@ struct PairResult {
   Force F_x1 = unset<Force>, F_y1 = unset<Force>, F_z1 = unset<Force>;
   Force F_x2 = unset<Force>, F_y2 = unset<Force>, F_z2 = unset<Force>;
   ShaftLoad gear_1, gear_2;
+  RatedMesh mesh;
   double K_v = unset<double>, v_share = unset<double>;
   double Y_1 = unset<double>, Y_2 = unset<double>;
   Stress sigma_F1 = unset<Stress>, sigma_F2 = unset<Stress>;
@@ -128,6 +130,7 @@ inline constexpr Fields pair_results{
         "F_x2, F_y2, T_2|gear_2.T"),
     Group{&PairResult::gear_1, "gear_1", "shaft load of gear 1, in the frame of its shaft, for load"}.handed_over(),
     Group{&PairResult::gear_2, "gear_2", "shaft load of gear 2, in the frame of its shaft, for load"}.handed_over(),
+    Group{&PairResult::mesh, "mesh", "teeth and load, for gear.rating"}.handed_over(),
     Field{&PairResult::K_v, "K_v", ratio, "velocity factor on the load; 1 without cutting"},
     Field{&PairResult::v_share, "v_share", ratio,
           "velocity factor: pitch line velocity / upper limit of its formula (a strength check needs "

@@ -77,7 +77,13 @@ Word subscript(std::string_view text, const Glyphs& base) {
   if (fatigue_limit && name == "m" && !digits.empty()) {
     return {{"−" + std::string(digits), nullptr, false}};
   }
-  if (!name.empty()) word.push_back(letters(name));
+  const bool is_mixed = name.size() > 1 && letters(name).greek == nullptr && letters(name.substr(1)).greek != nullptr;
+  if (is_mixed) {  // K_Hbeta
+    word.push_back(letters(name.substr(0, 1)));
+    word.push_back(letters(name.substr(1)));
+  } else if (!name.empty()) {
+    word.push_back(letters(name));
+  }
   if (name == "p" && digits == "02") {
     word.push_back({"0.2", nullptr, false});  // proof strength
   } else if (!digits.empty()) {

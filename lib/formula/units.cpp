@@ -41,6 +41,8 @@ constexpr std::array units = {
     row("W", W),
     row("kW", kW),
     row("rpm", rpm),
+    row("N_per_mm", N_per_mm),
+    row("um", um),
     row("hour", hour),
     row("kg_per_m", kg_per_m),
     row("kelvin", kelvin),

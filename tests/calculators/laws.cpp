@@ -148,6 +148,10 @@ const Law vessels[] = {
 };
 
 const Law drives[] = {
+    {"gear.rating", "", "S_Hmin = 2.2", "u_H1", 2},
+    {"gear.rating", "", "S_Hmin = 2.2", "u_H2", 2},
+    {"gear.rating", "", "S_Fmin = 2.8", "u_F1", 2},
+    {"gear.rating", "", "S_Fmin = 2.8", "u_F2", 2},
     {"gear.pair", "", "m_n = \"5 mm\"\na_w = \"200 mm\"\nb = \"56 mm\"\nT_1 = \"480 N*m\"", "F_t", 4},
     {"gear.pair", "", "m_n = \"5 mm\"\na_w = \"200 mm\"\nb = \"56 mm\"\nT_1 = \"480 N*m\"", "eps_gamma", 1},
     {"gear.pair", "cutting = ", "cutting = \nm_n = \"5 mm\"\na_w = \"200 mm\"\nb = \"56 mm\"\nT_1 = \"480 N*m\"",

@@ -334,6 +334,19 @@ const char* const rack = "mesh = \"rack\"\nz_2 = \nsigma_adm_2 = \nbeta = \"0 de
 
 // A wheel of 20 teeth of 2.5 mm, shifted by 0.3, on a rack.
 const Case racks[] = {
+    {"gear.rating", "beta = \"8 deg\"", "Z_beta", std::sqrt(std::cos(8 * pi / 180))},
+    {"gear.rating", "f_ma = \"0 um\"\nb = \"1 um\"\nT_1 = \"1 N*m\"", "K_Hbeta", 1},
+    // Far from the middle, and a torque that enters there, but no load: nothing bends.
+    {"gear.rating",
+     "place = \"a\"\nl = \"200 mm\"\ns = \"50 mm\"\nd_sh = \"60 mm\"\nf_ma = \"20 um\"\nT_1 = \"0.000001 N*m\"",
+     "F_betax", 20e-6},
+    // 1 N/mm on 76 mm and 48 mm, so slow that K_V is 1, out of line by 96 um, of which 6 um run in.
+    {"gear.rating", "T_1 = \"1.4592 N*m\"\nn_1 = \"0.001 rpm\"\nf_ma = \"96 um\"", "K_Hbeta",
+     std::sqrt(40 * (90 + 1.33 * 0.023 * 48 * 48 / (76 * 76)))},
+    {"gear.rating", "h_aP = 0.67\nT_1 = \"1 N*m\"", "K_Halpha", 1.2},
+    {"gear.rating", "h_aP = 0.67\nT_1 = \"1 N*m\"", "K_Falpha", 1.2},
+    {"gear.rating", "h_aP = 0.7\nbeta = \"8 deg\"\nT_1 = \"1 N*m\"", "K_Halpha", 1.4},
+    {"gear.rating", "h_aP = 0.7\nbeta = \"8 deg\"\nT_1 = \"1 N*m\"", "K_Falpha", 1.4},
     {"gear.pair", rack, "a_w", 25e-3 + 0.3 * 2.5e-3},
     {"gear.pair", "mesh = \"rack\"\nz_2 = \nsigma_adm_2 = \nbeta = \"0 deg\"\na_w = \"25.75 mm\"", "x_0", 0.3},
     {"gear.pair", rack, "alpha_wt", pi / 9},

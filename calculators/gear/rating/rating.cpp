@@ -1,0 +1,133 @@
+#include "calculators/gear/rating/rating.hpp"
+
+#include "calculators/gear/rating/contact.hpp"
+#include "calculators/gear/rating/load_factors.hpp"
+#include "calculators/gear/rating/root.hpp"
+#include "lib/calculator/calculator_of.hpp"
+#include "lib/quantity/format.hpp"
+
+namespace loadpath::gear {
+
+using namespace rating;
+
+namespace {
+
+bool is_typed(Stress sigma_Hlim, Stress sigma_Flim) { return is_set(sigma_Hlim) && is_set(sigma_Flim); }
+
+bool is_named(Quality quality, double H) { return quality != Quality::untold && is_set(H); }
+
+/// Of the line of its material unless it is given.
+Stress contact_number(const Wheel& wheel) {
+  if (is_set(wheel.sigma_Hlim)) return wheel.sigma_Hlim;
+  const StrengthLine* const line = strength_line(wheel.material, wheel.quality, wheel.H);
+  return line == nullptr ? unset<Stress> : (line->A_H * wheel.H + line->B_H) * MPa.one;
+}
+Stress bending_number(const Wheel& wheel) {
+  if (is_set(wheel.sigma_Flim)) return wheel.sigma_Flim;
+  const StrengthLine* const line = strength_line(wheel.material, wheel.quality, wheel.H);
+  return line == nullptr ? unset<Stress> : (line->A_F * wheel.H + line->B_F) * MPa.one;
+}
+
+/// Load cycles of a gear in its life; unset for endurance.
+double cycles_of(const RatingTypes::Input& in, const Wheel& wheel) {
+  if (!is_set(in.L_h)) return unset<double>;
+  const double turns = std::abs(in_si(in.n_1)) / (2.0 * pi) * in_si(in.L_h);
+  return wheel.turns * turns;
+}
+
+template <class Tracer>
+void nominal_load(const RatingTypes::Input& in, const PairResult& g, RatingTypes::Result& r, Tracer& trace) {
+  const Length d_1 = trace.value("d_1", g.d_1, "reference circle of gear 1");
+  STEP_TO(r, F_t, 2.0 * abs(in.T_1) / d_1, "at the reference circle");
+  STEP_TO(r, v, abs(in.n_1) * d_1 / 2.0, "at the reference circle");
+}
+
+template <class Tracer>
+void nominal_contact(const RatingTypes::Input& in, const PairResult& g, RatingTypes::Result& r, Tracer& trace) {
+  const Length d_1 = g.d_1;
+  const double u = g.u;
+  const double E_1 = modulus_of(in.material_1) / 1e6, E_2 = modulus_of(in.material_2) / 1e6;
+  r.Z_E = trace.value("Z_E", std::sqrt(1.0 / (pi * (1.0 - poisson * poisson) * (1.0 / E_1 + 1.0 / E_2))),
+                      "elasticity factor, sqrt(MPa): 189.8 of steel on steel");
+  const double Z_H = r.Z_H, Z_E = r.Z_E, Z_eps = r.Z_eps, Z_beta = r.Z_beta;
+  const Force F_t = r.F_t;
+  STEP_TO(r, sigma_H0, Z_H * Z_E * Z_eps * Z_beta * sqrt(F_t / (d_1 * in.b) / MPa * (u + 1.0) / u) * MPa,
+          "at the pitch point, [DIN3990-2]");
+}
+
+}  // namespace
+
+bool Rating::has_strengths(const Input& in) {
+  return (is_typed(in.sigma_Hlim_1, in.sigma_Flim_1) || is_named(in.quality_1, in.H_1)) &&
+         (is_typed(in.sigma_Hlim_2, in.sigma_Flim_2) || is_named(in.quality_2, in.H_2));
+}
+
+FieldFault Rating::missing_strength(const Input& in) {
+  const bool first = is_typed(in.sigma_Hlim_1, in.sigma_Flim_1) || is_named(in.quality_1, in.H_1);
+  return {first ? "quality_2" : "quality_1", say("gear {1} has no allowable stress numbers", first ? "2" : "1"),
+          say("quality_{1} = \"MQ\" with the hardness H_{1}; or sigma_Hlim_{1} and sigma_Flim_{1}", first ? "2" : "1")};
+}
+
+bool Rating::has_line(const Input& in) {
+  const auto has = [](GearMaterial material, Quality quality, double H, Stress h, Stress f) {
+    return is_typed(h, f) || !is_named(quality, H) || strength_line(material, quality, H) != nullptr;
+  };
+  return has(in.material_1, in.quality_1, in.H_1, in.sigma_Hlim_1, in.sigma_Flim_1) &&
+         has(in.material_2, in.quality_2, in.H_2, in.sigma_Hlim_2, in.sigma_Flim_2);
+}
+
+FieldFault Rating::missing_line(const Input& in) {
+  const bool first = is_typed(in.sigma_Hlim_1, in.sigma_Flim_1) || !is_named(in.quality_1, in.H_1) ||
+                     strength_line(in.material_1, in.quality_1, in.H_1) != nullptr;
+  const GearMaterial material = first ? in.material_2 : in.material_1;
+  const Quality quality = first ? in.quality_2 : in.quality_1;
+  for (const StrengthLine& line : strength_lines) {
+    if (line.material != material || line.quality != quality) continue;
+    return {first ? "H_2" : "H_1", say("the hardness is outside the line of ISO 6336-5"),
+            say("{1} to {2}, or give sigma_Hlim and sigma_Flim", format_number(line.low), format_number(line.high))};
+  }
+  return {first ? "quality_2" : "quality_1", say("ISO 6336-5 has no line of this quality for the material"),
+          say("another quality, or sigma_Hlim and sigma_Flim")};
+}
+
+bool Rating::is_laid_out(const Input& in) {
+  const double angle = geometry_of(in).alpha_wt;
+  return angle > 0.0 && angle < pi / 3.0;
+}
+
+template <class Tracer>
+Rating::Result Rating::evaluate(const Input& in, Tracer& trace) {
+  Result r;
+  const PairResult g = geometry_of(in);
+  const Wheel one = first_of(in, g), two = second_of(in, g);
+  nominal_load(in, g, r, trace);
+  dynamic_factor(in, g, r, trace);
+  const Stress lim_1 = contact_number(one), lim_2 = contact_number(two);
+  face_load_factor(in, g, one, two, lim_1, lim_2, r, trace);
+  contact_factors(in, g, r, trace);
+  root_factors(in, g, r, trace);
+  transverse_factors(in, g, is_hardened(one.material) && is_hardened(two.material), r, trace);
+  single_contact(in, g, r, trace);
+  flank_factor(in, g, r, trace);
+  nominal_contact(in, g, r, trace);
+  const Contact c_1 = contact_of(in, one, two, r.Z_B, lim_1, cycles_of(in, one), r, trace);
+  const Contact c_2 = contact_of(in, two, one, r.Z_D, lim_2, cycles_of(in, two), r, trace);
+  r.sigma_H1 = c_1.sigma, r.sigma_HG1 = c_1.limit, r.S_H1 = c_1.S, r.u_H1 = c_1.u;
+  r.sigma_H2 = c_2.sigma, r.sigma_HG2 = c_2.limit, r.S_H2 = c_2.S, r.u_H2 = c_2.u;
+  r.K_Fbeta1 = face_load_of_root(in, one, r, trace), r.K_Fbeta2 = face_load_of_root(in, two, r, trace);
+  const Form f_1 = form_of(in, g, one, trace), f_2 = form_of(in, g, two, trace);
+  r.Y_Fa1 = f_1.Y_Fa, r.Y_Sa1 = f_1.Y_Sa, r.Y_Fa2 = f_2.Y_Fa, r.Y_Sa2 = f_2.Y_Sa;
+  const Root t_1 = root_of(in, one, f_1, r.K_Fbeta1, bending_number(one), cycles_of(in, one), r, trace);
+  const Root t_2 = root_of(in, two, f_2, r.K_Fbeta2, bending_number(two), cycles_of(in, two), r, trace);
+  r.sigma_F01 = t_1.sigma_0, r.sigma_F1 = t_1.sigma, r.sigma_FG1 = t_1.limit, r.S_F1 = t_1.S, r.u_F1 = t_1.u;
+  r.sigma_F02 = t_2.sigma_0, r.sigma_F2 = t_2.sigma, r.sigma_FG2 = t_2.limit, r.S_F2 = t_2.S, r.u_F2 = t_2.u;
+  r.x_eps = g.eps_alpha;
+  return r;
+}
+
+template Rating::Result Rating::evaluate(const Input&, NoTrace&);
+template Rating::Result Rating::evaluate(const Input&, Trace&);
+
+}  // namespace loadpath::gear
+
+template const loadpath::Calculator& loadpath::erased<loadpath::gear::Rating>();

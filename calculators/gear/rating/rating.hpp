@@ -1,0 +1,243 @@
+// Load capacity of cylindrical gears with outer teeth: pitting and tooth breakage by DIN 3990-11.
+//
+// Decides the dynamic factor, the load over the face width and among the teeth, the contact stress and the root stress
+// of both gears, their limits for endurance or at their cycles, and both safety factors. DIN 3990-11:1989, the form of
+// ISO 6336 for machinery; its helix factor is that of DIN 3990-2. Allowable stress numbers by ISO 6336-5 or as given.
+// Loads nominal, with the application factor K_A; T_1 is the torque of gear 1. Not covered: inner teeth, speeds beyond
+// the dynamic constants, load spectra, scuffing, micropitting, case crushing. From memory: moduli of irons, the
+// manufacturing deviation where f_ma is not given, Y_A of idlers.
+#pragma once
+
+#include "calculators/gear/rating/materials.hpp"
+#include "calculators/gear/rating/types.hpp"
+#include "lib/calculator/bound.hpp"
+#include "lib/calculator/mode.hpp"
+#include "lib/calculator/trace.hpp"
+
+#include <array>
+#include <limits>
+
+namespace loadpath::gear {
+
+struct Rating : RatingTypes {
+  static constexpr auto id = "gear.rating";
+  static constexpr auto title = "Load capacity of cylindrical gears (DIN 3990-11)";
+  static constexpr auto scope =
+      "Pitting and tooth breakage of external spur and helical gears by DIN 3990-11 (machinery), with the load "
+      "factors, "
+      "endurance and finite life; materials by ISO 6336-5.";
+  static constexpr auto source = "[DIN3990-11], [ISO6336-5]";
+  static constexpr auto headline = "S_H {S_H1}/{S_H2}";
+  static constexpr auto synonyms =
+      "gear rating, pitting, tooth breakage, load capacity, ISO 6336, DIN 3990, safety against pitting, root safety, "
+      "Tragfähigkeit, Grübchen, Zahnfuß, Flankentragfähigkeit, выкрашивание, прочность зубьев";
+  static constexpr auto example = R"([project]
+title = "Rating of a reducer stage"
+
+[teeth]
+calculator = "gear.rating"
+z_1 = 19
+z_2 = 104
+m_n = "4 mm"
+x_1 = 0.5
+x_2 = 0.15
+rho_fP = 0.25
+b = "48 mm"
+T_1 = "400 N*m"
+n_1 = "980 rpm"
+K_A = 1.25
+grade = 6
+finish = "ground"
+R_z1 = "5 um"
+R_z2 = "5 um"
+material_1 = "case"
+material_2 = "case"
+quality_1 = "MQ"
+quality_2 = "MQ"
+H_1 = 720
+H_2 = 720
+place = "middle"
+S_Hmin = 1.1
+S_Fmin = 1.4
+)";
+
+  static bool has_strengths(const Input& in);
+  static FieldFault missing_strength(const Input& in);
+  static bool has_line(const Input& in);
+  static FieldFault missing_line(const Input& in);
+  static bool is_laid_out(const Input& in);
+  static bool leaves_middle(const Input& in) { return in.place != Place::middle; }
+
+  static constexpr Fields inputs{
+      RecordField<Input>{"mesh", "gear pair: mesh = \"=stage.mesh\""},
+      Count{&Input::z_1, "z_1", 5, 2000, "number of teeth, gear 1"},
+      Count{&Input::z_2, "z_2", 5, 2000, "number of teeth, gear 2"},
+      Field{&Input::m_n, "m_n", mm, "normal module"}.positive().usually(0.5, 50),
+      Field{&Input::alpha_n, "alpha_n", deg, "normal pressure angle"}.within(15, 25).usually(17.5, 25),
+      Field{&Input::beta, "beta", deg, "helix angle at the reference diameter"}.within(0, 45).usually(0, 30),
+      Field{&Input::x_1, "x_1", ratio, "profile shift coefficient, gear 1"}.within(-1.5, 1.5).usually(-0.8, 1.2),
+      Field{&Input::x_2, "x_2", ratio, "profile shift coefficient, gear 2; omitted: from a_w, else zero"}
+          .within(-1.5, 1.5)
+          .usually(-0.8, 1.2)
+          .may_be_missing(),
+      Field{&Input::a_w, "a_w", mm, "working centre distance"}.positive().may_be_missing(),
+      Field{&Input::h_aP, "h_aP", ratio, "addendum of the basic rack, in modules"}.within(0.3, 2).usually(0.8, 1.2),
+      Field{&Input::h_fP, "h_fP", ratio, "dedendum of the basic rack, in modules"}.within(0.4, 2.5).usually(1, 1.4),
+      Field{&Input::rho_fP, "rho_fP", ratio, "root fillet radius of the basic rack, in modules"}.within(0, 0.6),
+      Choice{&Input::shortening, "shortening", "tip shortening of a pair with profile shift"}.may_be_missing(),
+      Field{&Input::b, "b", mm, "common face width"}.positive(),
+      Field{&Input::T_1, "T_1", N_m, "torque of gear 1, nominal"}.load(),
+      Field{&Input::n_1, "n_1", rpm, "speed of gear 1"},
+      Field{&Input::K_A, "K_A", ratio, "application factor K_A (1 if the load includes it)"}
+          .at_least(1)
+          .usually(1, 2.5)
+          .factor(),
+      Choice{&Input::idler, "idler", "idler gear (reversed tooth bending)"}.may_be_missing(),
+      Count{&Input::grade, "grade", 5, 12, "accuracy grade of the teeth, DIN 3961 or ISO 1328"},
+      Choice{&Input::finish, "finish", "finish of the flanks"}.may_be_missing(),
+      Field{&Input::R_z1, "R_z1", um, "flank roughness, gear 1"}.positive().usually(0.5, 40).may_be_missing(),
+      Field{&Input::R_z2, "R_z2", um, "flank roughness, gear 2"}.positive().usually(0.5, 40).may_be_missing(),
+      Choice{&Input::material_1, "material_1", "material and heat treatment, gear 1"},
+      Choice{&Input::material_2, "material_2", "material and heat treatment, gear 2"},
+      Choice{&Input::quality_1, "quality_1", "material quality of ISO 6336-5, gear 1"}.may_be_missing(),
+      Choice{&Input::quality_2, "quality_2", "material quality of ISO 6336-5, gear 2"}.may_be_missing(),
+      Field{&Input::H_1, "H_1", ratio, "flank hardness, gear 1: HBW of steel, nodular and grey, else HV"}
+          .within(100, 900)
+          .may_be_missing(),
+      Field{&Input::H_2, "H_2", ratio, "flank hardness, gear 2"}.within(100, 900).may_be_missing(),
+      Field{&Input::sigma_Hlim_1, "sigma_Hlim_1", MPa,
+            "allowable stress number for contact, gear 1, in place of quality_1"}
+          .positive()
+          .usually(250, 1650)
+          .may_be_missing(),
+      Field{&Input::sigma_Hlim_2, "sigma_Hlim_2", MPa, "allowable stress number for contact, gear 2"}
+          .positive()
+          .usually(250, 1650)
+          .may_be_missing(),
+      Field{&Input::sigma_Flim_1, "sigma_Flim_1", MPa, "nominal stress number for bending, gear 1: half of sigma_FE"}
+          .positive()
+          .usually(40, 525)
+          .may_be_missing(),
+      Field{&Input::sigma_Flim_2, "sigma_Flim_2", MPa, "nominal stress number for bending, gear 2"}
+          .positive()
+          .usually(40, 525)
+          .may_be_missing(),
+      Choice{&Input::place, "place", "place of the pinion on its shaft"},
+      Field{&Input::l, "l", mm, "bearing span of the pinion shaft"}.positive().may_be_missing(),
+      Field{&Input::s, "s", mm, "distance of the pinion from the middle of the span"}.at_least(0),
+      Field{&Input::d_sh, "d_sh", mm, "diameter of the pinion shaft"}.positive().may_be_missing(),
+      Choice{&Input::crowning, "crowning", "correction of the flank line"}.may_be_missing(),
+      Field{&Input::f_ma, "f_ma", um, "manufacturing deviation of the flank lines; omitted: by the grade"}
+          .at_least(0)
+          .usually(0, 100)
+          .may_be_missing(),
+      Choice{&Input::pattern, "pattern", "contact pattern under load"}.may_be_missing(),
+      Field{&Input::L_h, "L_h", hour, "required life; omitted: endurance"}.positive().may_be_missing(),
+      Field{&Input::S_Hmin, "S_Hmin", ratio, "required safety factor against pitting"}
+          .at_least(1)
+          .usually(1, 2)
+          .may_be_missing()
+          .factor(),
+      Field{&Input::S_Fmin, "S_Fmin", ratio, "required safety factor against tooth breakage"}
+          .at_least(1)
+          .usually(1.2, 3)
+          .may_be_missing()
+          .factor()};
+
+  static constexpr Fields results{
+      Field{&Result::F_t, "F_t", N, "nominal tangential force at the reference circle"},
+      Field{&Result::v, "v", m_per_s, "velocity at the reference circle"},
+      Field{&Result::K_V, "K_V", ratio, "dynamic factor"},
+      Field{&Result::x_v, "x_v", ratio, "related pitch line velocity: the dynamic constants hold below 10"}.limit(0,
+                                                                                                                  10),
+      Field{&Result::f_sh, "f_sh", um, "deformation of the pinion and its shaft"},
+      Field{&Result::F_betax, "F_betax", um, "deviation of the flank lines before running in"},
+      Field{&Result::y_beta, "y_beta", um, "running-in allowance"},
+      Field{&Result::K_Hbeta, "K_Hbeta", ratio, "face load factor, contact"},
+      Field{&Result::K_Halpha, "K_Halpha", ratio, "transverse factor, contact"},
+      Field{&Result::K_Falpha, "K_Falpha", ratio, "transverse factor, root"},
+      Field{&Result::K_Fbeta1, "K_Fbeta1", ratio, "face load factor, root of gear 1"},
+      Field{&Result::K_Fbeta2, "K_Fbeta2", ratio, "face load factor, root of gear 2"},
+      Field{&Result::Z_H, "Z_H", ratio, "zone factor"},
+      Field{&Result::Z_E, "Z_E", ratio, "elasticity factor, sqrt(MPa)"},
+      Field{&Result::Z_eps, "Z_eps", ratio, "contact ratio factor"},
+      Field{&Result::Z_beta, "Z_beta", ratio, "helix factor"},
+      Field{&Result::Z_B, "Z_B", ratio, "single contact factor, gear 1"},
+      Field{&Result::Z_D, "Z_D", ratio, "single contact factor, gear 2"},
+      Field{&Result::Z_LVR, "Z_LVR", ratio, "factor of lubricant, velocity and roughness"},
+      Field{&Result::sigma_H0, "sigma_H0", MPa, "nominal contact stress at the pitch point"},
+      Field{&Result::sigma_H1, "sigma_H1", MPa, "contact stress, gear 1"},
+      Field{&Result::sigma_H2, "sigma_H2", MPa, "contact stress, gear 2"},
+      Field{&Result::sigma_HG1, "sigma_HG1", MPa, "pitting limit, gear 1"},
+      Field{&Result::sigma_HG2, "sigma_HG2", MPa, "pitting limit, gear 2"},
+      Field{&Result::S_H1, "S_H1", ratio, "safety factor against pitting, gear 1"},
+      Field{&Result::S_H2, "S_H2", ratio, "safety factor against pitting, gear 2"},
+      Field{&Result::Y_Fa1, "Y_Fa1", ratio, "form factor, gear 1"},
+      Field{&Result::Y_Fa2, "Y_Fa2", ratio, "form factor, gear 2"},
+      Field{&Result::Y_Sa1, "Y_Sa1", ratio, "stress correction factor, gear 1"},
+      Field{&Result::Y_Sa2, "Y_Sa2", ratio, "stress correction factor, gear 2"},
+      Field{&Result::Y_eps, "Y_eps", ratio, "contact ratio factor, root"},
+      Field{&Result::Y_beta, "Y_beta", ratio, "helix factor, root"},
+      Field{&Result::sigma_F01, "sigma_F01", MPa, "nominal root stress, gear 1"},
+      Field{&Result::sigma_F02, "sigma_F02", MPa, "nominal root stress, gear 2"},
+      Field{&Result::sigma_F1, "sigma_F1", MPa, "root stress, gear 1"},
+      Field{&Result::sigma_F2, "sigma_F2", MPa, "root stress, gear 2"},
+      Field{&Result::sigma_FG1, "sigma_FG1", MPa, "limit of the root stress, gear 1"},
+      Field{&Result::sigma_FG2, "sigma_FG2", MPa, "limit of the root stress, gear 2"},
+      Field{&Result::S_F1, "S_F1", ratio, "safety factor against tooth breakage, gear 1"},
+      Field{&Result::S_F2, "S_F2", ratio, "safety factor against tooth breakage, gear 2"},
+      Field{&Result::u_H1, "u_H1", ratio, "pitting, gear 1: required / calculated safety factor"}.check("S_Hmin"),
+      Field{&Result::u_H2, "u_H2", ratio, "pitting, gear 2: required / calculated safety factor"}.check("S_Hmin"),
+      Field{&Result::u_F1, "u_F1", ratio, "tooth breakage, gear 1: required / calculated safety factor"}.check(
+          "S_Fmin"),
+      Field{&Result::u_F2, "u_F2", ratio, "tooth breakage, gear 2: required / calculated safety factor"}.check(
+          "S_Fmin"),
+      Field{&Result::x_eps, "x_eps", ratio, "transverse contact ratio: the method holds from 1 to 2"}.limit(1, 2)};
+
+  static constexpr std::array rules{
+      Rule<Input>{&has_strengths, "quality_1, quality_2, sigma_Hlim_1, sigma_Hlim_2, sigma_Flim_1, sigma_Flim_2",
+                  "each gear needs quality and H, or sigma_Hlim and sigma_Flim", &missing_strength},
+      Rule<Input>{&has_line, "material_1, material_2, quality_1, quality_2, H_1, H_2",
+                  "ISO 6336-5 has no line for this material, quality and hardness", &missing_line},
+      Rule<Input>{&is_laid_out, "a_w, x_1, x_2, z_1, z_2, m_n, beta",
+                  "the centre distance, or the profile shifts, give no working pressure angle"},
+      Rule<Input>{[](const Input& in) { return in.rho_fP <= in.h_fP; }, "rho_fP, h_fP",
+                  "the root radius must fit into the dedendum"},
+      Rule<Input>{[](const Input& in) { return in.finish == Finish::hobbed || (is_set(in.R_z1) && is_set(in.R_z2)); },
+                  "finish, R_z1, R_z2", "ground or shaved flanks need the roughness of both gears"},
+      Rule<Input>{[](const Input& in) { return !leaves_middle(in) || (is_set(in.l) && is_set(in.d_sh)); },
+                  "place, l, d_sh, s", "a pinion away from the middle needs l, s and d_sh"},
+      Rule<Input>{[](const Input& in) { return leaves_middle(in) || !(in.s > 0.0 * mm); }, "place, s",
+                  "midway between the bearings s is zero: name the place a to e"},
+      Rule<Input>{[](const Input& in) { return !(abs(in.n_1) <= 0.0 * rpm); }, "n_1",
+                  "a running gear needs a speed greater than zero"}};
+
+  static constexpr std::array bounds{
+      Bound<Input>{"sigma_Hlim_1", "the best quality of this material in ISO 6336-5",
+                   [](const Input& in) { return strength_bounds(in.material_1, in.H_1).sigma_H; }},
+      Bound<Input>{"sigma_Hlim_2", "the best quality of this material in ISO 6336-5",
+                   [](const Input& in) { return strength_bounds(in.material_2, in.H_2).sigma_H; }},
+      Bound<Input>{"sigma_Flim_1", "the best quality of this material in ISO 6336-5",
+                   [](const Input& in) { return strength_bounds(in.material_1, in.H_1).sigma_F; }},
+      Bound<Input>{"sigma_Flim_2", "the best quality of this material in ISO 6336-5",
+                   [](const Input& in) { return strength_bounds(in.material_2, in.H_2).sigma_F; }}};
+
+  static constexpr bool turns = true;
+  static constexpr std::array modes{
+      Mode<Input>{"pitting_1", "pitting, gear 1", &always<Input>}.judged_by("u_H1, x_eps"),
+      Mode<Input>{"pitting_2", "pitting, gear 2", &always<Input>}.judged_by("u_H2, x_eps"),
+      Mode<Input>{"root_1", "tooth root bending, gear 1", &always<Input>}.judged_by("u_F1, x_eps"),
+      Mode<Input>{"root_2", "tooth root bending, gear 2", &always<Input>}.judged_by("u_F2, x_eps"),
+      Mode<Input>{"dynamic", "dynamic tooth load", &always<Input>}.judged_by("x_v"),
+      Mode<Input>{"overload", "tooth overload at peak torque", &unseen<Input>}.special(),
+      Mode<Input>{"scuffing", "scuffing", &unseen<Input>}.special(),
+      Mode<Input>{"micropitting", "micropitting", &unseen<Input>}.special(),
+      Mode<Input>{"case_crushing", "case crushing", &unseen<Input>}.special(),
+      Mode<Input>{"wear", "wear of the tooth flanks", &unseen<Input>}.special(),
+      Mode<Input>{"heat", "thermal capacity", &unseen<Input>}.special()};
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+};
+
+}  // namespace loadpath::gear

@@ -1,0 +1,64 @@
+// Input and result of gear.rating.
+#pragma once
+
+#include "calculators/gear/pair_choices.hpp"
+#include "calculators/gear/rating/choices.hpp"
+#include "lib/calculator/field.hpp"
+#include "lib/quantity/drive_units.hpp"
+#include "lib/quantity/fit_units.hpp"
+
+namespace loadpath::gear {
+
+struct RatingTypes {
+  struct Input {
+    Whole z_1 = 0, z_2 = 0;
+    Length m_n = unset<Length>;
+    double alpha_n = 20.0 * deg.one, beta = 0.0, x_1 = 0.0, x_2 = unset<double>;
+    Length a_w = unset<Length>;
+    double h_aP = 1.0, h_fP = 1.25, rho_fP = 0.38;
+    Shortening shortening = Shortening::clearance;
+    Length b = unset<Length>;
+    Moment T_1 = unset<Moment>;
+    AngularSpeed n_1 = unset<AngularSpeed>;
+    double K_A = 1.0;
+    Idler idler = Idler::none;
+    Whole grade = 0;
+    Finish finish = Finish::hobbed;
+    Length R_z1 = unset<Length>, R_z2 = unset<Length>;
+    GearMaterial material_1 = GearMaterial::steel, material_2 = GearMaterial::steel;
+    Quality quality_1 = Quality::untold, quality_2 = Quality::untold;
+    double H_1 = unset<double>, H_2 = unset<double>;
+    Stress sigma_Hlim_1 = unset<Stress>, sigma_Hlim_2 = unset<Stress>;
+    Stress sigma_Flim_1 = unset<Stress>, sigma_Flim_2 = unset<Stress>;
+    Place place = Place::middle;
+    Length l = unset<Length>, s = 0.0 * mm, d_sh = unset<Length>;
+    Crowning crowning = Crowning::none;
+    Length f_ma = unset<Length>;
+    Pattern pattern = Pattern::unfavourable;
+    Time L_h = unset<Time>;
+    double S_Hmin = unset<double>, S_Fmin = unset<double>;
+  };
+
+  struct Result {
+    Force F_t = unset<Force>;
+    Speed v = unset<Speed>;
+    double K_V = unset<double>, x_v = unset<double>;
+    Length f_sh = unset<Length>, F_betax = unset<Length>, y_beta = unset<Length>;
+    double K_Hbeta = unset<double>, K_Halpha = unset<double>, K_Falpha = unset<double>;
+    double K_Fbeta1 = unset<double>, K_Fbeta2 = unset<double>;
+    double Z_H = unset<double>, Z_E = unset<double>, Z_eps = unset<double>, Z_beta = unset<double>;
+    double Z_B = unset<double>, Z_D = unset<double>, Z_LVR = unset<double>;
+    Stress sigma_H0 = unset<Stress>, sigma_H1 = unset<Stress>, sigma_H2 = unset<Stress>;
+    Stress sigma_HG1 = unset<Stress>, sigma_HG2 = unset<Stress>;
+    double S_H1 = unset<double>, S_H2 = unset<double>;
+    double Y_Fa1 = unset<double>, Y_Fa2 = unset<double>, Y_Sa1 = unset<double>, Y_Sa2 = unset<double>;
+    double Y_eps = unset<double>, Y_beta = unset<double>;
+    Stress sigma_F01 = unset<Stress>, sigma_F02 = unset<Stress>, sigma_F1 = unset<Stress>, sigma_F2 = unset<Stress>;
+    Stress sigma_FG1 = unset<Stress>, sigma_FG2 = unset<Stress>;
+    double S_F1 = unset<double>, S_F2 = unset<double>;
+    double u_H1 = unset<double>, u_H2 = unset<double>, u_F1 = unset<double>, u_F2 = unset<double>;
+    double x_eps = unset<double>;
+  };
+};
+
+}  // namespace loadpath::gear

@@ -4,6 +4,7 @@
 #include "lib/project/because.hpp"
 #include "lib/project/run/neighbours.hpp"
 #include "lib/project/run/own_bounds.hpp"
+#include "lib/project/run/sources_beside.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -134,21 +135,22 @@ bool is_far_from_usual(const Evaluation& evaluation, const Neighbour& beside) {
 
 /// Marks the checks and limits that change with the neighbour in place of the value; for the nearest usual value,
 /// those that pass only with the typed one, and if it is `far` off those that it lowers. True if results change, but
-/// no check or limit.
+/// no check or limit, or if a check exists only with the neighbour: sliding, with a speed other than zero.
 bool mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, Beside kind, bool far,
                   WeighedValues& weighed) {
-  bool decides = false, changes = false;
+  bool decides = false, changes = false, hides = false;
   for (const ResultSeries& series : with_typed.series) {
     if (is_same_in(with_other, series)) continue;
     changes = true;
     if (!is_verdict(*series.field)) continue;
+    hides = hides || std::isnan(largest_magnitude(series.value));
     decides = true;
     const bool by_value = kind == Beside::usual || kind == Beside::either;
     const bool is_decided = !by_value || passes_in_the_first_only(series, with_other) ||
                             ((far || kind == Beside::either) && is_lower_in_the_first(series, with_other));
     if (is_decided) weighed.decided.emplace(series.path, bolder);
   }
-  return changes && !decides;
+  return hides || (changes && !decides);
 }
 
 /// Whether a row of a table gives the value, which cannot be replaced.
@@ -239,6 +241,7 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
     if (((only_changes && goes_on) || stays) && reason == nullptr) weighed.handed_on.push_back(bolder);
   }
   if (!all.empty() && has_results) evaluate_all(evaluation);  // restored
+  compare_results(evaluation, results, known, weighed);
   if (wanted.unused && has_results && step.reading.varied.empty()) refuse_idle_reasons(evaluation.step(), used, issues);
   return weighed;
 }

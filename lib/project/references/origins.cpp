@@ -1,0 +1,175 @@
+#include "lib/project/references/origins.hpp"
+
+#include "lib/calculator/strength_bounds.hpp"
+#include "lib/project/modes.hpp"
+#include "lib/project/references/notches.hpp"
+#include "lib/project/references/references.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double most_apart = 1e-3;
+
+const Dimension of_stress = Dimension::of(-1, 1, -2);
+
+/// The value of largest magnitude; NaN if there is none.
+double magnitude(const Value& value) {
+  double most = std::nan("");
+  for (const double si : value.si) {
+    if (!std::isnan(si) && !(std::abs(si) <= std::abs(most))) most = si;
+  }
+  return most;
+}
+
+double magnitude_at(const Project& project, const std::string& path) {
+  const Value* const value = project.value(path);
+  return value == nullptr ? std::nan("") : magnitude(*value);
+}
+
+double magnitude_of(const Operand& operand, const Project& project) {
+  static const Value none{{}, {std::nan("")}};
+  return magnitude(operand.expression.evaluate([&](const std::string& path) -> const Value& {
+    const Value* const value = project.value(path);
+    return value == nullptr ? none : *value;
+  }));
+}
+
+/// The value of an input before the step is solved; NaN if it is not known.
+double own_value(const Step& step, const Project& project, const std::string& path) {
+  const auto& operands = step.input().reading.operands;
+  const auto operand = std::find_if(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == path; });
+  if (operand != operands.end()) return magnitude_of(*operand, project);
+  const Leaf leaf = find_leaf(step.input().reading.record, path);
+  return leaf && leaf.field->is_number() ? leaf.get() : std::nan("");
+}
+
+/// Whether the calculator declares one of these meanings for a field.
+bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(std::string_view what)) {
+  return std::any_of(calculator.meanings.begin(), calculator.meanings.end(), [&](const Meaning& meaning) {
+    const auto fields = listed_keys(meaning.fields);
+    return is_it(meaning.what) &&
+           std::any_of(fields.begin(), fields.end(), [&](const std::string& field) { return names_row(field, path); });
+  });
+}
+
+bool is_strength_of_metal(std::string_view what) { return strength_bound_of(what) != nullptr && what != crushing_stress; }
+bool is_limit_of_part(std::string_view what) { return what == limit_in_normal || what == limit_in_shear; }
+bool is_speed_ratio(std::string_view what) { return what == ratio_of_speeds; }
+
+/// The material that a step names; empty if none.
+std::string material_of(const Step& step) {
+  const auto row = step.input().rows.find("material");
+  return row == step.input().rows.end() ? "" : row->second.text;
+}
+
+class OriginCheck {
+ public:
+  OriginCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    if (step_.input().calculator == nullptr) return {};
+    for (const Operand& operand : step_.input().reading.operands) {
+      compare_strength(operand);
+      compare_limit(operand);
+      compare_ratio(operand);
+      compare_torque(operand);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void add(const std::string& path, Message message) { found_.push_back({path, std::move(message)}); }
+
+  const Calculator& calculator() const { return *step_.input().calculator; }
+
+  /// A strength above those of other steps that it is computed from.
+  void compare_strength(const Operand& operand) {
+    if (operand.expression.is_reference() || !means(calculator(), operand.path, &is_strength_of_metal)) return;
+    std::string highest;
+    double most = 0.0;
+    for (const auto& reference : operand.expression.references()) {
+      const Step* const source = project_.find(split_step(reference.path).first);
+      const Value* const value = project_.value(reference.path);
+      if (source == nullptr || value == nullptr || value->signature.dimension != of_stress) continue;
+      const double si = std::abs(magnitude(*value));
+      if (si > most) most = si, highest = reference.path;
+    }
+    if (!highest.empty() && magnitude_of(operand, project_) > most * (1.0 + most_apart))
+      add(operand.path, say("{1} is above '{2}', from which it is computed; justify it: because.{1} = \"...\"",
+                            operand.path, highest));
+  }
+
+  /// A fatigue limit of another material, or of another diameter at heat treatment.
+  void compare_limit(const Operand& operand) {
+    if (!means(calculator(), operand.path, &is_limit_of_part)) return;
+    for (const auto& reference : operand.expression.references()) {
+      const auto [name, rest] = split_step(reference.path);
+      const Step* const source = project_.find(name);
+      if (source == nullptr || source == &step_ || source->input().calculator == nullptr) continue;
+      if (!means(*source->input().calculator, rest, &is_limit_of_part)) continue;
+      compare_materials(operand.path, *source, reference.path);
+      compare_sizes(operand.path, *source, reference.path);
+    }
+  }
+
+  void compare_materials(const std::string& path, const Step& source, const std::string& limit) {
+    const std::string own = material_of(step_), theirs = material_of(source);
+    if (own.empty() || theirs.empty() || own == theirs) return;
+    add(path, say("'{2}' is a fatigue limit of {3}, and the material here is {4}: because.{1} = \"...\"", path, limit,
+                  theirs, own));
+  }
+
+  void compare_sizes(const std::string& path, const Step& source, const std::string& limit) {
+    const double own = own_value(step_, project_, "d_h");
+    const double treated = magnitude_at(project_, source.name() + ".d_h"), d = magnitude_at(project_, source.name() + ".d");
+    const double theirs = std::isnan(treated) ? d : treated;
+    if (std::isnan(own) || std::isnan(theirs) || std::abs(own - theirs) <= most_apart * own) return;
+    add(path, say("'{2}' is a fatigue limit for a diameter at heat treatment of {3}, and d_h here is {4}: "
+                  "because.{1} = \"...\"",
+                  path, limit, format_quantity(theirs, "mm", 4), format_quantity(own, "mm", 4)));
+  }
+
+  /// A ratio of speeds computed from one ratio is that or its reciprocal.
+  void compare_ratio(const Operand& operand) {
+    if (!means(calculator(), operand.path, &is_speed_ratio)) return;
+    std::set<std::string> paths;
+    for (const auto& reference : operand.expression.references()) paths.insert(reference.path);
+    if (paths.size() != 1 || project_.find(split_step(*paths.begin()).first) == nullptr) return;
+    const double ratio = std::abs(magnitude_at(project_, *paths.begin())), own = std::abs(magnitude_of(operand, project_));
+    const auto is = [&](double other) { return std::abs(own - other) <= most_apart * other; };
+    if (!(ratio > 0.0) || std::isnan(own) || is(ratio) || is(1.0 / ratio)) return;
+    add(operand.path, say("{1} = {2} is neither '{3}' = {4} nor its reciprocal; justify it: because.{1} = \"...\"",
+                          operand.path, format_number(own, 4), *paths.begin(), format_number(ratio, 4)));
+  }
+
+  /// A connection on the shaft of another step, and a torque below that of this shaft.
+  void compare_torque(const Operand& operand) {
+    if (operand.path != "d" || !operand.expression.is_reference() || !makes_notch(&step_)) return;
+    const auto [name, rest] = split_step(operand.expression.references().front().path);
+    const Step* const shaft = project_.find(name);
+    if (shaft == nullptr || rest != "d" || makes_notch(shaft)) return;
+    const double theirs = std::abs(magnitude_at(project_, name + ".T")), own = std::abs(own_value(step_, project_, "T"));
+    if (!(own < theirs * (1.0 - most_apart))) return;
+    add("T", say("T is less than '{1}.T' of the shaft with this diameter; justify it: because.T = \"...\"", name));
+  }
+
+  const Step& step_;
+  const Project& project_;
+  std::vector<ReducedLoad> found_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> values_of_others(const Step& step, const Project& project) {
+  return OriginCheck(step, project).run();
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,15 @@
+// Values that are taken from another part, or from another state of it, than the value next to them.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+/// Inputs that need a reason: a fatigue limit of another material or size, or above the limit that it is computed
+/// from; the torque of a connection below that of the shaft which its diameter comes from; a ratio of speeds that is
+/// not the ratio which it refers to. The steps that it refers to are solved.
+std::vector<ReducedLoad> values_of_others(const Step& step, const Project& project);
+
+}  // namespace loadpath::project

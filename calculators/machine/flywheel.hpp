@@ -11,6 +11,7 @@
 #include "lib/calculator/law_text.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/run_meanings.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"
@@ -168,7 +169,8 @@ delta = 0.01
                   "the speed of the rim needs its diameter D"}};
 
   static constexpr bool turns = true;
-  static constexpr std::array meanings{Meaning{"M_m", "mean"}, Meaning{"ratio", ratio_of_speeds}};
+  static constexpr std::array meanings{Meaning{"M_m", "mean"}, Meaning{"ratio", ratio_of_speeds},
+                                       Meaning{"J", inertia_of_flywheel}};
 
   static constexpr std::array modes{
       Mode<Input>{"unevenness", "speed fluctuation", &always<Input>}.of_service().judged_by("u_delta"),

@@ -11,14 +11,12 @@ namespace {
 
 using mechanism::JointKind;
 
-constexpr Declaration pinion =
-    declare("drive.d_w1", "pitch diameter of the gear on the driven link", mm, "one pair of gears on the driven link",
-            {.detail = true});
+constexpr Declaration pinion = declare("drive.d_w1", "pitch diameter of the gear on the driven link", mm,
+                                       "one pair of gears on the driven link", {.detail = true});
 constexpr Declaration wheel =
     declare("drive.d_w2", "pitch diameter of its mate", mm, "one pair of gears on the driven link", {.detail = true});
-constexpr Declaration pulley =
-    declare("drive.d_1", "diameter of the belt pulley or sprocket on the driven link", mm,
-            "one belt or chain on the driven link", {.detail = true});
+constexpr Declaration pulley = declare("drive.d_1", "diameter of the belt pulley or sprocket on the driven link", mm,
+                                       "one belt or chain on the driven link", {.detail = true});
 constexpr Declaration other_pulley = declare("drive.d_2", "diameter of the other pulley or sprocket", mm,
                                              "one belt or chain on the driven link", {.detail = true});
 

@@ -1,4 +1,5 @@
 // Pin joints as their pins feel them: relative rotation, diameter, and whether their force reverses on the pin.
+#include "calculators/mechanism/cycle/point_motion.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
 #include "lib/mechanism/model/vec.hpp"
@@ -24,20 +25,15 @@ double turning_of(int link, const Position& p) {
   return link == mechanism::ground ? 0.0 : p.velocity[static_cast<std::size_t>(link)].phi;
 }
 
-double angle_of(int link, const Position& p) {
-  return link == mechanism::ground ? 0.0 : p.pose[static_cast<std::size_t>(link)].phi;
-}
-
-constexpr std::array pin_rows{
-    row<Pin>(
-        "joints.NAME.omega", "angular velocity of the first link relative to the second", rad_per_s, {.detail = true},
-        [](const Pin& pin, const Position& p) { return turning_of(pin.i, p) - turning_of(pin.j, p); }, nullptr,
-        "revolute joints")};
+constexpr std::array pin_rows{row<Pin>(
+    "joints.NAME.omega", "angular velocity of the first link relative to the second", rad_per_s, {.detail = true},
+    [](const Pin& pin, const Position& p) { return turning_of(pin.i, p) - turning_of(pin.j, p); }, nullptr,
+    "revolute joints")};
 
 constexpr Declaration reversal = declare(
     "joints.NAME.reversal",
-    "minimum over maximum of the force along the direction of its maximum, on the link on which it reverses less", ratio,
-    "revolute joints", {.detail = true});
+    "minimum over maximum of the force along the direction of its maximum, on the link on which it reverses less",
+    ratio, "revolute joints", {.detail = true});
 constexpr Declaration diameter =
     declare("joints.NAME.d_pin", "diameter of the pin", mm, "revolute joints with pin_radius", {.detail = true});
 
@@ -48,7 +44,7 @@ double reversal_on(int link, std::size_t joint, const Solved& solved) {
     if (!solved.cycle.has_forces(k)) continue;
     const Position& p = solved.cycle.positions[k];
     const Vec force = p.reactions[joint].force;
-    const double c = std::cos(angle_of(link, p)), s = std::sin(angle_of(link, p));
+    const double c = std::cos(angle_of(p, link)), s = std::sin(angle_of(p, link));
     forces.push_back({c * force.x + s * force.y, c * force.y - s * force.x});
   }
   const auto is_less = [](const Vec& a, const Vec& b) { return mechanism::length(a) < mechanism::length(b); };

@@ -6,7 +6,6 @@
 #include "calculators/mechanism/input/law.hpp"
 #include "calculators/mechanism/input/loads.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
-
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -82,8 +81,7 @@ Shares shares_by_angle(const Solved& solved, const planar::Load& load, const Cou
 
 /// Over the time, by points: those after the last position are not seen.
 Shares shares_by_time(const Solved& solved, const CourseNow& course) {
-  const double last =
-      solved.axis == nullptr ? 0.0 : time_at(solved.in, solved.axis->at, solved.axis->at.size() - 1);
+  const double last = solved.axis == nullptr ? 0.0 : time_at(solved.in, solved.axis->at, solved.axis->at.size() - 1);
   Shares all;
   all.seen.take(course.share(last));
   for (const auto& [t, share] : course.points()) {
@@ -121,8 +119,7 @@ std::optional<account::Verdict> unseen_share(const Solved& solved, const LoadCou
       .value = account::Quantity{is_low ? seen.low : seen.high, "-", 4},
       .bound = say("{1}", format_quantity(is_low ? there.low : there.high, "-", 4)),
       .state = is_seen ? account::State::pass : account::State::not_covered,
-      .note = is_seen ? Message{}
-                      : say("add the position of the largest share, or calculate the full cycle")};
+      .note = is_seen ? Message{} : say("add the position of the largest share, or calculate the full cycle")};
 }
 
 void judge_all(const Solved& solved, std::vector<account::Verdict>& verdicts) {

@@ -1,5 +1,6 @@
 #include "lib/project/references/origins.hpp"
 
+#include "lib/calculator/run_meanings.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/references/notches.hpp"
@@ -60,7 +61,9 @@ bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(
   });
 }
 
-bool is_strength_of_metal(std::string_view what) { return strength_bound_of(what) != nullptr && what != crushing_stress; }
+bool is_strength_of_metal(std::string_view what) {
+  return strength_bound_of(what) != nullptr && what != crushing_stress;
+}
 bool is_limit_of_part(std::string_view what) { return what == limit_in_normal || what == limit_in_shear; }
 bool is_speed_ratio(std::string_view what) { return what == ratio_of_speeds; }
 
@@ -81,6 +84,8 @@ class OriginCheck {
       compare_limit(operand);
       compare_ratio(operand);
       compare_torque(operand);
+      compare_component(operand);
+      compare_joint(operand);
     }
     return std::move(found_);
   }
@@ -129,7 +134,8 @@ class OriginCheck {
 
   void compare_sizes(const std::string& path, const Step& source, const std::string& limit) {
     const double own = own_value(step_, project_, "d_h");
-    const double treated = magnitude_at(project_, source.name() + ".d_h"), d = magnitude_at(project_, source.name() + ".d");
+    const double treated = magnitude_at(project_, source.name() + ".d_h"),
+                 d = magnitude_at(project_, source.name() + ".d");
     const double theirs = std::isnan(treated) ? d : treated;
     if (std::isnan(own) || std::isnan(theirs) || std::abs(own - theirs) <= most_apart * own) return;
     add(path, say("'{2}' is a fatigue limit for a diameter at heat treatment of {3}, and d_h here is {4}: "
@@ -143,7 +149,8 @@ class OriginCheck {
     std::set<std::string> paths;
     for (const auto& reference : operand.expression.references()) paths.insert(reference.path);
     if (paths.size() != 1 || project_.find(split_step(*paths.begin()).first) == nullptr) return;
-    const double ratio = std::abs(magnitude_at(project_, *paths.begin())), own = std::abs(magnitude_of(operand, project_));
+    const double ratio = std::abs(magnitude_at(project_, *paths.begin())),
+                 own = std::abs(magnitude_of(operand, project_));
     const auto is = [&](double other) { return std::abs(own - other) <= most_apart * other; };
     if (!(ratio > 0.0) || std::isnan(own) || is(ratio) || is(1.0 / ratio)) return;
     add(operand.path, say("{1} = {2} is neither '{3}' = {4} nor its reciprocal; justify it: because.{1} = \"...\"",
@@ -156,9 +163,37 @@ class OriginCheck {
     const auto [name, rest] = split_step(operand.expression.references().front().path);
     const Step* const shaft = project_.find(name);
     if (shaft == nullptr || rest != "d" || makes_notch(shaft)) return;
-    const double theirs = std::abs(magnitude_at(project_, name + ".T")), own = std::abs(own_value(step_, project_, "T"));
+    const double theirs = std::abs(magnitude_at(project_, name + ".T")),
+                 own = std::abs(own_value(step_, project_, "T"));
     if (!(own < theirs * (1.0 - most_apart))) return;
     add("T", say("T is less than '{1}.T' of the shaft with this diameter; justify it: because.T = \"...\"", name));
+  }
+
+  /// One component of a force whose magnitude the source has, too.
+  void compare_component(const Operand& operand) {
+    if (!operand.leaf.field->is_load || operand.leaf.field->key != std::string_view("F")) return;
+    for (const auto& reference : operand.expression.references()) {
+      const std::string beside = prefix_of(reference.path), key = reference.path.substr(beside.size());
+      if (key != "F_x" && key != "F_y" && key != "x" && key != "y") continue;
+      const double whole = std::abs(magnitude_at(project_, beside + "F"));
+      if (!(std::abs(magnitude_of(operand, project_)) < whole * (1.0 - most_apart))) continue;
+      add(operand.path, say("{1} is only a component of '{2}F'; write ={2}F, or justify it: because.{1} = \"...\"",
+                            operand.path, beside));
+      return;
+    }
+  }
+
+  /// The force of a guide or a rigid joint, which hold the angle of their links, for a pin.
+  void compare_joint(const Operand& operand) {
+    if (!operand.leaf.field->is_load || !std::string_view(calculator().id).starts_with("pin.")) return;
+    for (const auto& reference : operand.expression.references()) {
+      const auto [name, rest] = split_step(reference.path);
+      const Step* const source = project_.find(name);
+      if (source == nullptr || !rest.starts_with("joints.") || !source->signature(prefix_of(rest) + "M")) continue;
+      add(operand.path, say("'{2}' is the force of a joint that is no pin; justify it: because.{1} = \"...\"",
+                            operand.path, reference.path));
+      return;
+    }
   }
 
   const Step& step_;
@@ -166,10 +201,129 @@ class OriginCheck {
   std::vector<ReducedLoad> found_;
 };
 
+bool is_speed_of_run(std::string_view what) { return what == speed_of_run; }
+bool is_moment_of_motor(std::string_view what) { return what == moment_of_motor; }
+bool is_inertia_of_flywheel(std::string_view what) { return what == inertia_of_flywheel; }
+
+/// A run of a drive, next to the other steps of the same machine.
+class RunCheck {
+ public:
+  RunCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    if (step_.input().calculator == nullptr) return {};
+    speed_ = largest_input(&is_speed_of_run, speed_path_);
+    if (!(speed_ > 0.0)) return {};
+    moment_ = largest_input(&is_moment_of_motor, moment_path_);
+    for (const std::string& source : sources()) compare_train(source);
+    compare_shaft();
+    compare_flywheels();
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr double near = 0.1;           // slip
+  static constexpr double most_of_motor = 3.5;  // breakdown torque over rated torque, motors with a squirrel cage
+
+  void add(const std::string& path, Message message) {
+    found_.push_back({path.substr(0, path.find_first_of(".[")), std::move(message)});
+  }
+
+  /// The largest magnitude of the inputs with a meaning, and the path of that input.
+  double largest_input(bool (*is_it)(std::string_view what), std::string& at) const {
+    double most = std::nan("");
+    for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+      if (!leaf.field->is_number() || !means(*step_.input().calculator, path, is_it)) return;
+      const double si = std::abs(own_value(step_, project_, path));
+      if (!std::isnan(si) && !(si <= most)) most = si, at = path;
+    });
+    return most;
+  }
+
+  std::set<std::string> sources() const {
+    std::set<std::string> all;
+    for_each_reference(step_.input().reading, [&](const std::string& path) { all.insert(split_step(path).first); });
+    return all;
+  }
+
+  /// A run ends, or starts, at the speed of a shaft of the train, by a motor of its power.
+  void compare_train(const std::string& train) {
+    double T = std::nan(""), n = std::nan("");
+    for (int k = 1;; ++k) {
+      const std::string shaft = train + ".shafts[" + std::to_string(k) + "].";
+      const double there = std::abs(magnitude_at(project_, shaft + "n"));
+      if (std::isnan(there)) break;
+      if (std::isnan(n)) n = there;
+      if (std::abs(speed_ - there) <= near * there) T = std::abs(magnitude_at(project_, shaft + "T")), n = speed_;
+    }
+    if (!std::isnan(n) && n != speed_)
+      add(speed_path_, say("{1} = {2} is the speed of no shaft of '{3}'; justify it: because.{1} = \"...\"",
+                           speed_path_, format_quantity(speed_, "rpm", 4), train));
+    if (moment_ > most_of_motor * T)
+      add(moment_path_,
+          say("the motor moment of {1} is more than {2} times the torque of '{3}', {4}; justify it: "
+              "because.motor = \"...\"",
+              format_quantity(moment_, "N*m", 4), format_number(most_of_motor), train, format_quantity(T, "N*m", 4)));
+  }
+
+  /// A run at the speed of another step loads its shaft by the moment of the motor, unless a peak factor covers it.
+  void compare_shaft() {
+    const auto& operands = step_.input().reading.operands;
+    const auto speed =
+        std::find_if(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == speed_path_; });
+    if (speed == operands.end() || !speed->expression.is_reference()) return;
+    const auto [name, key] = split_step(speed->expression.references().front().path);
+    const double K_A = magnitude_at(project_, name + ".K_A");
+    const double T = std::abs(magnitude_at(project_, name + ".T" + key.substr(std::min<std::size_t>(1, key.size()))));
+    if (std::isnan(K_A) || !(moment_ > K_A * T * largest_peak_factor())) return;
+    add(moment_path_, say("the motor moment of {1} is more than K_A T = {2} of '{3}': give the shaft k_max, or "
+                          "because.motor = \"...\"",
+                          format_quantity(moment_, "N*m", 4), format_quantity(K_A * T, "N*m", 4), name));
+  }
+
+  double largest_peak_factor() const {
+    double most = 1.0;
+    for (const auto& step : project_.steps) most = std::fmax(most, own_value(*step, project_, "k_max"));
+    return most;
+  }
+
+  /// A flywheel at this speed is accelerated, too.
+  void compare_flywheels() {
+    const std::set<std::string> named = sources();
+    for (const auto& wheel : project_.steps) {
+      const Calculator* const calculator = wheel->input().calculator;
+      if (calculator == nullptr || !means(*calculator, "J", &is_inertia_of_flywheel) || named.contains(wheel->name()))
+        continue;
+      const double omega = own_value(*wheel, project_, "omega"), J = own_value(*wheel, project_, "J");
+      if (!(std::abs(omega - speed_) <= near * speed_) || is_among_parts(J)) continue;
+      add("parts", say("the flywheel '{1}' turns at this speed, and is not among the parts: add J = \"={1}.{2}\", or "
+                       "because.parts = \"...\"",
+                       wheel->name(), std::isnan(J) ? "J_F" : "J"));
+    }
+  }
+
+  bool is_among_parts(double J) const {
+    bool found = false;
+    for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+      const bool is_inertia = path.ends_with(".J") && leaf.field->is_number();
+      found = found || (is_inertia && std::abs(own_value(step_, project_, path) - J) <= near * J);
+    });
+    return found;
+  }
+
+  const Step& step_;
+  const Project& project_;
+  double speed_ = std::nan(""), moment_ = std::nan("");
+  std::string speed_path_, moment_path_;
+  std::vector<ReducedLoad> found_;
+};
+
 }  // namespace
 
 std::vector<ReducedLoad> values_of_others(const Step& step, const Project& project) {
-  return OriginCheck(step, project).run();
+  std::vector<ReducedLoad> all = OriginCheck(step, project).run();
+  for (ReducedLoad& of_run : RunCheck(step, project).run()) all.push_back(std::move(of_run));
+  return all;
 }
 
 }  // namespace loadpath::project

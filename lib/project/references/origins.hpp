@@ -8,8 +8,9 @@
 namespace loadpath::project {
 
 /// Inputs that need a reason: a fatigue limit of another material or size, or above the limit that it is computed
-/// from; the torque of a connection below that of the shaft which its diameter comes from; a ratio of speeds that is
-/// not the ratio which it refers to. The steps that it refers to are solved.
+/// from; a component of a force, and the force of a guide for a pin; the torque of a connection below that of the shaft
+/// which its diameter comes from; a ratio of speeds that is not the ratio which it refers to; a run of a drive at a
+/// speed, by a motor or without a flywheel that is not of the other steps. The steps that it refers to are solved.
 std::vector<ReducedLoad> values_of_others(const Step& step, const Project& project);
 
 }  // namespace loadpath::project

@@ -191,7 +191,8 @@ class ReductionCheck {
     for (const auto& reference : operand.expression.references()) {
       if (!reference.path.starts_with("values.")) paths.insert(reference.path);
     }
-    const auto count = std::find_if(paths.begin(), paths.end(), [&](const std::string& path) { return is_count(path); });
+    const auto count =
+        std::find_if(paths.begin(), paths.end(), [&](const std::string& path) { return is_count(path); });
     if (paths.size() == 2 && count != paths.end()) paths.erase(count);
     if (paths.size() != 1) return std::nullopt;
     const auto value_at = [&](const std::string& path) -> const Value& {

@@ -84,7 +84,8 @@ std::vector<Source> alternatives(const Source& source) {
 
 std::vector<Source> places_of(const Source& source) {
   std::vector<Source> all(most_places, source);
-  for (int place = 1; place <= most_places; ++place) all[static_cast<std::size_t>(place - 1)].place = std::to_string(place);
+  for (int place = 1; place <= most_places; ++place)
+    all[static_cast<std::size_t>(place - 1)].place = std::to_string(place);
   return all;
 }
 

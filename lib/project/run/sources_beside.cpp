@@ -124,28 +124,54 @@ void add_sources_beside(const Evaluation& evaluation, const Known& known, std::v
   }
 }
 
-void compare_results(const Evaluation& evaluation, const Results& results, const Known& known, WeighedValues& weighed) {
-  constexpr double apart = 5e-3;
-  const StepInput& step = evaluation.step().input();
-  std::optional<std::vector<Source>> sources;
-  for (const ResultSeries& series : results.series) {
-    const FieldInfo& field = *series.field;
-    const double own = largest_magnitude(series.value);
-    if (*field.same_as_source == '\0' || std::isnan(own)) continue;
-    if (!sources) sources = sources_of(step.reading);
-    for (const Source& source : *sources) {
-      const std::string path = largest_in(source, field.same_as_source, field, known), load = load_from(step.reading, source.step);
-      if (path.empty() || load.empty()) continue;
-      const double there = largest_magnitude(known(path));
-      if (std::abs(std::abs(own) - std::abs(there)) <= apart * std::abs(there)) continue;
-      const Message differs = say("{1} = {2}, and '{3}' = {4}", series.path, format_quantity(own, field.unit, 4), path,
-                                  format_quantity(there, field.unit, 4));
-      if (const Typed* const reason = reason_for(step, load))
-        weighed.reasons.emplace(load, say("{1}: {2}", differs, reason->text));
-      else
-        weighed.handed_on.push_back(
-            {"because." + load, say("{1}; give the reason: because.{2} = \"...\"", differs, load)});
+namespace {
+
+/// Compares values that the step has found with its sources.
+class FoundValues {
+ public:
+  FoundValues(const Evaluation& evaluation, const Known& known, WeighedValues& weighed)
+      : step_(evaluation.step().input()), known_(known), weighed_(weighed), sources_(sources_of(step_.reading)) {}
+
+  void compare(const FieldInfo& field, double own) {
+    if (*field.same_as_source == '\0' || std::isnan(own)) return;
+    for (const Source& source : sources_) {
+      const std::string path = largest_in(source, field.same_as_source, field, known_);
+      const std::string load = load_from(step_.reading, source.step);
+      if (!path.empty() && !load.empty()) compare(field, own, path, load);
     }
+  }
+
+ private:
+  void compare(const FieldInfo& field, double own, const std::string& path, const std::string& load) {
+    constexpr double apart = 5e-3;
+    const double there = largest_magnitude(known_(path));
+    if (std::abs(std::abs(own) - std::abs(there)) <= apart * std::abs(there)) return;
+    const Message differs = say("{1} = {2}, and '{3}' = {4}", field.key, format_quantity(own, field.unit, 4), path,
+                                format_quantity(there, field.unit, 4));
+    if (const Typed* const reason = reason_for(step_, load)) {
+      weighed_.reasons.emplace(load, say("{1}: {2}", differs, reason->text));
+      return;
+    }
+    weighed_.handed_on.push_back(
+        {"because." + load, say("{1}; give the reason: because.{2} = \"...\"", differs, load)});
+  }
+
+  const StepInput& step_;
+  const Known& known_;
+  WeighedValues& weighed_;
+  std::vector<Source> sources_;
+};
+
+}  // namespace
+
+void compare_results(const Evaluation& evaluation, const Results& results, const Known& known, WeighedValues& weighed) {
+  FoundValues found(evaluation, known, weighed);
+  for (const ResultSeries& series : results.series) found.compare(*series.field, largest_magnitude(series.value));
+  for (const Provided& of_row : evaluation.inputs().provided()) {
+    if (of_row.field == nullptr || is_typed(evaluation.step().input().reading, of_row.path)) continue;
+    const Leaf leaf = evaluation.inputs().leaf(of_row.path);
+    if (leaf && leaf.field->is_number())
+      found.compare(*of_row.field, largest_magnitude(evaluation.inputs().value_of(of_row.path, leaf)));
   }
 }
 

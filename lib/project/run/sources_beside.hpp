@@ -12,7 +12,7 @@ namespace loadpath::project {
 /// Inputs: a key is on the shaft whose torque it takes, a gear pair is a stage of its train.
 void add_sources_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all);
 
-/// Results that differ from those sources, without a reason for the load that is taken there.
+/// Results, and values of rows, that differ from those sources, without a reason for the load that is taken there.
 void compare_results(const Evaluation& evaluation, const Results& results, const Known& known, WeighedValues& weighed);
 
 }  // namespace loadpath::project

@@ -144,11 +144,12 @@ bool mark_decided(const Results& with_typed, const Results& with_other, const Bo
     changes = true;
     if (!is_verdict(*series.field)) continue;
     hides = hides || std::isnan(largest_magnitude(series.value));
-    decides = true;
     const bool by_value = kind == Beside::usual || kind == Beside::either;
     const bool is_decided = !by_value || passes_in_the_first_only(series, with_other) ||
                             ((far || kind == Beside::either) && is_lower_in_the_first(series, with_other));
     if (is_decided) weighed.decided.emplace(series.path, bolder);
+    // A limit does not show on which side of it a value of another part is unsafe.
+    decides = decides || is_decided || kind != Beside::either || series.field->role == Role::check;
   }
   return hides || (changes && !decides);
 }

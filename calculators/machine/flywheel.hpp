@@ -11,7 +11,6 @@
 #include "lib/calculator/law_text.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
-#include "lib/calculator/run_meanings.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"

@@ -10,7 +10,6 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
-#include "lib/calculator/run_meanings.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/quantity/motion_units.hpp"

@@ -1,7 +1,6 @@
 #include "lib/project/references/factors.hpp"
 
 #include "lib/project/because.hpp"
-#include "lib/project/references/factors_of_takers.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -103,8 +102,6 @@ class Check {
     refuse_own();
     step_.loads().factors = held_;
     step_.loads().lacking_factor = lacking();
-    if (Message of_takers = factor_of_takers(step_, project_); step_.loads().lacking_factor.empty())
-      step_.loads().lacking_factor = std::move(of_takers);
   }
 
  private:

@@ -1,6 +1,5 @@
 #include "lib/project/references/factors_of_takers.hpp"
 
-#include "lib/project/because.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -50,8 +49,9 @@ std::string load_taken_by(const Step& taker, const Step& step) {
 
 }  // namespace
 
-Message factor_of_takers(Step& step, const Project& project) {
+std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& project) {
   constexpr double rounding = 1e-6;
+  std::vector<ReducedLoad> lower;
   for (const char* const key : {"K_A", "gamma_F"}) {
     if (!applies_factor(step, key)) continue;
     const double own = applied_factor(step, project, key);
@@ -60,13 +60,12 @@ Message factor_of_takers(Step& step, const Project& project) {
       const double factor = applied_factor(*taker, project, key);
       const std::string load = load_taken_by(*taker, step);
       if (load.empty() || !(factor > own * (1.0 + rounding))) continue;
-      if (reason_for(step.input(), key) == nullptr)
-        return say("{1} takes '{2}' with {3} = {4}; here {3} is lower: give it, or say why, because.{3} = \"...\"",
-                   taker->name(), load, key, format_number(factor, 4));
-      step.loads().justified.insert(key);
+      lower.push_back(
+          {key, say("{1} takes '{2}' with {3} = {4}; here {3} is lower: give it, or say why, because.{3} = \"...\"",
+                    taker->name(), load, key, format_number(factor, 4))});
     }
   }
-  return {};
+  return lower;
 }
 
 }  // namespace loadpath::project

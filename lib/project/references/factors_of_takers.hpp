@@ -3,10 +3,11 @@
 
 #include "lib/project/project.hpp"
 
+#include <vector>
+
 namespace loadpath::project {
 
-/// The message for a load whose application or partial factor is higher in a step that takes it; empty if there is
-/// none, or for a reason. A reason is noted as needed.
-Message factor_of_takers(Step& step, const Project& project);
+/// Application and partial factors that are higher in a step which takes a load of this one.
+std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& project);
 
 }  // namespace loadpath::project

@@ -1,11 +1,12 @@
 #include "lib/project/references/origins.hpp"
 
-#include "lib/calculator/run_meanings.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/references/notches.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/table/tables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -137,10 +138,22 @@ class OriginCheck {
     const double treated = magnitude_at(project_, source.name() + ".d_h"),
                  d = magnitude_at(project_, source.name() + ".d");
     const double theirs = std::isnan(treated) ? d : treated;
-    if (std::isnan(own) || std::isnan(theirs) || std::abs(own - theirs) <= most_apart * own) return;
+    if (std::isnan(own) || std::isnan(theirs) || !has_other_strength(own, theirs)) return;
     add(path, say("'{2}' is a fatigue limit for a diameter at heat treatment of {3}, and d_h here is {4}: "
                   "because.{1} = \"...\"",
                   path, limit, format_quantity(theirs, "mm", 4), format_quantity(own, "mm", 4)));
+  }
+
+  /// Whether the material of the step has another strength at another size; without a row any size counts.
+  bool has_other_strength(double size, double other) const {
+    if (std::abs(size - other) <= most_apart * size) return false;
+    const auto row = step_.input().tables->find_row("material", material_of(step_));
+    if (!row) return true;
+    const auto differs = [&](const char* column) {
+      const auto here = table::property(*row, column, size), there = table::property(*row, column, other);
+      return !here || !there ? !here != !there : here->si != there->si;
+    };
+    return differs("R_m") || differs("R_e");
   }
 
   /// A ratio of speeds computed from one ratio is that or its reciprocal.

@@ -2,6 +2,7 @@
 
 #include "lib/calculator/meaning.hpp"
 #include "lib/project/because.hpp"
+#include "lib/project/references/factors_of_takers.hpp"
 #include "lib/project/references/notches.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/project/references/references.hpp"
@@ -105,16 +106,22 @@ class ReductionCheck {
     for (auto& [path, message] : missed_notches(step_, project_)) {
       if (!is_reduction_justified(step_, path)) loads_.push_back({path, std::move(message)});
     }
-    for (ReducedLoad& value : values_of_others(step_, project_)) {
+    hold(values_of_others(step_, project_));
+    hold(factors_of_takers(step_, project_));
+    step_.loads().reduced = std::move(loads_);
+  }
+
+ private:
+  /// Values that need a reason: one that is given is not idle.
+  void hold(std::vector<ReducedLoad>&& values) {
+    for (ReducedLoad& value : values) {
       if (is_reduction_justified(step_, value.path))
         step_.loads().justified.insert(value.path);
       else
         loads_.push_back(std::move(value));
     }
-    step_.loads().reduced = std::move(loads_);
   }
 
- private:
   [[nodiscard]] Reduced reduced(const Operand& operand) const {
     return operand.expression.reduced([&](const std::string& path) { return reduced_at(project_, path); });
   }

@@ -5,7 +5,6 @@
 #include "lib/project/project.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/sources.hpp"
-#include "lib/project/run/sources_beside.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -262,10 +261,8 @@ std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results
   add_rows_beside(evaluation, results, all);
   add_records_beside(evaluation, known, all);
   add_strengths_beside(evaluation, all);
-  add_sources_beside(evaluation, known, all);
   add_origins_beside(evaluation, known, all);
   add_usual_beside(evaluation, all);
-  std::erase_if(all, [](const Neighbour& beside) { return std::isnan(largest_magnitude(beside.value)); });
   return all;
 }
 

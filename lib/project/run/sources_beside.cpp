@@ -1,6 +1,5 @@
 #include "lib/project/run/sources_beside.hpp"
 
-#include "lib/project/because.hpp"
 #include "lib/project/project.hpp"
 #include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
@@ -126,11 +125,11 @@ void add_sources_beside(const Evaluation& evaluation, const Known& known, std::v
 
 namespace {
 
-/// Compares values that the step has found with its sources.
+/// Values that the step has found, next to its sources.
 class FoundValues {
  public:
-  FoundValues(const Evaluation& evaluation, const Known& known, WeighedValues& weighed)
-      : step_(evaluation.step().input()), known_(known), weighed_(weighed), sources_(sources_of(step_.reading)) {}
+  FoundValues(const Evaluation& evaluation, const Known& known)
+      : step_(evaluation.step().input()), known_(known), sources_(sources_of(step_.reading)) {}
 
   void compare(const FieldInfo& field, double own) {
     if (*field.same_as_source == '\0' || std::isnan(own)) return;
@@ -141,38 +140,35 @@ class FoundValues {
     }
   }
 
+  std::vector<Differing> take() { return std::move(differing_); }
+
  private:
   void compare(const FieldInfo& field, double own, const std::string& path, const std::string& load) {
     constexpr double apart = 5e-3;
     const double there = largest_magnitude(known_(path));
     if (std::abs(std::abs(own) - std::abs(there)) <= apart * std::abs(there)) return;
-    const Message differs = say("{1} = {2}, and '{3}' = {4}", field.key, format_quantity(own, field.unit, 4), path,
-                                format_quantity(there, field.unit, 4));
-    if (const Typed* const reason = reason_for(step_, load)) {
-      weighed_.reasons.emplace(load, say("{1}: {2}", differs, reason->text));
-      return;
-    }
-    weighed_.handed_on.push_back(
-        {"because." + load, say("{1}; give the reason: because.{2} = \"...\"", differs, load)});
+    differing_.push_back({load, say("{1} = {2}, and '{3}' = {4}", field.key, format_quantity(own, field.unit, 4), path,
+                                    format_quantity(there, field.unit, 4))});
   }
 
   const StepInput& step_;
   const Known& known_;
-  WeighedValues& weighed_;
   std::vector<Source> sources_;
+  std::vector<Differing> differing_;
 };
 
 }  // namespace
 
-void compare_results(const Evaluation& evaluation, const Results& results, const Known& known, WeighedValues& weighed) {
-  FoundValues found(evaluation, known, weighed);
+std::vector<Differing> differing_results(const Evaluation& evaluation, const Results& results, const Known& known) {
+  FoundValues found(evaluation, known);
   for (const ResultSeries& series : results.series) found.compare(*series.field, largest_magnitude(series.value));
-  for (const Provided& of_row : evaluation.inputs().provided()) {
-    if (of_row.field == nullptr || is_typed(evaluation.step().input().reading, of_row.path)) continue;
-    const Leaf leaf = evaluation.inputs().leaf(of_row.path);
-    if (leaf && leaf.field->is_number())
-      found.compare(*of_row.field, largest_magnitude(evaluation.inputs().value_of(of_row.path, leaf)));
+  const Inputs& inputs = evaluation.inputs();
+  for (const Provided& of_row : inputs.provided()) {
+    const Leaf leaf = inputs.leaf(of_row.path);
+    if (!leaf || !leaf.field->is_number() || is_typed(evaluation.step().input().reading, of_row.path)) continue;
+    found.compare(*leaf.field, largest_magnitude(inputs.value_of(of_row.path, leaf)));
   }
+  return found.take();
 }
 
 }  // namespace loadpath::project

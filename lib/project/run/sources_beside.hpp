@@ -3,8 +3,8 @@
 #pragma once
 
 #include "lib/project/run/neighbours.hpp"
-#include "lib/project/run/typed_values.hpp"
 
+#include <string>
 #include <vector>
 
 namespace loadpath::project {
@@ -12,7 +12,11 @@ namespace loadpath::project {
 /// Inputs: a key is on the shaft whose torque it takes, a gear pair is a stage of its train.
 void add_sources_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all);
 
-/// Results, and values of rows, that differ from those sources, without a reason for the load that is taken there.
-void compare_results(const Evaluation& evaluation, const Results& results, const Known& known, WeighedValues& weighed);
+/// A result, or a value of a row, that differs from that of the step which a load is taken from.
+struct Differing {
+  std::string load;  // the load that is taken
+  Message text;
+};
+std::vector<Differing> differing_results(const Evaluation& evaluation, const Results& results, const Known& known);
 
 }  // namespace loadpath::project

@@ -54,11 +54,19 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
              : say("{1} = {2}, below {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
 }
 
+/// All neighbours with a value, apart from derived bounds.
+std::vector<Neighbour> all_beside(const Evaluation& evaluation, const Results& results, const Known& known) {
+  std::vector<Neighbour> all = neighbours_of(evaluation, results, known);
+  add_sources_beside(evaluation, known, all);
+  std::erase_if(all, [](const Neighbour& beside) { return std::isnan(largest_magnitude(beside.value)); });
+  return all;
+}
+
 /// The neighbours less favourable than the typed value.
 std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& results, const Known& known,
                                    WeighedValues& weighed) {
   std::vector<Neighbour> bolder;
-  std::vector<Neighbour> all = neighbours_of(evaluation, results, known);
+  std::vector<Neighbour> all = all_beside(evaluation, results, known);
   add_bounds_beside(evaluation, known, all);
   for (Neighbour& beside : all) {
     weighed.compared.push_back(beside.path);
@@ -190,12 +198,23 @@ void refuse_idle_reasons(const Step& of, const std::set<const Typed*>& used, std
   }
 }
 
+/// Results of another part than the one that a load comes from, without a reason for that load.
+void weigh_results(const Evaluation& evaluation, const Results& results, const Known& known, WeighedValues& weighed) {
+  for (const Differing& result : differing_results(evaluation, results, known)) {
+    if (const Typed* const reason = reason_for(evaluation.step().input(), result.load))
+      weighed.reasons.emplace(result.load, say("{1}: {2}", result.text, reason->text));
+    else
+      weighed.handed_on.push_back(
+          {"because." + result.load, say("{1}; give the reason: because.{2} = \"...\"", result.text, result.load)});
+  }
+}
+
 }  // namespace
 
 bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   const StepInput& step = evaluation.step().input();
-  for (const Neighbour& beside : neighbours_of(evaluation, {}, known)) {
+  for (const Neighbour& beside : all_beside(evaluation, {}, known)) {
     if (!is_of_one_part(beside.kind)) continue;
     const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
     if (std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside))) continue;
@@ -242,7 +261,7 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
     if (((only_changes && goes_on) || stays) && reason == nullptr) weighed.handed_on.push_back(bolder);
   }
   if (!all.empty() && has_results) evaluate_all(evaluation);  // restored
-  compare_results(evaluation, results, known, weighed);
+  weigh_results(evaluation, results, known, weighed);
   if (wanted.unused && has_results && step.reading.varied.empty()) refuse_idle_reasons(evaluation.step(), used, issues);
   return weighed;
 }

@@ -22,13 +22,13 @@ n_1 = "1450 rpm"
 stages = [{ name = "c", kind = "gear", z_1 = 20, z_2 = 60, eta = 0.97 }]
 )";
 
-const std::string wheel = R"([wheel]
+const std::string wheel = R"toml([wheel]
 calculator = "machine.flywheel"
 M_of_phi = "33 N*m + 60 N*m*sin(phi)"
 omega = "1440 rpm"
 J = "2 kg*m^2"
 delta = 0.02
-)";
+)toml";
 
 struct Run {
   std::string parts = "", last = "33 N*m", n_2 = "1440 rpm", u = "=abs(1/train.i)", more = "";

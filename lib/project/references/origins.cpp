@@ -19,6 +19,7 @@ namespace loadpath::project {
 namespace {
 
 constexpr double most_apart = 1e-3;
+constexpr int most_stages = 12;
 
 const Dimension of_stress = Dimension::of(-1, 1, -2);
 
@@ -68,6 +69,14 @@ bool is_strength_of_metal(std::string_view what) {
 bool is_limit_of_part(std::string_view what) { return what == limit_in_normal || what == limit_in_shear; }
 bool is_speed_ratio(std::string_view what) { return what == ratio_of_speeds; }
 
+/// Whether a step connects a hub to a shaft: it hands over a notch of the shaft, or the connection.
+bool connects(const Step& step) {
+  const Calculator* const calculator = step.input().calculator;
+  if (calculator == nullptr || calculator->result == nullptr) return false;
+  const FieldInfo* const connection = find_field(calculator->result->fields, "connection");
+  return makes_notch(&step) || (connection != nullptr && connection->is_handed_over);
+}
+
 /// The material that a step names; empty if none.
 std::string material_of(const Step& step) {
   const auto row = step.input().rows.find("material");
@@ -88,6 +97,7 @@ class OriginCheck {
       compare_component(operand);
       compare_joint(operand);
     }
+    compare_direction();
     return std::move(found_);
   }
 
@@ -172,14 +182,38 @@ class OriginCheck {
 
   /// A connection on the shaft of another step, and a torque below that of this shaft.
   void compare_torque(const Operand& operand) {
-    if (operand.path != "d" || !operand.expression.is_reference() || !makes_notch(&step_)) return;
+    const bool is_diameter = operand.path == "d" || operand.path == "d_1" || operand.path == "d_w";
+    if (!is_diameter || !operand.expression.is_reference() || !connects(step_)) return;
     const auto [name, rest] = split_step(operand.expression.references().front().path);
     const Step* const shaft = project_.find(name);
-    if (shaft == nullptr || rest != "d" || makes_notch(shaft)) return;
+    if (shaft == nullptr || rest != "d" || connects(*shaft)) return;
     const double theirs = std::abs(magnitude_at(project_, name + ".T")),
                  own = std::abs(own_value(step_, project_, "T"));
     if (!(own < theirs * (1.0 - most_apart))) return;
     add("T", say("T is less than '{1}.T' of the shaft with this diameter; justify it: because.T = \"...\"", name));
+  }
+
+  /// A belt that turns its second shaft the other way than the stage of the train with its pulleys.
+  void compare_direction() {
+    const Leaf arrangement = find_leaf(step_.input().reading.record, "arrangement");
+    if (!arrangement || arrangement.field->type != FieldInfo::Type::choice) return;
+    const bool is_crossed = word_of(arrangement) == "crossed";
+    const double d_1 = own_value(step_, project_, "d_1"), d_2 = own_value(step_, project_, "d_2");
+    std::set<std::string> trains;
+    for_each_reference(step_.input().reading, [&](const std::string& path) { trains.insert(split_step(path).first); });
+    for (const std::string& train : trains) {
+      for (int k = 1; k <= most_stages; ++k) {
+        const std::string stage = train + ".stages[" + std::to_string(k) + "].";
+        const double i = magnitude_at(project_, stage + "i");
+        if (std::isnan(i)) break;
+        if (magnitude_at(project_, stage + "d_1") != d_1 || magnitude_at(project_, stage + "d_2") != d_2) continue;
+        if ((i < 0.0) == is_crossed) continue;
+        add("arrangement",
+            say("arrangement = \"{1}\" contradicts the direction of '{2}i' = {3}: correct one of them, or "
+                " because.arrangement = \"...\"",
+                word_of(arrangement), stage, format_number(i, 4)));
+      }
+    }
   }
 
   /// One component of a force whose magnitude the source has, too.
@@ -203,7 +237,7 @@ class OriginCheck {
       const auto [name, rest] = split_step(reference.path);
       const Step* const source = project_.find(name);
       if (source == nullptr || !rest.starts_with("joints.") || !source->signature(prefix_of(rest) + "M")) continue;
-      add(operand.path, say("'{2}' is the force of a joint that is no pin; justify it: because.{1} = \"...\"",
+      add(operand.path, say("'{2}' is the force of a joint without a pin; justify it: because.{1} = \"...\"",
                             operand.path, reference.path));
       return;
     }

@@ -132,6 +132,21 @@ TEST_SUITE("found shafts") {
     CHECK(mode_of(solved_as_found(two), "k_2", "hub") == "pass");
   }
 
+  TEST_CASE("a belt turns its shaft as the stage of the train does") {
+    const auto slip = [](const std::string& arrangement, const std::string& more = "") {
+      const std::string belt = train +
+                               "[b]\ncalculator = \"belt.flat\"\nP = \"=train.P\"\nK_A = 1.2\nn_1 = \"=train.n_1\"\n"
+                               "d_1 = \"125 mm\"\nd_2 = \"315 mm\"\nepsilon = 0.015\na = \"900 mm\"\nmu = 0.4\n"
+                               "kind = \"synthetic\"\ndelta = \"2 mm\"\nb = \"140 mm\"\nrho = \"1100 kg/m^3\"\n"
+                               "sigma_adm = \"6 MPa\"\nE_b = \"40 MPa\"\narrangement = \"" +
+                               arrangement + "\"\n" + more;
+      return mode_of(solved_as_found(belt), "b", "grip");
+    };
+    CHECK(slip("open") == "pass");
+    CHECK(slip("crossed") == "not-judged");
+    CHECK(slip("crossed", "because.arrangement = \"reversing drive\"\n") == "pass");
+  }
+
   TEST_CASE("gears on the shaft of the crank are the wheels of the mechanism") {
     CHECK(wheels_confirmed("z_1 = 20\nz_2 = 40\nm_n = \"2.5 mm\"\n") == "none");
     CHECK(wheels_confirmed("z_1 = 20\nz_2 = 100\nm_n = \"2.5 mm\"\n") == "not-judged");

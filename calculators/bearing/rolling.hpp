@@ -112,7 +112,7 @@ s_0 = 2
           .usually(1, 4)
           .factor(),
       Field{&Input::n, "n", rpm, "relative speed of the rings; 0 at standstill"}
-          .at_least_that_of_source("n, shafts[#].n")
+          .at_least_that_of_source("n, shafts[#].n, joints.#.omega")
           .at_least(0)
           .may_be_missing(),
       Field{&Input::n_max, "n_max", rpm, "limiting speed for this lubrication, manufacturer's value"}

@@ -99,11 +99,11 @@ E_b = "40 MPa"
              Field{&Input::d_1, "d_1", mm, "diameter of the driving pulley"}
                  .positive()
                  .at_least_that_of_source("d")
-                 .same_as_that_of_source("stages[#].d_1")
+                 .same_as_that_of_source("stages[#].d_1, drive.d_1")
                  .usually(10, 5000),
              Field{&Input::d_2, "d_2", mm, "diameter of the driven pulley"}
                  .positive()
-                 .same_as_that_of_source("stages[#].d_2")
+                 .same_as_that_of_source("stages[#].d_2, drive.d_2")
                  .usually(10, 5000)
                  .may_be_missing()},
       driven_inputs<Input>(),

@@ -85,7 +85,11 @@ P_R = "5.5 kW"
     return loaded(in) == Applies::yes ? shown_by(is_set(in.n_1)) : Applies::no;
   }
   static constexpr Fields inputs{
-      Field{&Input::p, "p", mm, "pitch of the chain"}.positive().usually(4, 120).from("chain", "p"),
+      Field{&Input::p, "p", mm, "pitch of the chain"}
+          .positive()
+          .usually(4, 120)
+          .from("chain", "p")
+          .same_as_that_of_source("stages[#].p"),
       Field{&Input::p_t, "p_t", mm, "transverse pitch (distance of two strands)"}.positive().from("chain", "p_t"),
       Field{&Input::A, "A", mm2, "joint bearing area: pin diameter x inner link width, one strand"}
           .positive()
@@ -172,8 +176,8 @@ P_R = "5.5 kW"
   static constexpr Fields results{
       Field{&Result::i, "i", ratio, "speed ratio n_1/n_2 (up to 7, at most 10)"}.limit(0.1, 10),
       Field{&Result::n_2, "n_2", rpm, "mean speed of the driven sprocket"},
-      Field{&Result::d_1, "d_1", mm, "pitch diameter, driving sprocket"},
-      Field{&Result::d_2, "d_2", mm, "pitch diameter, driven sprocket"},
+      Field{&Result::d_1, "d_1", mm, "pitch diameter, driving sprocket"}.same_as_that_of_source("drive.d_1"),
+      Field{&Result::d_2, "d_2", mm, "pitch diameter, driven sprocket"}.same_as_that_of_source("drive.d_2"),
       Field{&Result::z_min, "z_min", ratio, "number of teeth of the smaller sprocket (below 17: rough running)"},
       Field{&Result::X_0, "X_0", ratio, "number of links for the required centre distance, not rounded"},
       Field{&Result::X, "X", ratio, "number of links"},

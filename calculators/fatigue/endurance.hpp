@@ -78,6 +78,7 @@ R_z = "6.3 um"
           .may_be_missing(),
       Field{&Input::K_t, "K_t", ratio, "stress concentration factor of the shape, on the net section"}
           .within(1, 10)
+          .made_for_same("r_n")
           .usually(1, 6),
       Field{&Input::q, "q", ratio, "notch sensitivity"}.within(0, 1).usually(0.2, 1).may_be_missing(),
       Field{&Input::r_n, "r_n", mm, "radius of the notch, for the notch sensitivity of steels"}
@@ -235,6 +236,9 @@ R_z = "6.3 um"
                                        Meaning{"sigma_W, sigma_m1", specimen_in_bending, "loading", "bending"},
                                        Meaning{"sigma_W, sigma_m1", specimen_in_tension, "loading", "tension"},
                                        Meaning{"sigma_W, sigma_m1", specimen_in_torsion, "loading", "torsion"},
+                                       Meaning{"K_t", notch_in_tension, "loading", "tension"},
+                                       Meaning{"K_t", notch_in_bending, "loading", "bending"},
+                                       Meaning{"K_t", notch_in_torsion, "loading", "torsion"},
                                        Meaning{"K_D", factor_in_normal, "loading", normal},
                                        Meaning{"K_D", factor_in_shear, "loading", shear}};
 

@@ -58,6 +58,20 @@ void stresses(const Input& in, Result& r, Tracer& trace) {
   r.cycle = {Stresses::normal, abs(r.sigma_N) + r.sigma_M, in.E};
 }
 
+/// The link as a beam under even inertia forces, along and across.
+template <class Tracer>
+void own_inertia(const Input& in, Result& r, Tracer& trace) {
+  if (!is_set(in.a_m) || !(in.a_m > 0.0 * m_per_s2)) return;
+  const auto A = r.A;
+  const auto rho = trace.value("rho", is_set(in.rho) ? in.rho : 7850.0 * kg_per_m3, "density, of steel if not known");
+  const auto W_y =
+      trace.value("W_y", A * pow<2>(r.axes[0].i) / column::extreme_fibre(in, AxisName::y), "section modulus");
+  const double S_m = trace.value("S_m", is_set(in.S) ? in.S : 1.0, "required safety factor");
+  STEP(q_m, rho * A * in.a_m, "inertia force per length, at most");
+  STEP(sigma_m, q_m * in.l / A + q_m * pow<2>(in.l) / 8.0 / W_y, "along the link, and across it as a beam");
+  STEP_TO(r, x_m, S_m * sigma_m / in.R_e, "inertia that N, V and M_b do not include");
+}
+
 template <class Tracer>
 void yielding(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.S)) return;
@@ -160,6 +174,14 @@ double Member::most_shear_area(const Input& in) {
   }
 }
 
+/// Bound: a load evenly distributed over the length; one in the middle, or at the free end, bends more.
+double Member::least_moment(const Input& in) {
+  const bool is_free = column::ends_of(in, AxisName::y) == column::Ends::fixed_free;
+  return in_si(abs(in.V) * in.l) / (is_free ? 2.0 : 4.0);
+}
+
+Applies Member::without_mass(const Input& in) { return where(in.a_m > 0.0 * m_per_s2); }
+
 /// Those for which an even moment bounds the others.
 bool Member::ends_in_plane(const Input& in) {
   if (!column::supports_of(in, AxisName::y).empty()) return false;
@@ -214,6 +236,7 @@ Result Member::evaluate(const Input& in, Tracer& trace) {
   yielding(in, r, trace);
   buckling_with_bending(in, r, trace);
   tilting(in, r, trace);
+  own_inertia(in, r, trace);
   return r;
 }
 

@@ -13,6 +13,7 @@
 #include "calculators/column/buckling.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/quantity/drive_units.hpp"
 
 namespace loadpath::link {
 
@@ -67,6 +68,8 @@ S = 1.5
     Moment M_b = unset<Moment>;
     Area A_v = unset<Area>;
     double S = unset<double>;
+    Acceleration a_m = unset<Acceleration>;
+    Density rho = unset<Density>;
   };
   static constexpr auto inputs = join(
       column::held_inputs<Input>(),
@@ -80,11 +83,21 @@ S = 1.5
               .may_be_missing()},
       column::strength_inputs<Input>(), column::tetmajer_inputs<Input>(), column::derived_section_inputs<Input>(),
       column::method_choice<Input>(), column::code_inputs<Input>(),
-      Fields{Field<Input, double>{&Input::S, "S", ratio, "required safety factor against yielding under N, V and M_b"}
-                 .at_least(1)
-                 .usually(1.1, 6)
-                 .may_be_missing()
-                 .factor()});
+      Fields{
+          Field<Input, double>{&Input::S, "S", ratio, "required safety factor against yielding under N, V and M_b"}
+              .at_least(1)
+              .usually(1.1, 6)
+              .may_be_missing()
+              .factor(),
+          Field<Input, Acceleration>{&Input::a_m, "a_m", m_per_s2,
+                                     "acceleration of the axis, if N, V and M_b do not include its inertia forces"}
+              .at_least(0)
+              .may_be_missing(),
+          Field<Input, Density>{&Input::rho, "rho", kg_per_m3, "density, for these inertia forces; omitted: of steel"}
+              .positive()
+              .usually(500, 2e4)
+              .from("material", "rho")
+              .where_it_has()});
 
   struct Result : column::MemberResult {
     Stress sigma_N = unset<Stress>, sigma_M = unset<Stress>, sigma_o = unset<Stress>, sigma_u = unset<Stress>,
@@ -92,10 +105,12 @@ S = 1.5
     double k = unset<double>, u_y = unset<double>, u_Q = unset<double>, u_p = unset<double>, u_i = unset<double>;
     double chi_t = unset<double>, u_t = unset<double>;
     LinkCycle cycle;
+    double x_m = unset<double>;
   };
   static constexpr auto results = join(
-      Fields{Field<Result, Stress>{&Result::sigma_N, "sigma_N", MPa, "axial stress, tension positive"},
-             Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "bending stress at the extreme fibre"},
+      Fields{Field<Result, Stress>{&Result::sigma_N, "sigma_N", MPa, "axial stress, tension positive"}.with("sigma_M"),
+             Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "bending stress at the extreme fibre"}.with(
+                 "sigma_N"),
              Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa,
                                    "stress at the fibre in tension under a positive moment"},
              Field<Result, Stress>{&Result::sigma_u, "sigma_u", MPa,
@@ -129,12 +144,18 @@ S = 1.5
       Fields{Group<Result, LinkCycle>{&Result::cycle, "cycle",
                                       "maximum nominal stress of the link, for fatigue.cycle: cycle"}
                  .handed_over()},
+      Fields{Field<Result, double>{&Result::x_m, "x_m", ratio,
+                                   "own inertia, not included: S x stress / yield strength (negligible up to 0.1)"}
+                 .limit(0, 0.1)
+                 .where_it_applies()},
       column::side_by_side<Result>());
 
   static bool force_given(const Input& in);
   static bool fibre_known(const Input& in);
   static bool shear_inside(const Input& in);
   static double most_shear_area(const Input& in);
+  static double least_moment(const Input& in);
+  static Applies without_mass(const Input& in);
   static bool ends_in_plane(const Input& in);
   static bool is_lean(const Input& in);
   static Applies loaded(const Input& in);
@@ -167,7 +188,8 @@ S = 1.5
       column::assumption_rules<Input, &column::of<Input, &column::Buckling::factors_given>>());
   static constexpr auto bounds =
       join(column::held_bounds<Input>(), column::curve_bounds<Input>(),
-           std::array{Bound<Input>{"A_v", "the section, EN 1993-1-1 6.2.6", &most_shear_area}});
+           std::array{Bound<Input>{"A_v", "the section, EN 1993-1-1 6.2.6", &most_shear_area},
+                      Bound<Input>{"M_b", "V, evenly distributed over l", &least_moment}.least()});
 
   static constexpr std::array modes{
       Mode<Input>{"yield", "yielding under N and M_b", &loaded}.judged_by("u_y"),
@@ -186,6 +208,7 @@ S = 1.5
           .left_to("fatigue.cycle", "cycle.fatigue")
           .in_service(),
       Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
+      Mode<Input>{"inertia", "inertia forces of the link itself", &without_mass}.judged_by("x_m"),
       Mode<Input>{"weight", "bending by self-weight", &unseen<Input>}.special()};
 
   template <class Tracer>

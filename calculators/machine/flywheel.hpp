@@ -168,7 +168,8 @@ delta = 0.01
                   "the speed of the rim needs its diameter D"}};
 
   static constexpr bool turns = true;
-  static constexpr std::array meanings{Meaning{"M_m", "mean"}};
+  static constexpr std::array meanings{Meaning{"M_m", "mean"}, Meaning{"ratio", ratio_of_speeds},
+                                       Meaning{"J", inertia_of_flywheel}};
 
   static constexpr std::array modes{
       Mode<Input>{"unevenness", "speed fluctuation", &always<Input>}.of_service().judged_by("u_delta"),

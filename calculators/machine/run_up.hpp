@@ -8,6 +8,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -117,6 +118,8 @@ n_2 = "1400 rpm"
                   &short_line}};
 
   static constexpr bool turns = true;
+  static constexpr std::array meanings{Meaning{"parts.u", ratio_of_speeds}, Meaning{"n_1, n_2", speed_of_run},
+                                       Meaning{"motor.M", moment_of_motor}};
   static constexpr std::array modes{
       Mode<Input>{"stall", "accelerating torque", &always<Input>}.judged_by("u_M"),
       Mode<Input>{"time", "run-up or braking time", &always<Input>}.of_service().judged_by("u_t"),

@@ -273,14 +273,18 @@ bool MechanismStep::solve_ordinary(const mechanism::Model& model, const project:
   return in_order(in_.crank) && check_values(model, found) && ordinary_->solve(in_, model, *axis_, own_account());
 }
 
-/// Its own paths that somebody refers to.
+/// Its own paths that somebody refers to, and those of values to compare with that it has.
 std::set<std::string> MechanismStep::asked(const project::Wanted& wanted) const {
   std::set<std::string> paths;
-  for (const std::set<std::string>* all : {&wanted.taken, &wanted.compared}) {
-    for (const std::string& path : *all) {
-      if (path.starts_with(name() + ".")) paths.insert(path.substr(name().size() + 1));
+  const auto add = [&](const std::set<std::string>& all, bool known_only) {
+    for (const std::string& path : all) {
+      if (!path.starts_with(name() + ".")) continue;
+      std::string own = path.substr(name().size() + 1);
+      if (!known_only || signature(own)) paths.insert(std::move(own));
     }
-  }
+  };
+  add(wanted.taken, false);
+  add(wanted.compared, true);
   return paths;
 }
 

@@ -101,7 +101,11 @@ p_adm_2 = "100 MPa"
       Choice{&Input::loading, "loading", "loading of a point of the pin: steady, pulsating or alternating"}
           .may_be_missing(),
       Choice{&Input::spread, "spread", "load distribution over the clevis cheeks (loose pin)"}.may_be_missing(),
-      Field{&Input::d, "d", mm, "diameter of the pin"}.positive().usually(2, 500).findable("R40"),
+      Field{&Input::d, "d", mm, "diameter of the pin"}
+          .positive()
+          .usually(2, 500)
+          .findable("R40")
+          .same_as_that_of_source("joints.#.d_pin"),
       Field{&Input::d_i, "d_i", mm, "bore of the pin; omitted: solid"}.at_least(0).may_be_missing(),
       Field{&Input::t_1, "t_1", mm, "thickness of the eye"}.positive().usually(1, 1000),
       Field{&Input::t_2, "t_2", mm, "thickness of one clevis cheek (cantilevered pin: of the wall)"}.positive().usually(
@@ -133,6 +137,7 @@ p_adm_2 = "100 MPa"
           .may_be_missing(),
       Field{&Input::n, "n", rpm, "speed of relative rotation in the loose fit, either direction"}
           .usually(-3000, 3000)
+          .at_least_that_of_source("joints.#.omega")
           .may_be_missing(),
       Field{&Input::pv_adm, "pv_adm", MPa_m_per_s, "allowable pv value"}.positive().usually(0.01, 20).may_be_missing()};
 
@@ -187,6 +192,7 @@ p_adm_2 = "100 MPa"
 
   static constexpr std::array meanings{Meaning{"sigma_adm", allowable_in_normal},
                                        Meaning{"tau_adm", allowable_in_shear}};
+  static constexpr std::array senses{SenseClaim{"F", "loading", "steady, pulsating", "alternating"}};
   static constexpr std::array modes{
       Mode<Input>{"bending", "bending of the pin", &loaded}.judged_by("u_b, u_v, x_E"),
       Mode<Input>{"shear", "shear of the pin", &loaded}.judged_by("u_tau, x_E"),

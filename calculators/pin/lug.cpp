@@ -46,6 +46,7 @@ Lug::Result Lug::evaluate(const Input& in, Tracer& trace) {
   STEP_TO(r, x_a, (in.b - in.d) / (2.0 * in.a), "a crown as thick as the sides, or thicker");
   STEP_TO(r, K_t, 2.0 + pow<3>(1.0 - in.d / in.b),
           "open hole in a strip, Heywood, from memory; a loaded pin gives more");
+  STEP_TO(r, r_n, in.d / 2.0, "radius of the bore");
   r.cycle = {Stresses::normal, r.sigma_n};
   return r;
 }

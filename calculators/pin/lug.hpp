@@ -8,6 +8,7 @@
 // Not covered: forces across the axis, the notch of the bore in fatigue, bushes, welds.
 #pragma once
 
+#include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
@@ -104,6 +105,7 @@ p_adm = "80 MPa"
     Force F_d = unset<Force>;
     Stress sigma_n = unset<Stress>, tau_s = unset<Stress>, p = unset<Stress>;
     double K_t = unset<double>;
+    Length r_n = unset<Length>;
     double u_n = unset<double>, u_s = unset<double>, u_p = unset<double>, x_b = unset<double>, x_a = unset<double>;
     StressCycle cycle;
   };
@@ -114,6 +116,7 @@ p_adm = "80 MPa"
       Field{&Result::p, "p", MPa, "bearing pressure in the bore"}.holding("K_A"),
       Field{&Result::K_t, "K_t", ratio,
             "stress concentration factor of the bore on the net section, at least that of an open hole"},
+      Field{&Result::r_n, "r_n", mm, "notch radius of the bore"},
       Field{&Result::u_n, "u_n", ratio, "net section: nominal stress / allowable stress"}.check("sigma_adm, S"),
       Field{&Result::u_s, "u_s", ratio, "shear-out: shear stress / allowable stress"}.check("tau_adm, S"),
       Field{&Result::u_p, "u_p", ratio, "bearing: pressure / allowable pressure"}.check("p_adm"),
@@ -129,7 +132,8 @@ p_adm = "80 MPa"
                   "the safety factor S needs the yield strength R_e, or a material"}};
 
   static constexpr std::array meanings{Meaning{"sigma_adm", allowable_in_normal},
-                                       Meaning{"tau_adm", allowable_in_shear}};
+                                       Meaning{"tau_adm", allowable_in_shear},
+                                       Meaning{"K_t", fatigue::notch_in_tension}};
   static constexpr std::array notch_claims{NotchClaim{"sigma_n, cycle.sigma_max", "K_t"}};
   static constexpr std::array modes{
       Mode<Input>{"net", "net section tension", &loaded}.judged_by("u_n, x_b").wanting("sigma_adm"),

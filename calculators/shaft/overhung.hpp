@@ -120,8 +120,11 @@ tau_adm = "30 MPa"
       Field{&Result::u_tau, "u_tau", ratio, "pure torsion: shear stress / allowable shear stress"}.check("tau_adm")};
 
   static constexpr auto rules = join(
-      std::array{Rule<Input>{[](const Input& in) { return is_set(in.T) || is_set(in.P); }, "T, P, n",
-                             "give the torque T, or the power P with the speed n"}},
+      std::array{
+          Rule<Input>{[](const Input& in) { return is_set(in.T) || is_set(in.P); }, "T, P, n",
+                      "give the torque T, or the power P with the speed n"},
+          Rule<Input>{[](const Input& in) { return !(abs(in.F) > 0.0 * N.one) || !(in.a <= 0.0 * mm.one); }, "a, F",
+                      "a transverse force on an overhang needs its distance a > 0 from the bearing centre"}},
       power_rules<Input>(),
       std::array{Rule<Input>{[](const Input& in) { return !(is_set(in.chi) && is_set(in.d_bore)); }, "chi, d_bore",
                              "give the bore as chi or as d_bore, not both"},

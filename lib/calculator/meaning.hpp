@@ -21,6 +21,14 @@ inline constexpr auto steady_part = "stays";
 inline constexpr auto paired_amplitude = "amplitude with its mean";
 inline constexpr auto paired_middle = "mean with its amplitude";
 
+/// A ratio of the speeds of two shafts: computed from a ratio, it is that or its reciprocal.
+inline constexpr auto ratio_of_speeds = "a ratio of speeds";
+
+/// Inputs of a run of a drive, and of the flywheels that run with it.
+inline constexpr auto speed_of_run = "a speed of a run";
+inline constexpr auto moment_of_motor = "a moment of a motor";
+inline constexpr auto inertia_of_flywheel = "an inertia of a flywheel";
+
 /// The notch factor that belongs to a nominal stress or to a fatigue limit. A fatigue limit must include the notch at
 /// which the stress acts.
 struct NotchClaim {

@@ -84,11 +84,11 @@ L = "2650 mm"
              Field{&Input::d_1, "d_1", mm, "datum diameter of the driving pulley"}
                  .positive()
                  .at_least_that_of_source("d")
-                 .same_as_that_of_source("stages[#].d_1")
+                 .same_as_that_of_source("stages[#].d_1, drive.d_1")
                  .usually(20, 3000),
              Field{&Input::d_2, "d_2", mm, "datum diameter of the driven pulley"}
                  .positive()
-                 .same_as_that_of_source("stages[#].d_2")
+                 .same_as_that_of_source("stages[#].d_2, drive.d_2")
                  .usually(20, 3000)
                  .may_be_missing()},
       driven_inputs<Input>(),

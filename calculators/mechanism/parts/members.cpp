@@ -1,4 +1,5 @@
 // Internal forces of links.
+#include "calculators/mechanism/cycle/point_motion.hpp"
 #include "calculators/mechanism/input/points.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
 #include "calculators/mechanism/results/rows.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 using mechanism::MemberLoads;
 using mechanism::Position;
+using mechanism::Vec;
 
 /// Reach of a link with one joint, from there to its farthest point.
 void reach_from_one_joint(const planar::Link& link, const mechanism::Model& model, mechanism::Member& member) {
@@ -86,12 +88,29 @@ constexpr std::array bar_rows{
         [](const Bar&, const MemberLoads::Peaks& most) { return most.M.M; }, nullptr,
         "links with two joints in different places, or with one joint and another point")};
 
+/// A link whose own inertia is not among the loads.
+struct Massless {
+  std::string name;
+  int index;
+  Vec start, end;
+};
+
+constexpr std::array massless_rows{row<Massless>(
+    "links.NAME.a_m", "maximum acceleration of its axis, whose inertia force is not included", m_per_s2,
+    {.detail = true},
+    [](const Massless& link, const Position& p) {
+      return std::max(mechanism::length(motion_of(p, link.index, link.start).acceleration),
+                      mechanism::length(motion_of(p, link.index, link.end).acceleration));
+    },
+    nullptr, "links without mass, and all in a static analysis")};
+
 constexpr Declaration length =
     declare("links.NAME.length", "maximum distance between its joints", mm,
             "links with two joints in different places, or with one joint and another point");
 
 void list_members(std::vector<ResultPattern>& patterns) {
   list_patterns(bar_rows, patterns);
+  list_patterns(massless_rows, patterns);
   patterns.push_back(length.pattern);
 }
 
@@ -104,6 +123,8 @@ void add_members(const Mechanism::Input& in, const mechanism::Model& model, std:
     if (member.length() == 0.0 && !unknown) continue;
     const auto loads = std::make_shared<MemberLoads>(*kept, member);
     add_outputs(Bar{model.links[k].name, kept, loads, k, statics}, bar_rows, out);
+    if (statics || !(model.links[k].mass > 0.0))
+      add_outputs(Massless{model.links[k].name, static_cast<int>(k), member.start, member.end}, massless_rows, out);
     out.push_back(output(length, model.links[k].name));
     out.back().is_single = true;
     out.back().read_cycle = [l = member.length()](const Solved&) { return Output::Values({l}); };

@@ -70,7 +70,8 @@ struct TypedBeside {
   std::string path;    // within the step
   std::string source;  // path of the record's value: "press.links.rod.l"
   bool is_word = false;
-  bool is_load = false;  // a load on the part, according to the record
+  bool is_load = false;      // a load on the part, according to the record
+  const char* factors = "";  // factors that a load of the record includes: "K_A"
 };
 
 /// A field that has no value yet, and must have one.

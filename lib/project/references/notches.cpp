@@ -76,14 +76,6 @@ bool misses(const Project& project, const std::string& step, const NotchClaim& c
   return !(K_f >= 1.0 + least_sensitivity * (K_t - 1.0)) || (shape > 1.0 && shape < agreement * K_t);
 }
 
-/// Whether a step hands over a notch of the shaft.
-bool makes_notch(const Step* step) {
-  if (step == nullptr || step->input().calculator == nullptr || step->input().calculator->result == nullptr)
-    return false;
-  const FieldInfo* const notch = find_field(step->input().calculator->result->fields, "notch");
-  return notch != nullptr && notch->is_handed_over;
-}
-
 /// notch = smooth although values come from a key, press fit or pin of the same shaft.
 std::optional<ReducedLoad> smooth_beside_notch(const Step& step, const Project& project) {
   const Leaf notch = find_leaf(step.input().reading.record, "notch");
@@ -101,6 +93,13 @@ std::optional<ReducedLoad> smooth_beside_notch(const Step& step, const Project& 
 }
 
 }  // namespace
+
+bool makes_notch(const Step* step) {
+  if (step == nullptr || step->input().calculator == nullptr || step->input().calculator->result == nullptr)
+    return false;
+  const FieldInfo* const notch = find_field(step->input().calculator->result->fields, "notch");
+  return notch != nullptr && notch->is_handed_over;
+}
 
 std::vector<ReducedLoad> missed_notches(const Step& step, const Project& project) {
   std::vector<ReducedLoad> missed;

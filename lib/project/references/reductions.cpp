@@ -2,7 +2,9 @@
 
 #include "lib/calculator/meaning.hpp"
 #include "lib/project/because.hpp"
+#include "lib/project/references/factors_of_takers.hpp"
 #include "lib/project/references/notches.hpp"
+#include "lib/project/references/origins.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/turning.hpp"
 
@@ -22,6 +24,11 @@ using Left = Reduced::Left;
 bool is_of_loads(const Dimension& dimension) {
   return dimension.twelfths[1] == Dimension::one && dimension.twelfths[2] <= -2 * Dimension::one;
 }
+
+const Dimension inertia = Dimension::of(2, 1, 0);
+
+/// The same, and a moment of inertia to be accelerated.
+bool is_of_demand(const Dimension& dimension) { return is_of_loads(dimension) || dimension == inertia; }
 
 /// The last name of a path: "sigma_max" of "others[2].sigma_max".
 std::string last_of(const std::string& path) { return path.substr(path.rfind('.') + 1); }
@@ -99,10 +106,22 @@ class ReductionCheck {
     for (auto& [path, message] : missed_notches(step_, project_)) {
       if (!is_reduction_justified(step_, path)) loads_.push_back({path, std::move(message)});
     }
+    hold(values_of_others(step_, project_));
+    hold(factors_of_takers(step_, project_));
     step_.loads().reduced = std::move(loads_);
   }
 
  private:
+  /// Values that need a reason: one that is given is not idle.
+  void hold(std::vector<ReducedLoad>&& values) {
+    for (ReducedLoad& value : values) {
+      if (is_reduction_justified(step_, value.path))
+        step_.loads().justified.insert(value.path);
+      else
+        loads_.push_back(std::move(value));
+    }
+  }
+
   [[nodiscard]] Reduced reduced(const Operand& operand) const {
     return operand.expression.reduced([&](const std::string& path) { return reduced_at(project_, path); });
   }
@@ -167,7 +186,8 @@ class ReductionCheck {
         });
   }
 
-  /// A load of another step and the value derived from it; apart from entries of [values], nothing else is referred to.
+  /// A load of another step and the value derived from it; apart from entries of [values] and one count, the number of
+  /// belts, nothing else is referred to. A ratio of numbers of teeth converts a torque.
   struct Pair {
     std::string path;  // of the load
     Value source, taken;
@@ -178,6 +198,9 @@ class ReductionCheck {
     for (const auto& reference : operand.expression.references()) {
       if (!reference.path.starts_with("values.")) paths.insert(reference.path);
     }
+    const auto count =
+        std::find_if(paths.begin(), paths.end(), [&](const std::string& path) { return is_count(path); });
+    if (paths.size() == 2 && count != paths.end()) paths.erase(count);
     if (paths.size() != 1) return std::nullopt;
     const auto value_at = [&](const std::string& path) -> const Value& {
       const Value* const value = project_.value(path);
@@ -185,8 +208,15 @@ class ReductionCheck {
     };
     Pair pair{*paths.begin(), value_at(*paths.begin()), operand.expression.evaluate(value_at)};
     const Dimension& dimension = pair.source.signature.dimension;
-    if (!is_of_loads(dimension) || dimension != operand.leaf.field->dimension) return std::nullopt;
+    if (!is_of_demand(dimension) || dimension != operand.leaf.field->dimension) return std::nullopt;
     return pair;
+  }
+
+  [[nodiscard]] bool is_count(const std::string& path) const {
+    const auto [name, rest] = split_step(path);
+    const Step* const source = project_.find(name);
+    const FieldInfo* const field = source == nullptr ? nullptr : source->field(rest);
+    return field != nullptr && field->type == FieldInfo::Type::count;
   }
 
   /// Whether a field with a significant sign takes the negative of a load: tension for compression.
@@ -205,7 +235,9 @@ class ReductionCheck {
   [[nodiscard]] bool is_share(const Operand& operand) const {
     constexpr double rounding = 1e-6;
     const std::string own = reduction_of(*step_.input().calculator, operand.path);
-    if (!operand.leaf.field->is_load || !own.empty() || operand.expression.is_reference()) return false;
+    const FieldInfo& field = *operand.leaf.field;
+    const bool is_demand = field.is_load || field.dimension == inertia;
+    if (!is_demand || !own.empty() || operand.expression.is_reference()) return false;
     const auto pair = pair_of(operand);
     return pair && std::abs(largest(pair->taken).value) < (1.0 - rounding) * std::abs(largest(pair->source).value);
   }

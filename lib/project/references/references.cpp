@@ -51,6 +51,7 @@ class Settling {
     reading_.taken.clear();
     for (const Taken& taken : all) settle(taken);
     take_bodies();
+    compare_loads_of_bodies();
     if (refused_ || !reading_.faulty.empty()) return;  // the members of the record are not known
     for (const Lacking& lacking : reading_.lacking) {
       if (reading_.typed.count(lacking.path) == 0) issues_.push_back(missing(lacking));
@@ -206,6 +207,30 @@ class Settling {
       list(filled, given->key);
     });
     if (!filled.empty()) step_.remark(say("taken from {1} with {2}: {3}", taken.source, taken.path, filled));
+  }
+
+  /// A dimension of the component of a load, "=chain.shaft_1.d_f", shows which shaft the step is on: its own loads are
+  /// compared with those of that component.
+  void compare_loads_of_bodies() {
+    for (const Operand& operand : reading_.operands) {
+      if (operand.of_record || operand.leaf.field->is_load || !operand.expression.is_reference()) continue;
+      const std::string record = record_behind(operand);
+      if (!record.empty()) compare_loads(operand.path, record);
+    }
+  }
+
+  void compare_loads(const std::string& beside, const std::string& record) {
+    const std::string base = beside.substr(0, beside.rfind('.') + 1);
+    const auto [name, rest] = split_step(record);
+    const Step& source = *project_.find(name);
+    for (const Member& member : source.members(rest)) {
+      const std::string path = base + member.key, there = name + "." + member.path;
+      const Leaf leaf = find_leaf(reading_.record, path);
+      const FieldInfo* const field = source.field(member.path);
+      const bool is_load = leaf && leaf.field->is_load && is_like(source, member, *leaf.field);
+      if (!is_load || !reading_.typed.contains(path) || is_of_record(reading_, path)) continue;
+      keep({path, there, false, true, field == nullptr ? "" : field->factors});
+    }
   }
 
   /// The record that all references of a load belong to, "gears.gear_1", also for "gears.T_1"; empty if there is none.

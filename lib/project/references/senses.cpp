@@ -1,6 +1,7 @@
 #include "lib/project/references/senses.hpp"
 
 #include "lib/project/modes.hpp"
+#include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -26,6 +27,14 @@ std::optional<Reversal> reversal_of(const std::string& path, const Value& value)
                   ratio};
 }
 
+/// A magnitude does not show that its direction reverses; the step that it comes from knows.
+std::optional<Reversal> reversal_of_direction(const std::string& path, const Project& project) {
+  const Value* const ratio = project.value(path_of_reversal(path));
+  if (ratio == nullptr || ratio->si.size() != 1 || !(ratio->si.front() <= -ripple)) return std::nullopt;
+  return Reversal{say("the direction of '{1}', by {2} of its maximum", path, format_number(-ratio->si.front(), 2)),
+                  ratio->si.front()};
+}
+
 bool is_moment_or_force(const Dimension& dimension) {
   return dimension.twelfths[Dimension::mass] == Dimension::one &&
          dimension.twelfths[Dimension::time] <= -2 * Dimension::one;
@@ -37,6 +46,7 @@ std::optional<Reversal> reversal_of(const Operand& operand, const Project& proje
     const Value* const value = project.value(reference.path);
     if (value == nullptr || !is_moment_or_force(value->signature.dimension)) continue;
     if (auto own = reversal_of(reference.path, *value)) return own;
+    if (auto turned = reversal_of_direction(reference.path, project)) return turned;
     const auto [name, rest] = split_step(reference.path);
     const Step* const source = project.find(name);
     const FieldInfo* const field = source == nullptr ? nullptr : source->field(rest);

@@ -9,53 +9,83 @@ namespace loadpath::project {
 
 namespace {
 
-/// The places in the lists of a step that references name: those of loads, else of all.
+/// Places in the lists of a step that references name: those of loads, else of all.
 struct Named {
   std::set<std::string> by_loads, by_all;
+
+  void add(const std::string& place, bool is_load) {
+    by_all.insert(place);
+    if (is_load) by_loads.insert(place);
+  }
+  /// The only one; empty if there are several.
+  [[nodiscard]] std::string only() const {
+    const std::set<std::string>& named = by_loads.empty() ? by_all : by_loads;
+    return named.size() == 1 ? *named.begin() : "";
+  }
 };
+struct NamedIn {
+  Named places;
+  std::map<std::string, Named> elements;  // by their list
+};
+
+/// The list and the element in "joints.B.F"; empty if there are none.
+std::pair<std::string, std::string> element_in(const std::string& path) {
+  const std::size_t first = path.find('.'), second = path.find('.', first + 1);
+  if (first == std::string::npos || second == std::string::npos) return {};
+  return {path.substr(0, first), path.substr(first + 1, second - first - 1)};
+}
+
+constexpr int most_places = 12;
 
 }  // namespace
 
 std::vector<Source> sources_of(const Reading& reading) {
-  std::map<std::string, Named> places;
+  std::map<std::string, NamedIn> places;
   for (const Operand& operand : reading.operands) {
     if (operand.leaf.field->is_factor) continue;  // a safety factor belongs to no part
     for (const auto& reference : operand.expression.references()) {
       const auto [step, path] = split_step(reference.path);
       if (step == "values") continue;
-      Named& named = places[step];
+      NamedIn& named = places[step];
+      const auto [list, element] = element_in(path);
+      if (!element.empty()) named.elements[list].add(element, operand.leaf.field->is_load);
       const std::size_t open = path.find('['), close = path.find(']');
       std::string place;  // empty: behind the last one
       if (open < close && close != std::string::npos) place = path.substr(open + 1, close - open - 1);
       if (place.empty() && !path.ends_with("_out")) continue;
-      named.by_all.insert(place);
-      if (operand.leaf.field->is_load) named.by_loads.insert(place);
+      named.places.add(place, operand.leaf.field->is_load);
     }
   }
   std::vector<Source> sources;
-  for (const auto& [step, all] : places) {
-    const std::set<std::string>& named = all.by_loads.empty() ? all.by_all : all.by_loads;
-    if (named.empty())
-      sources.push_back({step, "1", true});
-    else
-      sources.push_back({step, named.size() == 1 ? *named.begin() : ""});
+  for (const auto& [step, named] : places) {
+    Source& source = sources.emplace_back();
+    source.step = step;
+    source.is_assumed = named.places.by_all.empty();
+    source.place = source.is_assumed ? "1" : named.places.only();
+    for (const auto& [list, elements] : named.elements) source.elements[list] = elements.only();
   }
   return sources;
 }
 
 std::string path_in(const Source& source, std::string key) {
   if (const std::size_t at = key.find('#'); at != std::string::npos) {
-    if (source.place.empty()) return "";
-    key.replace(at, 1, source.place);
+    const bool by_name = at > 0 && key[at - 1] == '.';
+    const auto named = source.elements.find(by_name ? key.substr(0, at - 1) : "");
+    const std::string place = !by_name ? source.place : named == source.elements.end() ? "" : named->second;
+    if (place.empty()) return "";
+    key.replace(at, 1, place);
   }
   return source.step + "." + key;
 }
 
 std::vector<Source> alternatives(const Source& source) {
-  constexpr int most_places = 12;
-  if (!source.is_assumed) return {source};
-  std::vector<Source> all;
-  for (int place = 1; place <= most_places; ++place) all.push_back({source.step, std::to_string(place), true});
+  return source.is_assumed ? places_of(source) : std::vector{source};
+}
+
+std::vector<Source> places_of(const Source& source) {
+  std::vector<Source> all(most_places, source);
+  for (int place = 1; place <= most_places; ++place)
+    all[static_cast<std::size_t>(place - 1)].place = std::to_string(place);
   return all;
 }
 
@@ -82,18 +112,32 @@ std::vector<std::pair<std::string, std::string>> inputs_made_for(const FieldInfo
 
 namespace {
 
-/// The paths of a key in the sources.
-void visit_in(const std::vector<Source>& sources, const std::string& key,
+/// The paths of the keys in the sources, at every place.
+void visit_in(const std::vector<Source>& sources, const FieldInfo& field,
               const std::function<void(const std::string& path)>& visit) {
-  for (const Source& source : sources) {
-    for (const Source& place : alternatives(source)) {
-      const std::string path = path_in(place, key);
-      if (!path.empty()) visit(path);
+  for (const ComparedKeys& compared : keys_in_sources(field)) {
+    for (const std::string& key : listed_keys(compared.keys)) {
+      for (const Source& source : sources) {
+        for (const Source& place : places_of(source)) {
+          const std::string path = path_in(place, key);
+          if (!path.empty()) visit(path);
+        }
+      }
     }
   }
 }
 
+/// Where loads that are magnitudes come from: whether their direction reverses.
+void visit_directions(const Reading& reading, const std::function<void(const std::string& path)>& visit) {
+  for (const Operand& operand : reading.operands) {
+    if (!operand.leaf.field->is_load) continue;
+    for (const auto& reference : operand.expression.references()) visit(path_of_reversal(reference.path));
+  }
+}
+
 }  // namespace
+
+std::string path_of_reversal(const std::string& load) { return load.substr(0, load.rfind('.') + 1) + "reversal"; }
 
 void for_each_compared(const StepInput& step, const std::function<void(const std::string& path)>& visit) {
   for (const TypedBeside& kept : step.reading.kept) visit(kept.source);
@@ -103,12 +147,12 @@ void for_each_compared(const StepInput& step, const std::function<void(const std
     for (const auto& [own, theirs] : inputs_made_for(*operand.leaf.field))
       visit(std::string(source).append(".").append(theirs));
   }
+  if (!step.calculator->senses.empty()) visit_directions(step.reading, visit);
   const auto sources = sources_of(step.reading);
   if (sources.empty()) return;
-  for (const FieldInfo& field : step.calculator->input->fields) {
-    for (const ComparedKeys& compared : keys_in_sources(field)) {
-      for (const std::string& key : listed_keys(compared.keys)) visit_in(sources, key, visit);
-    }
+  for (const FieldInfo& field : step.calculator->input->fields) visit_in(sources, field, visit);
+  if (step.calculator->result != nullptr) {
+    for (const FieldInfo& field : step.calculator->result->fields) visit_in(sources, field, visit);
   }
 }
 

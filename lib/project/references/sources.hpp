@@ -5,6 +5,7 @@
 #include "lib/project/step.hpp"
 
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,15 +17,19 @@ struct Source {
   std::string step;
   std::string
       place;  // index: "2" in "train.shafts[2].T"; empty if several are named, or the last is left: "train.P_out"
-  bool is_assumed = false;  // no reference names a place: "1"
+  bool is_assumed = false;                      // no reference names a place: "1"
+  std::map<std::string, std::string> elements;  // of lists by name: joints -> "B" in "press.joints.B.F"
 };
 std::vector<Source> sources_of(const Reading& reading);
 
-/// The path of a key there, in which '#' is the place; empty if that is unknown.
+/// The path of a key there, in which '#' is the place, "stages[#].z_1", or the name of an element, "joints.#.omega";
+/// empty if that is unknown.
 std::string path_in(const Source& source, std::string key);
 
 /// The same source with all places that it may mean, the assumed one first.
 std::vector<Source> alternatives(const Source& source);
+/// The same source with every place of its lists.
+std::vector<Source> places_of(const Source& source);
 
 /// How a field compares with those of the sources (lib/calculator/field.hpp).
 enum class Comparison { same, at_most, at_least, near };
@@ -38,6 +43,9 @@ std::vector<ComparedKeys> keys_in_sources(const FieldInfo& field);
 
 /// The inputs that a value of another step is made for: here, and there ("I_y", "I").
 std::vector<std::pair<std::string, std::string>> inputs_made_for(const FieldInfo& field);
+
+/// The path of the ratio by which a load that is a magnitude reverses its direction, next to it.
+std::string path_of_reversal(const std::string& load);
 
 /// Paths in other steps that inputs of this one are compared with: of records that have them too, and of sources.
 void for_each_compared(const StepInput& step, const std::function<void(const std::string& path)>& visit);

@@ -102,6 +102,13 @@ Bolder bolder_in(const WeighedValues& weighed, const std::vector<const account::
   return {};
 }
 
+/// A value more favourable than that of its source may be the reason why a mode does not apply: no sliding at a speed
+/// of zero. Checks of several modes do not show that.
+Applies applies_with(const ModeInfo& mode, Applies applies, const Bolder& bolder) {
+  const bool is_sole = std::string_view(mode.checks).find(',') == std::string_view::npos;
+  return applies == Applies::no && is_sole && !bolder.wants.empty() ? Applies::yes : applies;
+}
+
 }  // namespace
 
 void add_modes(const Evaluation& evaluation, const Results& results, const WeighedValues& weighed,
@@ -115,7 +122,9 @@ void add_modes(const Evaluation& evaluation, const Results& results, const Weigh
     const auto rows = rows_of(mode, verdicts);
     const CheckNeeds needs =
         needs_of(mode, *calculator.result, [&](const FieldInfo& check) { return evaluation.is_asked(check); });
-    auto one = judged(evaluation.step(), mode, results.applies[k], rows, needs, bolder_in(weighed, rows));
+    const Bolder bolder = bolder_in(weighed, rows);
+    const Applies applies = applies_with(mode, results.applies[k], bolder);
+    auto one = judged(evaluation.step(), mode, applies, rows, needs, bolder);
     if (!one) continue;
     add_assumptions(evaluation, mode, *one);
     modes.push_back(std::move(*one));

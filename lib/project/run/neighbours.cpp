@@ -117,6 +117,16 @@ void add_rows_beside(const Evaluation& evaluation, const Results& results, std::
   }
 }
 
+/// A load of a record that includes a factor which this step applies itself: without it.
+void divide_by_own_factors(const Inputs& inputs, const TypedBeside& kept, Value& value) {
+  for (const std::string& key : listed_keys(kept.factors)) {
+    const Leaf own = inputs.leaf(key);
+    const double factor = own && own.field->is_factor ? largest_magnitude(inputs.value_of(key, own)) : unknown;
+    if (!(factor > 1.0)) continue;
+    for (double& si : value.si) si /= factor;
+  }
+}
+
 /// Typed fields that a record has as well.
 void add_records_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
   for (const TypedBeside& kept : evaluation.step().input().reading.kept) {
@@ -131,6 +141,7 @@ void add_records_beside(const Evaluation& evaluation, const Known& known, std::v
     } else {
       value = known(kept.source);
     }
+    divide_by_own_factors(evaluation.inputs(), kept, value);
     all.push_back({kept.path, leaf, std::move(value), say("'{1}'", kept.source),
                    kept.is_load ? Beside::demand : beside_of(*leaf.field)});
     all.back().by_size = true;  // at another point the record has another value
@@ -211,71 +222,6 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
   });
 }
 
-/// The key of a source with the largest value among these, of the dimension of the field; empty if it has none.
-std::string largest_in(const Source& source, const char* keys, const FieldInfo& field, const Known& known) {
-  std::string largest;
-  for (const std::string& key : listed_keys(keys)) {
-    std::string path = path_in(source, key);
-    if (path.empty()) continue;
-    const Value& value = known(path);
-    const double si = std::abs(largest_magnitude(value));
-    // Zero means not given: teeth of a stage that is given by its ratio.
-    if (std::isnan(si) || si == 0.0 || value.signature.dimension != field.dimension) continue;
-    if (largest.empty() || si > std::abs(largest_magnitude(known(largest)))) largest = std::move(path);
-  }
-  return largest;
-}
-
-/// Whether a value is that of another element of the source, if no reference names one: the second stage of a train
-/// whose power is the same at every shaft.
-bool is_of_another_place(const Source& source, const char* keys, const FieldInfo& field, const Known& known,
-                         double value) {
-  constexpr double rounding = 0.01;
-  if (!source.is_assumed) return false;
-  const std::vector<Source> places = alternatives(source);
-  return std::any_of(places.begin() + 1, places.end(), [&](const Source& place) {
-    const std::string path = largest_in(place, keys, field, known);
-    return !path.empty() && std::abs(std::abs(largest_magnitude(known(path))) - value) <= rounding * value;
-  });
-}
-
-Beside beside_of_comparison(Comparison comparison) {
-  switch (comparison) {
-    case Comparison::same:
-      return Beside::identity;
-    case Comparison::near:
-      return Beside::either;
-    case Comparison::at_most:
-      return Beside::capacity;
-    case Comparison::at_least:
-      break;
-  }
-  return Beside::demand;
-}
-
-/// Adds quantities of the step that values are taken from: a key is on the shaft whose torque it takes, a gear pair
-/// is a stage of its train.
-void add_sources_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
-  const Reading& reading = evaluation.step().input().reading;
-  std::optional<std::vector<Source>> sources;
-  for (const FieldInfo& field : evaluation.calculator().input->fields) {
-    const auto lists = keys_in_sources(field);
-    if (lists.empty() || is_of_record(reading, field.key)) continue;
-    const Leaf leaf = evaluation.inputs().leaf(field.key);
-    const double value = std::abs(largest_magnitude(evaluation.inputs().value_of(field.key, leaf)));
-    if (std::isnan(value)) continue;
-    if (!sources) sources = sources_of(reading);
-    for (const ComparedKeys& list : lists) {
-      for (const Source& source : *sources) {
-        const std::string path = largest_in(source, list.keys, field, known);
-        if (path.empty() || is_of_another_place(source, list.keys, field, known, value)) continue;
-        all.push_back({field.key, leaf, known(path), say("'{1}'", path), beside_of_comparison(list.comparison)});
-        all.back().by_size = true;  // at another point the source has another value
-      }
-    }
-  }
-}
-
 /// Adds values that differ from the step whose result is taken: the length of a bar whose effective length factor was
 /// calculated for another one.
 void add_origins_beside(const Evaluation& evaluation, const Known& known, std::vector<Neighbour>& all) {
@@ -315,10 +261,8 @@ std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results
   add_rows_beside(evaluation, results, all);
   add_records_beside(evaluation, known, all);
   add_strengths_beside(evaluation, all);
-  add_sources_beside(evaluation, known, all);
   add_origins_beside(evaluation, known, all);
   add_usual_beside(evaluation, all);
-  std::erase_if(all, [](const Neighbour& beside) { return std::isnan(largest_magnitude(beside.value)); });
   return all;
 }
 

@@ -22,7 +22,7 @@ struct Neighbour {
   std::string row_of = {};  // the table of the row; empty: of a record, or a strength
 };
 
-/// `results`: rows are looked up at the resulting size, if there is one yet.
+/// Without sources_beside.hpp. `results`: rows are looked up at the resulting size, if there is one yet.
 std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results& results, const Known& known);
 
 /// Whether the user typed the input: a record may have filled it.

@@ -4,6 +4,7 @@
 #include "lib/project/because.hpp"
 #include "lib/project/run/neighbours.hpp"
 #include "lib/project/run/own_bounds.hpp"
+#include "lib/project/run/sources_beside.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -53,11 +54,19 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
              : say("{1} = {2}, below {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
 }
 
+/// All neighbours with a value, apart from derived bounds.
+std::vector<Neighbour> all_beside(const Evaluation& evaluation, const Results& results, const Known& known) {
+  std::vector<Neighbour> all = neighbours_of(evaluation, results, known);
+  add_sources_beside(evaluation, known, all);
+  std::erase_if(all, [](const Neighbour& beside) { return std::isnan(largest_magnitude(beside.value)); });
+  return all;
+}
+
 /// The neighbours less favourable than the typed value.
 std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& results, const Known& known,
                                    WeighedValues& weighed) {
   std::vector<Neighbour> bolder;
-  std::vector<Neighbour> all = neighbours_of(evaluation, results, known);
+  std::vector<Neighbour> all = all_beside(evaluation, results, known);
   add_bounds_beside(evaluation, known, all);
   for (Neighbour& beside : all) {
     weighed.compared.push_back(beside.path);
@@ -134,21 +143,23 @@ bool is_far_from_usual(const Evaluation& evaluation, const Neighbour& beside) {
 
 /// Marks the checks and limits that change with the neighbour in place of the value; for the nearest usual value,
 /// those that pass only with the typed one, and if it is `far` off those that it lowers. True if results change, but
-/// no check or limit.
+/// no check or limit, or if a check exists only with the neighbour: sliding, with a speed other than zero.
 bool mark_decided(const Results& with_typed, const Results& with_other, const Bolder& bolder, Beside kind, bool far,
                   WeighedValues& weighed) {
-  bool decides = false, changes = false;
+  bool decides = false, changes = false, hides = false;
   for (const ResultSeries& series : with_typed.series) {
     if (is_same_in(with_other, series)) continue;
     changes = true;
     if (!is_verdict(*series.field)) continue;
-    decides = true;
+    hides = hides || std::isnan(largest_magnitude(series.value));
     const bool by_value = kind == Beside::usual || kind == Beside::either;
     const bool is_decided = !by_value || passes_in_the_first_only(series, with_other) ||
                             ((far || kind == Beside::either) && is_lower_in_the_first(series, with_other));
     if (is_decided) weighed.decided.emplace(series.path, bolder);
+    // A limit does not show on which side of it a value of another part is unsafe.
+    decides = decides || is_decided || kind != Beside::either || series.field->role == Role::check;
   }
-  return changes && !decides;
+  return hides || (changes && !decides);
 }
 
 /// Whether a row of a table gives the value, which cannot be replaced.
@@ -187,12 +198,23 @@ void refuse_idle_reasons(const Step& of, const std::set<const Typed*>& used, std
   }
 }
 
+/// Results of another part than the one that a load comes from, without a reason for that load.
+void weigh_results(const Evaluation& evaluation, const Results& results, const Known& known, WeighedValues& weighed) {
+  for (const Differing& result : differing_results(evaluation, results, known)) {
+    if (const Typed* const reason = reason_for(evaluation.step().input(), result.load))
+      weighed.reasons.emplace(result.load, say("{1}: {2}", result.text, reason->text));
+    else
+      weighed.handed_on.push_back(
+          {"because." + result.load, say("{1}; give the reason: because.{2} = \"...\"", result.text, result.load)});
+  }
+}
+
 }  // namespace
 
 bool refuse_other_parts(const Evaluation& evaluation, const Known& known, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   const StepInput& step = evaluation.step().input();
-  for (const Neighbour& beside : neighbours_of(evaluation, {}, known)) {
+  for (const Neighbour& beside : all_beside(evaluation, {}, known)) {
     if (!is_of_one_part(beside.kind)) continue;
     const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
     if (std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside))) continue;
@@ -239,6 +261,7 @@ WeighedValues weigh_typed_values(Evaluation& evaluation, const Results& results,
     if (((only_changes && goes_on) || stays) && reason == nullptr) weighed.handed_on.push_back(bolder);
   }
   if (!all.empty() && has_results) evaluate_all(evaluation);  // restored
+  weigh_results(evaluation, results, known, weighed);
   if (wanted.unused && has_results && step.reading.varied.empty()) refuse_idle_reasons(evaluation.step(), used, issues);
   return weighed;
 }

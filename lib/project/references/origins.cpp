@@ -1,0 +1,376 @@
+#include "lib/project/references/origins.hpp"
+
+#include "lib/calculator/meaning.hpp"
+#include "lib/calculator/strength_bounds.hpp"
+#include "lib/project/modes.hpp"
+#include "lib/project/references/notches.hpp"
+#include "lib/project/references/references.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/table/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double most_apart = 1e-3;
+constexpr int most_stages = 12;
+
+const Dimension of_stress = Dimension::of(-1, 1, -2);
+
+/// The value of largest magnitude; NaN if there is none.
+double magnitude(const Value& value) {
+  double most = std::nan("");
+  for (const double si : value.si) {
+    if (!std::isnan(si) && !(std::abs(si) <= std::abs(most))) most = si;
+  }
+  return most;
+}
+
+double magnitude_at(const Project& project, const std::string& path) {
+  const Value* const value = project.value(path);
+  return value == nullptr ? std::nan("") : magnitude(*value);
+}
+
+double magnitude_of(const Operand& operand, const Project& project) {
+  static const Value none{{}, {std::nan("")}};
+  return magnitude(operand.expression.evaluate([&](const std::string& path) -> const Value& {
+    const Value* const value = project.value(path);
+    return value == nullptr ? none : *value;
+  }));
+}
+
+/// The value of an input before the step is solved; NaN if it is not known.
+double own_value(const Step& step, const Project& project, const std::string& path) {
+  const auto& operands = step.input().reading.operands;
+  const auto operand = std::find_if(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == path; });
+  if (operand != operands.end()) return magnitude_of(*operand, project);
+  const Leaf leaf = find_leaf(step.input().reading.record, path);
+  return leaf && leaf.field->is_number() ? leaf.get() : std::nan("");
+}
+
+/// Whether the calculator declares one of these meanings for a field.
+bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(std::string_view what)) {
+  return std::any_of(calculator.meanings.begin(), calculator.meanings.end(), [&](const Meaning& meaning) {
+    const auto fields = listed_keys(meaning.fields);
+    return is_it(meaning.what) &&
+           std::any_of(fields.begin(), fields.end(), [&](const std::string& field) { return names_row(field, path); });
+  });
+}
+
+bool is_strength_of_metal(std::string_view what) {
+  return strength_bound_of(what) != nullptr && what != crushing_stress;
+}
+bool is_limit_of_part(std::string_view what) { return what == limit_in_normal || what == limit_in_shear; }
+bool is_speed_ratio(std::string_view what) { return what == ratio_of_speeds; }
+
+/// Whether a step connects a hub to a shaft: it hands over a notch of the shaft, or the connection.
+bool connects(const Step& step) {
+  const Calculator* const calculator = step.input().calculator;
+  if (calculator == nullptr || calculator->result == nullptr) return false;
+  const FieldInfo* const connection = find_field(calculator->result->fields, "connection");
+  return makes_notch(&step) || (connection != nullptr && connection->is_handed_over);
+}
+
+/// The material that a step names; empty if none.
+std::string material_of(const Step& step) {
+  const auto row = step.input().rows.find("material");
+  return row == step.input().rows.end() ? "" : row->second.text;
+}
+
+class OriginCheck {
+ public:
+  OriginCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    if (step_.input().calculator == nullptr) return {};
+    for (const Operand& operand : step_.input().reading.operands) {
+      compare_strength(operand);
+      compare_limit(operand);
+      compare_ratio(operand);
+      compare_torque(operand);
+      compare_component(operand);
+      compare_joint(operand);
+    }
+    compare_direction();
+    return std::move(found_);
+  }
+
+ private:
+  void add(const std::string& path, Message message) { found_.push_back({path, std::move(message)}); }
+
+  const Calculator& calculator() const { return *step_.input().calculator; }
+
+  /// A strength above those of other steps that it is computed from.
+  void compare_strength(const Operand& operand) {
+    if (operand.expression.is_reference() || !means(calculator(), operand.path, &is_strength_of_metal)) return;
+    std::string highest;
+    double most = 0.0;
+    for (const auto& reference : operand.expression.references()) {
+      const Step* const source = project_.find(split_step(reference.path).first);
+      const Value* const value = project_.value(reference.path);
+      if (source == nullptr || value == nullptr || value->signature.dimension != of_stress) continue;
+      const double si = std::abs(magnitude(*value));
+      if (si > most) most = si, highest = reference.path;
+    }
+    if (!highest.empty() && magnitude_of(operand, project_) > most * (1.0 + most_apart))
+      add(operand.path, say("{1} is above '{2}', from which it is computed; justify it: because.{1} = \"...\"",
+                            operand.path, highest));
+  }
+
+  /// A fatigue limit of another material, or of another diameter at heat treatment.
+  void compare_limit(const Operand& operand) {
+    if (!means(calculator(), operand.path, &is_limit_of_part)) return;
+    for (const auto& reference : operand.expression.references()) {
+      const auto [name, rest] = split_step(reference.path);
+      const Step* const source = project_.find(name);
+      if (source == nullptr || source == &step_ || source->input().calculator == nullptr) continue;
+      if (!means(*source->input().calculator, rest, &is_limit_of_part)) continue;
+      compare_materials(operand.path, *source, reference.path);
+      compare_sizes(operand.path, *source, reference.path);
+    }
+  }
+
+  void compare_materials(const std::string& path, const Step& source, const std::string& limit) {
+    const std::string own = material_of(step_), theirs = material_of(source);
+    if (own.empty() || theirs.empty() || own == theirs) return;
+    add(path, say("'{2}' is a fatigue limit of {3}, and the material here is {4}: because.{1} = \"...\"", path, limit,
+                  theirs, own));
+  }
+
+  void compare_sizes(const std::string& path, const Step& source, const std::string& limit) {
+    const double own = own_value(step_, project_, "d_h");
+    const double treated = magnitude_at(project_, source.name() + ".d_h"),
+                 d = magnitude_at(project_, source.name() + ".d");
+    const double theirs = std::isnan(treated) ? d : treated;
+    if (std::isnan(own) || std::isnan(theirs) || !has_other_strength(own, theirs)) return;
+    add(path, say("'{2}' is a fatigue limit for a diameter at heat treatment of {3}, and d_h here is {4}: "
+                  "because.{1} = \"...\"",
+                  path, limit, format_quantity(theirs, "mm", 4), format_quantity(own, "mm", 4)));
+  }
+
+  /// Whether the material of the step has another strength at another size; without a row any size counts.
+  bool has_other_strength(double size, double other) const {
+    if (std::abs(size - other) <= most_apart * size) return false;
+    const auto row = step_.input().tables->find_row("material", material_of(step_));
+    if (!row) return true;
+    const auto differs = [&](const char* column) {
+      const auto here = table::property(*row, column, size), there = table::property(*row, column, other);
+      return !here || !there ? !here != !there : here->si != there->si;
+    };
+    return differs("R_m") || differs("R_e");
+  }
+
+  /// A ratio of speeds computed from one ratio is that or its reciprocal.
+  void compare_ratio(const Operand& operand) {
+    if (!means(calculator(), operand.path, &is_speed_ratio)) return;
+    std::set<std::string> paths;
+    for (const auto& reference : operand.expression.references()) paths.insert(reference.path);
+    if (paths.size() != 1 || project_.find(split_step(*paths.begin()).first) == nullptr) return;
+    const double ratio = std::abs(magnitude_at(project_, *paths.begin())),
+                 own = std::abs(magnitude_of(operand, project_));
+    const auto is = [&](double other) { return std::abs(own - other) <= most_apart * other; };
+    if (!(ratio > 0.0) || std::isnan(own) || is(ratio) || is(1.0 / ratio)) return;
+    add(operand.path, say("{1} = {2} is neither '{3}' = {4} nor its reciprocal; justify it: because.{1} = \"...\"",
+                          operand.path, format_number(own, 4), *paths.begin(), format_number(ratio, 4)));
+  }
+
+  /// A connection on the shaft of another step, and a torque below that of this shaft.
+  void compare_torque(const Operand& operand) {
+    const bool is_diameter = operand.path == "d" || operand.path == "d_1" || operand.path == "d_w";
+    if (!is_diameter || !operand.expression.is_reference() || !connects(step_)) return;
+    const auto [name, rest] = split_step(operand.expression.references().front().path);
+    const Step* const shaft = project_.find(name);
+    if (shaft == nullptr || rest != "d" || connects(*shaft)) return;
+    const double theirs = std::abs(magnitude_at(project_, name + ".T")),
+                 own = std::abs(own_value(step_, project_, "T"));
+    if (!(own < theirs * (1.0 - most_apart))) return;
+    add("T", say("T is less than '{1}.T' of the shaft with this diameter; justify it: because.T = \"...\"", name));
+  }
+
+  /// A belt that turns its second shaft the other way than the stage of the train with its pulleys.
+  void compare_direction() {
+    const Leaf arrangement = find_leaf(step_.input().reading.record, "arrangement");
+    if (!arrangement || arrangement.field->type != FieldInfo::Type::choice) return;
+    const bool is_crossed = word_of(arrangement) == "crossed";
+    const double d_1 = own_value(step_, project_, "d_1"), d_2 = own_value(step_, project_, "d_2");
+    std::set<std::string> trains;
+    for_each_reference(step_.input().reading, [&](const std::string& path) { trains.insert(split_step(path).first); });
+    for (const std::string& train : trains) {
+      for (int k = 1; k <= most_stages; ++k) {
+        const std::string stage = train + ".stages[" + std::to_string(k) + "].";
+        const double i = magnitude_at(project_, stage + "i");
+        if (std::isnan(i)) break;
+        if (magnitude_at(project_, stage + "d_1") != d_1 || magnitude_at(project_, stage + "d_2") != d_2) continue;
+        if ((i < 0.0) == is_crossed) continue;
+        add("arrangement",
+            say("arrangement = \"{1}\" contradicts the direction of '{2}i' = {3}: correct one of them, or "
+                " because.arrangement = \"...\"",
+                word_of(arrangement), stage, format_number(i, 4)));
+      }
+    }
+  }
+
+  /// One component of a force whose magnitude the source has, too.
+  void compare_component(const Operand& operand) {
+    if (!operand.leaf.field->is_load || operand.leaf.field->key != std::string_view("F")) return;
+    for (const auto& reference : operand.expression.references()) {
+      const std::string beside = prefix_of(reference.path), key = reference.path.substr(beside.size());
+      if (key != "F_x" && key != "F_y" && key != "x" && key != "y") continue;
+      const double whole = std::abs(magnitude_at(project_, beside + "F"));
+      if (!(std::abs(magnitude_of(operand, project_)) < whole * (1.0 - most_apart))) continue;
+      add(operand.path, say("{1} is only a component of '{2}F'; write ={2}F, or justify it: because.{1} = \"...\"",
+                            operand.path, beside));
+      return;
+    }
+  }
+
+  /// The force of a guide or a rigid joint, which hold the angle of their links, for a pin.
+  void compare_joint(const Operand& operand) {
+    if (!operand.leaf.field->is_load || !std::string_view(calculator().id).starts_with("pin.")) return;
+    for (const auto& reference : operand.expression.references()) {
+      const auto [name, rest] = split_step(reference.path);
+      const Step* const source = project_.find(name);
+      if (source == nullptr || !rest.starts_with("joints.") || !source->signature(prefix_of(rest) + "M")) continue;
+      add(operand.path, say("'{2}' is the force of a joint without a pin; justify it: because.{1} = \"...\"",
+                            operand.path, reference.path));
+      return;
+    }
+  }
+
+  const Step& step_;
+  const Project& project_;
+  std::vector<ReducedLoad> found_;
+};
+
+bool is_speed_of_run(std::string_view what) { return what == speed_of_run; }
+bool is_moment_of_motor(std::string_view what) { return what == moment_of_motor; }
+bool is_inertia_of_flywheel(std::string_view what) { return what == inertia_of_flywheel; }
+
+/// A run of a drive, next to the other steps of the same machine.
+class RunCheck {
+ public:
+  RunCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    if (step_.input().calculator == nullptr) return {};
+    speed_ = largest_input(&is_speed_of_run, speed_path_);
+    if (!(speed_ > 0.0)) return {};
+    moment_ = largest_input(&is_moment_of_motor, moment_path_);
+    for (const std::string& source : sources()) compare_train(source);
+    compare_shaft();
+    compare_flywheels();
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr double near = 0.1;           // slip
+  static constexpr double most_of_motor = 3.5;  // breakdown torque over rated torque, motors with a squirrel cage
+
+  void add(const std::string& path, Message message) {
+    found_.push_back({path.substr(0, path.find_first_of(".[")), std::move(message)});
+  }
+
+  /// The largest magnitude of the inputs with a meaning, and the path of that input.
+  double largest_input(bool (*is_it)(std::string_view what), std::string& at) const {
+    double most = std::nan("");
+    for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+      if (!leaf.field->is_number() || !means(*step_.input().calculator, path, is_it)) return;
+      const double si = std::abs(own_value(step_, project_, path));
+      if (!std::isnan(si) && !(si <= most)) most = si, at = path;
+    });
+    return most;
+  }
+
+  std::set<std::string> sources() const {
+    std::set<std::string> all;
+    for_each_reference(step_.input().reading, [&](const std::string& path) { all.insert(split_step(path).first); });
+    return all;
+  }
+
+  /// A run ends, or starts, at the speed of a shaft of the train, by a motor of its power.
+  void compare_train(const std::string& train) {
+    double T = std::nan(""), n = std::nan("");
+    for (int k = 1;; ++k) {
+      const std::string shaft = train + ".shafts[" + std::to_string(k) + "].";
+      const double there = std::abs(magnitude_at(project_, shaft + "n"));
+      if (std::isnan(there)) break;
+      if (std::isnan(n)) n = there;
+      if (std::abs(speed_ - there) <= near * there) T = std::abs(magnitude_at(project_, shaft + "T")), n = speed_;
+    }
+    if (!std::isnan(n) && n != speed_)
+      add(speed_path_, say("{1} = {2} is the speed of no shaft of '{3}'; justify it: because.{1} = \"...\"",
+                           speed_path_, format_quantity(speed_, "rpm", 4), train));
+    if (moment_ > most_of_motor * T)
+      add(moment_path_,
+          say("the motor moment of {1} is more than {2} times the torque of '{3}', {4}; justify it: "
+              "because.motor = \"...\"",
+              format_quantity(moment_, "N*m", 4), format_number(most_of_motor), train, format_quantity(T, "N*m", 4)));
+  }
+
+  /// A run at the speed of another step loads its shaft by the moment of the motor, unless a peak factor covers it.
+  void compare_shaft() {
+    const auto& operands = step_.input().reading.operands;
+    const auto speed =
+        std::find_if(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == speed_path_; });
+    if (speed == operands.end() || !speed->expression.is_reference()) return;
+    const auto [name, key] = split_step(speed->expression.references().front().path);
+    const double K_A = magnitude_at(project_, name + ".K_A");
+    const double T = std::abs(magnitude_at(project_, name + ".T" + key.substr(std::min<std::size_t>(1, key.size()))));
+    if (std::isnan(K_A) || !(moment_ > K_A * T * largest_peak_factor())) return;
+    add(moment_path_, say("the motor moment of {1} is more than K_A T = {2} of '{3}': give the shaft k_max, or "
+                          "because.motor = \"...\"",
+                          format_quantity(moment_, "N*m", 4), format_quantity(K_A * T, "N*m", 4), name));
+  }
+
+  double largest_peak_factor() const {
+    double most = 1.0;
+    for (const auto& step : project_.steps) most = std::fmax(most, own_value(*step, project_, "k_max"));
+    return most;
+  }
+
+  /// A flywheel at this speed is accelerated, too.
+  void compare_flywheels() {
+    const std::set<std::string> named = sources();
+    for (const auto& wheel : project_.steps) {
+      const Calculator* const calculator = wheel->input().calculator;
+      if (calculator == nullptr || !means(*calculator, "J", &is_inertia_of_flywheel) || named.contains(wheel->name()))
+        continue;
+      const double omega = own_value(*wheel, project_, "omega"), J = own_value(*wheel, project_, "J");
+      if (!(std::abs(omega - speed_) <= near * speed_) || is_among_parts(J)) continue;
+      add("parts", say("the flywheel '{1}' turns at this speed, and is not among the parts: add J = \"={1}.{2}\", or "
+                       "because.parts = \"...\"",
+                       wheel->name(), std::isnan(J) ? "J_F" : "J"));
+    }
+  }
+
+  bool is_among_parts(double J) const {
+    bool found = false;
+    for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+      const bool is_inertia = path.ends_with(".J") && leaf.field->is_number();
+      found = found || (is_inertia && std::abs(own_value(step_, project_, path) - J) <= near * J);
+    });
+    return found;
+  }
+
+  const Step& step_;
+  const Project& project_;
+  double speed_ = std::nan(""), moment_ = std::nan("");
+  std::string speed_path_, moment_path_;
+  std::vector<ReducedLoad> found_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> values_of_others(const Step& step, const Project& project) {
+  std::vector<ReducedLoad> all = OriginCheck(step, project).run();
+  for (ReducedLoad& of_run : RunCheck(step, project).run()) all.push_back(std::move(of_run));
+  return all;
+}
+
+}  // namespace loadpath::project

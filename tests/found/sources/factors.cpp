@@ -1,0 +1,94 @@
+// Factors, motors and inertias of one step that another one leaves out.
+#include "tests/found/modes.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+std::string post_with(const std::string& factor) {
+  return "[post]\ncalculator = \"column.buckling\"\nP = \"200 kN\"\nl = \"3.5 m\"\nsection = \"HEA 140\"\n"
+         "ends = \"pinned_pinned\"\nmaterial = \"S235\"\nmethod = \"ec3\"\ngamma_M1 = 1.1\n" +
+         factor +
+         "[pin]\ncalculator = \"pin.en1993\"\nF = \"=post.P\"\ngamma_F = 1.35\ngamma_M0 = 1\ngamma_M2 = 1.25\n"
+         "d = \"60 mm\"\nd_0 = \"61 mm\"\nt_1 = \"30 mm\"\nt_2 = \"20 mm\"\nc = \"2 mm\"\nf_yp = \"355 MPa\"\n"
+         "f_up = \"490 MPa\"\nf_y_1 = \"235 MPa\"\nf_y_2 = \"235 MPa\"\n";
+}
+
+const std::string train = R"([train]
+calculator = "drive.train"
+P = "5 kW"
+n_1 = "1450 rpm"
+stages = [{ name = "c", kind = "gear", z_1 = 20, z_2 = 60, eta = 0.97 }]
+)";
+
+const std::string wheel = R"toml([wheel]
+calculator = "machine.flywheel"
+M_of_phi = "33 N*m + 60 N*m*sin(phi)"
+omega = "1440 rpm"
+J = "2 kg*m^2"
+delta = 0.02
+)toml";
+
+struct Run {
+  std::string parts = "", last = "33 N*m", n_2 = "1440 rpm", u = "=abs(1/train.i)", more = "";
+};
+
+std::string run_with(const Run& run) {
+  return train +
+         "[run]\ncalculator = \"machine.run_up\"\nparts = [{ J = \"0.05 kg*m^2\" }, { J = \"3.6 kg*m^2\", u = \"" +
+         run.u + "\" }" + run.parts +
+         "]\nmotor = [[\"0 rpm\", \"90 N*m\"], [\"1000 rpm\", \"80 N*m\"], [\"1450 rpm\", \"" + run.last +
+         "\"]]\nload = [[\"0 rpm\", \"2 N*m\"], [\"1450 rpm\", \"30 N*m\"]]\nn_2 = \"" + run.n_2 +
+         "\"\nt_adm = \"30 s\"\n" + run.more;
+}
+
+std::string time_of(const std::string& text) { return mode_of(solved_as_found(text), "run", "time"); }
+
+std::string started(const std::string& motor, const std::string& more = "") {
+  return "[gears]\ncalculator = \"gear.pair\"\nz_1 = 25\nz_2 = 60\nm_n = \"4 mm\"\nb = \"40 mm\"\nT_1 = \"150 N*m\"\n"
+         "n_1 = \"1450 rpm\"\nK_A = 1.25\n"
+         "[run]\ncalculator = \"machine.run_up\"\nparts = [{ J = \"1 kg*m^2\" }]\nmotor = [[\"0 rpm\", \"" +
+         motor + "\"], [\"1450 rpm\", \"" + motor +
+         "\"]]\nload = [[\"0 rpm\", \"50 N*m\"], [\"1450 rpm\", \"50 N*m\"]]\nn_2 = \"=gears.n_1\"\nt_adm = \"10 "
+         "s\"\n" +
+         more;
+}
+
+}  // namespace
+
+TEST_SUITE("found factors elsewhere") {
+  TEST_CASE("a load has the partial factor that the step which takes it applies") {
+    CHECK(mode_of(solved_as_found(post_with("gamma_F = 1\n")), "post", "buckling") == "not-judged");
+    CHECK(mode_of(solved_as_found(post_with("gamma_F = 1.35\n")), "post", "buckling") == "pass");
+    CHECK(mode_of(solved_as_found(post_with("gamma_F = 1\nbecause.gamma_F = \"P is a design load\"\n")), "post",
+                  "buckling") == "pass");
+  }
+
+  TEST_CASE("a run ends at the speed of a shaft, by a motor of the power of the train") {
+    CHECK(time_of(run_with({})) == "pass");
+    CHECK(time_of(run_with({.n_2 = "300 rpm"})) == "not-judged");
+    CHECK(time_of(run_with({.last = "330 N*m"})) == "not-judged");
+    CHECK(time_of(run_with({.last = "330 N*m", .more = "because.motor = \"drives two trains\"\n"})) == "pass");
+  }
+
+  TEST_CASE("a ratio of speeds is a ratio or its reciprocal") {
+    CHECK(time_of(run_with({.u = "=1/train.i^2"})) == "not-judged");
+    CHECK(time_of(run_with({.u = "=1/train.i"})) == "pass");
+  }
+
+  TEST_CASE("a flywheel at the speed of the run is accelerated in full") {
+    CHECK(time_of(wheel + run_with({})) == "not-judged");
+    CHECK(time_of(wheel + run_with({.parts = ", { J = \"=wheel.J/100\" }"})) == "not-judged");
+    CHECK(time_of(wheel + run_with({.parts = ", { J = \"=wheel.J\" }"})) == "pass");
+    CHECK(time_of(wheel + run_with({.parts = ", { J = \"2 kg*m^2\" }"})) == "pass");
+    CHECK(time_of(wheel + run_with({.more = "because.parts = \"behind a clutch\"\n"})) == "pass");
+  }
+
+  TEST_CASE("a motor that starts a shaft beyond its application factor wants a peak factor") {
+    CHECK(mode_of(solved_as_found(started("450 N*m")), "run", "stall") == "not-judged");
+    CHECK(mode_of(solved_as_found(started("180 N*m")), "run", "stall") == "pass");
+    CHECK(mode_of(solved_as_found(started("450 N*m", "because.motor = \"rotor takes two thirds\"\n")), "run",
+                  "stall") == "pass");
+  }
+}

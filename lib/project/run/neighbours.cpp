@@ -212,9 +212,10 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
 }
 
 /// The key of a source with the largest value among these, of the dimension of the field; empty if it has none.
-std::string largest_in(const Source& source, const char* keys, const FieldInfo& field, const Known& known) {
+std::string largest_in(const Source& source, const std::vector<std::string>& keys, const FieldInfo& field,
+                       const Known& known) {
   std::string largest;
-  for (const std::string& key : listed_keys(keys)) {
+  for (const std::string& key : keys) {
     std::string path = path_in(source, key);
     if (path.empty()) continue;
     const Value& value = known(path);
@@ -228,8 +229,8 @@ std::string largest_in(const Source& source, const char* keys, const FieldInfo& 
 
 /// Whether a value is that of another element of the source, if no reference names one: the second stage of a train
 /// whose power is the same at every shaft.
-bool is_of_another_place(const Source& source, const char* keys, const FieldInfo& field, const Known& known,
-                         double value) {
+bool is_of_another_place(const Source& source, const std::vector<std::string>& keys, const FieldInfo& field,
+                         const Known& known, double value) {
   constexpr double rounding = 0.01;
   if (!source.is_assumed) return false;
   const std::vector<Source> places = alternatives(source);
@@ -266,9 +267,10 @@ void add_sources_beside(const Evaluation& evaluation, const Known& known, std::v
     if (std::isnan(value)) continue;
     if (!sources) sources = sources_of(reading);
     for (const ComparedKeys& list : lists) {
+      const auto keys = keys_where_given(list.keys, evaluation.record());
       for (const Source& source : *sources) {
-        const std::string path = largest_in(source, list.keys, field, known);
-        if (path.empty() || is_of_another_place(source, list.keys, field, known, value)) continue;
+        const std::string path = largest_in(source, keys, field, known);
+        if (path.empty() || is_of_another_place(source, keys, field, known, value)) continue;
         all.push_back({field.key, leaf, known(path), say("'{1}'", path), beside_of_comparison(list.comparison)});
         all.back().by_size = true;  // at another point the source has another value
       }
@@ -289,6 +291,22 @@ void add_origins_beside(const Evaluation& evaluation, const Known& known, std::v
       all.push_back({key, leaf, known(path), say("'{1}', the basis of {2}", path, operand.path), Beside::either});
       all.back().by_size = true;  // at another point the source has another value
     }
+  }
+}
+
+/// Adds less favourable values in other steps of the same body.
+void add_body_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
+  const std::optional<BodyFacts>& facts = evaluation.step().body_facts();
+  if (!facts) return;
+  for (const auto& [path, fact] : *facts) {
+    const Leaf leaf = evaluation.inputs().leaf(path);
+    if (!leaf) continue;
+    all.push_back({path,
+                   leaf,
+                   {{leaf.field->dimension, nullptr}, {fact.si}},
+                   say("'{1}', a step of the same body", fact.by),
+                   beside_in_body(*leaf.field)});
+    all.back().by_size = true;  // at another point the other step has another value
   }
 }
 
@@ -317,6 +335,7 @@ std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results
   add_strengths_beside(evaluation, all);
   add_sources_beside(evaluation, known, all);
   add_origins_beside(evaluation, known, all);
+  add_body_beside(evaluation, all);
   add_usual_beside(evaluation, all);
   std::erase_if(all, [](const Neighbour& beside) { return std::isnan(largest_magnitude(beside.value)); });
   return all;

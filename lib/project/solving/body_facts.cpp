@@ -60,13 +60,16 @@ double measured(const Step& step, const std::string& name, const Statement& by_i
   return std::abs(by_input.value) * (std::isnan(factor) ? 1.0 : factor);
 }
 
-/// The last input of the name that has a value: ends_y replaces ends.
+bool is_given(const Step& step, const FieldInfo& field) { return step.input().reading.typed.contains(field.key); }
+
+/// The last given input of the name that has a value, ends_y replaces ends, else the last one with a default.
 Statement statement_of(Step& step, const std::string& name) {
   Statement made{&step, nullptr, unknown, unknown};
   for (const FieldInfo& field : step.input().calculator->input->fields) {
     if (!is_named(facts_of(field).c_str(), name)) continue;
     const double value = value_of(step, field);
-    if (!std::isnan(value)) made.input = &field, made.value = value;
+    const bool is_weaker = made.input != nullptr && is_given(step, *made.input) && !is_given(step, field);
+    if (!std::isnan(value) && !is_weaker) made.input = &field, made.value = value;
   }
   made.measure = measured(step, name, made);
   return made;
@@ -96,7 +99,7 @@ bool is_surpassed(const Statement& own, const Statement& other) {
   if (own.input->type != other.input->type) return false;
   if (own.input->type == FieldInfo::Type::choice) return true;
   const bool is_of_material = *own.input->shared_as == '\0';
-  if (is_of_material && !own.step->input().reading.typed.contains(own.input->key)) return false;
+  if (is_of_material && !is_given(*own.step, *own.input)) return false;
   // A bar in tension in one load case is compressed in another.
   if (a == 0.0 && own.input->signed_load) return false;
   const Beside kind = beside_in_body(*own.input);
@@ -119,11 +122,19 @@ void add_facts(const std::vector<Statement>& all, std::map<Step*, BodyFacts>& fa
   }
 }
 
+/// Whether two steps state one bore: by its size, or as the same ratio, which each sizes.
+bool is_one_bore(const Statement& a, const Statement& b) {
+  const bool by_ratio =
+      a.input != nullptr && b.input != nullptr && a.input->dimension.is_number() && b.input->dimension.is_number();
+  const double p = by_ratio ? a.value : a.measure, q = by_ratio ? b.value : b.measure;
+  return std::abs(p - q) <= rounding * std::max(std::abs(p), std::abs(q));
+}
+
 /// A bar is bored or not.
 void check_bores(const std::string& body, const std::vector<Statement>& all, std::vector<Issue>& issues) {
   for (const Statement& one : all) {
     const Statement& first = all.front();
-    if (std::abs(one.measure - first.measure) <= rounding * std::max(one.measure, first.measure)) continue;
+    if (is_one_bore(first, one)) continue;
     issues.push_back(
         issue_at(one.step->input(), one.input == nullptr ? "body" : one.input->key,
                  say("the body '{1}' needs a single bore, but {2} has {3} and {4} has {5}", body, first.step->name(),

@@ -71,7 +71,7 @@ S = 2
       hub_inputs<Input>(),
       Fields{
           RecordField<Input>{"load", "shaft load of the mounted belt, chain or drive: load = \"=belts.shaft_2\""},
-          Field{&Input::T, "T", N_m, "torque, magnitude"}.load(),
+          Field{&Input::T, "T", N_m, "torque, magnitude"}.load().one_of_body("torque"),
           Field{&Input::F_a, "F_a", N, "axial force, magnitude"}.load(),
           Field{&Input::K_A, "K_A", ratio, "application factor K_A on torque and axial force (1 if they include it)"}
               .at_least(1)

@@ -82,7 +82,12 @@ s_0 = 2
     Force P_min = unset<Force>, F_a_adm = unset<Force>;
     Force F_r0 = unset<Force>, F_a0 = unset<Force>;
     List<Block, most_blocks> blocks;
+    Holds holds = Holds::unsaid;
   };
+  /// A bearing that locates the shaft and lets it slip.
+  static Applies locates_nothing(const Input& in) {
+    return where(in.holds == Holds::both && takes_radial_alone(in.kind));
+  }
   static AngularSpeed highest_speed(const Input& in);
   static bool has_axial(const Input& in);
   static bool factors_given(const Input& in);
@@ -174,6 +179,8 @@ s_0 = 2
           .may_be_missing(),
       Field{&Input::F_a0, "F_a0", kN, "simultaneous axial load"}.load().may_be_missing(),
       ListField{&Input::blocks, "blocks", "load and speed blocks with their shares of time; omitted: one block"}
+          .may_be_missing(),
+      Choice{&Input::holds, "holds", "loads that the shaft needs the bearing for: radial, or radial and axial"}
           .may_be_missing()};
 
   struct Stage {
@@ -279,6 +286,8 @@ s_0 = 2
       Mode<Input>{"skidding", "minimum load (skidding)", &runs}.judged_by("x_min").of_shape(),
       Mode<Input>{"speed", "limiting speed", &runs_fast}.judged_by("u_n"),
       Mode<Input>{"axial", "axial load capability of the type", &always<Input>}.judged_by("F_ao").of_shape(),
+      Mode<Input>{"location", "axial location of the shaft", &locates_nothing}.advising(
+          "take a type with ribs or a deep groove, or name the part that locates: accept.location = \"...\""),
       Mode<Input>{"radial", "radial load capability of the type", &always<Input>}.judged_by("F_ro").of_shape(),
       Mode<Input>{"ribs", "axial load limit (ribs, groove edges)", &has_axial_bound}.judged_by("u_a").wanting(
           "F_a_adm"),

@@ -46,12 +46,20 @@ double least_Y_0(const Input& in) {
   return least_factors(in.kind).Y_0_over_Y * in.Y;
 }
 
+/// In millions of revolutions, the least usual life in hours.
+template <class Input>
+double least_life(const Input& in) {
+  constexpr Time least = from_si<Time>(100.0 * 3600.0);
+  return in_si(least * in.n) / (2.0 * pi) / 1e6;
+}
+
 /// Smaller factors are not conservative.
 template <class Input>
 constexpr auto factor_bounds() {
   return std::array{Bound<Input>{"X", "the kind of bearing", &least_X<Input>}.least(),
                     Bound<Input>{"Y", "e of bearings of this kind", &least_Y<Input>}.least(),
-                    Bound<Input>{"Y_0", "Y of bearings of this kind", &least_Y_0<Input>}.least()};
+                    Bound<Input>{"Y_0", "Y of bearings of this kind", &least_Y_0<Input>}.least(),
+                    Bound<Input>{"L_m", "100 h at this speed", &least_life<Input>}.least()};
 }
 
 }  // namespace loadpath::bearing

@@ -52,6 +52,15 @@ constexpr auto choices_of(Kind) {
                        "thrust bearing with cylindrical or needle rollers: axial load only, one direction"}};
 }
 
+/// Loads that the shaft has its bearing take, as shaft.design says.
+enum class Holds { unsaid, radial, both };
+
+constexpr auto choices_of(Holds) {
+  return std::array{ChoiceName<Holds>{Holds::unsaid, "", "not stated"},
+                    ChoiceName<Holds>{Holds::radial, "radial", "radial forces: floating bearing"},
+                    ChoiceName<Holds>{Holds::both, "both", "radial and axial forces: locating bearing"}};
+}
+
 constexpr bool has_balls(Kind kind) {
   return kind == Kind::deep_groove_ball || kind == Kind::angular_contact_ball || kind == Kind::angular_contact_pair ||
          kind == Kind::self_aligning_ball || kind == Kind::thrust_ball;

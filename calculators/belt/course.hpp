@@ -117,6 +117,8 @@ pulleys = [
   static bool carries(const Input& in);
   static Applies loaded(const Input& in) { return where(carries(in)); }
   static bool runs_fast(const Input& in);
+  static Applies beyond_speed(const Input& in);
+  static Applies beyond_bending(const Input& in);
   static constexpr std::array modes{
       Mode<Input>{"centrifugal", "centrifugal tension above 10 m/s",
                   [](const Input& in) { return where(carries(in) && runs_fast(in) && !(in.q > 0.0 * kg_per_m.one)); }}
@@ -124,8 +126,8 @@ pulleys = [
       Mode<Input>{"grip", "belt slip on pulleys", &loaded}.judged_by("u_S"),
       Mode<Input>{"lifting", "belt lift-off from pulleys", &loaded}.judged_by("N_min"),
       Mode<Input>{"strength", "tensile strength at maximum tension", &loaded}.judged_by("u_T"),
-      Mode<Input>{"bending", "pulley diameter and flexing frequency", &unseen<Input>}.special(),
-      Mode<Input>{"speed", "belt and rim speed", &unseen<Input>}.special(),
+      Mode<Input>{"bending", "pulley diameter and flexing frequency", &beyond_bending}.special(),
+      Mode<Input>{"speed", "belt and rim speed", &beyond_speed}.special(),
       Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};
 
   template <class Tracer>

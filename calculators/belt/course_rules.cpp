@@ -35,6 +35,16 @@ bool Course::runs_fast(const Input& in) {
   return !in.pulleys.empty() && in.n_1 * in.pulleys[0].d / 2.0 > 10.0 * m_per_s;
 }
 
+/// Faster than any belt but thin flat ones of synthetic fibres.
+Applies Course::beyond_speed(const Input& in) {
+  return shown_by(!in.pulleys.empty() && in.n_1 * in.pulleys[0].d / 2.0 > 60.0 * m_per_s);
+}
+
+/// Smaller than the smallest pulley of any ribbed or V-belt, 13 mm of section PH.
+Applies Course::beyond_bending(const Input& in) {
+  return shown_by(std::any_of(in.pulleys.begin(), in.pulleys.end(), [](const Pulley& p) { return p.d < 13.0 * mm; }));
+}
+
 bool Course::carries(const Input& in) { return has_powers(in) || is_set(in.S_0); }
 
 bool Course::tensioner_fits(const Input& in) {

@@ -97,11 +97,15 @@ void judge(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   STEP_TO(r, f_B, 2.0 * r.v / r.L, "two bends per belt revolution");
 }
 
-/// Two spans pass between the pulleys of a crossed belt.
+/// Room between the pulleys, and for the spans of a crossed belt, two of which pass there.
+template <class Tracer>
+void leave_room(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
+  STEP_TO(r, g_x, r.a - (in.d_1 + in.d_2) / 2.0 - 2.0 * in.delta, "gap of the pulleys less two thicknesses");
+}
 template <class Tracer>
 void cross(const Flat::Input& in, Flat::Result& r, Tracer& trace) {
   if (in.arrangement != Arrangement::crossed) return;
-  STEP_TO(r, g_x, r.a - (in.d_1 + in.d_2) / 2.0 - 2.0 * in.delta, "gap of the pulleys less two thicknesses");
+  STEP_TO(r, x_a, 20.0 * r.b / r.a, "spans of a crossed belt twist freely from 20 widths on, from memory");
 }
 
 template <class Tracer>
@@ -135,10 +139,11 @@ Flat::Result drive(const Flat::Input& in, Tracer& trace) {
   move(in, r, trace);
   lay(pulleys_of(in), r, trace);
   limit_speed(in, r, trace);
-  cross(in, r, trace);
+  leave_room(in, r, trace);
   pull(in, r, trace);
   size(in, r, trace);
   r.b = is_set(in.b) ? in.b : r.b_min;
+  cross(in, r, trace);
   tighten(in, r, trace);
   judge(in, r, trace);
   return r;

@@ -154,6 +154,7 @@ E_b = "40 MPa"
     double u_S = unset<double>, u_sigma = unset<double>, u_b = unset<double>, x_v = unset<double>, x_b = unset<double>;
     Length g_x = unset<Length>;
     Speed v_range = unset<Speed>;
+    double x_a = unset<double>;
   };
   static constexpr auto results = join(
       driven_results<Result>("diameter of the driven pulley found, of R20"),
@@ -201,9 +202,11 @@ E_b = "40 MPa"
               .criterion(),
           Field{&Result::u_b, "u_b", ratio, "bending at the smaller pulley: bending stress / allowable stress"}.check(
               "E_b"),
-          Field{&Result::g_x, "g_x", mm, "clearance between the pulleys at crossed spans"}
+          Field{&Result::g_x, "g_x", mm, "clearance between the pulleys, two belt thicknesses deducted"}
               .limit(0, 1e6)
-              .criterion()
+              .criterion(),
+          Field{&Result::x_a, "x_a", ratio, "crossed belt: 20 x belt width / centre distance (spans rub above 1)"}
+              .limit(0, 1 + 1e-9)
               .where_it_applies(),
           Field{&Result::x_b, "x_b", ratio, "belt width / diameter of the smaller pulley (limit set by loadpath)"}
               .limit(0, 1.5),
@@ -235,9 +238,8 @@ E_b = "40 MPa"
       Mode<Input>{"bending", "bending at the smaller pulley", &always<Input>}.judged_by("u_b"),
       Mode<Input>{"width", "belt width within the pulleys", &always<Input>}.judged_by("x_b").of_shape(),
       Mode<Input>{"speed", "belt speed range", &always<Input>}.judged_by("v_range, x_v"),
-      Mode<Input>{"room", "clearance for crossed spans", &crossed}.judged_by("g_x").of_shape(),
-      Mode<Input>{"twist", "twisting and rubbing of crossed spans",
-                  [](const Input& in) { return crossed(in) == Applies::yes ? Applies::unseen : Applies::no; }},
+      Mode<Input>{"room", "clearance between the pulleys", &always<Input>}.judged_by("g_x").of_shape(),
+      Mode<Input>{"twist", "twisting and rubbing of crossed spans", &crossed}.judged_by("x_a"),
       Mode<Input>{"fatigue", "belt fatigue life (flexing frequency)", &unseen<Input>}.special(),
       Mode<Input>{"rim", "bursting of pulley rims", &unseen<Input>}.special(),
       Mode<Input>{"radial_load", "radial load on the motor shaft", &unseen<Input>}.special()};

@@ -41,6 +41,12 @@ double least_length_factor(const Input&) {
   return length_factor(Ends::fixed_fixed, Basis::exact);
 }
 
+/// Residual stresses end the proportional range below yield; books have 0.75 to 0.85 of it for steel.
+template <class Input>
+double most_proportional(const Input& in) {
+  return 0.9 * in_si(in.R_e);
+}
+
 template <class Input>
 constexpr auto held_bounds() {
   constexpr auto of_link = "a link of a mechanism with pin joints";
@@ -49,7 +55,8 @@ constexpr auto held_bounds() {
                     Bound<Input>{"ends_y", of_link, &hinged_about_y<Input>}.where_source_has("length"),
                     Bound<Input>{"beta_y", of_link, &whole_length<Input>}.least().where_source_has("length"),
                     Bound<Input>{"beta_y", of_ends, &least_length_factor<Input>}.least().sparing_results(),
-                    Bound<Input>{"beta_z", of_ends, &least_length_factor<Input>}.least().sparing_results()};
+                    Bound<Input>{"beta_z", of_ends, &least_length_factor<Input>}.least().sparing_results(),
+                    Bound<Input>{"sigma_P", "0.9 R_e", &most_proportional<Input>}};
 }
 
 /// The buckling curve of table 6.2. Where the kind of section is not given: that of a solid section if it is one,

@@ -206,6 +206,7 @@ S = 1.5
       Mode<Input>{"net_section", "net section rupture (holes, pins)", &unseen<Input>}.assessed_beside("pin.lug"),
       Mode<Input>{"fatigue", "fatigue (holes, section changes)", &unseen<Input>}
           .left_to("fatigue.cycle", "cycle.fatigue")
+          .or_counted_by("fatigue.history", "sigma_o, sigma_u")
           .in_service(),
       Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"inertia", "inertia forces of the link itself", &without_mass}.judged_by("x_m"),

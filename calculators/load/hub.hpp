@@ -20,19 +20,56 @@ constexpr auto choices_of(Mounted) {
                     ChoiceName<Mounted>{Mounted::sprocket, "sprocket", "the sprocket of a chain"}};
 }
 
-/// Inputs d_f, h_t, b_r and bore. They also accompany a torque given as a single value.
+/// Sizes of a mounted component. They also accompany a torque given as a single value.
+template <class Input>
+constexpr auto root_size() {
+  return Field<Input, Length>{
+      &Input::d_f, "d_f", mm,
+      "root diameter of the mounted gear or sprocket, groove bottom diameter of the mounted pulley"}
+      .positive()
+      .of_body()
+      .may_be_missing();
+}
+template <class Input>
+constexpr auto rim_size() {
+  return Field<Input, Length>{&Input::b_r, "b_r", mm, "rim width of the mounted gear or pulley"}
+      .positive()
+      .of_body()
+      .may_be_missing();
+}
+template <class Input>
+constexpr auto bore_size() {
+  return Field<Input, Length>{&Input::bore, "bore", mm, "bore of the mounted gear"}
+      .positive()
+      .of_body()
+      .may_be_missing();
+}
+
+/// Inputs d_f, h_t, b_r and bore of a hub.
 template <class Input>
 constexpr auto hub_inputs() {
-  using Size = Field<Input, Length>;
-  return Fields{
-      Size{&Input::d_f, "d_f", mm,
-           "root diameter of the mounted gear or sprocket, groove bottom diameter of the mounted pulley"}
-          .positive()
-          .of_body()
-          .may_be_missing(),
-      Size{&Input::h_t, "h_t", mm, "tooth height of the mounted gear"}.positive().of_body().may_be_missing(),
-      Size{&Input::b_r, "b_r", mm, "rim width of the mounted gear or pulley"}.positive().of_body().may_be_missing(),
-      Size{&Input::bore, "bore", mm, "bore of the mounted gear"}.positive().of_body().may_be_missing()};
+  return Fields{root_size<Input>(),
+                Field<Input, Length>{&Input::h_t, "h_t", mm, "tooth height of the mounted gear"}
+                    .positive()
+                    .of_body()
+                    .may_be_missing(),
+                rim_size<Input>(), bore_size<Input>()};
+}
+
+/// A shaft thicker than the root circle of the component whose load it takes, or than its bore.
+template <class Input, Length (*thinnest)(const Input&)>
+Applies beyond_root(const Input& in) {
+  const Length d = thinnest(in);
+  if constexpr (requires { in.bore; }) {
+    if (d > 1.001 * in.bore) return Applies::yes;
+  }
+  return where(d >= in.d_f);
+}
+template <class Input, Length (*thinnest)(const Input&)>
+constexpr auto within_root() {
+  return Mode<Input>{"root", "shaft within root circle and bore of the mounted component",
+                     &beyond_root<Input, thinnest>}
+      .advising("reduce the diameter, or confirm a shaft that steps down to the component: accept.root = \"...\"");
 }
 
 /// Whether a given bore matches the shaft.

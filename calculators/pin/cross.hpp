@@ -68,7 +68,7 @@ tau_adm_1 = "40 MPa"
       hub_inputs<Input>(),
       Fields{
           RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
-          Field{&Input::T, "T", N_m, "torque, magnitude"}.load(),
+          Field{&Input::T, "T", N_m, "torque, magnitude"}.load().one_of_body("torque"),
           Field{&Input::K_A, "K_A", ratio, "application factor K_A on T (1 if T includes it)"}
               .at_least(1)
               .usually(1, 4)

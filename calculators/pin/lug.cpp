@@ -38,13 +38,13 @@ template <class Tracer>
 Lug::Result Lug::evaluate(const Input& in, Tracer& trace) {
   Result r;
   STEP_TO(r, F_d, in.K_A * abs(in.F), "with the application factor, as a tensile force");
-  STEP_TO(r, sigma_n, F_d / ((in.b - in.d) * in.t), "over both sides of the bore, [Bhandari-4]");
+  STEP(b_e, min(in.b, 2.5 * in.d), "width that works; table 3.9 of [EN1993-1-8] draws no wider eyes");
+  STEP_TO(r, sigma_n, F_d / ((b_e - in.d) * in.t), "over both sides of the bore, [Bhandari-4]");
   STEP_TO(r, tau_s, F_d / (2.0 * in.a * in.t), "over two planes from the bore to the crown, [Bhandari-4]");
   STEP_TO(r, p, F_d / (in.d * in.t), "over the projected bore, [Bhandari-4]");
   strength(in, r, trace);
-  STEP_TO(r, x_b, in.b / in.d, "proportions of table 3.9, [EN1993-1-8]");
-  STEP_TO(r, x_a, (in.b - in.d) / (2.0 * in.a), "a crown as thick as the sides, or thicker");
-  STEP_TO(r, K_t, 2.0 + pow<3>(1.0 - in.d / in.b),
+  STEP_TO(r, x_a, (b_e - in.d) / (2.0 * in.a), "a crown as thick as the sides, or thicker");
+  STEP_TO(r, K_t, 2.0 + pow<3>(1.0 - in.d / b_e),
           "open hole in a strip, Heywood, from memory; a loaded pin gives more");
   STEP_TO(r, r_n, in.d / 2.0, "radius of the bore");
   r.cycle = {Stresses::normal, r.sigma_n};

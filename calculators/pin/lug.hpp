@@ -2,8 +2,8 @@
 //
 // Decides the three nominal stresses of textbooks, [Bhandari-4]: the force over both sides of the bore, over the two
 // planes from the bore to the crown, and over the projected bore. Allowable values are typed, or R_e over a safety,
-// in shear by [Mises]. These apply to eyes of the usual shape, whose crown is not thinner than their sides and whose
-// width is at most 2.5 times the bore, as table 3.9 of [EN1993-1-8] draws them: others are not covered. The force
+// in shear by [Mises]. These apply to eyes of the usual shape, whose crown is not thinner than their sides, as
+// table 3.9 of [EN1993-1-8] draws them: others are not covered. Of a wider eye 2.5 bores of its width count. The force
 // acts along the axis of the eye and counts as tension. An eye, or one cheek of a fork: each is a step of its own.
 // Not covered: forces across the axis, the notch of the bore in fatigue, bushes, welds.
 #pragma once
@@ -106,7 +106,7 @@ p_adm = "80 MPa"
     Stress sigma_n = unset<Stress>, tau_s = unset<Stress>, p = unset<Stress>;
     double K_t = unset<double>;
     Length r_n = unset<Length>;
-    double u_n = unset<double>, u_s = unset<double>, u_p = unset<double>, x_b = unset<double>, x_a = unset<double>;
+    double u_n = unset<double>, u_s = unset<double>, u_p = unset<double>, x_a = unset<double>;
     StressCycle cycle;
   };
   static constexpr Fields results{
@@ -120,7 +120,6 @@ p_adm = "80 MPa"
       Field{&Result::u_n, "u_n", ratio, "net section: nominal stress / allowable stress"}.check("sigma_adm, S"),
       Field{&Result::u_s, "u_s", ratio, "shear-out: shear stress / allowable stress"}.check("tau_adm, S"),
       Field{&Result::u_p, "u_p", ratio, "bearing: pressure / allowable pressure"}.check("p_adm"),
-      Field{&Result::x_b, "x_b", ratio, "width / bore diameter (validity: up to 2.5)"}.limit(1, 2.5 + 1e-9),
       Field{&Result::x_a, "x_a", ratio, "side width / crown thickness of the eye"}.limit(0, 1 + 1e-9),
       Group{&Result::cycle, "cycle", "nominal stress of the net section, for fatigue.cycle: cycle"}.handed_over()};
 
@@ -136,7 +135,7 @@ p_adm = "80 MPa"
                                        Meaning{"K_t", fatigue::notch_in_tension}};
   static constexpr std::array notch_claims{NotchClaim{"sigma_n, cycle.sigma_max", "K_t"}};
   static constexpr std::array modes{
-      Mode<Input>{"net", "net section tension", &loaded}.judged_by("u_n, x_b").wanting("sigma_adm"),
+      Mode<Input>{"net", "net section tension", &loaded}.judged_by("u_n").wanting("sigma_adm"),
       Mode<Input>{"shear_out", "shear-out", &loaded}.judged_by("u_s").wanting("tau_adm"),
       Mode<Input>{"crown", "end distance of the lug", &loaded}.judged_by("x_a").of_shape(),
       Mode<Input>{"bearing", "bearing pressure in the bore", &loaded}.judged_by("u_p"),

@@ -73,7 +73,7 @@ n = "1500 rpm"
           .positive()
           .usually(3, 300)
           .from("circlip", "d_1"),
-      Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0),
+      Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0).one_of_body("bore"),
       Field{&Input::d_2, "d_2", mm, "groove diameter"}.positive().from("circlip", "d_2"),
       Field{&Input::m, "m", mm, "groove width"}.positive().from("circlip", "m").where_it_has(),
       Field{&Input::r, "r", mm, "fillet radius at the groove bottom, for the notch of the shaft"}

@@ -80,7 +80,7 @@ R_e_k = "420 MPa"
       Fields{
           Field{&Input::d, "d", mm, "shaft diameter"}.positive().usually(6, 500).findable("R40").at_most_that_of_source(
               "d, d_max"),
-          Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0),
+          Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0).one_of_body("bore"),
           Field{&Input::b, "b", mm, "key width"}.positive().from("key", "b"),
           Field{&Input::h, "h", mm, "key height"}.positive().from("key", "h"),
           Field{&Input::t_1, "t_1", mm, "keyway depth in the shaft"}.positive().from("key", "t_1"),

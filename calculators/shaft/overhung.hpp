@@ -6,6 +6,7 @@
 // rotating shaft, notches and keyways, deflection, the bearing side of the shaft.
 #pragma once
 
+#include "calculators/load/hub.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/parts/power.hpp"
 #include "lib/calculator/field.hpp"
@@ -60,7 +61,11 @@ tau_adm = "30 MPa"
     Stress sigma_adm = unset<Stress>;
     Stress tau_adm = unset<Stress>;
     Hypothesis hypothesis = Hypothesis::mises;
+    Length d_f = unset<Length>, b_r = unset<Length>;
   };
+  static constexpr Length outside(const Input& in) { return in.d; }
+  /// A component whose rim reaches over the bearing.
+  static constexpr Applies reaches_bearing(const Input& in) { return where(in.a < 0.5 * in.b_r); }
   static constexpr Applies loaded(const Input& in) {
     return where(abs(in.F) > 0.0 * N.one || abs(in.T) > 0.0 * N_m.one || in.P > 0.0 * kW.one);
   }
@@ -70,7 +75,7 @@ tau_adm = "30 MPa"
           Field{&Input::F, "F", N, "transverse force on the overhang"}.load(),
           Field{&Input::a, "a", mm, "overhang: distance from the force to the bearing centre"}.at_least(0).usually(1,
                                                                                                                    1e4),
-          Field{&Input::T, "T", N_m, "simultaneous torque"}.load().may_be_missing()},
+          Field{&Input::T, "T", N_m, "simultaneous torque"}.load().one_of_body("torque").may_be_missing()},
       power_inputs<Input>(),
       Fields{Field{&Input::K_A, "K_A", ratio, "application factor K_A on force and torque (1 if they include it)"}
                  .at_least(1)
@@ -79,9 +84,14 @@ tau_adm = "30 MPa"
              Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
              Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}
                  .at_least(0)
+                 .one_of_body("bore")
                  .below(0.99)
                  .may_be_missing(),
-             Field{&Input::d_bore, "d_bore", mm, "bore diameter"}.at_least(0).may_be_missing().kept_in_search(),
+             Field{&Input::d_bore, "d_bore", mm, "bore diameter"}
+                 .at_least(0)
+                 .one_of_body("bore")
+                 .may_be_missing()
+                 .kept_in_search(),
              Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable equivalent stress (safety factor included)"}
                  .positive()
                  .usually(1, 2000),
@@ -89,7 +99,8 @@ tau_adm = "30 MPa"
                  .positive()
                  .usually(1, 1000)
                  .may_be_missing(),
-             Choice{&Input::hypothesis, "hypothesis", "failure theory of the equivalent stress"}.may_be_missing()});
+             Choice{&Input::hypothesis, "hypothesis", "failure theory of the equivalent stress"}.may_be_missing(),
+             root_size<Input>(), rim_size<Input>()});
 
   struct Result {
     Moment M_b = unset<Moment>, M_t = unset<Moment>, M_v = unset<Moment>;
@@ -101,7 +112,7 @@ tau_adm = "30 MPa"
   };
   static constexpr Fields results{
       Field{&Result::M_b, "M_b", N_m, "bending moment at the bearing"}.holding("K_A"),
-      Field{&Result::M_t, "M_t", N_m, "design torque"}.holding("K_A"),
+      Field{&Result::M_t, "M_t", N_m, "design torque"}.holding("K_A").one_of_body("torque"),
       Field{&Result::M_v, "M_v", N_m, "equivalent moment"}.holding("K_A"),
       Field{&Result::d_v, "d_v", mm, "minimum diameter by the equivalent stress"},
       Field{&Result::d_t, "d_t", mm, "minimum diameter by pure torsion"},
@@ -109,7 +120,7 @@ tau_adm = "30 MPa"
             "minimum diameter by combined bending and torsion and by pure torsion; the neutral axis is "
             "checked at d"},
       Field{&Result::d, "d", mm, "outer diameter"},
-      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"},
+      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.one_of_body("bore"),
       Field{&Result::sigma_b, "sigma_b", MPa, "bending stress"},
       Field{&Result::tau_t, "tau_t", MPa, "torsional stress"},
       Field{&Result::sigma_M, "sigma_M", MPa, "equivalent stress by von Mises, extreme fibre"},
@@ -137,6 +148,9 @@ tau_adm = "30 MPa"
       Mode<Input>{"shear", "shear yielding at the neutral axis", &loaded}.judged_by("u_Q"),
       Mode<Input>{"torsion", "yielding in pure torsion", [](const Input& in) { return where(is_set(in.tau_adm)); }}
           .judged_by("u_tau"),
+      within_root<Input, &outside>(),
+      Mode<Input>{"clearance", "component clear of the bearing", &reaches_bearing}.advising(
+          "increase a to half of the rim width and more, or confirm a dished component: accept.clearance = \"...\""),
       fatigue_of_shaft<Input>().assessed_in("shaft.design")});
 
   static constexpr std::array forms{Form{"F, a, T, K_A, sigma_adm, tau_adm"},

@@ -96,7 +96,10 @@ dT_adm = "250 K"
       hub_inputs<Input>(),
       Fields{
           RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
-          Field{&Input::T, "T", N_m, "torque; omitted: pressures and stresses only"}.load().may_be_missing(),
+          Field{&Input::T, "T", N_m, "torque; omitted: pressures and stresses only"}
+              .load()
+              .one_of_body("torque")
+              .may_be_missing(),
           Field{&Input::F_z, "F_z", N, "simultaneous axial force"}.load().may_be_missing(),
           Field{&Input::K_A, "K_A", ratio, "application factor K_A on torque and axial force (1 if they include it)"}
               .at_least(1)

@@ -66,11 +66,12 @@ S = 2
   };
   static Applies loaded(const Input& in);
   static Applies twisted(const Input& in);
+  static Applies is_hard(const Input& in) { return where(in.R_e_1 > 1000.0 * MPa && in.k_H > 0.85); }
   static constexpr auto inputs = join(
       hub_inputs<Input>(),
       Fields{
           RecordField<Input>{"load", "shaft load of the mounted belt, chain or drive: load = \"=belts.shaft_2\""},
-          Field{&Input::T, "T", N_m, "torque, magnitude"}.load(),
+          Field{&Input::T, "T", N_m, "torque, magnitude"}.load().one_of_body("torque"),
           Field{&Input::F_a, "F_a", N, "axial force, magnitude"}.load(),
           Field{&Input::K_A, "K_A", ratio, "application factor K_A on torque and axial force (1 if they include it)"}
               .at_least(1)
@@ -78,7 +79,7 @@ S = 2
               .factor(),
           Choice{&Input::load_case, "load_case", "load case: static or dynamic"}.may_be_missing(),
           Field{&Input::d, "d", mm, "shaft diameter"}.at_most_that_of_source("d, d_max").positive().usually(1.5, 120),
-          Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0),
+          Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0).one_of_body("bore"),
           Field{&Input::d_s, "d_s", mm, "nominal diameter of a set screw"}
               .positive()
               .from("set_screw", "d_s")
@@ -158,6 +159,8 @@ S = 2
       Mode<Input>{"safety", "minimum safety factor for the load case", &loaded}.judged_by("u_S"),
       Mode<Input>{"bore", "wall of a hollow shaft under the point",
                   [](const Input& in) { return where(in.d_bore > 0.0 * mm); }},
+      Mode<Input>{"hardness", "shaft softer than the screw", &is_hard}.advising(
+          "a shaft of more than 1000 MPa has some 35 HRC, and a screw 45: give k_H = 0.85"),
       Mode<Input>{"core", "torsional yielding of the shaft", &twisted}.judged_by("u_t"),
       Mode<Input>{"seat", "hub tilting", &unseen<Input>}.by_companions(),
       Mode<Input>{"loosening", "self-loosening by vibration", &unseen<Input>}.special(),

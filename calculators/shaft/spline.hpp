@@ -91,7 +91,7 @@ R_e_2 = "300 MPa"
                  .from("spline", "d_2"),
              Field{&Input::b, "b", mm, "tooth thickness, for shear"}.positive().from("spline", "b").where_it_has(),
              Field{&Input::g, "g", mm, "flank chamfer, deducted at tip and root"}.at_least(0).usually(0, 2),
-             Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0),
+             Field{&Input::d_bore, "d_bore", mm, "bore diameter of the shaft"}.at_least(0).one_of_body("bore"),
              Field{&Input::l, "l", mm, "effective spline length"}.positive().usually(5, 1000),
              Choice{&Input::hub, "hub", "hub type: fixed or sliding"}.may_be_missing(),
              Choice{&Input::centring, "centring", "centring of the hub, for the share of load-carrying flanks"},

@@ -59,7 +59,10 @@ double assess(const Input& in, Result& r, Length scale, const Make& make, const 
   told(offset(in, r.delta, r.delta_c, trace), trace);
   const auto shape = make(r.delta_c);
   const Length rho_min = trace.value("rho_min", shape.sharpest(), "minimum radius of curvature of the shell");
-  STEP_TO(r, t_R, r.delta_c / rho_min, "thin walls are below 1/20, [B24]");
+  STEP_TO(r, t_R, r.delta_c / rho_min, "thin walls are below 1/20, [B24]; round ones below 1/10");
+  if constexpr (requires { r.t_M; }) {
+    if (in.hypothesis == Hypothesis::membrane) r.t_M = t_R;
+  }
   const double t = governing_place(shape, in.p, r.delta_c, strength);
   const Place place = shape.at(t, trace);
   const Membrane m = membrane(place, in.p, r.delta_c, strength, trace);

@@ -49,11 +49,12 @@ sigma_adm = "120 MPa"
   static constexpr Fields inputs = join(
       Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the large end, to the surface given by measured"}
                  .at_least_that_of_source("R")
+                 .one_of_body("radius")
                  .positive()
                  .usually(5, 50000),
-             Field<Input, double>{&Input::alpha, "alpha", deg, "half the angle of the point"}.within(1, 80).usually(
+             Field<Input, double>{&Input::alpha, "alpha", deg, "half the angle of the point"}.within(1, 75).usually(
                  5, 60)},
-      wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid's surface above the point"));
+      wall_inputs<Input>("p, rho?p_i"), liquid_inputs<Input>("height of the liquid's surface above the point"));
 
   struct Result : WallResult {
     Length R_m = unset<Length>, r = unset<Length>;

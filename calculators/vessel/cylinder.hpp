@@ -55,6 +55,7 @@ sigma_adm = "140 MPa"
   };
   static constexpr Fields inputs = join(
       Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the cylinder, to the surface given by measured"}
+                 .one_of_body("radius")
                  .positive()
                  .usually(5, 50000),
              Choice<Input, Ends>{&Input::ends, "ends", "end condition: closed ends, open pipe or ring-reinforced"}
@@ -73,15 +74,15 @@ sigma_adm = "140 MPa"
     Length R_m = unset<Length>, delta_o = unset<Length>, delta_M = unset<Length>, a_r = unset<Length>;
     double w_r = unset<double>;
     Stress sigma_e = unset<Stress>;
-    double u_e = unset<double>;
+    double u_e = unset<double>, t_M = unset<double>;
   };
   static Applies has_ends(const Input& in) { return in.ends == Ends::open ? Applies::no : Applies::unseen; }
   static constexpr Fields results = join(
-      wall_results<Result>(),
+      wall_results<Result>(round_and_thin),
       Fields{Field{&Result::R_m, "R_m", mm, "mean radius at the analysis thickness"},
              Field{&Result::delta_o, "delta_o", mm, "analysis thickness from the hoop stress only, pR/sigma"},
              Field{&Result::delta_M, "delta_M", mm, "analysis thickness from the meridional stress only, pR/2sigma"},
-             Field{&Result::a_r, "a_r", mm, "ring area per length of the vessel"}},
+             Field{&Result::a_r, "a_r", mm, "ring area per length of the vessel"}, thin_by_membrane<Result>()},
       lame_results<Result>(),
       Fields{Field{&Result::sigma_e, "sigma_e", MPa, "bending stress of flat ends, at the centre"},
              Field{&Result::u_e, "u_e", ratio, "flat ends: bending stress / allowable stress"}
@@ -106,7 +107,7 @@ sigma_adm = "140 MPa"
   static constexpr Applies ringed(const Input& in) { return where(in.ends == Ends::ringed); }
   static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes = wall_modes<Input>(
-      "u_v, t_R, w_r",
+      "u_v, t_R, t_M, w_r",
       Mode<Input>{"ends", "strength of the ends (dished: vessel.sphere, torus, ellipsoid)", &has_ends}
           .judged_by("u_e")
           .of_service(),

@@ -46,6 +46,7 @@ sigma_adm = "140 MPa"
   static constexpr Fields inputs =
       join(Fields{Field<Input, Length>{&Input::a, "a", mm, "semi-axis across: radius of the equator"}
                       .at_least_that_of_source("R")
+                      .one_of_body("radius")
                       .positive()
                       .usually(5, 50000),
                   Field<Input, Length>{&Input::b, "b", mm, "semi-axis along the axis of revolution: height of a head"}

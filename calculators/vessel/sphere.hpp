@@ -50,6 +50,7 @@ sigma_adm = "160 MPa"
   static constexpr Fields inputs = join(
       Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface given by measured"}
                  .at_least_that_of_source("R")
+                 .one_of_body("radius")
                  .positive()
                  .usually(5, 50000)},
       wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid surface above the lowest point of the wall"),
@@ -59,12 +60,13 @@ sigma_adm = "160 MPa"
 
   struct Result : WallResult, LameResult {
     Length R_m = unset<Length>;
-    double phi = unset<double>;
+    double phi = unset<double>, t_M = unset<double>;
   };
-  static constexpr Fields results = join(wall_results<Result>(),
-                                         Fields{Field{&Result::R_m, "R_m", mm, "mean radius at the analysis thickness"},
-                                                Field{&Result::phi, "phi", deg, "governing location, from the top"}},
-                                         lame_results<Result>());
+  static constexpr Fields results =
+      join(wall_results<Result>(round_and_thin),
+           Fields{Field{&Result::R_m, "R_m", mm, "mean radius at the analysis thickness"},
+                  Field{&Result::phi, "phi", deg, "governing location, from the top"}, thin_by_membrane<Result>()},
+           lame_results<Result>());
 
   static constexpr std::array rules =
       join(wall_rules<Input>(), liquid_rules<Input>(),
@@ -76,7 +78,7 @@ sigma_adm = "160 MPa"
   static Applies compressed(const Input& in);
   static constexpr std::array meanings = wall_meanings;
   static constexpr std::array modes =
-      wall_modes<Input>("u_v, t_R", Mode<Input>{"buckling", "compressive buckling of the wall", &compressed});
+      wall_modes<Input>("u_v, t_R, t_M", Mode<Input>{"buckling", "compressive buckling of the wall", &compressed});
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

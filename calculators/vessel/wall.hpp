@@ -50,12 +50,14 @@ struct WallResult {
   double t_R = unset<double>, u_v = unset<double>;
 };
 
+/// `pressures`: of a vessel that the wall belongs to. A bottom with a liquid has that of the vessel above it on top.
 template <class Input>
-constexpr auto wall_inputs() {
+constexpr auto wall_inputs(const char* pressures = "p") {
   return Fields{
       Field<Input, Stress>{&Input::p, "p", MPa, "internal gauge pressure of the gas"}
           .load()
-          .at_least_that_of_source("p")
+          .at_least_that_of_source(pressures)
+          .one_of_body("pressure")
           .at_least(0)
           .usually(0, 100),
       Field<Input, Length>{&Input::delta, "delta", mm, "nominal wall thickness"}
@@ -65,6 +67,7 @@ constexpr auto wall_inputs() {
           .may_be_missing(),
       Field<Input, Length>{&Input::c, "c", mm, "corrosion allowance on the inside"}
           .at_least_that_of_source("c")
+          .one_of_body("allowance")
           .at_least(0)
           .usually(0, 10),
       Field<Input, Length>{&Input::c_t, "c_t", mm, "mill under-tolerance of the plate"}.at_least(0).usually(0, 3),
@@ -109,8 +112,9 @@ constexpr auto liquid_inputs(const char* level) {
                 Field<Input, Length>{&Input::h_l, "h_l", mm, level}.at_least(0).may_be_missing()};
 }
 
+/// `thinnest`: the largest thickness of a thin wall, over the mean radius of curvature.
 template <class Result>
-constexpr auto wall_results() {
+constexpr auto wall_results(double thinnest = 0.05) {
   return Fields{
       Field<Result, Stress>{&Result::sigma_all, "sigma_all", MPa, "allowable stress"},
       Field<Result, Length>{&Result::delta_min, "delta_min", mm, "minimum nominal thickness, allowances included"},
@@ -123,8 +127,19 @@ constexpr auto wall_results() {
                             "equivalent stress at the governing location, seams included"},
       Field<Result, Stress>{&Result::p_max, "p_max", MPa, "allowable gas pressure at that thickness"},
       Field<Result, double>{&Result::t_R, "t_R", ratio, "thin wall: thickness / mean radius of curvature"}.limit(
-          0, 0.05 * (1 + 1e-12)),
+          0, thinnest * (1 + 1e-12)),
       Field<Result, double>{&Result::u_v, "u_v", ratio, "strength: equivalent stress / allowable stress"}.check()};
+}
+
+/// Up to 1/10 the membrane stresses at the mean radius with the pressure at the inside are those of [Lame] within 0.3 %
+/// for Tresca and von Mises; without that pressure they are 10 % too low.
+inline constexpr double round_and_thin = 0.1;
+template <class Result>
+constexpr auto thin_by_membrane() {
+  return Field<Result, double>{&Result::t_M, "t_M", ratio,
+                               "thin wall by membrane stresses only: thickness / mean radius of curvature"}
+      .limit(0, 0.05 * (1 + 1e-12))
+      .where_it_applies();
 }
 
 /// Shallowness, for results with x_s.

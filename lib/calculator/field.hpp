@@ -188,7 +188,8 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
     f.most_of_source = keys;
     return f;
   }
-  /// Not smaller than that of the step that values are taken from; a smaller value needs a justification.
+  /// Not smaller than that of the step that values are taken from; a smaller value needs a justification. "rho?p_i":
+  /// p_i there, if rho is given here.
   [[nodiscard]] constexpr Field at_least_that_of_source(const char* keys) const {
     Field f = *this;
     f.least_of_source = keys;

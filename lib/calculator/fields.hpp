@@ -28,6 +28,7 @@ struct Described {
   bool is_chosen = false;           // a result that is a choice of the step: a section, a drive
   bool is_of_body = false;          // an input that belongs to a load of the same record when that is taken singly
   const char* also_called = "";     // an input: other words that a project may write for its key, "n_2"
+  const char* shared_as = "";       // see one_of_body
 
   [[nodiscard]] constexpr Self as(Role r) const {
     Self s = self();
@@ -68,6 +69,14 @@ struct Described {
   [[nodiscard]] constexpr Self beside() const {
     Self s = self();
     s.is_beside = true;
+    return s;
+  }
+  /// A quantity that a body has once, by this name, "torque": in steps of one body the less favourable value holds, and
+  /// any other needs a justification. A result measures what inputs of the name state in different ways, as T or as P
+  /// with n. A choice may have two, "ends_y, ends_z".
+  [[nodiscard]] constexpr Self one_of_body(const char* name) const {
+    Self s = self();
+    s.shared_as = name;
     return s;
   }
   /// The same quantity in the step that values are taken from, by its key there: "stages[#].z_1", '#' being the index

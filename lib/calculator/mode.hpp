@@ -26,6 +26,8 @@ struct ModeInfo {
   const char* checks = "";   // the checks and limits that assess it, all of them: "u_F1, v_share", "segments.u_tau"
   const char* judge = "";    // the calculator that assesses it, or the rest of its checks; without both nothing does
   const char* taken = "";    // how that assesses it: modes of it, by the record that it takes, "sun_mesh.root_1"
+  const char* counter = "";  // a calculator that assesses it too, by its mode of the same name, in steps that count
+  const char* counted = "";  // one of these results of the part over a cycle: "sigma_o, sigma_u"
   const char* wants = "";    // inputs needed to assess it, if its checks do not show them
   const char* request = "";  // request for the inputs of its checks, if a list of them does not suffice
   const char* advice = "";   // other remedy if no input is missing
@@ -59,6 +61,14 @@ struct Mode : ModeInfo {
     Mode mode = *this;
     mode.judge = calculator;
     mode.taken = modes;
+    return mode;
+  }
+  /// After left_to: also assessed by steps of a calculator that take one of these series, none of the others being
+  /// larger.
+  [[nodiscard]] constexpr Mode or_counted_by(const char* calculator, const char* series) const {
+    Mode mode = *this;
+    mode.counter = calculator;
+    mode.counted = series;
     return mode;
   }
   /// The inputs to be given so that it is assessed: "sigma_adm_1".

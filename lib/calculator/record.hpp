@@ -44,6 +44,7 @@ struct FieldInfo {
   bool is_load = false;
   bool is_beside = false;
   bool is_of_body = false;
+  const char* shared_as = "";
   bool is_chosen = false;
   bool positional = false;  // group, list of groups: may be written as an array
 

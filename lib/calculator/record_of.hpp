@@ -30,6 +30,7 @@ constexpr FieldInfo described(const detail::Described<Self>& field, FieldInfo::T
   info.optional = field.optional;
   info.is_load = field.is_load;
   info.is_of_body = field.is_of_body;
+  info.shared_as = field.shared_as;
   info.is_chosen = field.is_chosen;
   info.is_beside = field.is_beside;
   info.same_as_source = field.same_as_source;

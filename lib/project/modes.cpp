@@ -138,6 +138,55 @@ std::vector<const account::Mode*> judges_of(const ModeInfo& left, const Step& pa
   return judges;
 }
 
+/// The extremes of a series.
+struct Swing {
+  double least, most;
+};
+std::optional<Swing> swing_of(const Step& part, const std::string& key) {
+  const Value* const value = part.value(key);
+  if (value == nullptr || value->si.empty()) return std::nullopt;
+  const auto [least, most] = std::minmax_element(value->si.begin(), value->si.end());
+  return Swing{*least, *most};
+}
+
+/// Whether a cycle is at most as severe as another one.
+bool is_within(const Swing& a, const Swing& b) {
+  const double rounding = 1e-9 * std::max(std::abs(b.least), std::abs(b.most));
+  return a.most <= b.most + rounding && a.most - a.least <= b.most - b.least + rounding;
+}
+
+/// Whether a step takes a series of the part as it is.
+bool counts(const Step& judge, const Step& part, const std::string& key) {
+  const auto& operands = judge.input().reading.operands;
+  return std::any_of(operands.begin(), operands.end(), [&](const Operand& operand) {
+    return operand.leaf.field->takes_whole() && operand.expression.is_reference() &&
+           operand.expression.references().front().path == part.name() + "." + key;
+  });
+}
+
+/// The modes of steps that count a series of the part; empty if another of its series is more severe.
+std::vector<const account::Mode*> counters_of(const ModeInfo& left, const Step& part, const Project& project) {
+  std::vector<const account::Mode*> judges;
+  std::vector<Swing> taken;
+  const auto series = listed_keys(left.counted);
+  for (const auto& step : project.steps) {
+    if (step->input().calculator->id != std::string_view(left.counter)) continue;
+    for (const std::string& key : series) {
+      const auto swing = swing_of(part, key);
+      if (!swing || !counts(*step, part, key)) continue;
+      taken.push_back(*swing);
+      for (const account::Mode& mode : step->account().modes) {
+        if (mode.id == left.id) judges.push_back(&mode);
+      }
+    }
+  }
+  const bool covers = std::all_of(series.begin(), series.end(), [&](const std::string& key) {
+    const auto swing = swing_of(part, key);
+    return swing && std::any_of(taken.begin(), taken.end(), [&](const Swing& one) { return is_within(*swing, one); });
+  });
+  return covers ? judges : std::vector<const account::Mode*>{};
+}
+
 /// As the worst of its assesses came out.
 void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges) {
   const account::Mode& worst = governing(judges);
@@ -192,7 +241,8 @@ void settle_left(Project& project) {
       const bool waits =
           mode.state == State::open || mode.state == State::not_judged || mode.state == State::not_covered;
       if (info == nullptr || *info->judge == '\0' || !waits) continue;
-      const auto judges = judges_of(*info, step, project);
+      auto judges = judges_of(*info, step, project);
+      if (judges.empty() && *info->counter != '\0') judges = counters_of(*info, step, project);
       if (!judges.empty()) settle(mode, judges);
     }
   }

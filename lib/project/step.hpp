@@ -90,6 +90,15 @@ struct BodySize {
   bool is_given = false;  // typed there; else the least that it may be
   std::string by;         // the step that requires it
 };
+/// A less favourable value of an input in another step of the same body.
+struct BodyFact {
+  double si = 0.0;  // of a choice its index
+  std::string by;   // that step
+
+  bool operator==(const BodyFact&) const = default;
+};
+/// By the path of the input.
+using BodyFacts = std::map<std::string, BodyFact>;
 /// Facts about the loads of a step.
 struct LoadFacts {
   bool vary = false;  // loads come from a rotating part, or vary: known when the project is read
@@ -168,7 +177,14 @@ class Step {
   /// The sizes that the body requires, by input (lib/project/solving/bodies.hpp).
   [[nodiscard]] const std::map<std::string, BodySize>& body_sizes() const { return body_sizes_; }
   void set_body_size(const std::string& path, BodySize size) { body_sizes_[path] = std::move(size); }
-  void forget_body_sizes() { body_sizes_.clear(); }
+  /// What the body has less favourable than this step (lib/project/solving/body_facts.hpp); nothing before the steps of
+  /// the body have been compared.
+  [[nodiscard]] const std::optional<BodyFacts>& body_facts() const { return body_facts_; }
+  void set_body_facts(BodyFacts facts) { body_facts_ = std::move(facts); }
+  void forget_body() {
+    body_sizes_.clear();
+    body_facts_.reset();
+  }
   /// Discards the previous solution.
   void forget() {
     account_ = {};
@@ -189,6 +205,7 @@ class Step {
   LoadFacts loads_;
   std::vector<Message> remarks_;
   std::map<std::string, BodySize> body_sizes_;
+  std::optional<BodyFacts> body_facts_;
 };
 
 /// The type of object that a bare reference names.

@@ -25,12 +25,16 @@ struct Side {
 };
 
 const Side vessels[] = {
-    {"vessel.cylinder", "t_R", outside, "delta", R"("30 mm")", R"("30.1 mm")", "measured = \"mean\"\nc = \"0 mm\""},
+    {"vessel.cylinder", "t_R", outside, "delta", R"("60 mm")", R"("60.1 mm")", "measured = \"mean\"\nc = \"0 mm\""},
+    {"vessel.cylinder", "t_M", outside, "delta", R"("30 mm")", R"("30.1 mm")",
+     "measured = \"mean\"\nc = \"0 mm\"\nhypothesis = \"membrane\""},
     {"vessel.cylinder", "u_v", over, "sigma_adm", R"("165 MPa")", R"("164 MPa")", R"(delta = "8 mm")"},
     {"vessel.cylinder", "w_r", outside, "l_r", R"("127 mm")", R"("128 mm")",
      "ends = \"ringed\"\nA_r = \"600 mm^2\"\ndelta = \"12 mm\""},
     {"vessel.cylinder", "u_e", over, "delta_e", R"("73.1 mm")", R"("73 mm")", R"(delta = "10 mm")"},
-    {"vessel.sphere", "t_R", outside, "delta", R"("250 mm")", R"("251 mm")", "measured = \"mean\"\nc = \"0 mm\""},
+    {"vessel.sphere", "t_R", outside, "delta", R"("500 mm")", R"("501 mm")", "measured = \"mean\"\nc = \"0 mm\""},
+    {"vessel.sphere", "t_M", outside, "delta", R"("250 mm")", R"("251 mm")",
+     "measured = \"mean\"\nc = \"0 mm\"\nhypothesis = \"membrane\""},
     {"vessel.sphere", "u_v", over, "sigma_adm", R"("125 MPa")", R"("124 MPa")", R"(delta = "20 mm")"},
     {"vessel.cone", "t_R", outside, "delta", R"("69.2 mm")", R"("69.3 mm")"},
     {"vessel.cone", "u_v", over, "sigma_adm", R"("18 MPa")", R"("17 MPa")", R"(delta = "8 mm")"},
@@ -86,7 +90,7 @@ const Side bars[] = {
     {"shaft.overhung", "u_tau", over, "tau_adm", R"("8.8 MPa")", R"("8.7 MPa")", R"(d = "40 mm")"},
     {"column.buckling", "u", over, "P", R"("42 kN")", R"("43 kN")"},
     {"column.buckling", "r_lambda", outside, "lambda_max", "160", "159"},
-    {"column.buckling", "r_1", outside, "l", R"("493 mm")", R"("492 mm")"},
+    {"column.buckling", "r_1", outside, "l", R"("493 mm")", R"("492 mm")", R"(P = "160 kN")"},
     {"column.buckling", "r_0", outside, "l", R"("338 mm")", R"("337 mm")",
      "R_e = \nsigma_P = \nmethod = \"tetmajer\"\na_T = \"310 MPa\"\nb_T = \"1.14 MPa\"\nlambda_0 = 60"},
     {"column.buckling", "r_class", outside, "R_e", R"("338 MPa")", R"("339 MPa")",
@@ -111,7 +115,7 @@ const Side bars[] = {
     {"column.lightest", "r_lambda", outside, "l", R"("5.01 m")", R"("5.02 m")",
      "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\""},
     {"column.lightest", "r_1", outside, "l", R"("2.56 m")", R"("2.55 m")",
-     "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nmethod = \"euler\"\nsigma_P = \"200 MPa\"\nn_st = 2\n"
+     "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"213 kN\"\nmethod = \"euler\"\nsigma_P = \"200 MPa\"\nn_st = 2\n"
      "gamma_M1 = \ngamma_F = "},
     {"column.lightest", "r_0", outside, "l", R"("1.51 m")", R"("1.5 m")",
      "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nmethod = \"tetmajer\"\na_T = \"310 MPa\"\nb_T = \"1.14 "
@@ -307,7 +311,8 @@ const Side pulleys[] = {
     {"belt.flat", "v_range", outside, "n_1", R"("9549 rpm")", R"("9550 rpm")", R"(b = "300 mm")"},
     {"belt.flat", "x_v", outside, "n_1", R"("2864 rpm")", R"("2865 rpm")", "kind = \"conventional\"\nb = \"100 mm\""},
     {"belt.flat", "u_b", over, "E_b", R"("480 MPa")", R"("481 MPa")", R"(b = "100 mm")"},  // 6 MPa at 2.5/200
-    {"belt.flat", "g_x", over, "a", R"("355.1 mm")", R"("354.9 mm")", "arrangement = \"crossed\"\nb = \"100 mm\""},
+    {"belt.flat", "g_x", over, "a", R"("355.1 mm")", R"("354.9 mm")", R"(b = "100 mm")"},
+    {"belt.flat", "x_a", outside, "a", R"("2000 mm")", R"("1999 mm")", "arrangement = \"crossed\"\nb = \"100 mm\""},
     {"belt.flat", "x_b", outside, "b", R"("299 mm")", R"("301 mm")"},
 };
 
@@ -468,7 +473,6 @@ const Side pins[] = {
     {"pin.lug", "u_n", over, "sigma_adm", R"("31.3 MPa")", R"("31.2 MPa")"},
     {"pin.lug", "u_s", over, "tau_adm", R"("31.3 MPa")", R"("31.2 MPa")"},
     {"pin.lug", "u_p", over, "p_adm", R"("31.3 MPa")", R"("31.2 MPa")"},
-    {"pin.lug", "x_b", outside, "b", R"("100 mm")", R"("101 mm")", R"(a = "40 mm")"},
     {"pin.lug", "x_a", outside, "a", R"("20 mm")", R"("19.9 mm")"},
     {"pin.en1993", "u_v", over, "F", R"("659 kN")", R"("660 kN")"},
     {"pin.en1993", "u_m", over, "F", R"("504 kN")", R"("505 kN")"},
@@ -499,7 +503,8 @@ const Side links[] = {
     {"link.member", "u_i", over, "n_st", "13.540", "13.541"},
     {"link.member", "u_t", over, "n_st", "13.537", "13.538"},
     {"link.member", "r_lambda", outside, "lambda_max", "45.1", "45"},
-    {"link.member", "r_1", outside, "l", R"("739 mm")", R"("738 mm")", "method = \"euler\"\nsigma_P = \"300 MPa\""},
+    {"link.member", "r_1", outside, "l", R"("739 mm")", R"("738 mm")",
+     "method = \"euler\"\nsigma_P = \"300 MPa\"\nN = \"-90 kN\""},
     {"link.member", "r_class", outside, "R_e", R"("338 MPa")", R"("339 MPa")",
      "h = \nb = \nsection = \"IPE 300\"\nkind = \"rolled_I\""},
     {"link.member", "x_E", outside, "E", R"("179 GPa")", R"("178 GPa")",

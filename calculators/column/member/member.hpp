@@ -43,39 +43,57 @@ struct Member {
 /// The load, and how the bar is held.
 template <class Input>
 constexpr auto held_inputs() {
-  return Fields{
-      RecordField<Input>{"load", "loads of a mechanism link: load = \"=press.links.rod\""},
-      Field<Input, Force>{&Input::N, "N", kN, "axial force, positive in tension"}.load().keeps_sign().may_be_missing(),
-      Field<Input, Force>{&Input::P, "P", kN, "compressive force, replaces N"}.load().at_least(0).may_be_missing(),
-      Field<Input, Length>{&Input::l, "l", mm, "length between the ends"}.of_body().positive().usually(10, 1e5).most(),
-      Choice<Input, Ends>{&Input::ends, "ends", "end conditions, about both axes"}.may_be_missing(),
-      Choice<Input, Ends>{&Input::ends_y, "ends_y", "end conditions for bending about y, replaces ends"}
-          .may_be_missing(),
-      Choice<Input, Ends>{&Input::ends_z, "ends_z", "end conditions for bending about z, replaces ends"}
-          .may_be_missing(),
-      Choice<Input, Basis>{&Input::beta_basis, "beta_basis",
-                           "basis of the effective length factors: exact or design values"}
-          .may_be_missing(),
-      Field<Input, double>{&Input::beta_y, "beta_y", ratio,
-                           "effective length factor about y, replaces the end conditions"}
-          .positive()
-          .made_for_same("l, E, I_y: I")
-          .usually(0.5, 5)
-          .may_be_missing(),
-      Field<Input, double>{&Input::beta_z, "beta_z", ratio,
-                           "effective length factor about z, replaces the end conditions"}
-          .positive()
-          .made_for_same("l, E, I_z: I")
-          .usually(0.5, 5)
-          .may_be_missing(),
-      ListField<Input, List<Member::Support, most_supports>>{&Input::supports_y, "supports_y",
-                                                             "rigid intermediate supports against bending about y"}
-          .as_arrays()
-          .may_be_missing(),
-      ListField<Input, List<Member::Support, most_supports>>{&Input::supports_z, "supports_z",
-                                                             "rigid intermediate supports against bending about z"}
-          .as_arrays()
-          .may_be_missing()};
+  return Fields{RecordField<Input>{"load", "loads of a mechanism link: load = \"=press.links.rod\""},
+                Field<Input, Force>{&Input::N, "N", kN, "axial force, positive in tension"}
+                    .load()
+                    .one_of_body("compression")
+                    .keeps_sign()
+                    .may_be_missing(),
+                Field<Input, Force>{&Input::P, "P", kN, "compressive force, replaces N"}
+                    .load()
+                    .one_of_body("compression")
+                    .at_least(0)
+                    .may_be_missing(),
+                Field<Input, Length>{&Input::l, "l", mm, "length between the ends"}
+                    .of_body()
+                    .one_of_body("length")
+                    .positive()
+                    .usually(10, 1e5)
+                    .most(),
+                Choice<Input, Ends>{&Input::ends, "ends", "end conditions, about both axes"}
+                    .one_of_body("ends_y, ends_z")
+                    .may_be_missing(),
+                Choice<Input, Ends>{&Input::ends_y, "ends_y", "end conditions for bending about y, replaces ends"}
+                    .one_of_body("ends_y")
+                    .may_be_missing(),
+                Choice<Input, Ends>{&Input::ends_z, "ends_z", "end conditions for bending about z, replaces ends"}
+                    .one_of_body("ends_z")
+                    .may_be_missing(),
+                Choice<Input, Basis>{&Input::beta_basis, "beta_basis",
+                                     "basis of the effective length factors: exact or design values"}
+                    .may_be_missing(),
+                Field<Input, double>{&Input::beta_y, "beta_y", ratio,
+                                     "effective length factor about y, replaces the end conditions"}
+                    .positive()
+                    .one_of_body("ends_y")
+                    .made_for_same("l, E, I_y: I")
+                    .usually(0.5, 5)
+                    .may_be_missing(),
+                Field<Input, double>{&Input::beta_z, "beta_z", ratio,
+                                     "effective length factor about z, replaces the end conditions"}
+                    .positive()
+                    .one_of_body("ends_z")
+                    .made_for_same("l, E, I_z: I")
+                    .usually(0.5, 5)
+                    .may_be_missing(),
+                ListField<Input, List<Member::Support, most_supports>>{
+                    &Input::supports_y, "supports_y", "rigid intermediate supports against bending about y"}
+                    .as_arrays()
+                    .may_be_missing(),
+                ListField<Input, List<Member::Support, most_supports>>{
+                    &Input::supports_z, "supports_z", "rigid intermediate supports against bending about z"}
+                    .as_arrays()
+                    .may_be_missing()};
 }
 
 /// Material data of every method.

@@ -78,7 +78,7 @@ template <class Result>
 constexpr auto slenderness_results() {
   return Fields{
       Choice<Result, Loading>{&Result::loading, "loading", "loading: compression or tension"},
-      Field<Result, Force>{&Result::F, "F", kN, "compressive force"},
+      Field<Result, Force>{&Result::F, "F", kN, "compressive force"}.one_of_body("compression"),
       Field<Result, Area>{&Result::A, "A", mm2, "area"},
       Field<Result, Length>{&Result::t, "t", mm,
                             "thickness for the material strength; unknown: the minimum strength of the table"},
@@ -134,7 +134,9 @@ constexpr auto slenderness_limits() {
   return Fields{
       Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness / allowable slenderness; 0 in tension"}
           .limit(0, 1),
-      Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limiting slenderness / slenderness; 0 in tension"}
+      Field<Result, double>{
+          &Result::r_1, "r_1", ratio,
+          "Euler: limiting slenderness / slenderness, or n_st x stress / proportional limit; 0 in tension"}
           .limit(0, 1)
           .where_it_applies()};
 }

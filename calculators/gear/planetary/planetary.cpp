@@ -134,6 +134,7 @@ void hand_over(const Planetary::Input& in, Planetary::Result& r) {
   const double way = way_of_power(in, r);
   load_mesh(r.sun_mesh, in, r.T_s, in.z_s, way, r.n_s - r.n_c);
   load_mesh(r.ring_mesh, in, r.T_r, r.z_r, way, r.n_pc);
+  r.gear_s.T = abs(r.T_s), r.gear_s.n = r.n_s;
 }
 
 constexpr const char* as_pair = "as gear.pair finds it";
@@ -151,6 +152,7 @@ void meshes(const Planetary::Input& in, Planetary::Result& r, Tracer& trace) {
   r.c_a = trace.value("c_a", min(c_s, c_r) / ring.m_n, as_pair);
   r.s_a = trace.value("s_a", min(with_sun.s_a, with_ring.s_a), as_pair);
   r.h_clear = trace.value("h_clear", in.h_aP + (full - with_ring.d_clear) / (2.0 * ring.m_n), as_pair);
+  if (is_set(in.m_n)) r.gear_s.d_f = with_sun.d_f1, r.gear_s.h_t = (with_sun.d_a1 - with_sun.d_f1) / 2.0;
   r.sun_mesh = mesh_of(sun, in.x_p, in), r.ring_mesh = mesh_of(ring, with_ring.x_2, in);
 }
 

@@ -150,6 +150,8 @@ h_ar = 0.9
       Group{&Result::sun_mesh, "sun_mesh", "mesh of the sun with the most loaded planet, for gear.pair: pair"}
           .handed_over(),
       Group{&Result::ring_mesh, "ring_mesh", "mesh of the most loaded planet with the ring gear, for gear.pair: pair"}
+          .handed_over(),
+      Group{&Result::gear_s, "gear_s", "sun with its torque and root circle, for the connection to its shaft: load"}
           .handed_over()};
 
   static constexpr std::array rules{

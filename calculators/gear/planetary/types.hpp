@@ -9,6 +9,19 @@
 
 namespace loadpath::gear {
 
+/// The sun as a shaft that carries it sees it, input record of its connection: load = "=set.gear_s". Planets that share
+/// the load evenly leave no transverse force.
+struct SunLoad {
+  Moment T = unset<Moment>;
+  AngularSpeed n = unset<AngularSpeed>;
+  Length d_f = unset<Length>, h_t = unset<Length>;
+
+  static constexpr Fields fields{Field{&SunLoad::T, "T", N_m, "external torque on the sun, magnitude"}.load(),
+                                 Field{&SunLoad::n, "n", rpm, "speed of the sun, signed"},
+                                 Field{&SunLoad::d_f, "d_f", mm, "root diameter of the sun"},
+                                 Field{&SunLoad::h_t, "h_t", mm, "tooth height of the sun"}};
+};
+
 struct PlanetaryTypes {
   enum class Member { ring, carrier, sun, none };
   enum class Spacing { even, uneven };
@@ -49,6 +62,7 @@ struct PlanetaryTypes {
     double f_sp = unset<double>, f_pr = unset<double>, eps_sp = unset<double>, eps_pr = unset<double>;
     double x_free = unset<double>, h_clear = unset<double>, c_a = unset<double>, s_a = unset<double>;
     MeshOfSet sun_mesh, ring_mesh;
+    SunLoad gear_s;
   };
 };
 

@@ -11,12 +11,13 @@ namespace {
 
 using Input = Design::Input;
 
-/// Along the shaft; without width for a body whose width is unknown.
+/// Along the shaft; without width for a body whose width is unknown. A rim may be wider than its hub.
 struct Extent {
   Length from, to;
 };
 Extent extent_of(const Seat& seat) {
-  const Length width = is_set(seat.b) && seat.b > 0.0 * mm ? seat.b : is_set(seat.b_r) ? seat.b_r : 0.0 * mm;
+  const Length hub = is_set(seat.b) ? seat.b : 0.0 * mm, rim = is_set(seat.b_r) ? seat.b_r : 0.0 * mm;
+  const Length width = max(hub, rim);
   return {seat.x - width / 2.0, seat.x + width / 2.0};
 }
 
@@ -25,15 +26,17 @@ bool overlap(const Input& in, const Extent& a, const Extent& b) {
   return a.from < a.to && b.from < b.to && std::min(a.to, b.to) - std::max(a.from, b.from) > tolerance;
 }
 
-bool is_within(const Input& in, Length x, const Extent& extent) {
-  const Length tolerance = one_place * length_of(in);
-  return x > extent.from + tolerance && x < extent.to - tolerance;
+/// A bearing with the narrowest ring that is made for its seat: a bore of 35 mm has 7 mm at least, one of 200 mm 24 mm.
+Extent extent_of(const Input& in, const Support& support) {
+  const Length d = diameter_under(in, support.x);
+  const Length half = max(0.06 * d, min(0.1 * d, 3.5 * mm));
+  return {support.x - half, support.x + half};
 }
 
-/// Whether a body with a width covers a place or ends there: a bearing has a width too.
-bool reaches(const Input& in, const Extent& extent, Length x) {
-  const Length tolerance = one_place * length_of(in);
-  return extent.from < extent.to && x > extent.from - tolerance && x < extent.to + tolerance;
+/// The room that a bearing takes from its neighbours: its ring with cover or spacer, or a narrow one of thin section.
+Extent room_of(const Input& in, const Support& support) {
+  const Length half = 0.15 * diameter_under(in, support.x);
+  return {support.x - half, support.x + half};
 }
 
 /// Whether a bore of the diameter at x passes over all pieces up to one end of the shaft.
@@ -48,15 +51,22 @@ bool can_be_slid_on(const Input& in, Length x) {
   return passes(0, own) || passes(own + 1, in.pieces.size());
 }
 
-/// Whether the middle of a bearing lies in the fillet of a shoulder, which runs out on the thinner piece.
-bool is_in_fillet(const Input& in, Length x) {
+/// Whether a bearing sits on the fillet of a shoulder, which runs out on the thinner piece.
+bool is_in_fillet(const Input& in, const Support& support) {
   return std::any_of(in.notches.begin(), in.notches.end(), [&](const Notched& notch) {
     if (notch.kind != Notch::shoulder || !is_set(notch.r)) return false;
     const Sides sides = around(in, notch.x).sides;
     const bool from_left = sides.left.d < sides.right.d;
     const Extent fillet = from_left ? Extent{notch.x - notch.r, notch.x} : Extent{notch.x, notch.x + notch.r};
-    return sides.left.d != sides.right.d && is_within(in, x, fillet);
+    return sides.left.d != sides.right.d && overlap(in, extent_of(in, support), fillet);
   });
+}
+
+/// Whether a bearing protrudes from its end of the shaft.
+bool overhangs(const Input& in, const Support& support) {
+  const Extent ring = extent_of(in, support);
+  const Length tolerance = one_place * length_of(in);
+  return ring.from < -tolerance || ring.to > length_of(in) + tolerance;
 }
 
 bool bodies_overlap(const Input& in) {
@@ -66,7 +76,7 @@ bool bodies_overlap(const Input& in) {
       if (overlap(in, extent, extent_of(in.seats[j]))) return true;
     }
     for (const Support& support : in.supports) {
-      if (reaches(in, extent, support.x)) return true;
+      if (overlap(in, extent, room_of(in, support))) return true;
     }
   }
   return false;
@@ -87,9 +97,10 @@ bool integral_one_overhangs(const Input& in) {
 Applies Design::cannot_be_assembled(const Input& in) {
   const auto is_mounted = [&](const Support& support) { return can_be_slid_on(in, support.x); };
   const auto fits = [&](const Seat& seat) { return seat.integral == Integral::yes || can_be_slid_on(in, seat.x); };
-  const bool lies_in_fillet = std::any_of(in.supports.begin(), in.supports.end(),
-                                          [&](const Support& support) { return is_in_fillet(in, support.x); });
-  const bool can_be = !bodies_overlap(in) && !integral_one_overhangs(in) && !lies_in_fillet &&
+  const bool is_misplaced = std::any_of(in.supports.begin(), in.supports.end(), [&](const Support& support) {
+    return is_in_fillet(in, support) || overhangs(in, support);
+  });
+  const bool can_be = !bodies_overlap(in) && !integral_one_overhangs(in) && !is_misplaced &&
                       std::all_of(in.supports.begin(), in.supports.end(), is_mounted) &&
                       std::all_of(in.seats.begin(), in.seats.end(), fits);
   return where(!can_be);

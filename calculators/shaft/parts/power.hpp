@@ -16,6 +16,7 @@ constexpr auto power_inputs() {
   return Fields{Field<Input, Power>{&Input::P, "P", kW, "power transmitted, with n in place of T"}
                     .positive()
                     .load()
+                    .one_of_body("torque")
                     .own()
                     .may_be_missing(),
                 Field<Input, AngularSpeed>{&Input::n, "n", rpm, "speed, with P"}

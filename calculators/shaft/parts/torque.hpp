@@ -29,7 +29,7 @@ template <class Input>
 constexpr auto torque_inputs() {
   return Fields{
       RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
-      Field<Input, Moment>{&Input::T, "T", N_m, "torque"}.load(),
+      Field<Input, Moment>{&Input::T, "T", N_m, "torque"}.load().one_of_body("torque"),
       Field<Input, Moment>{&Input::T_max, "T_max", N_m, "peak torque (start, shock), if larger than K_A T"}
           .load()
           .may_be_missing(),

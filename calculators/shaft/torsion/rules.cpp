@@ -59,6 +59,16 @@ Applies Torsion::loaded(const Input& in) {
                std::any_of(in.torques.begin(), in.torques.end(), [&](const Torque& t) { return turns(t.T); }));
 }
 
+/// The least diameter, where a component may sit.
+Length Torsion::thinnest(const Input& in) {
+  Length least = in.segments.empty() ? in.d : unset<Length>;
+  for (const Segment& s : in.segments) {
+    const Length d = is_set(s.d) ? s.d : in.d;
+    if (!(d >= least)) least = d;
+  }
+  return least;
+}
+
 /// The twist of a shaft whose diameters are all known.
 bool Torsion::asks_twist(const Input& in) {
   const bool all_known = !in.segments.empty() && std::all_of(in.segments.begin(), in.segments.end(),

@@ -7,6 +7,7 @@
 #pragma once
 
 #include "calculators/load/heat_treatment.hpp"
+#include "calculators/load/hub.hpp"
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/shaft/parts/modes.hpp"
@@ -65,21 +66,33 @@ theta_adm = "0.004 rad/m"
   static bool torques_on_shaft(const Input& in);
   static bool bores_fit(const Input& in);
   static Applies loaded(const Input& in);
+  static Length thinnest(const Input& in);
   static FieldFault two_safeties(const Input& in);
   static FieldFault open_sum(const Input& in);
   static FieldFault torque_off_shaft(const Input& in);
   static constexpr auto inputs = join(
       Fields{
           RecordField<Input>{"load", "shaft load of the mounted gear, belt, chain or drive: load = \"=gears.gear_2\""},
-          Field{&Input::T, "T", N_m, "torque over the full length, replaces torques"}.load().may_be_missing()},
+          Field{&Input::T, "T", N_m, "torque over the full length, replaces torques"}
+              .load()
+              .one_of_body("torque")
+              .may_be_missing()},
       power_inputs<Input>(),
-      Fields{Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}.positive().may_be_missing(),
+      Fields{Field{&Input::l, "l", mm, "length of the shaft, for the angle of twist"}
+                 .positive()
+                 .one_of_body("length")
+                 .may_be_missing(),
              Field{&Input::d, "d", mm, "outer diameter"}.positive().usually(1, 2000).searched("R40").may_be_missing(),
              Field{&Input::chi, "chi", ratio, "bore ratio d_bore/d of the sizing"}
                  .at_least(0)
+                 .one_of_body("bore")
                  .below(0.99)
                  .may_be_missing(),
-             Field{&Input::d_bore, "d_bore", mm, "bore diameter"}.at_least(0).may_be_missing().kept_in_search(),
+             Field{&Input::d_bore, "d_bore", mm, "bore diameter"}
+                 .at_least(0)
+                 .one_of_body("bore")
+                 .may_be_missing()
+                 .kept_in_search(),
              diameter_at_heat_treatment(&Input::d_h),
              Field{&Input::K_A, "K_A", ratio, "application factor K_A (1 if the loads include it)"}
                  .at_least(1)
@@ -97,18 +110,19 @@ theta_adm = "0.004 rad/m"
           Choice{&Input::fixed, "fixed", "fixed end; its reaction balances the torques"}.may_be_missing(),
           ListField{&Input::torques, "torques", "torques along the shaft; sum zero unless an end is fixed"}
               .may_be_missing(),
-          ListField{&Input::segments, "segments", "cylinders from left to right"}.may_be_missing()});
+          ListField{&Input::segments, "segments", "cylinders from left to right"}.may_be_missing(), root_size<Input>(),
+          bore_size<Input>()});
 
   static constexpr Fields results{
       Field{&Result::tau_all, "tau_all", MPa, "allowable shear stress"},
-      Field{&Result::M_max, "M_max", N_m, "maximum design moment"}.holding("K_A"),
+      Field{&Result::M_max, "M_max", N_m, "maximum design moment"}.holding("K_A").one_of_body("torque"),
       Field{&Result::d_strength, "d_strength", mm, "minimum diameter for strength"},
       Field{&Result::d_stiffness, "d_stiffness", mm, "minimum diameter for stiffness"},
       Field{&Result::d_min, "d_min", mm, "minimum diameter for both"},
       Choice{&Result::governs, "governs", "governing condition"},
       Field{&Result::D_star, "D_star", mm, "diameter below which stiffness governs, solid or hollow"},
       Field{&Result::d, "d", mm, "outer diameter of segments without their own"},
-      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"},
+      Field{&Result::d_bore, "d_bore", mm, "bore at that diameter"}.one_of_body("bore"),
       Field{&Result::d_max, "d_max", mm, "maximum outer diameter of the shaft"},
       Field{&Result::d_s, "d_s", mm, "diameter for the material strength: heat treatment diameter, else the maximum"},
       Field{&Result::tau_max, "tau_max", MPa, "maximum shear stress"},
@@ -177,7 +191,7 @@ theta_adm = "0.004 rad/m"
           .judged_by("F_bend")
           .wanting("F")
           .in_service(),
-      fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue")});
+      within_root<Input, &thinnest>(), fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue")});
 
   static constexpr std::array forms{Form{"T, K_A, G, tau_adm, theta_adm",
                                          "d_strength, d_stiffness, d_min, D_star, tau_max, theta_max, u_tau, u_theta"},

@@ -55,6 +55,7 @@ struct TorsionTypes {
     Fixed fixed = Fixed::none;
     List<Torque, most_torques> torques;
     List<Segment, most_cylinders> segments;
+    Length d_f = unset<Length>, bore = unset<Length>;
   };
 
   struct Stretch {

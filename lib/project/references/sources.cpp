@@ -2,6 +2,7 @@
 
 #include "lib/project/project.hpp"
 
+#include <cmath>
 #include <map>
 #include <set>
 
@@ -100,6 +101,27 @@ std::vector<ComparedKeys> keys_in_sources(const FieldInfo& field) {
   return all;
 }
 
+namespace {
+
+/// "rho?p_i": "rho" and "p_i"; without a condition the first is empty.
+std::pair<std::string, std::string> split_condition(const std::string& key) {
+  const std::size_t mark = key.find('?');
+  return mark == std::string::npos ? std::pair{std::string(), key}
+                                   : std::pair{key.substr(0, mark), key.substr(mark + 1)};
+}
+
+}  // namespace
+
+std::vector<std::string> keys_where_given(const char* list, const Record& record) {
+  std::vector<std::string> keys;
+  for (const std::string& key : listed_keys(list)) {
+    auto [condition, plain] = split_condition(key);
+    const Leaf given = condition.empty() ? Leaf{} : find_leaf(record, condition);
+    if (condition.empty() || (given && !std::isnan(given.get()))) keys.push_back(std::move(plain));
+  }
+  return keys;
+}
+
 std::vector<std::pair<std::string, std::string>> inputs_made_for(const FieldInfo& field) {
   std::vector<std::pair<std::string, std::string>> pairs;
   for (const std::string& key : listed_keys(field.made_for)) {
@@ -119,7 +141,7 @@ void visit_in(const std::vector<Source>& sources, const FieldInfo& field,
     for (const std::string& key : listed_keys(compared.keys)) {
       for (const Source& source : sources) {
         for (const Source& place : places_of(source)) {
-          const std::string path = path_in(place, key);
+          const std::string path = path_in(place, split_condition(key).second);
           if (!path.empty()) visit(path);
         }
       }

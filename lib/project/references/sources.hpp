@@ -41,6 +41,9 @@ struct ComparedKeys {
 /// The keys that a field has there; empty if it is not compared.
 std::vector<ComparedKeys> keys_in_sources(const FieldInfo& field);
 
+/// The keys of such a list; of those with a condition, "rho?p_i", only where this input is given.
+std::vector<std::string> keys_where_given(const char* list, const Record& record);
+
 /// The inputs that a value of another step is made for: here, and there ("I_y", "I").
 std::vector<std::pair<std::string, std::string>> inputs_made_for(const FieldInfo& field);
 

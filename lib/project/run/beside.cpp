@@ -55,6 +55,17 @@ Beside beside_of(const FieldInfo& field) {
   return field.type == FieldInfo::Type::quantity ? beside_of_dimension(field.dimension) : Beside::identity;
 }
 
+std::string facts_of(const FieldInfo& field) {
+  if (*field.shared_as != '\0') return field.shared_as;
+  const Provider& from = field.provider;
+  return from.kind == Provider::Kind::table && from.table == std::string_view("material") ? from.column : "";
+}
+
+Beside beside_in_body(const FieldInfo& field) {
+  if (field.type == FieldInfo::Type::choice) return Beside::either;
+  return *field.least_of_source != '\0' ? Beside::demand : beside_of(field);
+}
+
 bool is_empirical(const FieldInfo& field) {
   const auto stress = Dimension::of(-1, 1, -2), density = Dimension::of(-3, 1, 0);
   const bool is_bounded = std::isfinite(field.plausible.low) || std::isfinite(field.plausible.high);

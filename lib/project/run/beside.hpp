@@ -5,6 +5,7 @@
 
 #include "lib/calculator/record.hpp"
 
+#include <string>
 #include <string_view>
 
 namespace loadpath::project {
@@ -23,6 +24,12 @@ Beside beside_of(const FieldInfo& field);
 Beside beside_of_dimension(const Dimension& dimension);
 /// Whether a different value is another part.
 constexpr bool is_of_one_part(Beside beside) { return beside == Beside::identity || beside == Beside::modulus; }
+
+/// The names under which a field is a fact of a body that several steps describe: its own, or the column of the
+/// material that it is; empty if it is none.
+std::string facts_of(const FieldInfo& field);
+/// The role of such a field next to that of another step.
+Beside beside_in_body(const FieldInfo& field);
 
 /// Whether a field has an empirical range: friction, notch sensitivities, strengths. Not the engineer's choices: sizes,
 /// loads, speeds, safety and application factors.

@@ -1,16 +1,17 @@
 #include "lib/project/run/calculator_step.hpp"
 
 #include "lib/project/run/account.hpp"
+#include "lib/project/run/evaluation/left_loads.hpp"
 #include "lib/project/run/input_effects.hpp"
 #include "lib/project/run/search/search.hpp"
 
 namespace loadpath::project {
 
 void CalculatorStep::solve(const Known& known, const Wanted& wanted, std::vector<Issue>& issues) {
-  leave_what_acts(known);
   Evaluation evaluation(*this, known);
   Inputs& inputs = evaluation.inputs();
   if (!inputs.take_from_others(issues) || !inputs.evaluate_operands(issues)) return;
+  loads().left = left_loads(*this, inputs, known);
   if (!refuse_other_parts(evaluation, known, issues) || !evaluation.check_rules(issues)) return;
   if (!run_search(evaluation, wanted.words, issues)) return;
   Findings found{.results = evaluate_all(evaluation, wanted.words)};

@@ -238,6 +238,22 @@ void add_origins_beside(const Evaluation& evaluation, const Known& known, std::v
   }
 }
 
+/// Adds less favourable values in other steps of the same body.
+void add_body_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
+  const std::optional<BodyFacts>& facts = evaluation.step().body_facts();
+  if (!facts) return;
+  for (const auto& [path, fact] : *facts) {
+    const Leaf leaf = evaluation.inputs().leaf(path);
+    if (!leaf) continue;
+    all.push_back({path,
+                   leaf,
+                   {{leaf.field->dimension, nullptr}, {fact.si}},
+                   say("'{1}', a step of the same body", fact.by),
+                   beside_in_body(*leaf.field)});
+    all.back().by_size = true;  // at another point the other step has another value
+  }
+}
+
 /// Typed values outside their usual range, with the nearest usual values.
 void add_usual_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
@@ -262,6 +278,7 @@ std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results
   add_records_beside(evaluation, known, all);
   add_strengths_beside(evaluation, all);
   add_origins_beside(evaluation, known, all);
+  add_body_beside(evaluation, all);
   add_usual_beside(evaluation, all);
   return all;
 }

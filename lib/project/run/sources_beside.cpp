@@ -14,9 +14,10 @@ namespace loadpath::project {
 namespace {
 
 /// The key of a source with the largest value among these, of the dimension of the field; empty if it has none.
-std::string largest_in(const Source& source, const char* keys, const FieldInfo& field, const Known& known) {
+std::string largest_in(const Source& source, const std::vector<std::string>& keys, const FieldInfo& field,
+                       const Known& known) {
   std::string largest;
-  for (const std::string& key : listed_keys(keys)) {
+  for (const std::string& key : keys) {
     std::string path = path_in(source, key);
     if (path.empty()) continue;
     const Value& value = known(path);
@@ -30,8 +31,8 @@ std::string largest_in(const Source& source, const char* keys, const FieldInfo& 
 
 /// Whether a value is that of another element of the source, if no reference names one: the second stage of a train
 /// whose power is the same at every shaft.
-bool is_of_another_place(const Source& source, const char* keys, const FieldInfo& field, const Known& known,
-                         double value) {
+bool is_of_another_place(const Source& source, const std::vector<std::string>& keys, const FieldInfo& field,
+                         const Known& known, double value) {
   constexpr double rounding = 0.01;
   if (!source.is_assumed) return false;
   const std::vector<Source> places = alternatives(source);
@@ -66,7 +67,7 @@ Agreement agreement_with(const Source& place, const Evaluation& evaluation, cons
       if (key.find("[#]") == std::string::npos) continue;
       const Leaf leaf = evaluation.inputs().leaf(field.key);
       const double own = std::abs(largest_magnitude(evaluation.inputs().value_of(field.key, leaf)));
-      const std::string path = largest_in(place, key.c_str(), field, known);
+      const std::string path = largest_in(place, {key}, field, known);
       if (std::isnan(own) || path.empty()) continue;
       ++all.known;
       if (std::abs(own - std::abs(largest_magnitude(known(path)))) <= 1e-3 * own) ++all.equal;
@@ -113,9 +114,10 @@ void add_sources_beside(const Evaluation& evaluation, const Known& known, std::v
       for (Source& source : *sources) source = place_by_identity(source, evaluation, known);
     }
     for (const ComparedKeys& list : lists) {
+      const auto keys = keys_where_given(list.keys, evaluation.record());
       for (const Source& source : *sources) {
-        const std::string path = largest_in(source, list.keys, field, known);
-        if (path.empty() || is_of_another_place(source, list.keys, field, known, value)) continue;
+        const std::string path = largest_in(source, keys, field, known);
+        if (path.empty() || is_of_another_place(source, keys, field, known, value)) continue;
         all.push_back({field.key, leaf, known(path), say("'{1}'", path), beside_of_comparison(list.comparison)});
         all.back().by_size = true;  // at another point the source has another value
       }
@@ -134,7 +136,7 @@ class FoundValues {
   void compare(const FieldInfo& field, double own) {
     if (*field.same_as_source == '\0' || std::isnan(own)) return;
     for (const Source& source : sources_) {
-      const std::string path = largest_in(source, field.same_as_source, field, known_);
+      const std::string path = largest_in(source, listed_keys(field.same_as_source), field, known_);
       const std::string load = load_from(step_.reading, source.step);
       if (!path.empty() && !load.empty()) compare(field, own, path, load);
     }

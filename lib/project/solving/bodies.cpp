@@ -12,15 +12,6 @@ namespace {
 
 using Members = std::vector<Step*>;
 
-std::map<std::string, Members> bodies_of(const Project& project) {
-  std::map<std::string, Members> bodies;
-  for (const auto& step : project.steps) {
-    const std::string& body = step->input().body.text;
-    if (!body.empty()) bodies[body].push_back(step.get());
-  }
-  return bodies;
-}
-
 const FieldInfo* size_field(const Step& step, std::string_view key) {
   const FieldInfo* const field = find_field(step.input().calculator->input->fields, key);
   return field != nullptr && field->type == FieldInfo::Type::quantity ? field : nullptr;
@@ -127,6 +118,15 @@ std::string typed_row(const Step& step, const std::string& group) {
 std::string found_row(const Step& step, const std::string& group) { return step.word(group); }
 
 }  // namespace
+
+std::map<std::string, std::vector<Step*>> bodies_of(const Project& project) {
+  std::map<std::string, Members> bodies;
+  for (const auto& step : project.steps) {
+    const std::string& body = step->input().body.text;
+    if (!body.empty()) bodies[body].push_back(step.get());
+  }
+  return bodies;
+}
 
 void check_bodies(const Project& project, std::vector<Issue>& issues) {
   std::vector<std::string> names;

@@ -4,7 +4,14 @@
 
 #include "lib/project/project.hpp"
 
+#include <map>
+#include <string>
+#include <vector>
+
 namespace loadpath::project {
+
+/// The steps of each body.
+std::map<std::string, std::vector<Step*>> bodies_of(const Project& project);
 
 /// When the project is read: issues for bodies that only one step names, and for steps without a common size.
 void check_bodies(const Project& project, std::vector<Issue>& issues);

@@ -11,6 +11,7 @@
 #include "lib/project/references/senses.hpp"
 #include "lib/project/references/sources.hpp"
 #include "lib/project/solving/bodies.hpp"
+#include "lib/project/solving/body_facts.hpp"
 #include "lib/project/solving/companions.hpp"
 
 #include <algorithm>
@@ -158,11 +159,11 @@ void solve_steps(Project& project, std::vector<Issue>& issues, const Wanted& wan
 
 void solve_again(Project& project, std::vector<Issue>& issues, const Wanted& wanted) {
   constexpr int most_rounds = 20;
-  for (const auto& step : project.steps) step->forget_body_sizes();
+  for (const auto& step : project.steps) step->forget_body();
   const std::size_t before = issues.size();
   for (int round = 0; true; ++round) {
     solve_steps(project, issues, wanted);
-    if (has_errors(issues) || !hand_out_sizes(project, issues)) break;
+    if (has_errors(issues) || !(hand_out_sizes(project, issues) || hand_out_facts(project, issues))) break;
     issues.resize(before);  // they are reported again with the sizes of the bodies
     if (round < most_rounds) continue;
     issues.push_back({project.steps.front()->input().place, "body", say("the sizes of the bodies do not settle"),

@@ -16,7 +16,7 @@ using test::Solved;
 std::string torsion(const std::string& name, const std::string& T, const std::string& more) {
   return "[" + name + "]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nT = \"" + T + "\"\n" + more;
 }
-const std::string body = "body = \"crankshaft\"\n";
+const std::string body = "body = \"crankshaft\"\n", less = "because.T = \"between the wheels\"\n";
 
 }  // namespace
 
@@ -27,7 +27,7 @@ TEST_SUITE("project bodies") {
     const Solved apart(strong + weak);
     CHECK(apart.value("strong.d") == doctest::Approx(0.056));
     CHECK(apart.value("weak.d") == doctest::Approx(0.0375));
-    for (const std::string& text : {strong + body + weak + body, weak + body + strong + body}) {
+    for (const std::string& text : {strong + body + weak + body + less, weak + body + less + strong + body}) {
       const Solved one(text);
       CHECK(one.value("strong.d") == doctest::Approx(0.056));
       CHECK(one.value("weak.d") == doctest::Approx(0.056));

@@ -33,21 +33,21 @@ std::set<std::string> taken_paths(const Reading& reading, const std::vector<Prov
 }
 
 /// Components of the referenced loads that neither another input nor a provider takes.
-std::vector<std::string> rest_of_loads(const Reading& reading, const std::vector<Provided>& provided,
-                                       const Companions& companions) {
+std::vector<LoadBeside> loads_beside(const Reading& reading, const std::vector<Provided>& provided,
+                                     const Companions& companions) {
   std::set<std::string> taken = taken_paths(reading, provided);
-  std::vector<std::string> rest;
-  const auto add = [&](const std::string& reference) {
+  std::vector<LoadBeside> rest;
+  const auto add = [&](const std::string& reference, const std::string& input) {
     for (const std::string& path : companions(reference)) {
-      if (taken.insert(path).second) rest.push_back(path);
+      if (taken.insert(path).second) rest.push_back({path, input});
     }
   };
   for (const Operand& operand : reading.operands) {
     if (!operand.leaf.field->is_load) continue;  // a length has no load components
-    for (const auto& reference : operand.expression.references()) add(reference.path);
+    for (const auto& reference : operand.expression.references()) add(reference.path, operand.path);
   }
   for (const Taken& list : reading.taken) {
-    if (list.field != nullptr && list.field->type == FieldInfo::Type::list) add(list.source);
+    if (list.field != nullptr && list.field->type == FieldInfo::Type::list) add(list.source, list.path);
   }
   return rest;
 }
@@ -62,7 +62,7 @@ void PreparedStep::prepare(const Declared& declared, const Companions& companion
   }
   provided_ = provided_by_rows(input(), input().rows, issues);
   for (Provided& provided : provided_by_companions(input(), companions)) provided_.push_back(std::move(provided));
-  rest_ = rest_of_loads(input().reading, provided_, companions);
+  rest_ = loads_beside(input().reading, provided_, companions);
   origins_ = fill_lists(input(), input().rows, input().reading.record);
   find_searches(issues);
   check_rules_of_literals(issues);
@@ -356,20 +356,6 @@ std::vector<std::string> PreparedStep::companions_of(const std::string& path) co
   for (const Provided& provided : provided_)
     all.insert(all.end(), provided.companions.begin(), provided.companions.end());
   return all;
-}
-
-/// Records the non-zero ones: a spur gear has no axial force.
-bool acts(const Value& component) {
-  return std::any_of(component.si.begin(), component.si.end(),
-                     [&](double x) { return !(std::abs(x) <= component.rounding); });
-}
-
-void PreparedStep::leave_what_acts(const Known& known) {
-  std::string names;
-  for (const std::string& path : rest_) {
-    if (acts(known(path))) names += (names.empty() ? "" : ", ") + path;
-  }
-  loads().left = std::move(names);
 }
 
 }  // namespace loadpath::project

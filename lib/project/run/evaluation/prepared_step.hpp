@@ -6,8 +6,11 @@
 
 namespace loadpath::project {
 
-/// Whether a component of a load is more than its rounding at any position.
-bool acts(const Value& component);
+/// A load component that acts with one that an input takes.
+struct LoadBeside {
+  std::string path;   // of the component: "gears.gear_1.F_z"
+  std::string input;  // that takes the other one: "seats[1].T"
+};
 
 class PreparedStep : public Step {
  public:
@@ -33,14 +36,10 @@ class PreparedStep : public Step {
   [[nodiscard]] bool names_row_for(const std::string& field) const;
   /// Whether a check or a limit is active: through an input that has a value, or that a row is to give.
   [[nodiscard]] bool is_asked(const FieldInfo& check, const Record& record) const;
-  /// Components of its loads that it does not include.
-  [[nodiscard]] const std::vector<std::string>& left_components() const { return rest_; }
+  /// Components of its loads that it does not include; none may act (lib/project/run/evaluation/left_loads.hpp).
+  [[nodiscard]] const std::vector<LoadBeside>& rest_of_loads() const { return rest_; }
   /// Whether a rule of the calculator concerns an input, or the list that it is in.
   [[nodiscard]] bool is_about(std::size_t rule, const std::string& path) const;
-
- protected:
-  /// Records non-zero components of its loads that it does not include.
-  void leave_what_acts(const Known& known);
 
  private:
   void find_searches(std::vector<Issue>& issues);
@@ -53,7 +52,7 @@ class PreparedStep : public Step {
   const Axis* axis_ = nullptr;    // axis of the series among the inputs; null: one position
   std::set<std::string> series_;  // inputs whose expression is a series
   std::vector<Provided> provided_;
-  std::vector<std::string> rest_;  // load components not included
+  std::vector<LoadBeside> rest_;  // load components not included
   std::vector<Search> searches_;
   std::map<std::string, Origin> origins_;
 };

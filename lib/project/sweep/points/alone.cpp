@@ -38,7 +38,7 @@ std::unique_ptr<AloneStep> AloneStep::of(Step& step, const Wanted& wanted, const
     for (const Provided& provided : calculator->provided()) {
       for (const std::string& path : provided.companions) alone->refer_to(path, points);
     }
-    for (const std::string& path : calculator->left_components()) alone->refer_to(path, points);
+    for (const LoadBeside& component : calculator->rest_of_loads()) alone->refer_to(component.path, points);
   }
   for (const std::string& path : referred) {
     const auto signature = points.signatures.find(path);

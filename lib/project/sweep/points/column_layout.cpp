@@ -2,6 +2,7 @@
 #include "lib/account/rows.hpp"
 #include "lib/project/accept.hpp"
 #include "lib/project/modes.hpp"
+#include "lib/project/references/references.hpp"
 #include "lib/project/sweep/points/column_plan.hpp"
 #include "lib/sweep/nan.hpp"
 
@@ -26,7 +27,8 @@ struct ColumnLayout : ColumnPlan {
   [[nodiscard]] std::optional<std::size_t> place_of(const FieldInfo& field, const std::string& path) const;
   bool add_companions(const PointColumns& points);
   bool add_absent(const Provided& provided, const PointColumns& points);
-  void add_left(const PointColumns& points);
+  [[nodiscard]] bool may_be_held(const LoadBeside& component) const;
+  bool add_left(const PointColumns& points);
   bool add_values_of_rows();
   [[nodiscard]] std::string size_field() const;
   [[nodiscard]] Size size_of(const std::string& field) const;
@@ -54,9 +56,8 @@ std::size_t offset_in(const Record& record, const Leaf& leaf) {
 
 bool ColumnLayout::lay_out(const std::set<std::string>& wanted, const PointColumns& points) {
   if (!is_plain() || !add_fed(points) || !add_companions(points) || !add_search() || !add_values_of_rows() ||
-      !add_read(wanted))
+      !add_read(wanted) || !add_left(points))
     return false;
-  add_left(points);
   add_rules();
   add_rules_of_search();
   add_judging();
@@ -131,14 +132,29 @@ bool ColumnLayout::add_companions(const PointColumns& points) {
   return true;
 }
 
-void ColumnLayout::add_left(const PointColumns& points) {
+/// Whether an input beside the one that takes the load has this component, or may have it at another point.
+bool ColumnLayout::may_be_held(const LoadBeside& component) const {
+  const std::string own = prefix_of(component.input) + component.path.substr(component.path.rfind('.') + 1);
+  const auto is_given = [&](const std::string& path) {
+    const Leaf leaf = find_leaf(record, path);
+    const bool is_load = leaf && leaf.field->is_load && leaf.field->is_number();
+    return is_load && (is_fed(path) || !(std::isnan(leaf.get()) || leaf.get() == 0.0));
+  };
+  return is_given(own) || is_given(own + "_x") || is_given(own + "_y");
+}
+
+/// False if inputs may hold what is left out: that would have to be asked at each point.
+bool ColumnLayout::add_left(const PointColumns& points) {
   const auto acting = listed_keys(step.loads().left);
-  for (const std::string& path : step.left_components()) {
+  for (const LoadBeside& component : step.rest_of_loads()) {
+    if (may_be_held(component)) return false;
+    const std::string& path = component.path;
     const auto signature = points.signatures.find(path);
     if (signature == points.signatures.end()) continue;  // it has no value at any point
     const bool acts = std::find(acting.begin(), acting.end(), path) != acting.end();
     left_components.push_back({path, {signature->second, {}}, acts});
   }
+  return true;
 }
 
 /// The first of the sizes that rows are asked at which is given, "d_h, d", else the last; empty if none is asked.

@@ -1,6 +1,7 @@
 #include "lib/project/sweep/points/column_parts.hpp"
 
 #include "lib/account/rows.hpp"
+#include "lib/project/run/evaluation/left_loads.hpp"
 #include "lib/project/sweep/points/bounds.hpp"
 #include "lib/sweep/nan.hpp"
 #include "lib/sweep/statistics/lanes.hpp"

@@ -103,10 +103,12 @@ S_F = 1.5
           Field{&Input::S_D, "S_D", ratio, "required fatigue safety factor, on the load"}
               .at_least(1)
               .usually(1.2, 6)
+              .customarily_at_least(1.2)
               .factor(),
           Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)
               .usually(1, 6)
+              .customarily_at_least(1.2)
               .may_be_missing()
               .factor()},
       cycles_of_metal<Input>());

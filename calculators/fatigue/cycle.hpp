@@ -80,6 +80,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
              Field<Input, double>{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
                  .at_least(1)
                  .usually(1, 6)
+                 .customarily_at_least(1.2)
                  .may_be_missing()
                  .factor(),
              Field<Input, Stress>{&Input::sigma_D, "sigma_D", MPa,
@@ -90,6 +91,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
              Field<Input, double>{&Input::S_D, "S_D", ratio, "safety against the fatigue limit"}
                  .at_least(1)
                  .usually(1.2, 6)
+                 .customarily_at_least(1.2)
                  .may_be_missing()
                  .factor(),
              ListField<Input, List<Other, most_others>>{&Input::others, "others", "cycles that are compared with it"}

@@ -96,7 +96,11 @@ R_z = "6.3 um"
           .within(0.2, 1)
           .usually(0.4, 1)
           .may_be_missing(),
-      Field{&Input::beta_V, "beta_V", ratio, "factor of a hardened surface"}.within(1, 4).usually(1, 2.8).factor(),
+      Field{&Input::beta_V, "beta_V", ratio, "factor of a hardened surface"}
+          .within(1, 4)
+          .usually(1, 2.8)
+          .customarily_at_most(2.8)
+          .factor(),
       Choice{&Input::finish, "finish", "surface, for Marin's school"}.may_be_missing(),
       Choice{&Input::sensitivity, "sensitivity", "method for the notch sensitivity"}.may_be_missing(),
       Choice{&Input::edition, "edition", "edition of the surface factors of Marin's school"}.may_be_missing(),

@@ -111,10 +111,12 @@ S_F = 1.5
           F<double>{&Input::S_D, "S_D", ratio, "required fatigue safety factor, on the load"}
               .at_least(1)
               .usually(1.2, 6)
+              .customarily_at_least(1.2)
               .factor(),
           F<double>{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)
               .usually(1, 6)
+              .customarily_at_least(1.2)
               .may_be_missing()
               .factor(),
           Choice<Input, MeanRule>{&Input::rule, "rule", "governing mean stress rule"}.may_be_missing(),
@@ -141,6 +143,7 @@ S_F = 1.5
           F<double>{&Input::gamma, "gamma", ratio, "Walker exponent; omitted: by R_m of steels"}
               .within(0.1, 1)
               .usually(0.3, 0.9)
+              .customarily_at_most(0.9)
               .may_be_missing(),
           F<double>{&Input::M, "M", ratio, "FKM mean stress sensitivity; omitted: by group and R_m"}
               .at_least(0)

@@ -83,6 +83,7 @@ S = 1.5
       Fields{Field<Input, double>{&Input::S, "S", ratio, "required safety factor against yielding under N, V and M_b"}
                  .at_least(1)
                  .usually(1.1, 6)
+                 .customarily_at_least(1.1)
                  .may_be_missing()
                  .factor()});
 

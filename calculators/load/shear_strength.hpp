@@ -41,10 +41,12 @@ constexpr auto shear_strength_inputs(const char* size) {
       Field{tau_adm, "tau_adm", MPa, "allowable shear stress, without a further safety factor"}
           .positive()
           .usually(1, 1000)
+          .customarily_at_most(600)
           .may_be_missing(),
       Field{sigma_adm, "sigma_adm", MPa, "allowable normal stress, with behaviour in place of tau_adm"}
           .positive()
           .usually(1, 1500)
+          .customarily_at_most(900)
           .may_be_missing(),
       Choice{behaviour, "behaviour", "material behaviour, with sigma_adm: ductile or brittle"}.may_be_missing(),
       Field{R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}.positive().usually(50, 2500).from(
@@ -52,6 +54,7 @@ constexpr auto shear_strength_inputs(const char* size) {
       Field{S, "S", ratio, "safety factor against yielding, with R_e"}
           .at_least(1)
           .usually(1, 6)
+          .customarily_at_least(1.2)
           .may_be_missing()
           .factor()};
 }

@@ -87,18 +87,22 @@ tau_adm_1 = "40 MPa"
           Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress of the pin under this loading, replaces R_m"}
               .positive()
               .usually(5, 1000)
+              .customarily_at_most(400)
               .may_be_missing(),
           Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure in the shaft"}
               .positive()
               .usually(5, 1000)
+              .customarily_at_most(400)
               .may_be_missing(),
           Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable bearing pressure in the hub"}
               .positive()
               .usually(5, 1000)
+              .customarily_at_most(400)
               .may_be_missing(),
           Field{&Input::tau_adm_1, "tau_adm_1", MPa, "allowable torsional stress of the shaft at the hole"}
               .positive()
               .usually(5, 1000)
+              .customarily_at_most(400)
               .may_be_missing()});
 
   struct Result {

@@ -67,6 +67,7 @@ n = "1500 rpm"
       Field{&Input::S, "S", ratio, "required safety factor (F_N and F_R include none)"}
           .at_least(1)
           .usually(1, 5)
+          .customarily_at_least(1.2)
           .factor(),
       Field{&Input::d_1, "d_1", mm, "shaft diameter"}
           .at_most_that_of_source("d, d_max")

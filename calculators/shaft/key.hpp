@@ -120,20 +120,24 @@ R_e_k = "420 MPa"
           Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure in the shaft, replaces R_e_1"}
               .positive()
               .usually(20, 1500)
+              .customarily_at_most(700)
               .may_be_missing(),
           Field{&Input::p_adm_2, "p_adm_2", MPa,
                 "allowable bearing pressure in the hub, replaces R_e_2 (required for cast iron)"}
               .positive()
               .usually(20, 1500)
+              .customarily_at_most(700)
               .may_be_missing(),
           Field{&Input::p_adm_k, "p_adm_k", MPa, "allowable bearing pressure on the key, replaces R_e_k"}
               .positive()
               .usually(20, 1500)
+              .customarily_at_most(700)
               .may_be_missing(),
           Field{&Input::tau_adm, "tau_adm", MPa,
                 "allowable shear stress of the key; by von Mises from its allowable pressure if omitted"}
               .positive()
               .usually(10, 1000)
+              .customarily_at_most(400)
               .may_be_missing(),
           Field{&Input::f_W, "f_W", ratio,
                 "load direction factor f_W of method B for a reversing torque, reduces the allowable pressure"}

@@ -105,6 +105,7 @@ S = 2
           Field{&Input::S, "S", ratio, "required safety factor: 1.5 to 2 for static loads, 4 to 8 for dynamic loads"}
               .at_least(1)
               .usually(1.5, 8)
+              .customarily_at_least(1.5)
               .factor()});
 
   struct Result {

@@ -118,11 +118,13 @@ R_e_2 = "300 MPa"
              Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure on the shaft, replaces R_e_1"}
                  .positive()
                  .usually(2, 1500)
+                 .customarily_at_most(700)
                  .may_be_missing(),
              Field{&Input::p_adm_2, "p_adm_2", MPa,
                    "allowable bearing pressure on the hub, replaces R_e_2 (required for cast iron)"}
                  .positive()
                  .usually(2, 1500)
+                 .customarily_at_most(700)
                  .may_be_missing(),
              Field{&Input::p_adm_w, "p_adm_w", MPa,
                    "allowable bearing pressure of a sliding hub (a few MPa if it slides under torque)"}
@@ -133,6 +135,7 @@ R_e_2 = "300 MPa"
                    "allowable shear stress of a tooth; by von Mises from its allowable pressure if omitted"}
                  .positive()
                  .usually(10, 1000)
+                 .customarily_at_most(400)
                  .may_be_missing(),
              Field{&Input::f_W, "f_W", ratio,
                    "load direction factor f_W for a reversing torque, reduces the allowable pressure"}

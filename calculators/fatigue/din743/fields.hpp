@@ -77,11 +77,13 @@ constexpr auto din743_section() {
       Field<Input, double>{&Input::K_V, "K_V", ratio, "factor of a surface that was hardened, rolled or peened"}
           .within(1, 2)
           .usually(1, 1.8)
+          .customarily_at_most(1.8)
           .factor(),
       Choice<Input, Layer>{&Input::layer, "layer", "surface layer"}.may_be_missing(),
-      notch_number<Input>(&Input::alpha_zd, "alpha_zd", "shape factor in tension, net section"),
-      notch_number<Input>(&Input::alpha_b, "alpha_b", "shape factor in bending, net section"),
-      notch_number<Input>(&Input::alpha_t, "alpha_t", "shape factor in torsion, net section"),
+      notch_number<Input>(&Input::alpha_zd, "alpha_zd", "shape factor in tension, net section")
+          .customarily_at_least(1.1),
+      notch_number<Input>(&Input::alpha_b, "alpha_b", "shape factor in bending, net section").customarily_at_least(1.1),
+      notch_number<Input>(&Input::alpha_t, "alpha_t", "shape factor in torsion, net section").customarily_at_least(1.1),
       notch_number<Input>(&Input::beta_zd, "beta_zd", "notch factor in tension"),
       notch_number<Input>(&Input::beta_b, "beta_b", "notch factor in bending"),
       notch_number<Input>(&Input::beta_t, "beta_t", "notch factor in torsion"),

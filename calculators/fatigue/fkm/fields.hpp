@@ -60,9 +60,10 @@ template <class Input>
 constexpr auto fkm_gradient(Twist Input::*at, const char* key, const char* doc) {
   return Field<Input, Twist>{at, key, per_m, doc}.at_least(0).may_be_missing();
 }
+/// At least that of minor consequence, `least`.
 template <class Input>
-constexpr auto fkm_demand(double Input::*at, const char* key, const char* doc) {
-  return Field<Input, double>{at, key, ratio, doc}.at_least(1).usually(1.2, 4).factor();
+constexpr auto fkm_demand(double Input::*at, const char* key, double least, const char* doc) {
+  return Field<Input, double>{at, key, ratio, doc}.at_least(1).usually(1.2, 4).customarily_at_least(least).factor();
 }
 
 /// Fields of an FkmService.
@@ -76,14 +77,15 @@ constexpr auto fkm_service() {
           .usually(1e4, 1e9)
           .may_be_missing(),
       fkm_demand<Input>(
-          &Input::j_D, "j_D",
+          &Input::j_D, "j_D", 1.2,
           "required fatigue safety factor: 1.5, with inspections 1.35, at minor consequence 1.3, 1.2, from memory"),
-      fkm_demand<Input>(&Input::j_m, "j_m", "safety against fracture: 2.0 to 1.6 by consequence and by load"),
-      fkm_demand<Input>(&Input::j_p, "j_p", "safety against yielding: 1.5 to 1.2 by consequence and by load"),
+      fkm_demand<Input>(&Input::j_m, "j_m", 1.6, "safety against fracture: 2.0 to 1.6 by consequence and by load"),
+      fkm_demand<Input>(&Input::j_p, "j_p", 1.2, "safety against yielding: 1.5 to 1.2 by consequence and by load"),
       Field<Input, Stress>{&Input::R_pmax, "R_pmax", MPa,
                            "E x allowable strain: 1050 MPa is 0.5 % for steel, from memory"}
           .positive()
-          .usually(500, 11000),
+          .usually(200, 1050)
+          .customarily_at_most(1050),
       fkm_gradient<Input>(&Input::G_zd, "G_zd", "gradient over stress of alpha_zd; without it no support"),
       fkm_gradient<Input>(&Input::G_b, "G_b", "stress gradient of alpha_b, in addition to that over the diameter"),
       fkm_gradient<Input>(&Input::G_t, "G_t", "stress gradient of alpha_t, in addition to that over the diameter")};

@@ -127,7 +127,11 @@ n_req = 1
           .within(0, 1)
           .usually(0.01, 0.8)
           .may_be_missing(),
-      Field{&Input::gamma, "gamma", ratio, "exponent of Walker"}.within(0, 1).usually(0.3, 0.9).may_be_missing(),
+      Field{&Input::gamma, "gamma", ratio, "exponent of Walker"}
+          .within(0, 1)
+          .usually(0.3, 0.9)
+          .customarily_at_most(0.9)
+          .may_be_missing(),
       Field{&Input::sigma_f, "sigma_f", MPa, "fatigue strength coefficient of Morrow: of the true fracture stress"}
           .positive()
           .usually(200, 4000)
@@ -140,6 +144,7 @@ n_req = 1
       Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
           .at_least(1)
           .usually(1, 6)
+          .customarily_at_least(1.1)
           .may_be_missing()
           .factor(),
       Field{&Input::D_adm, "D_adm", ratio, "allowable damage sum; of the relative rule below 1, as 0.3"}

@@ -46,6 +46,7 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
   if (beside.kind == Beside::usual) return unusual(beside.path, field, unusual_value(evaluation, beside));
   if (beside.kind == Beside::either)
     return say("{1} = {2}, and {3} has {4}", beside.path, shown(field, typed), beside.source, shown(field, other));
+  if (beside.is_unassessed) return say("{1} = {2} is not the result of a step", beside.path, shown(field, typed));
   if (beside.is_full)
     return say("{1} = {2} is {3} without a safety factor", beside.path, shown(field, typed), beside.source);
   return beside.kind == Beside::capacity

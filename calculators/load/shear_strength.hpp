@@ -4,6 +4,7 @@
 
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
@@ -49,8 +50,11 @@ constexpr auto shear_strength_inputs(const char* size) {
           .customarily_at_most(900)
           .may_be_missing(),
       Choice{behaviour, "behaviour", "material behaviour, with sigma_adm: ductile or brittle"}.may_be_missing(),
-      Field{R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}.positive().usually(50, 2500).from(
-          "material", "R_e", size, "tau_adm"),
+      Field{R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}
+          .positive()
+          .usually(50, 2500)
+          .customarily_at_most(most_yield_strength)
+          .from("material", "R_e", size, "tau_adm"),
       Field{S, "S", ratio, "safety factor against yielding, with R_e"}
           .at_least(1)
           .usually(1, 6)

@@ -13,6 +13,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
@@ -81,6 +82,7 @@ tau_adm_1 = "40 MPa"
           Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
               .positive()
               .usually(200, 2500)
+              .customarily_at_most(most_tensile_strength)
               .from("material", "R_m", "d")
               .where_it_has(),
           modulus_of_material(&Input::E),

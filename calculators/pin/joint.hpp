@@ -14,6 +14,7 @@
 #include "calculators/pin/loading.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
@@ -110,6 +111,7 @@ p_adm_2 = "100 MPa"
       Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
           .positive()
           .usually(200, 2500)
+          .customarily_at_most(most_tensile_strength)
           .from("material", "R_m", "d_h, d")
           .where_it_has(),
       modulus_of_material(&Input::E),

@@ -11,6 +11,7 @@
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
@@ -95,6 +96,7 @@ p_adm = "80 MPa"
       Field{&Input::R_e, "R_e", MPa, "yield strength of the eye"}
           .positive()
           .usually(50, 2500)
+          .customarily_at_most(most_yield_strength)
           .from("material", "R_e", "t")
           .where_it_has(),
       Field{&Input::S, "S", ratio, "required safety factor on R_e"}

@@ -9,6 +9,7 @@
 
 #include "calculators/shaft/parts/pieces.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -85,8 +86,11 @@ n = "1500 rpm"
           .within(1.2, 20)
           .may_be_missing()
           .factor(),
-      Field{&Input::R_e, "R_e", MPa, "yield strength of the shaft"}.positive().usually(150, 2000).from("material",
-                                                                                                       "R_e", "d_1"),
+      Field{&Input::R_e, "R_e", MPa, "yield strength of the shaft"}
+          .positive()
+          .usually(150, 2000)
+          .customarily_at_most(most_yield_strength)
+          .from("material", "R_e", "d_1"),
       Field{&Input::c, "c", mm, "chamfer, radius or clearance of the retained part; 0: sharp edge"}
           .at_least(0)
           .may_be_missing(),

@@ -14,8 +14,8 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
-#include "lib/calculator/moduli.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -148,10 +148,12 @@ dT_adm = "250 K"
               .positive()
               .at_most_that_of_source("R_e")
               .usually(50, 2500)
+              .customarily_at_most(most_yield_strength)
               .may_be_missing(),
           Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub; brittle hubs are not covered"}
               .positive()
               .usually(50, 2500)
+              .customarily_at_most(most_yield_strength)
               .may_be_missing(),
           Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)

@@ -14,6 +14,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
@@ -109,11 +110,13 @@ R_e_2 = "300 MPa"
                  .positive()
                  .at_most_that_of_source("R_e")
                  .usually(150, 2000)
+                 .customarily_at_most(most_yield_strength)
                  .may_be_missing(),
              shaft_safety<Input>(),
              Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none for a brittle hub"}
                  .positive()
                  .usually(100, 2000)
+                 .customarily_at_most(most_yield_strength)
                  .may_be_missing(),
              Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure on the shaft, replaces R_e_1"}
                  .positive()

@@ -86,6 +86,7 @@ constexpr auto wall_inputs() {
       Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, with S in place of sigma_adm"}
           .positive()
           .usually(50, 1100)
+          .customarily_at_most(960)
           .from("material", "R_e", "delta", "sigma_adm"),
       Field<Input, double>{&Input::S, "S", ratio, "safety factor against yielding, with R_e"}
           .at_least(1)

@@ -68,6 +68,9 @@ constexpr const StrengthBound* strength_bound_of(std::string_view meaning) {
   return nullptr;
 }
 
+/// The least safety factor that an allowable stress includes.
+inline constexpr double least_margin = 1.1;
+
 /// An allowable stress takes any strength: its designer has decided.
 constexpr bool is_allowable(std::string_view meaning) {
   return meaning == allowable_in_normal || meaning == allowable_in_shear;

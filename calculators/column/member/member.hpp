@@ -7,7 +7,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
-#include "lib/calculator/moduli.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 
 #include <array>
@@ -90,6 +90,7 @@ constexpr auto strength_inputs() {
       Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength"}
           .positive()
           .usually(10, 2500)
+          .customarily_at_most(most_yield_strength)
           .from("material", "R_e", "t")
           .where_it_has(),
       Field<Input, Stress>{&Input::sigma_P, "sigma_P", MPa, "proportional limit, upper limit of Euler's formula"}

@@ -4,13 +4,19 @@
 #include "calculators/fatigue/din743/fields.hpp"
 #include "calculators/fatigue/fkm/section.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/quantity/motion_units.hpp"
 
 namespace loadpath::fatigue {
 
 template <class Input>
 constexpr auto fkm_strength(Stress Input::*at, const char* key, const char* doc, double low, double high) {
-  return Field<Input, Stress>{at, key, MPa, doc}.positive().below(3000).usually(low, high).may_be_missing();
+  return Field<Input, Stress>{at, key, MPa, doc}
+      .positive()
+      .below(3000)
+      .usually(low, high)
+      .customarily_at_most(high)
+      .may_be_missing();
 }
 /// Within these the size factor stays above zero.
 template <class Input>
@@ -28,8 +34,9 @@ constexpr auto fkm_steel() {
   return Fields{
       Choice<Input, FkmSteelGroup>{&Input::steel, "steel", "steel group, for size, support and fatigue limit"},
       fkm_strength<Input>(&Input::R_mN, "R_mN", "tensile strength of the standard, at its reference diameter", 250,
-                          2000),
-      fkm_strength<Input>(&Input::R_eN, "R_eN", "yield strength of the standard, at its reference diameter", 150, 1800),
+                          most_tensile_strength),
+      fkm_strength<Input>(&Input::R_eN, "R_eN", "yield strength of the standard, at its reference diameter", 150,
+                          most_yield_strength),
       fkm_size_slope<Input>(&Input::a_dm, "a_dm", "slope of the size factor of R_mN, in place of the group's"),
       fkm_size_slope<Input>(&Input::a_dp, "a_dp", "size constant of R_eN; default of the group from memory"),
       fkm_reference<Input>(&Input::d_Nm, "d_Nm", "diameter that R_mN belongs to, in place of the group's"),
@@ -38,11 +45,13 @@ constexpr auto fkm_steel() {
           .positive()
           .below(3000)
           .usually(250, 2000)
+          .customarily_at_most(most_tensile_strength)
           .from("material", "R_m", "d_h, D, d", "R_mN"),
       Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength in a part of this size, in place of R_eN"}
           .positive()
           .below(3000)
           .usually(150, 1800)
+          .customarily_at_most(most_yield_strength)
           .from("material", "R_e", "d_h, D, d", "R_eN"),
       diameter_at_heat_treatment<Input>(&Input::d_h),
       Choice<Input, Fibre>{&Input::fibre, "fibre", "fibre of the rolled or forged steel, against the normal stresses"}

@@ -4,7 +4,7 @@
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/moduli.hpp"
+#include "lib/calculator/metals.hpp"
 
 #include <array>
 

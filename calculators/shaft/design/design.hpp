@@ -23,7 +23,7 @@
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/parts/ring.hpp"
 #include "lib/calculator/meaning.hpp"
-#include "lib/calculator/moduli.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/sizing.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -97,8 +97,16 @@ r_T = 0
       Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(least_G, most_G).from("material", "G"),
       Field{&Input::rho, "rho", kg_per_m3, "density"}.positive().usually(500, 20000).from("material", "rho"),
       diameter_at_heat_treatment(&Input::d_h),
-      Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_s"),
-      Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_s"),
+      Field{&Input::R_e, "R_e", MPa, "yield strength"}
+          .positive()
+          .usually(50, 2500)
+          .customarily_at_most(most_yield_strength)
+          .from("material", "R_e", "d_s"),
+      Field{&Input::R_m, "R_m", MPa, "tensile strength"}
+          .positive()
+          .usually(80, 2500)
+          .customarily_at_most(most_tensile_strength)
+          .from("material", "R_m", "d_s"),
       Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
           .at_least(1)
           .usually(1, 6)

@@ -16,7 +16,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/form.hpp"
-#include "lib/calculator/moduli.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/sizing.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"

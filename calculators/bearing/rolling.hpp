@@ -163,6 +163,7 @@ s_0 = 2
             "1.5 to 3.5, higher under shock loads"}
           .at_least(0.4)
           .usually(0.5, 10)
+          .customarily_at_least(0.5)
           .may_be_missing()
           .factor(),
       Field{&Input::P_min, "P_min", kN, "minimum load, manufacturer's value; 0.01 C (balls), 0.02 C (rollers)"}
@@ -276,10 +277,15 @@ s_0 = 2
                   "a bearing at standstill has no life in hours: omit L_h, or give the speed"},
       Rule<Input>{[](const Input& in) { return in.blocks.empty() || is_set(highest_speed(in)); }, "n, blocks",
                   "blocks of time need the speed n, or that of each block"},
+      Rule<Input>{[](const Input& in) {
+                    return in.blocks.empty() ||
+                           std::any_of(in.blocks.begin(), in.blocks.end(), [](const Block& b) { return b.k >= 1.0; });
+                  },
+                  "blocks, F_r, F_a", "no block has the loads F_r and F_a: give the loads of the largest block, k = 1"},
       Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}};
 
   static constexpr bool turns = true;
-  static constexpr auto bounds = factor_bounds<Input>();
+  static constexpr auto bounds = rolling_bounds<Input>();
   static constexpr std::array modes{
       Mode<Input>{"fatigue", "rating life (raceway fatigue)", &runs}.judged_by("u_L, x_P, x_f"),
       Mode<Input>{"static", "static safety factor (permanent indentation)", &always<Input>}.judged_by("u_0"),

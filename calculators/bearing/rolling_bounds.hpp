@@ -1,11 +1,13 @@
-// Bounds on the typed factors of a rolling bearing. e, Y and Y_0 follow from the contact angle and are therefore
-// related.
+// Bounds on the typed factors, speed and minimum load of a rolling bearing. e, Y and Y_0 follow from the contact angle
+// and are therefore related.
 #pragma once
 
 #include "calculators/bearing/rolling_kind.hpp"
 #include "lib/calculator/bound.hpp"
+#include "lib/quantity/drive_units.hpp"
 
 #include <array>
+#include <cmath>
 
 namespace loadpath::bearing {
 
@@ -52,14 +54,30 @@ double least_life(const Input& in) {
   constexpr Time least = from_si<Time>(100.0 * 3600.0);
   return in_si(least * in.n) / (2.0 * pi) / 1e6;
 }
+/// Catalogues: pitch diameters from 5.5 mm sqrt(C/kN) on, and speeds up to 1.4e6 mm/min over them; only spindle
+/// bearings run faster.
+template <class Input>
+double highest_limiting_speed(const Input& in) {
+  constexpr double speed_of_1_kN = 2.5e5;
+  return in_si(speed_of_1_kN * rpm.one) * std::sqrt(1e3 * N.one / in.C);
+}
+/// Half of the customary 0.01 C.
+template <class Input>
+double least_minimum_load(const Input& in) {
+  constexpr double share = 0.005;
+  return in_si(share * in.C);
+}
 
 /// Smaller factors are not conservative.
 template <class Input>
-constexpr auto factor_bounds() {
-  return std::array{Bound<Input>{"X", "the kind of bearing", &least_X<Input>}.least(),
-                    Bound<Input>{"Y", "e of bearings of this kind", &least_Y<Input>}.least(),
-                    Bound<Input>{"Y_0", "Y of bearings of this kind", &least_Y_0<Input>}.least(),
-                    Bound<Input>{"L_m", "100 h at this speed", &least_life<Input>}.least()};
+constexpr auto rolling_bounds() {
+  return std::array{
+      Bound<Input>{"n_max", "bearings of this load rating", &highest_limiting_speed<Input>},
+      Bound<Input>{"P_min", "half the customary minimum load of 0.01 C", &least_minimum_load<Input>}.least(),
+      Bound<Input>{"X", "the kind of bearing", &least_X<Input>}.least(),
+      Bound<Input>{"Y", "e of bearings of this kind", &least_Y<Input>}.least(),
+      Bound<Input>{"Y_0", "Y of bearings of this kind", &least_Y_0<Input>}.least(),
+      Bound<Input>{"L_m", "100 h at this speed", &least_life<Input>}.least()};
 }
 
 }  // namespace loadpath::bearing

@@ -9,6 +9,7 @@
 
 #include "calculators/belt/course_types.hpp"
 #include "calculators/belt/loop.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -113,6 +114,12 @@ pulleys = [
                   &open_back},
       Rule<Input>{&closes, "pulleys", "the belt does not run through these pulleys", &flaw_of}};
 
+  /// The lightest belts, with cords of aramid or carbon, carry 30 kN per kg/m.
+  static double least_mass(const Input& in) {
+    constexpr double most_strength = 40e3;  // N per kg/m
+    return in_si(in.S_adm) / most_strength;
+  }
+  static constexpr std::array bounds{Bound<Input>{"q", "belts of this strength", &least_mass}.least()};
   static constexpr bool turns = true;
   static bool carries(const Input& in);
   static Applies loaded(const Input& in) { return where(carries(in)); }

@@ -144,6 +144,7 @@ P_R = "5.5 kW"
       Field{&Input::S_min, "S_min", ratio, "required safety factor against breakage"}
           .at_least(1)
           .usually(5, 20)
+          .customarily_at_least(5)
           .may_be_missing(),
       Field{&Input::P_R, "P_R", kW,
             "rated power of this chain for 19 teeth at the speed of the smaller sprocket, all strands"}

@@ -71,12 +71,20 @@ double curve_of_table(const Input& in) {
   return own == Curve::by_kind ? unset<double> : static_cast<double>(own);
 }
 
+/// A safety factor against yielding in tension; in EC3 the partial factors of the code.
+template <class Input>
+double least_tension_safety(const Input& in) {
+  constexpr double customary = 1.2;
+  return method_of(in) == Method::ec3 ? unset<double> : customary;
+}
+
 /// The curves are in order, the most favourable first.
 template <class Input>
 constexpr auto curve_bounds() {
   constexpr auto table = "EN 1993-1-1, table 6.2";
   return std::array{Bound<Input>{"curve_y", table, &curve_of_table<Input, AxisName::y>}.least(),
-                    Bound<Input>{"curve_z", table, &curve_of_table<Input, AxisName::z>}.least()};
+                    Bound<Input>{"curve_z", table, &curve_of_table<Input, AxisName::z>}.least(),
+                    Bound<Input>{"n_t", "common practice", &least_tension_safety<Input>}.least()};
 }
 
 }  // namespace loadpath::column

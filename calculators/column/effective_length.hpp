@@ -9,6 +9,7 @@
 
 #include "calculators/column/member/stability.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -65,8 +66,10 @@ end_2 = "pinned"
   };
   static constexpr Fields inputs{
       Field{&Input::l, "l", mm, "length between the ends"}.positive().usually(10, 1e5),
-      Field{&Input::E, "E", GPa, "modulus of elasticity, for elastic ends"}.positive().usually(1, 500).from("material",
-                                                                                                            "E"),
+      Field{&Input::E, "E", GPa, "modulus of elasticity, for elastic ends"}
+          .positive()
+          .usually(least_E, most_E)
+          .from("material", "E"),
       Field{&Input::I, "I", mm4, "second moment of area about the buckling axis, for elastic ends"}
           .positive()
           .may_be_missing(),

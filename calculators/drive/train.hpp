@@ -9,6 +9,7 @@
 #pragma once
 
 #include "calculators/drive/train_types.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -87,6 +88,8 @@ stages = [
 
   static constexpr bool turns = true;
   static constexpr bool is_one_drive = true;
+  static double least_efficiency(const Input& in, std::size_t stage);
+  static constexpr std::array bounds{Bound<Input>{"stages.eta", "stages of this kind", &least_efficiency}.least()};
   static bool drives_a_worm(const Input& in);
   static Applies loads_a_worm(const Input& in);
   static constexpr std::array modes{

@@ -1,3 +1,4 @@
+#include "calculators/drive/stage.hpp"
 #include "calculators/drive/train.hpp"
 
 #include <algorithm>
@@ -66,6 +67,14 @@ FieldFault Train::wrong_slip(const Input& in) {
   return fault_of(in, slip_fits,
                   say("slip applies to belts only, and their efficiency includes it: eta is at most 1 - slip"),
                   say("leave out eta, or lower it; leave out the slip of anything but a belt"));
+}
+
+/// With more than twice the losses of such a stage, or of a worm with one thread, the torques behind it would be too
+/// small.
+double Train::least_efficiency(const Input& in, std::size_t stage) {
+  constexpr double of_one_thread = 0.3, most_losses = 2.0;
+  const Stage& s = in.stages[stage];
+  return s.kind == StageKind::worm ? of_one_thread : 1.0 - most_losses * (1.0 - usual_of(s.kind).low);
 }
 
 /// The wheel is on the first shaft: only a worm of many threads can be driven, and none that locks itself.

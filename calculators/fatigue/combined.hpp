@@ -14,6 +14,7 @@
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/text/issue.hpp"
 
@@ -68,47 +69,55 @@ S_F = 1.5
   };
   static bool varies(const Input& in) { return in.sigma_a > 0.0 * MPa || in.tau_a > 0.0 * MPa; }
   static constexpr Fields inputs = join(
-      Fields{
-          Field{&Input::sigma_m, "sigma_m", MPa, "mean normal stress, signed; compression is not credited"}.load(),
-          Field{&Input::sigma_a, "sigma_a", MPa, "amplitude of the normal stress"}.load().at_least(0),
-          Field{&Input::tau_m, "tau_m", MPa, "mean shear stress"}.load(),
-          Field{&Input::tau_a, "tau_a", MPa, "amplitude of the shear stress"}.load().at_least(0),
-          Field{&Input::sigma_D, "sigma_D", MPa,
-                "fatigue limit of the part in normal stresses, r = -1: of fatigue.endurance"}
-              .positive()
-              .usually(5, 1500),
-          Field{&Input::tau_D, "tau_D", MPa, "the same in shear: of fatigue.endurance with loading = \"torsion\""}
-              .positive()
-              .usually(3, 1000)
-              .may_be_missing(),
-          Field{&Input::K_sigma, "K_sigma", ratio,
-                "K_D of sigma_D, not applied to the mean stress; 1 is on the safe side"}
-              .within(1, 50)
-              .usually(1, 6),
-          Field{&Input::K_tau, "K_tau", ratio, "K_D of tau_D"}.within(1, 50).usually(1, 6),
-          Field{&Input::psi_sigma, "psi_sigma", ratio, "sensitivity to mean normal stress, else by R_m of steels"}
-              .within(0, 1)
-              .usually(0.02, 0.6)
-              .may_be_missing(),
-          Field{&Input::psi_tau, "psi_tau", ratio, "the same in shear, else half of it"}
-              .within(0, 1)
-              .usually(0.01, 0.4)
-              .may_be_missing(),
-          Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m",
-                                                                                               "d_h"),
-          Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
-          modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
-          diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
-          Choice{&Input::rule, "rule", "rule that decides"}.may_be_missing(),
-          Field{&Input::S_D, "S_D", ratio, "required fatigue safety factor, on the load"}
-              .at_least(1)
-              .usually(1.2, 6)
-              .factor(),
-          Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
-              .at_least(1)
-              .usually(1, 6)
-              .may_be_missing()
-              .factor()},
+      Fields{Field{&Input::sigma_m, "sigma_m", MPa, "mean normal stress, signed; compression is not credited"}.load(),
+             Field{&Input::sigma_a, "sigma_a", MPa, "amplitude of the normal stress"}.load().at_least(0),
+             Field{&Input::tau_m, "tau_m", MPa, "mean shear stress"}.load(),
+             Field{&Input::tau_a, "tau_a", MPa, "amplitude of the shear stress"}.load().at_least(0),
+             Field{&Input::sigma_D, "sigma_D", MPa,
+                   "fatigue limit of the part in normal stresses, r = -1: of fatigue.endurance"}
+                 .positive()
+                 .usually(5, 1500),
+             Field{&Input::tau_D, "tau_D", MPa, "the same in shear: of fatigue.endurance with loading = \"torsion\""}
+                 .positive()
+                 .usually(3, 1000)
+                 .may_be_missing(),
+             Field{&Input::K_sigma, "K_sigma", ratio,
+                   "K_D of sigma_D, not applied to the mean stress; 1 is on the safe side"}
+                 .within(1, 50)
+                 .usually(1, 6),
+             Field{&Input::K_tau, "K_tau", ratio, "K_D of tau_D"}.within(1, 50).usually(1, 6),
+             Field{&Input::psi_sigma, "psi_sigma", ratio, "sensitivity to mean normal stress, else by R_m of steels"}
+                 .within(0, 1)
+                 .usually(0.02, 0.6)
+                 .may_be_missing(),
+             Field{&Input::psi_tau, "psi_tau", ratio, "the same in shear, else half of it"}
+                 .within(0, 1)
+                 .usually(0.01, 0.4)
+                 .may_be_missing(),
+             Field{&Input::R_m, "R_m", MPa, "tensile strength"}
+                 .positive()
+                 .usually(80, 2500)
+                 .customarily_at_most(most_tensile_strength)
+                 .from("material", "R_m", "d_h"),
+             Field{&Input::R_e, "R_e", MPa, "yield strength"}
+                 .positive()
+                 .usually(50, 2500)
+                 .customarily_at_most(most_yield_strength)
+                 .from("material", "R_e", "d_h"),
+             modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
+             diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
+             Choice{&Input::rule, "rule", "rule that decides"}.may_be_missing(),
+             Field{&Input::S_D, "S_D", ratio, "required fatigue safety factor, on the load"}
+                 .at_least(1)
+                 .usually(1.2, 6)
+                 .customarily_at_least(1.2)
+                 .factor(),
+             Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
+                 .at_least(1)
+                 .usually(1, 6)
+                 .customarily_at_least(1.2)
+                 .may_be_missing()
+                 .factor()},
       cycles_of_metal<Input>());
 
   struct Result {

@@ -15,6 +15,7 @@
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/form.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -74,12 +75,14 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
              Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, to check the maximum stress"}
                  .positive()
                  .usually(50, 2500)
+                 .customarily_at_most(most_yield_strength)
                  .from("material", "R_e", "d_h"),
              modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
              diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
              Field<Input, double>{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
                  .at_least(1)
                  .usually(1, 6)
+                 .customarily_at_least(1.2)
                  .may_be_missing()
                  .factor(),
              Field<Input, Stress>{&Input::sigma_D, "sigma_D", MPa,
@@ -90,6 +93,7 @@ others = [{ name = "test", sigma_a = "100 MPa", r = -1 }]
              Field<Input, double>{&Input::S_D, "S_D", ratio, "safety against the fatigue limit"}
                  .at_least(1)
                  .usually(1.2, 6)
+                 .customarily_at_least(1.2)
                  .may_be_missing()
                  .factor(),
              ListField<Input, List<Other, most_others>>{&Input::others, "others", "cycles that are compared with it"}

@@ -17,6 +17,7 @@
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/fit_units.hpp"
@@ -59,7 +60,11 @@ R_z = "6.3 um"
   static bool rule_fits(const Input& in);
   static FieldFault misfit(const Input& in);
   static constexpr Fields inputs{
-      Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h, d"),
+      Field{&Input::R_m, "R_m", MPa, "tensile strength"}
+          .positive()
+          .usually(80, 2500)
+          .customarily_at_most(most_tensile_strength)
+          .from("material", "R_m", "d_h, d"),
       modulus_of_material(&Input::E),
       density_of_material(&Input::rho),
       Choice{&Input::group, "group", "group of materials"},
@@ -97,7 +102,11 @@ R_z = "6.3 um"
           .within(0.2, 1)
           .usually(0.4, 1)
           .may_be_missing(),
-      Field{&Input::beta_V, "beta_V", ratio, "factor of a hardened surface"}.within(1, 4).usually(1, 2.8).factor(),
+      Field{&Input::beta_V, "beta_V", ratio, "factor of a hardened surface"}
+          .within(1, 4)
+          .usually(1, 2.8)
+          .customarily_at_most(2.8)
+          .factor(),
       Choice{&Input::finish, "finish", "surface, for Marin's school"}.may_be_missing(),
       Choice{&Input::sensitivity, "sensitivity", "method for the notch sensitivity"}.may_be_missing(),
       Choice{&Input::edition, "edition", "edition of the surface factors of Marin's school"}.may_be_missing(),

@@ -18,6 +18,7 @@
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -101,20 +102,28 @@ S_F = 1.5
               .usually(5, 1500)
               .may_be_missing(),
           Choice<Input, Group>{&Input::group, "group", "group of materials"},
-          F<Stress>{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m",
-                                                                                                   "d_h"),
-          F<Stress>{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e",
-                                                                                                 "d_h"),
+          F<Stress>{&Input::R_m, "R_m", MPa, "tensile strength"}
+              .positive()
+              .usually(80, 2500)
+              .customarily_at_most(most_tensile_strength)
+              .from("material", "R_m", "d_h"),
+          F<Stress>{&Input::R_e, "R_e", MPa, "yield strength"}
+              .positive()
+              .usually(50, 2500)
+              .customarily_at_most(most_yield_strength)
+              .from("material", "R_e", "d_h"),
           modulus_of_material(&Input::E),
           density_of_material(&Input::rho),
           diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
           F<double>{&Input::S_D, "S_D", ratio, "required fatigue safety factor, on the load"}
               .at_least(1)
               .usually(1.2, 6)
+              .customarily_at_least(1.2)
               .factor(),
           F<double>{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)
               .usually(1, 6)
+              .customarily_at_least(1.2)
               .may_be_missing()
               .factor(),
           Choice<Input, MeanRule>{&Input::rule, "rule", "governing mean stress rule"}.may_be_missing(),
@@ -141,6 +150,7 @@ S_F = 1.5
           F<double>{&Input::gamma, "gamma", ratio, "Walker exponent; omitted: by R_m of steels"}
               .within(0.1, 1)
               .usually(0.3, 0.9)
+              .customarily_at_most(0.9)
               .may_be_missing(),
           F<double>{&Input::M, "M", ratio, "FKM mean stress sensitivity; omitted: by group and R_m"}
               .at_least(0)

@@ -65,6 +65,23 @@ FieldFault Pair::no_working_angle(const Input& in) {
               : say("the sum x_1 + x_2 is too small")};
 }
 
+namespace {
+
+/// Results with the form factors of the tooth forms.
+PairResult with_own_forms(const Pair::Input& in) {
+  Pair::Input untyped = in;
+  untyped.Y_1 = untyped.Y_2 = unset<double>;
+  NoTrace quiet;
+  return Pair::evaluate(untyped, quiet);
+}
+
+constexpr double most_over_form = 1.2;
+
+}  // namespace
+
+double Pair::most_form_factor_1(const Input& in) { return most_over_form * with_own_forms(in).Y_1; }
+double Pair::most_form_factor_2(const Input& in) { return most_over_form * with_own_forms(in).Y_2; }
+
 template <class Tracer>
 Pair::Result Pair::evaluate(const Input& in, Tracer& trace) {
   Result r;

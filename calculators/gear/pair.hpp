@@ -14,6 +14,7 @@
 #include "calculators/gear/pair_choices.hpp"
 #include "calculators/gear/pair_input.hpp"
 #include "calculators/gear/pair_result.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
@@ -151,11 +152,13 @@ sigma_adm_2 = "200 MPa"
             "allowable tooth root bending stress, gear 1, pulsating (safety factor included)"}
           .positive()
           .usually(10, 1000)
+          .customarily_at_most(700)
           .may_be_missing(),
       Field{&Input::sigma_adm_2, "sigma_adm_2", MPa,
             "allowable tooth root bending stress, gear 2, pulsating (safety factor included)"}
           .positive()
           .usually(10, 1000)
+          .customarily_at_most(700)
           .may_be_missing(),
       Field{&Input::bore_1, "bore_1", mm, "bore diameter of gear 1, for the rim"}.positive().may_be_missing(),
       Field{&Input::bore_2, "bore_2", mm, "bore diameter of gear 2, for the rim"}.positive().may_be_missing(),
@@ -211,6 +214,11 @@ sigma_adm_2 = "200 MPa"
       Rule<Input>{[](const Input& in) { return in.mesh == Mesh::external || !is_set(in.bore_2); }, "bore_2, mesh",
                   "a ring gear or a rack has no bore: omit bore_2"}};
 
+  static double most_form_factor_1(const Input& in);
+  static double most_form_factor_2(const Input& in);
+  static constexpr auto of_tooth_form = "1.2 times the form factor of the tooth form";
+  static constexpr std::array bounds{Bound<Input>{"Y_1", of_tooth_form, &most_form_factor_1},
+                                     Bound<Input>{"Y_2", of_tooth_form, &most_form_factor_2}};
   static constexpr bool turns = true;
   static constexpr std::array senses{SenseClaim{"T_1, P", "idler", "none, gear_1, gear_2", "both"}};
   static constexpr std::array modes{

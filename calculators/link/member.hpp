@@ -87,6 +87,7 @@ S = 1.5
           Field<Input, double>{&Input::S, "S", ratio, "required safety factor against yielding under N, V and M_b"}
               .at_least(1)
               .usually(1.1, 6)
+              .customarily_at_least(1.1)
               .may_be_missing()
               .factor(),
           Field<Input, Acceleration>{&Input::a_m, "a_m", m_per_s2,

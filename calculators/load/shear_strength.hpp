@@ -4,6 +4,7 @@
 
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
@@ -41,17 +42,23 @@ constexpr auto shear_strength_inputs(const char* size) {
       Field{tau_adm, "tau_adm", MPa, "allowable shear stress, without a further safety factor"}
           .positive()
           .usually(1, 1000)
+          .customarily_at_most(600)
           .may_be_missing(),
       Field{sigma_adm, "sigma_adm", MPa, "allowable normal stress, with behaviour in place of tau_adm"}
           .positive()
           .usually(1, 1500)
+          .customarily_at_most(900)
           .may_be_missing(),
       Choice{behaviour, "behaviour", "material behaviour, with sigma_adm: ductile or brittle"}.may_be_missing(),
-      Field{R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}.positive().usually(50, 2500).from(
-          "material", "R_e", size, "tau_adm"),
+      Field{R_e, "R_e", MPa, "yield strength, with S in place of tau_adm"}
+          .positive()
+          .usually(50, 2500)
+          .customarily_at_most(most_yield_strength)
+          .from("material", "R_e", size, "tau_adm"),
       Field{S, "S", ratio, "safety factor against yielding, with R_e"}
           .at_least(1)
           .usually(1, 6)
+          .customarily_at_least(1.2)
           .may_be_missing()
           .factor()};
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 
@@ -12,7 +13,7 @@ template <class Input>
 constexpr auto modulus_of_material(Stress Input::*at) {
   return Field<Input, Stress>{at, "E", GPa, "modulus of elasticity (identifies steel)"}
       .positive()
-      .usually(1, 500)
+      .usually(least_E, most_E)
       .from("material", "E")
       .where_it_has();
 }

@@ -99,6 +99,7 @@ delta = 0.01
           .positive()
           .below(2)
           .usually(1e-4, 0.3)
+          .customarily_at_most(0.3)
           .may_be_missing(),
       Field{&Input::inertia, called("J"), kg_m2, "moment of inertia of a given flywheel"}.positive().may_be_missing(),
       Field{&Input::J_0, "J_0", kg_m2, "inertia that turns with the shaft at a constant ratio, reduced to it"}.at_least(
@@ -106,7 +107,10 @@ delta = 0.01
       Field{&Input::eta, "eta", ratio, "efficiency between the motor and the shaft"}.within(0.01, 1),
       Field{&Input::P_n, "P_n", W, "rated power of the motor"}.positive().may_be_missing(),
       Field{&Input::D, "D", mm, "mean diameter of the rim, for its mass"}.positive().may_be_missing(),
-      Field{&Input::v_adm, "v_adm", m_per_s, "allowable speed of the rim"}.positive().may_be_missing()};
+      Field{&Input::v_adm, "v_adm", m_per_s, "allowable speed of the rim"}
+          .customarily_at_most(100)
+          .positive()
+          .may_be_missing()};
 
   struct Result {
     Moment M_m = unset<Moment>, M_peak = unset<Moment>, A = unset<Moment>;

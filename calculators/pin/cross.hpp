@@ -13,6 +13,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
@@ -81,24 +82,29 @@ tau_adm_1 = "40 MPa"
           Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
               .positive()
               .usually(200, 2500)
+              .customarily_at_most(most_tensile_strength)
               .from("material", "R_m", "d")
               .where_it_has(),
           modulus_of_material(&Input::E),
           Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress of the pin under this loading, replaces R_m"}
               .positive()
               .usually(5, 1000)
+              .customarily_at_most(400)
               .may_be_missing(),
           Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure in the shaft"}
               .positive()
               .usually(5, 1000)
+              .customarily_at_most(400)
               .may_be_missing(),
           Field{&Input::p_adm_2, "p_adm_2", MPa, "allowable bearing pressure in the hub"}
               .positive()
               .usually(5, 1000)
+              .customarily_at_most(400)
               .may_be_missing(),
           Field{&Input::tau_adm_1, "tau_adm_1", MPa, "allowable torsional stress of the shaft at the hole"}
               .positive()
               .usually(5, 1000)
+              .customarily_at_most(400)
               .may_be_missing()});
 
   struct Result {

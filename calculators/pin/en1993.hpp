@@ -95,10 +95,18 @@ e_c2 = "35 mm"
       Field{&Input::t_1, "t_1", mm, "thickness of the middle plate"}.positive().usually(2, 500),
       Field{&Input::t_2, "t_2", mm, "thickness of each outer plate"}.positive().usually(2, 500),
       Field{&Input::c, "c", mm, "gap between the middle plate and an outer one"}.at_least(0).usually(0, 50),
-      Field{&Input::f_yp, "f_yp", MPa, "yield strength of the pin"}.positive().usually(200, 1500),
-      Field{&Input::f_up, "f_up", MPa, "tensile strength of the pin"}.positive().usually(300, 2000),
-      Field{&Input::f_y_1, "f_y_1", MPa, "yield strength of the middle plate"}.positive().usually(200, 1000),
-      Field{&Input::f_y_2, "f_y_2", MPa, "yield strength of the outer plates"}.positive().usually(200, 1000),
+      Field{&Input::f_yp, "f_yp", MPa, "yield strength of the pin"}.positive().usually(200, 1100).customarily_at_most(
+          1100),
+      Field{&Input::f_up, "f_up", MPa, "tensile strength of the pin"}.positive().usually(300, 1200).customarily_at_most(
+          1200),
+      Field{&Input::f_y_1, "f_y_1", MPa, "yield strength of the middle plate"}
+          .positive()
+          .usually(200, 960)
+          .customarily_at_most(960),
+      Field{&Input::f_y_2, "f_y_2", MPa, "yield strength of the outer plates"}
+          .positive()
+          .usually(200, 960)
+          .customarily_at_most(960),
       Field{&Input::E, "E", GPa, "modulus of elasticity of pin and plates, for the contact stress"}.positive().usually(
           180, 220),
       Field{&Input::e_a1, "e_a1", mm, "middle plate: end distance from the hole edge, along the force"}

@@ -14,6 +14,7 @@
 #include "calculators/pin/loading.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
@@ -114,6 +115,7 @@ p_adm_2 = "100 MPa"
       Field{&Input::R_m, "R_m", MPa, "tensile strength of the pin"}
           .positive()
           .usually(200, 2500)
+          .customarily_at_most(most_tensile_strength)
           .from("material", "R_m", "d_h, d")
           .where_it_has(),
       modulus_of_material(&Input::E),
@@ -121,19 +123,23 @@ p_adm_2 = "100 MPa"
       Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable bending stress under this loading, replaces R_m"}
           .positive()
           .usually(10, 1500)
+          .customarily_at_most(700)
           .may_be_missing(),
       Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress under this loading, replaces R_m"}
           .positive()
           .usually(5, 1000)
+          .customarily_at_most(400)
           .may_be_missing(),
       Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure in the eye (sliding value if the joint turns)"}
           .positive()
           .usually(1, 1000)
+          .customarily_at_most(400)
           .may_be_missing(),
       Field{&Input::p_adm_2, "p_adm_2", MPa,
             "allowable bearing pressure in clevis or wall (sliding value if the joint turns)"}
           .positive()
           .usually(1, 1000)
+          .customarily_at_most(400)
           .may_be_missing(),
       Field{&Input::n, "n", rpm, "speed of relative rotation in the loose fit, either direction"}
           .usually(-3000, 3000)

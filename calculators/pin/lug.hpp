@@ -12,6 +12,7 @@
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
@@ -81,23 +82,28 @@ p_adm = "80 MPa"
       Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress of the net section, replaces R_e"}
           .positive()
           .usually(5, 1500)
+          .customarily_at_most(700)
           .may_be_missing(),
       Field{&Input::tau_adm, "tau_adm", MPa, "allowable shear stress, replaces R_e"}
           .positive()
           .usually(5, 1000)
+          .customarily_at_most(400)
           .may_be_missing(),
       Field{&Input::p_adm, "p_adm", MPa, "allowable bearing pressure in the bore"}
           .positive()
           .usually(1, 1500)
+          .customarily_at_most(400)
           .may_be_missing(),
       Field{&Input::R_e, "R_e", MPa, "yield strength of the eye"}
           .positive()
           .usually(50, 2500)
+          .customarily_at_most(most_yield_strength)
           .from("material", "R_e", "t")
           .where_it_has(),
       Field{&Input::S, "S", ratio, "required safety factor on R_e"}
           .at_least(1)
           .usually(1.2, 10)
+          .customarily_at_least(1.2)
           .may_be_missing()
           .factor()};
 

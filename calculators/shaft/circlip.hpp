@@ -9,6 +9,7 @@
 
 #include "calculators/shaft/parts/pieces.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -67,6 +68,7 @@ n = "1500 rpm"
       Field{&Input::S, "S", ratio, "required safety factor (F_N and F_R include none)"}
           .at_least(1)
           .usually(1, 5)
+          .customarily_at_least(1.2)
           .factor(),
       Field{&Input::d_1, "d_1", mm, "shaft diameter"}
           .at_most_that_of_source("d, d_max")
@@ -84,8 +86,11 @@ n = "1500 rpm"
           .within(1.2, 20)
           .may_be_missing()
           .factor(),
-      Field{&Input::R_e, "R_e", MPa, "yield strength of the shaft"}.positive().usually(150, 2000).from("material",
-                                                                                                       "R_e", "d_1"),
+      Field{&Input::R_e, "R_e", MPa, "yield strength of the shaft"}
+          .positive()
+          .usually(150, 2000)
+          .customarily_at_most(most_yield_strength)
+          .from("material", "R_e", "d_1"),
       Field{&Input::c, "c", mm, "chamfer, radius or clearance of the retained part; 0: sharp edge"}
           .at_least(0)
           .may_be_missing(),

@@ -14,6 +14,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
@@ -107,33 +108,40 @@ R_e_k = "420 MPa"
               .positive()
               .at_most_that_of_source("R_e")
               .usually(150, 2000)
+              .customarily_at_most(most_yield_strength)
               .may_be_missing(),
           shaft_safety<Input>(),
           Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none for a brittle hub"}
               .positive()
               .usually(100, 2000)
+              .customarily_at_most(most_yield_strength)
               .may_be_missing(),
           Field{&Input::R_e_k, "R_e_k", MPa, "yield strength of the key"}
               .positive()
               .usually(150, 2000)
+              .customarily_at_most(1000)
               .may_be_missing(),
           Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure in the shaft, replaces R_e_1"}
               .positive()
               .usually(20, 1500)
+              .customarily_at_most(700)
               .may_be_missing(),
           Field{&Input::p_adm_2, "p_adm_2", MPa,
                 "allowable bearing pressure in the hub, replaces R_e_2 (required for cast iron)"}
               .positive()
               .usually(20, 1500)
+              .customarily_at_most(700)
               .may_be_missing(),
           Field{&Input::p_adm_k, "p_adm_k", MPa, "allowable bearing pressure on the key, replaces R_e_k"}
               .positive()
               .usually(20, 1500)
+              .customarily_at_most(700)
               .may_be_missing(),
           Field{&Input::tau_adm, "tau_adm", MPa,
                 "allowable shear stress of the key; by von Mises from its allowable pressure if omitted"}
               .positive()
               .usually(10, 1000)
+              .customarily_at_most(400)
               .may_be_missing(),
           Field{&Input::f_W, "f_W", ratio,
                 "load direction factor f_W of method B for a reversing torque, reduces the allowable pressure"}

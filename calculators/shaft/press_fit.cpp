@@ -170,6 +170,16 @@ Length PressFit::least_usable(const Input& in) {
   return in.U_min - 0.8 * (in.Rz_1 + in.Rz_2) - std::max(lost_by_heat(in), none);
 }
 
+/// Light metals expand by 19 to 27, irons and steels by 10 to 18 millionths per kelvin.
+bool PressFit::expands_as_its_metal(Stress E, Density rho, Expansion alpha) {
+  constexpr double millionth = 1e-6;
+  if (!is_set(E) || !is_set(rho) || !is_set(alpha)) return true;
+  const bool is_light = E < 80.0 * GPa && E > 40.0 * GPa && rho < 3000.0 * kg_per_m3;
+  const bool is_steel = E > 180.0 * GPa && E < 230.0 * GPa && rho > 7000.0 * kg_per_m3 && rho < 8300.0 * kg_per_m3;
+  const double share = alpha / per_kelvin.one / millionth;
+  return !(is_light && (share < 16.0 || share > 30.0)) && !(is_steel && (share < 9.0 || share > 20.0));
+}
+
 FieldFault PressFit::nothing_left(const Input& in) {
   const auto told = [](Length U) { return format_quantity(in_si(U), um.symbol); };
   return {"U_min",

@@ -14,6 +14,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
@@ -90,6 +91,7 @@ dT_adm = "250 K"
   /// Whether speed and both densities are given.
   static bool is_at_speed(const Input& in) { return is_set(in.n) && is_set(in.rho_1) && is_set(in.rho_2); }
   static Length least_usable(const Input& in);
+  static bool expands_as_its_metal(Stress E, Density rho, Expansion alpha);
   static FieldFault nothing_left(const Input& in);
   static Applies loaded(const Input& in);
   static constexpr auto inputs = join(
@@ -116,11 +118,12 @@ dT_adm = "250 K"
           Field{&Input::mu, "mu", ratio,
                 "coefficient of friction against slip: dry steel on steel 0.12 to 0.2, oiled less"}
               .within(0.001, 1)
-              .usually(0.05, 0.25)
+              .usually(0.05, 0.2)
               .may_be_missing(),
           Field{&Input::S_r, "S_r", ratio, "required safety factor against slip"}
               .at_least(1)
               .usually(1.2, 3)
+              .customarily_at_least(1.2)
               .may_be_missing()
               .factor(),
           Field{&Input::n, "n", rpm, "speed of shaft and hub; the sign has no effect"}.of_body().may_be_missing(),
@@ -132,10 +135,14 @@ dT_adm = "250 K"
               .positive()
               .usually(500, 20000)
               .from("material", "rho"),
-          Field{&Input::E_1, "E_1", GPa, "modulus of elasticity of the shaft"}.positive().usually(1, 500).from(
-              "material", "E"),
-          Field{&Input::E_2, "E_2", GPa, "modulus of elasticity of the hub"}.positive().usually(1, 500).from("material",
-                                                                                                             "E"),
+          Field{&Input::E_1, "E_1", GPa, "modulus of elasticity of the shaft"}
+              .positive()
+              .usually(least_E, most_E)
+              .from("material", "E"),
+          Field{&Input::E_2, "E_2", GPa, "modulus of elasticity of the hub"}
+              .positive()
+              .usually(least_E, most_E)
+              .from("material", "E"),
           Field{&Input::nu_1, "nu_1", ratio, "Poisson's ratio of the shaft"}.at_least(0).below(0.5).from("material",
                                                                                                          "nu"),
           Field{&Input::nu_2, "nu_2", ratio, "Poisson's ratio of the hub"}.at_least(0).below(0.5).from("material",
@@ -144,10 +151,12 @@ dT_adm = "250 K"
               .positive()
               .at_most_that_of_source("R_e")
               .usually(50, 2500)
+              .customarily_at_most(most_yield_strength)
               .may_be_missing(),
           Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub; brittle hubs are not covered"}
               .positive()
               .usually(50, 2500)
+              .customarily_at_most(most_yield_strength)
               .may_be_missing(),
           Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)
@@ -250,6 +259,12 @@ dT_adm = "250 K"
                   },
                   "dT_1, dT_2, alpha_1, alpha_2",
                   "a heating needs the thermal expansion alpha of its part, or a material"},
+      Rule<Input>{[](const Input& in) {
+                    return expands_as_its_metal(in.E_1, in.rho_1, in.alpha_1) &&
+                           expands_as_its_metal(in.E_2, in.rho_2, in.alpha_2);
+                  },
+                  "alpha_1, alpha_2, E_1, E_2, rho_1, rho_2",
+                  "the thermal expansion alpha is not that of a metal with this modulus and density"},
       Rule<Input>{[](const Input& in) { return !is_set(in.F_adm) || is_set(in.mu_e); }, "F_adm, mu_e",
                   "the press-in force needs the coefficient of friction mu_e"},
       Rule<Input>{[](const Input& in) { return is_set(in.dT_adm) ? is_set(in.U_c) && is_set(in.alpha_2) : true; },

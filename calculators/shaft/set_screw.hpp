@@ -12,6 +12,7 @@
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
@@ -88,6 +89,7 @@ S = 2
               .positive()
               .at_most_that_of_source("R_e")
               .usually(150, 2000)
+              .customarily_at_most(most_yield_strength)
               .may_be_missing(),
           shaft_safety<Input>(),
           Field{&Input::F_h, "F_h", N, "holding force of one cup point screw at the shaft surface"}.positive().from(
@@ -106,6 +108,7 @@ S = 2
           Field{&Input::S, "S", ratio, "required safety factor: 1.5 to 2 for static loads, 4 to 8 for dynamic loads"}
               .at_least(1)
               .usually(1.5, 8)
+              .customarily_at_least(1.5)
               .factor()});
 
   struct Result {

@@ -14,6 +14,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
@@ -109,20 +110,24 @@ R_e_2 = "300 MPa"
                  .positive()
                  .at_most_that_of_source("R_e")
                  .usually(150, 2000)
+                 .customarily_at_most(most_yield_strength)
                  .may_be_missing(),
              shaft_safety<Input>(),
              Field{&Input::R_e_2, "R_e_2", MPa, "yield strength of the hub, at its thickness; none for a brittle hub"}
                  .positive()
                  .usually(100, 2000)
+                 .customarily_at_most(most_yield_strength)
                  .may_be_missing(),
              Field{&Input::p_adm_1, "p_adm_1", MPa, "allowable bearing pressure on the shaft, replaces R_e_1"}
                  .positive()
                  .usually(2, 1500)
+                 .customarily_at_most(700)
                  .may_be_missing(),
              Field{&Input::p_adm_2, "p_adm_2", MPa,
                    "allowable bearing pressure on the hub, replaces R_e_2 (required for cast iron)"}
                  .positive()
                  .usually(2, 1500)
+                 .customarily_at_most(700)
                  .may_be_missing(),
              Field{&Input::p_adm_w, "p_adm_w", MPa,
                    "allowable bearing pressure of a sliding hub (a few MPa if it slides under torque)"}
@@ -133,6 +138,7 @@ R_e_2 = "300 MPa"
                    "allowable shear stress of a tooth; by von Mises from its allowable pressure if omitted"}
                  .positive()
                  .usually(10, 1000)
+                 .customarily_at_most(400)
                  .may_be_missing(),
              Field{&Input::f_W, "f_W", ratio,
                    "load direction factor f_W for a reversing torque, reduces the allowable pressure"}

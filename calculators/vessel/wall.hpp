@@ -84,14 +84,17 @@ constexpr auto wall_inputs(const char* pressures = "p") {
       Field<Input, Stress>{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress (safety factor included)"}
           .positive()
           .usually(10, 1000)
+          .customarily_at_most(400)
           .may_be_missing(),
       Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength, with S in place of sigma_adm"}
           .positive()
           .usually(50, 1100)
+          .customarily_at_most(960)
           .from("material", "R_e", "delta", "sigma_adm"),
       Field<Input, double>{&Input::S, "S", ratio, "safety factor against yielding, with R_e"}
           .at_least(1)
           .usually(1, 6)
+          .customarily_at_least(1.5)
           .may_be_missing()
           .factor(),
       Choice<Input, Measured>{&Input::measured, "measured", "reference surface of the radii"}.may_be_missing(),
@@ -107,7 +110,8 @@ constexpr auto liquid_inputs(const char* level) {
   return Fields{Field<Input, Density>{&Input::rho, "rho", kg_per_m3, "density of the liquid, with h_l"}
                     .load()
                     .positive()
-                    .usually(300, 14000)
+                    .usually(500, 14000)
+                    .customarily_at_least(400)
                     .may_be_missing(),
                 Field<Input, Length>{&Input::h_l, "h_l", mm, level}.at_least(0).may_be_missing()};
 }

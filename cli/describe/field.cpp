@@ -51,8 +51,7 @@ void show_title(const Calculator& calculator, const std::string& path, const std
   std::cout << terminal::columns({{std::string(calculator.id) + "." + path, meaning}}, screen_width);
 }
 
-std::string range_of(const FieldInfo& field) {
-  const Range& usual = field.plausible;
+std::string range_of(const FieldInfo& field, const Range& usual) {
   if (!field.is_number() || (std::isinf(usual.low) && std::isinf(usual.high))) return "";
   const std::string unit = field.type == FieldInfo::Type::quantity ? field.unit : "-";
   if (std::isinf(usual.high)) return "from " + format_quantity(usual.low, unit);
@@ -169,7 +168,8 @@ void show_input(const Calculator& calculator, const Leaf& leaf, const std::strin
   facts.add("or typed", field.also_called);
   facts.add("bounds", short_bounds(field));
   facts.add("default", field.is_leaf() ? default_of(field, leaf.owner) : "");
-  facts.add("usual", range_of(field));
+  facts.add("usual", range_of(field, field.plausible));
+  facts.add("customary", range_of(field, field.customary));
   facts.add("filled by", filled_by(field));
   facts.add("search", search_of(field));
   facts.add("used by", modes_with(calculator, path));

@@ -17,13 +17,21 @@ struct BoundInfo {
   const char* source_has = "";  // applies only if the record that a load comes from has this key: "length"
 };
 
-/// `value`: in SI, for a choice its index; NaN if the input is not bounded.
+/// `value`: in SI, for a choice its index; NaN if the input is not bounded. Of a field of a list, "stages.eta":
+/// `value_of` the element.
 template <class Input>
 struct Bound : BoundInfo {
-  double (*value)(const Input&);
+  double (*value)(const Input&) = nullptr;
+  double (*value_of)(const Input&, std::size_t element) = nullptr;
 
   constexpr Bound(const char* key, const char* what, double (*most)(const Input&))
       : BoundInfo{key, what}, value(most) {}
+  constexpr Bound(const char* key, const char* what, double (*most)(const Input&, std::size_t))
+      : BoundInfo{key, what}, value_of(most) {}
+
+  [[nodiscard]] double at(const Input& in, std::size_t element) const {
+    return value_of == nullptr ? value(in) : value_of(in, element);
+  }
 
   [[nodiscard]] constexpr Bound least() const {
     Bound bound = *this;

@@ -108,7 +108,7 @@ struct Calculator {
   std::span<const SenseClaim> senses;
   std::span<const NotchClaim> notches;
   std::span<const BoundInfo> bounds;
-  double (*bound)(std::size_t bound, const void* input) = nullptr;
+  double (*bound)(std::size_t bound, const void* input, std::size_t element) = nullptr;
   /// Whether an input may be a series: not where it decides on one thing for all its loads, a belt and its tension, a
   /// section. At every position of a cycle it would find another.
   bool takes_series = true;

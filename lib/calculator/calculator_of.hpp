@@ -112,7 +112,9 @@ constexpr Calculator calculator_of() {
   if constexpr (requires { C::notch_claims; }) c.notches = C::notch_claims;
   if constexpr (requires { C::bounds; }) {
     c.bounds = bound_infos<C>;
-    c.bound = [](std::size_t i, const void* in) { return C::bounds[i].value(*static_cast<const Input*>(in)); };
+    c.bound = [](std::size_t i, const void* in, std::size_t element) {
+      return C::bounds[i].at(*static_cast<const Input*>(in), element);
+    };
   }
   if constexpr (requires { C::takes_series; }) c.takes_series = C::takes_series;
   if constexpr (requires { C::turns; }) c.turns = C::turns;

@@ -78,6 +78,7 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   Unit<Quantity> unit;
   Range bounds;     // outside: refused (input), not covered (limit)
   Range plausible;  // outside: a warning
+  Range customary;  // input: see customarily_at_least
   Provider provider;
   const char* asked_by = "";         // check or limit: exists only where one of these inputs is given ("N, P")
   bool infinite = false;             // input: a plain number that may be typed as inf
@@ -96,8 +97,9 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   const char* companions = "";       // loads acting together with it on the same part: further keys, "F_t, F_r"
   bool signed_load = false;          // input: its sign decides, so that a magnitude is not an acceptable value
   const char* factors = "";          // result: inputs that it holds already, so that none may apply them again: "K_A"
-  bool is_factor = false;  // input: raises a load or lowers a strength; the report lists where each is applied
-  bool is_peak = false;    // result: a load of a start or a jam, with k_max of its step
+  bool is_factor = false;   // input: raises a load or lowers a strength; the report lists where each is applied
+  bool is_peak = false;     // result: a load of a start or a jam, with k_max of its step
+  bool is_of_step = false;  // input: see of_a_step
 
   constexpr Field(Member Owner::*member, const char* k, Unit<Quantity> u, const char* d)
       : Base{k, d}, at{member}, unit{u} {}
@@ -111,6 +113,25 @@ struct Field : detail::Described<Field<Owner, Quantity, Member>> {
   [[nodiscard]] constexpr Field usually(double low, double high) const {
     Field f = *this;
     f.plausible = {low, high, false, false};
+    return f;
+  }
+  /// The minimum of common practice, of a required safety factor; a smaller value needs a justification, whether or not
+  /// a check would pass without it.
+  [[nodiscard]] constexpr Field customarily_at_least(double low) const {
+    Field f = *this;
+    f.customary.low = low;
+    return f;
+  }
+  /// The maximum of common practice, of an allowable stress or speed; a larger value needs a justification.
+  [[nodiscard]] constexpr Field customarily_at_most(double high) const {
+    Field f = *this;
+    f.customary.high = high;
+    return f;
+  }
+  /// A result of the calculation of another part; a value that no step calculates needs a justification.
+  [[nodiscard]] constexpr Field of_a_step() const {
+    Field f = *this;
+    f.is_of_step = true;
     return f;
   }
   /// From the row of a table that the step names (`material = "C45E"`), at the size given by another field.

@@ -55,6 +55,7 @@ struct FieldInfo {
   Kind kind = Kind::plain;
   Range bounds;     // SI; count: its range
   Range plausible;  // SI
+  Range customary;  // SI
   Provider provider;
   const char* asked_by = "";
   bool infinite = false;
@@ -76,6 +77,7 @@ struct FieldInfo {
   const char* factors = "";
   bool is_factor = false;
   bool is_peak = false;
+  bool is_of_step = false;
   bool is_handed_over = false;  // group
 
   std::span<const ChoiceInfo> choices;  // choice

@@ -63,6 +63,7 @@ constexpr FieldInfo info_of(const Field<Owner, Quantity, Member>& f) {
   info.kind = f.unit.kind;
   info.bounds = f.bounds.times(info.factor);
   info.plausible = f.plausible.times(info.factor);
+  info.customary = f.customary.times(info.factor);
   info.provider = f.provider;
   info.asked_by = f.asked_by;
   info.infinite = f.infinite;
@@ -83,6 +84,7 @@ constexpr FieldInfo info_of(const Field<Owner, Quantity, Member>& f) {
   info.factors = f.factors;
   info.is_factor = f.is_factor;
   info.is_peak = f.is_peak;
+  info.is_of_step = f.is_of_step;
   info.get = [](const void* o) { return in_si(one_of(static_cast<const Owner*>(o)->*member_at<fields, I>)); };
   info.set = [](void* o, double v) { static_cast<Owner*>(o)->*member_at<fields, I> = from_si<Quantity>(v); };
   if constexpr (!std::is_same_v<Member, Quantity>) {

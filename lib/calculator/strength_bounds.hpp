@@ -20,29 +20,45 @@ inline constexpr auto specimen_in_tension = "a fatigue limit of smooth specimens
 inline constexpr auto specimen_in_torsion = "a fatigue limit of smooth specimens in torsion";
 inline constexpr auto mean_strength = "a mean fatigue strength (50 % survival)";
 
-/// At most `part` of the strength in `column`; if a material lacks that, at most its R_m.
+/// At most `part` of the strength in `column`; of a material that lacks that, at most `part` of another strength.
 struct StrengthBound {
+  struct Share {
+    const char* column;
+    double part;
+    const char* text;  // name of the bound, in messages
+  };
   const char* meaning;
-  const char* column;
-  double part;
-  const char* text;  // name of the bound, in messages
+  Share share, otherwise;
 };
 
-/// Yield in shear by the distortion energy hypothesis; 0.7 R_m is above the limit of any steel in bending (recalled:
-/// 0.4 to 0.6 R_m).
+/// Yield in shear by the distortion energy hypothesis. Fatigue limits of steels are 0.4 to 0.6 R_m in bending, and less
+/// in tension (recalled); above 0.9 R_e only those of soft steels, whose R_m is 1.5 R_e and more.
 inline constexpr double shear_over_normal = 0.57735026918962576;
-inline constexpr double most_fatigue_limit = 0.7;
+inline constexpr double most_fatigue_limit = 0.6, most_limit_of_yield = 0.9;
+inline constexpr StrengthBound::Share of_tensile{"R_m", 1.0, "R_m"};
+inline constexpr StrengthBound::Share of_limit{"R_m", most_fatigue_limit, "0.6 R_m"};
+inline constexpr StrengthBound::Share of_limit_in_shear{"R_m", most_fatigue_limit* shear_over_normal,
+                                                        "0.6 R_m/sqrt(3)"};
+inline constexpr StrengthBound::Share of_yield{"R_e", most_limit_of_yield, "0.9 R_e"};
+inline constexpr StrengthBound::Share of_yield_in_shear{"R_e", most_limit_of_yield* shear_over_normal,
+                                                        "0.9 R_e/sqrt(3)"};
 inline constexpr std::array strength_bounds{
-    StrengthBound{yield_strength, "R_e", 1.0, "R_e"},
-    StrengthBound{allowable_in_normal, "R_e", 1.0, "R_e"},
-    StrengthBound{allowable_in_shear, "R_e", shear_over_normal, "R_e/sqrt(3)"},
-    StrengthBound{crushing_stress, "R_m", 1.0, "R_m"},
-    StrengthBound{limit_in_normal, "R_m", most_fatigue_limit, "0.7 R_m"},
-    StrengthBound{limit_in_shear, "R_m", most_fatigue_limit* shear_over_normal, "0.7 R_m/sqrt(3)"},
-    StrengthBound{specimen_in_bending, "R_m", most_fatigue_limit, "0.7 R_m"},
-    StrengthBound{specimen_in_tension, "R_m", most_fatigue_limit, "0.7 R_m"},
-    StrengthBound{mean_strength, "R_m", most_fatigue_limit, "0.7 R_m"},
-    StrengthBound{specimen_in_torsion, "R_m", most_fatigue_limit* shear_over_normal, "0.7 R_m/sqrt(3)"}};
+    StrengthBound{yield_strength, {"R_e", 1.0, "R_e"}, of_tensile},
+    StrengthBound{allowable_in_normal, {"R_e", 1.0, "R_e"}, of_tensile},
+    StrengthBound{allowable_in_shear, {"R_e", shear_over_normal, "R_e/sqrt(3)"}, of_tensile},
+    StrengthBound{crushing_stress, of_tensile, of_tensile},
+    StrengthBound{limit_in_normal, of_limit, of_yield},
+    StrengthBound{limit_in_shear, of_limit_in_shear, of_yield_in_shear},
+    StrengthBound{specimen_in_bending, of_limit, of_yield},
+    StrengthBound{specimen_in_tension, of_limit, of_yield},
+    StrengthBound{mean_strength, of_limit, of_yield},
+    StrengthBound{specimen_in_torsion, of_limit_in_shear, of_yield_in_shear}};
+
+/// Names of a strength of the material in calculators that follow a standard with other symbols.
+constexpr std::array<const char*, 3> symbols_of_strength(std::string_view column) {
+  using Symbols = std::array<const char*, 3>;
+  return column == "R_m" ? Symbols{"R_m", "sigma_B", "R_mN"} : Symbols{"R_e", "sigma_S", "R_eN"};
+}
 
 /// The bound of a meaning; null if it has none.
 constexpr const StrengthBound* strength_bound_of(std::string_view meaning) {
@@ -51,6 +67,9 @@ constexpr const StrengthBound* strength_bound_of(std::string_view meaning) {
   }
   return nullptr;
 }
+
+/// The least safety factor that an allowable stress includes.
+inline constexpr double least_margin = 1.1;
 
 /// An allowable stress takes any strength: its designer has decided.
 constexpr bool is_allowable(std::string_view meaning) {

@@ -72,8 +72,10 @@ a_set = "600 mm"
                  .positive()
                  .usually(0.1, 0.6)
                  .may_be_missing(),
-             Field{&Input::v_rim_adm, "v_rim_adm", m_per_s, "maximum rim speed; cast iron 35 m/s"}.positive().usually(
-                 10, 100),
+             Field{&Input::v_rim_adm, "v_rim_adm", m_per_s, "maximum rim speed; cast iron 35 m/s"}
+                 .positive()
+                 .usually(10, 100)
+                 .customarily_at_most(60),
              Choice{&Input::rank, "rank", "ranking criterion"}.may_be_missing()});
 
   static constexpr Fields results{

@@ -105,8 +105,10 @@ L = "2650 mm"
               .within(0.01, 1.5)
               .usually(0.1, 0.6)
               .may_be_missing(),
-          Field{&Input::v_rim_adm, "v_rim_adm", m_per_s, "maximum rim speed; cast iron 35 m/s"}.positive().usually(
-              10, 100)});
+          Field{&Input::v_rim_adm, "v_rim_adm", m_per_s, "maximum rim speed; cast iron 35 m/s"}
+              .positive()
+              .usually(10, 100)
+              .customarily_at_most(60)});
 
   static constexpr auto results = join(
       Fields{Choice{&Result::rating, "rating", "governing system of ratings and factors"}},

@@ -7,6 +7,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 
 #include <array>
@@ -100,11 +101,14 @@ constexpr auto held_inputs() {
 template <class Input>
 constexpr auto strength_inputs() {
   return Fields{
-      Field<Input, Stress>{&Input::E, "E", GPa, "modulus of elasticity"}.positive().usually(1, 500).from("material",
-                                                                                                         "E"),
+      Field<Input, Stress>{&Input::E, "E", GPa, "modulus of elasticity"}
+          .positive()
+          .usually(least_E, most_E)
+          .from("material", "E"),
       Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength"}
           .positive()
           .usually(10, 2500)
+          .customarily_at_most(most_yield_strength)
           .from("material", "R_e", "t")
           .where_it_has(),
       Field<Input, Stress>{&Input::sigma_P, "sigma_P", MPa, "proportional limit, upper limit of Euler's formula"}
@@ -180,6 +184,7 @@ constexpr auto method_choice() {
                                      "required buckling safety factor (euler, tetmajer, johnson, rankine, secant)"}
                     .at_least(1)
                     .usually(1.5, 10)
+                    .customarily_at_least(1.5)
                     .may_be_missing()
                     .factor()};
 }
@@ -214,6 +219,7 @@ constexpr auto code_inputs() {
       Field<Input, double>{&Input::Omega_c, "Omega_c", ratio, "safety factor of AISC 360, E1"}
           .at_least(1)
           .usually(1.5, 2)
+          .customarily_at_least(1.5)
           .factor(),
       Choice<Input, Class>{&Input::material_class, "material_class", "material class, for the customary n_st"}
           .may_be_missing(),

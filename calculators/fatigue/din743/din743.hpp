@@ -71,6 +71,7 @@ f_max = 1.8
                            "consequences are not known"}
           .at_least(1.2)
           .usually(1.2, 5)
+          .customarily_at_least(1.2)
           .factor()};
   static constexpr Fields inputs = join(din743_steel<Input>(), Fields{modulus_of_material<Input>(&Input::E)},
                                         din743_section<Input>(), section_actions<Input>(), loads);

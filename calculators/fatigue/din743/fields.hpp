@@ -5,6 +5,7 @@
 #include "calculators/fatigue/size_and_surface.hpp"
 #include "calculators/load/heat_treatment.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/calculator/metals.hpp"
 
 #include <array>
 
@@ -31,18 +32,22 @@ constexpr auto din743_steel() {
       Field<Input, Stress>{&Input::sigma_B, "sigma_B", MPa, "tensile strength at the reference diameter of the group"}
           .positive()
           .usually(250, 2000)
+          .customarily_at_most(most_tensile_strength)
           .may_be_missing(),
       Field<Input, Stress>{&Input::sigma_S, "sigma_S", MPa, "yield strength at the reference diameter"}
           .positive()
           .usually(150, 1800)
+          .customarily_at_most(most_yield_strength)
           .may_be_missing(),
       Field<Input, Stress>{&Input::R_m, "R_m", MPa, "tensile strength in a part of this size, in place of sigma_B"}
           .positive()
           .usually(250, 2000)
+          .customarily_at_most(most_tensile_strength)
           .from("material", "R_m", "d_h, D, d", "sigma_B"),
       Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength in a part of this size, in place of sigma_S"}
           .positive()
           .usually(150, 1800)
+          .customarily_at_most(most_yield_strength)
           .from("material", "R_e", "d_h, D, d", "sigma_S"),
       limit_of_bars<Input>(&Input::sigma_zdW, "sigma_zdW",
                            "fatigue limit of polished bars in tension, else 0.4 sigma_B"),
@@ -77,11 +82,13 @@ constexpr auto din743_section() {
       Field<Input, double>{&Input::K_V, "K_V", ratio, "factor of a surface that was hardened, rolled or peened"}
           .within(1, 2)
           .usually(1, 1.8)
+          .customarily_at_most(1.8)
           .factor(),
       Choice<Input, Layer>{&Input::layer, "layer", "surface layer"}.may_be_missing(),
-      notch_number<Input>(&Input::alpha_zd, "alpha_zd", "shape factor in tension, net section"),
-      notch_number<Input>(&Input::alpha_b, "alpha_b", "shape factor in bending, net section"),
-      notch_number<Input>(&Input::alpha_t, "alpha_t", "shape factor in torsion, net section"),
+      notch_number<Input>(&Input::alpha_zd, "alpha_zd", "shape factor in tension, net section")
+          .customarily_at_least(1.1),
+      notch_number<Input>(&Input::alpha_b, "alpha_b", "shape factor in bending, net section").customarily_at_least(1.1),
+      notch_number<Input>(&Input::alpha_t, "alpha_t", "shape factor in torsion, net section").customarily_at_least(1.1),
       notch_number<Input>(&Input::beta_zd, "beta_zd", "notch factor in tension"),
       notch_number<Input>(&Input::beta_b, "beta_b", "notch factor in bending"),
       notch_number<Input>(&Input::beta_t, "beta_t", "notch factor in torsion"),

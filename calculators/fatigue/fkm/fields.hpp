@@ -4,13 +4,19 @@
 #include "calculators/fatigue/din743/fields.hpp"
 #include "calculators/fatigue/fkm/section.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/quantity/motion_units.hpp"
 
 namespace loadpath::fatigue {
 
 template <class Input>
 constexpr auto fkm_strength(Stress Input::*at, const char* key, const char* doc, double low, double high) {
-  return Field<Input, Stress>{at, key, MPa, doc}.positive().below(3000).usually(low, high).may_be_missing();
+  return Field<Input, Stress>{at, key, MPa, doc}
+      .positive()
+      .below(3000)
+      .usually(low, high)
+      .customarily_at_most(high)
+      .may_be_missing();
 }
 /// Within these the size factor stays above zero.
 template <class Input>
@@ -28,8 +34,9 @@ constexpr auto fkm_steel() {
   return Fields{
       Choice<Input, FkmSteelGroup>{&Input::steel, "steel", "steel group, for size, support and fatigue limit"},
       fkm_strength<Input>(&Input::R_mN, "R_mN", "tensile strength of the standard, at its reference diameter", 250,
-                          2000),
-      fkm_strength<Input>(&Input::R_eN, "R_eN", "yield strength of the standard, at its reference diameter", 150, 1800),
+                          most_tensile_strength),
+      fkm_strength<Input>(&Input::R_eN, "R_eN", "yield strength of the standard, at its reference diameter", 150,
+                          most_yield_strength),
       fkm_size_slope<Input>(&Input::a_dm, "a_dm", "slope of the size factor of R_mN, in place of the group's"),
       fkm_size_slope<Input>(&Input::a_dp, "a_dp", "size constant of R_eN; default of the group from memory"),
       fkm_reference<Input>(&Input::d_Nm, "d_Nm", "diameter that R_mN belongs to, in place of the group's"),
@@ -38,11 +45,13 @@ constexpr auto fkm_steel() {
           .positive()
           .below(3000)
           .usually(250, 2000)
+          .customarily_at_most(most_tensile_strength)
           .from("material", "R_m", "d_h, D, d", "R_mN"),
       Field<Input, Stress>{&Input::R_e, "R_e", MPa, "yield strength in a part of this size, in place of R_eN"}
           .positive()
           .below(3000)
           .usually(150, 1800)
+          .customarily_at_most(most_yield_strength)
           .from("material", "R_e", "d_h, D, d", "R_eN"),
       diameter_at_heat_treatment<Input>(&Input::d_h),
       Choice<Input, Fibre>{&Input::fibre, "fibre", "fibre of the rolled or forged steel, against the normal stresses"}
@@ -60,9 +69,10 @@ template <class Input>
 constexpr auto fkm_gradient(Twist Input::*at, const char* key, const char* doc) {
   return Field<Input, Twist>{at, key, per_m, doc}.at_least(0).may_be_missing();
 }
+/// At least that of minor consequence, `least`.
 template <class Input>
-constexpr auto fkm_demand(double Input::*at, const char* key, const char* doc) {
-  return Field<Input, double>{at, key, ratio, doc}.at_least(1).usually(1.2, 4).factor();
+constexpr auto fkm_demand(double Input::*at, const char* key, double least, const char* doc) {
+  return Field<Input, double>{at, key, ratio, doc}.at_least(1).usually(1.2, 4).customarily_at_least(least).factor();
 }
 
 /// Fields of an FkmService.
@@ -76,14 +86,15 @@ constexpr auto fkm_service() {
           .usually(1e4, 1e9)
           .may_be_missing(),
       fkm_demand<Input>(
-          &Input::j_D, "j_D",
+          &Input::j_D, "j_D", 1.2,
           "required fatigue safety factor: 1.5, with inspections 1.35, at minor consequence 1.3, 1.2, from memory"),
-      fkm_demand<Input>(&Input::j_m, "j_m", "safety against fracture: 2.0 to 1.6 by consequence and by load"),
-      fkm_demand<Input>(&Input::j_p, "j_p", "safety against yielding: 1.5 to 1.2 by consequence and by load"),
+      fkm_demand<Input>(&Input::j_m, "j_m", 1.6, "safety against fracture: 2.0 to 1.6 by consequence and by load"),
+      fkm_demand<Input>(&Input::j_p, "j_p", 1.2, "safety against yielding: 1.5 to 1.2 by consequence and by load"),
       Field<Input, Stress>{&Input::R_pmax, "R_pmax", MPa,
                            "E x allowable strain: 1050 MPa is 0.5 % for steel, from memory"}
           .positive()
-          .usually(500, 11000),
+          .usually(200, 1050)
+          .customarily_at_most(1050),
       fkm_gradient<Input>(&Input::G_zd, "G_zd", "gradient over stress of alpha_zd; without it no support"),
       fkm_gradient<Input>(&Input::G_b, "G_b", "stress gradient of alpha_b, in addition to that over the diameter"),
       fkm_gradient<Input>(&Input::G_t, "G_t", "stress gradient of alpha_t, in addition to that over the diameter")};

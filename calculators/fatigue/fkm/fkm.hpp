@@ -13,6 +13,7 @@
 #include "calculators/fatigue/din743/bounds.hpp"
 #include "calculators/fatigue/fkm/fields.hpp"
 #include "calculators/fatigue/fkm/rules.hpp"
+#include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/steel.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
@@ -69,7 +70,8 @@ f_max = 1.8
   static constexpr Fields results = join(fkm_results<Result>(), Fields{modulus_over_steel<Result>(&Result::x_E)});
 
   static constexpr auto rules = fkm_rules<Input>();
-  static constexpr std::array meanings{Meaning{"sigma_bm, sigma_zdm, M_bm", steady_part},
+  static constexpr std::array meanings{Meaning{"sigma_W", specimen_in_tension}, Meaning{"tau_W", specimen_in_torsion},
+                                       Meaning{"sigma_bm, sigma_zdm, M_bm", steady_part},
                                        Meaning{"M_tm, tau_tm, F_zdm", paired_middle},
                                        Meaning{"M_ta, tau_ta, F_zda", paired_amplitude}};
   static constexpr auto bounds = notch_bounds<Input>();

@@ -16,6 +16,7 @@
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "calculators/load/stress_cycle.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -128,19 +129,32 @@ n_req = 1
           .within(0, 1)
           .usually(0.01, 0.8)
           .may_be_missing(),
-      Field{&Input::gamma, "gamma", ratio, "exponent of Walker"}.within(0, 1).usually(0.3, 0.9).may_be_missing(),
+      Field{&Input::gamma, "gamma", ratio, "exponent of Walker"}
+          .within(0, 1)
+          .usually(0.3, 0.9)
+          .customarily_at_most(0.9)
+          .may_be_missing(),
       Field{&Input::sigma_f, "sigma_f", MPa, "fatigue strength coefficient of Morrow: of the true fracture stress"}
           .positive()
           .usually(200, 4000)
           .may_be_missing(),
       diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
-      Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_h"),
-      Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
+      Field{&Input::R_m, "R_m", MPa, "tensile strength"}
+          .positive()
+          .usually(80, 2500)
+          .customarily_at_most(most_tensile_strength)
+          .from("material", "R_m", "d_h"),
+      Field{&Input::R_e, "R_e", MPa, "yield strength"}
+          .positive()
+          .usually(50, 2500)
+          .customarily_at_most(most_yield_strength)
+          .from("material", "R_e", "d_h"),
       modulus_of_material(&Input::E),
       density_of_material(&Input::rho),
       Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
           .at_least(1)
           .usually(1, 6)
+          .customarily_at_least(1.1)
           .may_be_missing()
           .factor(),
       Field{&Input::D_adm, "D_adm", ratio, "allowable damage sum; of the relative rule below 1, as 0.3"}

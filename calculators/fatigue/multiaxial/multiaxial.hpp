@@ -14,6 +14,7 @@
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -85,16 +86,22 @@ S_F = 1.5
               .usually(5, 1500),
           Field{&Input::tau_D, "tau_D", MPa, "the same in torsion, r = -1"}.positive().usually(3, 1000),
           diameter_at_heat_treatment(&Input::d_h).at_least_that_of_source("d_s, t, d_h"),
-          Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_h"),
+          Field{&Input::R_e, "R_e", MPa, "yield strength"}
+              .positive()
+              .usually(50, 2500)
+              .customarily_at_most(most_yield_strength)
+              .from("material", "R_e", "d_h"),
           modulus_of_material<Input>(&Input::E), density_of_material<Input>(&Input::rho),
           Choice{&Input::criterion, "criterion", "criterion that decides"}.may_be_missing(),
           Field{&Input::S_D, "S_D", ratio, "safety factor against fatigue, on the full load path"}
               .at_least(1)
               .usually(1.2, 6)
+              .customarily_at_least(1.2)
               .factor(),
           Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
               .at_least(1)
               .usually(1, 6)
+              .customarily_at_least(1.2)
               .may_be_missing()
               .factor()},
       cycles_of_metal<Input>());

@@ -72,6 +72,7 @@ h_ar = 0.9
       Field{&Input::eta_0, "eta_0", ratio, "basic efficiency, carrier at rest; omitted: no losses"}
           .within(0.5, 1)
           .usually(0.94, 0.99)
+          .customarily_at_least(0.88)
           .may_be_missing(),
       Field{&Input::h_aP, "h_aP", ratio, "tooth addendum, in modules"}.within(0.3, 2),
       Field{&Input::x_s, "x_s", ratio, "profile shift coefficient of the sun"}.within(-3, 3),

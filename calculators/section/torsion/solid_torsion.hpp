@@ -10,6 +10,7 @@
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/section/polygon.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/trace.hpp"
 
 #include <array>
@@ -69,8 +70,10 @@ theta_adm = "4 deg/m"
                       .usually(1, 4)
                       .factor()},
            contour_inputs<Input>(),
-           Fields{Field{&Input::G, "G", GPa, "shear modulus, for the twist"}.positive().usually(1, 500).from("material",
-                                                                                                             "G")},
+           Fields{Field{&Input::G, "G", GPa, "shear modulus, for the twist"}
+                      .positive()
+                      .usually(least_G, most_G)
+                      .from("material", "G")},
            shear_strength_inputs<Input>("d_s"),
            Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}
                       .positive()

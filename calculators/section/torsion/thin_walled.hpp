@@ -12,6 +12,7 @@
 #include "calculators/section/torsion/thin_walled_types.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/text/issue.hpp"
@@ -73,7 +74,7 @@ theta_adm = "0.5 deg/m"
                   ListField{&Input::walls, "walls", "walls between the cells, around them and free ones"},
                   Field{&Input::G, "G", GPa, "shear modulus of what has none of its own, for the twist"}
                       .positive()
-                      .usually(1, 500)
+                      .usually(least_G, most_G)
                       .from("material", "G")},
            shear_strength_inputs<Input>("t_max"),
            Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable twist per length"}

@@ -4,6 +4,7 @@
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/metals.hpp"
 
 #include <array>
 
@@ -43,10 +44,11 @@ struct ThinWalledTypes {
         Field{&Wall::l, "l", mm, "length of its middle line"}.positive().may_be_missing(),
         ListField{&Wall::points, "points", "corners of its middle line, in place of l"}.as_arrays().may_be_missing(),
         Field{&Wall::t, "t", mm, "thickness"}.positive().usually(0.1, 200),
-        Field{&Wall::G, "G", GPa, "its own shear modulus"}.positive().usually(1, 500).may_be_missing(),
+        Field{&Wall::G, "G", GPa, "its own shear modulus"}.positive().usually(least_G, most_G).may_be_missing(),
         Field{&Wall::tau_adm, "tau_adm", MPa, "its own allowable shear stress"}
             .positive()
             .usually(1, 1000)
+            .customarily_at_most(600)
             .may_be_missing()};
   };
 

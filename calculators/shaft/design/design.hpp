@@ -23,6 +23,7 @@
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/parts/ring.hpp"
 #include "lib/calculator/meaning.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/sizing.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -92,20 +93,30 @@ r_T = 0
           .factor(),
       Field{&Input::g_angle, "g_angle", deg, "direction of gravity, angle from X to Y; omitted: self-weight neglected"}
           .may_be_missing(),
-      Field{&Input::E, "E", GPa, "modulus of elasticity"}.positive().usually(1, 500).from("material", "E"),
-      Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G"),
+      Field{&Input::E, "E", GPa, "modulus of elasticity"}.positive().usually(least_E, most_E).from("material", "E"),
+      Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(least_G, most_G).from("material", "G"),
       Field{&Input::rho, "rho", kg_per_m3, "density"}.positive().usually(500, 20000).from("material", "rho"),
       diameter_at_heat_treatment(&Input::d_h),
-      Field{&Input::R_e, "R_e", MPa, "yield strength"}.positive().usually(50, 2500).from("material", "R_e", "d_s"),
-      Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(80, 2500).from("material", "R_m", "d_s"),
+      Field{&Input::R_e, "R_e", MPa, "yield strength"}
+          .positive()
+          .usually(50, 2500)
+          .customarily_at_most(most_yield_strength)
+          .from("material", "R_e", "d_s"),
+      Field{&Input::R_m, "R_m", MPa, "tensile strength"}
+          .positive()
+          .usually(80, 2500)
+          .customarily_at_most(most_tensile_strength)
+          .from("material", "R_m", "d_s"),
       Field{&Input::S_F, "S_F", ratio, "required safety factor against yielding"}
           .at_least(1)
           .usually(1, 6)
+          .customarily_at_least(1.2)
           .may_be_missing()
           .factor(),
       Field{&Input::S_D, "S_D", ratio, "required fatigue safety factor, infinite life"}
           .at_least(1)
           .usually(1, 6)
+          .customarily_at_least(1.2)
           .may_be_missing()
           .factor(),
       Field{&Input::r_T, "r_T", ratio,
@@ -134,6 +145,7 @@ r_T = 0
             "separation from every critical speed"}
           .at_least(1)
           .usually(1.1, 2)
+          .customarily_at_least(1.1)
           .factor(),
       Count{&Input::whirl_modes, "whirl_modes", 1, most_whirls, "number of whirl modes listed"}.may_be_missing()};
 

@@ -15,6 +15,7 @@
 #include "calculators/shaft/held/types.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "lib/calculator/fields.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"
@@ -60,34 +61,36 @@ theta_adm = "2.5 deg/m"
 phi_adm = "1 deg"
 )";
 
-  static constexpr auto inputs = join(
-      Fields{ListField{&Input::segments, "segments", "segments of the bar, from the first end to the second"},
-             ListField{&Input::sleeves, "sleeves", "cylinders around or inside the bar that rotate with it"}
-                 .may_be_missing(),
-             ListField{&Input::torques, "torques", "torques along the bar"}.may_be_missing(),
-             Choice{&Input::end_1, "end_1", "support of the first end: fixed, elastic or free"},
-             Choice{&Input::end_2, "end_2", "support of the second end: fixed, elastic or free"},
-             Field{&Input::c_1, "c_1", N_m_per_rad, "torsional stiffness of an elastic first end"}
-                 .positive()
-                 .may_be_missing(),
-             Field{&Input::c_2, "c_2", N_m_per_rad, "torsional stiffness of an elastic second end"}
-                 .positive()
-                 .may_be_missing(),
-             Field{&Input::K_A, "K_A", ratio, "application factor K_A (1 if the loads include it)"}
-                 .at_least(1)
-                 .usually(1, 4)
-                 .factor(),
-             Field{&Input::G, "G", GPa, "shear modulus of parts without their own"}.positive().usually(1, 500).from(
-                 "material", "G")},
-      shear_strength_inputs<Input>("d_s"),
-      Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable angle of twist per unit length"}
-                 .positive()
-                 .usually(0.02, 10)
-                 .may_be_missing(),
-             Field{&Input::phi_adm, "phi_adm", deg, "allowable rotation of any section from its unloaded position"}
-                 .positive()
-                 .usually(0.001, 90)
-                 .may_be_missing()});
+  static constexpr auto inputs =
+      join(Fields{ListField{&Input::segments, "segments", "segments of the bar, from the first end to the second"},
+                  ListField{&Input::sleeves, "sleeves", "cylinders around or inside the bar that rotate with it"}
+                      .may_be_missing(),
+                  ListField{&Input::torques, "torques", "torques along the bar"}.may_be_missing(),
+                  Choice{&Input::end_1, "end_1", "support of the first end: fixed, elastic or free"},
+                  Choice{&Input::end_2, "end_2", "support of the second end: fixed, elastic or free"},
+                  Field{&Input::c_1, "c_1", N_m_per_rad, "torsional stiffness of an elastic first end"}
+                      .positive()
+                      .may_be_missing(),
+                  Field{&Input::c_2, "c_2", N_m_per_rad, "torsional stiffness of an elastic second end"}
+                      .positive()
+                      .may_be_missing(),
+                  Field{&Input::K_A, "K_A", ratio, "application factor K_A (1 if the loads include it)"}
+                      .at_least(1)
+                      .usually(1, 4)
+                      .factor(),
+                  Field{&Input::G, "G", GPa, "shear modulus of parts without their own"}
+                      .positive()
+                      .usually(least_G, most_G)
+                      .from("material", "G")},
+           shear_strength_inputs<Input>("d_s"),
+           Fields{Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable angle of twist per unit length"}
+                      .positive()
+                      .usually(0.02, 10)
+                      .may_be_missing(),
+                  Field{&Input::phi_adm, "phi_adm", deg, "allowable rotation of any section from its unloaded position"}
+                      .positive()
+                      .usually(0.001, 90)
+                      .may_be_missing()});
 
   static constexpr Fields results{
       Field{&Result::R_1, "R_1", N_m, "torque of the first support on the bar"}.load().holding("K_A"),

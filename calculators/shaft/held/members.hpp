@@ -3,6 +3,7 @@
 
 #include "calculators/shaft/parts/ring.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/quantity/units.hpp"
 
 #include <array>
@@ -42,10 +43,11 @@ struct Segment {
       Field{&Segment::d_bore_2, "d_bore_2", mm, "diameter of the bore at its second end, where it changes"}
           .at_least(0)
           .may_be_missing(),
-      Field{&Segment::G, "G", GPa, "its own shear modulus"}.positive().usually(1, 500).may_be_missing(),
+      Field{&Segment::G, "G", GPa, "its own shear modulus"}.positive().usually(least_G, most_G).may_be_missing(),
       Field{&Segment::tau_adm, "tau_adm", MPa, "its own allowable shear stress"}
           .positive()
           .usually(1, 1000)
+          .customarily_at_most(600)
           .may_be_missing(),
       Field{&Segment::m, "m", N_m_per_m, "torque per length along it, signed"}.load()};
 };
@@ -61,10 +63,11 @@ struct Sleeve {
       Field{&Sleeve::l, "l", mm, "length"}.positive().usually(0.1, 1e5),
       Field{&Sleeve::d, "d", mm, "outer diameter"}.positive().usually(1, 2000),
       Field{&Sleeve::d_bore, "d_bore", mm, "diameter of its bore"}.at_least(0),
-      Field{&Sleeve::G, "G", GPa, "its own shear modulus"}.positive().usually(1, 500).may_be_missing(),
+      Field{&Sleeve::G, "G", GPa, "its own shear modulus"}.positive().usually(least_G, most_G).may_be_missing(),
       Field{&Sleeve::tau_adm, "tau_adm", MPa, "its own allowable shear stress"}
           .positive()
           .usually(1, 1000)
+          .customarily_at_most(600)
           .may_be_missing()};
 };
 

@@ -134,13 +134,16 @@ struct Seat {
           "connection",
           "shaft-hub connection (key, spline, press fit, set screw or pin): connection = \"=key.connection\""},
       Field{&Seat::T_c, "T_c", N_m, "torque that the shaft-hub connection is assessed for, with the application factor"}
+          .of_a_step()
           .positive()
           .may_be_missing(),
       Field{&Seat::T_peak, "T_peak", N_m,
             "peak torque (start, jam) that the shaft-hub connection is assessed for, compared with k_max T"}
+          .of_a_step()
           .positive()
           .may_be_missing(),
       Field{&Seat::F_c, "F_c", N, "axial force that the shaft-hub connection, or an adjacent ring or nut, holds"}
+          .of_a_step()
           .at_least(0)
           .may_be_missing(),
       Field{&Seat::b_c, "b_c", mm, "bore of the shaft in the calculation of the connection"}

@@ -46,6 +46,7 @@ constexpr auto shaft_safety() {
   return Field<Input, double>{&Input::S_F, "S_F", ratio, "required safety factor of the shaft against yielding"}
       .at_least(1)
       .usually(1.1, 6)
+      .customarily_at_least(1.1)
       .may_be_missing()
       .factor();
 }

@@ -17,6 +17,7 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/form.hpp"
+#include "lib/calculator/metals.hpp"
 #include "lib/calculator/sizing.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
@@ -98,7 +99,7 @@ theta_adm = "0.004 rad/m"
                  .at_least(1)
                  .usually(1, 4)
                  .factor(),
-             Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(1, 500).from("material", "G")},
+             Field{&Input::G, "G", GPa, "shear modulus"}.positive().usually(least_G, most_G).from("material", "G")},
       shear_strength_inputs<Input>("d_s"),
       Fields{
           Field{&Input::theta_adm, "theta_adm", deg_per_m, "allowable angle of twist per unit length"}

@@ -37,6 +37,17 @@ bool is_found(const Reading& reading, const std::string& path) {
 
 namespace {
 
+/// Whether results of other steps enter the value of an input.
+bool is_of_steps(const Reading& reading, const std::string& path) {
+  const auto is_of_step = [](const Expression::Reference& reference) {
+    return !reference.path.starts_with("values.") && !reference.path.starts_with("tables.");
+  };
+  return std::any_of(reading.operands.begin(), reading.operands.end(), [&](const Operand& operand) {
+    const auto& references = operand.expression.references();
+    return operand.path == path && std::any_of(references.begin(), references.end(), is_of_step);
+  });
+}
+
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// The largest value of a column, which is that of the least size; NaN if the row has none.
@@ -157,9 +168,11 @@ std::string named_material(const Inputs& inputs) {
 /// A strength of the part: of the input, else of the material that the step names.
 double strength_of_part(const Evaluation& evaluation, const char* key) {
   const Inputs& inputs = evaluation.inputs();
-  const Leaf own = inputs.leaf(key);
-  const double si = own && own.field->is_number() ? largest_magnitude(inputs.value_of(key, own)) : unknown;
-  if (!std::isnan(si)) return si;
+  for (const char* const symbol : symbols_of_strength(key)) {
+    const Leaf own = inputs.leaf(symbol);
+    const double si = own && own.field->is_number() ? largest_magnitude(inputs.value_of(symbol, own)) : unknown;
+    if (!std::isnan(si)) return si;
+  }
   const std::string material = named_material(inputs);
   if (material.empty()) return unknown;
   const auto row = evaluation.step().input().tables->find_row("material", material);
@@ -206,18 +219,17 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
       const double own = strength_of_part(evaluation, column);
       return std::isnan(own) ? strength_referred_to(evaluation, path, column) : own;
     };
-    const double strength = strength_in(bound->column), whole = strength_in("R_m");
-    const bool lacks = std::isnan(strength);
-    if (lacks && std::isnan(whole)) return;
-    const double most = lacks ? whole : bound->part * strength;
+    const bool lacks = std::isnan(strength_in(bound->share.column));
+    const StrengthBound::Share& share = lacks ? bound->otherwise : bound->share;
+    const double strength = strength_in(share.column);
+    if (std::isnan(strength)) return;
     all.push_back({path,
                    leaf,
-                   {{leaf.field->dimension, nullptr}, {most}},
-                   say("{1} of {2}", lacks ? "R_m" : bound->text, of),
+                   {{leaf.field->dimension, nullptr}, {share.part * strength}},
+                   say("{1} of {2}", share.text, of),
                    Beside::capacity});
-    const char* const column = lacks ? "R_m" : bound->column;
     const double typed = largest_magnitude(evaluation.inputs().value_of(path, leaf));
-    all.back().by_size = may_change(evaluation, column, lacks ? 1.0 : bound->part, typed);
+    all.back().by_size = may_change(evaluation, share.column, share.part, typed);
     all.back().has_margin = is_allowable(bound->meaning);
   });
 }
@@ -270,6 +282,37 @@ void add_usual_beside(const Evaluation& evaluation, std::vector<Neighbour>& all)
   });
 }
 
+/// Typed values on the favourable side of common practice, with its limits.
+void add_customary_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
+  const Reading& reading = evaluation.step().input().reading;
+  for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
+    const FieldInfo& field = *leaf.field;
+    if (field.get == nullptr || !is_typed(reading, path)) return;
+    const double typed = largest_magnitude(evaluation.inputs().value_of(path, leaf));
+    if (std::isnan(typed) || field.customary.holds(typed)) return;
+    const bool is_below = typed < field.customary.low;
+    const double limit = is_below ? field.customary.low : field.customary.high;
+    all.push_back({path,
+                   leaf,
+                   {{field.dimension, nullptr}, {limit}},
+                   say("common practice"),
+                   is_below ? Beside::demand : Beside::capacity});
+    all.back().by_size = true;  // it may come from the point
+  });
+}
+
+/// Typed values that the calculation of another part would give; half of it shows which checks it decides.
+void add_unassessed_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
+  const Reading& reading = evaluation.step().input().reading;
+  for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
+    if (!leaf.field->is_of_step || !is_typed(reading, path) || is_of_steps(reading, path)) return;
+    Value half = evaluation.inputs().value_of(path, leaf);
+    for (double& x : half.si) x *= 0.5;
+    all.push_back({path, leaf, std::move(half), say("a step"), Beside::capacity});
+    all.back().is_unassessed = true;
+  });
+}
+
 }  // namespace
 
 std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results& results, const Known& known) {
@@ -280,6 +323,8 @@ std::vector<Neighbour> neighbours_of(const Evaluation& evaluation, const Results
   add_origins_beside(evaluation, known, all);
   add_body_beside(evaluation, all);
   add_usual_beside(evaluation, all);
+  add_customary_beside(evaluation, all);
+  add_unassessed_beside(evaluation, all);
   return all;
 }
 

@@ -17,9 +17,10 @@ struct Neighbour {
   Message source;  // "the material 'S235JR'"
   Beside kind = Beside::identity;
   bool by_size = false;
-  bool has_margin = false;  // an allowable stress, which is below the strength by a safety factor
-  bool is_full = false;     // the typed value is just the strength
-  std::string row_of = {};  // the table of the row; empty: of a record, or a strength
+  bool has_margin = false;     // an allowable stress, which is below the strength by a safety factor
+  bool is_full = false;        // the typed value is the strength, or little below it
+  std::string row_of = {};     // the table of the row; empty: of a record, or a strength
+  bool is_unassessed = false;  // a value that a step would calculate
 };
 
 /// Without sources_beside.hpp. `results`: rows are looked up at the resulting size, if there is one yet.

@@ -1,5 +1,6 @@
 #include "lib/project/run/own_bounds.hpp"
 
+#include "lib/project/modes.hpp"
 #include "lib/project/project.hpp"
 
 #include <algorithm>
@@ -29,9 +30,25 @@ bool is_said(const Reading& reading, const std::string& path) {
          });
 }
 
-bool holds(const BoundInfo& bound, const Reading& reading, const Known& known) {
-  if (!is_said(reading, bound.field) || (bound.spares_results && is_found(reading, bound.field))) return false;
+bool holds(const BoundInfo& bound, const std::string& path, const Reading& reading, const Known& known) {
+  if (!is_said(reading, path) || (bound.spares_results && is_found(reading, path))) return false;
   return *bound.source_has == '\0' || source_has(reading, bound.source_has, known);
+}
+
+struct BoundLeaf {
+  std::string path;
+  Leaf leaf;
+};
+
+/// The bounded input; of a list that of each element.
+std::vector<BoundLeaf> leaves_of(const BoundInfo& bound, const Evaluation& evaluation) {
+  std::vector<BoundLeaf> leaves;
+  const Leaf one = evaluation.inputs().leaf(bound.field);
+  if (one) return {{bound.field, one}};
+  for_each_leaf(evaluation.record(), [&](const std::string& path, const Leaf& leaf) {
+    if (names_row(bound.field, path)) leaves.push_back({path, leaf});
+  });
+  return leaves;
 }
 
 }  // namespace
@@ -40,16 +57,17 @@ void add_bounds_beside(const Evaluation& evaluation, const Known& known, std::ve
   const Calculator& calculator = evaluation.calculator();
   for (std::size_t i = 0; i < calculator.bounds.size(); ++i) {
     const BoundInfo& bound = calculator.bounds[i];
-    const Leaf leaf = evaluation.inputs().leaf(bound.field);
-    if (!leaf || !holds(bound, evaluation.step().input().reading, known)) continue;
-    const double value = calculator.bound(i, evaluation.record().data.get());
-    if (std::isnan(value)) continue;
-    all.push_back({bound.field,
-                   leaf,
-                   {{leaf.field->dimension, nullptr}, {value}},
-                   say("{1}", say(bound.text)),
-                   bound.is_least ? Beside::demand : Beside::capacity});
-    all.back().by_size = true;  // at another point it has other neighbours
+    std::size_t element = 0;
+    for (const auto& [path, leaf] : leaves_of(bound, evaluation)) {
+      const double value = calculator.bound(i, evaluation.record().data.get(), element++);
+      if (std::isnan(value) || !holds(bound, path, evaluation.step().input().reading, known)) continue;
+      all.push_back({path,
+                     leaf,
+                     {{leaf.field->dimension, nullptr}, {value}},
+                     say("{1}", say(bound.text)),
+                     bound.is_least ? Beside::demand : Beside::capacity});
+      all.back().by_size = true;  // at another point it has other neighbours
+    }
   }
 }
 

@@ -1,6 +1,7 @@
 #include "lib/project/run/typed_values.hpp"
 
 #include "lib/account/rows.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/because.hpp"
 #include "lib/project/run/neighbours.hpp"
 #include "lib/project/run/own_bounds.hpp"
@@ -47,8 +48,9 @@ Message excess_of(const Evaluation& evaluation, const Neighbour& beside) {
   if (beside.kind == Beside::usual) return unusual(beside.path, field, unusual_value(evaluation, beside));
   if (beside.kind == Beside::either)
     return say("{1} = {2}, and {3} has {4}", beside.path, shown(field, typed), beside.source, shown(field, other));
+  if (beside.is_unassessed) return say("{1} = {2} is not the result of a step", beside.path, shown(field, typed));
   if (beside.is_full)
-    return say("{1} = {2} is {3} without a safety factor", beside.path, shown(field, typed), beside.source);
+    return say("{1} = {2} has next to no safety factor against {3}", beside.path, shown(field, typed), beside.source);
   return beside.kind == Beside::capacity
              ? say("{1} = {2}, above {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source)
              : say("{1} = {2}, below {3} of {4}", beside.path, shown(field, typed), shown(field, other), beside.source);
@@ -74,7 +76,8 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
     if (is_of_one_part(beside.kind)) continue;
     const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
     const bool is_the_same = std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside));
-    if (is_the_same && beside.has_margin && !std::isnan(typed)) {
+    const bool lacks_margin = beside.has_margin && least_margin * typed > other && typed < other;
+    if ((is_the_same && beside.has_margin && !std::isnan(typed)) || lacks_margin) {
       beside.is_full = true;
       for (double& si : beside.value.si) si *= 0.5;  // a lower value shows which checks it decides
       bolder.push_back(std::move(beside));

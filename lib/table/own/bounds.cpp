@@ -108,6 +108,7 @@ void OwnReader::check_bounds(const Row& row, const Table& table, const Place& pl
   const RowRead read{row, table, place, key};
   std::vector<std::string> used;
   check_strengths(read, used);
+  check_moduli(read, used);
   check_shape(read);
   check_replaced(read, used);
   check_group(read, used);
@@ -166,11 +167,46 @@ void OwnReader::check_replaced(const RowRead& read, std::vector<std::string>& us
   names.push_back(read.row.name);
   for (const std::string& name : names) {
     const auto replaced = table::find_row(read.table.group, name);
-    if (replaced) compare_with(read, *replaced, used);
+    if (replaced) compare_with(read, *replaced, rounding_of_rows, used);
   }
+  check_namesake(read, used);
 }
 
-void OwnReader::compare_with(const RowRead& read, const Entry& replaced, std::vector<std::string>& used) {
+/// A row "C45E forged" is of the built-in steel: another treatment is not that much stronger.
+void OwnReader::check_namesake(const RowRead& read, std::vector<std::string>& used) {
+  const std::size_t end = read.row.name.find_first_of(" +-,(/");
+  if (end == std::string::npos || read.table.group != "material") return;
+  const auto namesake = table::find_row(read.table.group, read.row.name.substr(0, end));
+  if (namesake) compare_with(read, *namesake, beyond_group, used);
+}
+
+/// Of a steel both moduli are known; E/G of any isotropic material is 2(1 + nu), and nu lies between 0 and 0.5.
+void OwnReader::check_moduli(const RowRead& read, std::vector<std::string>& used) {
+  constexpr double GPa = 1e9, most_E = 230.0 * GPa, most_G = 90.0 * GPa;
+  constexpr double least_E_of_steel = 185.0 * GPa, least_G_of_steel = 70.0 * GPa;
+  if (read.table.group != "material") return;
+  const bool is_steel = read.row.kind.ends_with("steel");
+  const double E = searched_value(read.row, "E");
+  check_modulus(read, "E", is_steel ? least_E_of_steel : 0.0, most_E, used);
+  check_modulus(read, "G", is_steel ? least_G_of_steel : 0.0, most_G, used);
+  if (!std::isnan(E)) check_modulus(read, "G", E / 3.0, E / 2.0, used);
+}
+
+void OwnReader::check_modulus(const RowRead& read, const char* key, double low, double high,
+                              std::vector<std::string>& used) {
+  const double own = searched_value(read.row, key);
+  if (std::isnan(own) || (own >= low && own <= high)) return;
+  if (std::find(used.begin(), used.end(), key) != used.end()) return;
+  used.emplace_back(key);
+  if (read.row.because.contains(key)) return;
+  complain(read.place, read.key + "." + key,
+           say("{1} = {2} of '{3}' is not that of {4}: {5} to {6}", key, format_quantity(own, "GPa", 4), read.row.name,
+               read.row.kind.ends_with("steel") ? "steel" : "an isotropic metal", format_quantity(low, "GPa", 3),
+               format_quantity(high, "GPa", 3)),
+           say("check the unit, or justify it: because.{1} = \"data sheet of the manufacturer\"", key));
+}
+
+void OwnReader::compare_with(const RowRead& read, const Entry& replaced, double most, std::vector<std::string>& used) {
   const Entry own{&read.table, &read.row};
   for (const Column& column : replaced.table->columns) {
     if (!is_strength(column.dimension, read.table.group) || read.table.column(column.key) == nullptr) continue;
@@ -178,7 +214,7 @@ void OwnReader::compare_with(const RowRead& read, const Entry& replaced, std::ve
     const auto more = sizes_in(read.row);
     sizes.insert(sizes.end(), more.begin(), more.end());
     const auto stronger = [&](double size) {
-      return value_at(own, column.key, size) > rounding_of_rows * value_at(replaced, column.key, size);
+      return value_at(own, column.key, size) > most * value_at(replaced, column.key, size);
     };
     const auto found = std::find_if(sizes.begin(), sizes.end(), stronger);
     if (found == sizes.end()) continue;
@@ -186,9 +222,10 @@ void OwnReader::compare_with(const RowRead& read, const Entry& replaced, std::ve
     used.push_back(column.key);
     if (read.row.because.contains(column.key)) continue;
     complain(read.place, read.key + "." + column.key,
-             say("{1} = {2} of '{3}' is above the {4} of the built-in row that it replaces", column.key,
+             say("{1} = {2} of '{3}' is above the {4} of the built-in row {5}", column.key,
                  format_quantity(value_at(own, column.key, *found), column.unit, 5), read.row.name,
-                 format_quantity(value_at(replaced, column.key, *found), column.unit, 5)),
+                 format_quantity(value_at(replaced, column.key, *found), column.unit, 5),
+                 most > rounding_of_rows ? say("'{1}'", replaced.row->name) : say("that it replaces")),
              say("give the reason, because.{1} = \"certificate 4711\", or give the row another name", column.key));
   }
 }

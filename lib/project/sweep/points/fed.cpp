@@ -11,13 +11,17 @@ namespace loadpath::project {
 
 namespace {
 
-/// Beyond the usual range an empirical value is weighed (lib/project/run/typed_values.hpp), point by point.
-Range accepted_by(const FieldInfo& field) {
-  if (!is_empirical(field)) return field.bounds;
-  Range both = field.bounds;
-  if (field.plausible.low > both.low) both.low = field.plausible.low, both.low_open = false;
-  if (field.plausible.high < both.high) both.high = field.plausible.high, both.high_open = false;
+Range common_part(Range both, const Range& other) {
+  if (other.low > both.low) both.low = other.low, both.low_open = false;
+  if (other.high < both.high) both.high = other.high, both.high_open = false;
   return both;
+}
+
+/// Beyond common practice, and an empirical value beyond its usual range, a value is weighed
+/// (lib/project/run/typed_values.hpp), point by point.
+Range accepted_by(const FieldInfo& field) {
+  const Range customary = common_part(field.bounds, field.customary);
+  return is_empirical(field) ? common_part(customary, field.plausible) : customary;
 }
 
 }  // namespace

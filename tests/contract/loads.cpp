@@ -32,6 +32,7 @@ constexpr std::array alone{
     Reason{"drive.train T_out", at_an_end},
     Reason{"drive.train stages.T_h", "it loads the housing"},
     Reason{"gear.planetary T_s", balances},
+    Reason{"gear.planetary gear_s.T", balances},
     Reason{"gear.planetary T_c", balances},
     Reason{"gear.planetary T_r", balances},
     Reason{"gear.planetary F_t", "it loads a tooth; on the shaft of the sun the planets balance"},

@@ -143,13 +143,7 @@ void take_limits(const Input& in, const Material& material, Method by, Result& r
     return;
   }
   if (by == Method::euler) {
-    STEP(r_lim, r.lambda_lim / r.lambda, "Euler's formula holds above the limit slenderness, [B25]");
-    if (is_set(in.sigma_P) && is_set(in.n_st) && is_set(r.F)) {
-      STEP(r_P, in.n_st * r.F / (r.A * in.sigma_P), "a shorter bar does not buckle below the proportional limit");
-      STEP_TO(r, r_1, min(r_lim, r_P), "either");
-    } else {
-      r.r_1 = trace.value("r_1", r_lim, "nothing else is given");
-    }
+    STEP_TO(r, r_1, r.lambda_lim / r.lambda, "Euler's formula holds above the limit slenderness, [B25]");
   }
   if (by == Method::tetmajer && !is_set(in.R_e)) {
     STEP_TO(r, r_0, material.lambda_0 / r.lambda, "below lambda_0 the bar yields first");

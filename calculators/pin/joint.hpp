@@ -108,7 +108,7 @@ p_adm_2 = "100 MPa"
           .findable("R40")
           .same_as_that_of_source("joints.#.d_pin"),
       Field{&Input::d_i, "d_i", mm, "bore of the pin; omitted: solid"}.at_least(0).may_be_missing(),
-      Field{&Input::t_1, "t_1", mm, "thickness of the eye"}.positive().usually(1, 1000).at_most_that_of_source("b"),
+      Field{&Input::t_1, "t_1", mm, "thickness of the eye"}.positive().usually(1, 1000),
       Field{&Input::t_2, "t_2", mm, "thickness of one clevis cheek (cantilevered pin: of the wall)"}.positive().usually(
           1, 1000),
       Field{&Input::c, "c", mm, "gap between eye and clevis cheek, each side"}.at_least(0).usually(0, 100),

@@ -90,7 +90,7 @@ const Side bars[] = {
     {"shaft.overhung", "u_tau", over, "tau_adm", R"("8.8 MPa")", R"("8.7 MPa")", R"(d = "40 mm")"},
     {"column.buckling", "u", over, "P", R"("42 kN")", R"("43 kN")"},
     {"column.buckling", "r_lambda", outside, "lambda_max", "160", "159"},
-    {"column.buckling", "r_1", outside, "l", R"("493 mm")", R"("492 mm")", R"(P = "160 kN")"},
+    {"column.buckling", "r_1", outside, "l", R"("493 mm")", R"("492 mm")"},
     {"column.buckling", "r_0", outside, "l", R"("338 mm")", R"("337 mm")",
      "R_e = \nsigma_P = \nmethod = \"tetmajer\"\na_T = \"310 MPa\"\nb_T = \"1.14 MPa\"\nlambda_0 = 60"},
     {"column.buckling", "r_class", outside, "R_e", R"("338 MPa")", R"("339 MPa")",
@@ -115,7 +115,7 @@ const Side bars[] = {
     {"column.lightest", "r_lambda", outside, "l", R"("5.01 m")", R"("5.02 m")",
      "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\""},
     {"column.lightest", "r_1", outside, "l", R"("2.56 m")", R"("2.55 m")",
-     "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"213 kN\"\nmethod = \"euler\"\nsigma_P = \"200 MPa\"\nn_st = 2\n"
+     "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nmethod = \"euler\"\nsigma_P = \"200 MPa\"\nn_st = 2\n"
      "gamma_M1 = \ngamma_F = "},
     {"column.lightest", "r_0", outside, "l", R"("1.51 m")", R"("1.5 m")",
      "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nmethod = \"tetmajer\"\na_T = \"310 MPa\"\nb_T = \"1.14 "
@@ -503,8 +503,7 @@ const Side links[] = {
     {"link.member", "u_i", over, "n_st", "13.540", "13.541"},
     {"link.member", "u_t", over, "n_st", "13.537", "13.538"},
     {"link.member", "r_lambda", outside, "lambda_max", "45.1", "45"},
-    {"link.member", "r_1", outside, "l", R"("739 mm")", R"("738 mm")",
-     "method = \"euler\"\nsigma_P = \"300 MPa\"\nN = \"-90 kN\""},
+    {"link.member", "r_1", outside, "l", R"("739 mm")", R"("738 mm")", "method = \"euler\"\nsigma_P = \"300 MPa\""},
     {"link.member", "r_class", outside, "R_e", R"("338 MPa")", R"("339 MPa")",
      "h = \nb = \nsection = \"IPE 300\"\nkind = \"rolled_I\""},
     {"link.member", "x_E", outside, "E", R"("179 GPa")", R"("178 GPa")",

@@ -33,6 +33,7 @@ constexpr std::array alone{
     Reason{"drive.train stages.T_h", "it loads the housing"},
     Reason{"gear.pair mesh.T_1", "the load of the teeth, for gear.rating; that of the shaft is gear_1"},
     Reason{"gear.planetary T_s", balances},
+    Reason{"gear.planetary gear_s.T", balances},
     Reason{"gear.planetary T_c", balances},
     Reason{"gear.planetary T_r", balances},
     Reason{"gear.planetary F_t", "it loads a tooth; on the shaft of the sun the planets balance"},

@@ -45,9 +45,6 @@ Stress critical_stress(const Member& in, const Material& material, const MemberR
     const double chi = trace.value("chi", std::min(r.axes[0].chi, r.axes[1].chi), "the lower of both axes");
     return NAMED_STEP("sigma_cr", chi * in.R_e, "EN 1993-1-1 (6.47) without its partial factor, [EN1993-1-1-buckling]");
   }
-  if (method == Method::euler && r.lambda < material.lambda_1 && r.r_1 <= 1.0)
-    return trace.value("sigma_cr", in.sigma_P,
-                       "a bar too short for Euler's formula bears at least the proportional limit");
   return stress_of_slenderness(method, r.lambda, material, trace);
 }
 

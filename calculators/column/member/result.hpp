@@ -134,9 +134,7 @@ constexpr auto slenderness_limits() {
   return Fields{
       Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness / allowable slenderness; 0 in tension"}
           .limit(0, 1),
-      Field<Result, double>{
-          &Result::r_1, "r_1", ratio,
-          "Euler: limiting slenderness / slenderness, or n_st x stress / proportional limit; 0 in tension"}
+      Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limiting slenderness / slenderness; 0 in tension"}
           .limit(0, 1)
           .where_it_applies()};
 }

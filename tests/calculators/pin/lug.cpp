@@ -47,7 +47,10 @@ TEST_SUITE("pin lug") {
   TEST_CASE("attacked: shapes that the nominal stresses do not hold for, loads that are not judged") {
     using loadpath::test::mode_with;
     for (const char* id : {"net", "shear_out", "crown", "bearing"}) CHECK(mode_with("pin.lug", "", id) == "pass");
-    CHECK(mode_with("pin.lug", "b = \"400 mm\"\na = \"180 mm\"", "net") == "not-covered");
+    // 50 kN over (2.5 - 1) 40 mm x 40 mm: 20.8 MPa, however wide the eye is
+    const std::string wide = "b = \"400 mm\"\na = \"180 mm\"\nsigma_adm = ";
+    CHECK(mode_with("pin.lug", wide + "\"20.8 MPa\"", "net") == "fail");
+    CHECK(mode_with("pin.lug", wide + "\"20.9 MPa\"", "net") == "pass");
     CHECK(mode_with("pin.lug", "a = \"5 mm\"\ntau_adm = \"400 MPa\"", "crown") == "not-covered");
     CHECK(mode_with("pin.lug", "F = \"-5 MN\"", "net") == "fail");
     CHECK(mode_with("pin.lug", "K_A = 1.5", "fatigue") == "not-judged");

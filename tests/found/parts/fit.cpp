@@ -128,13 +128,11 @@ TEST_SUITE("found fit") {
     CHECK(mode_with("belt.course", pulleys + "80 mm\", P = \"3 kW\" }]", "bending") == "open");
   }
 
-  TEST_CASE("Euler's formula ends below yield, and a stress below its end is safe") {
+  TEST_CASE("Euler's formula ends below yield") {
     CHECK(mode_with("column.buckling", "sigma_P = \"338 MPa\"", "buckling") == "not-judged");
     CHECK(mode_with("column.buckling", "sigma_P = \"338 MPa\"\nbecause.sigma_P = \"cold drawn, test 3\"", "buckling") ==
           "pass");
     CHECK(mode_with("column.buckling", "sigma_P = \"300 MPa\"", "buckling") == "pass");
-    CHECK(mode_with("column.buckling", "l = \"100 mm\"\nP = \"10 kN\"", "buckling") == "pass");
-    CHECK(mode_with("column.buckling", "l = \"100 mm\"\nP = \"160 kN\"", "buckling") == "not-covered");
   }
 
   TEST_CASE("a bottom with liquid bears that of the vessel above it") {

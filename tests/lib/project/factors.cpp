@@ -227,7 +227,7 @@ TEST_SUITE("shaft loads") {
     CHECK(typed.value("end.T") == 900.0);
     REQUIRE(!typed.project.find("end")->remarks().empty());
     const std::string told = typed.project.find("end")->remarks()[0].text();
-    CHECK_MESSAGE(told == "taken from chain.shaft_2: F; given here and not taken: T", told);
+    CHECK_MESSAGE(told == "taken from chain.shaft_2: F, d_f, b_r; given here and not taken: T", told);
   }
 
   TEST_CASE("torque and tooth forces of a gear come together, of a helical one also the axial force") {

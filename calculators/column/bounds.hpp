@@ -71,6 +71,14 @@ double curve_of_table(const Input& in) {
   return own == Curve::by_kind ? unset<double> : static_cast<double>(own);
 }
 
+/// The curves are in order, the most favourable first.
+template <class Input>
+constexpr auto curve_bounds() {
+  constexpr auto table = "EN 1993-1-1, table 6.2";
+  return std::array{Bound<Input>{"curve_y", table, &curve_of_table<Input, AxisName::y>}.least(),
+                    Bound<Input>{"curve_z", table, &curve_of_table<Input, AxisName::z>}.least()};
+}
+
 /// A safety factor against yielding in tension; in EC3 the partial factors of the code.
 template <class Input>
 double least_tension_safety(const Input& in) {
@@ -78,13 +86,9 @@ double least_tension_safety(const Input& in) {
   return method_of(in) == Method::ec3 ? unset<double> : customary;
 }
 
-/// The curves are in order, the most favourable first.
 template <class Input>
-constexpr auto curve_bounds() {
-  constexpr auto table = "EN 1993-1-1, table 6.2";
-  return std::array{Bound<Input>{"curve_y", table, &curve_of_table<Input, AxisName::y>}.least(),
-                    Bound<Input>{"curve_z", table, &curve_of_table<Input, AxisName::z>}.least(),
-                    Bound<Input>{"n_t", "common practice", &least_tension_safety<Input>}.least()};
+constexpr auto tension_bounds() {
+  return std::array{Bound<Input>{"n_t", "common practice", &least_tension_safety<Input>}.least()};
 }
 
 }  // namespace loadpath::column

@@ -84,7 +84,7 @@ n_st = 3
                       "an input of the method is missing", &missing_for_method}},
       method_rules<Input>(), assumption_rules<Input, &factors_given>(), eccentricity_rules<Input>());
   static constexpr std::array meanings = member_meanings;
-  static constexpr auto bounds = join(held_bounds<Input>(), curve_bounds<Input>());
+  static constexpr auto bounds = join(held_bounds<Input>(), curve_bounds<Input>(), tension_bounds<Input>());
   static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0", "R_e, kind, h, b, t_f, t_w");
 
   static constexpr std::array forms{

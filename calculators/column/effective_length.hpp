@@ -9,8 +9,8 @@
 
 #include "calculators/column/member/stability.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"

@@ -15,8 +15,8 @@
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/form.hpp"
-#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>

@@ -18,8 +18,8 @@
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
 #include "lib/calculator/fields.hpp"
-#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/figure/figure.hpp"
 
 #include <vector>

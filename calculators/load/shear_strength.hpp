@@ -4,7 +4,6 @@
 
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
-#include "lib/calculator/metals.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/metals.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 

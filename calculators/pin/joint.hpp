@@ -14,7 +14,6 @@
 #include "calculators/pin/loading.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
-#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"

@@ -12,7 +12,6 @@
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/meaning.hpp"
-#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"

@@ -12,8 +12,8 @@
 #include "calculators/shaft/parts/torque.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
-#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 

@@ -14,8 +14,8 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
-#include "lib/calculator/metals.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 

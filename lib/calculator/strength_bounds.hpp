@@ -1,5 +1,5 @@
 // Bounds by the material: allowable stresses must not exceed its strength, and fatigue limits are bounded by its
-// tensile strength. A calculator marks such inputs with a Meaning; lib/project compares.
+// tensile strength. A calculator marks such inputs with a Meaning; lib/project compares. Usual properties of metals.
 #pragma once
 
 #include <array>
@@ -19,6 +19,12 @@ inline constexpr auto specimen_in_bending = "a fatigue limit of smooth specimens
 inline constexpr auto specimen_in_tension = "a fatigue limit of smooth specimens in tension and compression";
 inline constexpr auto specimen_in_torsion = "a fatigue limit of smooth specimens in torsion";
 inline constexpr auto mean_strength = "a mean fatigue strength (50 % survival)";
+
+/// GPa: usual moduli of metals. Magnesium has 45 and 17, steels up to 220 and 85; plastics, timber and cemented
+/// carbides lie outside.
+inline constexpr double least_E = 40.0, most_E = 230.0, least_G = 15.0, most_G = 90.0;
+/// MPa: spring steels and hardened pins; wires and maraging steels lie outside.
+inline constexpr double most_yield_strength = 1400.0, most_tensile_strength = 1800.0;
 
 /// At most `part` of the strength in `column`; of a material that lacks that, at most `part` of another strength.
 struct StrengthBound {

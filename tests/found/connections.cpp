@@ -90,11 +90,15 @@ TEST_SUITE("found connections") {
   }
 
   TEST_CASE("a rating of the maker is a connection, too") {
-    const auto clamped = [](const char* T) {
-      return mode_of(solved_as_found(shaft_of(std::string(", T_c = \"") + T + "\"", whole)), "shaft", "connection");
+    const auto clamped = [](const char* T, const char* reason) {
+      const std::string text = shaft_of(std::string(", T_c = \"") + T + "\"", whole) + reason;
+      return mode_of(solved_as_found(text), "shaft", "connection");
     };
-    CHECK(clamped("120 N*m") == "pass");
-    CHECK(clamped("99 N*m") == "fail");
+    const char* const rated = "because.seats = \"clamping set, data sheet\"\n";
+    CHECK(clamped("120 N*m", rated) == "pass");
+    CHECK(clamped("99 N*m", rated) == "fail");
+    CHECK(clamped("120 N*m", "") == "not-judged");
+    CHECK(clamped("9999 N*m", "") == "not-judged");
   }
 
   TEST_CASE("a connection for another diameter is refused where the seat says so") {

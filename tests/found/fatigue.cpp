@@ -104,7 +104,7 @@ TEST_SUITE("found fatigue") {
       CHECK(life(rule, "690 MPa") == "pass");
       CHECK(life(rule, "691 MPa") == "fail");
     }
-    const std::string heavy = unknown + "S_D = 1.1\nsigma_m = ";
+    const std::string heavy = unknown + "S_D = 1.1\nbecause.S_D = \"tested\"\nsigma_m = ";
     CHECK(mode_with("fatigue.combined", heavy + "\"624 MPa\"", "fatigue") == "pass");
     CHECK(mode_with("fatigue.combined", heavy + "\"625 MPa\"", "fatigue") == "fail");
   }

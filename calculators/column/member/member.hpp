@@ -7,7 +7,6 @@
 #include "lib/calculator/field.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
-#include "lib/calculator/metals.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 
 #include <array>

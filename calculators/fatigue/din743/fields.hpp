@@ -5,7 +5,7 @@
 #include "calculators/fatigue/size_and_surface.hpp"
 #include "calculators/load/heat_treatment.hpp"
 #include "lib/calculator/fields.hpp"
-#include "lib/calculator/metals.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 
 #include <array>
 

@@ -4,7 +4,7 @@
 #include "calculators/fatigue/din743/fields.hpp"
 #include "calculators/fatigue/fkm/section.hpp"
 #include "lib/calculator/fields.hpp"
-#include "lib/calculator/metals.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/quantity/motion_units.hpp"
 
 namespace loadpath::fatigue {

@@ -10,7 +10,7 @@
 #include "calculators/load/stress_cycle.hpp"
 #include "calculators/section/polygon.hpp"
 #include "lib/calculator/fields.hpp"
-#include "lib/calculator/metals.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 
 #include <array>

@@ -4,7 +4,7 @@
 #include "calculators/load/shear_strength.hpp"
 #include "calculators/load/stress_cycle.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/metals.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 
 #include <array>
 

@@ -15,7 +15,7 @@
 #include "calculators/shaft/held/types.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "lib/calculator/fields.hpp"
-#include "lib/calculator/metals.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/figure/figure.hpp"
 #include "lib/text/issue.hpp"

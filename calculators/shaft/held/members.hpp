@@ -3,7 +3,7 @@
 
 #include "calculators/shaft/parts/ring.hpp"
 #include "lib/calculator/field.hpp"
-#include "lib/calculator/metals.hpp"
+#include "lib/calculator/strength_bounds.hpp"
 #include "lib/quantity/units.hpp"
 
 #include <array>

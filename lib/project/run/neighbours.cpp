@@ -229,7 +229,8 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
                    say("{1} of {2}", share.text, of),
                    Beside::capacity});
     const double typed = largest_magnitude(evaluation.inputs().value_of(path, leaf));
-    all.back().by_size = may_change(evaluation, share.column, share.part, typed);
+    const double part = is_allowable(bound->meaning) ? share.part / least_margin : share.part;
+    all.back().by_size = may_change(evaluation, share.column, part, typed);
     all.back().has_margin = is_allowable(bound->meaning);
   });
 }

@@ -1,0 +1,98 @@
+// Regression tests of required safety factors, allowable stresses and strengths beyond common practice: a check that
+// passes with them does not pass the part.
+#include "tests/found/modes.hpp"
+
+#include <string>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+/// A mode of a calculator's example that a line holds, and another line does not.
+struct Practice {
+  const char* calculator;
+  std::string common;  // further lines
+  const char *beyond, *within, *mode;
+};
+
+std::vector<Practice> safeties() {
+  return {
+      {"column.buckling", "", "n_st = 1", "n_st = 1.5", "buckling"},
+      {"vessel.cylinder", "sigma_adm = \nmaterial = \"P265GH\"", "S = 1.2", "S = 1.5", "strength"},
+      {"shaft.circlip", "", "S = 1", "S = 1.2", "groove"},
+      {"fatigue.combined", "", "S_D = 1", "S_D = 1.2", "fatigue"},
+      {"fatigue.combined", "", "S_F = 1", "S_F = 1.2", "yield"},
+      {"fatigue.multiaxial", "", "S_D = 1", "S_D = 1.2", "fatigue"},
+      {"fatigue.fkm", "", "j_D = 1", "j_D = 1.2", "fatigue"},
+      {"fatigue.fkm", "j_p = 1.2", "j_m = 1", "j_m = 1.6", "yield"},
+      {"shaft.torsion", "tau_adm = \nR_e = \"370 MPa\"", "S = 1", "S = 1.2", "yield"},
+      {"shaft.press_fit", "", "S_r = 1", "S_r = 1.2", "slip"},
+      {"bearing.rolling", "", "s_0 = 0.45", "s_0 = 0.5", "static"},
+  };
+}
+
+std::vector<Practice> strengths() {
+  return {
+      {"vessel.sphere", "", "sigma_adm = \"900 MPa\"", "sigma_adm = \"300 MPa\"", "strength"},
+      {"pin.joint", "", "p_adm_1 = \"900 MPa\"", "p_adm_1 = \"250 MPa\"", "eye"},
+      {"pin.lug", "", "p_adm = \"900 MPa\"", "p_adm = \"250 MPa\"", "bearing"},
+      {"pin.cross", "", "p_adm_2 = \"900 MPa\"", "p_adm_2 = \"100 MPa\"", "hub_bore"},
+      {"pin.en1993", "f_yp = \"640 MPa\"", "f_up = \"1500 MPa\"", "f_up = \"800 MPa\"", "shear"},
+      {"shaft.key", "R_e_2 = ", "p_adm_2 = \"1000 MPa\"", "p_adm_2 = \"270 MPa\"", "hub"},
+      {"shaft.key", "", "R_e_1 = \"2000 MPa\"", "R_e_1 = \"900 MPa\"", "shaft"},
+      {"fatigue.fkm", "", "R_pmax = \"9000 MPa\"", "R_pmax = \"1050 MPa\"", "yield"},
+      {"shaft.torsion", "", "tau_adm = \"900 MPa\"", "tau_adm = \"100 MPa\"", "yield"},
+  };
+}
+
+void check(const Practice& p) {
+  const std::string lines = p.common.empty() ? "" : p.common + "\n", of = p.calculator;
+  INFO(of);
+  CHECK_MESSAGE(mode_with(of, lines + p.beyond, p.mode) == "not-judged", std::string(p.beyond));
+  CHECK_MESSAGE(mode_with(of, lines + p.within, p.mode) == "pass", std::string(p.within));
+}
+
+}  // namespace
+
+TEST_SUITE("found common practice") {
+  TEST_CASE("a required safety factor below common practice wants a reason") {
+    for (const Practice& p : safeties()) check(p);
+  }
+
+  TEST_CASE("an allowable stress or a strength above common practice wants a reason") {
+    for (const Practice& p : strengths()) check(p);
+  }
+
+  TEST_CASE("a reason is enough, and one that is not needed is an error") {
+    CHECK(mode_with("column.buckling", "n_st = 1\nbecause.n_st = \"load is P_cr/3\"", "buckling") == "pass");
+    const std::string rod =
+        "[rod]\ncalculator = \"column.buckling\"\nP = \"30 kN\"\nl = \"900 mm\"\nd = \"45 mm\"\nends = "
+        "\"fixed_free\"\nE = \"210 GPa\"\nR_e = \"340 MPa\"\nsigma_P = \"270 MPa\"\nmethod = \"euler\"\nn_st = 2\n";
+    CHECK(first_error_of(rod).empty());
+    CHECK(first_error_of(rod + "because.n_st = \"tests\"\n").find("is not needed") != std::string::npos);
+  }
+
+  TEST_CASE("a failing part fails with them too") {
+    CHECK(mode_with("column.buckling", "n_st = 1\nP = \"300 kN\"", "buckling") == "fail");
+  }
+
+  TEST_CASE("an allowable stress next to the yield strength wants a reason") {
+    const auto state = [](const char* sigma_adm) {
+      return mode_with("vessel.cylinder", std::string("material = \"P265GH\"\nsigma_adm = \"") + sigma_adm + "\"",
+                       "strength");
+    };
+    CHECK(state("250 MPa") == "not-judged");
+    CHECK(state("170 MPa") == "pass");
+  }
+
+  TEST_CASE("an irregular flywheel is found, and does not pass without a reason") {
+    const auto state = [](const char* delta) {
+      return mode_with("machine.flywheel", std::string("delta = ") + delta, "unevenness");
+    };
+    CHECK(state("1.5") == "not-judged");
+    CHECK(state("0.2") == "pass");
+    CHECK(mode_with("machine.flywheel", "D = \"6 m\"\nv_adm = \"400 m/s\"", "bursting") == "not-judged");
+    CHECK(mode_with("machine.flywheel", "D = \"2 m\"\nv_adm = \"30 m/s\"", "bursting") == "pass");
+  }
+}

@@ -99,7 +99,7 @@ const Case bars[] = {
     {"shaft.torsion", "torques = \nP = \"1 kW\"\nn = \"1 rad/s\"\nK_A = 1", "M_max", 1000.0},
     {"shaft.torsion", "d = \"2 m\"\ntorques = [{ x = \"0 m\", T = \"1 MN*m\" }, { x = \"1 m\", T = \"-1 MN*m\" }]",
      "tau_max", 1e6 / (pi / 2)},
-    {"shaft.overhung", "a = \"0 mm\"\nd = \"40 mm\"", "sigma_b", 0.0},
+    {"shaft.overhung", "F = \"0 N\"\nd = \"40 mm\"", "sigma_b", 0.0},
     {"shaft.design", middle_load, "M_max", 25.0},                 // F l/4
     {"shaft.design", middle_load, "bearings.left.R_x", -50},      // half of it
     {"shaft.design", middle_load, "mass", 7840 * pi / 4 * 1e-4},  // of C45E

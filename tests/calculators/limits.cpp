@@ -497,6 +497,7 @@ const Side pins[] = {
 
 const Side links[] = {
     {"link.member", "u_y", over, "S", "10.5", "10.6"},
+    {"link.member", "x_m", outside, "a_m", R"("886 m/s^2")", R"("888 m/s^2")"},
     {"link.member", "u_Q", over, "S", "15.7", "15.8"},
     {"link.member", "u", over, "n_st", "14.4", "14.5"},
     {"link.member", "u_p", over, "n_st", "14.80", "14.81"},

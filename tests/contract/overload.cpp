@@ -89,6 +89,7 @@ constexpr std::array without_load{
     Reason{"dynamics.throw reach", by_speed},
     Reason{"dynamics.work reach", "the force is zero, or drives it on"},
     Reason{"gear.rating dynamic", by_speed},
+    Reason{"link.member inertia", by_speed},
     Reason{"link.member slenderness", by_sizes},
     Reason{"machine.run_up stall", "its points are of motor and load alike, and are no single load"},
     Reason{"shaft.design critical_bending", by_speed},

@@ -18,11 +18,6 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double most_apart = 1e-3;
-constexpr int most_stages = 12;
-
-const Dimension of_stress = Dimension::of(-1, 1, -2);
-
 /// The value of largest magnitude; NaN if there is none.
 double magnitude(const Value& value) {
   double most = std::nan("");
@@ -32,10 +27,14 @@ double magnitude(const Value& value) {
   return most;
 }
 
+}  // namespace
+
 double magnitude_at(const Project& project, const std::string& path) {
   const Value* const value = project.value(path);
   return value == nullptr ? std::nan("") : magnitude(*value);
 }
+
+namespace {
 
 double magnitude_of(const Operand& operand, const Project& project) {
   static const Value none{{}, {std::nan("")}};
@@ -45,7 +44,8 @@ double magnitude_of(const Operand& operand, const Project& project) {
   }));
 }
 
-/// The value of an input before the step is solved; NaN if it is not known.
+}  // namespace
+
 double own_value(const Step& step, const Project& project, const std::string& path) {
   const auto& operands = step.input().reading.operands;
   const auto operand = std::find_if(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == path; });
@@ -54,7 +54,6 @@ double own_value(const Step& step, const Project& project, const std::string& pa
   return leaf && leaf.field->is_number() ? leaf.get() : std::nan("");
 }
 
-/// Whether the calculator declares one of these meanings for a field.
 bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(std::string_view what)) {
   return std::any_of(calculator.meanings.begin(), calculator.meanings.end(), [&](const Meaning& meaning) {
     const auto fields = listed_keys(meaning.fields);
@@ -63,10 +62,20 @@ bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(
   });
 }
 
+namespace {
+
+constexpr double most_apart = 1e-3;
+constexpr int most_stages = 12;
+
+const Dimension of_stress = Dimension::of(-1, 1, -2);
+
 bool is_strength_of_metal(std::string_view what) {
   return strength_bound_of(what) != nullptr && what != crushing_stress;
 }
 bool is_limit_of_part(std::string_view what) { return what == limit_in_normal || what == limit_in_shear; }
+bool is_fatigue_limit(std::string_view what) {
+  return is_strength_of_metal(what) && !is_allowable(what) && what != yield_strength;
+}
 bool is_speed_ratio(std::string_view what) { return what == ratio_of_speeds; }
 
 /// Whether a step connects a hub to a shaft: it hands over a notch of the shaft, or the connection.
@@ -97,6 +106,9 @@ class OriginCheck {
       compare_component(operand);
       compare_joint(operand);
     }
+    for (const auto* all : {&step_.input().reading.operands, &step_.input().reading.whole}) {
+      for (const Operand& operand : *all) compare_part(operand);
+    }
     compare_direction();
     return std::move(found_);
   }
@@ -123,16 +135,16 @@ class OriginCheck {
                             operand.path, highest));
   }
 
-  /// A fatigue limit of another material, or of another diameter at heat treatment.
+  /// A fatigue limit of another material, or of a part of another diameter at heat treatment.
   void compare_limit(const Operand& operand) {
-    if (!means(calculator(), operand.path, &is_limit_of_part)) return;
+    if (!means(calculator(), operand.path, &is_fatigue_limit)) return;
     for (const auto& reference : operand.expression.references()) {
       const auto [name, rest] = split_step(reference.path);
       const Step* const source = project_.find(name);
       if (source == nullptr || source == &step_ || source->input().calculator == nullptr) continue;
-      if (!means(*source->input().calculator, rest, &is_limit_of_part)) continue;
+      if (!means(*source->input().calculator, rest, &is_fatigue_limit)) continue;
       compare_materials(operand.path, *source, reference.path);
-      compare_sizes(operand.path, *source, reference.path);
+      if (means(calculator(), operand.path, &is_limit_of_part)) compare_sizes(operand.path, *source, reference.path);
     }
   }
 
@@ -210,10 +222,35 @@ class OriginCheck {
         if ((i < 0.0) == is_crossed) continue;
         add("arrangement",
             say("arrangement = \"{1}\" contradicts the direction of '{2}i' = {3}: correct one of them, or "
-                " because.arrangement = \"...\"",
+                "because.arrangement = \"...\"",
                 word_of(arrangement), stage, format_number(i, 4)));
       }
     }
+  }
+
+  /// A stress that acts together with another one at the same point, which the step leaves out.
+  void compare_part(const Operand& operand) {
+    constexpr double negligible = 0.02;
+    for (const auto& reference : operand.expression.references()) {
+      const auto [name, rest] = split_step(reference.path);
+      const Step* const source = project_.find(name);
+      const FieldInfo* const field = source == nullptr ? nullptr : source->field(rest);
+      if (field == nullptr || field->dimension != of_stress || operand.leaf.field->dimension != of_stress) continue;
+      const double own = std::abs(magnitude_at(project_, reference.path));
+      for (const std::string& key : listed_keys(field->companions)) {
+        const std::string other = name + "." + key;
+        if (refers_to(other) || !(std::abs(magnitude_at(project_, other)) > negligible * own)) continue;
+        return add(operand.path, say("'{2}' acts together with '{3}': use the stresses that include both, or "
+                                     "because.{1} = \"...\"",
+                                     operand.path, reference.path, other));
+      }
+    }
+  }
+
+  bool refers_to(const std::string& path) const {
+    bool found = false;
+    for_each_reference(step_.input().reading, [&](const std::string& one) { found = found || one == path; });
+    return found;
   }
 
   /// One component of a force whose magnitude the source has, too.
@@ -248,129 +285,10 @@ class OriginCheck {
   std::vector<ReducedLoad> found_;
 };
 
-bool is_speed_of_run(std::string_view what) { return what == speed_of_run; }
-bool is_moment_of_motor(std::string_view what) { return what == moment_of_motor; }
-bool is_inertia_of_flywheel(std::string_view what) { return what == inertia_of_flywheel; }
-
-/// A run of a drive, next to the other steps of the same machine.
-class RunCheck {
- public:
-  RunCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
-
-  std::vector<ReducedLoad> run() {
-    if (step_.input().calculator == nullptr) return {};
-    speed_ = largest_input(&is_speed_of_run, speed_path_);
-    if (!(speed_ > 0.0)) return {};
-    moment_ = largest_input(&is_moment_of_motor, moment_path_);
-    for (const std::string& source : sources()) compare_train(source);
-    compare_shaft();
-    compare_flywheels();
-    return std::move(found_);
-  }
-
- private:
-  static constexpr double near = 0.1;           // slip
-  static constexpr double most_of_motor = 3.5;  // breakdown torque over rated torque, motors with a squirrel cage
-
-  void add(const std::string& path, Message message) {
-    found_.push_back({path.substr(0, path.find_first_of(".[")), std::move(message)});
-  }
-
-  /// The largest magnitude of the inputs with a meaning, and the path of that input.
-  double largest_input(bool (*is_it)(std::string_view what), std::string& at) const {
-    double most = std::nan("");
-    for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
-      if (!leaf.field->is_number() || !means(*step_.input().calculator, path, is_it)) return;
-      const double si = std::abs(own_value(step_, project_, path));
-      if (!std::isnan(si) && !(si <= most)) most = si, at = path;
-    });
-    return most;
-  }
-
-  std::set<std::string> sources() const {
-    std::set<std::string> all;
-    for_each_reference(step_.input().reading, [&](const std::string& path) { all.insert(split_step(path).first); });
-    return all;
-  }
-
-  /// A run ends, or starts, at the speed of a shaft of the train, by a motor of its power.
-  void compare_train(const std::string& train) {
-    double T = std::nan(""), n = std::nan("");
-    for (int k = 1;; ++k) {
-      const std::string shaft = train + ".shafts[" + std::to_string(k) + "].";
-      const double there = std::abs(magnitude_at(project_, shaft + "n"));
-      if (std::isnan(there)) break;
-      if (std::isnan(n)) n = there;
-      if (std::abs(speed_ - there) <= near * there) T = std::abs(magnitude_at(project_, shaft + "T")), n = speed_;
-    }
-    if (!std::isnan(n) && n != speed_)
-      add(speed_path_, say("{1} = {2} is the speed of no shaft of '{3}'; justify it: because.{1} = \"...\"",
-                           speed_path_, format_quantity(speed_, "rpm", 4), train));
-    if (moment_ > most_of_motor * T)
-      add(moment_path_,
-          say("the motor moment of {1} is more than {2} times the torque of '{3}', {4}; justify it: "
-              "because.motor = \"...\"",
-              format_quantity(moment_, "N*m", 4), format_number(most_of_motor), train, format_quantity(T, "N*m", 4)));
-  }
-
-  /// A run at the speed of another step loads its shaft by the moment of the motor, unless a peak factor covers it.
-  void compare_shaft() {
-    const auto& operands = step_.input().reading.operands;
-    const auto speed =
-        std::find_if(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == speed_path_; });
-    if (speed == operands.end() || !speed->expression.is_reference()) return;
-    const auto [name, key] = split_step(speed->expression.references().front().path);
-    const double K_A = magnitude_at(project_, name + ".K_A");
-    const double T = std::abs(magnitude_at(project_, name + ".T" + key.substr(std::min<std::size_t>(1, key.size()))));
-    if (std::isnan(K_A) || !(moment_ > K_A * T * largest_peak_factor())) return;
-    add(moment_path_, say("the motor moment of {1} is more than K_A T = {2} of '{3}': give the shaft k_max, or "
-                          "because.motor = \"...\"",
-                          format_quantity(moment_, "N*m", 4), format_quantity(K_A * T, "N*m", 4), name));
-  }
-
-  double largest_peak_factor() const {
-    double most = 1.0;
-    for (const auto& step : project_.steps) most = std::fmax(most, own_value(*step, project_, "k_max"));
-    return most;
-  }
-
-  /// A flywheel at this speed is accelerated, too.
-  void compare_flywheels() {
-    const std::set<std::string> named = sources();
-    for (const auto& wheel : project_.steps) {
-      const Calculator* const calculator = wheel->input().calculator;
-      if (calculator == nullptr || !means(*calculator, "J", &is_inertia_of_flywheel) || named.contains(wheel->name()))
-        continue;
-      const double omega = own_value(*wheel, project_, "omega"), J = own_value(*wheel, project_, "J");
-      if (!(std::abs(omega - speed_) <= near * speed_) || is_among_parts(J)) continue;
-      add("parts", say("the flywheel '{1}' turns at this speed, and is not among the parts: add J = \"={1}.{2}\", or "
-                       "because.parts = \"...\"",
-                       wheel->name(), std::isnan(J) ? "J_F" : "J"));
-    }
-  }
-
-  bool is_among_parts(double J) const {
-    bool found = false;
-    for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
-      const bool is_inertia = path.ends_with(".J") && leaf.field->is_number();
-      found = found || (is_inertia && std::abs(own_value(step_, project_, path) - J) <= near * J);
-    });
-    return found;
-  }
-
-  const Step& step_;
-  const Project& project_;
-  double speed_ = std::nan(""), moment_ = std::nan("");
-  std::string speed_path_, moment_path_;
-  std::vector<ReducedLoad> found_;
-};
-
 }  // namespace
 
 std::vector<ReducedLoad> values_of_others(const Step& step, const Project& project) {
-  std::vector<ReducedLoad> all = OriginCheck(step, project).run();
-  for (ReducedLoad& of_run : RunCheck(step, project).run()) all.push_back(std::move(of_run));
-  return all;
+  return OriginCheck(step, project).run();
 }
 
 }  // namespace loadpath::project

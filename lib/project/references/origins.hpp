@@ -3,14 +3,23 @@
 
 #include "lib/project/project.hpp"
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace loadpath::project {
 
-/// Inputs that need a reason: a fatigue limit of another material or size, or above the limit that it is computed
-/// from; a component of a force, and the force of a guide for a pin; the torque of a connection below that of the shaft
-/// which its diameter comes from; a ratio of speeds that is not the ratio which it refers to; a run of a drive at a
-/// speed, by a motor or without a flywheel that is not of the other steps. The steps that it refers to are solved.
+/// Inputs that need a reason: a fatigue limit of another material or size, or above the limit that it is computed from;
+/// a component of a force, a part of a stress, and the force of a guide for a pin; the torque of a connection below
+/// that of the shaft which its diameter comes from; a ratio of speeds that is not the ratio which it refers to; a belt
+/// that reverses where the train does not. The steps that it refers to are solved.
 std::vector<ReducedLoad> values_of_others(const Step& step, const Project& project);
+
+/// The value of largest magnitude at a path of a solved step; NaN if there is none.
+double magnitude_at(const Project& project, const std::string& path);
+/// That of an input before its step is solved; NaN if it is not known.
+double own_value(const Step& step, const Project& project, const std::string& path);
+/// Whether the calculator declares one of these meanings for a field.
+bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(std::string_view what));
 
 }  // namespace loadpath::project

@@ -2,9 +2,9 @@
 
 #include "lib/calculator/meaning.hpp"
 #include "lib/project/because.hpp"
-#include "lib/project/references/factors_of_takers.hpp"
 #include "lib/project/references/notches.hpp"
 #include "lib/project/references/origins.hpp"
+#include "lib/project/references/other_steps.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/turning.hpp"
 
@@ -107,6 +107,7 @@ class ReductionCheck {
       if (!is_reduction_justified(step_, path)) loads_.push_back({path, std::move(message)});
     }
     hold(values_of_others(step_, project_));
+    hold(values_of_runs(step_, project_));
     hold(factors_of_takers(step_, project_));
     step_.loads().reduced = std::move(loads_);
   }

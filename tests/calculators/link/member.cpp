@@ -131,7 +131,7 @@ TEST_SUITE("link member") {
     CHECK(mode_with("link.member", "S = ", "yield") == "not-judged");
     CHECK(mode_with("link.member", "N = \"18 kN\"", "bent") == "none");
     CHECK(mode_with("link.member", "N = \"0 kN\"", "yield") == "pass");
-    CHECK(mode_with("link.member", "N = \"0 kN\"\nM_b = \"0 N*m\"", "yield") == "none");
+    CHECK(mode_with("link.member", "N = \"0 kN\"\nM_b = \"0 N*m\"\nV = \"0 kN\"", "yield") == "none");
     CHECK(mode_with("link.member", "N = \"-1e-12 N\"\nM_b = \"9 kN*m\"", "bent") == "fail");
     CHECK(mode_with("link.member", "N = \"-9 MN\"", "bent") == "fail");
     const std::string i = "h = \nb = \nA_v = \"400 mm^2\"\nsection = \"IPE 100\"\nkind = \"rolled_I\"";

@@ -72,6 +72,21 @@ TEST_SUITE("found limits elsewhere") {
                   "yield") == "pass");
   }
 
+  TEST_CASE("the fatigue of a link is that of its whole stress") {
+    const auto life = [](const std::string& sigma, const std::string& more = "") {
+      return mode_of(solved_as_found(arm_with("12 kN", "2.7 kN*m") +
+                                     "[life]\ncalculator = \"fatigue.life\"\nsigma_max = \"" + sigma +
+                                     "\"\nr = 0\nsigma_D = \"160 MPa\"\ngroup = \"carbon-steel\"\nmaterial = \"S355\"\n"
+                                     "d_h = \"60 mm\"\nS_D = 1.3\nS_F = 1.5\n" +
+                                     more),
+                     "life", "fatigue");
+    };
+    CHECK(life("=-arm.sigma_N") == "not-judged");
+    CHECK(life("=arm.sigma_o") != "not-judged");
+    CHECK(life("=arm.sigma_M + abs(arm.sigma_N)") != "not-judged");
+    CHECK(life("=-arm.sigma_N", "because.sigma_max = \"at the pin, where M_b is zero\"\n") != "not-judged");
+  }
+
   TEST_CASE("a force on an overhang has a lever arm") {
     CHECK(first_error_of("[e]\ncalculator = \"shaft.overhung\"\nF = \"3 kN\"\na = \"0 mm\"\nT = \"78 N*m\"\n"
                          "sigma_adm = \"60 MPa\"\n")

@@ -1,0 +1,184 @@
+#include "lib/project/references/other_steps.hpp"
+
+#include "lib/calculator/meaning.hpp"
+#include "lib/project/references/origins.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace loadpath::project {
+
+namespace {
+
+/// The factor that a step applies to its loads; 1 if it is not known yet, or not given.
+double applied_factor(const Step& step, const Project& project, const std::string& key) {
+  const double factor = own_value(step, project, key);
+  return std::isnan(factor) ? 1.0 : factor;
+}
+
+bool applies_factor(const Step& step, const std::string& key) {
+  const Calculator* const calculator = step.input().calculator;
+  const FieldInfo* const field = calculator == nullptr ? nullptr : find_field(calculator->input->fields, key);
+  return field != nullptr && field->is_factor;
+}
+
+/// The input of the step that is a load of the other one as it is, "post.P"; empty if none is.
+std::string load_taken_by(const Step& taker, const Step& step) {
+  for (const Operand& operand : taker.input().reading.operands) {
+    if (!operand.leaf.field->is_load || !operand.expression.is_reference()) continue;
+    const std::string& path = operand.expression.references().front().path;
+    const auto [name, rest] = split_step(path);
+    const FieldInfo* const field =
+        name == step.name() ? find_field(step.input().calculator->input->fields, rest) : nullptr;
+    if (field != nullptr && field->is_load) return path;
+  }
+  return {};
+}
+
+bool is_speed_of_run(std::string_view what) { return what == speed_of_run; }
+bool is_moment_of_motor(std::string_view what) { return what == moment_of_motor; }
+bool is_inertia_of_flywheel(std::string_view what) { return what == inertia_of_flywheel; }
+
+/// A run of a drive, next to the other steps of the same machine.
+class RunCheck {
+ public:
+  RunCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    if (step_.input().calculator == nullptr) return {};
+    speed_ = largest_input(&is_speed_of_run, speed_path_);
+    if (!(speed_ > 0.0)) return {};
+    moment_ = largest_input(&is_moment_of_motor, moment_path_);
+    for (const std::string& source : sources()) compare_train(source);
+    compare_shaft();
+    compare_flywheels();
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr double near = 0.1;           // slip
+  static constexpr double most_of_motor = 3.5;  // breakdown torque over rated torque, motors with a squirrel cage
+
+  void add(const std::string& path, Message message) {
+    found_.push_back({path.substr(0, path.find_first_of(".[")), std::move(message)});
+  }
+
+  /// The largest magnitude of the inputs with a meaning, and the path of that input.
+  double largest_input(bool (*is_it)(std::string_view what), std::string& at) const {
+    double most = std::nan("");
+    for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+      if (!leaf.field->is_number() || !means(*step_.input().calculator, path, is_it)) return;
+      const double si = std::abs(own_value(step_, project_, path));
+      if (!std::isnan(si) && !(si <= most)) most = si, at = path;
+    });
+    return most;
+  }
+
+  std::set<std::string> sources() const {
+    std::set<std::string> all;
+    for_each_reference(step_.input().reading, [&](const std::string& path) { all.insert(split_step(path).first); });
+    return all;
+  }
+
+  /// A run ends, or starts, at the speed of a shaft of the train, by a motor of its power.
+  void compare_train(const std::string& train) {
+    double T = std::nan(""), n = std::nan("");
+    for (int k = 1;; ++k) {
+      const std::string shaft = train + ".shafts[" + std::to_string(k) + "].";
+      const double there = std::abs(magnitude_at(project_, shaft + "n"));
+      if (std::isnan(there)) break;
+      if (std::isnan(n)) n = there;
+      if (std::abs(speed_ - there) <= near * there) T = std::abs(magnitude_at(project_, shaft + "T")), n = speed_;
+    }
+    if (!std::isnan(n) && n != speed_)
+      add(speed_path_, say("{1} = {2} is the speed of no shaft of '{3}'; justify it: because.{1} = \"...\"",
+                           speed_path_, format_quantity(speed_, "rpm", 4), train));
+    if (moment_ > most_of_motor * T)
+      add(moment_path_,
+          say("the motor moment of {1} is more than {2} times the torque of '{3}', {4}; justify it: "
+              "because.motor = \"...\"",
+              format_quantity(moment_, "N*m", 4), format_number(most_of_motor), train, format_quantity(T, "N*m", 4)));
+  }
+
+  /// A run at the speed of another step loads its shaft by the moment of the motor, unless a peak factor covers it.
+  void compare_shaft() {
+    const auto& operands = step_.input().reading.operands;
+    const auto speed =
+        std::find_if(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == speed_path_; });
+    if (speed == operands.end() || !speed->expression.is_reference()) return;
+    const auto [name, key] = split_step(speed->expression.references().front().path);
+    const double K_A = magnitude_at(project_, name + ".K_A");
+    const double T = std::abs(magnitude_at(project_, name + ".T" + key.substr(std::min<std::size_t>(1, key.size()))));
+    if (std::isnan(K_A) || !(moment_ > K_A * T * largest_peak_factor())) return;
+    add(moment_path_, say("the motor moment of {1} is more than K_A T = {2} of '{3}': give the shaft k_max, or "
+                          "because.motor = \"...\"",
+                          format_quantity(moment_, "N*m", 4), format_quantity(K_A * T, "N*m", 4), name));
+  }
+
+  double largest_peak_factor() const {
+    double most = 1.0;
+    for (const auto& step : project_.steps) most = std::fmax(most, own_value(*step, project_, "k_max"));
+    return most;
+  }
+
+  /// A flywheel at this speed is accelerated, too.
+  void compare_flywheels() {
+    const std::set<std::string> named = sources();
+    for (const auto& wheel : project_.steps) {
+      const Calculator* const calculator = wheel->input().calculator;
+      if (calculator == nullptr || !means(*calculator, "J", &is_inertia_of_flywheel) || named.contains(wheel->name()))
+        continue;
+      const double omega = own_value(*wheel, project_, "omega"), J = own_value(*wheel, project_, "J");
+      if (!(std::abs(omega - speed_) <= near * speed_) || is_among_parts(J)) continue;
+      add("parts", say("the flywheel '{1}' turns at this speed, and is not among the parts: add J = \"={1}.{2}\", or "
+                       "because.parts = \"...\"",
+                       wheel->name(), std::isnan(J) ? "J_F" : "J"));
+    }
+  }
+
+  bool is_among_parts(double J) const {
+    bool found = false;
+    for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+      const bool is_inertia = path.ends_with(".J") && leaf.field->is_number();
+      found = found || (is_inertia && std::abs(own_value(step_, project_, path) - J) <= near * J);
+    });
+    return found;
+  }
+
+  const Step& step_;
+  const Project& project_;
+  double speed_ = std::nan(""), moment_ = std::nan("");
+  std::string speed_path_, moment_path_;
+  std::vector<ReducedLoad> found_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& project) {
+  constexpr double rounding = 1e-6;
+  std::vector<ReducedLoad> lower;
+  for (const char* const key : {"K_A", "gamma_F"}) {
+    if (!applies_factor(step, key)) continue;
+    const double own = applied_factor(step, project, key);
+    for (const auto& taker : project.steps) {
+      if (taker.get() == &step || !applies_factor(*taker, key)) continue;
+      const double factor = applied_factor(*taker, project, key);
+      const std::string load = load_taken_by(*taker, step);
+      if (load.empty() || !(factor > own * (1.0 + rounding))) continue;
+      lower.push_back(
+          {key, say("{1} takes '{2}' with {3} = {4}; here {3} is lower: give it, or say why, because.{3} = \"...\"",
+                    taker->name(), load, key, format_number(factor, 4))});
+    }
+  }
+  return lower;
+}
+
+std::vector<ReducedLoad> values_of_runs(const Step& step, const Project& project) {
+  return RunCheck(step, project).run();
+}
+
+}  // namespace loadpath::project

@@ -146,7 +146,7 @@ S = 1.5
                                       "maximum nominal stress of the link, for fatigue.cycle: cycle"}
                  .handed_over()},
       Fields{Field<Result, double>{&Result::x_m, "x_m", ratio,
-                                   "own inertia, not included: S x stress / yield strength (negligible up to 0.1)"}
+                                   "own inertia: S x stress / yield strength (beyond 0.1 give the link its mass)"}
                  .limit(0, 0.1)
                  .where_it_applies()},
       column::side_by_side<Result>());
@@ -210,7 +210,7 @@ S = 1.5
           .or_counted_by("fatigue.history", "sigma_o, sigma_u")
           .in_service(),
       Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
-      Mode<Input>{"inertia", "inertia forces of the link itself", &without_mass}.judged_by("x_m"),
+      Mode<Input>{"inertia", "inertia forces of a link without mass", &without_mass}.judged_by("x_m"),
       Mode<Input>{"weight", "bending by self-weight", &unseen<Input>}.special()};
 
   template <class Tracer>

@@ -238,7 +238,7 @@ class OriginCheck {
       if (field == nullptr || field->dimension != of_stress || operand.leaf.field->dimension != of_stress) continue;
       const double own = std::abs(magnitude_at(project_, reference.path));
       for (const std::string& key : listed_keys(field->companions)) {
-        const std::string other = name + "." + key;
+        const std::string other = std::string(name).append(".").append(key);
         if (refers_to(other) || !(std::abs(magnitude_at(project_, other)) > negligible * own)) continue;
         return add(operand.path, say("'{2}' acts together with '{3}': use the stresses that include both, or "
                                      "because.{1} = \"...\"",

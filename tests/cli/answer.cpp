@@ -49,7 +49,8 @@ TEST_SUITE("cli answer") {
   TEST_CASE("--quiet prints the verdict line where it is no pass") {
     CHECK(loadpath_with({"run", shaft, "--quiet"}).out.empty());
     const Ran ran =
-        Desk().run({"run", "-", "--quiet"}, "[key]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\nd = \"40 mm\"\n");
+        Desk().run({"run", "-", "--quiet"},
+                   "[key]\ncalculator = \"shaft.torsion\"\nT = \"100 N*m\"\nd = \"40 mm\"\nG = \"81 GPa\"\n");
     CHECK(ran.code == 4);
     CHECK(ran.out.starts_with("INCOMPLETE  "));
     CHECK(ran.out.find('\n') + 1 == ran.out.size());

@@ -153,8 +153,12 @@ std::string issues_text(const std::vector<Issue>& issues, const std::vector<Sour
 }
 
 void show_issues(const std::vector<Issue>& issues, const std::vector<SourceText>& sources) {
-  const std::string text = issues_text(issues, sources);
+  constexpr std::size_t most = 30;  // one slip can break a rule at every link of a long chain
+  const std::vector<Issue> first(issues.begin(),
+                                 issues.begin() + static_cast<std::ptrdiff_t>(std::min(most, issues.size())));
+  const std::string text = issues_text(first, sources);
   std::cerr << (isatty(STDERR_FILENO) != 0 ? with_short_hints(text) : text);
+  if (issues.size() > most) std::cerr << "loadpath: " << issues.size() - most << " more of these are not shown\n";
 }
 
 void show_short(const project::Project& project) {

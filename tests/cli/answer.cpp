@@ -56,6 +56,19 @@ TEST_SUITE("cli answer") {
     CHECK(ran.out.find('\n') + 1 == ran.out.size());
   }
 
+  TEST_CASE("a slip that breaks a rule at many places is told at thirty of them") {
+    std::string many;
+    for (int i = 0; i < 40; ++i) many += "[s" + std::to_string(i) + "]\ncalculator = \"shaft.torsion\"\nT = \"1 mm\"\n";
+    const Ran ran = Desk().run({"run", "-"}, many);
+    CHECK(ran.code == 2);
+    CHECK(contains(ran.error, " more of these are not shown\n"));
+    std::size_t shown = 0;
+    for (std::size_t at = ran.error.find(": error: "); at != std::string::npos;
+         at = ran.error.find(": error: ", at + 1))
+      ++shown;
+    CHECK(shown <= 30);
+  }
+
   TEST_CASE("a locale of another encoding has bars of ASCII") {
     const Ran ran = Desk().run({"run", shaft}, "", {{"LC_ALL", "C"}});
     CHECK(contains(ran.out, " 0.859 ########"));

@@ -24,7 +24,7 @@ enum class Quality { untold, ML, MQ, ME };
 enum class Finish { hobbed, mixed, ground };
 enum class Crowning { none, crowned, end_relief };
 /// The place of the pinion on its shaft, [DIN3990-11].
-enum class Place { middle, a, b, c, d, e };
+enum class Place { untold, middle, a, b, c, d, e };
 enum class Pattern { unfavourable, favourable };
 
 constexpr auto choices_of(GearMaterial) {

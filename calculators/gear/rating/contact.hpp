@@ -54,9 +54,10 @@ void flank_factor(const Input& in, const PairResult& g, Result& r, Tracer& trace
   }
   const Length a_w = trace.value("a_w", g.a_w, "centre distance");
   STEP(R_z100, (in.R_z1 + in.R_z2) / 2.0 * cbrt(100.0 * mm / a_w), "mean roughness, related to 100 mm");
-  const bool smooth = in.finish == Finish::ground && R_z100 <= 4.0 * um.one;
-  r.Z_LVR = trace.value("Z_LVR", smooth ? 1.0 : 0.92,
-                        smooth ? "ground or shaved, up to 4 um, [DIN3990-11]" : "mixed, or above 4 um, [DIN3990-11]");
+  const bool smooth = R_z100 <= 4.0 * um.one;
+  r.Z_LVR = in.finish == Finish::mixed
+                ? trace.value("Z_LVR", smooth ? 0.92 : 0.85, "one gear hobbed: 0.92 up to 4 um, [DIN3990-11]")
+                : trace.value("Z_LVR", smooth ? 1.0 : 0.92, "ground or shaved: 1 up to 4 um, [DIN3990-11]");
 }
 
 /// Z_W: a soft gear that a smooth hard one work-hardens.
@@ -102,10 +103,10 @@ Contact contact_of(const Input& in, const Wheel& wheel, const Wheel& mate, doubl
   const double Z_W = trace.value("Z_W", work_hardening(wheel, mate), "work hardening factor");
   const double Z_X = trace.value("Z_X", size_factor_of_flank(wheel.material, in.m_n / mm), "size factor");
   STEP(sigma_Hend, sigma_Hlim * Z_LVR * Z_W * Z_X, "endurance limit of the flanks");
-  const double Z_stat = is_nitrided(wheel.material) ? 1.3 : 1.6;
-  const bool long_to_endure = is_nitrided(wheel.material) || wheel.material == GearMaterial::grey;
+  const bool is_short = is_nitrided(wheel.material) || wheel.material == GearMaterial::grey;
+  const double Z_stat = is_short ? 1.3 : 1.6;
   const Stress sigma_HG =
-      limit_at(sigma_Hend, Z_stat * Z_W * sigma_Hlim, N, 1e5, long_to_endure ? 2e6 : 5e7, trace, "sigma_HG");
+      limit_at(sigma_Hend, Z_stat * Z_W * sigma_Hlim, N, 1e5, is_short ? 2e6 : 5e7, trace, "sigma_HG");
   c.limit = trace.value(wheel.symbols.sigma_HG, sigma_HG, "of this gear");
   const double S_H = c.S =
       NAMED_STEP(wheel.symbols.S_H, sigma_HG / sigma_H, "calculated safety factor against pitting");

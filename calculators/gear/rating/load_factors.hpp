@@ -52,6 +52,7 @@ inline double place_constant(Place place) {
       return -0.6;
     case Place::e:
       return -1.0;
+    case Place::untold:
     case Place::middle:
       break;
   }
@@ -67,14 +68,18 @@ inline double running_in(const Wheel& wheel, double sigma_Hlim, double F_betax, 
   return std::min({320.0 / sigma_Hlim * F_betax, most, F_betax});
 }
 
-/// f_Hbeta of ISO 1328-1:1995 for the grade and the larger gear, unless it is given.
+/// f_Hbeta of ISO 1328-1:1995 for the grade and the larger gear.
+inline Length helix_tolerance(const Input& in, const PairResult& g) {
+  const double d = std::max(g.d_1, g.d_2) / mm, width = in.b / mm;
+  const double at_5 = 0.07 * std::sqrt(d) + 0.45 * std::sqrt(width) + 3.0;
+  return at_5 * std::pow(2.0, 0.5 * (static_cast<double>(in.grade) - 5.0)) * um.one;
+}
+
 template <class Tracer>
 Length manufacturing_deviation(const Input& in, const PairResult& g, Tracer& trace) {
   if (is_set(in.f_ma)) return in.f_ma;
-  const double d = std::max(g.d_1, g.d_2) / mm, width = in.b / mm;
-  const double at_5 = 0.07 * std::sqrt(d) + 0.45 * std::sqrt(width) + 3.0;
-  const double f = at_5 * std::pow(2.0, 0.5 * (static_cast<double>(in.grade) - 5.0));
-  return trace.value("f_ma", f * um.one, "helix slope tolerance of the grade, ISO 1328-1:1995, from memory");
+  return trace.value("f_ma", helix_tolerance(in, g),
+                     "helix slope tolerance of the grade, ISO 1328-1:1995, from memory");
 }
 
 template <class Tracer>

@@ -55,16 +55,17 @@ constexpr const StrengthLine* strength_line(GearMaterial material, Quality quali
   return nullptr;
 }
 
-/// The largest values of a material in table 1, at a hardness or, where it is unset, at any; NaN at a hardness that
-/// table 1 does not have.
+/// The largest values of a material in table 1: of a quality or, where it is untold, of any; at a hardness, or the
+/// nearest that table 1 has, or where it is unset at any.
 struct StrengthBounds {
   double sigma_H = std::numeric_limits<double>::quiet_NaN(), sigma_F = std::numeric_limits<double>::quiet_NaN();
 };
-constexpr StrengthBounds strength_bounds(GearMaterial material, double hardness) {
+constexpr StrengthBounds strength_bounds(GearMaterial material, Quality quality, double hardness) {
   StrengthBounds most;
   for (const StrengthLine& line : strength_lines) {
-    const double H = hardness == hardness ? hardness : line.high;
-    if (line.material != material || H < line.low || H > line.high) continue;
+    if (line.material != material || (quality != Quality::untold && line.quality != quality)) continue;
+    const double known = hardness == hardness ? hardness : line.high;
+    const double H = known < line.low ? line.low : known > line.high ? line.high : known;
     const double h = (line.A_H * H + line.B_H) * 1e6, f = (line.A_F * H + line.B_F) * 1e6;
     if (!(most.sigma_H >= h)) most.sigma_H = h;
     if (!(most.sigma_F >= f)) most.sigma_F = f;
@@ -74,7 +75,7 @@ constexpr StrengthBounds strength_bounds(GearMaterial material, double hardness)
 
 /// Modulus of elasticity and Poisson's ratio: [DIN3990-2] table 1, from memory.
 constexpr double modulus_of(GearMaterial material) {
-  return material == GearMaterial::nodular ? 173e9 : material == GearMaterial::grey ? 118e9 : 206e9;
+  return material == GearMaterial::nodular ? 173e9 : material == GearMaterial::grey ? 126e9 : 206e9;
 }
 inline constexpr double poisson = 0.3;
 

@@ -95,6 +95,15 @@ bool Rating::is_laid_out(const Input& in) {
   return angle > 0.0 && angle < pi / 3.0;
 }
 
+bool Rating::is_in_place(const Input& in) {
+  if (!leaves_middle(in) || !is_set(in.l) || !is_set(in.s) || !is_set(in.d_sh)) return true;
+  const bool overhung = in.place == Place::c;
+  const bool stands = overhung ? in.s > in.l / 2.0 : in.s < in.l / 2.0;
+  return stands && in.l > in.b && !(in.d_sh > geometry_of(in).d_f1);
+}
+
+double Rating::least_deviation(const Input& in) { return in_si(helix_tolerance(in, geometry_of(in))); }
+
 template <class Tracer>
 Rating::Result Rating::evaluate(const Input& in, Tracer& trace) {
   Result r;
@@ -122,6 +131,8 @@ Rating::Result Rating::evaluate(const Input& in, Tracer& trace) {
   r.sigma_F01 = t_1.sigma_0, r.sigma_F1 = t_1.sigma, r.sigma_FG1 = t_1.limit, r.S_F1 = t_1.S, r.u_F1 = t_1.u;
   r.sigma_F02 = t_2.sigma_0, r.sigma_F2 = t_2.sigma, r.sigma_FG2 = t_2.limit, r.S_F2 = t_2.S, r.u_F2 = t_2.u;
   r.x_eps = g.eps_alpha;
+  r.x_free = g.x_free, r.s_a = g.s_a, r.f_int = g.f_int;
+  r.c_n = std::min(g.c_1, g.c_2), r.j_bn = g.j_bn;
   return r;
 }
 

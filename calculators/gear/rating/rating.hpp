@@ -66,7 +66,9 @@ S_Fmin = 1.4
   static bool has_line(const Input& in);
   static FieldFault missing_line(const Input& in);
   static bool is_laid_out(const Input& in);
-  static bool leaves_middle(const Input& in) { return in.place != Place::middle; }
+  static bool leaves_middle(const Input& in) { return in.place > Place::middle; }
+  static bool is_in_place(const Input& in);
+  static double least_deviation(const Input& in);
 
   static constexpr Fields inputs{
       RecordField<Input>{"mesh", "gear pair: mesh = \"=stage.mesh\""},
@@ -86,14 +88,14 @@ S_Fmin = 1.4
       Field{&Input::rho_fP, "rho_fP", ratio, "root fillet radius of the basic rack, in modules"}.within(0, 0.6),
       Choice{&Input::shortening, "shortening", "tip shortening of a pair with profile shift"}.may_be_missing(),
       Field{&Input::b, "b", mm, "common face width"}.positive(),
-      Field{&Input::T_1, "T_1", N_m, "torque of gear 1, nominal"}.load(),
-      Field{&Input::n_1, "n_1", rpm, "speed of gear 1"},
+      Field{&Input::T_1, "T_1", N_m, "torque of gear 1, nominal"}.load().at_least_that_of_source("T_1"),
+      Field{&Input::n_1, "n_1", rpm, "speed of gear 1"}.near_that_of_source("n_1"),
       Field{&Input::K_A, "K_A", ratio, "application factor K_A (1 if the load includes it)"}
           .at_least(1)
           .usually(1, 2.5)
           .factor(),
       Choice{&Input::idler, "idler", "idler gear (reversed tooth bending)"}.may_be_missing(),
-      Count{&Input::grade, "grade", 5, 12, "accuracy grade of the teeth, DIN 3961 or ISO 1328"},
+      Count{&Input::grade, "grade", 5, 12, "accuracy grade of the teeth, DIN 3961"},
       Choice{&Input::finish, "finish", "finish of the flanks"}.may_be_missing(),
       Field{&Input::R_z1, "R_z1", um, "flank roughness, gear 1"}.positive().usually(0.5, 40).may_be_missing(),
       Field{&Input::R_z2, "R_z2", um, "flank roughness, gear 2"}.positive().usually(0.5, 40).may_be_missing(),
@@ -124,7 +126,7 @@ S_Fmin = 1.4
           .may_be_missing(),
       Choice{&Input::place, "place", "place of the pinion on its shaft"},
       Field{&Input::l, "l", mm, "bearing span of the pinion shaft"}.positive().may_be_missing(),
-      Field{&Input::s, "s", mm, "distance of the pinion from the middle of the span"}.at_least(0),
+      Field{&Input::s, "s", mm, "distance of the pinion from the middle of the span"}.positive().may_be_missing(),
       Field{&Input::d_sh, "d_sh", mm, "diameter of the pinion shaft"}.positive().may_be_missing(),
       Choice{&Input::crowning, "crowning", "correction of the flank line"}.may_be_missing(),
       Field{&Input::f_ma, "f_ma", um, "manufacturing deviation of the flank lines; omitted: by the grade"}
@@ -141,6 +143,7 @@ S_Fmin = 1.4
       Field{&Input::S_Fmin, "S_Fmin", ratio, "required safety factor against tooth breakage"}
           .at_least(1)
           .usually(1.2, 3)
+          .customarily_at_least(1.2)
           .may_be_missing()
           .factor()};
 
@@ -192,7 +195,18 @@ S_Fmin = 1.4
           "S_Fmin"),
       Field{&Result::u_F2, "u_F2", ratio, "tooth breakage, gear 2: required / calculated safety factor"}.check(
           "S_Fmin"),
-      Field{&Result::x_eps, "x_eps", ratio, "transverse contact ratio: the method holds from 1 to 2"}.limit(1, 2)};
+      Field{&Result::x_eps, "x_eps", ratio, "transverse contact ratio: the method holds from 1 to 2"}.limit(1, 2),
+      Field{&Result::x_free, "x_free", ratio, "undercut: minimum margin of profile shift to the undercut limit"}
+          .limit(-0.02, 100)
+          .criterion(),
+      Field{&Result::s_a, "s_a", ratio, "tip thickness: minimum in modules (0.2; case-hardened 0.4)"}
+          .limit(0.2, 100)
+          .criterion(),
+      Field{&Result::f_int, "f_int", ratio, "interference: minimum clearance between tips and fillets, in modules"}
+          .limit(-0.01, 1e4)
+          .criterion(),
+      Field{&Result::c_n, "c_n", mm, "tip clearance, the smaller one"}.limit(-1e-6, 1e4).criterion(),
+      Field{&Result::j_bn, "j_bn", mm, "normal backlash (negative: jamming)"}.limit(-1e-6, 1e3).criterion()};
 
   static constexpr std::array rules{
       Rule<Input>{&has_strengths, "quality_1, quality_2, sigma_Hlim_1, sigma_Hlim_2, sigma_Flim_1, sigma_Flim_2",
@@ -205,22 +219,30 @@ S_Fmin = 1.4
                   "the root radius must fit into the dedendum"},
       Rule<Input>{[](const Input& in) { return in.finish == Finish::hobbed || (is_set(in.R_z1) && is_set(in.R_z2)); },
                   "finish, R_z1, R_z2", "ground or shaved flanks need the roughness of both gears"},
-      Rule<Input>{[](const Input& in) { return !leaves_middle(in) || (is_set(in.l) && is_set(in.d_sh)); },
-                  "place, l, d_sh, s", "a pinion away from the middle needs l, s and d_sh"},
-      Rule<Input>{[](const Input& in) { return leaves_middle(in) || !(in.s > 0.0 * mm); }, "place, s",
+      Rule<Input>{
+          [](const Input& in) { return !leaves_middle(in) || (is_set(in.l) && is_set(in.d_sh) && is_set(in.s)); },
+          "place, l, d_sh, s", "a pinion away from the middle needs l, s and d_sh"},
+      Rule<Input>{[](const Input& in) { return leaves_middle(in) || !is_set(in.s); }, "place, s",
                   "midway between the bearings s is zero: name the place a to e"},
+      Rule<Input>{[](const Input& in) { return in.place != Place::untold; }, "place", "state the place of the pinion"},
+      Rule<Input>{
+          &is_in_place, "place, l, s, d_sh, b",
+          "an overhung pinion (c) has s above l/2, one between the bearings (a, b, d, e) below; the span is wider "
+          "than the face, and the shaft no thicker than the root circle"},
       Rule<Input>{[](const Input& in) { return !(abs(in.n_1) <= 0.0 * rpm); }, "n_1",
                   "a running gear needs a speed greater than zero"}};
 
   static constexpr std::array bounds{
+      Bound<Input>{"f_ma", "the helix slope tolerance of the grade", &least_deviation}.least(),
+      Bound<Input>{"pattern", "an unfavourable contact pattern", [](const Input&) { return 0.0; }},
       Bound<Input>{"sigma_Hlim_1", "the best quality of this material in ISO 6336-5",
-                   [](const Input& in) { return strength_bounds(in.material_1, in.H_1).sigma_H; }},
+                   [](const Input& in) { return strength_bounds(in.material_1, in.quality_1, in.H_1).sigma_H; }},
       Bound<Input>{"sigma_Hlim_2", "the best quality of this material in ISO 6336-5",
-                   [](const Input& in) { return strength_bounds(in.material_2, in.H_2).sigma_H; }},
+                   [](const Input& in) { return strength_bounds(in.material_2, in.quality_2, in.H_2).sigma_H; }},
       Bound<Input>{"sigma_Flim_1", "the best quality of this material in ISO 6336-5",
-                   [](const Input& in) { return strength_bounds(in.material_1, in.H_1).sigma_F; }},
+                   [](const Input& in) { return strength_bounds(in.material_1, in.quality_1, in.H_1).sigma_F; }},
       Bound<Input>{"sigma_Flim_2", "the best quality of this material in ISO 6336-5",
-                   [](const Input& in) { return strength_bounds(in.material_2, in.H_2).sigma_F; }}};
+                   [](const Input& in) { return strength_bounds(in.material_2, in.quality_2, in.H_2).sigma_F; }}};
 
   static constexpr bool turns = true;
   static constexpr std::array modes{
@@ -229,6 +251,11 @@ S_Fmin = 1.4
       Mode<Input>{"root_1", "tooth root bending, gear 1", &always<Input>}.judged_by("u_F1, x_eps"),
       Mode<Input>{"root_2", "tooth root bending, gear 2", &always<Input>}.judged_by("u_F2, x_eps"),
       Mode<Input>{"dynamic", "dynamic tooth load", &always<Input>}.judged_by("x_v"),
+      Mode<Input>{"undercut", "undercut", &always<Input>}.judged_by("x_free").of_shape(),
+      Mode<Input>{"pointed", "tip thickness", &always<Input>}.judged_by("s_a").of_shape(),
+      Mode<Input>{"interference", "tip and fillet interference", &always<Input>}.judged_by("f_int").of_shape(),
+      Mode<Input>{"clearance", "tip clearance", &always<Input>}.judged_by("c_n").of_shape(),
+      Mode<Input>{"backlash", "backlash", &always<Input>}.judged_by("j_bn").of_shape(),
       Mode<Input>{"overload", "tooth overload at peak torque", &unseen<Input>}.special(),
       Mode<Input>{"scuffing", "scuffing", &unseen<Input>}.special(),
       Mode<Input>{"micropitting", "micropitting", &unseen<Input>}.special(),

@@ -109,12 +109,14 @@ Root root_of(const Input& in, const Wheel& wheel, const Form& form, double K_Fbe
   const double Y_X = trace.value("Y_X", size_factor_of_root(wheel.material, in.m_n / mm), "size factor");
   const double Y_delta =
       trace.value("Y_delta", form.q_s >= 1.5 ? 1.0 : 0.95, "relative notch sensitivity, [DIN3990-11]");
+  const double Y_R = trace.value("Y_R", wheel.R_z > 16.0 * um.one ? 0.9 : 1.0, "roughness of the root, [DIN3990-11]");
   const double Y_A = trace.value("Y_A", wheel.both_ways ? 0.7 : 1.0, "0.7 for reversed bending");
-  STEP(sigma_Fend, 2.0 * sigma_Flim * Y_delta * Y_X * Y_A, "endurance limit of the root, with Y_ST of 2");
+  STEP(sigma_Fend, 2.0 * sigma_Flim * Y_delta * Y_R * Y_X * Y_A, "endurance limit of the root, with Y_ST of 2");
+  const bool is_short = is_nitrided(wheel.material) || wheel.material == GearMaterial::grey;
   const double Y_S = Y_Sa * (0.6 + 0.4 * 0.75 / (Y_eps - 0.25));
-  const double Y_stat = (is_nitrided(wheel.material) ? 1.6 : 2.5) * static_sensitivity(wheel.material, Y_S);
+  const double Y_stat = (is_short ? 1.6 : 2.5) * static_sensitivity(wheel.material, Y_S);
   const Stress sigma_FG = limit_at(sigma_Fend, 2.0 * Y_stat * Y_A * sigma_Flim, N,
-                                   is_hardened(wheel.material) ? 1e3 : 1e4, 3e6, trace, "sigma_FG");
+                                   is_short || is_hardened(wheel.material) ? 1e3 : 1e4, 3e6, trace, "sigma_FG");
   root.limit = trace.value(wheel.symbols.sigma_FG, sigma_FG, "of this gear");
   const double S_F = root.S =
       NAMED_STEP(wheel.symbols.S_F, sigma_FG / sigma_F, "calculated safety factor against tooth breakage");

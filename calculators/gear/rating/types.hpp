@@ -30,8 +30,8 @@ struct RatingTypes {
     double H_1 = unset<double>, H_2 = unset<double>;
     Stress sigma_Hlim_1 = unset<Stress>, sigma_Hlim_2 = unset<Stress>;
     Stress sigma_Flim_1 = unset<Stress>, sigma_Flim_2 = unset<Stress>;
-    Place place = Place::middle;
-    Length l = unset<Length>, s = 0.0 * mm, d_sh = unset<Length>;
+    Place place = Place::untold;
+    Length l = unset<Length>, s = unset<Length>, d_sh = unset<Length>;
     Crowning crowning = Crowning::none;
     Length f_ma = unset<Length>;
     Pattern pattern = Pattern::unfavourable;
@@ -58,6 +58,8 @@ struct RatingTypes {
     double S_F1 = unset<double>, S_F2 = unset<double>;
     double u_H1 = unset<double>, u_H2 = unset<double>, u_F1 = unset<double>, u_F2 = unset<double>;
     double x_eps = unset<double>;
+    double x_free = unset<double>, s_a = unset<double>, f_int = unset<double>;
+    Length c_n = unset<Length>, j_bn = unset<Length>;
   };
 };
 

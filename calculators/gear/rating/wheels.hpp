@@ -3,6 +3,7 @@
 
 #include "calculators/gear/pair_layout.hpp"
 #include "calculators/gear/pair_mesh.hpp"
+#include "calculators/gear/pair_teeth.hpp"
 #include "calculators/gear/rating/materials.hpp"
 #include "calculators/gear/rating/types.hpp"
 
@@ -28,6 +29,7 @@ inline PairResult geometry_of(const Input& in) {
   PairResult r;
   lay_out(pair_of(in), r, quiet);
   bring_to_mesh(pair_of(in), r, quiet);
+  measure_teeth(pair_of(in), r, quiet);
   return r;
 }
 

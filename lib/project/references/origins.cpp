@@ -287,6 +287,39 @@ class OriginCheck {
 
 }  // namespace
 
+namespace {
+
+bool is_of_step(const Expression::Reference& reference) { return !reference.path.starts_with("values."); }
+
+/// Whether an input is one that an OriginCheck compares with other steps by its number.
+bool compares_number(const Step& step, const Operand& operand, const Project& project) {
+  const Calculator& calculator = *step.input().calculator;
+  const auto& references = operand.expression.references();
+  if (std::none_of(references.begin(), references.end(), &is_of_step)) return false;
+  const auto is_part = [&](const Expression::Reference& reference) {
+    const auto [name, rest] = split_step(reference.path);
+    const Step* const source = project.find(name);
+    const FieldInfo* const field = source == nullptr ? nullptr : source->field(rest);
+    const std::string key = rest.substr(rest.rfind('.') + 1);
+    return (field != nullptr && field->dimension == of_stress && *field->companions != '\0') ||
+           (operand.leaf.field->is_load && (key == "F_x" || key == "F_y" || key == "x" || key == "y"));
+  };
+  return connects(step) || means(calculator, operand.path, &is_strength_of_metal) ||
+         means(calculator, operand.path, &is_fatigue_limit) || means(calculator, operand.path, &is_speed_ratio) ||
+         means(calculator, operand.path, [](std::string_view what) { return what == speed_of_run; }) ||
+         std::any_of(references.begin(), references.end(), is_part);
+}
+
+}  // namespace
+
+bool compares_numbers(const Step& step, const Project& project) {
+  if (step.input().calculator == nullptr) return false;
+  const auto& operands = step.input().reading.operands;
+  return find_leaf(step.input().reading.record, "arrangement") ||
+         std::any_of(operands.begin(), operands.end(),
+                     [&](const Operand& operand) { return compares_number(step, operand, project); });
+}
+
 std::vector<ReducedLoad> values_of_others(const Step& step, const Project& project) {
   return OriginCheck(step, project).run();
 }

@@ -15,6 +15,9 @@ namespace loadpath::project {
 /// that reverses where the train does not. The steps that it refers to are solved.
 std::vector<ReducedLoad> values_of_others(const Step& step, const Project& project);
 
+/// Whether such a comparison is of numbers that may vary: at another point of a sweep it may end otherwise.
+bool compares_numbers(const Step& step, const Project& project);
+
 /// The value of largest magnitude at a path of a solved step; NaN if there is none.
 double magnitude_at(const Project& project, const std::string& path);
 /// That of an input before its step is solved; NaN if it is not known.

@@ -1,6 +1,7 @@
 #include "lib/project/sweep/variants.hpp"
 
 #include "lib/project/modes.hpp"
+#include "lib/project/references/origins.hpp"
 #include "lib/project/solving/solve.hpp"
 #include "lib/project/sweep/points/alone.hpp"
 #include "lib/project/sweep/points/column_step.hpp"
@@ -176,6 +177,10 @@ bool Variants::find_kernels() {
     Step& step = *project_.steps[i];
     auto* const calculator = dynamic_cast<CalculatorStep*>(&step);
     std::unique_ptr<PointStep> kernel;
+    if (affected.contains(step.name()) && compares_numbers(step, project_)) {
+      kernels_.clear();
+      return false;
+    }
     if (!affected.contains(step.name())) kernel = ConstantStep::of(step, referred, points_);
     if (!kernel && calculator != nullptr) kernel = ColumnStep::of(*calculator, referred, points_);
     brings = brings || kernel != nullptr;

@@ -24,7 +24,7 @@ Rating::Result rated(const In& in) {
 In teeth(double m, int z_1, int z_2, double x_1, double x_2, double beta, double b) {
   In in;
   in.m_n = m * mm, in.z_1 = z_1, in.z_2 = z_2, in.x_1 = x_1, in.x_2 = x_2, in.beta = beta * deg.one, in.b = b * mm;
-  in.rho_fP = 0.25, in.shortening = Shortening::none, in.f_ma = 0.0 * mm;
+  in.rho_fP = 0.25, in.shortening = Shortening::none, in.f_ma = 0.0 * mm, in.place = gear::Place::middle;
   return in;
 }
 

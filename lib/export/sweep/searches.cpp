@@ -155,6 +155,7 @@ std::string json_of(const project::Project& project, const project::Best& best) 
   if (!optimum.allowed && optimum.worst < best.demands.size())
     json.member("violated", best.demands[optimum.worst].text);
   if (!best.lack.empty()) json.member("reason", best.lack.text());
+  if (!best.fails.empty()) json.member("fails", best.fails.text());
   json.member("designs", static_cast<std::int64_t>(optimum.candidates > 0 ? optimum.candidates : optimum.evaluations));
   json.member("all_designs", optimum.reach == sweep::Optimum::Reach::every_point && !optimum.budget_spent);
   json.key("selected").open_array();

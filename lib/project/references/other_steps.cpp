@@ -158,6 +158,16 @@ class RunCheck {
 
 }  // namespace
 
+namespace {
+
+/// Belts and chains have service factors of their own, which are lower than the application factors of gears.
+bool has_service_factor(const Step& step) {
+  const std::string_view id = step.input().calculator->id;
+  return id.starts_with("belt.") || id.starts_with("chain.");
+}
+
+}  // namespace
+
 std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& project) {
   constexpr double rounding = 1e-6;
   std::vector<ReducedLoad> lower;
@@ -166,6 +176,7 @@ std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& proj
     const double own = applied_factor(step, project, key);
     for (const auto& taker : project.steps) {
       if (taker.get() == &step || !applies_factor(*taker, key)) continue;
+      if (has_service_factor(step) != has_service_factor(*taker)) continue;
       const double factor = applied_factor(*taker, project, key);
       const std::string load = load_taken_by(*taker, step);
       if (load.empty() || !(factor > own * (1.0 + rounding))) continue;

@@ -232,15 +232,15 @@ class ReductionCheck {
   }
 
   /// Whether a load is less than the load of another step that it is computed from, by numbers only: 0.3 times it. A
-  /// divisor of a step, such as a number of teeth, is free.
+  /// divisor of a step, such as a number of teeth, is free, and so are the losses of a drive.
   [[nodiscard]] bool is_share(const Operand& operand) const {
-    constexpr double rounding = 1e-6;
+    constexpr double least_efficiency = 0.85;
     const std::string own = reduction_of(*step_.input().calculator, operand.path);
     const FieldInfo& field = *operand.leaf.field;
     const bool is_demand = field.is_load || field.dimension == inertia;
     if (!is_demand || !own.empty() || operand.expression.is_reference()) return false;
     const auto pair = pair_of(operand);
-    return pair && std::abs(largest(pair->taken).value) < (1.0 - rounding) * std::abs(largest(pair->source).value);
+    return pair && std::abs(largest(pair->taken).value) < least_efficiency * std::abs(largest(pair->source).value);
   }
 
   [[nodiscard]] Message share_message(const Operand& operand) const {

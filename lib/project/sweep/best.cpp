@@ -226,6 +226,7 @@ void find_lacks(Variants& variants, Best& best) {
   best.lacks.reserve(optimum.neighbours.size());
   for (const sweep::Neighbour& n : optimum.neighbours) best.lacks.push_back(reason(n.broken, n.outputs, n.point));
   if (!optimum.allowed) best.lack = reason(optimum.worst, optimum.outputs, optimum.point);
+  if (optimum.allowed) best.fails = failure_of(variants, point_at(optimum.point));
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ struct Best {
   std::vector<Demand> demands;
   sweep::Optimum optimum;      // over the chosen ones; its outputs are the objective, then the demands
   std::vector<Message> lacks;  // per neighbour, why the violated constraint has no value, or the mode that fails
+  Message fails;               // the failure mode that the best design fails, where no constraint is about it
   Message lack;                // the same of the nearest design, if none satisfies the constraints
 };
 

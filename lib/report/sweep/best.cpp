@@ -79,6 +79,11 @@ std::vector<Block> best_blocks(const Best& best) {
         Paragraph{say("no design satisfies the constraints; the nearest violates {1}; {2}", broken, reach_of(optimum)),
                   Paragraph::Tone::warning});
   }
+  if (!best.fails.empty()) {
+    blocks.emplace_back(
+        Paragraph{say("this design does not pass: {1}; add --such-that \"every mode passes\"", best.fails),
+                  Paragraph::Tone::warning});
+  }
   blocks.emplace_back(chosen_table(best));
   blocks.emplace_back(neighbour_table(best));
   return blocks;

@@ -2,6 +2,7 @@
 
 #include "lib/account/state.hpp"
 #include "lib/export/json_writer.hpp"
+#include "lib/export/sweep/json_values.hpp"
 
 #include <array>
 #include <cmath>
@@ -17,18 +18,6 @@ using project::Tally;
 constexpr double confidence = 0.95;
 
 std::int64_t whole(std::uint64_t n) { return static_cast<std::int64_t>(n); }
-
-std::string si_of(const Dimension& dimension) {
-  const std::string unit = si_unit(dimension);
-  return unit.empty() ? "1" : unit;
-}
-
-void write_value(JsonWriter& json, const project::SweptInput& input, double value) {
-  if (input.words.empty())
-    json.write(value);
-  else
-    json.write(input.words[static_cast<std::size_t>(value)]);
-}
 
 void write_inputs(JsonWriter& json, const SweepPlan& plan) {
   json.key("inputs").open_array();

@@ -1,6 +1,7 @@
 #include "lib/export/sweep/searches.hpp"
 
 #include "lib/export/json_writer.hpp"
+#include "lib/export/sweep/json_values.hpp"
 #include "lib/quantity/literal.hpp"
 
 #include <algorithm>
@@ -12,22 +13,10 @@ namespace {
 
 using project::SweptInput;
 
-std::string si_of(const Dimension& dimension) {
-  const std::string unit = si_unit(dimension);
-  return unit.empty() ? "1" : unit;
-}
-
 /// The SI unit of a result that is shown in this unit.
 std::string si_of_shown(const std::string& unit) {
   const auto parsed = parse_unit(unit);
   return parsed ? si_of(parsed->dimension) : "1";
-}
-
-void write_value(JsonWriter& json, const SweptInput& input, double value) {
-  if (input.words.empty())
-    json.write(value);
-  else
-    json.write(input.words[static_cast<std::size_t>(value)]);
 }
 
 void write_input(JsonWriter& json, const SweptInput& input) {

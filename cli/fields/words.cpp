@@ -26,8 +26,9 @@ std::string default_of(const FieldInfo& field, void* owner) {
   if (field.provider.kind == Provider::Kind::table) return std::string("from ") + field.provider.table;
   if (field.provider.kind == Provider::Kind::companion) return std::string("linked with ") + field.provider.column;
   if (field.type == Type::choice) {
-    const std::string word = field.choices[static_cast<std::size_t>(field.get(owner))].key;
-    return word.empty() ? "optional" : word;
+    const bool given = !std::isnan(field.get(owner));
+    const std::string word = word_of(Leaf{&field, owner});
+    return !given ? "required" : word.empty() ? "optional" : word;
   }
   const bool number = field.type == Type::quantity || field.type == Type::count;
   if (number && !is_missing(field, owner))

@@ -290,7 +290,7 @@ std::vector<Entry> input_entries(const Record& record,
     Entry entry{path, field.doc, field.unit, Role::input, {{field.dimension, nullptr}, {}}, origin(path, leaf), ""};
     const bool is_text = field.type == FieldInfo::Type::name || field.type == FieldInfo::Type::formula;
     if (is_text) entry.word = field.text(leaf.owner);
-    if (field.type == FieldInfo::Type::choice) entry.word = field.choices[static_cast<std::size_t>(leaf.get())].key;
+    if (field.type == FieldInfo::Type::choice) entry.word = word_of(leaf);
     entry.is_factor = field.is_factor;
     if (field.get != nullptr) entry.value.si = {leaf.get()};
     if (const Value* const series = field.takes_whole() ? field.series(leaf.owner) : nullptr) entry.value = *series;

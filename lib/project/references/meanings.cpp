@@ -60,7 +60,7 @@ std::string word_before(const Step& step, const Project& project, const std::str
   }
   const Leaf leaf = find_leaf(step.input().reading.record, choice);
   const bool is_choice = leaf && leaf.field->type == FieldInfo::Type::choice;
-  return is_choice ? leaf.field->choices[static_cast<std::size_t>(leaf.get())].key : "";
+  return is_choice ? word_of(leaf) : "";
 }
 
 /// The meaning required of the input, as its calculator declares it.

@@ -75,7 +75,7 @@ bool is_of(const SenseClaim& claim, const std::string& path) {
 std::string word_in(const Step& step, const char* choice) {
   const Leaf leaf = find_leaf(step.input().reading.record, choice);
   if (!leaf || leaf.field->type != FieldInfo::Type::choice) return {};
-  return leaf.field->choices[static_cast<std::size_t>(leaf.get())].key;
+  return word_of(leaf);
 }
 
 Issue issue_of(const Step& step, const SenseClaim& claim, const std::string& load, Message message, Message hint) {

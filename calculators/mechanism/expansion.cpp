@@ -98,9 +98,9 @@ account::Table template_table(const Template& from, const Record& parameters) {
   for_each_leaf(parameters, [&](const std::string& path, const Leaf& leaf) {
     const FieldInfo& field = *leaf.field;
     const bool choice = field.type == FieldInfo::Type::choice;
-    if (!choice && !std::isfinite(leaf.get())) return;  // left out
+    if (!std::isfinite(leaf.get())) return;  // left out
     account::Cell value = account::Quantity{leaf.get(), field.unit};
-    if (choice) value = say(word_of(leaf));
+    if (choice) value = say(field.choices[static_cast<std::size_t>(leaf.get())].key);
     table.rows.push_back({account::Symbol{path}, say(field.doc), std::move(value)});
   });
   return table;

@@ -7,7 +7,7 @@
 
 namespace loadpath::gear {
 
-/// Of an external pair under load; of another one nothing is set. The application factor stands beside the torque.
+/// Set for an external pair under load only. The torque excludes the application factor, which is a field of its own.
 struct RatedMesh {
   double z_1 = unset<double>, z_2 = unset<double>;
   Length m_n = unset<Length>;

@@ -17,7 +17,7 @@ struct Chart {
     std::size_t mode = 0;  // index of the failing mode in `modes`
   };
   /// The data shown for each dot: a quantity, or one of several words.
-  struct Told {
+  struct Column {
     std::string name;
     std::string unit;
     std::vector<double> si;
@@ -40,7 +40,7 @@ struct Chart {
   bool is_limited = false;     // at the level 1, if that decides
 
   std::vector<std::uint64_t> points;  // the number of each dot
-  std::vector<Told> told;
+  std::vector<Column> told;
   std::string command;    // command that solves a point separately, without its number
   std::size_t shown = 0;  // dot that is shown first
 };

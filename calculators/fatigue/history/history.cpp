@@ -32,7 +32,7 @@ std::vector<MinerRule> rules_of(const Input& in) {
   if (!History::is_of_part(in)) return {Rule::original};
   if (History::compares_rules(in))
     return {Rule::original, Rule::elementary, Rule::modified, Rule::consistent, Rule::liu_zenner};
-  if (in.miner == Rule::original) return {Rule::original, Rule::modified};  // what it leaves out is told
+  if (in.miner == Rule::original) return {Rule::original, Rule::modified};  // shows the damage it neglects
   return {in.miner};
 }
 

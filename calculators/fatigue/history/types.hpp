@@ -64,7 +64,7 @@ struct HistoryTypes {
     Whole classes = 0;
   };
   static bool is_of_part(const Input& in) { return in.curve == Curve::part; }
-  /// Long histories are not sorted for a comparison that nobody asks for.
+  /// Sorting a long history only to compare rules takes time; it is done on request.
   static bool compares_rules(const Input& in) {
     constexpr std::size_t most_compared = 100'000;
     return in.other_rules == OtherRules::yes ||

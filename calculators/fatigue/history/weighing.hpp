@@ -35,7 +35,7 @@ struct Weighed {
   std::vector<double> damage;           // of each curve
   double small = 0.0;                   // damage of the cycles below the omission level, by the first curve
   std::vector<Weighty> worst;           // by the first curve, the most damaging first; without damage the largest
-  std::vector<rainflow::Level> levels;  // of every cycle, if they are asked for
+  std::vector<rainflow::Level> levels;  // of every cycle, on request
 };
 
 /// The maximum stress on the curve, MPa: of a rule that depends on it.

@@ -55,7 +55,7 @@ constexpr const StrengthLine* strength_line(GearMaterial material, Quality quali
   return nullptr;
 }
 
-/// The largest values of a material in table 1: of a quality or, where it is untold, of any; at a hardness, or the
+/// The largest values of a material in table 1: of a quality or, where none is stated, of any; at a hardness, or the
 /// nearest that table 1 has, or where it is unset at any.
 struct StrengthBounds {
   double sigma_H = std::numeric_limits<double>::quiet_NaN(), sigma_F = std::numeric_limits<double>::quiet_NaN();

@@ -39,25 +39,25 @@ std::string list(std::size_t count, const Write& write) {
 std::string tenths(double at) { return std::to_string(std::lround(10.0 * at)); }
 
 /// Numbers as one text, words as a list and numbers of them.
-std::string column(const figure::Chart::Told& told, const std::vector<std::size_t>& dots) {
+std::string column(const figure::Chart::Column& told, const std::vector<std::size_t>& dots) {
   std::string texts;
   for (const std::size_t dot : dots)
     texts += (texts.empty() ? "" : " ") +
-             (told.words.empty() ? told_text(told, dot) : std::to_string(std::lround(told.si[dot])));
+             (told.words.empty() ? value_text(told, dot) : std::to_string(std::lround(told.si[dot])));
   return "[" + list(told.words.size(), [&](std::size_t i) { return json_text(told.words[i]); }) + "," +
          json_text(texts) + "]";
 }
 
 }  // namespace
 
-std::string told_text(const figure::Chart::Told& told, std::size_t dot) {
+std::string value_text(const figure::Chart::Column& told, std::size_t dot) {
   const double si = told.si[dot];
   if (!std::isfinite(si)) return "–";
   if (!told.words.empty()) return told.words[static_cast<std::size_t>(si)];
   return format_number(in_unit(si, told.unit), 5);
 }
 
-ToldChart told_chart(const figure::Figure& figure) {
+InteractiveChart interactive_chart(const figure::Figure& figure) {
   const figure::Chart& chart = *std::get<figure::Charted>(figure.content);
   ChartPicture drawn = chart_picture(chart);
   std::vector<std::size_t> dots;
@@ -70,7 +70,7 @@ ToldChart told_chart(const figure::Figure& figure) {
   drawn.picture.canvas.circle("here", {0.0, 0.0}, 7.0);
   drawn.picture.canvas.end_group();
   const auto place = [&](std::size_t i) { return *drawn.places[dots[i]]; };
-  ToldChart out;
+  InteractiveChart out;
   out.svg = svg_part(drawn.picture, say(figure.caption).text());
   out.data = "{\"shown\":" + std::to_string(dots.empty() ? 0 : std::min(shown, dots.size() - 1)) +
              ",\n\"x\":" + list(dots.size(), [&](std::size_t i) { return tenths(place(i).x); }) +

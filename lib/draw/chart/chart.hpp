@@ -7,15 +7,15 @@
 
 namespace loadpath::draw {
 
-struct ToldChart {
+struct InteractiveChart {
   std::string svg;   // with a circle data-here, hidden
   std::string data;  // JSON, without characters that could end a script
 };
 
 /// `figure` holds a chart.
-ToldChart told_chart(const figure::Figure& figure);
+InteractiveChart interactive_chart(const figure::Figure& figure);
 
 /// The text for a dot: "12.5", a word; a dash if there is nothing.
-std::string told_text(const figure::Chart::Told& told, std::size_t dot);
+std::string value_text(const figure::Chart::Column& told, std::size_t dot);
 
 }  // namespace loadpath::draw

@@ -61,7 +61,7 @@ Chart chart_of(const Project& project, const SweepPlan& plan, const SolvedPoints
     chart.told.push_back({plan.inputs[k].name, plan.inputs[k].unit, points.inputs[k], plan.inputs[k].words});
   for (const std::size_t k : plan.beside_inputs())
     chart.told.push_back({plan.columns[k].name, plan.columns[k].unit, points.results[k]});
-  Chart::Told used{say("utilisation").text(), "-", points.results[asked + 1]}, said{say("verdict").text(), "", {}};
+  Chart::Column used{say("utilisation").text(), "-", points.results[asked + 1]}, said{say("verdict").text(), "", {}};
   std::map<std::size_t, std::size_t> modes;  // number of a mode in the chart
   std::map<std::string, std::size_t> words;
   const auto word = [&](const std::string& text) {

@@ -26,7 +26,7 @@ beam::Row<double> named_places(const Input& in, const Weakest& weakest) {
     x.push_back(in_si(notch.x));
     if (const Length end = other_end(in, notch); is_on(in, end)) x.push_back(in_si(end));
   }
-  // A place beside the shaft breaks a rule, which may be told only after a search.
+  // A position outside the shaft violates a rule, which may be reported only after a search.
   const double length = in_si(length_of(in));
   const auto is_beside = [&](double place) { return !(place >= 0.0 && place <= length); };
   x.erase(std::remove_if(x.begin(), x.end(), is_beside), x.end());

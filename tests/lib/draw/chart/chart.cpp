@@ -125,7 +125,7 @@ TEST_SUITE("charts") {
   }
 
   TEST_CASE("what is told is JSON that cannot end a script") {
-    const ToldChart told = told_chart(figure_of(cloud()));
+    const InteractiveChart told = interactive_chart(figure_of(cloud()));
     CHECK(well_formed(told.svg));
     CHECK(has(told.svg, "data-here"));
     CHECK(!has(told.data, "<"));

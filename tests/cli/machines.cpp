@@ -204,11 +204,15 @@ TEST_SUITE("sweep over machines: killed" * takes_share) {
     CHECK(same_folders(desk, "whole", "part"));
     fs::remove_all(desk.folder() / "part");
     std::mt19937 random(7);
+    // Without the time that MPI takes to start and to end, the sweep may be a small part of it: a kill that came too
+    // late makes the later ones come earlier.
+    double latest = 1e-6 * static_cast<double>(lasts.count());
+    const int enough = tries(100) / 5 + 1;
     int killed = 0, told = 0, finished = 0;
-    for (int i = 0; i < tries(100); ++i) {
+    for (int i = 0; i < tries(100) || (killed < enough && i < 10 * tries(100)); ++i) {
       CAPTURE(i);
       const std::string rank = std::to_string(i % 4),
-                        after = std::to_string(1e-9 * static_cast<double>(lasts.count() * (random() % 1000)));
+                        after = std::to_string(1e-3 * latest * static_cast<double>(random() % 1000));
       const Ran ran = shell(
           desk, "rm -f rank.*; export OMPI_MCA_odls_base_sigkill_timeout=0; ranks " + words +
                     (desk.has("part") ? "--resume" : "") +
@@ -218,10 +222,11 @@ TEST_SUITE("sweep over machines: killed" * takes_share) {
       told += contains(ran.error, "--resume goes on");
       if (ran.code != 0) continue;
       ++finished;
+      latest *= 0.8;
       CHECK(same_folders(desk, "whole", "part"));
       fs::remove_all(desk.folder() / "part");
     }
-    CHECK(killed > tries(100) / 5);
+    CHECK(killed >= enough);
     MESSAGE(killed << " killed, " << told << " told what is missing, " << finished << " ended before");
     const Ran last = shell(desk, "ranks " + words + (desk.has("part") ? "--resume" : ""));
     CHECK_MESSAGE(last.code == 0, last.error);

@@ -33,9 +33,13 @@ void Progress::show(std::uint64_t done) {
   if (!shown_ || now - last_ < between || done == 0) return;
   last_ = now;
   const double seconds = std::chrono::duration<double>(now - begun_).count();
+  const std::string rate = format_number(static_cast<double>(done) / seconds, 3) + " points a second";
+  if (total_ == 0) {
+    std::cerr << "\r" << done << " points, " << rate << "\033[K" << std::flush;
+    return;
+  }
   const double share = static_cast<double>(done) / static_cast<double>(total_);
-  std::cerr << "\r" << format_number(100.0 * share, 3) << " %, "
-            << format_number(static_cast<double>(done) / seconds, 3) << " points a second, "
+  std::cerr << "\r" << format_number(100.0 * share, 3) << " %, " << rate << ", "
             << in_words(seconds * (1.0 - share) / share) << " left\033[K" << std::flush;
 }
 

@@ -9,7 +9,8 @@ namespace loadpath::cli {
 
 class Progress {
  public:
-  /// For so many points. `wanted` false, or no terminal: nothing is shown.
+  /// For so many points; 0: of a search, which ends when it has found its point. `wanted` false, or no terminal:
+  /// nothing is shown.
   Progress(std::uint64_t total, bool wanted);
 
   /// At most a few times a second.

@@ -80,6 +80,8 @@ class Sweeping {
   [[nodiscard]] int seek() const;
   [[nodiscard]] int ask_influence() const;
   [[nodiscard]] project::ReadAgain reading() const;
+  [[nodiscard]] unsigned jobs() const;
+  [[nodiscard]] project::Searching searching(Progress& progress) const;
 
   const SweepOptions& options_;
   std::string text_;
@@ -206,10 +208,9 @@ bool Sweeping::solve(SweepStore* store, project::SweepStatistics& found) {
                                                       : nullptr);  // a folder keeps solved points
   PointFiles files(options_, plan_, scratch);
   if (!files.open(stored())) return false;
-  const unsigned jobs = options_.jobs != 0 ? options_.jobs : std::max(1U, std::thread::hardware_concurrency());
   const project::BlockRange blocks = store != nullptr ? store->left() : blocks_;
   const bool rows = files.any() || (store != nullptr && !options_.no_columns);
-  const project::SweepWork work{plan_, reading(), keep_, blocks, jobs, rows, &interrupted_by_user};
+  const project::SweepWork work{plan_, reading(), keep_, blocks, jobs(), rows, &interrupted_by_user};
   Progress progress(blocks.count() * project::block_size, !options_.quiet);
   auto saved = std::chrono::steady_clock::now();
   bool whole = true;
@@ -269,6 +270,14 @@ project::ReadAgain Sweeping::reading() const {
   };
 }
 
+unsigned Sweeping::jobs() const {
+  return options_.jobs != 0 ? options_.jobs : std::max(1U, std::thread::hardware_concurrency());
+}
+
+project::Searching Sweeping::searching(Progress& progress) const {
+  return {reading(), jobs(), [&progress](std::uint64_t points) { progress.show(points); }};
+}
+
 int Sweeping::refuse_all(const std::vector<Issue>& issues) const {
   std::vector<terminal::SourceText> sources{{options_.file, text_},
                                             source_of(options_.settings),
@@ -308,7 +317,9 @@ int Sweeping::choose() const {
   if (options_.quantile > 0.0) asked.quantile = options_.quantile;
   for (const project::SweptResult& column : plan_.columns) asked.results.emplace_back(column.name, column.text);
   std::vector<Issue> issues;
-  const auto best = project::find_best(reading(), asked, project_.sweep.samples, project_.sweep.seed, issues);
+  Progress progress(0, !options_.quiet);
+  const auto best = project::find_best(searching(progress), asked, project_.sweep.samples, project_.sweep.seed, issues);
+  progress.end();
   if (!best) return refuse_all(issues);
   const int code = tell_found("The best design", *best, report::best_blocks(*best));
   return code == passed && !best->optimum.allowed ? int{not_passed} : code;
@@ -316,7 +327,9 @@ int Sweeping::choose() const {
 
 int Sweeping::seek() const {
   std::vector<Issue> issues;
-  const auto sought = project::seek_value(reading(), {options_.seek, {"--seek", 1, 1, 1}}, issues);
+  Progress progress(0, !options_.quiet);
+  const auto sought = project::seek_value(searching(progress), {options_.seek, {"--seek", 1, 1, 1}}, issues);
+  progress.end();
   if (!sought) return refuse_all(issues);
   const int code = tell_found("The value sought", *sought, report::seek_blocks(*sought));
   return code == passed && sought->sought.meetings.empty() ? int{not_passed} : code;
@@ -324,7 +337,9 @@ int Sweeping::seek() const {
 
 int Sweeping::ask_influence() const {
   std::vector<Issue> issues;
-  const auto influence = project::find_influence(reading(), plan_, project_.sweep, options_.sobol, issues);
+  Progress progress(0, !options_.quiet);
+  const auto influence = project::find_influence(searching(progress), plan_, project_.sweep, options_.sobol, issues);
+  progress.end();
   if (!influence) return refuse_all(issues);
   return tell_found("Sensitivity of the results", *influence, report::influence_blocks(*influence));
 }

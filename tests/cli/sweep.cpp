@@ -106,6 +106,26 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(contains(ran.error, "--out part --resume goes on"));
   }
 
+  TEST_CASE("searches find the same with any number of threads") {
+    const Desk desk;
+    desk.put("a.toml", swept_shaft);
+    for (const std::vector<std::string>& asked :
+         std::vector<std::vector<std::string>>{{"--minimise", "shaft.d", "--quantile", "0.9", "--samples", "20000"},
+                                               {"--sobol", "30000", "--results", "shaft.phi"},
+                                               {"--seek", "shaft.tau_max = 20 MPa"}}) {
+      std::vector<std::string> words{"sweep", "a.toml", "--jobs", "1"};
+      words.insert(words.end(), asked.begin(), asked.end());
+      const Ran one = desk.run(words);
+      words[3] = "5";
+      const Ran five = desk.run(words);
+      CAPTURE(one.out);
+      CHECK(one.code == five.code);
+      CHECK(one.out == five.out);
+      CHECK(one.error == five.error);
+      CHECK(one.code == 0);
+    }
+  }
+
   TEST_CASE("how far a folder is, is told by the folder") {
     const Desk desk;
     desk.put("a.toml", swept_shaft);

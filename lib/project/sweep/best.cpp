@@ -231,8 +231,8 @@ void find_lacks(Variants& variants, Best& best) {
 
 }  // namespace
 
-std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std::uint64_t samples, std::uint64_t seed,
-                              std::vector<Issue>& issues) {
+std::optional<Best> find_best(const Searching& searching, const BestAsked& asked, std::uint64_t samples,
+                              std::uint64_t seed, std::vector<Issue>& issues) {
   Best best;
   best.demands = demands_of(asked, issues);
   const std::string objective = meant(asked.objective.text, asked.results);
@@ -243,10 +243,11 @@ std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std
         {best.demands[i].column, asked.such_that.empty() ? asked.objective.place : asked.such_that.front().place});
     texts.push_back("demand " + std::to_string(i + 1) + " = " + best.demands[i].column);
   }
-  if (has_errors(issues) || !can_read(read, columns, units, issues)) return std::nullopt;
+  if (has_errors(issues) || !can_read(searching.read, columns, units, issues)) return std::nullopt;
   best.objective = name_and_text(asked.objective.text).first;
   best.unit = units.front();
-  Variants variants(read(), texts);
+  Variants variants(searching.read(), texts);
+  sweep::Threaded threaded = in_threads(variants, searching, texts);
   best.inputs = variants.axes();
   std::vector<std::size_t> scattering;
   for (std::size_t i = 0; i < best.inputs.size(); ++i) {
@@ -258,10 +259,10 @@ std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std
     return std::nullopt;
   }
   best.point = middles_of(best.inputs);
-  Slice chosen(variants, best.chosen, 1 + best.demands.size());
+  Slice chosen(threaded, best.point, best.chosen, 1 + best.demands.size());
   std::optional<sweep::Robust> robust;
   if (asked.quantile)
-    robust.emplace(variants, best.chosen.size(), scatter_of(best.inputs), best.inputs.size() - best.chosen.size(),
+    robust.emplace(threaded, best.chosen.size(), scatter_of(best.inputs), best.inputs.size() - best.chosen.size(),
                    sampler_of(best.inputs, scattering, seed), static_cast<std::size_t>(samples),
                    statistics_of(asked, best.demands));
   sweep::Problem problem{robust ? static_cast<sweep::Function&>(*robust) : chosen,
@@ -276,7 +277,7 @@ std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std
   return best;
 }
 
-std::optional<SoughtValue> seek_value(const ReadAgain& read, const Placed& goal, std::vector<Issue>& issues) {
+std::optional<SoughtValue> seek_value(const Searching& searching, const Placed& goal, std::vector<Issue>& issues) {
   const std::size_t equals = goal.text.find('=');
   const std::string result = trimmed(goal.text.substr(0, equals));
   const auto target = parse_literal(equals == std::string::npos ? "" : trimmed(goal.text.substr(equals + 1)));
@@ -285,8 +286,8 @@ std::optional<SoughtValue> seek_value(const ReadAgain& read, const Placed& goal,
     return std::nullopt;
   }
   std::vector<std::string> units;
-  if (!can_read(read, {{result, goal.place}}, units, issues)) return std::nullopt;
-  Variants variants(read(), {result});
+  if (!can_read(searching.read, {{result, goal.place}}, units, issues)) return std::nullopt;
+  Variants variants(searching.read(), {result});
   const Dimension& dimension = variants.columns().front().dimension;
   if (dimension.without_angle() != target->dimension.without_angle()) {
     issues.push_back(
@@ -311,7 +312,8 @@ std::optional<SoughtValue> seek_value(const ReadAgain& read, const Placed& goal,
   const auto ends = free ? std::get<sweep::Uniform>(sought.input.distribution->law()) : sweep::Uniform{};
   sweep::Goal wanted{ranges[0], free ? ends.min : low_of(sought.input), free ? ends.max : high_of(sought.input), 0,
                      target->si};
-  sought.sought = sweep::seek(variants, middles_of(variants.axes()), wanted);
+  sweep::Threaded threaded = in_threads(variants, searching, {result});
+  sought.sought = sweep::seek(threaded, middles_of(variants.axes()), wanted);
   return sought;
 }
 

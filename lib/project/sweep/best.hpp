@@ -43,8 +43,8 @@ struct Best {
 
 /// Inputs with values, words and stocks are chosen from these, { from, to } from the interval; uncertain inputs
 /// stay at their mean, or scatter if a quantile is requested. Issues if the request cannot be read.
-std::optional<Best> find_best(const ReadAgain& read, const BestAsked& asked, std::uint64_t samples, std::uint64_t seed,
-                              std::vector<Issue>& issues);
+std::optional<Best> find_best(const Searching& searching, const BestAsked& asked, std::uint64_t samples,
+                              std::uint64_t seed, std::vector<Issue>& issues);
 
 struct SoughtValue {
   SweptInput input;
@@ -53,6 +53,6 @@ struct SoughtValue {
   sweep::Sought sought;
 };
 /// "rod.u = 0.9" over the one input that goes through a range; the others stay at their middle.
-std::optional<SoughtValue> seek_value(const ReadAgain& read, const Placed& goal, std::vector<Issue>& issues);
+std::optional<SoughtValue> seek_value(const Searching& searching, const Placed& goal, std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

@@ -25,6 +25,12 @@ std::vector<std::string> texts_of(const SweepPlan& plan) {
 
 BlockRange all_blocks(const SweepPlan& plan) { return {0, (plan.space.count() + block_size - 1) / block_size}; }
 
+sweep::Threaded in_threads(Variants& variants, const Searching& searching, std::vector<std::string> results) {
+  return {variants,
+          [read = searching.read, results = std::move(results)] { return std::make_unique<Variants>(read(), results); },
+          searching.jobs, searching.show};
+}
+
 BlockSolver::BlockSolver(const SweepPlan& plan, Project project)
     : plan_(plan), variants_(std::move(project), texts_of(plan)) {
   solved_.inputs.resize(variants_.inputs());

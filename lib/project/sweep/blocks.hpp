@@ -3,6 +3,7 @@
 
 #include "lib/project/sweep/plan.hpp"
 #include "lib/project/sweep/variants.hpp"
+#include "lib/sweep/threaded.hpp"
 
 #include <cstdint>
 #include <functional>
@@ -24,12 +25,22 @@ struct SolvedBlock {
 /// Reads the project again: every thread has a project.
 using ReadAgain = std::function<Project()>;
 
+/// How a search evaluates its points.
+struct Searching {
+  ReadAgain read;
+  unsigned jobs = 1;                                         // threads
+  std::function<void(std::uint64_t points)> show = nullptr;  // progress: the points evaluated so far
+};
+
 struct BlockRange {
   std::uint64_t first = 0, last = 0;  // blocks
   [[nodiscard]] std::uint64_t count() const { return last - first; }
 };
 /// All blocks of a plan.
 BlockRange all_blocks(const SweepPlan& plan);
+
+/// The points of a search in its threads; `variants` works in the caller's, with these columns of results.
+sweep::Threaded in_threads(Variants& variants, const Searching& searching, std::vector<std::string> results);
 
 /// The solver of one thread.
 class BlockSolver {

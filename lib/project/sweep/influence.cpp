@@ -6,8 +6,9 @@
 
 namespace loadpath::project {
 
-std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& plan, const SweepSettings& settings,
-                                        std::uint64_t sobol_rows, std::vector<Issue>& issues) {
+std::optional<Influence> find_influence(const Searching& searching, const SweepPlan& plan,
+                                        const SweepSettings& settings, std::uint64_t sobol_rows,
+                                        std::vector<Issue>& issues) {
   const auto refuse = [&](Message message, Message hint) {
     issues.push_back({{}, "", std::move(message), std::move(hint), Severity::error});
     return std::nullopt;
@@ -15,7 +16,9 @@ std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& 
   if (plan.columns.empty()) return refuse(say("no result given"), say("name one: --results shaft.u_tau"));
   std::vector<std::string> texts;
   for (const SweptResult& column : plan.columns) texts.push_back(column.name + " = " + column.text);
-  Variants variants(read(), texts);
+  Variants variants(searching.read(), texts);
+  sweep::Threaded threaded = in_threads(variants, searching, texts);
+  const std::vector<double> middles = middles_of(variants.axes());
   Influence influence;
   std::vector<std::size_t> numbers, scattering;
   for (std::size_t i = 0; i < variants.axes().size(); ++i) {
@@ -40,7 +43,7 @@ std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& 
     steps.push_back((influence.high.back() - influence.low.back()) / 100.0);
     sd.push_back(sd_of(input));
   }
-  Slice all(variants, numbers, plan.columns.size());
+  Slice all(threaded, middles, numbers, plan.columns.size());
   const std::vector<double> base = middles_of(influence.inputs);
   influence.tornados = sweep::tornado(all, base, influence.low, influence.high);
   influence.slopes = sweep::slopes(all, base, steps);
@@ -55,7 +58,7 @@ std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& 
   for (std::size_t k = 0; k < plan.columns.size(); ++k)
     influence.budgets.push_back(sweep::variance_budget(influence.slopes, k, sd, correlation));
   if (sobol_rows == 0) return influence;
-  Slice uncertain(variants, scattering, plan.columns.size());
+  Slice uncertain(threaded, middles, scattering, plan.columns.size());
   influence.sobol = sweep::sobol_indices(uncertain, sampler_of(variants.axes(), scattering, settings.seed), sobol_rows);
   return influence;
 }

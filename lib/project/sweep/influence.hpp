@@ -24,7 +24,8 @@ struct Influence {
 };
 
 /// `sobol_rows`: 0: no Sobol indices. Issues if there is no result, or no numeric input.
-std::optional<Influence> find_influence(const ReadAgain& read, const SweepPlan& plan, const SweepSettings& settings,
-                                        std::uint64_t sobol_rows, std::vector<Issue>& issues);
+std::optional<Influence> find_influence(const Searching& searching, const SweepPlan& plan,
+                                        const SweepSettings& settings, std::uint64_t sobol_rows,
+                                        std::vector<Issue>& issues);
 
 }  // namespace loadpath::project

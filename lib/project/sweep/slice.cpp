@@ -1,12 +1,11 @@
 #include "lib/project/sweep/slice.hpp"
 
-#include "lib/project/sweep/ranges.hpp"
 #include "lib/sweep/point/uniform.hpp"
 
 namespace loadpath::project {
 
-Slice::Slice(Variants& all, std::vector<std::size_t> inputs, std::size_t outputs)
-    : all_(all), inputs_(std::move(inputs)), outputs_(outputs), rest_(middles_of(all.axes())) {}
+Slice::Slice(sweep::Function& all, std::vector<double> point, std::vector<std::size_t> inputs, std::size_t outputs)
+    : all_(all), inputs_(std::move(inputs)), outputs_(outputs), rest_(std::move(point)) {}
 
 void Slice::evaluate(std::span<const double* const> in, std::span<double* const> out, std::size_t n) {
   std::vector<std::vector<double>> same(rest_.size()), unseen(all_.outputs() - outputs_, std::vector<double>(n));

@@ -54,7 +54,7 @@ TEST_SUITE("the best machine" * test::by_case) {
         if (all.column("strut.passes")[i] == 1.0) least = std::min(least, all.column("a")[i]);
       }
       std::vector<Issue> issues;
-      const auto best = project::find_best(reader(text), {asked(area), false, {}, {}, {}}, 10, 1, issues);
+      const auto best = project::find_best({reader(text)}, {asked(area), false, {}, {}, {}}, 10, 1, issues);
       REQUIRE(best);
       CHECK(best->optimum.allowed);
       CHECK(best->optimum.reach == sweep::Optimum::Reach::every_point);
@@ -69,13 +69,14 @@ TEST_SUITE("the best machine" * test::by_case) {
         "\"90 "
         "mm\" }\n";
     std::vector<Issue> issues;
-    const auto best = project::find_best(reader(text), {asked("shaft.d"), false, {}, {}, {}}, 10, 1, issues);
+    const auto best = project::find_best({reader(text)}, {asked("shaft.d"), false, {}, {}, {}}, 10, 1, issues);
     REQUIRE(best);
     CHECK(best->optimum.allowed);
     CHECK(best->point[0] == Approx(std::cbrt(16.0 * 500.0 / (M_PI * 30e6))).epsilon(1e-5));
     const auto bounded = project::find_best(
-        reader(text), {asked("shaft.tau_max"), false, {asked("shaft.d <= 60 mm"), asked("every mode passes")}, {}, {}},
-        10, 1, issues);
+        {reader(text)},
+        {asked("shaft.tau_max"), false, {asked("shaft.d <= 60 mm"), asked("every mode passes")}, {}, {}}, 10, 1,
+        issues);
     REQUIRE(bounded);
     CHECK(bounded->point[0] == Approx(0.06).epsilon(1e-5));
   }
@@ -86,7 +87,7 @@ TEST_SUITE("the best machine" * test::by_case) {
         "= { "
         "from = \"20 mm\", to = \"90 mm\" }\n";
     std::vector<Issue> issues;
-    const auto best = project::find_best(reader(text), {asked("shaft.d"), false, {}, 0.99, {}}, 20000, 1, issues);
+    const auto best = project::find_best({reader(text)}, {asked("shaft.d"), false, {}, 0.99, {}}, 20000, 1, issues);
     REQUIRE(best);
     const double T_99 = 500.0 + 2.326347874 * 50.0;
     CHECK(best->point[1] == Approx(std::cbrt(16.0 * T_99 / (M_PI * 30e6))).epsilon(2e-3));
@@ -102,8 +103,8 @@ TEST_SUITE("the best machine" * test::by_case) {
         "[bar.links.coupler.points]\nK = [\"=2*values.b\", \"0 mm\"]\n";
     std::vector<Issue> issues;
     const auto best = project::find_best(
-        reader(text), {asked("range(bar.points.K.y)"), false, {asked("range(bar.points.K.x) >= 30 mm")}, {}, {}}, 10, 1,
-        issues);
+        {reader(text)}, {asked("range(bar.points.K.y)"), false, {asked("range(bar.points.K.x) >= 30 mm")}, {}, {}}, 10,
+        1, issues);
     REQUIRE(best);
     CHECK(best->optimum.allowed);
     CHECK(best->point[0] == Approx(25.0513e-3).epsilon(1e-5));  // of 90,000 lengths, by the circles through A and C
@@ -118,7 +119,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     for (const std::optional<double> quantile : {std::optional<double>(), std::optional<double>(0.9)}) {
       std::vector<Issue> issues;
       const auto best =
-          project::find_best(reader(text), {asked("min(bar.joints.B.gamma)"), true, {}, quantile, {}}, 10, 1, issues);
+          project::find_best({reader(text)}, {asked("min(bar.joints.B.gamma)"), true, {}, quantile, {}}, 10, 1, issues);
       REQUIRE(best);
       CHECK(best->optimum.allowed);
       CHECK(best->optimum.candidates == 3);
@@ -130,7 +131,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     const std::string text = tube + "d = [\"45 mm\", \"50 mm\"]\nd_bore = [\"20 mm\", \"50 mm\"]\nP = \"20 kN\"\n";
     std::vector<Issue> issues;
     const project::BestAsked wanted{asked(area), false, {asked("strut passes")}, {}, {}};
-    const auto best = project::find_best(reader(text), wanted, 10, 1, issues);
+    const auto best = project::find_best({reader(text)}, wanted, 10, 1, issues);
     REQUIRE(best);
     REQUIRE(best->optimum.allowed);
     REQUIRE(best->lacks.size() == best->optimum.neighbours.size());
@@ -158,15 +159,15 @@ TEST_SUITE("the best machine" * test::by_case) {
         "\"90 "
         "mm\" }\n";
     std::vector<Issue> issues;
-    const auto sought = project::seek_value(reader(text), asked("shaft.tau_max = 20 MPa"), issues);
+    const auto sought = project::seek_value({reader(text)}, asked("shaft.tau_max = 20 MPa"), issues);
     REQUIRE(sought);
     REQUIRE(sought->sought.meetings.size() == 1);
     CHECK(sought->sought.meetings[0].at == Approx(std::cbrt(16.0 * 500.0 / (M_PI * 20e6))).epsilon(1e-12));
-    const auto none = project::seek_value(reader(text), asked("shaft.tau_max = 1 Pa"), issues);
+    const auto none = project::seek_value({reader(text)}, asked("shaft.tau_max = 1 Pa"), issues);
     REQUIRE(none);
     CHECK(none->sought.meetings.empty());
     CHECK(none->sought.nearest == Approx(0.09));
-    CHECK_FALSE(project::seek_value(reader(text), asked("shaft.tau_max = 30 mm"), issues));
+    CHECK_FALSE(project::seek_value({reader(text)}, asked("shaft.tau_max = 30 mm"), issues));
     CHECK(contains(issues.back().message.text(), "shaft.tau_max"));
   }
 
@@ -178,7 +179,7 @@ TEST_SUITE("the best machine" * test::by_case) {
           "d = [\"45 mm\", \"50 mm\", \"60 mm\"]\nd_bore = " +
           bore + "\n";
       std::vector<Issue> issues;
-      const auto best = project::find_best(reader(text), {asked("shaft.d"), false, {}, {}, {}}, 10, 1, issues);
+      const auto best = project::find_best({reader(text)}, {asked("shaft.d"), false, {}, {}, {}}, 10, 1, issues);
       REQUIRE(best);
       REQUIRE(best->chosen.size() == 1);
       CHECK(best->inputs[best->chosen[0]].name == "shaft.d");
@@ -208,7 +209,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     project::Project project = reader(text)();
     project.sweep.results.push_back(asked("shaft.tau_max"));
     const auto plan = project::plan_sweep(project, project.sweep, issues);
-    const auto influence = project::find_influence(reader(text), plan, project.sweep, 4000, issues);
+    const auto influence = project::find_influence({reader(text)}, plan, project.sweep, 4000, issues);
     REQUIRE(influence);
     REQUIRE(influence->inputs.size() == 2);
     CHECK(influence->slopes.at(0, 0).elasticity == Approx(1.0).epsilon(1e-6));
@@ -220,16 +221,16 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(share_of_T == Approx(25.0 / 34.0).epsilon(1e-6));
     CHECK(influence->sobol[0].inputs[0].first == Approx(25.0 / 34.0).epsilon(0.1));
     project.sweep.correlations.push_back({asked("shaft.T"), asked("shaft.d"), 0.6});
-    CHECK_FALSE(project::find_influence(reader(text), plan, project.sweep, 4000, issues));
+    CHECK_FALSE(project::find_influence({reader(text)}, plan, project.sweep, 4000, issues));
     CHECK(contains(issues.back().message.text(), "Sobol indices assume independent inputs"));
-    CHECK(project::find_influence(reader(text), plan, project.sweep, 0, issues));
+    CHECK(project::find_influence({reader(text)}, plan, project.sweep, 0, issues));
   }
 
   TEST_CASE("an objective and a demand may bear a name") {
     const std::string text = tube + sizes + "P = \"40 kN\"\n";
     const auto find = [&](const std::string& objective, const std::string& demand) {
       std::vector<Issue> issues;
-      auto best = project::find_best(reader(text), {asked(objective), false, {asked(demand)}, {}, {}}, 10, 1, issues);
+      auto best = project::find_best({reader(text)}, {asked(objective), false, {asked(demand)}, {}, {}}, 10, 1, issues);
       CHECK(issues.empty());
       REQUIRE(best);
       return std::move(*best);
@@ -249,7 +250,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     const std::string text = tube + sizes + "P = \"40 kN\"\n";
     const auto fault = [&](const std::string& objective, const std::vector<project::Placed>& such_that) {
       std::vector<Issue> issues;
-      CHECK_FALSE(project::find_best(reader(text), {asked(objective), false, such_that, {}, {}}, 10, 1, issues));
+      CHECK_FALSE(project::find_best({reader(text)}, {asked(objective), false, such_that, {}, {}}, 10, 1, issues));
       return issues.empty() ? std::string() : issues.front().message.text() + " = " + issues.front().hint.text();
     };
     CHECK(contains(fault("strut.m", {}), "strut"));
@@ -262,7 +263,7 @@ TEST_SUITE("the best machine" * test::by_case) {
     CHECK(contains(fault("strut.d", {asked("strut.d <= 0 mm")}), "above zero"));
     CHECK(contains(fault("strut.d", {asked("axle passes")}), "axle"));
     std::vector<Issue> issues;
-    CHECK_FALSE(project::seek_value(reader(text), asked("strut.lambda = 90"), issues));
+    CHECK_FALSE(project::seek_value({reader(text)}, asked("strut.lambda = 90"), issues));
     CHECK(contains(issues.front().message.text(), "one input must go through a range"));
   }
 }

@@ -24,7 +24,7 @@ namespace belt { struct Flat; struct V; struct VSizing; struct Course; }
 namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; }
 namespace dynamics {
   struct ForceOfMotion; struct Throw; struct Impulse; struct SystemMomentum; struct MassCentre;
-  struct AngularMomentumChange; struct WorkAndEnergy; struct Lift;
+  struct AngularMomentumChange; struct WorkAndEnergy; struct Lift; struct Motion;
 }
 namespace machine { struct Flywheel; struct RunUp; }
 namespace bearing { struct Rolling; }
@@ -102,6 +102,7 @@ static constexpr std::array all{
     Row{&erased<motion::Compound>},
     Row{&erased<dynamics::ForceOfMotion>},
     Row{&erased<dynamics::Throw>},
+    Row{&erased<dynamics::Motion>},
     Row{&erased<dynamics::Impulse>},
     Row{&erased<dynamics::SystemMomentum>},
     Row{&erased<dynamics::MassCentre>},

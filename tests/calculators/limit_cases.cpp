@@ -463,6 +463,10 @@ const Case motion[] = {
      (1.0 / 3 + 0.12) / 4},
     {"motion.compound", "omega = \"0 rad/s\"\nepsilon = \"0 rad/s^2\"", "a", 3.0},
     {"dynamics.force", "x = \"3 m/s*t\"\ny = \"4 m/s*t\"", "P", 0.0},
+    // a fall that has reached its terminal velocity
+    {"dynamics.motion",
+     "m = \"2 kg\"\nv_x0 = \"0 m/s\"\nv_y0 = \"0 m/s\"\nF_x = \"50 N - 2 N*s^2/m^2*v_x*v\"\nF_y = \nuntil = ", "v_E",
+     5.0},
     {"dynamics.throw", "theta = \"90 deg\"", "H", 400 / (2 * g)},
     {"dynamics.throw", "", "theta_L", pi / 6},  // it lands as steep as it was thrown
     // thrown level from as high as its speed would bring it up: it lands at 45 degrees

@@ -2,6 +2,7 @@
 #include "tests/allocations.hpp"
 #include "tests/contract/calculators.hpp"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <random>
@@ -19,10 +20,12 @@ std::size_t offset_of(const Record& record, const Leaf& leaf) {
 }
 
 /// Whether it counts a series of any length, which takes memory of its own.
-/// A history is counted, and a law is followed from corner to corner: what they consist of is gathered first.
+/// A history is counted, a law is followed from corner to corner, a motion step by step: what they consist of is
+/// gathered first.
 bool gathers(const Calculator& c) {
-  const std::string_view id = c.id;
-  return id == "fatigue.history" || id == "dynamics.force" || id == "dynamics.impulse" || id == "motion.rotation";
+  constexpr std::array ids{"fatigue.history", "dynamics.force", "dynamics.impulse", "dynamics.motion",
+                           "motion.rotation"};
+  return std::ranges::find(ids, std::string_view(c.id)) != ids.end();
 }
 
 /// Every result over values of one input, swept; takes no memory while it runs.

@@ -51,6 +51,7 @@ constexpr std::array unbroken{
     Reason{"motion.plane", laws},
     Reason{"motion.compound", laws},
     Reason{"dynamics.force", laws},
+    Reason{"dynamics.motion", laws},
     Reason{"dynamics.impulse", laws},
     Reason{"dynamics.momentum", laws},
     Reason{"dynamics.mass_centre", laws},

@@ -139,6 +139,29 @@ bool is_constant(const Node& node) {
   return node.operation != Operation::reference && std::all_of(node.kids.begin(), node.kids.end(), is_constant);
 }
 
+double number(const Node& node, const Single& single) {
+  const auto kid = [&](std::size_t k) { return number(node.kids[k], single); };
+  switch (node.operation) {
+    case Operation::literal:
+      return finite(node.si);
+    case Operation::reference:
+      return finite(single(node.path));
+    case Operation::negate:
+      return -kid(0);
+    case Operation::call:
+      break;
+    default:
+      return finite(join_of(node.operation)(kid(0), kid(1)));
+  }
+  const Function& f = *node.function;
+  double value = kid(0);
+  if (f.map != nullptr) return finite(f.map(value));
+  if (node.kids.size() == 1) return finite(f.reduce({{}, {value}}));
+  if (f.join == nullptr) return not_available;  // of a place in a series
+  for (std::size_t k = 1; k < node.kids.size(); ++k) value = finite(f.join(value, kid(k)));
+  return value;
+}
+
 double constant(const Node& node) {
   static const Value none{{}, {not_available}};
   return numbers(node, [](const std::string&) -> const Value& { return none; }).si.front();

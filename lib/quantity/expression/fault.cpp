@@ -7,6 +7,12 @@
 namespace loadpath::expression {
 namespace {
 
+std::string listed(std::span<const std::string_view> words) {
+  std::string all;
+  for (const std::string_view word : words) all += (all.empty() ? "" : ", ") + std::string(word);
+  return all;
+}
+
 bool is_unit(std::string_view text) { return static_cast<bool>(parse_unit(text)); }
 
 }  // namespace
@@ -40,13 +46,16 @@ void Parser::fail_unknown_function(const std::string& name) {
 void Parser::fail_bare_name(std::size_t end) {
   const auto word = slice(next_, end);
   const auto constant = word.size() > 1 ? nearest(word, {"pi"}) : std::string{};
-  Message hint = variable_.empty() ? say("write step.path, as in lever.drive.M")
-                                   : say("the variable is {1}; all else is numbers with units", std::string(variable_));
+  Message hint = say("write step.path, as in lever.drive.M");
+  if (variables_.size() == 1)
+    hint = say("the variable is {1}; all else is numbers with units", std::string(variables_.front()));
+  else if (!variables_.empty())
+    hint = say("the variables are {1}; all else is numbers with units", listed(variables_));
   if (find_function(word) != nullptr) {
     hint = say("write {1}", find_function(word)->form);
   } else if (!constant.empty()) {
     hint = say("did you mean '{1}'?", constant);
-  } else if (is_unit(word) && variable_.empty()) {
+  } else if (is_unit(word) && variables_.empty()) {
     hint = say("write step.path, as in lever.drive.M; a unit needs a number: 1 {1}", word);
   }
   fail(next_, end - next_, say("'{1}' is not a complete reference", word), std::move(hint));
@@ -87,7 +96,7 @@ void Parser::fail_comma() {
 }
 
 void Parser::fail_unexpected_word(std::size_t end) {
-  const auto run = unit_end(text_, next_, variable_);
+  const auto run = unit_end(text_, next_, variables_);
   const auto path = path_end(text_, next_);
   if (run != next_ && is_unit(text_.substr(next_, run - next_))) {
     const auto unit = slice(next_, run);

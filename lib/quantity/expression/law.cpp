@@ -92,7 +92,7 @@ Law::Law(Law&&) noexcept = default;
 Law& Law::operator=(Law&&) noexcept = default;
 
 Outcome<Law> Law::parse(std::string_view text, const Variable& variable, const Dimension& result) {
-  auto parsed = expression::parse(text, variable.name);
+  auto parsed = expression::parse(text, {&variable.name, 1});
   if (!parsed) return parsed.fault();
   const std::string name(variable.name);
   const auto declared = [&](const std::string& path) -> Outcome<Signature> {

@@ -121,7 +121,7 @@ Node Parser::number() {
 
 void Parser::unit(Node& literal) {
   const auto from = next_;
-  const auto end = unit_end(text_, from, variable_);
+  const auto end = unit_end(text_, from, variables_);
   if (!take(end)) return;
   const auto unit = read_unit(text_.substr(0, end), from);
   if (!unit) return fail_unit(unit.fault());
@@ -149,7 +149,7 @@ Node Parser::name() {
   const auto behind = skip_space(text_, end);
   if (behind < text_.size() && text_[behind] == '(') return call(end);
   const auto word = text_.substr(next_, end - next_);
-  if (word == variable_) return reference(end);
+  if (is_among(variables_, word)) return reference(end);
   if (word == "pi") return constant(std::numbers::pi, {}, end);
   if (word == "rev") return constant(2.0 * std::numbers::pi, Dimension::of(0, 0, 0, 0, 1), end);
   if (word == "g") return constant(9.80665, Dimension::of(1, 0, -2), end);  // standard acceleration, CGPM 1901
@@ -209,6 +209,6 @@ void Parser::arguments(Node& node, std::size_t open) {
   }
 }
 
-Outcome<Parsed> parse(std::string_view text, std::string_view variable) { return Parser{text, variable}.parse(); }
+Outcome<Parsed> parse(std::string_view text, Names variables) { return Parser{text, variables}.parse(); }
 
 }  // namespace loadpath::expression

@@ -14,9 +14,7 @@ namespace loadpath::expression {
 /// Recursive descent. The first fault ends the text, so that every loop ends and later faults are ignored.
 class Parser {
  public:
-  explicit Parser(std::string_view text, std::string_view variable = {}) : text_{text}, variable_{variable} {
-    step_to(0);
-  }
+  explicit Parser(std::string_view text, Names variables = {}) : text_{text}, variables_{variables} { step_to(0); }
   Outcome<Parsed> parse();
 
  private:
@@ -70,7 +68,8 @@ class Parser {
   void fail_unexpected_word(std::size_t end);
   void fail_missing_operator(std::size_t end);
 
-  std::string_view text_, variable_;
+  std::string_view text_;
+  Names variables_;
   std::size_t next_ = 0;  // start of the next token
   std::size_t end_ = 0;   // end of the last one
   int depth_ = 0;

@@ -67,12 +67,13 @@ std::size_t part_end(std::string_view text, std::size_t at) {
   return end == at + 1 ? at : end;
 }
 
-/// The text searched for a unit, and the word excluded.
+/// The text searched for a unit, and the words excluded.
 struct Units {
-  std::string_view text, variable;
+  std::string_view text;
+  Names variables;
 };
 
-/// A word that cannot be a reference, a call, the constant pi or the variable. `30 MPa (2)` lacks an operator, `2 cos
+/// A word that cannot be a reference, a call, the constant pi or a variable. `30 MPa (2)` lacks an operator, `2 cos
 /// (x)` is a call.
 bool is_bare(const Units& in, std::size_t at, std::size_t end) {
   const auto text = in.text;
@@ -80,7 +81,8 @@ bool is_bare(const Units& in, std::size_t at, std::size_t end) {
   const bool dotted = character(text, end) == '.' && is_letter(character(text, end + 1));
   const bool called =
       character(text, end) == '(' || (character(text, skip_space(text, end)) == '(' && find_function(word) != nullptr);
-  return !word.empty() && !dotted && !called && character(text, end) != '[' && word != "pi" && word != in.variable;
+  return !word.empty() && !dotted && !called && character(text, end) != '[' && word != "pi" &&
+         !is_among(in.variables, word);
 }
 
 std::size_t exponent_end(std::string_view text, std::size_t at) {
@@ -135,6 +137,8 @@ std::size_t reciprocal_end(const Units& in, std::size_t at) {
 
 }  // namespace
 
+bool is_among(Names names, std::string_view word) { return std::ranges::find(names, word) != names.end(); }
+
 std::size_t skip_space(std::string_view text, std::size_t at) { return repeated_end(text, at, spaces); }
 
 std::size_t digits_end(std::string_view text, std::size_t at) {
@@ -178,8 +182,8 @@ std::size_t word_end(std::string_view text, std::size_t at) {
   return at;
 }
 
-std::size_t unit_end(std::string_view text, std::size_t at, std::string_view variable) {
-  const Units in{text, variable};
+std::size_t unit_end(std::string_view text, std::size_t at, Names variables) {
+  const Units in{text, variables};
   auto end = factor_end(in, at);
   if (end == at) end = reciprocal_end(in, at);
   return end == at ? at : product_end(in, end, joiners);

@@ -3,9 +3,15 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <string_view>
 
 namespace loadpath::expression {
+
+/// Bare names that are references, and not units.
+using Names = std::span<const std::string_view>;
+
+bool is_among(Names names, std::string_view word);
 
 std::size_t skip_space(std::string_view text, std::size_t at);
 
@@ -31,7 +37,7 @@ std::size_t word_end(std::string_view text, std::size_t at);
 
 /// The longest unit: words with exponents joined by * · /, up to a reference, a call, a number or pi. Several
 /// divisors are in parentheses (`W/(m*K)`), a reciprocal may begin with 1 (`1/min`), a `^` after a word belongs to
-/// it. `variable`: a word that is not a unit.
-std::size_t unit_end(std::string_view text, std::size_t at, std::string_view variable = {});
+/// it. `variables`: words that are not units.
+std::size_t unit_end(std::string_view text, std::size_t at, Names variables = {});
 
 }  // namespace loadpath::expression

@@ -72,8 +72,8 @@ struct Parsed {
   Tree tree;
   std::vector<Reference> references;
 };
-/// `variable`: a bare name that is a reference and not a unit; empty: there is none.
-Outcome<Parsed> parse(std::string_view text, std::string_view variable = {});
+/// `variables`: bare names that are references and not units.
+Outcome<Parsed> parse(std::string_view text, std::span<const std::string_view> variables = {});
 
 Outcome<Signature> check(const Tree& tree, const Declared& declared);
 /// Checks one node of the tree.
@@ -81,6 +81,9 @@ Outcome<Signature> check(const Tree& tree, const Node& node, const Declared& dec
 
 /// The numbers and the axis of a tree that passed its check; the dimension is left to the check.
 Value numbers(const Node& node, const Known& known);
+
+/// The number of a tree that passed its check and refers to single values only.
+double number(const Node& node, const Single& single);
 
 /// The same for single values, at all points of `out`; false if it refers to a place in a series.
 bool numbers(const Node& node, const Column& column, std::span<double> out);

@@ -39,23 +39,26 @@ bool is_plane(const Motion::Input& in) {
   return !in.F_y.empty() || in_si(in.v_y0) != 0.0 || in_si(in.y_0) != 0.0 || is_spatial(in);
 }
 
-void take_extremes(const Motion::Input& in, const Extremes& extremes, Motion::Result& r) {
-  r.x_min = extremes.least[0] * m, r.x_max = extremes.most[0] * m;
-  if (is_plane(in)) r.y_min = extremes.least[1] * m, r.y_max = extremes.most[1] * m;
-  if (is_spatial(in)) r.z_min = extremes.least[2] * m, r.z_max = extremes.most[2] * m;
-  r.v_max = extremes.speed * m_per_s;
-  r.F_max = extremes.force * N;
-}
-
 void clean(std::array<double, 3>& values, double largest) {
   constexpr double rounding = 1e-12;
   for (double& value : values) value = std::abs(value) <= rounding * largest ? 0.0 : value;
 }
 
 /// What is only rounding of the largest values becomes zero.
-void clean(MotionState& last, Extremes& extremes) {
-  for (std::array<double, 3>* places : {&last.r, &extremes.least, &extremes.most}) clean(*places, extremes.reach());
-  clean(last.v, extremes.speed);
+MotionState cleaned(MotionState state, const Extremes& extremes) {
+  clean(state.r, extremes.reach());
+  clean(state.v, extremes.speed);
+  return state;
+}
+
+void take_extremes(const Motion::Input& in, const Extremes& extremes, Motion::Result& r) {
+  std::array<double, 3> least = extremes.least, most = extremes.most;
+  for (std::array<double, 3>* places : {&least, &most}) clean(*places, extremes.reach());
+  r.x_min = least[0] * m, r.x_max = most[0] * m;
+  if (is_plane(in)) r.y_min = least[1] * m, r.y_max = most[1] * m;
+  if (is_spatial(in)) r.z_min = least[2] * m, r.z_max = most[2] * m;
+  r.v_max = extremes.speed * m_per_s;
+  r.F_max = extremes.force * N;
 }
 
 template <class Tracer>
@@ -94,8 +97,10 @@ std::vector<double> times_to(double end, int rows) {
   return times;
 }
 
-void fill_states(const Motion::Input& in, const FreeMotion& motion, double end, Motion::Result& r) {
-  for (const MotionState& s : motion.at(times_to(end, static_cast<int>(in.rows)))) {
+void fill_states(const Motion::Input& in, const FreeMotion& motion, double end, const Extremes& extremes,
+                 Motion::Result& r) {
+  for (const MotionState& exact : motion.at(times_to(end, static_cast<int>(in.rows)))) {
+    const MotionState s = cleaned(exact, extremes);
     Motion::State state;
     state.t = s.t * sec, state.x = s.r[0] * m, state.v_x = s.v[0] * m_per_s;
     if (is_plane(in)) state.y = s.r[1] * m, state.v_y = s.v[1] * m_per_s;
@@ -152,7 +157,7 @@ Motion::Result Motion::evaluate(const Input& in, Tracer& trace) {
   FreeMotion::Ended ended = motion.follow(FreeMotion::usual_tolerance, [&](const MotionState& state) {
     extremes.take(state, magnitude_of(motion.force(state)));
   });
-  clean(ended.state, extremes);
+  ended.state = cleaned(ended.state, extremes);
   take_end(in, ended, r, trace);
   const Force F_E = trace.value("F_E", magnitude_of(motion.force(ended.state)) * N, "resultant at the end");
   const Mass m = in.mass;
@@ -160,7 +165,7 @@ Motion::Result Motion::evaluate(const Input& in, Tracer& trace) {
   take_extremes(in, extremes, r);
   take_energies(in, ended.state.work, r, trace);
   r.delta = difference(ended.state, motion.follow(FreeMotion::coarse_tolerance).state, extremes);
-  fill_states(in, motion, ended.state.t, r);
+  fill_states(in, motion, ended.state.t, extremes, r);
   return r;
 }
 

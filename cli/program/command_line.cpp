@@ -123,6 +123,15 @@ void setup_completion(CLI::App& app, CompletionOptions& options, Action& action)
   sub->callback([&] { action = [&] { return completion(options); }; });
 }
 
+/// No option means anything by an empty text: --minimise "" asks for no search, as if it had not been typed.
+void refuse_empty_texts(CLI::App& app) {
+  const auto is_given = [](const std::string& text) { return text.empty() ? "a value is missing" : std::string(); };
+  for (CLI::Option* option : app.get_options()) {
+    if (!option->get_positional() && option->get_items_expected_max() > 0) option->check(is_given);
+  }
+  for (CLI::App* sub : app.get_subcommands({})) refuse_empty_texts(*sub);
+}
+
 }  // namespace
 
 void CommandLine::set_up(const CLI::App& command) {
@@ -153,6 +162,7 @@ CommandLine::CommandLine()
   app.add_subcommand("lsp", "language server for editors, on standard input and output")->callback([this] {
     action = language_server;
   });
+  refuse_empty_texts(app);
   setup_elements(app, options.calculate, action, late);
   app.footer(footer);  // both only here: commands inherit settings made before them
   app.allow_extras();

@@ -26,6 +26,15 @@ TEST_SUITE("cli wrong words") {
     CHECK(contains(meaning.error, "'--l' ("));
   }
 
+  TEST_CASE("an empty text is no value of an option") {
+    for (const char* option : {"--minimise", "--maximise", "--seek", "--pareto", "--results", "--csv", "--out"}) {
+      const Ran ran = loadpath_with({"sweep", "none.toml", option, ""});
+      CHECK(ran.code == 2);
+      CHECK(contains(ran.error, std::string(option) + ": a value is missing"));
+    }
+    CHECK(contains(loadpath_with({"run", "none.toml", "--csv", ""}).error, "--csv: a value is missing"));
+  }
+
   TEST_CASE("a wrong key of a file is told with the near ones and their meanings") {
     CHECK(with_key("d_bor").code == 2);
     CHECK(contains(with_key("d_bor").error, "did you mean 'd_bore' ("));

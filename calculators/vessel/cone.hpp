@@ -54,7 +54,7 @@ sigma_adm = "120 MPa"
                  .usually(5, 50000),
              Field<Input, double>{&Input::alpha, "alpha", deg, "half the angle of the point"}.within(1, 75).usually(
                  5, 60)},
-      wall_inputs<Input>("p, rho?p_i"), liquid_inputs<Input>("height of the liquid's surface above the point"));
+      wall_inputs<Input>("p, p_i"), liquid_inputs<Input>("height of the liquid's surface above the point"));
 
   struct Result : WallResult {
     Length R_m = unset<Length>, r = unset<Length>;
@@ -72,7 +72,7 @@ sigma_adm = "120 MPa"
                  Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
                              "the wall must be thinner than the radius"}});
 
-  static constexpr std::array meanings = wall_meanings;
+  static constexpr std::array meanings = join(wall_meanings, std::array{Meaning{"R", radius_when_closed}});
   static constexpr std::array modes = wall_modes<Input>("u_v, t_R, x_s");
 
   template <class Tracer>

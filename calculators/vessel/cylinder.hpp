@@ -105,7 +105,8 @@ sigma_adm = "140 MPa"
                              "the wall must be thinner than the radius"}});
 
   static constexpr Applies ringed(const Input& in) { return where(in.ends == Ends::ringed); }
-  static constexpr std::array meanings = wall_meanings;
+  static constexpr std::array meanings =
+      join(wall_meanings, std::array{Meaning{"R", radius_when_open, "ends", "open"}});
   static constexpr std::array modes = wall_modes<Input>(
       "u_v, t_R, t_M, w_r",
       Mode<Input>{"ends", "strength of the ends (dished: vessel.sphere, torus, ellipsoid)", &has_ends}

@@ -52,7 +52,7 @@ sigma_adm = "140 MPa"
                   Field<Input, Length>{&Input::b, "b", mm, "semi-axis along the axis of revolution: height of a head"}
                       .positive()
                       .usually(5, 50000)},
-           wall_inputs<Input>());
+           wall_inputs<Input>(pressure_below));
 
   struct Result : WallResult {
     Length a_m = unset<Length>, b_m = unset<Length>, r = unset<Length>;
@@ -78,7 +78,7 @@ sigma_adm = "140 MPa"
                                   "the wall must be thinner than the semi-axes"}});
 
   static constexpr Applies flat(const Input& in) { return where(in.a * in.a > 2.0 * in.b * in.b); }
-  static constexpr std::array meanings = wall_meanings;
+  static constexpr std::array meanings = join(wall_meanings, std::array{Meaning{"a", radius_when_closed}});
   static constexpr std::array modes =
       wall_modes<Input>("u_v, t_R, x_s", Mode<Input>{"knuckle", "buckling of the knuckle", &flat}.judged_by("w_b"));
 

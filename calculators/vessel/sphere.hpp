@@ -53,7 +53,8 @@ sigma_adm = "160 MPa"
                  .one_of_body("radius")
                  .positive()
                  .usually(5, 50000)},
-      wall_inputs<Input>(), liquid_inputs<Input>("height of the liquid surface above the lowest point of the wall"),
+      wall_inputs<Input>("p, !rho?p_i"),
+      liquid_inputs<Input>("height of the liquid surface above the lowest point of the wall"),
       Fields{Field<Input, double>{&Input::phi_s, "phi_s", deg, "ring that holds a sphere with liquid: from the top"}
                  .within(20, 160)
                  .may_be_missing()});
@@ -76,7 +77,7 @@ sigma_adm = "160 MPa"
                                   "the wall must be thinner than the radius"}});
 
   static Applies compressed(const Input& in);
-  static constexpr std::array meanings = wall_meanings;
+  static constexpr std::array meanings = join(wall_meanings, std::array{Meaning{"R", radius_when_closed}});
   static constexpr std::array modes =
       wall_modes<Input>("u_v, t_R, t_M", Mode<Input>{"buckling", "compressive buckling of the wall", &compressed});
 

@@ -49,7 +49,7 @@ sigma_adm = "140 MPa"
              Field<Input, Length>{&Input::r, "r", mm, "radius of the tube, to the surface given by measured"}
                  .positive()
                  .usually(5, 10000)},
-      wall_inputs<Input>());
+      wall_inputs<Input>(pressure_below));
 
   struct Result : WallResult {
     Length r_m = unset<Length>;

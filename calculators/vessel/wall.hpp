@@ -50,6 +50,9 @@ struct WallResult {
   double t_R = unset<double>, u_v = unset<double>;
 };
 
+/// The pressures of a vessel that a head without a liquid of its own belongs to: nothing says that it is the upper one.
+inline constexpr auto pressure_below = "p, p_i";
+
 /// `pressures`: of a vessel that the wall belongs to. A bottom with a liquid has that of the vessel above it on top.
 template <class Input>
 constexpr auto wall_inputs(const char* pressures = "p") {
@@ -104,6 +107,9 @@ constexpr auto wall_inputs(const char* pressures = "p") {
 
 /// Fields with bounds from a material.
 inline constexpr std::array wall_meanings{Meaning{"sigma_adm", allowable_in_normal}};
+/// The radius of a head is that of a shell with closed ends.
+inline constexpr auto radius_when_closed = "the radius of a shell with closed ends";
+inline constexpr auto radius_when_open = "the radius of an open pipe";
 
 template <class Input>
 constexpr auto liquid_inputs(const char* level) {
@@ -126,7 +132,8 @@ constexpr auto wall_results(double thinnest = 0.05) {
       Field<Result, Length>{&Result::delta_c, "delta_c", mm, "analysis thickness: corroded, under-tolerance deducted"},
       Field<Result, Stress>{&Result::p_i, "p_i", MPa, "pressure at the governing location"},
       Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "hoop stress at the governing location"},
-      Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "meridional stress at the governing location"},
+      Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "meridional stress at the governing location"}.with(
+          "sigma_o"),
       Field<Result, Stress>{&Result::sigma_v, "sigma_v", MPa,
                             "equivalent stress at the governing location, seams included"},
       Field<Result, Stress>{&Result::p_max, "p_max", MPa, "allowable gas pressure at that thickness"},

@@ -93,4 +93,64 @@ TEST_SUITE("found vessel") {
     CHECK(mode_with("vessel.cylinder", "", "rings") == "none");
     CHECK(mode_with("vessel.cylinder", "ends = \"ringed\"", "rings") == "not-judged");
   }
+
+  TEST_CASE("a head bears the liquid of its vessel, unless it is the upper one") {
+    const std::string shell =
+        "[shell]\ncalculator = \"vessel.cylinder\"\np = \"0.2 MPa\"\nR = \"3 m\"\nrho = \"1000 kg/m^3\"\n"
+        "h_l = \"15 m\"\ndelta = \"12 mm\"\nsigma_adm = \"100 MPa\"\n[head]\ndelta = \"12 mm\"\n"
+        "sigma_adm = \"100 MPa\"\n";
+    const auto strength = [&](const std::string& head) {
+      return mode_of(solved_as_found(shell + head), "head", "strength");
+    };
+    const std::string sphere = "calculator = \"vessel.sphere\"\np = \"=shell.p\"\nR = \"=shell.R\"\n";
+    const std::string ellipsoid =
+        "calculator = \"vessel.ellipsoid\"\np = \"=shell.p\"\na = \"=shell.R\"\nb = \"1.5 m\"\n";
+    for (const std::string& head : {sphere, ellipsoid}) {
+      CHECK(strength(head) == "not-judged");
+      CHECK(strength(head + "because.p = \"upper head, gas only\"\n") == "pass");
+      std::string with_liquid = head;
+      with_liquid.replace(with_liquid.find("shell.p"), 7, "shell.p_i");
+      CHECK(strength(with_liquid) == "pass");
+    }
+  }
+
+  TEST_CASE("a head has the pressure of the shell with its radius") {
+    const auto strength = [](const std::string& p, const std::string& a, const std::string& more = "") {
+      return mode_of(solved_as_found("[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\n"
+                                     "delta = \"10 mm\"\nsigma_adm = \"140 MPa\"\n[head]\ncalculator = "
+                                     "\"vessel.ellipsoid\"\nb = \"300 mm\"\ndelta = \"10 mm\"\nsigma_adm = "
+                                     "\"140 MPa\"\np = \"" +
+                                     p + "\"\na = \"" + a + "\"\n" + more),
+                     "head", "strength");
+    };
+    CHECK(strength("1 MPa", "600 mm") == "pass");
+    CHECK(strength("0.1 MPa", "600 mm") == "not-judged");
+    CHECK(strength("0.1 MPa", "600 mm", "because.p = \"of the jacket\"\n") == "pass");
+    CHECK(strength("0.1 MPa", "500 mm") == "pass");
+  }
+
+  TEST_CASE("the seam of a shell does not bear the meridional stress alone") {
+    const auto yielding = [](const std::string& stress) {
+      return mode_of(solved_as_found("[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\n"
+                                     "delta = \"10 mm\"\nsigma_adm = \"140 MPa\"\n[filling]\ncalculator = "
+                                     "\"fatigue.cycle\"\nsigma_min = \"0 MPa\"\nR_e = \"265 MPa\"\nS_F = 1.5\n"
+                                     "sigma_max = \"=shell." +
+                                     stress + "\"\n"),
+                     "filling", "yield");
+    };
+    CHECK(yielding("sigma_o") == "pass");
+    CHECK(yielding("sigma_M") == "not-judged");
+  }
+
+  TEST_CASE("no head closes an open pipe") {
+    const auto error = [](const std::string& ends) {
+      return first_error_of("[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nends = \"" +
+                            ends +
+                            "\"\ndelta = \"10 mm\"\nsigma_adm = \"100 MPa\"\n[head]\ncalculator = "
+                            "\"vessel.ellipsoid\"\np = \"=shell.p\"\na = \"=shell.R\"\nb = \"300 mm\"\n"
+                            "sigma_adm = \"100 MPa\"\n");
+    };
+    CHECK(error("open").find("'shell' has ends = \"open\"") != std::string::npos);
+    CHECK(error("closed") == "");
+  }
 }

@@ -68,6 +68,22 @@ std::vector<Source> sources_of(const Reading& reading) {
   return sources;
 }
 
+std::set<std::string> steps_named_in(const Reading& reading) {
+  std::set<std::string> names;
+  for_each_reference(reading, [&](const std::string& path) { names.insert(split_step(path).first); });
+  return names;
+}
+
+std::set<std::string> steps_loading(const Reading& reading) {
+  std::set<std::string> names;
+  for (const Taken& record : reading.records) names.insert(split_step(record.source).first);
+  for (const Operand& operand : reading.operands) {
+    if (!operand.leaf.field->is_load) continue;
+    for (const auto& reference : operand.expression.references()) names.insert(split_step(reference.path).first);
+  }
+  return names;
+}
+
 std::string path_in(const Source& source, std::string key) {
   if (const std::size_t at = key.find('#'); at != std::string::npos) {
     const bool by_name = at > 0 && key[at - 1] == '.';
@@ -103,7 +119,7 @@ std::vector<ComparedKeys> keys_in_sources(const FieldInfo& field) {
 
 namespace {
 
-/// "rho?p_i": "rho" and "p_i"; without a condition the first is empty.
+/// "rho?p_i": "rho" and "p_i", "!rho?p_i": "!rho" and "p_i"; without a condition the first is empty.
 std::pair<std::string, std::string> split_condition(const std::string& key) {
   const std::size_t mark = key.find('?');
   return mark == std::string::npos ? std::pair{std::string(), key}
@@ -116,8 +132,10 @@ std::vector<std::string> keys_where_given(const char* list, const Record& record
   std::vector<std::string> keys;
   for (const std::string& key : listed_keys(list)) {
     auto [condition, plain] = split_condition(key);
-    const Leaf given = condition.empty() ? Leaf{} : find_leaf(record, condition);
-    if (condition.empty() || (given && !std::isnan(given.get()))) keys.push_back(std::move(plain));
+    const bool is_negated = condition.starts_with('!');
+    const Leaf leaf = condition.empty() ? Leaf{} : find_leaf(record, is_negated ? condition.substr(1) : condition);
+    const bool is_given = leaf && !std::isnan(leaf.get());
+    if (condition.empty() || is_given != is_negated) keys.push_back(std::move(plain));
   }
   return keys;
 }

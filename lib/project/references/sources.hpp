@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,6 +22,10 @@ struct Source {
   std::map<std::string, std::string> elements;  // of lists by name: joints -> "B" in "press.joints.B.F"
 };
 std::vector<Source> sources_of(const Reading& reading);
+
+/// The names of all steps that it refers to, and of those that loads and records come from.
+std::set<std::string> steps_named_in(const Reading& reading);
+std::set<std::string> steps_loading(const Reading& reading);
 
 /// The path of a key there, in which '#' is the place, "stages[#].z_1", or the name of an element, "joints.#.omega";
 /// empty if that is unknown.
@@ -41,7 +46,7 @@ struct ComparedKeys {
 /// The keys that a field has there; empty if it is not compared.
 std::vector<ComparedKeys> keys_in_sources(const FieldInfo& field);
 
-/// The keys of such a list; of those with a condition, "rho?p_i", only where this input is given.
+/// The keys of such a list; of those with a condition, "rho?p_i" or "!rho?p_i", only where this input is given or not.
 std::vector<std::string> keys_where_given(const char* list, const Record& record);
 
 /// The inputs that a value of another step is made for: here, and there ("I_y", "I").

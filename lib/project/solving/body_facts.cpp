@@ -168,20 +168,34 @@ std::string shared_pressure(const Step& step) {
   return typed == step.input().reading.typed.end() ? "" : typed->second.shared;
 }
 
-/// Walls of one vessel, which nothing calls one body: the same [values] give their pressure, and their radii are equal.
-bool are_joined(Step& a, Step& b) {
-  const std::string pressure = shared_pressure(a);
-  if (pressure.empty() || pressure != shared_pressure(b)) return false;
+bool has_equal_radius(Step& a, Step& b) {
   const double r = statement_of(a, "radius").measure, s = statement_of(b, "radius").measure;
   return std::abs(r - s) <= rounding * std::max(r, s);
 }
 
-/// Joined walls have the same medium inside.
+/// Walls of one vessel, which nothing calls one body: the same [values] give their pressure, and their radii are equal.
+bool are_joined(Step& a, Step& b) {
+  const std::string pressure = shared_pressure(a);
+  return !pressure.empty() && pressure == shared_pressure(b) && has_equal_radius(a, b);
+}
+
+/// A head of the radius of a shell, neither of them calculated for a body of its own: a shell without ends.
+bool is_head_on(Step& head, Step& shell) {
+  const auto has_ends = [](Step& step) {
+    return find_field(step.input().calculator->input->fields, "ends") != nullptr;
+  };
+  const bool is_free = head.input().body.text.empty() && shell.input().body.text.empty();
+  return is_free && input_of(head, "radius") != nullptr && input_of(shell, "radius") != nullptr && !has_ends(head) &&
+         has_ends(shell) && has_equal_radius(head, shell);
+}
+
+/// Joined walls have the same medium inside, and a head the pressure of its shell.
 void add_facts_of_vessels(const Project& project, std::map<Step*, BodyFacts>& facts) {
   for (const auto& a : project.steps) {
     for (const auto& b : project.steps) {
-      if (a == b || !are_joined(*a, *b)) continue;
-      add_facts(statements_of({a.get(), b.get()}, "allowance"), facts);
+      if (a == b) continue;
+      if (are_joined(*a, *b)) add_facts(statements_of({a.get(), b.get()}, "allowance"), facts);
+      if (is_head_on(*a, *b)) add_facts(statements_of({a.get(), b.get()}, "pressure"), facts);
     }
   }
 }

@@ -231,6 +231,21 @@ bool is_doubtful(const Step& step, const ModeInfo& info, const CheckNeeds& needs
   return (info.kind == ModeKind::strength || is_limited) && !step.loads().reduced.empty();
 }
 
+/// Whether a mode waits for the reason of an input that goes with the record: a step that takes this assesses the same
+/// load, or the same size, which nobody has confirmed.
+bool is_contested(const account::Mode& mode, const ModeInfo& left, const Step& part) {
+  constexpr std::string_view because = "because.";
+  if (!mode.wants.starts_with(because)) return false;
+  const std::string key = mode.wants.substr(because.size());
+  const FieldInfo* const field = find_field(part.input().calculator->input->fields, key);
+  if (field != nullptr && field->is_load) return true;
+  const auto taken = listed_keys(left.taken);
+  return std::any_of(taken.begin(), taken.end(), [&](const std::string& record) {
+    const auto members = part.members(record.substr(0, record.find('.')));
+    return std::any_of(members.begin(), members.end(), [&](const Member& m) { return m.key == key; });
+  });
+}
+
 }  // namespace
 
 void settle_left(Project& project) {
@@ -240,7 +255,7 @@ void settle_left(Project& project) {
       const ModeInfo* const info = info_of(step, mode.id);
       const bool waits =
           mode.state == State::open || mode.state == State::not_judged || mode.state == State::not_covered;
-      if (info == nullptr || *info->judge == '\0' || !waits) continue;
+      if (info == nullptr || *info->judge == '\0' || !waits || is_contested(mode, *info, step)) continue;
       auto judges = judges_of(*info, step, project);
       if (judges.empty() && *info->counter != '\0') judges = counters_of(*info, step, project);
       if (!judges.empty()) settle(mode, judges);

@@ -148,7 +148,11 @@ s_0 = 2
           .at_least(0)
           .usually(0.2, 5)
           .may_be_missing(),
-      Field{&Input::L_h, "L_h", hour, "required life"}.at_least(1).usually(100, 3e5).may_be_missing(),
+      Field{&Input::L_h, "L_h", hour, "required life"}
+          .at_least(1)
+          .usually(100, 3e5)
+          .customarily_at_least(100)
+          .may_be_missing(),
       Field{&Input::L_m, "L_m", ratio, "required life in millions of revolutions, replaces hours"}
           .positive()
           .usually(1, 1e5)

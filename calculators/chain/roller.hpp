@@ -177,7 +177,9 @@ P_R = "5.5 kW"
   static constexpr Fields results{
       Field{&Result::i, "i", ratio, "speed ratio n_1/n_2 (up to 7, at most 10)"}.limit(0.1, 10),
       Field{&Result::n_2, "n_2", rpm, "mean speed of the driven sprocket"},
-      Field{&Result::d_1, "d_1", mm, "pitch diameter, driving sprocket"}.same_as_that_of_source("drive.d_1"),
+      Field{&Result::d_1, "d_1", mm, "pitch diameter, driving sprocket"}
+          .at_least_that_of_source("d")
+          .same_as_that_of_source("drive.d_1"),
       Field{&Result::d_2, "d_2", mm, "pitch diameter, driven sprocket"}.same_as_that_of_source("drive.d_2"),
       Field{&Result::z_min, "z_min", ratio, "number of teeth of the smaller sprocket (below 17: rough running)"},
       Field{&Result::X_0, "X_0", ratio, "number of links for the required centre distance, not rounded"},

@@ -219,6 +219,9 @@ sigma_adm_2 = "200 MPa"
   static constexpr auto of_tooth_form = "1.2 times the form factor of the tooth form";
   static constexpr std::array bounds{Bound<Input>{"Y_1", of_tooth_form, &most_form_factor_1},
                                      Bound<Input>{"Y_2", of_tooth_form, &most_form_factor_2}};
+  static constexpr std::array meanings{
+      Meaning{"mesh.z_1, mesh.T_1", flanks_ground, "cutting", "ground"},
+      Meaning{"mesh.z_1, mesh.T_1", flanks_not_ground, "cutting", "cast, milled, hobbed"}};
   static constexpr bool turns = true;
   static constexpr std::array senses{SenseClaim{"T_1, P", "idler", "none, gear_1, gear_2", "both"}};
   static constexpr std::array modes{

@@ -64,7 +64,7 @@ inline constexpr Fields pair_results{
     Field{&PairResult::k, "k", ratio, "tip shortening in normal modules"},
     Field{&PairResult::d_a1, "d_a1", mm, "tip diameter of gear 1"},
     Field{&PairResult::d_a2, "d_a2", mm, "tip diameter of gear 2 (ring gear: inner diameter)"},
-    Field{&PairResult::d_f1, "d_f1", mm, "root diameter of gear 1"},
+    Field{&PairResult::d_f1, "d_f1", mm, "root diameter of gear 1"}.at_least_that_of_source("d"),
     Field{&PairResult::d_f2, "d_f2", mm, "root diameter of gear 2 (ring gear: outer diameter)"},
     Field{&PairResult::c_1, "c_1", mm, "tip clearance, gear 1"}.limit(-1e-6, 1e4).criterion(),
     Field{&PairResult::c_2, "c_2", mm, "tip clearance, gear 2"}.limit(-1e-6, 1e4).criterion(),

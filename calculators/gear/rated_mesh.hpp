@@ -7,6 +7,10 @@
 
 namespace loadpath::gear {
 
+/// The finish of the flanks, which a pair and its rating have in common.
+inline constexpr auto flanks_ground = "teeth with ground or shaved flanks";
+inline constexpr auto flanks_not_ground = "teeth with flanks as cut or cast";
+
 /// Set for an external pair under load only. The torque excludes the application factor, which is a field of its own.
 struct RatedMesh {
   double z_1 = unset<double>, z_2 = unset<double>;

@@ -32,7 +32,7 @@ Stress bending_number(const Wheel& wheel) {
 double cycles_of(const RatingTypes::Input& in, const Wheel& wheel) {
   if (!is_set(in.L_h)) return unset<double>;
   const double turns = std::abs(in_si(in.n_1)) / (2.0 * pi) * in_si(in.L_h);
-  return wheel.turns * turns;
+  return wheel.cycles * turns;
 }
 
 template <class Tracer>

@@ -11,6 +11,7 @@
 #include "calculators/gear/rating/materials.hpp"
 #include "calculators/gear/rating/types.hpp"
 #include "lib/calculator/bound.hpp"
+#include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 
@@ -134,7 +135,14 @@ S_Fmin = 1.4
           .usually(0, 100)
           .may_be_missing(),
       Choice{&Input::pattern, "pattern", "contact pattern under load"}.may_be_missing(),
-      Field{&Input::L_h, "L_h", hour, "required life; omitted: endurance"}.positive().may_be_missing(),
+      Field{&Input::L_h, "L_h", hour, "required life; omitted: endurance"}
+          .positive()
+          .usually(100, 3e5)
+          .customarily_at_least(100)
+          .may_be_missing(),
+      Count{&Input::q_1, "q_1", 1, 20, "load cycles of a tooth of gear 1 per revolution: of a sun the planets"}
+          .may_be_missing(),
+      Count{&Input::q_2, "q_2", 1, 20, "load cycles of a tooth of gear 2 per revolution"}.may_be_missing(),
       Field{&Input::S_Hmin, "S_Hmin", ratio, "required safety factor against pitting"}
           .at_least(1)
           .usually(1, 2)
@@ -244,6 +252,7 @@ S_Fmin = 1.4
       Bound<Input>{"sigma_Flim_2", "the best quality of this material in ISO 6336-5",
                    [](const Input& in) { return strength_bounds(in.material_2, in.quality_2, in.H_2).sigma_F; }}};
 
+  static constexpr std::array meanings{Meaning{"z_1, T_1", flanks_ground, "finish", "ground"}};
   static constexpr bool turns = true;
   static constexpr std::array modes{
       Mode<Input>{"pitting_1", "pitting, gear 1", &always<Input>}.judged_by("u_H1, x_eps"),

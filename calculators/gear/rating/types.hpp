@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/gear/pair_choices.hpp"
+#include "calculators/gear/rated_mesh.hpp"
 #include "calculators/gear/rating/choices.hpp"
 #include "lib/calculator/field.hpp"
 #include "lib/quantity/drive_units.hpp"
@@ -37,6 +38,7 @@ struct RatingTypes {
     Pattern pattern = Pattern::unfavourable;
     Time L_h = unset<Time>;
     double S_Hmin = unset<double>, S_Fmin = unset<double>;
+    Whole q_1 = 1, q_2 = 1;
   };
 
   struct Result {

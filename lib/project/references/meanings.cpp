@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
+#include <string>
 
 namespace loadpath::project {
 
@@ -103,6 +105,7 @@ class Checking {
       if (source == nullptr) continue;
       const Said given = given_by(*source, rest);
       if (given.what.empty() || given.what == wanted.what) continue;
+      if (operand.of_record && !told_.insert(name).second) continue;  // several values of one record
       refuse(operand, reference, wanted, given);
     }
   }
@@ -132,6 +135,7 @@ class Checking {
   const Step& step_;
   const Project& project_;
   std::vector<Issue>& issues_;
+  std::set<std::string> told_;  // steps whose record is refused
 };
 
 }  // namespace

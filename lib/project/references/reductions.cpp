@@ -4,7 +4,6 @@
 #include "lib/project/because.hpp"
 #include "lib/project/references/notches.hpp"
 #include "lib/project/references/origins.hpp"
-#include "lib/project/references/other_steps.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/turning.hpp"
 
@@ -106,23 +105,11 @@ class ReductionCheck {
     for (auto& [path, message] : missed_notches(step_, project_)) {
       if (!is_reduction_justified(step_, path)) loads_.push_back({path, std::move(message)});
     }
-    hold(values_of_others(step_, project_));
-    hold(values_of_runs(step_, project_));
-    hold(factors_of_takers(step_, project_));
     step_.loads().reduced = std::move(loads_);
+    hold_unless_justified(step_, values_of_others(step_, project_));
   }
 
  private:
-  /// Values that need a reason: one that is given is not idle.
-  void hold(std::vector<ReducedLoad>&& values) {
-    for (ReducedLoad& value : values) {
-      if (is_reduction_justified(step_, value.path))
-        step_.loads().justified.insert(value.path);
-      else
-        loads_.push_back(std::move(value));
-    }
-  }
-
   [[nodiscard]] Reduced reduced(const Operand& operand) const {
     return operand.expression.reduced([&](const std::string& path) { return reduced_at(project_, path); });
   }
@@ -323,6 +310,15 @@ class ReductionCheck {
 
 bool is_reduction_justified(const Step& step, const std::string& path) {
   return reason_for(step.input(), path) != nullptr;
+}
+
+void hold_unless_justified(Step& step, const std::vector<ReducedLoad>& values) {
+  for (const ReducedLoad& value : values) {
+    if (is_reduction_justified(step, value.path))
+      step.loads().justified.insert(value.path);
+    else
+      step.loads().reduced.push_back(value);
+  }
 }
 
 void check_reductions(Step& step, const Project& project) { ReductionCheck(step, project).run(); }

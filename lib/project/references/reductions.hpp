@@ -4,6 +4,9 @@
 
 #include "lib/project/project.hpp"
 
+#include <string>
+#include <vector>
+
 namespace loadpath::project {
 
 /// Gives the step its loads of this kind; the steps that it refers to are solved.
@@ -11,5 +14,8 @@ void check_reductions(Step& step, const Project& project);
 
 /// Whether the user answers for the reduction of a load: because.F = "...".
 bool is_reduction_justified(const Step& step, const std::string& path);
+
+/// Adds values that need a reason to the loads that are not assessed; a reason that is given is not idle.
+void hold_unless_justified(Step& step, const std::vector<ReducedLoad>& values);
 
 }  // namespace loadpath::project

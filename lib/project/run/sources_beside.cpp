@@ -76,14 +76,17 @@ Agreement agreement_with(const Source& place, const Evaluation& evaluation, cons
   return all;
 }
 
-/// The stage that the step is by its teeth or diameters, if the stage at the place that its load comes from is of
-/// another kind.
+/// The stage that the step is by its teeth or diameters, if no reference names a place, or the stage at the place that
+/// its load comes from is of another kind.
 Source place_by_identity(const Source& source, const Evaluation& evaluation, const Known& known) {
   constexpr int least = 2;  // one number may agree by chance
-  if (source.place.empty() || source.is_assumed || agreement_with(source, evaluation, known).known > 0) return source;
-  for (const Source& place : places_of(source)) {
+  if (source.place.empty()) return source;
+  if (!source.is_assumed && agreement_with(source, evaluation, known).known > 0) return source;
+  for (Source place : places_of(source)) {
     const Agreement with = agreement_with(place, evaluation, known);
-    if (with.known >= least && with.equal == with.known) return place;
+    if (with.known < least || with.equal < with.known) continue;
+    place.is_assumed = false;
+    return place;
   }
   return source;
 }
@@ -134,21 +137,25 @@ class FoundValues {
       : step_(evaluation.step().input()), known_(known), sources_(sources_of(step_.reading)) {}
 
   void compare(const FieldInfo& field, double own) {
-    if (*field.same_as_source == '\0' || std::isnan(own)) return;
-    for (const Source& source : sources_) {
-      const std::string path = largest_in(source, listed_keys(field.same_as_source), field, known_);
-      const std::string load = load_from(step_.reading, source.step);
-      if (!path.empty() && !load.empty()) compare(field, own, path, load);
+    if (std::isnan(own)) return;
+    for (const ComparedKeys& list : keys_in_sources(field)) {
+      for (const Source& source : sources_) {
+        const std::string path = largest_in(source, listed_keys(list.keys), field, known_);
+        const std::string load = load_from(step_.reading, source.step);
+        if (!path.empty() && !load.empty()) compare(field, list.comparison, own, path, load);
+      }
     }
   }
 
   std::vector<Differing> take() { return std::move(differing_); }
 
  private:
-  void compare(const FieldInfo& field, double own, const std::string& path, const std::string& load) {
+  void compare(const FieldInfo& field, Comparison comparison, double own, const std::string& path,
+               const std::string& load) {
     constexpr double apart = 5e-3;
-    const double there = largest_magnitude(known_(path));
-    if (std::abs(std::abs(own) - std::abs(there)) <= apart * std::abs(there)) return;
+    const double there = largest_magnitude(known_(path)), more = std::abs(own) - std::abs(there);
+    const bool may_be_more = comparison == Comparison::at_least, may_be_less = comparison == Comparison::at_most;
+    if (std::abs(more) <= apart * std::abs(there) || (may_be_more && more > 0.0) || (may_be_less && more < 0.0)) return;
     differing_.push_back({load, say("{1} = {2}, and '{3}' = {4}", field.key, format_quantity(own, field.unit, 4), path,
                                     format_quantity(there, field.unit, 4))});
   }

@@ -70,7 +70,12 @@ Issue taken_once(const Place& place, const std::string& key, std::size_t values)
           Severity::error};
 }
 
-Issue taken_in_the_middle(const Place& place, const std::string& key, const std::string& name) {
+/// A scattered value has a middle; a range that a search chooses from has no value yet.
+Issue taken_of(const sweep::Distribution& law, const Place& place, const std::string& key, const std::string& name) {
+  if (sweep::is_design(law))
+    return {place, key, say("'{1}' is a range for searches; a single value is required", name),
+            say("`loadpath sweep FILE --minimise` chooses from it; scatter is { min = ..., max = ... }"),
+            Severity::error};
   return {place, key, say("'{1}' is uncertain; computed at its middle value", name), {}, Severity::warning};
 }
 
@@ -83,9 +88,30 @@ void refuse_ranges(const Project& project, std::vector<Issue>& issues) {
       if (told) continue;
       issues.push_back(
           varied.distribution
-              ? taken_in_the_middle(varied.place, key, varied.path)
+              ? taken_of(*varied.distribution, varied.place, key, varied.path)
               : taken_once(varied.place, key, varied.words.empty() ? varied.axis.size() : varied.words.size()));
     }
+  }
+}
+
+/// Inputs computed from an uncertain value have its middle, too.
+void mark_middles(const Project& project, const std::string& of) {
+  const auto is_of = [&](const Expression::Reference& reference) { return reference.path == of; };
+  for (const auto& step : project.steps) {
+    Reading& reading = step->input().reading;
+    for (const Operand& operand : reading.operands) {
+      const auto& references = operand.expression.references();
+      const auto typed = reading.typed.find(operand.path);
+      if (typed != reading.typed.end() && std::any_of(references.begin(), references.end(), is_of))
+        typed->second.mean_of_uncertain = true;
+    }
+  }
+}
+
+/// Every point has its own values.
+void forget_middles(const Project& project) {
+  for (const auto& step : project.steps) {
+    for (auto& [path, typed] : step->input().reading.typed) typed.mean_of_uncertain = false;
   }
 }
 
@@ -93,7 +119,8 @@ void refuse_ranges(const Project& project, std::vector<Issue>& issues) {
 void refuse_ranges_of_values(const Project& project, std::vector<Issue>& issues) {
   for (const Values::Several& several : project.values.several()) {
     const std::string key = "values." + several.name;
-    issues.push_back(several.distribution ? taken_in_the_middle(several.place, key, key)
+    if (several.distribution) mark_middles(project, key);
+    issues.push_back(several.distribution ? taken_of(*several.distribution, several.place, key, key)
                                           : taken_once(several.place, key, several.axis.size()));
   }
 }
@@ -236,7 +263,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
     check_kinds(*project.steps[i], project, declared, issues);
   }
   ask_for_idlers(project, issues);
-  if (ranges == Ranges::refused) refuse_ranges_of_values(project, issues);
+  ranges == Ranges::refused ? refuse_ranges_of_values(project, issues) : forget_middles(project);
   project.references = references_of(project);
   project.table_values = table_values_of(project);
   find_varying_loads(project, declared);

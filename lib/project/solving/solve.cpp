@@ -5,6 +5,7 @@
 #include "lib/project/modes.hpp"
 #include "lib/project/references/factors.hpp"
 #include "lib/project/references/kinds.hpp"
+#include "lib/project/references/machine/machine.hpp"
 #include "lib/project/references/meanings.hpp"
 #include "lib/project/references/order.hpp"
 #include "lib/project/references/reductions.hpp"
@@ -146,6 +147,7 @@ void solve_steps(Project& project, std::vector<Issue>& issues, const Wanted& wan
     check_factors(step, project, issues);
     check_meanings(step, project, issues);
     check_reductions(step, project);
+    check_machine(step, project);
     check_senses(step, project, issues);
     if (wanted.words) check_kinds(step, project, declared, issues);
     if (!has_errors(issues)) step.solve(known, wanted, issues);

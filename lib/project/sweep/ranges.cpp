@@ -21,11 +21,7 @@ double high_of(const SweptInput& input) {
 
 double sd_of(const SweptInput& input) { return input.distribution ? input.distribution->sd() : 0.0; }
 
-bool is_continuous(const SweptInput& input) {
-  if (!input.distribution) return false;
-  const auto* const law = std::get_if<sweep::Uniform>(&input.distribution->law());
-  return law != nullptr && law->is_design;
-}
+bool is_continuous(const SweptInput& input) { return input.distribution && sweep::is_design(*input.distribution); }
 
 std::vector<double> middles_of(const std::vector<SweptInput>& inputs) {
   std::vector<double> middles;

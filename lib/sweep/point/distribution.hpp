@@ -61,4 +61,10 @@ class Distribution {
   double log_mean_ = 0.0, log_sd_ = 0.0;  // lognormal law: parameters of the logarithm
 };
 
+/// Whether it is a range that a search chooses from.
+inline bool is_design(const Distribution& distribution) {
+  const auto* const law = std::get_if<Uniform>(&distribution.law());
+  return law != nullptr && law->is_design;
+}
+
 }  // namespace loadpath::sweep

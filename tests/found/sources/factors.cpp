@@ -75,6 +75,7 @@ TEST_SUITE("found factors elsewhere") {
   TEST_CASE("a ratio of speeds is a ratio or its reciprocal") {
     CHECK(time_of(run_with({.u = "=1/train.i^2"})) == "not-judged");
     CHECK(time_of(run_with({.u = "=1/train.i"})) == "pass");
+    CHECK(time_of(run_with({.u = "0.001"})) == "not-judged");  // typed, and no shaft of the train turns so slowly
   }
 
   TEST_CASE("a flywheel at the speed of the run is accelerated in full") {
@@ -83,6 +84,15 @@ TEST_SUITE("found factors elsewhere") {
     CHECK(time_of(wheel + run_with({.parts = ", { J = \"=wheel.J\" }"})) == "pass");
     CHECK(time_of(wheel + run_with({.parts = ", { J = \"2 kg*m^2\" }"})) == "pass");
     CHECK(time_of(wheel + run_with({.more = "because.parts = \"behind a clutch\"\n"})) == "pass");
+    CHECK(time_of(wheel + run_with({.n_2 = "=wheel.omega"})) == "not-judged");  // which takes its speed only
+  }
+
+  TEST_CASE("a run is by the motor that the flywheel is made for") {
+    const auto with = [](const std::string& P_n) {
+      return time_of(wheel + "P_n = \"" + P_n + "\"\n" + run_with({.parts = ", { J = \"=wheel.J\" }"}));
+    };
+    CHECK(with("5 kW") == "pass");
+    CHECK(with("1 kW") == "not-judged");  // 6.6 N m, and the motor has 90 N m
   }
 
   TEST_CASE("a motor that starts a shaft beyond its application factor wants a peak factor") {
@@ -90,5 +100,15 @@ TEST_SUITE("found factors elsewhere") {
     CHECK(mode_of(solved_as_found(started("180 N*m")), "run", "stall") == "pass");
     CHECK(mode_of(solved_as_found(started("450 N*m", "because.motor = \"rotor takes two thirds\"\n")), "run",
                   "stall") == "pass");
+  }
+
+  TEST_CASE("a motor that starts a shaft without an application factor wants the peak torque of its key") {
+    const auto key = [](const std::string& T_max) {
+      return run_with({.n_2 = "=train.n_1"}) + "[key]\ncalculator = \"shaft.key\"\nT = \"=train.T_1\"\n" + T_max +
+             "torque = \"one_way\"\nd = \"25 mm\"\nkey = \"8x7\"\nl = \"40 mm\"\nl_n = \"45 mm\"\n"
+             "R_e_1 = \"370 MPa\"\nR_e_2 = \"200 MPa\"\nR_e_k = \"420 MPa\"\n";
+    };
+    CHECK(time_of(key("")) == "not-judged");
+    CHECK(time_of(key("T_max = \"90 N*m\"\n")) == "pass");
   }
 }

@@ -147,6 +147,43 @@ TEST_SUITE("found shafts") {
     CHECK(slip("crossed", "because.arrangement = \"reversing drive\"\n") == "pass");
   }
 
+  TEST_CASE("a belt with the pulleys of a stage turns with the shaft before it") {
+    const auto rating = [](const std::string& n_1) {
+      return mode_of(solved_as_found(train +
+                                     "[b]\ncalculator = \"belt.v\"\nbasis = \"optibelt\"\nsection = \"SPA\"\n"
+                                     "P = \"=train.P\"\nK_A = 1.2\nd_1 = \"125 mm\"\nd_2 = \"315 mm\"\nL = \"2000 "
+                                     "mm\"\nz = 3\nn_1 = \"" +
+                                     n_1 + "\"\n"),
+                     "b", "burst");
+    };
+    CHECK(rating("1450 rpm") == rating("=train.n_1"));
+    CHECK(rating("575 rpm") == "not-judged");  // of the second shaft
+  }
+
+  TEST_CASE("gears and sprockets fit around the shaft whose torque they take") {
+    const auto shaft = [](const std::string& d) {
+      return "[s]\ncalculator = \"shaft.torsion\"\nT = \"30 N*m\"\nd = \"" + d + "\"\ntau_adm = \"30 MPa\"\n";
+    };
+    const auto gear = [&](const std::string& d, const std::string& more = "") {
+      return mode_of(solved_as_found(shaft(d) +
+                                     "[g]\ncalculator = \"gear.pair\"\nz_1 = 20\nz_2 = 80\nm_n = \"3 mm\"\nb = \"30 "
+                                     "mm\"\nT_1 = \"=s.T\"\nn_1 = \"500 rpm\"\n" +
+                                     more),
+                     "g", "typed_values");
+    };
+    CHECK(gear("50 mm") == "none");  // root circle 52.5 mm
+    CHECK(gear("56 mm") == "not-judged");
+    CHECK(gear("56 mm", "because.T_1 = \"the shaft steps down to 40 mm\"\n") == "none");
+    const auto chain = [&](const std::string& d) {
+      return mode_of(
+          solved_as_found(shaft(d) + "[c]\ncalculator = \"chain.roller\"\nchain = \"08B\"\nz_1 = 17\nz_2 = 38\n"
+                                     "a = \"500 mm\"\nT_1 = \"=s.T\"\nn_1 = \"100 rpm\"\n"),
+          "c", "typed_values");
+    };
+    CHECK(chain("40 mm") == "none");
+    CHECK(chain("75 mm") == "not-judged");
+  }
+
   TEST_CASE("gears on the shaft of the crank are the wheels of the mechanism") {
     CHECK(wheels_confirmed("z_1 = 20\nz_2 = 40\nm_n = \"2.5 mm\"\n") == "none");
     CHECK(wheels_confirmed("z_1 = 20\nz_2 = 100\nm_n = \"2.5 mm\"\n") == "not-judged");

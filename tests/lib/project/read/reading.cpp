@@ -229,6 +229,18 @@ a.toml:7:9: error: 'axle.title' takes a text, not a number
               remedy);
   }
 
+  TEST_CASE("a range that a search chooses from has no value in a run") {
+    CHECK(issues_of(axle + "T = { from = \"30 N*m\", to = \"60 N*m\" }\ntau_adm = \"30 MPa\"\n") ==
+          R"(a.toml:3:5: error: 'T' is a range for searches; a single value is required
+3 | T = { from = "30 N*m", to = "60 N*m" }
+  |     ^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^^
+  = help: `loadpath sweep FILE --minimise` chooses from it; scatter is { min = ..., max = ... }
+)");
+    CHECK(issues_of("[values]\nT = { from = \"30 N*m\", to = \"60 N*m\" }\n" + axle +
+                    "T = \"=2*values.T\"\ntau_adm = \"30 MPa\"\n")
+              .find("'values.T' is a range for searches") != std::string::npos);
+  }
+
   TEST_CASE("an uncertain value runs at its middle and says so") {
     const std::string text = axle + "T = { mean = \"30 N*m\", sd = \"2 N*m\" }\ntau_adm = \"30 MPa\"\n";
     CHECK(issues_of(text) == R"(a.toml:3:5: warning: 'T' is uncertain; computed at its middle value

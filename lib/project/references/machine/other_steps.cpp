@@ -1,7 +1,8 @@
-#include "lib/project/references/other_steps.hpp"
+#include "lib/project/references/machine/other_steps.hpp"
 
 #include "lib/calculator/meaning.hpp"
 #include "lib/project/references/origins.hpp"
+#include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -39,6 +40,7 @@ std::string load_taken_by(const Step& taker, const Step& step) {
   return {};
 }
 
+bool is_ratio_of_speeds(std::string_view what) { return what == ratio_of_speeds; }
 bool is_speed_of_run(std::string_view what) { return what == speed_of_run; }
 bool is_moment_of_motor(std::string_view what) { return what == moment_of_motor; }
 bool is_inertia_of_flywheel(std::string_view what) { return what == inertia_of_flywheel; }
@@ -53,7 +55,7 @@ class RunCheck {
     speed_ = largest_input(&is_speed_of_run, speed_path_);
     if (!(speed_ > 0.0)) return {};
     moment_ = largest_input(&is_moment_of_motor, moment_path_);
-    for (const std::string& source : sources()) compare_train(source);
+    for (const std::string& source : steps_named_in(step_.input().reading)) compare_train(source);
     compare_shaft();
     compare_flywheels();
     return std::move(found_);
@@ -78,30 +80,44 @@ class RunCheck {
     return most;
   }
 
-  std::set<std::string> sources() const {
-    std::set<std::string> all;
-    for_each_reference(step_.input().reading, [&](const std::string& path) { all.insert(split_step(path).first); });
-    return all;
-  }
-
   /// A run ends, or starts, at the speed of a shaft of the train, by a motor of its power.
   void compare_train(const std::string& train) {
     double T = std::nan(""), n = std::nan("");
+    std::vector<double> ratios;
     for (int k = 1;; ++k) {
       const std::string shaft = train + ".shafts[" + std::to_string(k) + "].";
       const double there = std::abs(magnitude_at(project_, shaft + "n"));
       if (std::isnan(there)) break;
       if (std::isnan(n)) n = there;
+      ratios.push_back(there / speed_);
       if (std::abs(speed_ - there) <= near * there) T = std::abs(magnitude_at(project_, shaft + "T")), n = speed_;
     }
     if (!std::isnan(n) && n != speed_)
       add(speed_path_, say("{1} = {2} is the speed of no shaft of '{3}'; justify it: because.{1} = \"...\"",
                            speed_path_, format_quantity(speed_, "rpm", 4), train));
-    if (moment_ > most_of_motor * T)
-      add(moment_path_,
-          say("the motor moment of {1} is more than {2} times the torque of '{3}', {4}; justify it: "
-              "because.motor = \"...\"",
-              format_quantity(moment_, "N*m", 4), format_number(most_of_motor), train, format_quantity(T, "N*m", 4)));
+    if (n == speed_) compare_ratios(train, ratios);
+    compare_motor(train, T);
+  }
+
+  /// A part turns as the shaft of the run, or as another one of the train.
+  void compare_ratios(const std::string& train, const std::vector<double>& ratios) {
+    for_each_leaf(step_.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+      if (!leaf.field->is_number() || !means(*step_.input().calculator, path, &is_ratio_of_speeds)) return;
+      const double u = std::abs(own_value(step_, project_, path));
+      const auto is_u = [&](double ratio) { return std::abs(u - ratio) <= near * ratio; };
+      if (std::isnan(u) || std::any_of(ratios.begin(), ratios.end(), is_u)) return;
+      add("parts", say("{1} = {2} is the ratio of no shaft of '{3}'; justify it: because.parts = \"...\"", path,
+                       format_number(u, 4), train));
+    });
+  }
+
+  /// No motor gives much more than its rated torque.
+  void compare_motor(const std::string& source, double rated) {
+    if (!(moment_ > most_of_motor * rated)) return;
+    add(moment_path_, say("the motor moment of {1} is more than {2} times the torque of '{3}', {4}; justify it: "
+                          "because.motor = \"...\"",
+                          format_quantity(moment_, "N*m", 4), format_number(most_of_motor), source,
+                          format_quantity(rated, "N*m", 4)));
   }
 
   /// A run at the speed of another step loads its shaft by the moment of the motor, unless a peak factor covers it.
@@ -111,33 +127,48 @@ class RunCheck {
         std::find_if(operands.begin(), operands.end(), [&](const Operand& o) { return o.path == speed_path_; });
     if (speed == operands.end() || !speed->expression.is_reference()) return;
     const auto [name, key] = split_step(speed->expression.references().front().path);
-    const double K_A = magnitude_at(project_, name + ".K_A");
+    const double given = magnitude_at(project_, name + ".K_A"), K_A = std::isnan(given) ? 1.0 : given;
     const double T = std::abs(magnitude_at(project_, name + ".T" + key.substr(std::min<std::size_t>(1, key.size()))));
-    if (std::isnan(K_A) || !(moment_ > K_A * T * largest_peak_factor())) return;
-    add(moment_path_, say("the motor moment of {1} is more than K_A T = {2} of '{3}': give the shaft k_max, or "
-                          "because.motor = \"...\"",
+    if (!(moment_ > K_A * T * largest_peak_factor())) return;
+    add(moment_path_, say("the motor moment of {1} is more than K_A T = {2} of '{3}': give the shaft k_max or the key "
+                          "T_max, or because.motor = \"...\"",
                           format_quantity(moment_, "N*m", 4), format_quantity(K_A * T, "N*m", 4), name));
   }
 
   double largest_peak_factor() const {
     double most = 1.0;
-    for (const auto& step : project_.steps) most = std::fmax(most, own_value(*step, project_, "k_max"));
+    for (const auto& step : project_.steps) {
+      if (step->input().calculator == nullptr) continue;
+      most = std::fmax(most, own_value(*step, project_, "k_max"));
+      most = std::fmax(most, own_value(*step, project_, "T_max") / own_value(*step, project_, "T"));
+    }
     return most;
   }
 
   /// A flywheel at this speed is accelerated, too.
   void compare_flywheels() {
-    const std::set<std::string> named = sources();
     for (const auto& wheel : project_.steps) {
       const Calculator* const calculator = wheel->input().calculator;
-      if (calculator == nullptr || !means(*calculator, "J", &is_inertia_of_flywheel) || named.contains(wheel->name()))
-        continue;
+      if (calculator == nullptr || !means(*calculator, "J", &is_inertia_of_flywheel)) continue;
       const double omega = own_value(*wheel, project_, "omega"), J = own_value(*wheel, project_, "J");
-      if (!(std::abs(omega - speed_) <= near * speed_) || is_among_parts(J)) continue;
+      if (!(std::abs(omega - speed_) <= near * speed_)) continue;
+      compare_motor(wheel->name(), own_value(*wheel, project_, "P_n") / std::abs(omega));
+      if (is_named_in_parts(wheel->name()) || is_among_parts(J)) continue;
       add("parts", say("the flywheel '{1}' turns at this speed, and is not among the parts: add J = \"={1}.{2}\", or "
                        "because.parts = \"...\"",
                        wheel->name(), std::isnan(J) ? "J_F" : "J"));
     }
+  }
+
+  bool is_named_in_parts(const std::string& wheel) const {
+    const auto names_it = [&](const Expression::Reference& reference) {
+      return split_step(reference.path).first == wheel;
+    };
+    const auto& operands = step_.input().reading.operands;
+    return std::any_of(operands.begin(), operands.end(), [&](const Operand& operand) {
+      const auto& references = operand.expression.references();
+      return operand.path.starts_with("parts") && std::any_of(references.begin(), references.end(), names_it);
+    });
   }
 
   bool is_among_parts(double J) const {
@@ -186,6 +217,39 @@ std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& proj
     }
   }
   return lower;
+}
+
+namespace {
+
+bool share_one(const std::set<std::string>& a, const std::set<std::string>& b) {
+  return std::any_of(a.begin(), a.end(), [&](const std::string& name) { return b.contains(name); });
+}
+
+double required_life(const Step& step, const Project& project) {
+  return step.input().calculator == nullptr ? std::nan("") : own_value(step, project, "L_h");
+}
+
+}  // namespace
+
+std::vector<ReducedLoad> lives_on_shaft(const Step& step, const Project& project) {
+  const double own = required_life(step, project);
+  if (std::isnan(own)) return {};
+  const std::set<std::string> loading = steps_loading(step.input().reading);
+  std::set<std::string> near = loading;  // and the shafts that carry what loads this step
+  for (const auto& shaft : project.steps) {
+    if (shaft.get() != &step && share_one(steps_loading(shaft->input().reading), loading)) near.insert(shaft->name());
+  }
+  std::vector<ReducedLoad> shorter;
+  for (const auto& other : project.steps) {
+    const double life = required_life(*other, project);
+    if (other.get() == &step || !(life > own * (1.0 + 1e-6))) continue;
+    if (!share_one(steps_loading(other->input().reading), near)) continue;
+    shorter.push_back({"L_h", say("L_h = {1} is shorter than that of '{2}' in the same machine, {3}; justify it: "
+                                  "because.L_h = \"...\"",
+                                  format_quantity(own, "h", 4), other->name(), format_quantity(life, "h", 4))});
+    break;
+  }
+  return shorter;
 }
 
 std::vector<ReducedLoad> values_of_runs(const Step& step, const Project& project) {

@@ -1,0 +1,143 @@
+#include "lib/project/references/machine/ratings.hpp"
+
+#include "lib/project/references/origins.hpp"
+#include "lib/project/references/references.hpp"
+#include "lib/project/references/sources.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+namespace loadpath::project {
+
+namespace {
+
+bool is_choice(const Leaf& leaf) { return leaf && leaf.field->type == FieldInfo::Type::choice; }
+
+/// A rating has the place of its pinion.
+Leaf place_of(const Step& step) {
+  if (step.input().calculator == nullptr) return {};
+  const Leaf place = find_leaf(step.input().reading.record, "place");
+  return is_choice(place) && find_leaf(step.input().reading.record, "d_sh") ? place : Leaf{};
+}
+
+class RatingCheck {
+ public:
+  RatingCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    const Leaf place = place_of(step_);
+    if (!place) return {};
+    pairs_ = steps_named_in(step_.input().reading);
+    for (const auto& shaft : project_.steps) compare_shaft(*shaft, word_of(place));
+    compare_cycles(step_);
+    for (const auto& pair : project_.steps) {
+      if (!pairs_.contains(pair->name())) continue;
+      compare_cycles(*pair);
+      compare_grade(*pair);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  static constexpr double drawn = 0.02;  // of the span: accuracy of a place midway
+
+  void add(const char* path, Message message) { found_.push_back({path, std::move(message)}); }
+
+  /// The bearings of a shaft; none unless there are two with known places.
+  std::optional<std::pair<double, double>> bearings_of(const Step& shaft) const {
+    std::vector<double> places;
+    for_each_leaf(shaft.input().reading.record, [&](const std::string& path, const Leaf&) {
+      if (path.starts_with("supports") && path.ends_with(".x")) places.push_back(own_value(shaft, project_, path));
+    });
+    if (places.size() != 2 || std::isnan(places[0]) || std::isnan(places[1])) return std::nullopt;
+    return std::minmax(places[0], places[1]);
+  }
+
+  /// The largest diameter of a shaft; NaN if one is not known yet.
+  double thickest_of(const Step& shaft) const {
+    double most = 0.0;
+    for_each_leaf(shaft.input().reading.record, [&](const std::string& path, const Leaf&) {
+      if (!path.starts_with("pieces") || !path.ends_with(".d")) return;
+      const double d = own_value(shaft, project_, path);
+      if (!(d <= most)) most = d;
+    });
+    return most;
+  }
+
+  /// The shaft that carries gear 1 of the pair.
+  void compare_shaft(const Step& shaft, const std::string& place) {
+    for (const Taken& record : shaft.input().reading.records) {
+      const auto [pair, gear] = split_step(record.source);
+      if (gear != "gear_1" || !pairs_.contains(pair)) continue;
+      const double x = own_value(shaft, project_, prefix_of(record.path) + "x");
+      const auto bearings = bearings_of(shaft);
+      if (!bearings || std::isnan(x)) continue;
+      const double l = bearings->second - bearings->first;
+      compare_place(shaft, place, l, std::abs(x - 0.5 * (bearings->first + bearings->second)));
+    }
+  }
+
+  void compare_place(const Step& shaft, const std::string& place, double l, double s) {
+    const std::string& name = shaft.name();
+    if (place == "middle") {
+      if (s > drawn * l)
+        add("place", say("the pinion is {1} from the middle of the bearing span of '{2}': give place, l, s and d_sh, "
+                         "or because.place = \"...\"",
+                         format_quantity(s, "mm", 4), name));
+      return;
+    }
+    compare_length("s", own_value(step_, project_, "s") < s - drawn * l, s, name);
+    compare_length("l", own_value(step_, project_, "l") < (1.0 - drawn) * l, l, name);
+    const double d = thickest_of(shaft);
+    compare_length("d_sh", own_value(step_, project_, "d_sh") > (1.0 + drawn) * d, d, name);
+  }
+
+  void compare_length(const char* key, bool is_bold, double there, const std::string& shaft) {
+    if (!is_bold) return;
+    add(key, say("{1} = {2}, and the shaft '{3}' has {4}; justify it: because.{1} = \"...\"", key,
+                 format_quantity(own_value(step_, project_, key), "mm", 4), shaft, format_quantity(there, "mm", 4)));
+  }
+
+  /// Cast teeth are not as accurate as cut ones: grades 10 to 12 of DIN 3961, from memory.
+  void compare_grade(const Step& pair) {
+    constexpr double best_of_cast = 10.0;
+    if (pair.word("cutting") != "cast" || own_value(step_, project_, "grade") >= best_of_cast) return;
+    add("grade", say("the teeth of '{1}' are cast: grade {2} or coarser, or because.grade = \"...\"", pair.name(),
+                     format_number(best_of_cast, 2)));
+  }
+
+  /// A sun is loaded by each planet in turn.
+  void compare_cycles(const Step& taker) {
+    if (std::isnan(own_value(step_, project_, "L_h"))) return;
+    const double own = own_value(step_, project_, "q_1");
+    for_each_reference(taker.input().reading, [&](const std::string& path) {
+      const auto [name, rest] = split_step(path);
+      const Step* const set = project_.find(name);
+      if (set == nullptr || !(rest.starts_with("sun_mesh.") || rest == "z_s")) return;
+      const double planets = own_value(*set, project_, "N_p");
+      const bool is_told = std::any_of(found_.begin(), found_.end(), [](const auto& one) { return one.path == "q_1"; });
+      if (is_told || !(own < planets)) return;
+      add("q_1", say("each revolution of the sun of '{1}' loads its teeth {2} times: give q_1 = {2}, or "
+                     "because.q_1 = \"...\"",
+                     name, format_number(planets, 2)));
+    });
+  }
+
+  const Step& step_;
+  const Project& project_;
+  std::set<std::string> pairs_;
+  std::vector<ReducedLoad> found_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> values_of_ratings(const Step& step, const Project& project) {
+  return RatingCheck(step, project).run();
+}
+
+}  // namespace loadpath::project

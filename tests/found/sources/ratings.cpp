@@ -1,0 +1,155 @@
+// Teeth and bearings next to the steps that show how long and where they run.
+#include "tests/found/modes.hpp"
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+const std::string gears = R"([gears]
+calculator = "gear.pair"
+z_1 = 21
+z_2 = 84
+m_n = "3 mm"
+x_1 = 0.3
+b = "45 mm"
+T_1 = "140 N*m"
+n_1 = "730 rpm"
+K_f = 1.5
+sigma_adm_1 = "260 MPa"
+sigma_adm_2 = "260 MPa"
+)";
+
+std::string rated(const std::string& lines, const std::string& mesh = "mesh = \"=gears.mesh\"\n") {
+  return "[rating]\ncalculator = \"gear.rating\"\n" + mesh + lines +
+         "grade = 6\nmaterial_1 = \"case\"\nquality_1 = \"MQ\"\nH_1 = 700\nmaterial_2 = \"case\"\nquality_2 = \"MQ\"\n"
+         "H_2 = 700\nS_Hmin = 1.1\nS_Fmin = 1.5\n";
+}
+
+/// The pinion 40 mm from the middle of a span of 120 mm, in `x` = 120 mm; 80 mm is midway.
+std::string shaft_with(const std::string& x) {
+  return R"([shaft]
+calculator = "shaft.design"
+material = "C45E"
+group = "carbon-steel"
+pieces = [{ l = "20 mm", d = "40 mm" }, { l = "120 mm", d = "50 mm" }, { l = "80 mm", d = "40 mm" }]
+supports = [{ name = "left", x = "20 mm", holds = "both" }, { name = "right", x = "140 mm" }]
+seats = [
+  { name = "pinion", x = ")" +
+         x + R"(", load = "=gears.gear_1", b = "30 mm", integral = true },
+  { name = "coupling", x = "200 mm", way = "balances", integral = true },
+]
+S_F = 1.5
+S_D = 1.5
+)";
+}
+
+std::string bearing(const std::string& name, const std::string& L_h) {
+  return "[" + name + "]\ncalculator = \"bearing.rolling\"\nload = \"=shaft.bearings." + name +
+         "\"\nkind = \"deep_groove_ball\"\nC = \"42.3 kN\"\nC_0 = \"24 kN\"\nf_0 = 13\nn_max = \"11000 rpm\"\nL_h = "
+         "\"" +
+         L_h + "\"\ns_0 = 1.5\n";
+}
+
+std::string pitting(const std::string& text) { return mode_of(solved_as_found(text), "rating", "pitting_1"); }
+
+const std::string midway = "place = \"middle\"\n";
+
+std::string place_with(const std::string& lines) { return pitting(gears + rated(lines) + shaft_with("120 mm")); }
+
+}  // namespace
+
+TEST_SUITE("found ratings") {
+  TEST_CASE("flanks that the pair has as cut are not rated as ground") {
+    const std::string ground = "finish = \"ground\"\nR_z1 = \"4 um\"\nR_z2 = \"4 um\"\n" + midway;
+    const auto pair = [](const std::string& cutting) { return gears + "cutting = \"" + cutting + "\"\n"; };
+    for (const char* cutting : {"cast", "milled", "hobbed"}) {
+      CHECK(first_error_of(pair(cutting) + rated(ground)).find("ground or shaved flanks") != std::string::npos);
+      CHECK(first_error_of(pair(cutting) + rated(midway)) == "");
+    }
+    CHECK(first_error_of(pair("hobbed") + rated(ground + "T_1 = \"140 N*m\"\n")) != "");
+    CHECK(first_error_of(pair("ground") + rated(ground)) == "");
+    CHECK(first_error_of(gears + rated(ground)) == "");
+    CHECK(pitting(pair("cast") + rated(midway)) == "not-judged");  // of grade 6
+    CHECK(pitting(pair("hobbed") + rated(midway)) == "pass");
+  }
+
+  TEST_CASE("a load that a pair has without a reason is not assessed by its rating") {
+    const std::string train =
+        "[train]\ncalculator = \"drive.train\"\nP = \"11 kW\"\nn_1 = \"730 rpm\"\n"
+        "stages = [{ name = \"gears\", kind = \"gear\", z_1 = 21, z_2 = 84, m_n = \"3 mm\", eta = 0.97 }]\n";
+    const auto with = [&](const std::string& T_1, const std::string& more = "") {
+      std::string pair = gears;
+      pair.replace(pair.find("140 N*m"), 7, T_1).replace(pair.find("730 rpm"), 7, "=train.n_1");
+      return mode_of(solved_as_found(train + pair + more + rated(midway)), "gears", "root_1");
+    };
+    CHECK(with("=train.T_1") == "pass");
+    CHECK(with("30 N*m") == "not-judged");
+    CHECK(with("30 N*m", "because.T_1 = \"a fifth of the load cycle\"\n") == "pass");
+  }
+
+  TEST_CASE("a pinion is rated where its shaft carries it") {
+    CHECK(pitting(gears + rated(midway) + shaft_with("80 mm")) == "pass");
+    CHECK(place_with(midway) == "not-judged");
+    CHECK(place_with(midway + "because.place = \"stiffened by its housing\"\n") == "pass");
+    const std::string here = "place = \"a\"\nl = \"120 mm\"\n";
+    CHECK(place_with(here + "s = \"40 mm\"\nd_sh = \"50 mm\"\n") == "pass");
+    CHECK(place_with(here + "s = \"10 mm\"\nd_sh = \"50 mm\"\n") == "not-judged");
+    CHECK(place_with(here + "s = \"40 mm\"\nd_sh = \"54 mm\"\n") == "not-judged");
+    CHECK(place_with("place = \"a\"\nl = \"90 mm\"\ns = \"40 mm\"\nd_sh = \"50 mm\"\n") == "not-judged");
+  }
+
+  TEST_CASE("teeth live as long as the bearings of their shaft, and these equally long") {
+    const auto with = [](const std::string& teeth, const std::string& left, const std::string& right) {
+      return solved_as_found(gears + rated(midway + teeth) + shaft_with("80 mm") + bearing("left", left) +
+                             bearing("right", right));
+    };
+    const auto rating = [&](const std::string& teeth) {
+      return mode_of(with(teeth, "10000 h", "10000 h"), "rating", "pitting_1");
+    };
+    CHECK(rating("") == "pass");
+    CHECK(rating("L_h = \"10000 h\"\n") == "pass");
+    CHECK(rating("L_h = \"20000 h\"\n") == "pass");
+    CHECK(rating("L_h = \"500 h\"\n") == "not-judged");
+    CHECK(rating("L_h = \"500 h\"\nbecause.L_h = \"exchanged every month\"\n") == "pass");
+    const project::Project unequal = with("", "1500 h", "10000 h");
+    CHECK(mode_of(unequal, "left", "life") == "not-judged");
+    CHECK(mode_of(unequal, "right", "life") == "pass");
+  }
+
+  TEST_CASE("each planet loads the teeth of the sun once per revolution") {
+    const std::string set = R"([set]
+calculator = "gear.planetary"
+z_s = 24
+z_p = 30
+N_p = 3
+fixed = "ring"
+n_s = "1450 rpm"
+T_s = "300 N*m"
+m_n = "3 mm"
+K_gamma = 1.1
+[sun]
+calculator = "gear.pair"
+pair = "=set.sun_mesh"
+b = "40 mm"
+)";
+    const auto with = [&](const std::string& lines) {
+      return pitting(set + rated(midway + lines, "mesh = \"=sun.mesh\"\n"));
+    };
+    CHECK(with("") == "pass");  // endurance
+    CHECK(with("L_h = \"2000 h\"\n") == "not-judged");
+    CHECK(with("L_h = \"2000 h\"\nq_1 = 2\n") == "not-judged");
+    CHECK(with("L_h = \"2000 h\"\nq_1 = 3\n") == "pass");
+  }
+
+  TEST_CASE("load cycles per revolution count like a longer life") {
+    const auto limit = [](const std::string& lines) {
+      const project::Project project = solved_as_found(gears + rated(midway + lines));
+      const Value* const found = project.value("rating.sigma_HG1");
+      REQUIRE(found != nullptr);
+      return found->si.front();
+    };
+    CHECK(limit("L_h = \"300 h\"\nq_1 = 3\n") == doctest::Approx(limit("L_h = \"900 h\"\n")).epsilon(1e-12));
+    CHECK(limit("L_h = \"300 h\"\nq_1 = 3\n") < limit("L_h = \"300 h\"\n"));
+  }
+}

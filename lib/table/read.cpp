@@ -42,7 +42,7 @@ void Reader::read(std::string_view text, const std::string& file) {
 bool Reader::read_tree(const Tree& tree, const Lines* lines) {
   check_keys(tree,
              {"table", "group", "title", "units", "unit", "defaults", "row", "columns", "rows", "series", "sources",
-              "methods"},
+              "methods", "recalled_columns"},
              "");
   if (const auto* sources = tree.find("sources")) read_citations(sources->value, false);
   if (const auto* methods = tree.find("methods")) read_citations(methods->value, true);
@@ -163,7 +163,17 @@ Reader::Frame Reader::read_frame(const Tree& file, const Table& table) {
     read_values(defaults->value, frame, frame.defaults);
     frame.credit.sources = read_credit(defaults->value, "defaults").sources;
   }
+  if (const auto* recalled = file.find("recalled_columns")) read_recalled_columns(recalled->value, table, frame);
   return frame;
+}
+
+void Reader::read_recalled_columns(const Tree& tree, const Table& table, Frame& frame) {
+  for (const std::string& key : texts(tree, "recalled_columns")) {
+    const auto named = [&](const ReadColumn& read) { return read.column.key == key; };
+    if (std::none_of(frame.units.begin(), frame.units.end(), named))
+      complain(tree.place, "recalled_columns", say("'{1}' is not a column of '{2}'", key, table.name));
+    frame.credit.recalled.insert(key);
+  }
 }
 
 void Reader::add_columns(Table& table, const std::vector<ReadColumn>& units) {

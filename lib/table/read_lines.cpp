@@ -52,7 +52,8 @@ bool Reader::add_cell(const Cell& cell, const LineColumn& column, const Frame& f
     return text != nullptr;
   }
   if (column.unit == nullptr) return false;
-  row.values.push_back({column.key, column.unit->unit.to_si(cell.number), frame.credit.sources});
+  const bool recalled = frame.credit.recalled.count(column.key) != 0;
+  row.values.push_back({column.key, column.unit->unit.to_si(cell.number), recalled ? Texts() : frame.credit.sources});
   return true;
 }
 

@@ -5,7 +5,8 @@
 // that hold up to a `size_max`. `sources` are those of all values of a row or a step, `cite.KEY` those of the values
 // it lists, and `recalled` (a list, or true) marks the values that no source was seen for. A file of sizes has
 // `[[series]]` instead; `[sources]` are the citations. Rows that all give the same keys may be written as lines:
-// `columns` are the keys, and each of `rows` is an array of their values, "" if there is none.
+// `columns` are the keys, and each of `rows` is an array of their values, "" if there is none; `recalled_columns` are
+// those of them that no source was seen for.
 #pragma once
 
 #include "lib/quantity/unit.hpp"
@@ -80,6 +81,7 @@ class Reader {
   Table& table_of(const Tree& file);
   std::vector<ReadColumn> read_units(const Tree& file, const Table& table);
   Frame read_frame(const Tree& file, const Table& table);
+  void read_recalled_columns(const Tree& tree, const Table& table, Frame& frame);
   void add_columns(Table& table, const std::vector<ReadColumn>& units);
   bool read_row(const Tree& tree, const Frame& frame, Row& row);
   void read_values(const Tree& tree, const Frame& frame, Row& row);

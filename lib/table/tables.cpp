@@ -2,6 +2,7 @@
 
 #include "lib/table/library.hpp"
 #include "lib/table/rows.hpp"
+#include "lib/table/search.hpp"
 
 #include <algorithm>
 
@@ -120,9 +121,24 @@ std::vector<Entry> Tables::ordered_rows(std::string_view group, std::string_view
   return rows;
 }
 
+Outcome<std::vector<Entry>> Tables::ordered_rows(std::string_view group, std::string_view within,
+                                                 std::string_view where) const {
+  std::vector<Entry> rows = ordered_rows(group, within);
+  if (where.empty()) return rows;
+  const auto condition = read_condition(where, all_of(group));
+  if (!condition) return condition.fault();
+  std::erase_if(rows, [&](const Entry& entry) {
+    return !std::all_of(condition->begin(), condition->end(), [&](const Comparison& comparison) {
+      return comparison.holds(searched_value(*entry.row, comparison.key));
+    });
+  });
+  return rows;
+}
+
 std::string_view order_of(std::string_view group) {
   if (group == "section") return "A";
   if (group == "key") return "b";
+  if (group == "bearing") return "m";
   return group == "chain" ? "p" : "";
 }
 

@@ -24,6 +24,9 @@ class Tables {
   /// The rows of a group, of one of its tables ("sections/ipe") or of one kind, ascending by their ordering column
   /// (`order_of`); rows without it are left out.
   [[nodiscard]] std::vector<Entry> ordered_rows(std::string_view group, std::string_view within) const;
+  /// Those of them that hold a condition of lib/table/search.hpp, "d = 40 mm"; a Fault of its text.
+  [[nodiscard]] Outcome<std::vector<Entry>> ordered_rows(std::string_view group, std::string_view within,
+                                                         std::string_view where) const;
   /// The tables of a group: "sections/ipe".
   [[nodiscard]] std::vector<std::string> names_of(std::string_view group) const;
 

@@ -237,6 +237,7 @@ Rolling::Result Rolling::evaluate(const Input& in, Tracer& trace) {
   at_rest(in, F_rX, F_aX, r, trace);
   axial(in, k_max, F_rX, F_aX, r, trace);
   by_itself(in, F_rK, F_aK, r, trace);
+  seat(in, r, trace);
   return r;
 }
 

@@ -10,7 +10,9 @@
 
 #include "calculators/bearing/rolling_bounds.hpp"
 #include "calculators/bearing/rolling_kind.hpp"
+#include "calculators/bearing/rolling_seat.hpp"
 #include "lib/calculator/mode.hpp"
+#include "lib/calculator/row_kind.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/drive_units.hpp"
 #include "lib/text/issue.hpp"
@@ -31,7 +33,7 @@ struct Rolling {
       "minimum load, speed and axial load limits of a rolling bearing; lubrication and contamination (a_ISO), "
       "oscillation and misalignment are not covered.";
   static constexpr auto source = "[ISO281], [ISO76]";
-  static constexpr auto headline = "C = {C}";
+  static constexpr auto headline = "{bearing}|C = {C}";
   static constexpr auto synonyms =
       "rolling bearing, ball bearing, roller bearing, deep groove ball bearing, angular contact, tapered roller, "
       "basic rating life, L10, ISO 281, ISO 76, static safety, equivalent load, Wälzlager, Kugellager, "
@@ -80,6 +82,8 @@ s_0 = 2
     double L_m = unset<double>;
     double a_1 = 1.0, s_0 = unset<double>;
     Force P_min = unset<Force>, F_a_adm = unset<Force>;
+    Length d = unset<Length>, D = unset<Length>, B = unset<Length>, r_s = unset<Length>, d_a = unset<Length>;
+    Length d_s = unset<Length>, l_s = unset<Length>, r_f = unset<Length>, d_f = unset<Length>;
     Force F_r0 = unset<Force>, F_a0 = unset<Force>;
     List<Block, most_blocks> blocks;
     Holds holds = Holds::unsaid;
@@ -102,91 +106,107 @@ s_0 = 2
   static Applies runs_fast(const Input& in);
   static Applies runs_at_an_angle(const Input& in);
   static Applies has_axial_bound(const Input& in);
-  static constexpr Fields inputs{
-      RecordField<Input>{"load", "loads of a shaft bearing: load = \"=shaft.bearings.left\""},
-      Choice{&Input::kind, "kind", "bearing type (required)"},
-      Field{&Input::C, "C", kN, "basic dynamic load rating, manufacturer's value"}.positive().usually(0.05, 1e5),
-      Field{&Input::C_0, "C_0", kN, "basic static load rating"}.positive().usually(0.02, 2e5).may_be_missing(),
-      Field{&Input::F_r, "F_r", kN, "radial load on the bearing"}.load().at_least(0),
-      Field{&Input::F_a, "F_a", kN,
-            "axial load on the bearing; single-direction types: positive in the load-carrying "
-            "direction, induced axial force included"}
-          .load(),
-      Field{&Input::K_A, "K_A", ratio, "application factor K_A on F_r and F_a (1 if they include it)"}
-          .at_least(1)
-          .usually(1, 4)
-          .factor(),
-      Field{&Input::n, "n", rpm, "relative speed of the rings; 0 at standstill"}
-          .at_least_that_of_source("n, shafts[#].n, joints.#.omega")
-          .at_least(0)
-          .may_be_missing(),
-      Field{&Input::n_max, "n_max", rpm, "limiting speed for this lubrication, manufacturer's value"}
-          .positive()
-          .may_be_missing(),
-      Field{&Input::f_0, "f_0", ratio,
-            "calculation factor f_0 of a deep groove ball bearing for e and Y, manufacturer's value"}
-          .positive()
-          .usually(8, 18)
-          .may_be_missing(),
-      Field{&Input::e, "e", ratio, "limiting ratio F_a/F_r above which X and Y apply, manufacturer's value"}
-          .within(0.01, 3)
-          .usually(0.1, 2)
-          .may_be_missing(),
-      Field{&Input::X, "X", ratio, "radial load factor above e; omitted: that of the type"}
-          .at_least(0)
-          .usually(0.3, 1)
-          .may_be_missing(),
-      Field{&Input::Y, "Y", ratio, "axial load factor above e (double-row: Y_2)"}
-          .positive()
-          .usually(0.2, 7)
-          .may_be_missing(),
-      Field{&Input::Y_1, "Y_1", ratio, "axial load factor up to e (double-row)"}
-          .at_least(0)
-          .usually(0.3, 5)
-          .may_be_missing(),
-      Field{&Input::Y_0, "Y_0", ratio, "axial factor of the equivalent static load"}
-          .at_least(0)
-          .usually(0.2, 5)
-          .may_be_missing(),
-      Field{&Input::L_h, "L_h", hour, "required life"}
-          .at_least(1)
-          .usually(100, 3e5)
-          .customarily_at_least(100)
-          .may_be_missing(),
-      Field{&Input::L_m, "L_m", ratio, "required life in millions of revolutions, replaces hours"}
-          .positive()
-          .usually(1, 1e5)
-          .may_be_missing(),
-      Field{&Input::a_1, "a_1", ratio,
-            "life modification factor for reliability: 1 for 90 %, 0.64 for 95, 0.55 for 96, 0.47 for "
-            "97, 0.37 for 98, 0.25 for 99 %"}
-          .within(0.01, 1)
-          .factor(),
-      Field{&Input::s_0, "s_0", ratio,
-            "required static safety factor: at rest 0.5 (balls) and 1 (rollers), running 1 to 2 and "
-            "1.5 to 3.5, higher under shock loads"}
-          .at_least(0.4)
-          .usually(0.5, 10)
-          .customarily_at_least(0.5)
-          .may_be_missing()
-          .factor(),
-      Field{&Input::P_min, "P_min", kN, "minimum load, manufacturer's value; 0.01 C (balls), 0.02 C (rollers)"}
-          .positive()
-          .may_be_missing(),
-      Field{&Input::F_a_adm, "F_a_adm", kN,
-            "allowable axial load, manufacturer's value; deep groove ball bearing: 0.5 C_0 (enter 0.25 "
-            "C_0 for a light series)"}
-          .positive()
-          .may_be_missing(),
-      Field{&Input::F_r0, "F_r0", kN, "peak radial load at rest or under shock, if larger than in operation"}
-          .load()
-          .at_least(0)
-          .may_be_missing(),
-      Field{&Input::F_a0, "F_a0", kN, "simultaneous axial load"}.load().may_be_missing(),
-      ListField{&Input::blocks, "blocks", "load and speed blocks with their shares of time; omitted: one block"}
-          .may_be_missing(),
-      Choice{&Input::holds, "holds", "loads that the shaft needs the bearing for: radial, or radial and axial"}
-          .may_be_missing()};
+  static constexpr Fields inputs = join(
+      Fields{RecordField<Input>{"load", "loads of a shaft bearing: load = \"=shaft.bearings.left\""},
+             RowKind{&Input::kind, "kind", "bearing type (required)", "bearing"},
+             Field{&Input::C, "C", kN, "basic dynamic load rating, manufacturer's value"}
+                 .positive()
+                 .usually(0.05, 1e5)
+                 .from("bearing", "C"),
+             Field{&Input::C_0, "C_0", kN, "basic static load rating"}
+                 .positive()
+                 .usually(0.02, 2e5)
+                 .from("bearing", "C_0")
+                 .where_it_has(),
+             Field{&Input::F_r, "F_r", kN, "radial load on the bearing"}.load().at_least(0),
+             Field{&Input::F_a, "F_a", kN,
+                   "axial load on the bearing; single-direction types: positive in the load-carrying "
+                   "direction, induced axial force included"}
+                 .load(),
+             Field{&Input::K_A, "K_A", ratio, "application factor K_A on F_r and F_a (1 if they include it)"}
+                 .at_least(1)
+                 .usually(1, 4)
+                 .factor(),
+             Field{&Input::n, "n", rpm, "relative speed of the rings; 0 at standstill"}
+                 .at_least_that_of_source("n, shafts[#].n, joints.#.omega")
+                 .at_least(0)
+                 .may_be_missing(),
+             Field{&Input::n_max, "n_max", rpm, "limiting speed for this lubrication, manufacturer's value"}
+                 .positive()
+                 .from("bearing", "n_max")
+                 .where_it_has(),
+             Field{&Input::f_0, "f_0", ratio,
+                   "calculation factor f_0 of a deep groove ball bearing for e and Y, manufacturer's value"}
+                 .positive()
+                 .usually(8, 18)
+                 .from("bearing", "f_0")
+                 .where_it_has(),
+             Field{&Input::e, "e", ratio, "limiting ratio F_a/F_r above which X and Y apply, manufacturer's value"}
+                 .within(0.01, 3)
+                 .usually(0.1, 2)
+                 .from("bearing", "e")
+                 .where_it_has(),
+             Field{&Input::X, "X", ratio, "radial load factor above e; omitted: that of the type"}
+                 .at_least(0)
+                 .usually(0.3, 1)
+                 .from("bearing", "X")
+                 .where_it_has(),
+             Field{&Input::Y, "Y", ratio, "axial load factor above e (double-row: Y_2)"}
+                 .positive()
+                 .usually(0.2, 7)
+                 .from("bearing", "Y")
+                 .where_it_has(),
+             Field{&Input::Y_1, "Y_1", ratio, "axial load factor up to e (double-row)"}
+                 .at_least(0)
+                 .usually(0.3, 5)
+                 .from("bearing", "Y_1")
+                 .where_it_has(),
+             Field{&Input::Y_0, "Y_0", ratio, "axial factor of the equivalent static load"}
+                 .at_least(0)
+                 .usually(0.2, 5)
+                 .from("bearing", "Y_0")
+                 .where_it_has(),
+             Field{&Input::L_h, "L_h", hour, "required life"}
+                 .at_least(1)
+                 .usually(100, 3e5)
+                 .customarily_at_least(100)
+                 .may_be_missing(),
+             Field{&Input::L_m, "L_m", ratio, "required life in millions of revolutions, replaces hours"}
+                 .positive()
+                 .usually(1, 1e5)
+                 .may_be_missing(),
+             Field{&Input::a_1, "a_1", ratio,
+                   "life modification factor for reliability: 1 for 90 %, 0.64 for 95, 0.55 for 96, 0.47 for "
+                   "97, 0.37 for 98, 0.25 for 99 %"}
+                 .within(0.01, 1)
+                 .factor(),
+             Field{&Input::s_0, "s_0", ratio,
+                   "required static safety factor: at rest 0.5 (balls) and 1 (rollers), running 1 to 2 and "
+                   "1.5 to 3.5, higher under shock loads"}
+                 .at_least(0.4)
+                 .usually(0.5, 10)
+                 .customarily_at_least(0.5)
+                 .may_be_missing()
+                 .factor(),
+             Field{&Input::P_min, "P_min", kN, "minimum load, manufacturer's value; 0.01 C (balls), 0.02 C (rollers)"}
+                 .positive()
+                 .may_be_missing(),
+             Field{&Input::F_a_adm, "F_a_adm", kN,
+                   "allowable axial load, manufacturer's value; deep groove ball bearing: 0.5 C_0 (enter 0.25 "
+                   "C_0 for a light series)"}
+                 .positive()
+                 .from("bearing", "F_a_adm")
+                 .where_it_has(),
+             Field{&Input::F_r0, "F_r0", kN, "peak radial load at rest or under shock, if larger than in operation"}
+                 .load()
+                 .at_least(0)
+                 .may_be_missing(),
+             Field{&Input::F_a0, "F_a0", kN, "simultaneous axial load"}.load().may_be_missing(),
+             ListField{&Input::blocks, "blocks", "load and speed blocks with their shares of time; omitted: one block"}
+                 .may_be_missing(),
+             Choice{&Input::holds, "holds", "loads that the shaft needs the bearing for: radial, or radial and axial"}
+                 .may_be_missing()},
+      dimension_inputs<Input>(), seat_inputs<Input>());
 
   struct Stage {
     Name name;
@@ -214,43 +234,48 @@ s_0 = 2
     Force C_req = unset<Force>, P_0 = unset<Force>, F_i = unset<Force>, F_ao = unset<Force>, F_ro = unset<Force>;
     double u_L = unset<double>, x_P = unset<double>, u_0 = unset<double>, x_min = unset<double>, u_n = unset<double>;
     double u_a = unset<double>, x_i = unset<double>;
+    double x_d = unset<double>, x_B = unset<double>, x_r = unset<double>, x_a = unset<double>;
     List<Stage, most_blocks> blocks;
   };
-  static constexpr Fields results{
-      Field{&Result::p, "p", ratio, "life exponent: 3 (balls), 10/3 (rollers)"},
-      Field{&Result::x_f, "x_f", ratio, "f_0 F_a/C_0 (range of the table of e and Y)"}
-          .limit(0, 6.89 * (1.0 + 1e-9), "f_0")
-          .where_it_applies(),
-      Field{&Result::e, "e", ratio, "limiting ratio F_a/F_r above which the axial load is included"},
-      Field{&Result::Y, "Y", ratio, "axial load factor above e"},
-      Field{&Result::P, "P", kN, "equivalent dynamic load of F_r and F_a"}.holding("K_A"),
-      Field{&Result::P_m, "P_m", kN, "equivalent dynamic load of all blocks"}.holding("K_A"),
-      Field{&Result::n_m, "n_m", rpm, "mean speed"},
-      Field{&Result::L_10, "L_10", ratio, "basic rating life in millions of revolutions, 90 %"},
-      Field{&Result::L_10h, "L_10h", hour, "basic rating life, 90 %"},
-      Field{&Result::L_nh, "L_nh", hour, "life with the reliability of a_1"},
-      Field{&Result::C_req, "C_req", kN, "required dynamic load rating"}.holding("K_A"),
-      Field{&Result::P_0, "P_0", kN, "equivalent static load, maximum"}.holding("K_A"),
-      Field{&Result::F_i, "F_i", kN, "induced axial force on the mating bearing: F_r/(2 Y)"}.load().holding("K_A"),
-      Field{&Result::F_ao, "F_ao", N, "axial load not carried by the bearing type"}.limit(0, 1e-3).criterion(),
-      Field{&Result::F_ro, "F_ro", N, "radial load not carried by the bearing type"}.limit(0, 1e-3).criterion(),
-      Field{&Result::u_L, "u_L", ratio, "rating life: required dynamic load rating / C"}
-          .check("L_h, L_m")
-          .where_it_applies(),
-      Field{&Result::x_P, "x_P", ratio, "maximum P / min(C/2, C_0) (validity of the rating life)"}
-          .limit(0, 1)
-          .where_it_applies(),
-      Field{&Result::u_0, "u_0", ratio, "static: s_0 x P_0 / C_0"}.check("s_0"),
-      Field{&Result::x_min, "x_min", ratio, "minimum P in operation / minimum load (skidding below 1)"}
-          .limit(1 - 1e-9, unbounded)
-          .criterion()
-          .where_it_applies(),
-      Field{&Result::u_n, "u_n", ratio, "maximum speed / limiting speed"}.check("n_max").where_it_applies(),
-      Field{&Result::u_a, "u_a", ratio, "axial load / allowable axial load"}.check("F_a_adm, C_0").where_it_applies(),
-      Field{&Result::x_i, "x_i", ratio, "axial load / induced axial force F_i"}
-          .limit(1 - 1e-6, unbounded)
-          .where_it_applies(),
-      ListField{&Result::blocks, "blocks", "the blocks"}};
+  static constexpr Fields results = join(
+      Fields{
+          Field{&Result::p, "p", ratio, "life exponent: 3 (balls), 10/3 (rollers)"},
+          Field{&Result::x_f, "x_f", ratio, "f_0 F_a/C_0 (range of the table of e and Y)"}
+              .limit(0, 6.89 * (1.0 + 1e-9), "f_0")
+              .where_it_applies(),
+          Field{&Result::e, "e", ratio, "limiting ratio F_a/F_r above which the axial load is included"},
+          Field{&Result::Y, "Y", ratio, "axial load factor above e"},
+          Field{&Result::P, "P", kN, "equivalent dynamic load of F_r and F_a"}.holding("K_A"),
+          Field{&Result::P_m, "P_m", kN, "equivalent dynamic load of all blocks"}.holding("K_A"),
+          Field{&Result::n_m, "n_m", rpm, "mean speed"},
+          Field{&Result::L_10, "L_10", ratio, "basic rating life in millions of revolutions, 90 %"},
+          Field{&Result::L_10h, "L_10h", hour, "basic rating life, 90 %"},
+          Field{&Result::L_nh, "L_nh", hour, "life with the reliability of a_1"},
+          Field{&Result::C_req, "C_req", kN, "required dynamic load rating"}.holding("K_A"),
+          Field{&Result::P_0, "P_0", kN, "equivalent static load, maximum"}.holding("K_A"),
+          Field{&Result::F_i, "F_i", kN, "induced axial force on the mating bearing: F_r/(2 Y)"}.load().holding("K_A"),
+          Field{&Result::F_ao, "F_ao", N, "axial load not carried by the bearing type"}.limit(0, 1e-3).criterion(),
+          Field{&Result::F_ro, "F_ro", N, "radial load not carried by the bearing type"}.limit(0, 1e-3).criterion(),
+          Field{&Result::u_L, "u_L", ratio, "rating life: required dynamic load rating / C"}
+              .check("L_h, L_m")
+              .where_it_applies(),
+          Field{&Result::x_P, "x_P", ratio, "maximum P / min(C/2, C_0) (validity of the rating life)"}
+              .limit(0, 1)
+              .where_it_applies(),
+          Field{&Result::u_0, "u_0", ratio, "static: s_0 x P_0 / C_0"}.check("s_0"),
+          Field{&Result::x_min, "x_min", ratio, "minimum P in operation / minimum load (skidding below 1)"}
+              .limit(1 - 1e-9, unbounded)
+              .criterion()
+              .where_it_applies(),
+          Field{&Result::u_n, "u_n", ratio, "maximum speed / limiting speed"}.check("n_max").where_it_applies(),
+          Field{&Result::u_a, "u_a", ratio, "axial load / allowable axial load"}
+              .check("F_a_adm, C_0")
+              .where_it_applies(),
+          Field{&Result::x_i, "x_i", ratio, "axial load / induced axial force F_i"}
+              .limit(1 - 1e-6, unbounded)
+              .where_it_applies(),
+          ListField{&Result::blocks, "blocks", "the blocks"}},
+      seat_results<Result>());
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.kind != Kind::unstated; }, "kind",
@@ -302,6 +327,9 @@ s_0 = 2
       Mode<Input>{"ribs", "axial load limit (ribs, groove edges)", &has_axial_bound}.judged_by("u_a").wanting(
           "F_a_adm"),
       Mode<Input>{"mate", "induced axial force", &runs_at_an_angle}.judged_by("x_i").of_shape(),
+      Mode<Input>{"seat", "bearing on its seat (bore, width, fillet, shoulder)", &sits_on_a_shaft<Input>}
+          .judged_by("x_d, x_B, x_r, x_a")
+          .of_shape(),
       Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"film", "lubrication and contamination (a_ISO)", &unseen<Input>}.special(),
       Mode<Input>{"heat", "operating temperature and grease life", &unseen<Input>}.special(),

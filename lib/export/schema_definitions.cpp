@@ -161,11 +161,13 @@ json::object Definitions::history(const Dimension& dimension) {
 }
 
 json::object Definitions::row(const std::string& group) {
+  const json::object text{{"type", "string"}};
   if (!all_.contains(group))
     all_[group] = {
-        {"anyOf", json::array{json::object{{"enum", names_of(group)}}, json::object{{"type", "string"}},
-                              of_one_text("stock"), of_one_text("each"),
-                              json::object{{"type", "array"}, {"items", json::object{{"type", "string"}}}}}}};
+        {"anyOf",
+         json::array{json::object{{"enum", names_of(group)}}, json::object{{"type", "string"}}, of_one_text("stock"),
+                     of_one_text("each"), closed({"where"}, {{"stock", text}, {"where", text}}),
+                     json::object{{"type", "array"}, {"items", json::object{{"type", "string"}}}}}}};
   return reference(group);
 }
 

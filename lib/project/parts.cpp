@@ -111,25 +111,41 @@ void fill_stocks(StepInput& input, std::vector<Issue>& issues) {
   }
 }
 
+/// The first row that passes, of one table or kind, and of those whose values hold a condition:
+/// bearing = { stock = "bearing/62", where = "d = 40 mm" }.
+void read_row_search(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issues) {
+  const std::string key = input.name + "." + row.key;
+  Search search{.path = row.key, .leaf = {}, .stock = {}, .place = row.value.place};
+  for (const Tree::Entry& entry : row.value.entries) {
+    if (entry.key == "stock") {
+      search.stock = text_of(entry, key, issues);
+      search.place = entry.value.place;
+    } else if (entry.key == "where") {
+      search.where = text_of(entry, key, issues);
+    } else {
+      add_error(issues, entry.place, key, say("'{1}' is not a valid key here", entry.key),
+                say("give only `stock`, the table or kind, and `where`, a condition on its columns"));
+    }
+  }
+  input.rows[row.key] = {"", search.place};
+  input.reading.searches.push_back(std::move(search));
+}
+
 /// The row of one table: by its name, of another step, or the first that passes.
 void read_row(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issues) {
   const std::string key = input.name + "." + row.key;
   if (row.value.type == Tree::Type::array || row.value.find("each") != nullptr)
     return read_rows_in_turn(row, input, issues);
-  const auto* stock = row.value.find("stock");
-  for (const Tree::Entry& other : row.value.entries) {
-    if (stock != nullptr && other.key != "stock")
-      add_error(issues, other.place, key, say("'{1}' is not a valid key here", other.key), say("give only the series"));
-  }
-  const Tree::Entry& named = stock == nullptr ? row : *stock;
-  const std::string text = text_of(named, key, issues);
-  Place start = named.value.place;
+  if (row.value.find("stock") != nullptr || row.value.find("where") != nullptr)
+    return read_row_search(row, input, issues);
+  const std::string text = text_of(row, key, issues);
+  Place start = row.value.place;
   input.rows[row.key] = {"", start};  // known only when the project is solved
-  if (stock != nullptr || text == "?") {
-    input.reading.searches.push_back({row.key, {}, stock == nullptr ? "" : text, start});
+  if (text == "?") {
+    input.reading.searches.push_back({row.key, {}, "", start});
   } else if (text.starts_with('=')) {
     ++start.column;
-    const auto source = lone_reference(named.value);
+    const auto source = lone_reference(row.value);
     if (!source)
       return add_error(issues, place_in(start, text, 0, text.size() - 1), key,
                        say("'{1}' takes the name of a row", row.key),

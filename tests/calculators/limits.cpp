@@ -374,6 +374,9 @@ const Side motion[] = {
 const char* const radial = "f_0 = \nF_a = ";
 const char* const tapered = "f_0 = \nkind = \"tapered_roller\"\ne = 0.37\nY = 1.6\nY_0 = 0.9";  // F_i = 0.781 kN
 
+const char* const on_seat =
+    "d = \"40 mm\"\nB = \"18 mm\"\nr_s = \"1.1 mm\"\nd_a = \"47 mm\"\nd_s = \"40 mm\"";  // of a bearing 6208
+
 const Side bearings[] = {
     {"bearing.rolling", "x_f", outside, "F_a", R"("8.8 kN")", R"("8.82 kN")"},
     {"bearing.rolling", "F_ao", over, "F_a", R"("0 N")", R"("1 N")", "kind = \"cylindrical_roller_NU\"\nf_0 = "},
@@ -385,6 +388,10 @@ const Side bearings[] = {
     {"bearing.rolling", "u_n", over, "n_max", R"("900 rpm")", R"("899 rpm")"},
     {"bearing.rolling", "u_a", over, "F_a", R"("8.94 kN")", R"("8.96 kN")", "f_0 = \ne = 0.44\nY = 1"},
     {"bearing.rolling", "x_i", outside, "F_a", R"("0.79 kN")", R"("0.78 kN")", tapered},
+    {"bearing.rolling", "x_d", over, "d_s", R"("40 mm")", R"("40.01 mm")", on_seat},
+    {"bearing.rolling", "x_B", over, "l_s", R"("18 mm")", R"("17.9 mm")", on_seat},
+    {"bearing.rolling", "x_r", over, "r_f", R"("1.1 mm")", R"("1.2 mm")", on_seat},
+    {"bearing.rolling", "x_a", over, "d_f", R"("47 mm")", R"("46.9 mm")", on_seat},
 };
 
 const char* const own_key = "key = \nb = \"14 mm\"\nh = \"9 mm\"\nt_1 = \"5.5 mm\"";

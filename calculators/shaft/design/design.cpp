@@ -1,5 +1,6 @@
 #include "calculators/shaft/design/design.hpp"
 
+#include "calculators/shaft/design/bearing_seats.hpp"
 #include "calculators/shaft/design/connections.hpp"
 #include "calculators/shaft/design/model/bending.hpp"
 #include "calculators/shaft/design/model/positions.hpp"
@@ -39,6 +40,8 @@ class Movement {
     for (const Support& support : in.supports) {
       Carried c;
       c.name = support.name, c.x = support.x, c.holds = support.holds, c.n = r.n;
+      const BearingSeat seat = bearing_seat(in, support);
+      c.d_s = seat.d, c.l_s = seat.l, c.r_f = seat.r_f, c.d_f = seat.d_f;
       c.F_r0 = -1.0 * N.one, c.F_a0 = 0.0 * N.one, c.beta = 0.0;
       r.bearings.push_back(c);
     }

@@ -49,6 +49,7 @@ struct Search {
   std::string stock;  // empty: the largest value
   Place place;
   bool names_stock = false;  // the user, not the field
+  std::string where = {};    // rows: a condition on their values, "d = 40 mm" (lib/table/search.hpp)
 };
 
 /// An input that takes many values: a range, a list, words, a distribution. `run` takes one of them.

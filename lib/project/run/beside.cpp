@@ -52,6 +52,10 @@ Beside beside_of(const FieldInfo& field) {
   // Another modulus is another metal, stronger or not.
   const std::string_view column = field.provider.column;
   if (column == "E" || column == "G") return Beside::modulus;
+  // A slower part than that of the row is conservative: a limiting speed with other grease.
+  const bool is_limiting_speed =
+      *field.provider.table != '\0' && field.dimension.without_angle() == Dimension::of(0, 0, -1);
+  if (is_limiting_speed) return Beside::capacity;
   return field.type == FieldInfo::Type::quantity ? beside_of_dimension(field.dimension) : Beside::identity;
 }
 

@@ -17,6 +17,7 @@ struct Carried {
   Force F_r0 = unset<Force>, F_a0 = unset<Force>;
   AngularSpeed n = unset<AngularSpeed>;
   double beta = unset<double>, u_beta = unset<double>;
+  Length d_s = unset<Length>, l_s = unset<Length>, r_f = unset<Length>, d_f = unset<Length>;
   static constexpr Fields fields{
       NameField{&Carried::name, "name", "name of the bearing"},
       Field{&Carried::x, "x", mm, "position"},
@@ -41,7 +42,11 @@ struct Carried {
       Field{&Carried::F_a0, "F_a0", N, "peak axial load, with k_max"}.load().with("F_r0").holding("K_A").at_peak(),
       Field{&Carried::n, "n", rpm, "speed of the shaft"},
       Field{&Carried::beta, "beta", deg, "shaft slope at the bearing"},
-      Field{&Carried::u_beta, "u_beta", ratio, "slope / allowable slope"}.check().where_it_applies()};
+      Field{&Carried::u_beta, "u_beta", ratio, "slope / allowable slope"}.check().where_it_applies(),
+      Field{&Carried::d_s, "d_s", mm, "shaft diameter at the bearing"},
+      Field{&Carried::l_s, "l_s", mm, "width of a ring on the shaft segment, at most"},
+      Field{&Carried::r_f, "r_f", mm, "fillet radius of the adjacent shoulder"},
+      Field{&Carried::d_f, "d_f", mm, "diameter of this shoulder"}};
 };
 
 /// How the shaft moves where something sits on it.

@@ -127,10 +127,16 @@ void PreparedStep::check_stock(const Search& search, std::vector<Issue>& issues)
     if (table::order_of(search.path).empty())
       return refuse(say("'{1}' cannot be searched for: its rows have no order", search.path),
                     say("name one; `loadpath tables` lists them"));
-    const auto rows = input().tables->ordered_rows(search.path, search.stock);
-    if (rows.empty())
+    const auto all = input().tables->ordered_rows(search.path, search.stock);
+    if (all.empty())
       return refuse(say("unknown table or kind of {1} '{2}'", search.path, search.stock),
                     did_you_mean(search.stock, input().tables->names_of(search.path)));
+    const auto selected = input().tables->ordered_rows(search.path, search.stock, search.where);
+    if (!selected) return refuse(selected.fault().message, selected.fault().hint);
+    const auto& rows = *selected;
+    if (rows.empty())
+      return refuse(say("no row of {1} has {2}", search.stock.empty() ? search.path : search.stock, search.where),
+                    say("`loadpath tables` shows their values"));
     for (const FieldInfo& field : input().calculator->input->fields) {
       if (field.provider.table != search.path || input().reading.typed.count(field.key) == 0) continue;
       // A number that no row has still belongs to one row: a rating, a warping constant.

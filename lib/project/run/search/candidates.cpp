@@ -18,7 +18,8 @@ Candidates candidates_of(const Evaluation& evaluation, const Search& wanted) {
     const FieldInfo& field = *all.leaf.field;  // typed, an unusual size would be warned of: none is found
     std::erase_if(all.sizes, [&](double size) { return !field.bounds.holds(size) || !field.plausible.holds(size); });
   } else {
-    for (const table::Entry& row : tables.ordered_rows(wanted.path, wanted.stock)) all.rows.push_back(row.row->name);
+    const auto rows = tables.ordered_rows(wanted.path, wanted.stock, wanted.where);  // its text has been checked
+    for (const table::Entry& row : *rows) all.rows.push_back(row.row->name);
   }
   return all;
 }

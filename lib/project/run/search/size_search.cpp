@@ -146,7 +146,8 @@ void SizeSearch::keep_sizing_results() {
 
 /// "d of R40", "section".
 Message SizeSearch::what_is_searched() const {
-  return wanted_.stock.empty() ? say("{1}", wanted_.path) : say("{1} of {2}", wanted_.path, wanted_.stock);
+  Message all = wanted_.stock.empty() ? say("{1}", wanted_.path) : say("{1} of {2}", wanted_.path, wanted_.stock);
+  return wanted_.where.empty() ? all : say("{1} with {2}", std::move(all), wanted_.where);
 }
 
 /// There is no result. Reports the nearest candidate, and its failures.
@@ -216,9 +217,10 @@ void SizeSearch::note_found() {
 void SizeSearch::tell_found(std::size_t found) {
   Passing whole(evaluation_);  // includes the excused ones
   const bool covered = passing_.count_of_excused() == 0 || whole.passes();
-  Message text =
-      covered ? say("smallest of {1} with which no assessed mode fails", candidates_.source())
-              : say("smallest of {1} with which no assessed mode that depends on it fails", candidates_.source());
+  const Message source = wanted_.where.empty() ? say("{1}", candidates_.source())
+                                               : say("{1} with {2}", candidates_.source(), wanted_.where);
+  Message text = covered ? say("smallest of {1} with which no assessed mode fails", source)
+                         : say("smallest of {1} with which no assessed mode that depends on it fails", source);
   if (const BodySize* const body = size_of_body())
     text = say("{1}; the body '{2}' has this size: {3}", text, evaluation_.step().input().body.text, body->by);
   std::optional<account::NextSize> next;

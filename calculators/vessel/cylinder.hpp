@@ -107,8 +107,8 @@ sigma_adm = "140 MPa"
   static constexpr Applies ringed(const Input& in) { return where(in.ends == Ends::ringed); }
   static constexpr std::array meanings =
       join(wall_meanings, std::array{Meaning{"R", radius_when_open, "ends", "open"}});
-  static constexpr std::array modes = wall_modes<Input>(
-      "u_v, t_R, t_M, w_r",
+  static constexpr std::array modes = modes_of_wall<Input>(
+      membrane_strength<Input>("u_v, t_R, t_M, w_r").assessed_in("vessel.thick"),
       Mode<Input>{"ends", "strength of the ends (dished: vessel.sphere, torus, ellipsoid)", &has_ends}
           .judged_by("u_e")
           .of_service(),

@@ -63,8 +63,19 @@ Membrane thick_stresses(const Thick& thick, Stress p_i, Length R_i, Length R_a, 
   return {p_i, sigma_t, sigma_z, s_o, s_M};
 }
 
+/// Wall over mean radius, from the reciprocal x of the powers' ratio, outer over inner radius, less 1: zero of a solid
+/// wall, the larger the thinner. Unset where x is not positive.
+template <int power>
+double wall_over_mean(double x) {
+  if (!(x > 0.0)) return unset<double>;
+  // 1 - 1/c of the ratio c of the radii, c^power = 1 + 1/x, without the cancellation of thin walls
+  const double c = power == 2 ? std::sqrt(1.0 + 1.0 / x) : numerics::cube_root(1.0 + 1.0 / x);
+  const double wall = 1.0 / (x * c * (power == 2 ? c + 1.0 : c * c + c + 1.0));  // over the outer radius
+  return 2.0 * wall / (2.0 - wall);
+}
+
 /// Wall over mean radius of the vessel that is just strong enough; unset where even a solid one is not. The load is the
-/// reciprocal of the powers' ratio, outer over inner radius, less 1: zero of a solid wall, the larger the thinner.
+/// x of wall_over_mean.
 template <class Thick>
 double least_thickness_ratio(const Thick& thick, Stress p_i, const Strength& strength) {
   NoTrace off;
@@ -74,11 +85,7 @@ double least_thickness_ratio(const Thick& thick, Stress p_i, const Strength& str
   const Membrane half = thick_stresses(thick, p_i, 0.5 * unit, unit, strength, off);
   const double x = largest_load(
       {growing(solid.s_o, half.s_o, x_half), growing(solid.s_M, half.s_M, x_half), {in_si(-p_i), 0.0}}, strength);
-  if (!(x > 0.0)) return unset<double>;
-  // 1 - 1/c of the ratio c of the radii, c^power = 1 + 1/x, without the cancellation of thin walls
-  const double c = Thick::power == 2 ? std::sqrt(1.0 + 1.0 / x) : numerics::cube_root(1.0 + 1.0 / x);
-  const double wall = 1.0 / (x * c * (Thick::power == 2 ? c + 1.0 : c * c + c + 1.0));  // over the outer radius
-  return 2.0 * wall / (2.0 - wall);
+  return wall_over_mean<Thick::power>(x);
 }
 
 /// The thickness with that ratio, where the mean radius `mean(delta_c)` is a straight line; unset where there is none.

@@ -10,19 +10,37 @@
 
 namespace loadpath::vessel {
 
-/// `strength`: the checks and limits of a shape's strength; `own`: the modes that not every shape has.
+/// Whether the pressure outside is the larger one.
+template <class Input>
+constexpr Applies squeezed(const Input& in) {
+  if constexpr (requires { in.p_e; }) return shown_by(in.p_e > in.p);
+  return Applies::unseen;
+}
+
+/// `strength`: that of the wall; `own`: the modes that not every wall has.
 template <class Input, class... Own>
-constexpr auto wall_modes(const char* strength, Own... own) {
+constexpr auto modes_of_wall(const Mode<Input>& strength, Own... own) {
   using M = Mode<Input>;
-  return std::array{M{"strength", "membrane stress of the wall", &always<Input>}.judged_by(strength),
+  return std::array{strength,
                     own...,
                     M{"fatigue", "fatigue under pressure cycles", &unseen<Input>}.in_service(),
-                    M{"vacuum", "buckling under external pressure", &unseen<Input>}.special(),
+                    M{"vacuum", "buckling under external pressure", &squeezed<Input>}.special(),
                     M{"nozzles", "reinforcement of openings and nozzles", &unseen<Input>}.special(),
                     M{"supports", "local bending at supports, junctions, edges", &unseen<Input>}.special(),
                     M{"test_pressure", "yielding at test pressure", &unseen<Input>}.special(),
                     M{"low_temperature", "brittle fracture at low temperature", &unseen<Input>}.special(),
                     M{"creep", "creep at elevated temperature", &unseen<Input>}.special()};
+}
+
+/// The strength of a thin wall, by these checks and limits of a shape.
+template <class Input>
+constexpr Mode<Input> membrane_strength(const char* by) {
+  return Mode<Input>{"strength", "membrane stress of the wall", &always<Input>}.judged_by(by);
+}
+
+template <class Input, class... Own>
+constexpr auto wall_modes(const char* strength, Own... own) {
+  return modes_of_wall<Input>(membrane_strength<Input>(strength), own...);
 }
 
 /// Where a wall is in compression, in one direction or both. It follows only from the balance, at any thickness.

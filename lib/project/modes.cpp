@@ -392,6 +392,7 @@ std::optional<account::Mode> judged(const Step& step, const ModeInfo& info, Appl
     explain_unjudged(step, info, rows, needs, mode);
   } else {
     explain_decided(rows, bolder, mode);
+    if (mode.state == State::not_covered) mode.use = info.use;
   }
   accept(step.input(), mode);
   return mode;

@@ -127,6 +127,7 @@ const Law fatigue[] = {
 };
 
 const char* const thick = R"(delta = "10 mm")";
+const char* const thick_barrel = R"(delta = "40 mm")";
 
 const Law vessels[] = {
     {"vessel.cylinder", thick, "delta = \"10 mm\"\np = \"3.2 MPa\"", "sigma_o", 2},
@@ -145,6 +146,9 @@ const Law vessels[] = {
     {"vessel.ellipsoid", thick, "delta = \"10 mm\"\np = \"1.2 MPa\"", "sigma_v", 2},
     {"vessel.ellipsoid", thick, "delta = \"20 mm\"\na = \"1200 mm\"\nb = \"600 mm\"", "u_v", 1},
     {"vessel.shell", thick, "delta = \"10 mm\"\np = \"1.2 MPa\"", "sigma_v", 2},
+    {"vessel.thick", thick_barrel, "delta = \"40 mm\"\np = \"80 MPa\"", "sigma_ti", 2},
+    {"vessel.thick", thick_barrel, "delta = \"80 mm\"\nR = \"160 mm\"", "w_a", 2},
+    {"vessel.thick", thick_barrel, "delta = \"80 mm\"\nR = \"160 mm\"", "p_pl", 1},
 };
 
 const Law drives[] = {
@@ -357,6 +361,7 @@ const Trend trends[] = {
      {R"("200 mm")", R"("300 mm")", R"("400 mm")", R"("600 mm")"},
      R"(delta = "8 mm")"},
     {"vessel.sphere", "delta_min", falls, "z_l", {"0.7", "0.8", "0.9", "1"}, "delta = \"30 mm\"\nz_c = 1"},
+    {"vessel.thick", "u_v", falls, "delta", {R"("20 mm")", R"("40 mm")", R"("80 mm")", R"("200 mm")"}},
     {"vessel.shell", "p_max", rises, "delta", {R"("4 mm")", R"("6 mm")", R"("8 mm")", R"("10 mm")"}},
     {"fatigue.endurance", "sigma_D", falls, "K_t", {"1.01", "1.2", "1.65", "2.5"}},
     {"fatigue.endurance", "sigma_D", falls, "R_z", {R"("1.6 um")", R"("6.3 um")", R"("25 um")", R"("100 um")"}},

@@ -187,6 +187,20 @@ const Case vessels[] = {
      "support = \"top\"\nrho = \"1000 kg/m^3\"\nh_l = \"10 m\"\ndelta = \"10 mm\"\np = \"0 MPa\"\nmeasured = \"mean\"\n"
      "c = \"0 mm\"",
      "sigma_M", 1000 * g_n * 10 * 0.6 / (2 * 0.01)},
+    // the same pressure on both sides: no more than that pressure, in all directions
+    {"vessel.thick", "delta = \"40 mm\"\np_e = \"40 MPa\"", "sigma_ti", -40e6},
+    {"vessel.thick", "delta = \"40 mm\"\np_e = \"40 MPa\"", "w_a", -40e6 * 0.12 * (1 - 2 * 0.3) / 210e9},
+    // no axial strain: 2 nu A, with A = 40 MPa of radii 80 and 120 mm over 1.25; the middle of the wall by hand
+    {"vessel.thick", "delta = \"40 mm\"\nends = \"restrained\"", "sigma_z", 2 * 0.3 * 32e6},
+    {"vessel.thick", "delta = \"40 mm\"\nr = \"96 mm\"", "sigma_tr", 32e6 * (1 + 1.25 * 1.25)},
+    {"vessel.thick", "delta = \"40 mm\"\nr = \"96 mm\"", "sigma_rr", 32e6 * (1 - 1.25 * 1.25)},
+    {"vessel.thick", "delta = \"40 mm\"\nhypothesis = \"mises\"", "p_pl", 2 * 355e6 * std::log(1.5) / std::sqrt(3.0)},
+    // a small bore in a large block under external pressure: twice the pressure
+    {"vessel.thick", "delta = \"80 m\"\np = \"0 MPa\"\np_e = \"40 MPa\"", "sigma_ti",
+     -80e6 / (1 - 1 / (1001.0 * 1001.0))},
+    // thick to thin: the boiler formula on the mean radius
+    {"vessel.thick", "delta = \"0.08 mm\"\np = \"0.04 MPa\"\nmeasured = \"mean\"", "sigma_ti",
+     0.04e6 * (1000 + 0.25 / 1000)},
 };
 
 // One cycle, from -40 to 120 MPa, given by any two of its numbers.

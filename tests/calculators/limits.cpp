@@ -45,6 +45,8 @@ const Side vessels[] = {
     {"vessel.ellipsoid", "u_v", over, "sigma_adm", R"("67 MPa")", R"("66 MPa")", R"(delta = "8 mm")"},
     {"vessel.ellipsoid", "w_b", outside, "delta", R"("2.4 mm")", R"("2.39 mm")", R"(measured = "mean")"},
     {"vessel.ellipsoid", "x_s", outside, "delta", R"("18.7 mm")", R"("18.8 mm")", R"(measured = "mean")"},
+    // radii of 80 and 120 mm under 40 MPa: 144 MPa by Tresca, over 355 MPa / S
+    {"vessel.thick", "u_v", over, "S", "2.465", "2.466", R"(delta = "40 mm")"},
     {"vessel.shell", "t_R", outside, "delta", R"("49.9 mm")", R"("50 mm")"},
     {"vessel.shell", "u_v", over, "sigma_adm", R"("39 MPa")", R"("38 MPa")", R"(delta = "8 mm")"},
     {"vessel.shell", "x_s", outside, "delta", R"("31.2 mm")", R"("31.3 mm")", R"(measured = "mean")"},

@@ -79,6 +79,7 @@ constexpr std::array takes_alone{
     Reason{"vessel.cylinder", of_a_wall},  Reason{"vessel.sphere", of_a_wall},
     Reason{"vessel.cone", of_a_wall},      Reason{"vessel.ellipsoid", of_a_wall},
     Reason{"vessel.torus", of_a_wall},     Reason{"vessel.shell", of_a_wall},
+    Reason{"vessel.thick", of_a_wall},
 };
 
 using Visit = std::function<void(std::span<const FieldInfo> beside, const FieldInfo& field, const std::string& path)>;

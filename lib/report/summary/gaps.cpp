@@ -23,8 +23,9 @@ std::string step_to_add(const Mode& mode) {
 /// The remedy for a mode that is not assessed.
 std::string action_of(const Mode& mode) {
   if (mode.state == State::not_covered || mode.state == State::not_available) {
-    if (mode.note.empty()) return say("method not valid").text();
-    return mode.note.text();
+    if (!mode.note.empty()) return mode.note.text();
+    if (!mode.use.empty()) return say("method not valid: replace by a step of {1}", mode.use).text();
+    return say("method not valid").text();
   }
   const std::string add = step_to_add(mode);
   if (!mode.wants.empty() && add.empty()) return say("give {1}", mode.wants).text();

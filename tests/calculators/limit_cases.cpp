@@ -123,6 +123,10 @@ R_e = "235 MPa")",
      "methods.aisc.sigma_cr", 0.877 * pi* pi * 210e9 / (142.9 * 142.9)},
     {"column.buckling", R"(ends = "pinned_pinned")", "N_cr",
      pi* pi * 210e9 * (pi / 64 * 0.045 * 0.045 * 0.045 * 0.045) / (0.9 * 0.9)},
+    {"column.beam_column", "P = \"0 kN\"\nl = \"1 mm\"\nR_e = \"1000 MPa\"", "k_zy",
+     0.8 * (0.6 - 0.4 / 3.0)},  // elastic
+    {"column.beam_column", "P = \"0 kN\"\nl = \"1 mm\"\nsection = \"SHS 200x200x8\"", "k_zz", 1.0},
+    {"column.beam_column", "M_y_1 = \nM_y_2 = \nM_z = \nl = \"1 mm\"", "u_z", 600e3 / (7808e-6 * 235e6)},  // yields
     {"column.lightest", "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"", "q", 16.7},  // the only one
     {"column.effective_length", R"(c_1 = "0 N*m/rad")", "beta", 1.0},                          // a pin
     {"column.effective_length", R"(c_1 = "1e9 kN*m/rad")", "beta",

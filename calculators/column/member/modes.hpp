@@ -78,13 +78,15 @@ constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
       Mode<Input>{"torsional", "torsional and torsional-flexural buckling", &twisting<Input, outline_of>},
       Mode<Input>{"eccentric", "eccentric compression (secant formula)", &bent<Input>}.judged_by("u_e").wanting(
           "method = secant"),
-      Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &twisting_when_bent<Input, outline_of>},
+      Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &twisting_when_bent<Input, outline_of>}
+          .assessed_in("column.beam_column"),
       Mode<Input>{"lateral", "bending by transverse and inertia loads", &unseen<Input>}
           .in_service()
           .by_companions()
           .assessed_in("link.member"),
       Mode<Input>{"tension", "yielding in tension", &pulled<Input>}.judged_by("x_t, u_t"),
-      Mode<Input>{"tension_bent", "yielding in tension and bending", &pulled_and_bent<Input>},
+      Mode<Input>{"tension_bent", "yielding in tension and bending", &pulled_and_bent<Input>}.assessed_in(
+          "column.beam_column"),
       Mode<Input>{"net_section", "net section rupture (holes, pins)", &pulled_at_holes<Input>}.assessed_beside(
           "pin.lug"),
       Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_beside("fatigue.life, fatigue.history"),

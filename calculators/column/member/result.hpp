@@ -128,15 +128,21 @@ constexpr auto tension_checks() {
           .criterion()};
 }
 
+template <class Result>
+constexpr auto slenderness_limit() {
+  return Fields{
+      Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness / allowable slenderness; 0 in tension"}
+          .limit(0, 1)};
+}
+
 /// Slenderness, and where Euler's formula holds.
 template <class Result>
 constexpr auto slenderness_limits() {
-  return Fields{
-      Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness / allowable slenderness; 0 in tension"}
-          .limit(0, 1),
-      Field<Result, double>{&Result::r_1, "r_1", ratio, "Euler: limiting slenderness / slenderness; 0 in tension"}
-          .limit(0, 1)
-          .where_it_applies()};
+  return join(slenderness_limit<Result>(),
+              Fields{Field<Result, double>{&Result::r_1, "r_1", ratio,
+                                           "Euler: limiting slenderness / slenderness; 0 in tension"}
+                         .limit(0, 1)
+                         .where_it_applies()});
 }
 
 template <class Result>
@@ -148,16 +154,21 @@ constexpr auto tetmajer_limit() {
 }
 
 template <class Result>
-constexpr auto wall_limits() {
+constexpr auto class_limit() {
   return Fields{Field<Result, double>{
-                    &Result::r_class, "r_class", ratio,
-                    "local buckling: plate slenderness / class 3 limit (aisc: limit of E7); 0 without compression"}
+      &Result::r_class, "r_class", ratio,
+      "local buckling: plate slenderness / class 3 limit (aisc: limit of E7); 0 without compression"}
                     .limit(0, 1)
-                    .where_it_applies(),
-                Field<Result, double>{&Result::x_E, "x_E", ratio,
-                                      "modulus / 210 GPa of steel (class 3 limits); 1 without compression"}
-                    .limit(least_steel, most_steel)
                     .where_it_applies()};
+}
+
+template <class Result>
+constexpr auto wall_limits() {
+  return join(class_limit<Result>(),
+              Fields{Field<Result, double>{&Result::x_E, "x_E", ratio,
+                                           "modulus / 210 GPa of steel (class 3 limits); 1 without compression"}
+                         .limit(least_steel, most_steel)
+                         .where_it_applies()});
 }
 
 /// The axes, and the methods side by side.

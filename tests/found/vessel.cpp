@@ -97,7 +97,7 @@ TEST_SUITE("found vessel") {
   TEST_CASE("a head bears the liquid of its vessel, unless it is the upper one") {
     const std::string shell =
         "[shell]\ncalculator = \"vessel.cylinder\"\np = \"0.2 MPa\"\nR = \"3 m\"\nrho = \"1000 kg/m^3\"\n"
-        "h_l = \"15 m\"\ndelta = \"12 mm\"\nsigma_adm = \"100 MPa\"\n[head]\ndelta = \"12 mm\"\n"
+        "h_l = \"15 m\"\ndelta = \"12 mm\"\nsigma_adm = \"100 MPa\"\n[head]\ndelta = \"20 mm\"\n"
         "sigma_adm = \"100 MPa\"\n";
     const auto strength = [&](const std::string& head) {
       return mode_of(solved_as_found(shell + head), "head", "strength");
@@ -118,7 +118,7 @@ TEST_SUITE("found vessel") {
     const auto strength = [](const std::string& p, const std::string& a, const std::string& more = "") {
       return mode_of(solved_as_found("[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\n"
                                      "delta = \"10 mm\"\nsigma_adm = \"140 MPa\"\n[head]\ncalculator = "
-                                     "\"vessel.ellipsoid\"\nb = \"300 mm\"\ndelta = \"10 mm\"\nsigma_adm = "
+                                     "\"vessel.ellipsoid\"\nb = \"300 mm\"\ndelta = \"7 mm\"\nsigma_adm = "
                                      "\"140 MPa\"\np = \"" +
                                      p + "\"\na = \"" + a + "\"\n" + more),
                      "head", "strength");

@@ -152,9 +152,9 @@ TEST_SUITE("found shafts") {
       return mode_of(solved_as_found(train +
                                      "[b]\ncalculator = \"belt.v\"\nbasis = \"optibelt\"\nsection = \"SPA\"\n"
                                      "P = \"=train.P\"\nK_A = 1.2\nd_1 = \"125 mm\"\nd_2 = \"315 mm\"\nL = \"2000 "
-                                     "mm\"\nz = 3\nn_1 = \"" +
+                                     "mm\"\nz = 4\nn_1 = \"" +
                                      n_1 + "\"\n"),
-                     "b", "burst");
+                     "b", "rim");
     };
     CHECK(rating("1450 rpm") == rating("=train.n_1"));
     CHECK(rating("575 rpm") == "not-judged");  // of the second shaft

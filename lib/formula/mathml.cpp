@@ -1,8 +1,7 @@
 #include "lib/formula/formula.hpp"
 #include "lib/formula/print.hpp"
 #include "lib/text/markup.hpp"
-
-#include <algorithm>
+#include "lib/text/utf8.hpp"
 
 namespace loadpath::formula {
 namespace {
@@ -11,11 +10,26 @@ std::string element(std::string_view name, std::string_view content) {
   return "<" + std::string(name) + ">" + std::string(content) + "</" + std::string(name.substr(0, name.find(' '))) +
          ">";
 }
-/// One child of a fraction or a script: a single element, or a row of them.
-std::string one(std::string_view markup) {
-  return std::count(markup.begin(), markup.end(), '<') == 2 ? std::string(markup) : element("mrow", markup);
+/// Whether the element that begins the markup also ends it.
+bool is_single(std::string_view markup) {
+  int depth = 0;
+  for (std::size_t at = markup.find('<'); at != std::string_view::npos; at = markup.find('<', at + 1)) {
+    const std::size_t end = markup.find('>', at);
+    if (end == std::string_view::npos) return false;
+    if (markup[at + 1] == '/')
+      --depth;
+    else if (markup[end - 1] != '/')
+      ++depth;
+    if (depth == 0) return end + 1 == markup.size();
+  }
+  return false;
 }
-std::string upright(std::string_view letters) { return element("mi mathvariant=\"normal\"", letters); }
+/// One child of a fraction or a script: a single element, or a row of them.
+std::string one(std::string_view markup) { return is_single(markup) ? std::string(markup) : element("mrow", markup); }
+/// Browsers set an identifier of one letter in italics, a longer one upright.
+std::string upright(std::string_view letters) {
+  return element(code_points(letters).size() == 1 ? "mi mathvariant=\"normal\"" : "mi", letters);
+}
 std::string blank(std::string_view width) { return "<mspace width=\"" + std::string(width) + "\"/>"; }
 
 /// Delimiters grow only with content taller than a line: the font's next size is far from its content.
@@ -27,8 +41,7 @@ bool is_tall(std::string_view markup) {
 }
 std::string delimited(std::string_view open, std::string_view inner, std::string_view close) {
   const std::string stretchy = is_tall(inner) ? "" : " stretchy=\"false\"";
-  return element("mrow", element("mo form=\"prefix\"" + stretchy, open) + std::string(inner) +
-                             element("mo form=\"postfix\"" + stretchy, close));
+  return element("mrow", element("mo" + stretchy, open) + std::string(inner) + element("mo" + stretchy, close));
 }
 
 /// mm⁴ with a raised 4.
@@ -85,8 +98,8 @@ class MathML : public Notation {
   }
   std::string minus() const override { return "<mo form=\"prefix\">−</mo>"; }
   std::string infix(std::string_view op) const override {
-    // An operator may start a line: without the attribute it would be set as a sign.
-    return element("mo form=\"infix\"", sign(op));
+    // A plus or a minus may start a line: without the attribute it would be set as a sign.
+    return element(op == "+" || op == "-" ? "mo form=\"infix\"" : "mo", sign(op));
   }
   std::string thin_space() const override { return blank("0.17em"); }
   std::string fraction(std::string_view over, std::string_view under) const override {
@@ -103,7 +116,7 @@ class MathML : public Notation {
   std::string magnitude(std::string_view inner) const override { return delimited("|", inner, "|"); }
   std::string call(std::string_view function, const std::vector<std::string>& arguments) const override {
     std::string list;
-    for (const std::string& a : arguments) list += (list.empty() ? "" : "<mo separator=\"true\">,</mo>") + a;
+    for (const std::string& a : arguments) list += (list.empty() ? "" : "<mo>,</mo>") + a;
     return element("mi", function_name(function)) + "<mo>&#x2061;</mo>" + fenced(list);
   }
   std::string either(std::string_view condition, std::string_view yes, std::string_view no) const override {

@@ -11,7 +11,7 @@ std::string side(std::vector<std::string> terms) {
   terms.front().insert(0, "<mo>=</mo>");
   std::string out;
   for (const std::string& term : terms) {
-    out += (out.empty() ? "<math displaystyle=\"true\">" : "<wbr><math displaystyle=\"true\">") + term + "</math>";
+    out += (out.empty() ? "" : "<wbr>") + math(term);
   }
   return out;
 }

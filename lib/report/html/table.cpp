@@ -1,3 +1,4 @@
+#include "lib/formula/formula.hpp"
 #include "lib/report/columns.hpp"
 #include "lib/report/html/html.hpp"
 #include "lib/report/worked.hpp"
@@ -10,11 +11,6 @@ namespace {
 
 constexpr double close_letters = 112.0, finer_letters = 128.0;  // letters per line: closer spacing, smaller type
 
-std::string close_cell(const Cell& of, const Column& column) {
-  const auto* const q = std::get_if<Quantity>(&of);
-  return q == nullptr ? cell(of) : "<span class=\"quantity\">" + escaped(number_of(*q, column)) + "</span>";
-}
-
 std::string head_cell(const Message& head, bool number, const std::string& unit) {
   std::string out = std::string("<th scope=\"col\"") + (number ? " class=\"number\">" : ">");
   out += is_symbol(head) ? symbol(head.args[0].text()) : escaped(head.text());
@@ -22,8 +18,23 @@ std::string head_cell(const Message& head, bool number, const std::string& unit)
   return out + "</th>";
 }
 
-std::string data_cell(const std::string& content, bool number) {
-  return (number ? "<td class=\"number\">" : "<td>") + content + "</td>";
+/// A cell of a numeric column keeps its line together; its quantities need no element of their own.
+std::string number_cell(const Cell& of, const std::string& quantity) {
+  return std::holds_alternative<Quantity>(of) ? "<td class=\"number\">" + escaped(quantity) + "</td>"
+                                              : "<td class=\"number words\">" + cell(of) + "</td>";
+}
+
+std::string close_cell(const Cell& of, const Column& column) {
+  const auto* const q = std::get_if<Quantity>(&of);
+  const std::string quantity = q == nullptr ? std::string() : number_of(*q, column);
+  if (column.numeric) return number_cell(of, quantity);
+  return "<td>" + (q == nullptr ? cell(of) : "<span class=\"quantity\">" + escaped(quantity) + "</span>") + "</td>";
+}
+
+std::string wide_cell(const Cell& of, bool numeric) {
+  const auto* const q = std::get_if<Quantity>(&of);
+  if (numeric) return number_cell(of, q == nullptr ? std::string() : formula::quantity_plain(written(*q)));
+  return "<td>" + cell(of) + "</td>";
 }
 
 std::string close_part(const Table& table, const Part& part) {
@@ -34,8 +45,7 @@ std::string close_part(const Table& table, const Part& part) {
   out += "</tr></thead>\n<tbody>\n";
   for (const auto& row : table.rows) {
     out += "<tr>";
-    for (const Column& c : columns)
-      out += data_cell(c.index < row.size() ? close_cell(row[c.index], c) : "", c.numeric);
+    for (const Column& c : columns) out += c.index < row.size() ? close_cell(row[c.index], c) : "<td></td>";
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>";
@@ -79,7 +89,7 @@ std::string wide(const Table& table, const std::vector<bool>& numeric) {
   out += "<tbody>\n";
   for (const auto& row : table.rows) {
     out += "<tr>";
-    for (std::size_t i = 0; i < row.size(); ++i) out += data_cell(cell(row[i]), numeric[i]);
+    for (std::size_t i = 0; i < row.size(); ++i) out += wide_cell(row[i], numeric[i]);
     out += "</tr>\n";
   }
   return out + "</tbody></table></div>";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace loadpath::bearing {
 
@@ -59,6 +60,21 @@ Equivalent equivalent(const Input& in, Force F_rK, Force F_aK, Tracer& trace) {
   return q;
 }
 
+/// Without a given speed the bearing rotates, and its life is in revolutions.
+bool turns(const Stage& s) { return !(s.n <= 0.0 * rpm.one); }
+
+/// The viscosity ratio of a block and its a_ISO, where lubricant and contamination are given.
+template <class Tracer>
+void modify(const Input& in, Stage& s, Tracer& trace) {
+  if (!has_film(in) || !turns(s)) return;
+  s.kappa =
+      trace.value("kappa", is_set(in.kappa) ? in.kappa : in_si(in.nu / reference_viscosity(s.n, 0.5 * (in.d + in.D))),
+                  is_set(in.kappa) ? "viscosity ratio as given"
+                                   : "viscosity over that for this speed and pitch diameter, [ISO281-aISO]");
+  s.a_ISO =
+      trace.value("a_ISO", a_ISO_of(in.kind, s.kappa, in.e_C * in.C_u / s.P), "by kappa and e_C C_u/P, [ISO281-aISO]");
+}
+
 /// One block for all where none is given.
 template <class Tracer>
 Stages stages(const Input& in, Force F_rd, Force F_ad, const Equivalent& whole, Tracer& trace) {
@@ -70,14 +86,15 @@ Stages stages(const Input& in, Force F_rd, Force F_ad, const Equivalent& whole, 
     STEP(F_rK, k * F_rd, "radial load of the block");
     STEP(F_aK, k * F_ad, "axial load of the block");
     const Equivalent q = equivalent(in, F_rK, F_aK, trace);
-    all.push_back({b.name, b.q, is_set(b.n) ? b.n : in.n, q.e, q.Y, q.P, unset<double>});
+    all.push_back({b.name, b.q, is_set(b.n) ? b.n : in.n, q.e, q.Y, q.P});
+    modify(in, all.back(), trace);
   }
-  if (in.blocks.empty()) all.push_back({Name(), 1.0, in.n, whole.e, whole.Y, whole.P, unset<double>});
+  if (in.blocks.empty()) {
+    all.push_back({Name(), 1.0, in.n, whole.e, whole.Y, whole.P});
+    modify(in, all.back(), trace);
+  }
   return all;
 }
-
-/// Without a given speed the bearing rotates, and its life is in revolutions.
-bool turns(const Stage& s) { return !(s.n <= 0.0 * rpm.one); }
 
 Force largest(const Stages& all) {
   Force P = none;
@@ -95,17 +112,29 @@ Force smallest(const Stages& all) {
   return P;
 }
 
+/// The factor of all blocks: that of one, or the mean by the damage that they do.
+template <class Tracer>
+void film(const Stages& all, double mean, Result& r, Tracer& trace) {
+  double kappa = std::numeric_limits<double>::infinity();
+  for (const Stage& s : all) kappa = std::min(kappa, is_set(s.kappa) ? s.kappa : kappa);
+  if (!std::isfinite(kappa)) return;
+  r.x_k = trace.value("x_k", kappa, "smallest of the blocks");
+  const double a_ISO = all.size() == 1 ? all.front().a_ISO : mean;
+  if (is_set(a_ISO)) r.a_ISO = trace.value("a_ISO", a_ISO, "mean over the blocks by their damage, [ISO281-aISO]");
+}
+
 /// Mean speed and mean load, and the share of each block in the fatigue; of a bearing that runs.
 template <class Tracer>
 void means(Stages& all, Result& r, Tracer& trace) {
   const double P_max = in_si(largest(all));
-  double turns = 0.0, wear = 0.0;
+  double turns = 0.0, wear = 0.0, damage = 0.0;
   for (Stage& s : all) {
-    const double part = s.q * in_si(s.n);
-    s.D = P_max > 0.0 ? part * std::pow(in_si(s.P) / P_max, r.p) : 0.0;
-    turns += part, wear += s.D;
+    const double part = s.q * in_si(s.n), load = P_max > 0.0 ? part * std::pow(in_si(s.P) / P_max, r.p) : 0.0;
+    s.D = is_set(s.a_ISO) ? load / s.a_ISO : load;
+    turns += part, wear += load, damage += s.D;
   }
-  for (Stage& s : all) s.D = wear > 0.0 ? s.D / wear : 0.0;
+  for (Stage& s : all) s.D = damage > 0.0 ? s.D / damage : 0.0;
+  film(all, wear / damage, r, trace);
   const double P_m = all.size() == 1 ? P_max : P_max * std::pow(wear / turns, 1.0 / r.p);
   if (is_set(turns)) r.n_m = trace.speed("n_m", from_si<AngularSpeed>(turns), "sum of q n over the blocks");
   r.P_m = trace.value("P_m", from_si<Force>(P_m),
@@ -121,18 +150,25 @@ void life(const Input& in, const Stages& all, Result& r, Tracer& trace) {
   const Force P_m = r.P_m;
   const double p = r.p;
   const AngularSpeed n_m = r.n_m;
+  const double a_film = trace.value("a_film", is_set(r.a_ISO) ? r.a_ISO : 1.0,
+                                    is_set(r.a_ISO) ? "a_ISO" : "lubricant and contamination are not included");
+  const double a_rel = is_set(in.R) ? trace.value("a_rel", a_1_of(in.R), "a_1 of this reliability, [ISO281]") : in.a_1;
+  const char* const why = "for reliability, lubricant and contamination";
+  const double a_L = is_set(in.R) ? NAMED_STEP("a_L", a_rel * a_film, why) : NAMED_STEP("a_L", in.a_1 * a_film, why);
   if (is_set(in.L_h) || is_set(in.L_m)) {
     const double L_req = is_set(in.L_m)
                              ? trace.value("L_req", in.L_m, "required life in millions of revolutions")
                              : NAMED_STEP("L_req", in.L_h * n_m / (2.0 * pi * 1e6), "millions of revolutions");
-    STEP_TO(r, C_req, P_m * pow(L_req / in.a_1, 1.0 / p), "load rating required for this life, [ISO281]");
+    STEP_TO(r, C_req, P_m * pow(L_req / a_L, 1.0 / p), "load rating required for this life, [ISO281]");
     STEP_TO(r, u_L, C_req / in.C, "required / actual load rating");
+    r.R_L = trace.value("R_L", reliability_of(L_req * std::pow(in_si(P_m) / in_si(in.C), p) / a_film),
+                        "Weibull distribution of the lives, [ISO281]");
   }
   if (!(P_m > 1e-4 * in.C)) return;
   STEP_TO(r, L_10, pow(in.C / P_m, p), "millions of revolutions, 90 %, [ISO281]");
   if (!is_set(n_m)) return;
   STEP_TO(r, L_10h, 2.0 * pi * 1e6 * L_10 / n_m, "at the mean speed");
-  STEP_TO(r, L_nh, in.a_1 * L_10h, "with its reliability");
+  STEP_TO(r, L_nh, a_L * L_10h, "with the required reliability, and a_ISO where given");
 }
 
 template <class Tracer>
@@ -151,9 +187,9 @@ void running(const Input& in, Stages& all, Result& r, Tracer& trace) {
 
 /// The largest load at rest, in running or in a shock.
 template <class Tracer>
-void at_rest(const Input& in, Force F_rX, Force F_aX, Result& r, Tracer& trace) {
+void at_rest(const Input& in, const Thrust& thrust, Force F_rX, Force F_aX, Result& r, Tracer& trace) {
   STEP(F_r00, is_set(in.F_r0) ? in.F_r0 : 0.0 * N, "radial, at rest or in a shock");
-  STEP(F_a00, is_set(in.F_a0) ? abs(in.F_a0) : 0.0 * N, "axial at the same time");
+  const Force F_a00 = trace.value("F_a00", abs(thrust.F_a0), "axial at the same time");
   if (takes_axial_alone(in.kind)) {
     STEP_TO(r, P_0, max(F_aX, F_a00), "a thrust bearing takes axial load only, [ISO76]");
   } else {
@@ -187,10 +223,10 @@ Force refused(Kind kind, Force F_r, Force F_a) {
 
 /// The axial load of a kind, its direction and its size.
 template <class Tracer>
-void axial(const Input& in, double k, Force F_rX, Force F_aX, Result& r, Tracer& trace) {
-  const Force F_a0 = is_set(in.F_a0) ? in.F_a0 : none, F_r0 = is_set(in.F_r0) ? in.F_r0 : none;
+void axial(const Input& in, const Thrust& thrust, double k, Force F_rX, Force F_aX, Result& r, Tracer& trace) {
+  const Force F_a0 = thrust.F_a0, F_r0 = is_set(in.F_r0) ? in.F_r0 : none;
   const Force over_0 = bears_on_ribs(in.kind) ? refused(in.kind, 2.0 * abs(F_a0), F_a0) : refused(in.kind, F_r0, F_a0);
-  r.F_ao = trace.value("F_ao", std::max(refused(in.kind, F_rX, k * in.K_A * in.F_a), over_0),
+  r.F_ao = trace.value("F_ao", std::max(refused(in.kind, F_rX, k * in.K_A * thrust.F_a), over_0),
                        "wrong direction, or no ribs; on ribs more than half the radial load, [SKF-rolling]");
   r.F_ro = trace.value("F_ro", takes_axial_alone(in.kind) ? std::max(F_rX, F_r0) : none, "on a thrust bearing");
   if (Rolling::has_axial_bound(in) == Applies::yes && (is_set(in.F_a_adm) || is_set(in.C_0))) {
@@ -203,10 +239,10 @@ void axial(const Input& in, double k, Force F_rX, Force F_aX, Result& r, Tracer&
 }
 
 template <class Tracer>
-void by_itself(const Input& in, Force F_rK, Force F_aK, Result& r, Tracer& trace) {
+void by_itself(const Input& in, const Thrust& thrust, Force F_rK, Force F_aK, Result& r, Tracer& trace) {
   if (!at_an_angle(in.kind) || !(F_rK > 1e-9 * in.C)) return;
-  STEP_TO(r, F_i, F_rK / (2.0 * in.Y), "half of the rollers carry the load, [LYC-bearings]");
-  const Force F_a_way = trace.value("F_a_way", in.F_a > none ? F_aK : none, "axial load that presses into it");
+  STEP_TO(r, F_i, in.c_i * F_rK / in.Y, "half of the rollers carry the load, [LYC-bearings]");
+  const Force F_a_way = trace.value("F_a_way", thrust.F_a > none ? F_aK : none, "axial load that presses into it");
   STEP_TO(r, x_i, F_a_way / F_i, "the mating bearing holds against it, so that it is never less");
 }
 
@@ -217,7 +253,9 @@ Rolling::Result Rolling::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.p = trace.value("p", has_balls(in.kind) ? 3.0 : 10.0 / 3.0, has_balls(in.kind) ? "balls" : "rollers");
   STEP(F_rd, in.K_A * in.F_r, "radial load");
-  STEP(F_ad, in.K_A * abs(in.F_a), "axial load");
+  const Thrust shared = thrust(in, trace);
+  const Force F_ax = shared.F_a;
+  STEP(F_ad, in.K_A * abs(F_ax), "axial load");
   const Force F_rK = trace.value("F_rK", F_rd, "load as given"), F_aK = trace.value("F_aK", F_ad, "load as given");
   const Equivalent q = equivalent(in, F_rK, F_aK, trace);
   r.x_f = q.x_f, r.e = q.e, r.Y = q.Y, r.P = q.P;
@@ -234,9 +272,9 @@ Rolling::Result Rolling::evaluate(const Input& in, Tracer& trace) {
   if (!in.blocks.empty()) r.blocks = all;
   STEP(F_rX, k_max * F_rd, "maximum radial load of the blocks");
   STEP(F_aX, k_max * F_ad, "maximum axial load of the blocks");
-  at_rest(in, F_rX, F_aX, r, trace);
-  axial(in, k_max, F_rX, F_aX, r, trace);
-  by_itself(in, F_rK, F_aK, r, trace);
+  at_rest(in, shared, F_rX, F_aX, r, trace);
+  axial(in, shared, k_max, F_rX, F_aX, r, trace);
+  by_itself(in, shared, F_rK, F_aK, r, trace);
   seat(in, r, trace);
   return r;
 }

@@ -3,13 +3,15 @@
 // Decides L_10 = (C/P)^p of [ISO281] with the reliability a_1, for one load or for blocks of load and speed, against
 // the required life; s_0 = C_0/P_0 of [ISO76]; the minimum load against skidding. C, C_0, the factors and the speed
 // are those of the maker's table; deep groove ball bearings have theirs by f_0. For a bearing with one axial load
-// direction F_a is positive in that direction and includes the induced axial force; for others its sign has no
-// effect. K_A acts once: on all loads but those at rest, F_r0 and F_a0. Not covered: a_ISO (lubricant, dirt, fatigue
-// limit), swinging, clearance, tilt, spherical thrust bearings.
+// direction F_a is positive in that direction and includes the induced axial force, or the mate of the pair is given;
+// for others its sign has no effect. K_A acts once: on all loads but those at rest, F_r0 and F_a0. a_ISO by viscosity
+// ratio, e_C and C_u. Not covered: annex A of e_C, swinging, clearance, tilt, spherical thrust bearings.
 #pragma once
 
 #include "calculators/bearing/rolling_bounds.hpp"
 #include "calculators/bearing/rolling_kind.hpp"
+#include "calculators/bearing/rolling_life.hpp"
+#include "calculators/bearing/rolling_mate.hpp"
 #include "calculators/bearing/rolling_seat.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/row_kind.hpp"
@@ -29,10 +31,10 @@ struct Rolling {
   static constexpr auto id = "bearing.rolling";
   static constexpr auto title = "Rolling bearing";
   static constexpr auto scope =
-      "Basic rating life with reliability for one load or blocks of load and speed, static safety factor, "
-      "minimum load, speed and axial load limits of a rolling bearing; lubrication and contamination (a_ISO), "
-      "oscillation and misalignment are not covered.";
-  static constexpr auto source = "[ISO281], [ISO76]";
+      "Rating life with reliability, lubricant and contamination (a_ISO) for one load or blocks of load and speed, "
+      "static safety factor, minimum load, speed and axial load limits of a rolling bearing, induced axial forces of "
+      "a pair, fit on its seat; oscillation and misalignment are not covered.";
+  static constexpr auto source = "[ISO281], [ISO281-aISO], [ISO76]";
   static constexpr auto headline = "{bearing}|C = {C}";
   static constexpr auto synonyms =
       "rolling bearing, ball bearing, roller bearing, deep groove ball bearing, angular contact, tapered roller, "
@@ -87,6 +89,12 @@ s_0 = 2
     Force F_r0 = unset<Force>, F_a0 = unset<Force>;
     List<Block, most_blocks> blocks;
     Holds holds = Holds::unsaid;
+    double R = unset<double>, kappa = unset<double>, e_C = unset<double>;
+    Viscosity nu = unset<Viscosity>;
+    Force C_u = unset<Force>;
+    Mate mate;
+    Carries carries = Carries::unsaid;
+    double c_i = 0.5;
   };
   /// A bearing that locates the shaft and lets it slip.
   static Applies locates_nothing(const Input& in) {
@@ -206,6 +214,14 @@ s_0 = 2
                  .may_be_missing(),
              Choice{&Input::holds, "holds", "loads that the shaft needs the bearing for: radial, or radial and axial"}
                  .may_be_missing()},
+      life_inputs<Input>(),
+      Fields{
+          Group{&Input::mate, "mate",
+                "the other bearing of a pair: F_a is then the external axial force, positive to the right"}
+              .may_be_missing(),
+          Choice{&Input::carries, "carries", "with mate: the direction of the axial force that this bearing carries"}
+              .may_be_missing(),
+          Field{&Input::c_i, "c_i", ratio, "induced axial force x Y / F_r: 0.5, of some makers 0.6"}.within(0.5, 0.6)},
       dimension_inputs<Input>(), seat_inputs<Input>());
 
   struct Stage {
@@ -215,6 +231,7 @@ s_0 = 2
     double e = unset<double>, Y = unset<double>;
     Force P = unset<Force>;
     double D = unset<double>;
+    double kappa = unset<double>, a_ISO = unset<double>;
     static constexpr Fields fields{
         NameField{&Stage::name, "name", "name of the block"},
         Field{&Stage::q, "q", ratio, "share of time"},
@@ -222,7 +239,9 @@ s_0 = 2
         Field{&Stage::e, "e", ratio, "limiting ratio F_a/F_r above which the axial load is included"},
         Field{&Stage::Y, "Y", ratio, "axial load factor"},
         Field{&Stage::P, "P", kN, "equivalent dynamic load"}.holding("K_A"),
-        Field{&Stage::D, "D", ratio, "share of the fatigue damage"}};
+        Field{&Stage::D, "D", ratio, "share of the fatigue damage"},
+        Field{&Stage::kappa, "kappa", ratio, "viscosity ratio"},
+        Field{&Stage::a_ISO, "a_ISO", ratio, "life modification factor for lubricant and contamination"}};
   };
 
   struct Result {
@@ -231,6 +250,7 @@ s_0 = 2
     AngularSpeed n_m = unset<AngularSpeed>;
     double L_10 = unset<double>;
     Time L_10h = unset<Time>, L_nh = unset<Time>;
+    double a_ISO = unset<double>, R_L = unset<double>, x_k = unset<double>;
     Force C_req = unset<Force>, P_0 = unset<Force>, F_i = unset<Force>, F_ao = unset<Force>, F_ro = unset<Force>;
     double u_L = unset<double>, x_P = unset<double>, u_0 = unset<double>, x_min = unset<double>, u_n = unset<double>;
     double u_a = unset<double>, x_i = unset<double>;
@@ -250,10 +270,15 @@ s_0 = 2
           Field{&Result::n_m, "n_m", rpm, "mean speed"},
           Field{&Result::L_10, "L_10", ratio, "basic rating life in millions of revolutions, 90 %"},
           Field{&Result::L_10h, "L_10h", hour, "basic rating life, 90 %"},
-          Field{&Result::L_nh, "L_nh", hour, "life with the reliability of a_1"},
+          Field{&Result::L_nh, "L_nh", hour, "life with the required reliability, and with a_ISO where given"},
+          Field{&Result::a_ISO, "a_ISO", ratio, "life modification factor for lubricant and contamination"},
+          Field{&Result::R_L, "R_L", ratio, "reliability of the required life"},
+          Field{&Result::x_k, "x_k", ratio, "smallest viscosity ratio in operation (a_ISO from 0.1 on)"}
+              .limit(least_kappa, unbounded, "nu")
+              .where_it_applies(),
           Field{&Result::C_req, "C_req", kN, "required dynamic load rating"}.holding("K_A"),
           Field{&Result::P_0, "P_0", kN, "equivalent static load, maximum"}.holding("K_A"),
-          Field{&Result::F_i, "F_i", kN, "induced axial force on the mating bearing: F_r/(2 Y)"}.load().holding("K_A"),
+          Field{&Result::F_i, "F_i", kN, "induced axial force on the mating bearing: c_i F_r/Y"}.load().holding("K_A"),
           Field{&Result::F_ao, "F_ao", N, "axial load not carried by the bearing type"}.limit(0, 1e-3).criterion(),
           Field{&Result::F_ro, "F_ro", N, "radial load not carried by the bearing type"}.limit(0, 1e-3).criterion(),
           Field{&Result::u_L, "u_L", ratio, "rating life: required dynamic load rating / C"}
@@ -292,9 +317,6 @@ s_0 = 2
                   "give the radial load F_r0 with F_a0, even if it is zero"},
       Rule<Input>{[](const Input& in) { return !(is_set(in.L_h) && is_set(in.L_m)); }, "L_h, L_m",
                   "give the life either in hours or in revolutions"},
-      Rule<Input>{[](const Input& in) { return is_set(in.n) || is_set(in.L_m) || !in.blocks.empty(); },
-                  "n, L_m, blocks",
-                  "give the speed n, 0 at standstill, or the required life L_m in millions of revolutions"},
       Rule<Input>{[](const Input& in) {
                     return in.blocks.empty() || is_set(in.n) ||
                            std::all_of(in.blocks.begin(), in.blocks.end(), [](const Block& b) { return is_set(b.n); });
@@ -302,7 +324,7 @@ s_0 = 2
                   "n, blocks", "every block needs a speed: its own n, or that of the bearing"},
       Rule<Input>{[](const Input& in) { return !is_set(in.L_m) || !is_set(in.n) || in.n > 0.0 * rpm; }, "L_m, n",
                   "a bearing at standstill has no life in revolutions: omit L_m or n"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || runs(in) == Applies::yes; }, "L_h, n, blocks",
+      Rule<Input>{[](const Input& in) { return !is_set(in.L_h) || highest_speed(in) > 0.0 * rpm; }, "L_h, n, blocks",
                   "a bearing at standstill has no life in hours: omit L_h, or give the speed"},
       Rule<Input>{[](const Input& in) { return in.blocks.empty() || is_set(highest_speed(in)); }, "n, blocks",
                   "blocks of time need the speed n, or that of each block"},
@@ -311,6 +333,21 @@ s_0 = 2
                            std::any_of(in.blocks.begin(), in.blocks.end(), [](const Block& b) { return b.k >= 1.0; });
                   },
                   "blocks, F_r, F_a", "no block has the loads F_r and F_a: give the loads of the largest block, k = 1"},
+      Rule<Input>{[](const Input& in) { return !is_set(in.R) || in.a_1 == 1.0; }, "R, a_1",
+                  "give either the reliability R or a_1"},
+      Rule<Input>{[](const Input& in) { return !(is_set(in.kappa) && is_set(in.nu)); }, "kappa, nu",
+                  "give either the viscosity ratio kappa or the viscosity nu"},
+      Rule<Input>{[](const Input& in) { return has_film(in) == is_set(in.e_C); }, "e_C, kappa, nu",
+                  "a_ISO needs the contamination factor e_C and one of kappa and nu"},
+      Rule<Input>{[](const Input& in) { return !has_film(in) || is_set(in.C_u); }, "C_u, kappa, nu",
+                  "a_ISO needs the fatigue load limit C_u"},
+      Rule<Input>{[](const Input& in) {
+                    return !is_set(in.nu) || (is_set(in.d) && is_set(in.D) && highest_speed(in) > 0.0 * rpm);
+                  },
+                  "nu, d, D, n", "the reference viscosity needs bore, outer diameter and speed: give them, or kappa"},
+      Rule<Input>{
+          &mate_is_complete<Input>, "mate, carries, kind, Y",
+          "a pair is of two single-row bearings at an angle: give Y, the Y of the mate, and what this one carries"},
       Rule<Input>{&shares_close, "blocks", "the shares q of the blocks must sum to 1", &open_shares}};
 
   static constexpr bool turns = true;
@@ -331,7 +368,7 @@ s_0 = 2
           .judged_by("x_d, x_B, x_r, x_a")
           .of_shape(),
       Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
-      Mode<Input>{"film", "lubrication and contamination (a_ISO)", &unseen<Input>}.special(),
+      Mode<Input>{"film", "lubrication and contamination (a_ISO)", &film_is_given<Input>}.judged_by("x_k").special(),
       Mode<Input>{"heat", "operating temperature and grease life", &unseen<Input>}.special(),
       Mode<Input>{"tilt", "misalignment of the rings", &unseen<Input>}.special().assessed_beside("shaft.design"),
       Mode<Input>{"seats", "ring creep on the shaft and housing seats", &unseen<Input>}.special(),

@@ -41,7 +41,9 @@ AngularSpeed Rolling::highest_speed(const Input& in) {
   return n;
 }
 
-bool Rolling::has_axial(const Input& in) { return in.F_a != none || (is_set(in.F_a0) && in.F_a0 != none); }
+bool Rolling::has_axial(const Input& in) {
+  return has_mate(in) || in.F_a != none || (is_set(in.F_a0) && in.F_a0 != none);
+}
 
 bool Rolling::factors_once(const Input& in) {
   if (!is_set(in.f_0) || in.kind == Kind::unstated) return true;
@@ -103,8 +105,11 @@ FieldFault Rolling::open_shares(const Input& in) {
           say("give every block its share of the time, and standstill as a block with n = \"0 rpm\"")};
 }
 
-/// A life in revolutions is one of a bearing that turns, however fast.
-Applies Rolling::runs(const Input& in) { return where(is_set(in.L_m) || highest_speed(in) > 0.0 * rpm.one); }
+/// A bearing without a speed turns, however fast: its life is in revolutions.
+Applies Rolling::runs(const Input& in) {
+  const AngularSpeed n = highest_speed(in);
+  return where(is_set(in.L_m) || !is_set(n) || n > 0.0 * rpm.one);
+}
 
 /// Unknown if no speed is given.
 Applies Rolling::runs_fast(const Input& in) {

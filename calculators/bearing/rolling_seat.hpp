@@ -4,6 +4,7 @@
 
 #include "calculators/bearing/rolling_kind.hpp"
 #include "lib/calculator/field.hpp"
+#include "lib/calculator/mode.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
 

@@ -401,6 +401,8 @@ const Side bearings[] = {
     {"bearing.rolling", "u_n", over, "n_max", R"("900 rpm")", R"("899 rpm")"},
     {"bearing.rolling", "u_a", over, "F_a", R"("8.94 kN")", R"("8.96 kN")", "f_0 = \ne = 0.44\nY = 1"},
     {"bearing.rolling", "x_i", outside, "F_a", R"("0.79 kN")", R"("0.78 kN")", tapered},
+    {"bearing.rolling", "x_k", outside, "nu", R"("2.06 mm^2/s")", R"("2.04 mm^2/s")",
+     "d = \"40 mm\"\nD = \"80 mm\"\ne_C = 0.5\nC_u = \"0.8 kN\""},
     {"bearing.rolling", "x_d", over, "d_s", R"("40 mm")", R"("40.01 mm")", on_seat},
     {"bearing.rolling", "x_B", over, "l_s", R"("18 mm")", R"("17.9 mm")", on_seat},
     {"bearing.rolling", "x_r", over, "r_f", R"("1.1 mm")", R"("1.2 mm")", on_seat},

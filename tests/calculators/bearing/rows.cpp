@@ -83,6 +83,36 @@ TEST_SUITE("rolling bearing") {
     CHECK(says(alone("bearing = { where = \"d = 40 mm\", series = \"62\" }"), "'series' is not a valid key here"));
   }
 
+  TEST_CASE(
+      "rows that an engineer rejects: no ribs under a thrust, too fast, alone at an angle, a rating of one's own") {
+    const auto state = [](const std::string& lines, const char* mode) {
+      return mode_of(solved_as_found(alone(lines)), "b", mode);
+    };
+    CHECK(state("bearing = \"NU 308\"", "axial") == "fail");
+    CHECK(state("bearing = \"NJ 308\"", "ribs") == "not-judged");
+    CHECK(state("bearing = \"51108\"", "radial") == "fail");
+    CHECK(state("bearing = \"30208\"", "mate") == "pass");  // 1 kN covers its induced 2.5/(2 1.6)
+    CHECK(state("bearing = \"32308\"", "mate") == "pass");
+    CHECK(state("bearing = \"7208 B\"", "mate") == "not-covered");  // it induces 2.2 kN
+    CHECK(mode_of(solved_as_found("[b]\ncalculator = \"bearing.rolling\"\nbearing = \"6208\"\nF_r = \"2 kN\"\n"
+                                  "n = \"12000 rpm\"\n"),
+                  "b", "speed") == "fail");
+    const std::string own =
+        "[tables.bearings.6208]\nkind = \"deep_groove_ball\"\nd = \"40 mm\"\nC = \"50 kN\"\n"
+        "C_0 = \"19 kN\"\nf_0 = 14\nsource = \"list\"\n";
+    CHECK(says(own + alone("bearing = \"6208\""), "because"));
+  }
+
+  TEST_CASE("a row of any maker, in the form of docs/own-tables.md, is found by its values") {
+    const std::string own =
+        "[tables.bearings.\"4711-208\"]\nkind = \"deep_groove_ball\"\nd = \"40 mm\"\n"
+        "D = \"80 mm\"\nB = \"18 mm\"\nC = \"29.1 kN\"\nC_0 = \"17.9 kN\"\nf_0 = 14\n"
+        "n_max = \"8500 rpm\"\nm = \"0.1 kg\"\nsource = \"list of the maker, 2026\"\n";
+    CHECK(row_of(own + "[b]\ncalculator = \"bearing.rolling\"\nbearing = { where = \"d = 40 mm\" }\nF_r = \"2 kN\"\n"
+                       "n = \"900 rpm\"\nL_h = \"10000 h\"\n")
+              .find("4711-208: ") == 0);
+  }
+
   TEST_CASE("the seat: bore, width, fillet and shoulder of the row against the shaft") {
     CHECK(seat_of("bearing = \"6208\"") == "pass");
     CHECK(seat_of("bearing = \"6209\"") == "fail");                            // bore 45 mm

@@ -258,7 +258,8 @@ S_F = 1.5
           [](const Input& in) { return is_set(in.sigma_D) || (in.line == Line::basquin && is_set(in.N)); }, "sigma_D",
           "give the fatigue limit of the part sigma_D; it may be omitted with a required life N by Basquin's line"},
       Rule<Input>{[](const Input& in) { return is_ferrous(in) || is_set(in.N); }, "group, N",
-                  "non-ferrous metals have no endurance limit: give the required life N, or another group"},
+                  "without a group of iron or steel the material counts as non-ferrous, which has no endurance limit: "
+                  "give its group, as group = \"carbon-steel\", or the required life N"},
       group_of_metal<Input>(),
       lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
       yields_before_it_breaks<Input>(),

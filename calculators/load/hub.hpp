@@ -75,9 +75,18 @@ constexpr auto within_root() {
 /// Whether a given bore matches the shaft.
 inline bool bore_fits(Length bore, Length d) { return !is_set(bore) || abs(bore - d) <= 1e-3 * d; }
 
-/// A connection longer than the rim; the length of the hub itself is not an input.
+/// Whether the length of the hub is given, of a pulley or sprocket: it is often longer than the rim. A gear, which
+/// alone has a tooth height, is usually as wide as its hub.
+template <class Input>
+bool has_long_hub(const Input& in) {
+  if constexpr (requires { in.l_n; }) return !is_set(in.h_t) && is_set(in.l_n) && in.l <= 1.000001 * in.l_n;
+  return false;
+}
+
+/// A connection longer than the rim, without the length of the hub.
 template <class Input>
 Applies beyond_rim(const Input& in) {
+  if (has_long_hub(in)) return Applies::no;
   return where(is_set(in.b_r) && in.l > 1.000001 * in.b_r);
 }
 template <class Input>

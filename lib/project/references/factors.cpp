@@ -57,13 +57,20 @@ bool carries(const FieldInfo& field) {
   return field.is_load || *field.factors != '\0' || field.dimension == Dimension::of(2, 1, -3);
 }
 
+/// The field at a path: of a factor that is both an input and a result, the input, which says that it is one.
+const FieldInfo* field_of_factor(const Step& step, const std::string& path) {
+  const Calculator* const calculator = step.input().calculator;
+  const FieldInfo* const input = calculator == nullptr ? nullptr : find_field(calculator->input->fields, path);
+  return input != nullptr && input->is_factor ? input : step.field(path);
+}
+
 /// The factors included in the value at a path of another step.
 Factors factors_at(const Project& project, const std::string& path) {
   const auto [name, rest] = split_step(path);
   if (name == "values" && project.find(name) == nullptr) return factors_of_shared(project, path);
   const Step* const step = project.find(name);
-  const FieldInfo* const field = step == nullptr ? nullptr : step->field(rest);
   if (step == nullptr) return {};
+  const FieldInfo* const field = field_of_factor(*step, rest);
   if (field == nullptr) return step->loads().factors;  // mechanism: its reactions include the factors of its loads
   Factors held;
   const auto add = [&](const std::string& key, const std::string& of) {
@@ -196,7 +203,7 @@ class Check {
       const bool waits = std::isnan(k_max) && is_expression(shaft->input(), "k_max");
       if (waits && !gives("T_max")) return say("{1}.k_max waits for another step; give T_max", shaft->name());
       if (!counts(k_max)) continue;
-      if (bears(k_max)) continue;
+      if (bears(k_max, torque_of(*shaft))) continue;
       return say("T_max is missing or below {1}.k_max = {2} times K_A T; give T_max", shaft->name(),
                  format_number(k_max, 4));
     }
@@ -208,11 +215,27 @@ class Check {
                        [&](const Operand& operand) { return operand.path == key; });
   }
 
-  /// Whether T_max covers the peak factor.
-  bool bears(double k_max) {
+  /// The largest torque of the components on a shaft, which its peak factor multiplies; 0 if none is known.
+  double torque_of(const Step& shaft) const {
+    const auto is_torque = [](const std::string& path) { return path.starts_with("seats[") && path.ends_with("].T"); };
+    double most = 0.0;
+    for_each_leaf(shaft.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+      if (is_torque(path) && !std::isnan(leaf.get())) most = std::max(most, std::abs(leaf.get()));
+    });
+    for (const Operand& operand : shaft.input().reading.operands) {
+      if (is_torque(operand.path)) most = std::max(most, largest_of(operand));
+    }
+    return most;
+  }
+
+  /// Whether T_max covers the peak factor. K_A and k_max are both of one start: with the torque of the shaft known,
+  /// the peak is k_max times it, even if K_A T of the step is more.
+  bool bears(double k_max, double of_shaft = 0.0) {
     const auto& inputs = step_.input().calculator->input->fields;
     if (find_field(inputs, "T_max") == nullptr || find_field(inputs, "K_A") == nullptr) return false;
-    const double T = std::abs(own_value("K_A") * largest_own("T")), T_max = std::abs(largest_own("T_max"));
+    const double nominal = std::abs(largest_own("T")), service = std::abs(own_value("K_A")) * nominal;
+    const double T = of_shaft > 0.0 ? std::min(service, std::max(nominal, of_shaft)) : service;
+    const double T_max = std::abs(largest_own("T_max"));
     return T_max >= k_max * T * (1.0 - 1e-9);
   }
 
@@ -349,14 +372,17 @@ class Check {
   /// The same of a load: over a series the largest.
   double largest_own(const std::string& key) {
     for (const Operand& operand : step_.input().reading.operands) {
-      if (operand.path != key) continue;
-      const auto known = [&](const std::string& path) -> const Value& { return value_at(path); };
-      double most = 0.0;
-      for (const double si : operand.expression.evaluate(known).si) most = std::max(most, std::abs(si));
-      return most;
+      if (operand.path == key) return largest_of(operand);
     }
     const double typed = find_leaf(step_.input().reading.record, key).get();
     return std::isnan(typed) ? 0.0 : typed;
+  }
+
+  double largest_of(const Operand& operand) const {
+    double most = 0.0;
+    const auto known = [&](const std::string& path) -> const Value& { return value_at(path); };
+    for (const double si : operand.expression.evaluate(known).si) most = std::max(most, std::abs(si));
+    return most;
   }
 
   const Value& value_at(const std::string& path) const {

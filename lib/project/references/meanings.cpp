@@ -4,6 +4,7 @@
 #include "lib/project/references/references.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <set>
 #include <string>
@@ -105,9 +106,24 @@ class Checking {
       if (source == nullptr) continue;
       const Said given = given_by(*source, rest);
       if (given.what.empty() || given.what == wanted.what) continue;
+      if (wanted.what == limit_in_shear && given.what == limit_in_normal && is_by_distortion_energy(operand)) continue;
       if (operand.of_record && !told_.insert(name).second) continue;  // several values of one record
       refuse(operand, reference, wanted, given);
     }
+  }
+
+  /// Whether a value is that of another step times at most 1/sqrt(3), written 0.577 or 0.58: a limit in shear by the
+  /// distortion energy.
+  bool is_by_distortion_energy(const Operand& operand) const {
+    constexpr double largest_rounded = 0.58;
+    static const Value none{{}, {std::nan("")}};
+    if (operand.expression.references().size() != 1) return false;
+    const auto value_at = [&](const std::string& path) -> const Value& {
+      const Value* const value = project_.value(path);
+      return value == nullptr ? none : *value;
+    };
+    const double normal = largest(value_at(operand.expression.references().front().path)).value;
+    return largest(operand.expression.evaluate(value_at)).value <= largest_rounded * normal * (1.0 + 1e-9);
   }
 
   void refuse(const Operand& operand, const Expression::Reference& reference, const Said& wanted, const Said& given) {

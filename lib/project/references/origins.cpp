@@ -86,11 +86,46 @@ bool connects(const Step& step) {
   return makes_notch(&step) || (connection != nullptr && connection->is_handed_over);
 }
 
+/// The shaft with the diameter of a connection: "sh" of d = "=sh.d"; empty if it names none.
+std::string shaft_of(const Step& step) {
+  if (!connects(step)) return {};
+  for (const Operand& operand : step.input().reading.operands) {
+    const bool is_diameter = operand.path == "d" || operand.path == "d_1" || operand.path == "d_w";
+    if (!is_diameter || !operand.expression.is_reference()) continue;
+    const auto [name, rest] = split_step(operand.expression.references().front().path);
+    if (rest == "d") return std::string(name);
+  }
+  return {};
+}
+
 /// The material that a step names; empty if none.
 std::string material_of(const Step& step) {
   const auto row = step.input().rows.find("material");
   return row == step.input().rows.end() ? "" : row->second.text;
 }
+
+}  // namespace
+
+bool is_compression_of_bar(const FieldInfo& field) { return field.shared_as == std::string_view("compression"); }
+
+bool is_one_of_outputs(const Step& step, const Project& project, const std::string& shaft) {
+  constexpr double least_efficiency = 0.85;
+  if (shaft.empty() || shaft_of(step) != shaft) return false;
+  const double all = std::abs(magnitude_at(project, shaft + ".T"));
+  double outputs = 0.0;
+  bool has_input = false;
+  for (const auto& other : project.steps) {
+    if (shaft_of(*other) != shaft) continue;
+    const double T = std::abs(own_value(*other, project, "T"));
+    if (T >= all * (1.0 - most_apart))
+      has_input = true;
+    else if (!std::isnan(T))
+      outputs += T;
+  }
+  return has_input && outputs >= least_efficiency * all;
+}
+
+namespace {
 
 class OriginCheck {
  public:
@@ -194,11 +229,10 @@ class OriginCheck {
 
   /// A connection on the shaft of another step, and a torque below that of this shaft.
   void compare_torque(const Operand& operand) {
-    const bool is_diameter = operand.path == "d" || operand.path == "d_1" || operand.path == "d_w";
-    if (!is_diameter || !operand.expression.is_reference() || !connects(step_)) return;
-    const auto [name, rest] = split_step(operand.expression.references().front().path);
+    if (operand.path != "d" && operand.path != "d_1" && operand.path != "d_w") return;
+    const std::string name = shaft_of(step_);
     const Step* const shaft = project_.find(name);
-    if (shaft == nullptr || rest != "d" || connects(*shaft)) return;
+    if (shaft == nullptr || connects(*shaft) || is_one_of_outputs(step_, project_, name)) return;
     const double theirs = std::abs(magnitude_at(project_, name + ".T")),
                  own = std::abs(own_value(step_, project_, "T"));
     if (!(own < theirs * (1.0 - most_apart))) return;
@@ -291,6 +325,19 @@ namespace {
 
 bool is_of_step(const Expression::Reference& reference) { return !reference.path.starts_with("values."); }
 
+/// Whether an operand is one value of a series.
+bool is_reduced_series(const Operand& operand, const Project& project) {
+  static const Value none{{}, {std::nan("")}};
+  const auto known = [&](const std::string& path) -> const Value& {
+    const Value* const value = project.value(path);
+    return value == nullptr ? none : *value;
+  };
+  const auto& references = operand.expression.references();
+  return std::any_of(references.begin(), references.end(),
+                     [&](const auto& reference) { return known(reference.path).is_series(); }) &&
+         !operand.expression.evaluate(known).is_series();
+}
+
 /// Whether an input is one that an OriginCheck compares with other steps by its number.
 bool compares_number(const Step& step, const Operand& operand, const Project& project) {
   const Calculator& calculator = *step.input().calculator;
@@ -304,8 +351,9 @@ bool compares_number(const Step& step, const Operand& operand, const Project& pr
     return (field != nullptr && field->dimension == of_stress && *field->companions != '\0') ||
            (operand.leaf.field->is_load && (key == "F_x" || key == "F_y" || key == "x" || key == "y"));
   };
-  return connects(step) || means(calculator, operand.path, &is_strength_of_metal) ||
-         means(calculator, operand.path, &is_fatigue_limit) || means(calculator, operand.path, &is_speed_ratio) ||
+  return connects(step) || (is_compression_of_bar(*operand.leaf.field) && is_reduced_series(operand, project)) ||
+         means(calculator, operand.path, &is_strength_of_metal) || means(calculator, operand.path, &is_fatigue_limit) ||
+         means(calculator, operand.path, &is_speed_ratio) ||
          means(calculator, operand.path, [](std::string_view what) { return what == speed_of_run; }) ||
          std::any_of(references.begin(), references.end(), is_part);
 }

@@ -22,6 +22,11 @@ bool compares_numbers(const Step& step, const Project& project);
 double magnitude_at(const Project& project, const std::string& path);
 /// That of an input before its step is solved; NaN if it is not known.
 double own_value(const Step& step, const Project& project, const std::string& path);
+/// Whether an input is the axial force of a bar that may buckle.
+bool is_compression_of_bar(const FieldInfo& field);
+/// Whether a step is a connection of one of several outputs of a shaft: another one carries its whole torque, and the
+/// torques of the outputs together make it up, but for the losses of a drive.
+bool is_one_of_outputs(const Step& step, const Project& project, const std::string& shaft);
 /// Whether the calculator declares one of these meanings for a field.
 bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(std::string_view what));
 

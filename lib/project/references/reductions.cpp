@@ -144,15 +144,27 @@ class ReductionCheck {
       case Left::whole:
         return !is_extreme(operand) || is_alternating(operand);
       case Left::peak:
-        return !operand.leaf.field->signed_load;
+        return !operand.leaf.field->signed_load || is_largest_magnitude(operand);
       case Left::once:
-        return is_that_reduction(operand, r);
+        return is_that_reduction(operand, r) || is_largest_magnitude(operand);
       case Left::less:
         return is_same_part_of_cycle(operand, r);
       case Left::square:
         return false;
     }
     return false;
+  }
+
+  /// Whether one value of a compressive force is as large as the force ever is: "-max(press.joints.B.F)",
+  /// "min(press.links.rod.N)" of a rod that is never pulled as much. In tension a bar does not buckle.
+  [[nodiscard]] bool is_largest_magnitude(const Operand& operand) const {
+    const FieldInfo& field = *operand.leaf.field;
+    if (!is_compression_of_bar(field)) return false;
+    const auto pair = pair_of(operand);
+    if (!pair || pair->taken.is_series()) return false;
+    const double taken = largest(pair->taken).value, most = std::abs(largest(pair->source).value);
+    const bool is_compression = field.signed_load ? taken < 0.0 : taken > 0.0;
+    return is_compression && std::abs(taken) >= most * (1.0 - 1e-9);
   }
 
   /// Whether the amplitude or mean that another step has of its whole cycle is taken as just that: "=filling.sigma_a",
@@ -227,7 +239,14 @@ class ReductionCheck {
     const bool is_demand = field.is_load || field.dimension == inertia;
     if (!is_demand || !own.empty() || operand.expression.is_reference()) return false;
     const auto pair = pair_of(operand);
+    if (pair && operand.path == "T" && is_one_of_outputs(step_, project_, shaft_of_torque(pair->path))) return false;
     return pair && std::abs(largest(pair->taken).value) < least_efficiency * std::abs(largest(pair->source).value);
+  }
+
+  /// "sh" of "sh.T".
+  static std::string shaft_of_torque(const std::string& path) {
+    const auto [name, rest] = split_step(path);
+    return rest == "T" ? std::string(name) : "";
   }
 
   [[nodiscard]] Message share_message(const Operand& operand) const {

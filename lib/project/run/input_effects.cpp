@@ -115,6 +115,57 @@ bool has_effect(Evaluation& evaluation, const Leaf& leaf, Probe& probe) {
   return moved || !tried;
 }
 
+/// The loads of a record that are absent beside others of the same dimension, present while this lives: F_a of a
+/// bearing under F_r only, which its f_0 belongs to.
+class WithAbsentLoads {
+ public:
+  explicit WithAbsentLoads(const Record& record) {
+    std::vector<Leaf> absent;
+    std::vector<std::pair<Dimension, double>> present;
+    for_each_leaf(record, [&](const std::string& path, const Leaf& leaf) {
+      const FieldInfo& field = *leaf.field;
+      if (!field.is_load || field.get == nullptr || path.find('[') != std::string::npos) return;
+      if (const double load = std::abs(leaf.get()); load > 0.0)
+        present.emplace_back(field.dimension, load);
+      else
+        absent.push_back(leaf);
+    });
+    for (const Leaf& leaf : absent) {
+      const auto like = std::find_if(present.begin(), present.end(),
+                                     [&](const auto& one) { return one.first == leaf.field->dimension; });
+      if (like == present.end()) continue;
+      given_.emplace_back(leaf, leaf.get());
+      leaf.set(0.5 * like->second);
+    }
+  }
+  WithAbsentLoads(const WithAbsentLoads&) = delete;
+  WithAbsentLoads& operator=(const WithAbsentLoads&) = delete;
+  ~WithAbsentLoads() {
+    for (const auto& [leaf, load] : given_) leaf.set(load);
+  }
+  [[nodiscard]] bool has_any() const { return !given_.empty(); }
+
+ private:
+  std::vector<std::pair<Leaf, double>> given_;
+};
+
+/// Whether the input has an effect under loads that are absent here: the datum of a part is then no mistake.
+bool has_effect_with_absent_loads(Evaluation& evaluation, const Leaf& leaf, std::size_t position) {
+  if (!evaluation.set_position(position)) return false;
+  const WithAbsentLoads loaded(evaluation.record());
+  if (!loaded.has_any() || !keeps_rules(evaluation)) return false;
+  const Effects before = effects_of(evaluation);
+  const double given = leaf.get();
+  bool moved = false;
+  for (const double value : others(*leaf.field, given)) {
+    if (moved || !may_be(*leaf.field, value)) continue;
+    leaf.set(value);
+    moved = keeps_rules(evaluation) && !equal(before, effects_of(evaluation));
+  }
+  leaf.set(given);
+  return moved;
+}
+
 /// Every so many positions of an axis, which together have its time.
 Axis thinned_axis(const Axis& axis, std::size_t step) {
   Axis thinned = axis;
@@ -264,6 +315,7 @@ void warn_of_unused(Evaluation& evaluation, const Results& results, const Govern
   for (const auto& [path, leaf] : without_effect(evaluation, typed_inputs(evaluation), governing)) {
     const auto counts = [&evaluation, &input = leaf](Probe& probe) { return has_effect(evaluation, input, probe); };
     if (std::any_of(places.begin(), places.end(), counts) || !is_spare(evaluation, path, leaf)) continue;
+    if (has_effect_with_absent_loads(evaluation, leaf, governing.position)) continue;
     Issue issue = issue_at(step, path, say("'{1}' has no effect here: no result changes with it", path));
     issue.severity = Severity::warning;
     issues.push_back(std::move(issue));

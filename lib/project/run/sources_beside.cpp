@@ -42,6 +42,17 @@ bool is_of_another_place(const Source& source, const std::vector<std::string>& k
   });
 }
 
+/// The value that an input is compared with: where a speed that varies is the least for an input, its mean, which wear
+/// and heating follow.
+Value compared_value(const FieldInfo& field, Comparison comparison, const Value& value) {
+  const bool is_speed = field.dimension == Dimension::of(0, 0, -1, 0, 1);
+  if (comparison != Comparison::at_least || !is_speed || !value.is_series()) return value;
+  Value magnitude = value;
+  for (double& si : magnitude.si) si = std::abs(si);
+  const double over_time = mean(magnitude);
+  return std::isnan(over_time) ? value : Value{{field.dimension, nullptr}, {over_time}, value.rounding};
+}
+
 Beside beside_of_comparison(Comparison comparison) {
   switch (comparison) {
     case Comparison::same:
@@ -121,7 +132,10 @@ void add_sources_beside(const Evaluation& evaluation, const Known& known, std::v
       for (const Source& source : *sources) {
         const std::string path = largest_in(source, keys, field, known);
         if (path.empty() || is_of_another_place(source, keys, field, known, value)) continue;
-        all.push_back({field.key, leaf, known(path), say("'{1}'", path), beside_of_comparison(list.comparison)});
+        const Value beside = compared_value(field, list.comparison, known(path));
+        const bool is_mean = known(path).is_series() && !beside.is_series();
+        all.push_back({field.key, leaf, beside, is_mean ? say("the mean of '{1}'", path) : say("'{1}'", path),
+                       beside_of_comparison(list.comparison)});
         all.back().by_size = true;  // at another point the source has another value
       }
     }

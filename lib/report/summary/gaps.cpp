@@ -20,6 +20,9 @@ std::string step_to_add(const Mode& mode) {
                             : say("add a step of {1} with {2}", id, mode.takes).text();
 }
 
+/// Whether the mode waits for the reason of a value; its note says why the value is doubted.
+bool waits_for_reason(const Mode& mode) { return mode.wants.starts_with("because.") && !mode.note.empty(); }
+
 /// The remedy for a mode that is not assessed.
 std::string action_of(const Mode& mode) {
   if (mode.state == State::not_covered || mode.state == State::not_available) {
@@ -27,6 +30,7 @@ std::string action_of(const Mode& mode) {
     if (!mode.use.empty()) return say("method not valid: replace by a step of {1}", mode.use).text();
     return say("method not valid").text();
   }
+  if (waits_for_reason(mode)) return mode.note.text();
   const std::string add = step_to_add(mode);
   if (!mode.wants.empty() && add.empty()) return say("give {1}", mode.wants).text();
   if (!mode.wants.empty()) return say("give {1}, or {2}", mode.wants, add).text();

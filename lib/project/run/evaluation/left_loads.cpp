@@ -34,6 +34,16 @@ bool is_held(const LoadBeside& one, const Inputs& inputs, double component) {
   return std::hypot(extreme_of(inputs, beside + key + "_x"), extreme_of(inputs, beside + key + "_y")) >= least;
 }
 
+/// Whether a step takes torque: a rolling bearing and a pin in a loose fit transmit none.
+bool takes_moments(const PreparedStep& step) {
+  const auto& fields = step.input().calculator->input->fields;
+  return std::any_of(fields.begin(), fields.end(), [](const FieldInfo& field) {
+    return field.is_load && field.dimension == Dimension::of(2, 1, -2);
+  });
+}
+
+bool is_torque(const LoadBeside& one) { return one.path.ends_with(".T"); }
+
 }  // namespace
 
 bool acts(const Value& value) {
@@ -43,6 +53,7 @@ bool acts(const Value& value) {
 std::string left_loads(const PreparedStep& step, const Inputs& inputs, const Known& known) {
   std::string names;
   for (const LoadBeside& one : step.rest_of_loads()) {
+    if (is_torque(one) && !takes_moments(step)) continue;
     const Value& value = known(one.path);
     const double component = extreme_of(value);
     // An unknown component may act.

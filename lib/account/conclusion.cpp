@@ -173,6 +173,8 @@ bool is_assessed_elsewhere(const Mode& mode) {
   return !waits && !mode.judge.empty() && mode.governs.empty();
 }
 
+bool is_ranked(const Mode& mode) { return mode.kind != ModeKind::shape || mode.state == State::fail; }
+
 std::string short_title(const Mode& mode) {
   const std::string title = mode.title.text();
   std::string first = title.substr(0, title.find_first_of(",:;("));

@@ -48,6 +48,9 @@ Message explanation(const Modes& modes, const Telling& telling = {});
 /// Whether another step has assessed the mode, and has it among its own.
 bool is_assessed_elsewhere(const Mode& mode);
 
+/// Whether its utilisation may be the highest one: a limit of shape, such as a slenderness, only where it fails.
+bool is_ranked(const Mode& mode);
+
 /// "fatigue" of "fatigue (shoulders, keyways, press fits)".
 std::string short_title(const Mode& mode);
 

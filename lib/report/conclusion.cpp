@@ -31,10 +31,10 @@ Message conclusion_of(const Modes& modes) {
 }
 
 const Mode* most_utilised(const Modes& modes) {
-  const auto highest = std::max_element(modes.begin(), modes.end(), [](const Mode& a, const Mode& b) {
-    return numerics::exceeds(b.utilisation.value_or(-1.0), a.utilisation.value_or(-1.0));
-  });
-  return highest != modes.end() && highest->utilisation ? &*highest : nullptr;
+  const auto rank = [](const Mode& mode) { return account::is_ranked(mode) ? mode.utilisation.value_or(-1.0) : -1.0; };
+  const auto highest = std::max_element(
+      modes.begin(), modes.end(), [&](const Mode& a, const Mode& b) { return numerics::exceeds(rank(b), rank(a)); });
+  return highest != modes.end() && rank(*highest) >= 0.0 ? &*highest : nullptr;
 }
 
 Message utilisation(const Mode& mode) {

@@ -106,8 +106,7 @@ double Component::utilisation() const {
 }
 
 bool is_told(const Mode& mode) {
-  return mode.subject == account::Subject::mode && !account::is_assessed_elsewhere(mode) &&
-         (mode.kind != ModeKind::shape || mode.state == State::fail);
+  return mode.subject == account::Subject::mode && !account::is_assessed_elsewhere(mode) && account::is_ranked(mode);
 }
 
 std::string component_name(const Step& step) {

@@ -72,7 +72,8 @@ P_s = 0.9
       Choice{&Input::steps, "steps", "equal steps in stress or in its logarithm"}.may_be_missing(),
       Field{&Input::P_s, "P_s", ratio, "probability of survival of the strength for design, with 50 % confidence"}
           .within(0.5, 0.999)
-          .usually(0.9, 0.999)};
+          .usually(0.9, 0.999)
+          .customarily_at_least(0.9)};
 
   struct Result {
     double n = unset<double>, N = unset<double>;

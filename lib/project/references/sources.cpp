@@ -68,18 +68,28 @@ std::vector<Source> sources_of(const Reading& reading) {
   return sources;
 }
 
+namespace {
+
+/// Adds the step of a path; values and tables are none.
+void add_step_of(const std::string& path, std::set<std::string>& names) {
+  const std::string name = split_step(path).first;
+  if (name != "values" && name != "tables") names.insert(name);
+}
+
+}  // namespace
+
 std::set<std::string> steps_named_in(const Reading& reading) {
   std::set<std::string> names;
-  for_each_reference(reading, [&](const std::string& path) { names.insert(split_step(path).first); });
+  for_each_reference(reading, [&](const std::string& path) { add_step_of(path, names); });
   return names;
 }
 
 std::set<std::string> steps_loading(const Reading& reading) {
   std::set<std::string> names;
-  for (const Taken& record : reading.records) names.insert(split_step(record.source).first);
+  for (const Taken& record : reading.records) add_step_of(record.source, names);
   for (const Operand& operand : reading.operands) {
     if (!operand.leaf.field->is_load) continue;
-    for (const auto& reference : operand.expression.references()) names.insert(split_step(reference.path).first);
+    for (const auto& reference : operand.expression.references()) add_step_of(reference.path, names);
   }
   return names;
 }

@@ -116,6 +116,13 @@ TEST_SUITE("found ratings") {
     const project::Project unequal = with("", "1500 h", "10000 h");
     CHECK(mode_of(unequal, "left", "fatigue") == "not-judged");
     CHECK(mode_of(unequal, "right", "fatigue") == "pass");
+    // Loads computed from one of [values] do not make one machine of two.
+    const std::string two =
+        "[values]\nF = \"1 kN\"\n[a]\ncalculator = \"bearing.rolling\"\nF_r = \"=2*values.F\"\nn = \"500 rpm\"\n"
+        "kind = \"deep_groove_ball\"\nC = \"42.3 kN\"\nC_0 = \"24 kN\"\nL_h = \"1500 h\"\n[b]\ncalculator = "
+        "\"bearing.rolling\"\nF_r = \"=3*values.F\"\nn = \"500 rpm\"\nkind = \"deep_groove_ball\"\nC = \"42.3 kN\"\n"
+        "C_0 = \"24 kN\"\nL_h = \"5000 h\"\n";
+    CHECK(mode_of(solved_as_found(two), "a", "fatigue") == "pass");
   }
 
   TEST_CASE("each planet loads the teeth of the sun once per revolution") {

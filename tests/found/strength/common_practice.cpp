@@ -29,6 +29,8 @@ std::vector<Practice> safeties() {
       {"shaft.torsion", "tau_adm = \nR_e = \"370 MPa\"", "S = 1", "S = 1.2", "yield"},
       {"shaft.press_fit", "", "S_r = 1", "S_r = 1.2", "slip"},
       {"bearing.rolling", "", "s_0 = 0.45", "s_0 = 0.5", "static"},
+      {"bearing.rolling", "", "L_h = \"50 h\"", "L_h = \"500 h\"", "fatigue"},
+      {"gear.rating", "", "L_h = \"50 h\"", "L_h = \"5000 h\"", "pitting_1"},
   };
 }
 
@@ -56,6 +58,21 @@ void check(const Practice& p) {
 }  // namespace
 
 TEST_SUITE("found common practice") {
+  TEST_CASE("a strength that most parts do not reach wants a reason") {
+    const auto life = [](const std::string& P) {
+      return mode_of(solved_as_found("[limit]\ncalculator = \"fatigue.survival\"\nsigma_0 = \"200 MPa\"\nT_S = 1.25\n"
+                                     "k = 5\nP_0 = 0.9\nP = " +
+                                     P +
+                                     "\n[life]\ncalculator = \"fatigue.life\"\nsigma_max = \"100 MPa\"\n"
+                                     "sigma_min = \"-100 MPa\"\nsigma_D = \"=limit.sigma_P\"\n"
+                                     "group = \"carbon-steel\"\nR_m = \"900 MPa\"\nR_e = \"700 MPa\"\nS_D = 1.3\n"
+                                     "S_F = 1.3\n"),
+                     "limit", "typed_values");
+    };
+    CHECK(life("0.05") == "not-judged");
+    CHECK(life("0.95") == "none");
+  }
+
   TEST_CASE("a required safety factor below common practice wants a reason") {
     for (const Practice& p : safeties()) check(p);
   }

@@ -132,8 +132,7 @@ constexpr auto wall_results(double thinnest = 0.05) {
       Field<Result, Length>{&Result::delta_c, "delta_c", mm, "analysis thickness: corroded, under-tolerance deducted"},
       Field<Result, Stress>{&Result::p_i, "p_i", MPa, "pressure at the governing location"},
       Field<Result, Stress>{&Result::sigma_o, "sigma_o", MPa, "hoop stress at the governing location"},
-      Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "meridional stress at the governing location"}.with(
-          "sigma_o"),
+      Field<Result, Stress>{&Result::sigma_M, "sigma_M", MPa, "meridional stress at the governing location"},
       Field<Result, Stress>{&Result::sigma_v, "sigma_v", MPa,
                             "equivalent stress at the governing location, seams included"},
       Field<Result, Stress>{&Result::p_max, "p_max", MPa, "allowable gas pressure at that thickness"},

@@ -129,19 +129,6 @@ TEST_SUITE("found vessel") {
     CHECK(strength("0.1 MPa", "500 mm") == "pass");
   }
 
-  TEST_CASE("the seam of a shell does not bear the meridional stress alone") {
-    const auto yielding = [](const std::string& stress) {
-      return mode_of(solved_as_found("[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\n"
-                                     "delta = \"10 mm\"\nsigma_adm = \"140 MPa\"\n[filling]\ncalculator = "
-                                     "\"fatigue.cycle\"\nsigma_min = \"0 MPa\"\nR_e = \"265 MPa\"\nS_F = 1.5\n"
-                                     "sigma_max = \"=shell." +
-                                     stress + "\"\n"),
-                     "filling", "yield");
-    };
-    CHECK(yielding("sigma_o") == "pass");
-    CHECK(yielding("sigma_M") == "not-judged");
-  }
-
   TEST_CASE("no head closes an open pipe") {
     const auto error = [](const std::string& ends) {
       return first_error_of("[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nends = \"" +

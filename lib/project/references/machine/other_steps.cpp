@@ -128,11 +128,17 @@ class RunCheck {
     if (speed == operands.end() || !speed->expression.is_reference()) return;
     const auto [name, key] = split_step(speed->expression.references().front().path);
     const double given = magnitude_at(project_, name + ".K_A"), K_A = std::isnan(given) ? 1.0 : given;
+    if (std::isnan(given) && !loads_another(name)) return;
     const double T = std::abs(magnitude_at(project_, name + ".T" + key.substr(std::min<std::size_t>(1, key.size()))));
     if (!(moment_ > K_A * T * largest_peak_factor())) return;
     add(moment_path_, say("the motor moment of {1} is more than K_A T = {2} of '{3}': give the shaft k_max or the key "
                           "T_max, or because.motor = \"...\"",
                           format_quantity(moment_, "N*m", 4), format_quantity(K_A * T, "N*m", 4), name));
+  }
+
+  bool loads_another(const std::string& name) const {
+    return std::any_of(project_.steps.begin(), project_.steps.end(),
+                       [&](const auto& step) { return steps_loading(step->input().reading).contains(name); });
   }
 
   double largest_peak_factor() const {

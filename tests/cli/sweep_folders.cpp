@@ -169,7 +169,7 @@ TEST_SUITE("folders of sweeps" * by_case) {
     const Ran ran = shell(desk,
                           "$P sweep a.toml --quiet --out part --save-every 1000 & at=$!; "
                           "while [ ! -e part/state ]; do sleep 0.02; done; sleep 1; kill -TERM $at; "
-                          "timeout 300 tail --pid=$at -f /dev/null || exit 99; wait $at");
+                          "timeout 1200 tail --pid=$at -f /dev/null || exit 99; wait $at");
     CHECK(ran.code == 130);
     CHECK_MESSAGE(contains(ran.error, "--out part --resume goes on"), ran.error);
   }

@@ -109,6 +109,11 @@ void flat_ends(const Input& in, Cylinder::Result& r, Tracer& trace) {
   STEP_TO(r, u_e, sigma_e / r.sigma_all, "strength of flat ends");
 }
 
+/// What its ends close.
+ShellOfEnds closed_by_ends(const Input& in, const Cylinder::Result& r) {
+  return {r.p_i, 2.0 * (r.R_m - 0.5 * r.delta_c - in.c), in.c};
+}
+
 }  // namespace
 
 template <class Tracer>
@@ -127,6 +132,7 @@ Cylinder::Result Cylinder::evaluate(const Input& in, Tracer& trace) {
   by_the_book(in, r, trace);
   check_rings(in, r, trace);
   flat_ends(in, r, trace);
+  if (in.ends != Ends::open) r.shell = closed_by_ends(in, r);
   if (in.ends != Ends::ringed) compare(ThickCylinder{in.ends == Ends::closed}, in, r, r.R_m, mean, trace);
   return r;
 }

@@ -75,6 +75,7 @@ sigma_adm = "140 MPa"
     double w_r = unset<double>;
     Stress sigma_e = unset<Stress>;
     double u_e = unset<double>, t_M = unset<double>;
+    ShellOfEnds shell;
   };
   static Applies has_ends(const Input& in) { return in.ends == Ends::open ? Applies::no : Applies::unseen; }
   static constexpr Fields results = join(
@@ -88,7 +89,8 @@ sigma_adm = "140 MPa"
              Field{&Result::u_e, "u_e", ratio, "flat ends: bending stress / allowable stress"}
                  .check("delta_e")
                  .where_it_applies(),
-             Field{&Result::w_r, "w_r", ratio, "rings: spacing / effective wall length"}.limit(0, 1, "l_r")});
+             Field{&Result::w_r, "w_r", ratio, "rings: spacing / effective wall length"}.limit(0, 1, "l_r"),
+             Group{&Result::shell, "shell", "the cylinder at its ends, for vessel.end: shell"}.handed_over()});
 
   static constexpr std::array rules = join(
       wall_rules<Input>(), liquid_rules<Input>(),
@@ -109,8 +111,9 @@ sigma_adm = "140 MPa"
       join(wall_meanings, std::array{Meaning{"R", radius_when_open, "ends", "open"}});
   static constexpr std::array modes = modes_of_wall<Input>(
       membrane_strength<Input>("u_v, t_R, t_M, w_r").assessed_in("vessel.thick"),
-      Mode<Input>{"ends", "strength of the ends (dished: vessel.sphere, torus, ellipsoid)", &has_ends}
+      Mode<Input>{"ends", "strength of the ends", &has_ends}
           .judged_by("u_e")
+          .left_to("vessel.end", "shell.strength, shell.knuckle")
           .of_service(),
       Mode<Input>{"rings", "spacing of reinforcing rings", &ringed}.judged_by("w_r").wanting("A_r, l_r"));
 

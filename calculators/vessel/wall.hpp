@@ -53,6 +53,17 @@ struct WallResult {
 /// The pressures of a vessel that a head without a liquid of its own belongs to: nothing says that it is the upper one.
 inline constexpr auto pressure_below = "p, p_i";
 
+/// A cylinder at its ends, input record of vessel.end: shell = "=tank.shell". Set for a cylinder with ends only. The
+/// pressure is that at the lowest place: gas and liquid.
+struct ShellOfEnds {
+  Stress p = unset<Stress>;
+  Length D_i = unset<Length>, c = unset<Length>;
+
+  static constexpr Fields fields{Field{&ShellOfEnds::p, "p", MPa, "pressure on the lower end"}.load(),
+                                 Field{&ShellOfEnds::D_i, "D_i", mm, "inside diameter of the new shell"},
+                                 Field{&ShellOfEnds::c, "c", mm, "corrosion allowance on the inside"}};
+};
+
 /// `pressures`: of a vessel that the wall belongs to. A bottom with a liquid has that of the vessel above it on top.
 template <class Input>
 constexpr auto wall_inputs(const char* pressures = "p") {

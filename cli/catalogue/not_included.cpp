@@ -95,7 +95,7 @@ constexpr std::array all{
     NotIncluded{"plates, flat vessel ends, flanges and nozzles",
                 "plate, flat plate, flat end, flange, nozzle, manhole, tube sheet, Platte, Flansch, Stutzen, "
                 "пластина, фланец, патрубок",
-                "vessel.cylinder, vessel.ellipsoid, vessel.shell"},
+                "vessel.cylinder, vessel.end, vessel.shell"},
     NotIncluded{"vessels under external pressure or vacuum",
                 "external pressure, vacuum vessel, shell buckling, Außendruck, Schalenbeulen, наружное давление",
                 "vessel.cylinder, vessel.sphere"},

@@ -191,6 +191,21 @@ const Case vessels[] = {
      "support = \"top\"\nrho = \"1000 kg/m^3\"\nh_l = \"10 m\"\ndelta = \"10 mm\"\np = \"0 MPa\"\nmeasured = \"mean\"\n"
      "c = \"0 mm\"",
      "sigma_M", 1000 * g_n * 10 * 0.6 / (2 * 0.01)},
+    // dished ends; stress factors of the knuckle computed independently
+    {"vessel.end", "form = \"hemispherical\"\ndelta = \"6 mm\"", "p_s",  // a sphere on its mean radius
+     2 * 410e6 / 2.4 * 0.005 / (0.991 + 0.0025)},
+    {"vessel.end", "D_i = \"1960 mm\"\ndelta = \"20 mm\"\nc = \"0 mm\"", "beta", 0.7983117214332597},
+    {"vessel.end", "D_i = \"1960 mm\"\ndelta = \"20 mm\"\nc = \"0 mm\"\nform = \"korbbogen\"", "beta",
+     0.6133547066903113},
+    {"vessel.end",
+     "D_i = \"2000 mm\"\ndelta = \"20 mm\"\nc = \"0 mm\"\nform = \"torispherical\"\nR = \"2000 mm\"\nr = \"140 mm\"",
+     "beta", 1.0020038135755032},
+    {"vessel.end", "delta = \"10 mm\"\nc = \"0 mm\"\nform = \"ellipsoidal\"", "R_c", 0.9 * 1.98},
+    {"vessel.end", "delta = \"10 mm\"\nc = \"0 mm\"\nform = \"ellipsoidal\"", "r_c", 0.17 * 1.98},
+    {"vessel.end", "delta = \"12 mm\"\nR_e = \nR_m = \nsigma_adm = \"150 MPa\"", "f", 150e6},
+    {"vessel.end", "delta = \"12 mm\"\nsigma_adm = \"150 MPa\"", "f", 150e6},
+    {"vessel.end", "delta = \"12 mm\"\nl_f = \"20 mm\"", "u_f", 0.0},
+    {"vessel.end", "delta = \"12 mm\"", "u_f", 1e6 * 1.993 / (2 * 0.011 * 410e6 / 2.4)},
     // the same pressure on both sides: no more than that pressure, in all directions
     {"vessel.thick", "delta = \"40 mm\"\np_e = \"40 MPa\"", "sigma_ti", -40e6},
     {"vessel.thick", "delta = \"40 mm\"\np_e = \"40 MPa\"", "w_a", -40e6 * 0.12 * (1 - 2 * 0.3) / 210e9},

@@ -57,6 +57,7 @@ constexpr std::array alone{
     Reason{"dynamics.impulse F_m", is_whole},
     Reason{"dynamics.lift weight_states.T", is_whole},
     Reason{"dynamics.work R", is_whole},
+    Reason{"vessel.cylinder shell.p", "the pressure on its ends is all that loads them"},
     Reason{"machine.flywheel M_peak", "what else acts comes along with the moments that it is the peak of"},
 };
 
@@ -79,7 +80,7 @@ constexpr std::array takes_alone{
     Reason{"vessel.cylinder", of_a_wall},  Reason{"vessel.sphere", of_a_wall},
     Reason{"vessel.cone", of_a_wall},      Reason{"vessel.ellipsoid", of_a_wall},
     Reason{"vessel.torus", of_a_wall},     Reason{"vessel.shell", of_a_wall},
-    Reason{"vessel.thick", of_a_wall},
+    Reason{"vessel.thick", of_a_wall},     Reason{"vessel.end", of_a_wall},
 };
 
 using Visit = std::function<void(std::span<const FieldInfo> beside, const FieldInfo& field, const std::string& path)>;

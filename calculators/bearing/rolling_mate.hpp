@@ -21,13 +21,15 @@ constexpr auto choices_of(Carries) {
 }
 
 struct Mate {
-  Force F_r = unset<Force>, F_a = 0.0 * N.one;
+  Force F_r = unset<Force>, F_a = unset<Force>;
   Force F_r0 = unset<Force>, F_a0 = unset<Force>;
   double Y = unset<double>;
   static constexpr Fields fields{
       RecordField<Mate>{"load", "loads of the mating bearing: load = \"=shaft.bearings.right\""},
       Field{&Mate::F_r, "F_r", kN, "its radial load"}.load().at_least(0),
-      Field{&Mate::F_a, "F_a", kN, "axial force that the shaft puts on it, positive to the right"}.load(),
+      Field{&Mate::F_a, "F_a", kN, "axial force that the shaft puts on it, positive to the right"}
+          .load()
+          .may_be_missing(),
       Field{&Mate::Y, "Y", ratio, "its axial load factor above e"}.positive().usually(0.2, 7),
       Field{&Mate::F_r0, "F_r0", kN, "its peak radial load"}.load().at_least(0).may_be_missing(),
       Field{&Mate::F_a0, "F_a0", kN, "simultaneous axial force"}.load().may_be_missing()};
@@ -62,12 +64,12 @@ Thrust thrust(const Input& in, Tracer& trace) {
     return {trace.value("F_ax", in.F_a, "axial load as given"),
             trace.value("F_ax0", is_set(in.F_a0) ? in.F_a0 : none, "at rest or in a shock, as given")};
   }
-  const Force F_ax = shared(in, in.F_r, in.mate.F_r, in.F_a + in.mate.F_a);
+  const Force mate_F_a = is_set(in.mate.F_a) ? in.mate.F_a : none;
+  const Force F_ax = shared(in, in.F_r, in.mate.F_r, in.F_a + mate_F_a);
   Force F_ax0 = none;
   if (is_set(in.F_r0)) {
     const Force mate_F_r0 = is_set(in.mate.F_r0) ? in.mate.F_r0 : in.mate.F_r;
-    const Force F_a0 = is_set(in.F_a0) ? in.F_a0 : in.F_a,
-                mate_F_a0 = is_set(in.mate.F_a0) ? in.mate.F_a0 : in.mate.F_a;
+    const Force F_a0 = is_set(in.F_a0) ? in.F_a0 : in.F_a, mate_F_a0 = is_set(in.mate.F_a0) ? in.mate.F_a0 : mate_F_a;
     F_ax0 = shared(in, in.F_r0, mate_F_r0, F_a0 + mate_F_a0);
   }
   return {trace.value("F_ax", F_ax,

@@ -565,6 +565,8 @@ const Case motion[] = {
 const Case bearings[] = {
     {"bearing.rolling", "f_0 = \nF_a = \nF_r = \"29.1 kN\"", "L_10", 1.0},  // that is what C is
     {"bearing.rolling", "f_0 = \nF_a = \nF_r = \"29.1 kN\"\nn = \"100 rpm\"", "L_10h", 6e5},
+    {"bearing.rolling", "f_0 = \nF_a = \nF_r = \"29.1 kN\"\nn = \"100 rpm\"\nR = 0.95", "L_nh",
+     6e5 * (0.05 + 0.95 * std::pow(std::log(1 / 0.95) / std::log(1 / 0.9), 2.0 / 3))},
     {"bearing.rolling", "f_0 = \nF_a = \nblocks = [{ q = 0.25 }, { q = 0.75 }]", "P_m", 2500.0},
     {"bearing.rolling", "f_0 = \nF_a = \nblocks = [{ q = 0.5 }, { q = 0.5, n = \"0 rpm\" }]", "n_m", 15 * pi},
     {"bearing.rolling", "kind = \"thrust_roller\"\nf_0 = \nF_r = \"0 N\"", "P_0", 1000.0},

@@ -48,7 +48,7 @@ S = 1.5
 TEST_SUITE("cli own tables") {
   TEST_CASE("the page on own tables runs, and its rows are told as the project's own") {
     const auto blocks = blocks_of("own-tables.md");
-    REQUIRE(blocks.size() == 3);
+    REQUIRE(blocks.size() == 4);
     const Desk desk;
     desk.put("boiler.toml", blocks[0]);
     const Ran o = desk.run({"run", "boiler.toml", "--json", "--report", "boiler.md"});
@@ -62,6 +62,9 @@ TEST_SUITE("cli own tables") {
     desk.put("press.toml",
              blocks[1] + shell.substr(0, shell.find("material")) + "material = \"P265GH, 4711\"\nS = 1.5\n");
     CHECK(contains(desk.run({"run", "press.toml", "--json"}).out, source));
+    desk.put("bearing.toml", blocks[3]);
+    const Ran bearing = desk.run({"run", "bearing.toml", "--json"});
+    CHECK_MESSAGE(contains(bearing.out, "list of the maker, 2026, page 12"), bearing.error);
   }
 
   TEST_CASE("a file of tables is found beside the project, wherever it is run from") {

@@ -55,6 +55,12 @@ std::string series_text(const FieldInfo& field, const Value& series, double load
   return "{ values = [" + values + "], unit = " + in_quotes(field.unit) + " }";
 }
 
+bool has_values(const FieldInfo& group, void* owner) {
+  return std::any_of(group.fields.begin(), group.fields.end(), [&](const FieldInfo& field) {
+    return !value_text(field, group.element(owner, 0), 1.0).empty();
+  });
+}
+
 /// The value of a field as a project has it; empty where there is none.
 std::string value_text(const FieldInfo& field, void* owner, double load_factor) {
   if (const Value* const series = field.takes_whole() ? field.series(owner) : nullptr)
@@ -71,7 +77,8 @@ std::string value_text(const FieldInfo& field, void* owner, double load_factor) 
     case Type::formula:
       return formula_text(field, field.text(owner), load_factor);
     case Type::group:
-      return table_text(field.fields, field.element(owner, 0), load_factor);
+      // a group of which nothing is given is left out: its presence would ask for what it requires
+      return has_values(field, owner) ? table_text(field.fields, field.element(owner, 0), load_factor) : "";
     case Type::list:
       return list_text(field, owner, load_factor);
     case Type::record:

@@ -1,5 +1,7 @@
 // Meanings of fields, beyond their dimension: defined for existing fields, at existing words of their choices.
+#include "calculators/gear/rated_mesh.hpp"
 #include "calculators/load/limit_meanings.hpp"
+#include "calculators/vessel/wall.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "tests/contract/calculators.hpp"
@@ -42,7 +44,8 @@ bool has_field(std::span<const FieldInfo> fields, const std::string& key) {
 /// Meanings that one calculator has: a value of another meaning is refused, or the steps of the project are compared.
 bool is_of_one(const std::string& what) {
   return what == fatigue::notch_in_bending || what == fatigue::notch_in_torsion || what == speed_of_run ||
-         what == moment_of_motor || what == inertia_of_flywheel;
+         what == moment_of_motor || what == inertia_of_flywheel || what == gear::flanks_ground ||
+         what == gear::flanks_not_ground || what == vessel::radius_when_open;
 }
 
 }  // namespace

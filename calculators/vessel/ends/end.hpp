@@ -124,14 +124,12 @@ R_m = "410 MPa"
       Field{&Result::u_f, "u_f", ratio, "straight flange as a cylinder: pressure / allowable pressure"}.check("l_f"),
       Field{&Result::x_r, "x_r", ratio, "knuckle radius / inside diameter"}
           .limit(0.06 * (1 - 1e-9), 0.2 * (1 + 1e-9))
-          .sizeless()
           .where_it_applies(),
       Field{&Result::x_k, "x_k", ratio, "knuckle radius / thickness"}.limit(2 * (1 - 1e-9), 1e6).where_it_applies(),
       Field{&Result::x_e, "x_e", ratio, "thickness / outside diameter"}.limit(0.001 * (1 - 1e-9), 0.08 * (1 + 1e-9)),
-      Field{&Result::x_R, "x_R", ratio, "crown radius of the new end / outside diameter"}.limit(0, 1 + 1e-9).sizeless(),
+      Field{&Result::x_R, "x_R", ratio, "crown radius of the new end / outside diameter"}.limit(0, 1 + 1e-9),
       Field{&Result::x_K, "x_K", ratio, "inside diameter / height of two semi-ellipsoids"}
           .limit(1.7 * (1 - 1e-9), 2.2 * (1 + 1e-9))
-          .sizeless()
           .where_it_applies()};
 
   static constexpr std::array rules{

@@ -148,7 +148,8 @@ TEST_SUITE("found fit") {
     const std::string liquid = "\nrho = \"=shell.rho\"\nh_l = \"2 m\"";
     CHECK(cone("p = \"=shell.p\"" + liquid) == "not-judged");
     CHECK(cone("p = \"=shell.p + 1000 kg/m^3*9.81 m/s^2*6 m\"" + liquid) == "pass");
-    CHECK(cone("p = \"=shell.p\"") == "pass");  // a roof
+    CHECK(cone("p = \"=shell.p\"") == "not-judged");
+    CHECK(cone("p = \"=shell.p\"\nbecause.p = \"roof above the liquid\"") == "pass");
   }
 
   TEST_CASE("a shaft as hard as the set screw, and a boss thicker than its rod") {

@@ -75,7 +75,8 @@ TEST_SUITE("found factors elsewhere") {
   TEST_CASE("a ratio of speeds is a ratio or its reciprocal") {
     CHECK(time_of(run_with({.u = "=1/train.i^2"})) == "not-judged");
     CHECK(time_of(run_with({.u = "=1/train.i"})) == "pass");
-    CHECK(time_of(run_with({.u = "0.001"})) == "not-judged");  // typed, and no shaft of the train turns so slowly
+    CHECK(time_of(run_with({.parts = ", { J = \"1 kg*m^2\", u = \"=abs(1/train.i)\" }", .u = "0.001"})) ==
+          "not-judged");  // no shaft of the train turns so slowly
   }
 
   TEST_CASE("a flywheel at the speed of the run is accelerated in full") {

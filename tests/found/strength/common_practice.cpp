@@ -67,10 +67,10 @@ TEST_SUITE("found common practice") {
                                      "sigma_min = \"-100 MPa\"\nsigma_D = \"=limit.sigma_P\"\n"
                                      "group = \"carbon-steel\"\nR_m = \"900 MPa\"\nR_e = \"700 MPa\"\nS_D = 1.3\n"
                                      "S_F = 1.3\n"),
-                     "limit", "typed_values");
+                     "limit", "tail");
     };
     CHECK(life("0.05") == "not-judged");
-    CHECK(life("0.95") == "none");
+    CHECK(life("0.95") != "not-judged");
   }
 
   TEST_CASE("a required safety factor below common practice wants a reason") {

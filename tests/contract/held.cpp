@@ -39,6 +39,7 @@ std::string formula_text(const FieldInfo& field, std::string_view text, double l
 }
 
 std::string table_text(std::span<const FieldInfo> fields, void* owner, double load_factor);
+std::string value_text(const FieldInfo& field, void* owner, double load_factor);
 
 std::string list_text(const FieldInfo& list, void* owner, double load_factor) {
   std::string text;

@@ -93,6 +93,7 @@ void take_energies(const Motion::Input& in, double work, Motion::Result& r, Trac
 
 std::vector<double> times_to(double end, int rows) {
   std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(rows));
   for (int i = 0; i < rows; ++i) times.push_back(i + 1 == rows ? end : end * i / (rows - 1));
   return times;
 }

@@ -81,7 +81,7 @@ TEST_SUITE("vessel.thick") {
           Thick::Input in = tube(p, p_e);
           in.ends = ends, in.hypothesis = hypothesis, in.z_l = 0.85, in.z_c = 0.9, in.c = 1.0 * mm;
           in.delta = thick(in).delta_min;
-          CAPTURE(p_e);
+          CAPTURE(in_si(in.p_e));
           CHECK(std::abs(thick(in).u_v - 1.0) < 1e-9);
         }
       }

@@ -1,6 +1,5 @@
-#include "calculators/vessel/thick/cylinder.hpp"
-
 #include "calculators/vessel/cylinder.hpp"
+#include "calculators/vessel/thick/cylinder.hpp"
 #include "tests/calculators/vessel/vessel_tests.hpp"
 
 #include <doctest/doctest.h>

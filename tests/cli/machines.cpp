@@ -35,6 +35,9 @@ Ran shell(const Desk& desk, const std::string& line) {
   return desk.shell(as_any_user + ranks + line);
 }
 
+/// mpirun may end before its ranks do.
+const std::string until_left = "while loadpath sweep --status by | grep -q 'at work'; do sleep 0.1; done; ";
+
 }  // namespace
 
 TEST_SUITE("sweep over machines" * by_case) {
@@ -171,10 +174,11 @@ G = 8)";
     if (!is_built()) return;
     const Desk desk;
     desk.put("a.toml", swept_shaft);
-    // mpirun kills its ranks a second after the signal: on a loaded machine before they have told what is missing.
+    // mpirun kills its ranks a second after the signal, on a loaded machine before they have told what is missing.
     const Ran ran = shell(
         desk, "ranks 3 sweep a.toml --samples 100000000 --no-columns --out by --save-every 0.1 --quiet & at=$!; " +
-                  until_solved("by") + "kill -INT $(ps -o ppid= -p $(cat rank.0)); wait $at");
+                  until_solved("by") + "kill -INT $(ps -o ppid= -p $(cat rank.0)); wait $at; code=$?; " + until_left +
+                  "exit $code");
     CHECK(ran.code != 0);
     CHECK(!contains(ran.error, "stopped at 0 points"));
     const Ran status = desk.run({"sweep", "--status", "by"});
@@ -188,7 +192,7 @@ G = 8)";
     desk.put("a.toml", swept_shaft);
     const Ran ran = shell(
         desk, "ranks 3 sweep a.toml --samples 100000000 --no-columns --out by --save-every 0.1 --quiet & at=$!; " +
-                  until_solved("by") + "kill -9 $(cat rank.2); wait $at");
+                  until_solved("by") + "kill -9 $(cat rank.2); wait $at; code=$?; " + until_left + "exit $code");
     CHECK(ran.code != 0);
     const Ran status = desk.run({"sweep", "--status", "by"});
     CHECK(status.code == 1);

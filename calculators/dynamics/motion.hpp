@@ -2,7 +2,7 @@
 //
 // The forces are functions of time, position and velocity; m a = F is integrated from the given start to t_2, or to the
 // first zero of `until`, by steps of controlled error (Dormand and Prince, order 5). Kinetic energy and work are
-// calculated on separate ways, and their difference is shown beside the error of the solution. Sign: along the axes.
+// calculated separately, and both are shown with the estimated error of the solution. Sign: along the axes.
 // Source: [B32], [B34]. Not covered: impacts and constraints that start or end on the way. Two zeros of `until` closer
 // than 1/500 of t_2 may be missed; forces that jump are followed as far as steps can be shortened.
 #pragma once

@@ -123,7 +123,7 @@ void setup_completion(CLI::App& app, CompletionOptions& options, Action& action)
   sub->callback([&] { action = [&] { return completion(options); }; });
 }
 
-/// No option means anything by an empty text: --minimise "" asks for no search, as if it had not been typed.
+/// An option with an empty text is an error: --minimise "" would start no search, as if it had not been typed.
 void refuse_empty_texts(CLI::App& app) {
   const auto is_given = [](const std::string& text) { return text.empty() ? "a value is missing" : std::string(); };
   for (CLI::Option* option : app.get_options()) {

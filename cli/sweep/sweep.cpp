@@ -81,7 +81,8 @@ class Sweeping {
   [[nodiscard]] int ask_influence() const;
   [[nodiscard]] project::ReadAgain reading() const;
   [[nodiscard]] unsigned jobs() const;
-  [[nodiscard]] project::Searching searching(Progress& progress) const;
+  template <class Search>
+  [[nodiscard]] auto searched(const Search& search) const;
 
   const SweepOptions& options_;
   std::string text_;
@@ -274,8 +275,13 @@ unsigned Sweeping::jobs() const {
   return options_.jobs != 0 ? options_.jobs : std::max(1U, std::thread::hardware_concurrency());
 }
 
-project::Searching Sweeping::searching(Progress& progress) const {
-  return {reading(), jobs(), [&progress](std::uint64_t points) { progress.show(points); }};
+/// What a search finds with the threads of this command, while its progress is shown.
+template <class Search>
+auto Sweeping::searched(const Search& search) const {
+  Progress progress(0, !options_.quiet);
+  auto found = search(project::Searching{reading(), jobs(), [&](std::uint64_t points) { progress.show(points); }});
+  progress.end();
+  return found;
 }
 
 int Sweeping::refuse_all(const std::vector<Issue>& issues) const {
@@ -317,9 +323,9 @@ int Sweeping::choose() const {
   if (options_.quantile > 0.0) asked.quantile = options_.quantile;
   for (const project::SweptResult& column : plan_.columns) asked.results.emplace_back(column.name, column.text);
   std::vector<Issue> issues;
-  Progress progress(0, !options_.quiet);
-  const auto best = project::find_best(searching(progress), asked, project_.sweep.samples, project_.sweep.seed, issues);
-  progress.end();
+  const auto best = searched([&](const auto& how) {
+    return project::find_best(how, asked, project_.sweep.samples, project_.sweep.seed, issues);
+  });
   if (!best) return refuse_all(issues);
   const int code = tell_found("The best design", *best, report::best_blocks(*best));
   return code == passed && !best->optimum.allowed ? int{not_passed} : code;
@@ -327,9 +333,9 @@ int Sweeping::choose() const {
 
 int Sweeping::seek() const {
   std::vector<Issue> issues;
-  Progress progress(0, !options_.quiet);
-  const auto sought = project::seek_value(searching(progress), {options_.seek, {"--seek", 1, 1, 1}}, issues);
-  progress.end();
+  const auto sought = searched([&](const auto& how) {
+    return project::seek_value(how, {options_.seek, {"--seek", 1, 1, 1}}, issues);
+  });
   if (!sought) return refuse_all(issues);
   const int code = tell_found("The value sought", *sought, report::seek_blocks(*sought));
   return code == passed && sought->sought.meetings.empty() ? int{not_passed} : code;
@@ -337,9 +343,8 @@ int Sweeping::seek() const {
 
 int Sweeping::ask_influence() const {
   std::vector<Issue> issues;
-  Progress progress(0, !options_.quiet);
-  const auto influence = project::find_influence(searching(progress), plan_, project_.sweep, options_.sobol, issues);
-  progress.end();
+  const auto influence = searched(
+      [&](const auto& how) { return project::find_influence(how, plan_, project_.sweep, options_.sobol, issues); });
   if (!influence) return refuse_all(issues);
   return tell_found("Sensitivity of the results", *influence, report::influence_blocks(*influence));
 }

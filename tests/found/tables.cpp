@@ -138,6 +138,12 @@ TEST_SUITE("found tables") {
     };
     CHECK(ring("30000 rpm") == "");
     CHECK(ring("300000 rpm").find("is far from what a circlip of its size has") != std::string::npos);
+    const auto bearing = [&](const std::string& C) {
+      return first_error_of("[tables.bearings.X]\nd = \"40 mm\"\nD = \"80 mm\"\nC = \"" + C +
+                            "\"\nsource = \"maker\"\n" + circle);
+    };
+    CHECK(bearing("29.1 kN") == "");
+    CHECK(bearing("291 kN").find("is far from what a bearing of its size has") != std::string::npos);
     const auto steel = [&](const std::string& more) {
       return first_error_of("[tables.materials.M]\nR_e = \"3900 MPa\"\nR_m = \"4000 MPa\"\nsource = \"wish\"\n" + more +
                             circle);

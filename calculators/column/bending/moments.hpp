@@ -36,7 +36,7 @@ struct Moments {
     return most;
   }
 
-  /// The largest magnitude of the shear force: at one of the ends, or beside the force.
+  /// The largest magnitude of the shear force: at one of the ends, or next to the force.
   [[nodiscard]] Force shear() const {
     const Force even = abs((M_2 - M_1) / l), beside = abs(F / 2.0), at_ends = abs(q * l / 2.0 + F / 2.0);
     return even + max(beside, at_ends);

@@ -115,8 +115,8 @@ bool has_effect(Evaluation& evaluation, const Leaf& leaf, Probe& probe) {
   return moved || !tried;
 }
 
-/// The loads of a record that are absent beside others of the same dimension, present while this lives: F_a of a
-/// bearing under F_r only, which its f_0 belongs to.
+/// Gives a value, as long as it lives, to loads that are zero while another load of their dimension is not: F_a of a
+/// bearing under F_r only, without which its f_0 has no effect.
 class WithAbsentLoads {
  public:
   explicit WithAbsentLoads(const Record& record) {

@@ -43,7 +43,7 @@ std::string_view size_of_group(std::string_view group) {
   if (group == "chain") return "p";
   if (group == "key") return "b";
   if (group == "set_screw") return "d_s";
-  if (group == "bearing") return "d";
+  if (group == "bearing") return "D";
   return group == "circlip" || group == "spline" ? "d_1" : "";
 }
 

@@ -57,9 +57,8 @@ std::string series_text(const FieldInfo& field, const Value& series, double load
 }
 
 bool has_values(const FieldInfo& group, void* owner) {
-  return std::any_of(group.fields.begin(), group.fields.end(), [&](const FieldInfo& field) {
-    return !value_text(field, group.element(owner, 0), 1.0).empty();
-  });
+  return std::any_of(group.fields.begin(), group.fields.end(),
+                     [&](const FieldInfo& field) { return !value_text(field, group.element(owner, 0), 1.0).empty(); });
 }
 
 /// The value of a field as a project has it; empty where there is none.

@@ -108,6 +108,7 @@ Part shape_of(const table::Typed<Profile>& row) {
                                  : Shape::hollow;
   if (kind == "round hollow") p.shape = Shape::ring, p.d_i = row.h - 2.0 * row.t_w;
   if (kind == "hot_hollow") p.r = 1.5 * row.t_w, p.r_2 = row.t_w;
+  if (kind == "cold_hollow") p.r = 2.0 * row.t_w, p.r_2 = row.t_w;
   return p;
 }
 

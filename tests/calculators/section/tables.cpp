@@ -88,7 +88,58 @@ TEST_SUITE("section tables") {
       CHECK(rel(row.W_z, 2.0 * row.I_z / row.b) < 0.015);
       CHECK(rel(in_si(row.m), 7850.0 * in_si(row.A)) < 0.025);
     });
-    CHECK(count == 110);
+    CHECK(count == 289);
+  }
+
+  TEST_CASE(
+      "American beams, channels and piles: radii of gyration, section moduli and mass, shear centres of channels") {
+    const auto agree = [](const Row& row) {
+      CHECK(rel(row.i_y, sqrt(row.I_y / row.A)) < 0.015);
+      CHECK(rel(row.i_z, sqrt(row.I_z / row.A)) < 0.015);
+      CHECK(rel(row.W_y, 2.0 * row.I_y / row.h) < 0.03);
+      CHECK(rel(in_si(row.m), 7850.0 * in_si(row.A)) < 0.03);
+      CHECK(in_si(row.I_min) == in_si(row.I_z));
+      const auto p = solve<section::I>({{row.h, row.b, row.t_w, row.t_f}});
+      if (row.kind() == "rolled_I") CHECK(rel(row.I_y, p.I_y) < 0.07);
+    };
+    CHECK(for_family("sections/hp", agree) == 22);
+    CHECK(for_family("sections/s", agree) == 28);
+    const auto channel = [&](const Row& row) {
+      agree(row);
+      const auto p = solve<section::Channel>({row.h, row.b, row.t_w, row.t_f});
+      CHECK(rel(row.A, p.A) < 0.04);
+      CHECK(rel(row.I_y, p.I_y) < 0.04);
+      CHECK(rel(row.e_z, p.y_S) < 0.1);
+      CHECK(rel(row.W_z, row.I_z / (row.b - row.e_z)) < 0.03);
+    };
+    CHECK(for_family("sections/c", channel) == 32);
+    CHECK(for_family("sections/mc", channel) == 40);
+  }
+
+  TEST_CASE("American hollow sections are what their design thickness makes them, with corners of twice it") {
+    const std::size_t count = for_family("sections/hss", [](const Row& row) {
+      const auto p = solve<section::Hollow>({row.h, row.b, row.t_w, 2.0 * row.t_w, row.t_w});
+      CHECK(rel(row.A, p.A) < 0.02);
+      CHECK(rel(row.I_y, p.I_y) < 0.02);
+      CHECK(rel(row.I_z, p.I_z) < 0.02);
+      CHECK(rel(row.I_t, p.I_t) < 0.05);
+      CHECK(rel(row.i_y, sqrt(row.I_y / row.A)) < 0.02);
+      CHECK(rel(row.W_y, 2.0 * row.I_y / row.h) < 0.02);
+      CHECK(rel(row.W_z, 2.0 * row.I_z / row.b) < 0.02);
+    });
+    CHECK(count == 525);
+    for (const char* table : {"sections/hss_round", "sections/pipe"}) {
+      for_family(table, [](const Row& row) {
+        section::Ring::Input in{row.h};
+        in.t = row.t_w;
+        const auto p = solve<section::Ring>(in);
+        CHECK(rel(row.A, p.A) < 0.03);
+        CHECK(rel(row.I_y, p.I_y) < 0.03);
+        CHECK(rel(row.I_t, 2.0 * row.I_y) < 0.02);
+        CHECK(rel(row.W_y, 2.0 * row.I_y / row.h) < 0.02);
+        CHECK(rel(row.W_t, 2.0 * row.I_t / row.h) < 0.03);
+      });
+    }
   }
 
   TEST_CASE("UPE are what their sizes make them, with the distance of their centroid") {

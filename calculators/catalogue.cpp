@@ -21,7 +21,7 @@ namespace gear { struct Pair; struct Planetary; struct Rating; }
 namespace chain { struct Roller; }
 namespace drive { struct Train; }
 namespace belt { struct Flat; struct V; struct VSizing; struct Course; }
-namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; struct UniversalJoint; }
+namespace motion { struct Point; struct Rotation; struct Plane; struct Compound; struct Spatial; struct UniversalJoint; }
 namespace dynamics {
   struct ForceOfMotion; struct Throw; struct Impulse; struct SystemMomentum; struct MassCentre;
   struct AngularMomentumChange; struct WorkAndEnergy; struct Lift; struct Motion;
@@ -103,6 +103,7 @@ static constexpr std::array all{
     Row{&erased<motion::Rotation>},
     Row{&erased<motion::Plane>},
     Row{&erased<motion::Compound>},
+    Row{&erased<motion::Spatial>},
     Row{&erased<motion::UniversalJoint>},
     Row{&erased<dynamics::ForceOfMotion>},
     Row{&erased<dynamics::Throw>},

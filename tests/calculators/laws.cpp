@@ -186,6 +186,8 @@ const Law motion[] = {
     {"motion.plane", "", R"(v_A = "1.2 m/s")", "PA", 1},
     {"motion.compound", "", "v_xi = \"4 m/s\"\na_xi = \"12 m/s^2\"\nomega = \"6 rad/s\"\nepsilon = \"8 rad/s^2\"", "a",
      4},
+    {"motion.spatial", "", R"(zeta = "24 m")", "a", 2},
+    {"motion.spatial", "", "psi = \"0.6*t/(1 s)\"\ntheta = \"60 deg - 1*t/(1 s)\"", "epsilon", 4},
     {"motion.universal_joint", "", R"(n_1 = "3000 rpm")", "epsilon_max", 4},
     {"motion.universal_joint", "", R"(J_2 = "0.24 kg*m^2")", "M_J", 2},
     {"dynamics.force", "", R"(m = "4 kg")", "P", 2},

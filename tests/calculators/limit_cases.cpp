@@ -495,6 +495,8 @@ const Case motion[] = {
     {"motion.plane", "a_A = \"0.5 m/s^2\"\nalpha_aA = \"-90 deg\"\nalpha_aB = \"0 deg\"", "epsilon",
      (1.0 / 3 + 0.12) / 4},
     {"motion.compound", "omega = \"0 rad/s\"\nepsilon = \"0 rad/s^2\"", "a", 3.0},
+    {"motion.spatial", "theta = ", "a", 0.0},
+    {"motion.spatial", "theta = \"90 deg\"", "a", 12.0 * 0.3 * 0.3},
     {"motion.universal_joint", "beta = \"0 deg\"", "U", 0.0},
     {"motion.universal_joint", "beta = \"30 deg\"\nbeta_2 = \"30 deg\"\nphi_1 = \"50 deg\"", "i", 1.0},
     {"motion.universal_joint", "beta = \"60 deg\"", "U", 1.5},

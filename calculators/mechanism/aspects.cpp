@@ -12,6 +12,7 @@ static constexpr std::array list{
     &aspects::masses,
     &aspects::details,
     &aspects::closing,
+    &aspects::equilibrium,
     &aspects::contact,
     &aspects::courses,
     &aspects::drives,

@@ -231,7 +231,7 @@ void Ordinary::Parts::set_motion(const planar::Crank& crank) {
 }
 
 bool Ordinary::Parts::run(const Mechanism::Input& in) {
-  const bool statics = in.analysis == Mechanism::Analysis::statics;
+  const bool statics = leaves_out_inertia(in);
   if (columns.solve(drives, statics) != mechanism::Status::closed || !columns.in_lanes()) return false;
   bool finite = sweep::all_finite(columns.effort(0));
   for (std::size_t j = 0; j < cycle.positions[0].reactions.size(); ++j) {
@@ -245,7 +245,7 @@ bool Ordinary::Parts::run(const Mechanism::Input& in) {
 
 /// By all methods, where it begins: clear of change points no position is harder to solve than another.
 bool Ordinary::Parts::is_proved(const Mechanism::Input& in, const mechanism::Model& model) {
-  const bool statics = in.analysis == Mechanism::Analysis::statics;
+  const bool statics = leaves_out_inertia(in);
   if (prover) {
     prover->take_dimensions(model);
   } else {

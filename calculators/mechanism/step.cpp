@@ -223,6 +223,19 @@ bool MechanismStep::diagnose_model(const mechanism::Model& model, std::vector<Is
   return findings.empty() && uncovered.empty();
 }
 
+/// The loads move the mechanism wherever it is, or nowhere.
+static Message no_equilibrium(const Equilibria& sought, const Axis& axis) {
+  if (sought.everywhere)
+    return say(
+        "nothing moves the mechanism: it is in equilibrium at every position; give its loads, weights or springs");
+  if (std::isnan(sought.least)) return say("the mechanism closes at no position where it could be in equilibrium");
+  return say(
+      "no position of equilibrium: it needs at least {1} of its drive, at {2}; give other loads or springs, or "
+      "a wider range",
+      format_quantity(std::abs(sought.least), axis.unit == "deg" ? "N*m" : "N", 4),
+      format_quantity(sought.least_at, axis.unit, 4));
+}
+
 void MechanismStep::solve(const project::Known& known, const project::Wanted& wanted, std::vector<Issue>& issues) {
   const std::size_t before = issues.size();
   restore();
@@ -246,6 +259,10 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
   const bool redundant = !structure_.redundant.empty();
   set_axis_speed();
   const Cycle proved = solve_cycle(in_, model, redundant, axis_.get());
+  if (proved.positions.empty()) {
+    issues.push_back(issue_at(input(), "analysis", no_equilibrium(proved.equilibria, *axis_)));
+    return;
+  }
   const mechanism::Model released = redundant ? determinate(model, proved) : mechanism::Model();
   const Cycle shown = redundant ? without_what_is_not_unique(proved) : Cycle();
   const mechanism::Model& free = redundant ? released : model;
@@ -254,7 +271,7 @@ void MechanismStep::solve(const project::Known& known, const project::Wanted& wa
   Solved solved{name(), in_, structure_, model, free, proved, cycle, kinematics, axis_.get()};
   ask_all(&Aspect::find, solved, solved.found);
   tell(solved, wanted);
-  if (wanted.words) return ordinary_.reset();
+  if (wanted.words || stays_in_equilibrium(in_)) return ordinary_.reset();
   ordinary_ = Ordinary::of(solved, account(), asked(wanted));
   ordinary_for_ = wanted;
 }

@@ -200,7 +200,7 @@ Errors errors_of(const Mechanism::Input& in, const mechanism::Model& model, cons
   for (const mechanism::Clearance& c : clearances)
     errors.names.push_back(say("clearance in {1}", model.joints[c.joint].name));
   mechanism::ToleranceAnalysis analysis(model);
-  const bool statics = in.analysis == Mechanism::Analysis::statics;
+  const bool statics = leaves_out_inertia(in);
   for (const planar::Accuracy& wanted : in.accuracy) {
     const mechanism::Output output = output_of(in, model, wanted);
     auto& at = errors.at.emplace_back(cycle.positions.size());

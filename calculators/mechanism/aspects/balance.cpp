@@ -168,7 +168,7 @@ Table shaking_table(const Mechanism::Input& in, const Balanced& balanced) {
 void check_names_of_balance(NameFaults& faults) {
   const Mechanism::Input& in = faults.input();
   if (in.counterweights.empty()) return;
-  if (in.analysis == Mechanism::Analysis::statics)
+  if (leaves_out_inertia(in))
     faults.add("counterweights", say("counterweights balance inertia, and the analysis is static"),
                say("leave out analysis = \"static\""));
   if (!is_whole_turn(in))

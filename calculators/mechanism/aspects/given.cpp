@@ -121,7 +121,7 @@ Table drive_table(const Mechanism::Input& in) {
   if (in_si(in.gravity) != 0.0)
     table.rows.push_back({say("direction of gravity"), Quantity{in.gravity_direction, "deg"}});
   table.rows.push_back(
-      {say("inertia of the links"), in.analysis == Mechanism::Analysis::statics ? say("left out") : say("included")});
+      {say("inertia of the links"), leaves_out_inertia(in) ? say("left out") : say("included")});
   return table;
 }
 

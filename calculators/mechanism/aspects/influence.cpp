@@ -224,7 +224,7 @@ void show_influence(const Solved& solved, const Results& results, std::vector<ac
   const Cycle& cycle = solved.cycle;
   const std::size_t governing = governing_position(cycle, results);
   if (governing >= cycle.positions.size() || !cycle.has_forces(governing)) return;
-  const bool statics = solved.in.analysis == Mechanism::Analysis::statics;
+  const bool statics = leaves_out_inertia(solved.in);
   std::vector<Table> tables;
   add_causes(solved.model, cycle.positions[governing], statics, tables);
   // With other dimensions joints that hold too much would not close.

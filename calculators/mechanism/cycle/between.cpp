@@ -91,7 +91,7 @@ class Inserting {
   void close(const Schedule& schedule) {
     mechanism::ReleasedSystem system(model_, redundant_);
     (void)system.assemble();  // the solver of the cycle has reported a failure
-    const bool statics = in_.analysis == Mechanism::Analysis::statics;
+    const bool statics = leaves_out_inertia(in_);
     mechanism::Position place = mechanism::blank_position(model_);
     for (std::size_t k = 0; k < schedule.drives.size(); ++k) {
       const auto status = system.solve(schedule.drives[k], place, statics);

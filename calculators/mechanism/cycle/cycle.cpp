@@ -121,6 +121,14 @@ bool returns(mechanism::ReleasedSystem& system, const CycleTask& task, Cycle& cy
   return true;
 }
 
+/// The positions where nothing need hold it take the place of those that were asked for.
+void stay_in_equilibrium(const Mechanism::Input& in, const mechanism::Model& model, bool redundant,
+                         const Assembled& assembled, Cycle& cycle) {
+  cycle.equilibria = equilibria_of(in, model, redundant, cycle.between.places, assembled);
+  cycle.between = {};
+  for (const Equilibrium& e : cycle.equilibria.found) cycle.between.places.push_back(e.place);
+}
+
 }  // namespace
 
 std::string axis_name(const Mechanism::Input& in) {
@@ -143,6 +151,7 @@ Cycle solve_cycle(const Mechanism::Input& in, const mechanism::Model& model, boo
   const Assembled assembled = [&](std::size_t driver) { return system.coordinate(driver); };
   const bool stands = cycle.first_failure == Status::closed;
   if (stands) cycle.between = places_between(in, model, redundant, assembled);
+  if (stands && stays_in_equilibrium(in)) stay_in_equilibrium(in, model, redundant, assembled, cycle);
   Schedule schedule = stands ? schedule_of(in, assembled, cycle.between.places) : schedule_of(in, assembled);
   schedule.is_uneven = cycle.between.inserted > 0;
   if (axis != nullptr) fill_axis(schedule, *axis);
@@ -157,7 +166,7 @@ Cycle solve_cycle(const Mechanism::Input& in, const mechanism::Model& model, boo
   }
   if (redundant) cycle.unique = mechanism::uniqueness(model);
   const LoadCourses courses(in);
-  const CycleTask task{in, model, redundant, schedule, in.analysis == Mechanism::Analysis::statics, courses};
+  const CycleTask task{in, model, redundant, schedule, leaves_out_inertia(in), courses};
   cycle.first_failure = run(system, task, false, cycle);
   if (cycle.first_failure == Status::closed) {
     cycle.returns = schedule.period == 0.0 || !cycle.closed[0] || returns(system, task, cycle);

@@ -125,7 +125,9 @@ Schedule schedule_by_laws(const Mechanism::Input& in, const Assembled& assembled
 
 bool has_crank(const Mechanism::Input& in) { return !in.crank.joint.empty(); }
 
-bool is_whole_turn(const Mechanism::Input& in) { return has_crank(in) && in.crank.at.empty() && !has_law(in); }
+bool is_whole_turn(const Mechanism::Input& in) {
+  return has_crank(in) && in.crank.at.empty() && !has_law(in) && !stays_in_equilibrium(in);
+}
 
 double turning_sense(const planar::Crank& crank) { return in_si(crank.speed) < 0.0 ? -1.0 : 1.0; }
 

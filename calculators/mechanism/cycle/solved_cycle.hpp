@@ -2,6 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/cycle/between.hpp"
+#include "calculators/mechanism/cycle/equilibria.hpp"
 #include "lib/mechanism/groups/released_system.hpp"
 #include "lib/mechanism/proof/proof.hpp"
 #include "lib/mechanism/structure/release.hpp"
@@ -53,7 +54,8 @@ struct Cycle {
     std::size_t at = 0;
   };
   std::optional<Threshold> stands_somewhere, stands_everywhere;
-  Between between;  // features between the requested positions
+  Between between;        // features between the requested positions
+  Equilibria equilibria;  // the positions, where the analysis is of equilibrium
   mechanism::Status first_failure = mechanism::Status::closed;
   mechanism::Gap gap;                         // at the first failure
   double worst_condition = 0.0;               // largest condition number of the constraints; 0: no position is closed

@@ -28,7 +28,7 @@ struct Mechanism {
       "prismatic and slot joints, gears, belts, cams, rolling wheels and friction, over a cycle or at given "
       "positions; clearance enters as an error of the outputs; elasticity is not covered.";
   static constexpr auto source = "[A10], [B29], [B31], [D3]";
-  static constexpr auto headline = "torque {drive.M}|force {cylinders.*.F}";
+  static constexpr auto headline = "stable at {equilibrium.stable}|torque {drive.M}|force {cylinders.*.F}";
   static constexpr auto synonyms =
       "mechanism, linkage, four-bar linkage, slider-crank, crank mechanism, slotted lever, scotch yoke, "
       "toggle press, cam, follower, kinematics, kinetostatics, inverse dynamics, joint reaction, driving torque, "
@@ -78,7 +78,7 @@ F_y = "0 N"
     static constexpr Fields fields{NameField{&Side::side, "side", "side of a group: \"B_left\", \"D_ahead\""}};
   };
 
-  enum class Analysis { kinetostatic, statics };
+  enum class Analysis { kinetostatic, statics, equilibrium };
   /// A cylinder and the joint that it slides in.
   struct Actuator {
     Name name, joint;
@@ -171,7 +171,17 @@ F_y = "0 N"
 constexpr auto choices_of(Mechanism::Analysis) {
   using T = Mechanism::Analysis;
   return std::array{ChoiceName<T>{T::kinetostatic, "kinetostatic", "loads, weights and inertia"},
-                    ChoiceName<T>{T::statics, "static", "loads and weights; no inertia"}};
+                    ChoiceName<T>{T::statics, "static", "loads and weights; no inertia"},
+                    ChoiceName<T>{T::equilibrium, "equilibrium",
+                                  "only the positions where loads, weights and springs balance without the drive"}};
+}
+
+constexpr bool leaves_out_inertia(const Mechanism::Input& in) {
+  return in.analysis != Mechanism::Analysis::kinetostatic;
+}
+/// Whether its positions are those at which it is in equilibrium without its drive.
+constexpr bool stays_in_equilibrium(const Mechanism::Input& in) {
+  return in.analysis == Mechanism::Analysis::equilibrium;
 }
 
 }  // namespace loadpath::planar

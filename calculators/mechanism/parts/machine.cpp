@@ -112,7 +112,7 @@ void list_machine(std::vector<ResultPattern>& patterns) { list_patterns(machine_
 
 void add_machine(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
   const auto kept = std::make_shared<const mechanism::Model>(model);
-  const bool statics = in.analysis == Mechanism::Analysis::statics;
+  const bool statics = leaves_out_inertia(in);
   Machine machine{"",     kept, {}, std::make_shared<mechanism::Reduction>(*kept), !in.crank.joint.empty() && !statics,
                   statics};
   for (std::size_t n = 0; n < in.loads.size(); ++n) {

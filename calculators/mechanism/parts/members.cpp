@@ -116,7 +116,7 @@ void list_members(std::vector<ResultPattern>& patterns) {
 
 void add_members(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {
   const auto kept = std::make_shared<const mechanism::Model>(model);
-  const bool statics = in.analysis == Mechanism::Analysis::statics;
+  const bool statics = leaves_out_inertia(in);
   for (std::size_t k = 0; k < model.links.size(); ++k) {
     const mechanism::Member member = member_of(in, *kept, k);
     const bool unknown = has_no_size(*kept) && joint_points(in, in.links[k].name).size() > 1;

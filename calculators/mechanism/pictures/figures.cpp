@@ -67,7 +67,7 @@ void add_governing(const Solved& solved, const Results& results, const Extents& 
   const Cycle& cycle = solved.cycle;
   const std::size_t governing = solved.axis == nullptr ? 0 : governing_position(cycle, results);
   if (governing >= cycle.positions.size() || !cycle.has_forces(governing)) return;
-  const bool statics = solved.in.analysis == Mechanism::Analysis::statics;
+  const bool statics = leaves_out_inertia(solved.in);
   if (solved.axis != nullptr)
     figures.push_back(animation({solved.given, cycle, extents, points, results, *solved.axis, governing, statics}));
   for (figure::Figure& plan : plan_figures({solved.given, points, cycle.positions[governing], statics}))

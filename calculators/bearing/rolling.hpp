@@ -366,7 +366,8 @@ s_0 = 2
       Mode<Input>{"mate", "induced axial force", &runs_at_an_angle}.judged_by("x_i").of_shape(),
       Mode<Input>{"seat", "bearing on its seat (bore, width, fillet, shoulder)", &sits_on_a_shaft<Input>}
           .judged_by("x_d, x_B, x_r, x_a")
-          .of_shape(),
+          .wanting("d")
+          .special(),
       Mode<Input>{"other_loads", "further load components", &unseen<Input>}.by_companions(),
       Mode<Input>{"film", "lubrication and contamination (a_ISO)", &film_is_given<Input>}.judged_by("x_k").special(),
       Mode<Input>{"heat", "operating temperature and grease life", &unseen<Input>}.special(),

@@ -69,7 +69,8 @@ constexpr bool has_rings_of_its_width(Kind kind) {
 
 template <class Input>
 constexpr Applies sits_on_a_shaft(const Input& in) {
-  return is_set(in.d) && is_set(in.d_s) ? Applies::yes : Applies::no;
+  if (!is_set(in.d_s)) return Applies::no;
+  return is_set(in.d) ? Applies::yes : Applies::unseen;
 }
 
 template <class Input, class Result, class Tracer>

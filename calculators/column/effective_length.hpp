@@ -46,7 +46,7 @@ end_2 = "pinned"
 )";
 
   enum class End { unsaid, pinned, fixed, guided, free, elastic };
-  enum class Frame { braced, sway };
+  enum class Frame { unsaid, braced, sway };
 
   struct Support {
     Length x = unset<Length>;
@@ -61,7 +61,7 @@ end_2 = "pinned"
     Moment c_1 = unset<Moment>, c_2 = unset<Moment>;
     Stiffness k_1 = unset<Stiffness>, k_2 = unset<Stiffness>;
     double G_1 = unset<double>, G_2 = unset<double>;
-    Frame frame = Frame::braced;
+    Frame frame = Frame::unsaid;
     List<Support, most_supports> supports;
   };
   static constexpr Fields inputs{
@@ -96,7 +96,7 @@ end_2 = "pinned"
           .at_least(0)
           .usually(0.1, 100)
           .may_be_missing(),
-      Choice{&Input::frame, "frame", "frame type: braced or sway"}.may_be_missing(),
+      Choice{&Input::frame, "frame", "frame type, with G_1 and G_2: braced or sway"}.may_be_missing(),
       ListField{&Input::supports, "supports", "rigid intermediate supports"}.as_arrays().may_be_missing()};
 
   struct Result {
@@ -126,8 +126,10 @@ end_2 = "pinned"
   static constexpr std::array rules{
       Rule<Input>{&ends_or_frame, "end_1, end_2, G_1, G_2",
                   "state both end conditions, end_1 and end_2, or give G_1 and G_2 of a frame, not both"},
-      Rule<Input>{[](const Input& in) { return in.frame == Frame::braced || is_set(in.G_1); }, "frame, G_1, G_2",
+      Rule<Input>{[](const Input& in) { return in.frame != Frame::sway || is_set(in.G_1); }, "frame, G_1, G_2",
                   "a sway frame needs G_1 and G_2"},
+      Rule<Input>{[](const Input& in) { return in.frame != Frame::unsaid || !is_set(in.G_1); }, "frame, G_1",
+                  "state whether the frame is braced or may sway: frame = \"braced\" or frame = \"sway\""},
       Rule<Input>{&springs_fit_ends, "end_1, end_2, c_1, c_2, k_1, k_2",
                   "springs c and k belong to an elastic end, which needs at least one"},
       Rule<Input>{[](const Input& in) {
@@ -156,7 +158,8 @@ constexpr auto choices_of(EffectiveLength::End) {
 
 constexpr auto choices_of(EffectiveLength::Frame) {
   using F = EffectiveLength::Frame;
-  return std::array{ChoiceName<F>{F::braced, "braced", "braced against sway"},
+  return std::array{ChoiceName<F>{F::unsaid, "", "not stated"},
+                    ChoiceName<F>{F::braced, "braced", "braced against sway"},
                     ChoiceName<F>{F::sway, "sway", "free to sway"}};
 }
 

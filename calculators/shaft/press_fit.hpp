@@ -91,6 +91,8 @@ dT_adm = "250 K"
   static bool is_at_speed(const Input& in) { return is_set(in.n) && is_set(in.rho_1) && is_set(in.rho_2); }
   static Length least_usable(const Input& in);
   static bool expands_as_its_metal(Stress E, Density rho, Expansion alpha);
+  /// Metals of unlike stiffness expand unlike.
+  static bool are_of_two_metals(const Input& in) { return abs(in.E_1 - in.E_2) > 0.1 * max(in.E_1, in.E_2); }
   static FieldFault nothing_left(const Input& in);
   static Applies loaded(const Input& in);
   static constexpr auto inputs = join(
@@ -293,7 +295,11 @@ dT_adm = "250 K"
       Mode<Input>{"wall", "gear rim over the fit", &has_root<Input>}.judged_by("m_R").wanting("d_f").of_shape(),
       overhang<Input>(),
       Mode<Input>{"warmth", "thermal loss of interference",
-                  [](const Input& in) { return is_set(in.dT_1) || is_set(in.dT_2) ? Applies::no : Applies::unseen; }}
+                  [](const Input& in) {
+                    if (is_set(in.dT_1) || is_set(in.dT_2)) return Applies::no;
+                    return are_of_two_metals(in) ? where(true) : Applies::unseen;
+                  }}
+          .wanting("dT_1, dT_2")
           .special(),
       Mode<Input>{"brittle", "brittle fracture of the hub", &unseen<Input>}.special()};
 

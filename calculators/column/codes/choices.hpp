@@ -14,10 +14,10 @@ enum class Ends { unsaid, pinned_pinned, fixed_free, fixed_pinned, fixed_fixed, 
 constexpr auto choices_of(Ends) {
   using E = Ends;
   return std::array{ChoiceName<E>{E::unsaid, "", "not stated"},
-                    ChoiceName<E>{E::pinned_pinned, "pinned_pinned", "pinned at both ends"},
-                    ChoiceName<E>{E::fixed_free, "fixed_free", "fixed at the start, free at the end"},
+                    ChoiceName<E>{E::pinned_pinned, "pinned_pinned", "pinned at both ends", "pinned"},
+                    ChoiceName<E>{E::fixed_free, "fixed_free", "fixed at the start, free at the end", "cantilever"},
                     ChoiceName<E>{E::fixed_pinned, "fixed_pinned", "fixed at the start, pinned at the end"},
-                    ChoiceName<E>{E::fixed_fixed, "fixed_fixed", "fixed at both ends"},
+                    ChoiceName<E>{E::fixed_fixed, "fixed_fixed", "fixed at both ends", "fixed"},
                     ChoiceName<E>{E::fixed_guided, "fixed_guided", "sway: fixed at the start, guided at the end"},
                     ChoiceName<E>{E::pinned_guided, "pinned_guided", "sway: pinned at the start, guided at the end"}};
 }

@@ -253,6 +253,7 @@ S_Fmin = 1.4
                    [](const Input& in) { return strength_bounds(in.material_2, in.quality_2, in.H_2).sigma_F; }}};
 
   static constexpr std::array meanings{Meaning{"z_1, T_1", flanks_ground, "finish", "ground"}};
+  static constexpr std::array senses{SenseClaim{"T_1", "idler", "none, gear_1, gear_2", "both"}};
   static constexpr bool turns = true;
   static constexpr std::array modes{
       Mode<Input>{"pitting_1", "pitting, gear 1", &always<Input>}.judged_by("u_H1, x_eps"),

@@ -218,6 +218,21 @@ class Search {
   Equilibria all_;
 };
 
+/// With further places between those that were asked for: two angles may be the ends of a range.
+std::vector<double> densely(const std::vector<double>& places) {
+  constexpr std::size_t least = 180;
+  const std::size_t parts = places.size() < 2 ? 1 : (least + places.size() - 2) / (places.size() - 1);
+  std::vector<double> all;
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    for (std::size_t n = 0; n < parts; ++n) {
+      const double share = static_cast<double>(n) / static_cast<double>(parts);
+      all.push_back(places[k] + share * (places[k + 1] - places[k]));
+    }
+  }
+  if (!places.empty()) all.push_back(places.back());
+  return all;
+}
+
 FieldFault not_covered(std::string path, Message message, Message hint) {
   return {std::move(path), std::move(message), std::move(hint)};
 }
@@ -234,7 +249,7 @@ Equilibria equilibria_of(const Mechanism::Input& in, const mechanism::Model& mod
   std::vector<double> all = places;
   const bool whole_turn = has_crank(in) && in.crank.at.empty();
   if (whole_turn) all.push_back(static_cast<double>(positions_of(in)));
-  return Search(in, model, redundant, assembled).run(all, whole_turn);
+  return Search(in, model, redundant, assembled).run(densely(all), whole_turn);
 }
 
 std::vector<FieldFault> check_equilibrium(const Mechanism::Input& in, const mechanism::Model& model) {

@@ -62,6 +62,18 @@ bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(
   });
 }
 
+bool connects(const Step& step) {
+  const Calculator* const calculator = step.input().calculator;
+  if (calculator == nullptr || calculator->result == nullptr) return false;
+  const FieldInfo* const connection = find_field(calculator->result->fields, "connection");
+  return makes_notch(&step) || (connection != nullptr && connection->is_handed_over);
+}
+
+std::string material_of(const Step& step) {
+  const auto row = step.input().rows.find("material");
+  return row == step.input().rows.end() ? "" : row->second.text;
+}
+
 namespace {
 
 constexpr double most_apart = 1e-3;
@@ -78,14 +90,6 @@ bool is_fatigue_limit(std::string_view what) {
 }
 bool is_speed_ratio(std::string_view what) { return what == ratio_of_speeds; }
 
-/// Whether a step connects a hub to a shaft: it hands over a notch of the shaft, or the connection.
-bool connects(const Step& step) {
-  const Calculator* const calculator = step.input().calculator;
-  if (calculator == nullptr || calculator->result == nullptr) return false;
-  const FieldInfo* const connection = find_field(calculator->result->fields, "connection");
-  return makes_notch(&step) || (connection != nullptr && connection->is_handed_over);
-}
-
 /// The shaft with the diameter of a connection: "sh" of d = "=sh.d"; empty if it names none.
 std::string shaft_of(const Step& step) {
   if (!connects(step)) return {};
@@ -96,12 +100,6 @@ std::string shaft_of(const Step& step) {
     if (rest == "d") return std::string(name);
   }
   return {};
-}
-
-/// The material that a step names; empty if none.
-std::string material_of(const Step& step) {
-  const auto row = step.input().rows.find("material");
-  return row == step.input().rows.end() ? "" : row->second.text;
 }
 
 }  // namespace

@@ -27,6 +27,10 @@ bool is_compression_of_bar(const FieldInfo& field);
 /// Whether a step is a connection of one of several outputs of a shaft: another one carries its whole torque, and the
 /// torques of the outputs together make it up, but for the losses of a drive.
 bool is_one_of_outputs(const Step& step, const Project& project, const std::string& shaft);
+/// The material that a step names; empty if none.
+std::string material_of(const Step& step);
+/// Whether a step connects a hub to a shaft: it hands over a notch of the shaft, or the connection.
+bool connects(const Step& step);
 /// Whether the calculator declares one of these meanings for a field.
 bool means(const Calculator& calculator, const std::string& path, bool (*is_it)(std::string_view what));
 

@@ -207,6 +207,14 @@ bool may_change(const Evaluation& evaluation, const char* column, double part, d
   return of_material == provided.end() || hangs_on_size(of_material->entry, column, part, typed);
 }
 
+/// The least factor between the strength and an allowable stress: that which is customary for the safety factor that
+/// the calculator takes in its place, within rounded digits of the stress.
+double margin_of(const Evaluation& evaluation) {
+  constexpr double digits = 0.99;
+  const FieldInfo* const S = find_field(evaluation.calculator().input->fields, "S");
+  return S == nullptr ? least_margin : std::max(least_margin, digits * S->customary.low);
+}
+
 /// Typed stresses that the strength of the material bounds.
 void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& all) {
   const Reading& reading = evaluation.step().input().reading;
@@ -229,9 +237,10 @@ void add_strengths_beside(const Evaluation& evaluation, std::vector<Neighbour>& 
                    say("{1} of {2}", share.text, of),
                    Beside::capacity});
     const double typed = largest_magnitude(evaluation.inputs().value_of(path, leaf));
-    const double part = is_allowable(bound->meaning) ? share.part / least_margin : share.part;
+    const double margin = is_allowable(bound->meaning) ? margin_of(evaluation) : 0.0;
+    const double part = margin > 0.0 ? share.part / margin : share.part;
     all.back().by_size = may_change(evaluation, share.column, part, typed);
-    all.back().has_margin = is_allowable(bound->meaning);
+    all.back().margin = margin;
   });
 }
 

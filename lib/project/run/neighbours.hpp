@@ -17,7 +17,7 @@ struct Neighbour {
   Message source;  // "the material 'S235JR'"
   Beside kind = Beside::identity;
   bool by_size = false;
-  bool has_margin = false;     // an allowable stress, which is below the strength by a safety factor
+  double margin = 0.0;         // an allowable stress is below the strength by this factor; 0: it is none
   bool is_full = false;        // the typed value is the strength, or little below it
   std::string row_of = {};     // the table of the row; empty: of a record, or a strength
   bool is_unassessed = false;  // a value that a step would calculate

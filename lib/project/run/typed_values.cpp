@@ -76,8 +76,8 @@ std::vector<Neighbour> bolder_ones(const Evaluation& evaluation, const Results& 
     if (is_of_one_part(beside.kind)) continue;
     const double typed = typed_value(evaluation, beside), other = largest_magnitude(beside.value);
     const bool is_the_same = std::isnan(typed) || is_equal(beside.kind, typed, other, rounding_of(evaluation, beside));
-    const bool lacks_margin = beside.has_margin && least_margin * typed > other && typed < other;
-    if ((is_the_same && beside.has_margin && !std::isnan(typed)) || lacks_margin) {
+    const bool lacks_margin = beside.margin > 0.0 && beside.margin * typed > other && typed < other;
+    if ((is_the_same && beside.margin > 0.0 && !std::isnan(typed)) || lacks_margin) {
       beside.is_full = true;
       for (double& si : beside.value.si) si *= 0.5;  // a lower value shows which checks it decides
       bolder.push_back(std::move(beside));

@@ -1,6 +1,7 @@
 #include "lib/project/sweep/variants.hpp"
 
 #include "lib/project/modes.hpp"
+#include "lib/project/references/machine/same_part.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/project/solving/solve.hpp"
 #include "lib/project/sweep/points/alone.hpp"
@@ -177,7 +178,7 @@ bool Variants::find_kernels() {
     Step& step = *project_.steps[i];
     auto* const calculator = dynamic_cast<CalculatorStep*>(&step);
     std::unique_ptr<PointStep> kernel;
-    if (affected.contains(step.name()) && compares_numbers(step, project_)) {
+    if (affected.contains(step.name()) && (compares_numbers(step, project_) || takes_sizes(step, project_))) {
       kernels_.clear();
       return false;
     }

@@ -1,8 +1,10 @@
 #include "lib/project/references/machine/machine.hpp"
 
+#include "lib/project/references/machine/chained_drives.hpp"
 #include "lib/project/references/machine/middles.hpp"
 #include "lib/project/references/machine/other_steps.hpp"
 #include "lib/project/references/machine/ratings.hpp"
+#include "lib/project/references/machine/same_part.hpp"
 #include "lib/project/references/reductions.hpp"
 
 namespace loadpath::project {
@@ -10,7 +12,8 @@ namespace loadpath::project {
 void check_machine(Step& step, const Project& project) {
   for (const auto& contradicted :
        {values_of_runs(step, project), factors_of_takers(step, project), lives_on_shaft(step, project),
-        values_of_ratings(step, project), values_at_middle(step)})
+        values_of_ratings(step, project), values_at_middle(step), values_of_same_part(step, project),
+        powers_of_chained(step, project)})
     hold_unless_justified(step, contradicted);
 }
 

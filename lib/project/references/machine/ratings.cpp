@@ -4,6 +4,7 @@
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/table/tables.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,10 @@ class RatingCheck {
     const Leaf place = place_of(step_);
     if (!place) return {};
     pairs_ = steps_named_in(step_.input().reading);
-    for (const auto& shaft : project_.steps) compare_shaft(*shaft, word_of(place));
+    for (const auto& shaft : project_.steps) {
+      compare_shaft(*shaft, word_of(place));
+      compare_hardening(*shaft);
+    }
     compare_cycles(step_);
     for (const auto& pair : project_.steps) {
       if (!pairs_.contains(pair->name())) continue;
@@ -79,6 +83,26 @@ class RatingCheck {
       if (!bearings || std::isnan(x)) continue;
       const double l = bearings->second - bearings->first;
       compare_place(shaft, place, l, std::abs(x - 0.5 * (bearings->first + bearings->second)));
+    }
+  }
+
+  /// Teeth that are cut into a shaft are of its steel.
+  void compare_hardening(const Step& shaft) {
+    if (shaft.input().calculator == nullptr || shaft.input().tables == nullptr) return;
+    const std::string material = material_of(shaft);
+    const auto row = shaft.input().tables->find_row("material", material);
+    if (material.empty() || !row || row->row->kind == "case hardening steel") return;
+    for (const Taken& record : shaft.input().reading.records) {
+      const auto [pair, gear] = split_step(record.source);
+      if (!pairs_.contains(pair) || !(gear == "gear_1" || gear == "gear_2")) continue;
+      const Leaf integral = find_leaf(shaft.input().reading.record, prefix_of(record.path) + "integral");
+      const std::string key = "material_" + gear.substr(5);
+      const Leaf teeth = find_leaf(step_.input().reading.record, key);
+      if (!is_choice(integral) || word_of(integral) != "true" || !is_choice(teeth) || word_of(teeth) != "case") continue;
+      found_.push_back(
+          {key, say("the teeth are one piece with the shaft '{1}' of {2}, which is no case-hardening steel; "
+                    "justify it: because.{3} = \"...\"",
+                    shaft.name(), material, key)});
     }
   }
 

@@ -1,0 +1,69 @@
+#include "lib/project/references/machine/chained_drives.hpp"
+
+#include "lib/project/references/origins.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double least_efficiency = 0.85, most_power = 1.1;  // of one drive; a power beside its losses
+
+/// The load of a drive, "P" or "T_1"; empty if it has none.
+std::string load_of(const Step& step, const Project& project) {
+  for (const char* const key : {"P", "T_1"}) {
+    if (!std::isnan(own_value(step, project, key))) return key;
+  }
+  return {};
+}
+
+double power_of(const Step& step, const Project& project) {
+  const std::string load = load_of(step, project);
+  if (load == "P") return std::abs(own_value(step, project, "P"));
+  return load.empty() ? std::nan("") : std::abs(own_value(step, project, "T_1") * own_value(step, project, "n_1"));
+}
+
+/// The drive whose output speed is the input speed of the step, its sign aside; null if there is none.
+const Step* drive_before(const Step& step, const Project& project) {
+  for (const Operand& operand : step.input().reading.operands) {
+    if (operand.path != "n_1" && operand.path != "n") continue;
+    const auto& references = operand.expression.references();
+    if (references.size() != 1) continue;
+    const auto [name, rest] = split_step(references.front().path);
+    const Step* const source = project.find(name);
+    if (rest == "n_2" && source != nullptr && source != &step && source->input().calculator != nullptr) return source;
+  }
+  return nullptr;
+}
+
+/// Whether a load of the step is one of the other: it is compared there.
+bool takes_load_from(const Step& step, const std::string& name) {
+  const auto& operands = step.input().reading.operands;
+  return std::any_of(operands.begin(), operands.end(), [&](const Operand& operand) {
+    const auto& references = operand.expression.references();
+    return operand.leaf.field->is_load && std::any_of(references.begin(), references.end(), [&](const auto& one) {
+             return split_step(one.path).first == name;
+           });
+  });
+}
+
+}  // namespace
+
+std::vector<ReducedLoad> powers_of_chained(const Step& step, const Project& project) {
+  if (step.input().calculator == nullptr) return {};
+  const Step* const before = drive_before(step, project);
+  if (before == nullptr || takes_load_from(step, before->name())) return {};
+  const std::string load = load_of(step, project);
+  const double own = power_of(step, project), given = power_of(*before, project);
+  if (load.empty() || std::isnan(own) || !(given > 0.0)) return {};
+  if (own >= least_efficiency * given && own <= most_power * given) return {};
+  return {
+      {load, say("{1} makes {2}, and '{3}', whose speed it runs at, passes on {4}; justify it: because.{1} = \"...\"",
+                 load, format_quantity(own, "kW", 4), before->name(), format_quantity(given, "kW", 4))}};
+}
+
+}  // namespace loadpath::project

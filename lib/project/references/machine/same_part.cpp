@@ -1,0 +1,182 @@
+#include "lib/project/references/machine/same_part.hpp"
+
+#include "lib/calculator/solid.hpp"
+#include "lib/project/references/origins.hpp"
+#include "lib/project/references/references.hpp"
+#include "lib/project/references/sources.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/quantity/units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double same = 1e-3;  // of a value: sizes typed with few digits
+
+bool is_outer_diameter(std::string_view key) { return key == "d" || key == "d_w" || key == "d_max" || key == "d_1"; }
+bool is_side_of_plate(std::string_view key) { return key == "h" || key == "b" || key == "t"; }
+bool is_radius(std::string_view key) { return key == "R" || key == "r" || key.starts_with("R_i") || key == "R_a"; }
+bool is_diameter(std::string_view key) { return key.starts_with("D") || key.starts_with("d"); }
+bool is_solid(std::string_view what) { return what == diameter_of_solid; }
+
+std::string_view key_in(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+/// A length that is a size of another step as it is, "=shaft.d".
+struct TakenSize {
+  const Operand* operand;
+  const Step* source;
+  std::string rest;  // "segments.a.d"
+};
+
+std::vector<TakenSize> sizes_taken(const Step& step, const Project& project) {
+  std::vector<TakenSize> all;
+  for (const Operand& operand : step.input().reading.operands) {
+    if (operand.leaf.field->dimension != m.dimension() || !operand.expression.is_reference()) continue;
+    auto [name, rest] = split_step(operand.expression.references().front().path);
+    const Step* const source = project.find(name);
+    if (source != nullptr && source != &step && source->input().calculator != nullptr)
+      all.push_back({&operand, source, std::move(rest)});
+  }
+  return all;
+}
+
+class PartCheck {
+ public:
+  PartCheck(const Step& step, const Project& project) : step_(step), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    if (step_.input().calculator == nullptr) return {};
+    for (const TakenSize& size : sizes_taken(step_, project_)) {
+      compare_bore(size);
+      compare_measure(size);
+      if (is_of_same_body(size)) compare_material(size.operand->path, *size.source);
+    }
+    compare_bore_of_shaft();
+    for (const Taken& record : step_.input().reading.records) {
+      const auto [name, rest] = split_step(record.source);
+      const Step* const source = project_.find(name);
+      if (source != nullptr && key_in(rest) == "cycle") compare_material(record.path, *source);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void add(const std::string& path, Message message) {
+    const auto is_it = [&](const ReducedLoad& one) { return one.path == path; };
+    if (std::none_of(found_.begin(), found_.end(), is_it)) found_.push_back({path, std::move(message)});
+  }
+
+  [[nodiscard]] Leaf leaf(const std::string& path) const { return find_leaf(step_.input().reading.record, path); }
+
+  /// The bore beside a diameter there: of the same element of a list, of the part, or where it was sized.
+  double bore_of(const TakenSize& size) const {
+    const std::string name = size.source->name() + ".";
+    const double beside = magnitude_at(project_, name + prefix_of(size.rest) + "d_bore");
+    return std::isnan(beside) ? magnitude_at(project_, name + "d_bore") : beside;
+  }
+
+  /// The bore of this step beside a diameter, as it calls it; empty if it has none.
+  std::string own_bore(const std::string& beside) const {
+    for (const char* const key : {"d_bore", "d_i"}) {
+      if (leaf(beside + key)) return beside + key;
+    }
+    return {};
+  }
+
+  void compare_bore(const TakenSize& size) {
+    const std::string& path = size.operand->path;
+    if (!is_outer_diameter(key_in(path)) || !is_outer_diameter(key_in(size.rest))) return;
+    const double bore = bore_of(size);
+    if (!(bore > 0.0)) return;
+    const std::string own = own_bore(prefix_of(path)), told = format_quantity(bore, "mm", 4);
+    if (own.empty()) {
+      if (means(*step_.input().calculator, path, &is_solid))
+        add(path, say("'{1}' has a bore of {2}, and a solid shaft is assumed here; justify it: because.{3} = \"...\"",
+                      size.source->name(), told, path));
+      return;
+    }
+    if (is_less(own, bore))
+      add(path, say("{1} is that of '{2}', whose bore of {3} is left out: give {4} = \"{3}\", or because.{1} = \"...\"",
+                    path, size.source->name(), told, own));
+  }
+
+  /// A connection is on the shaft whose torque it takes, though it may type the diameter.
+  void compare_bore_of_shaft() {
+    const std::string own = own_bore("");
+    if (own.empty() || !connects(step_) || !found_.empty()) return;
+    for (const std::string& name : steps_loading(step_.input().reading)) {
+      const double bore = magnitude_at(project_, name + ".d_bore");
+      if (bore > 0.0 && is_less(own, bore))
+        add(own, say("'{1}' has a bore of {2}: give {3} = \"{2}\", or because.{3} = \"...\"", name,
+                     format_quantity(bore, "mm", 4), own));
+    }
+  }
+
+  bool is_less(const std::string& own, double bore) const {
+    return !(own_value(step_, project_, own) >= bore * (1.0 - same));
+  }
+
+  /// A radius in place of a diameter is half of it, a diameter in place of a radius twice.
+  void compare_measure(const TakenSize& size) {
+    const std::string& path = size.operand->path;
+    const std::string_view here = key_in(path), there = key_in(size.rest);
+    const std::string source = size.source->name() + "." + size.rest;
+    if (is_diameter(here) && is_radius(there))
+      add(path, say("{1} is a diameter, and '{2}' is a radius; justify it: because.{1} = \"...\"", path, source));
+    if (is_radius(here) && is_diameter(there))
+      add(path, say("{1} is a radius, and '{2}' is a diameter; justify it: because.{1} = \"...\"", path, source));
+  }
+
+  /// Whether a size tells that both steps describe one part: a round bar, whose bore this step takes too, or a plate.
+  [[nodiscard]] bool is_of_same_body(const TakenSize& size) const {
+    if (size.operand->of_record)
+      return false;  // the eye of a pin has the plate of the joint, and the material of its own
+    const std::string_view here = key_in(size.operand->path), there = key_in(size.rest);
+    if (is_side_of_plate(here) && is_side_of_plate(there)) return true;
+    return here == "d" && is_outer_diameter(there) && !own_bore(prefix_of(size.operand->path)).empty();
+  }
+
+  /// Typed, or taken from another step.
+  static std::string named_material(const Step& step) {
+    const std::string typed = material_of(step);
+    return typed.empty() || typed.starts_with('=') ? step.word("material") : typed;
+  }
+
+  /// The material of a connection is that of its hub.
+  void compare_material(const std::string& path, const Step& source) {
+    if (connects(step_) || connects(source)) return;
+    const std::string own = named_material(step_), theirs = named_material(source);
+    if (!own.empty() && !theirs.empty() && own != theirs) {
+      add(path, say("'{2}' is of {3}, and the material here is {4}: because.{1} = \"...\"", path, source.name(), theirs,
+                    own));
+      return;
+    }
+    if (!own.empty()) return;
+    for (const char* const key : {"R_e", "R_m"}) {
+      const double here = own_value(step_, project_, key), there = magnitude_at(project_, source.name() + "." + key);
+      if (here > there * (1.0 + same))
+        add(path, say("{2} = {3} here, and '{4}' has {5}: because.{1} = \"...\"", path, key,
+                      format_quantity(here, "MPa", 4), source.name(), format_quantity(there, "MPa", 4)));
+    }
+  }
+
+  const Step& step_;
+  const Project& project_;
+  std::vector<ReducedLoad> found_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> values_of_same_part(const Step& step, const Project& project) {
+  return PartCheck(step, project).run();
+}
+
+bool takes_sizes(const Step& step, const Project& project) { return !sizes_taken(step, project).empty(); }
+
+}  // namespace loadpath::project

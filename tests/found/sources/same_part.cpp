@@ -61,7 +61,7 @@ std::string eye(const std::string& strength) {
 }
 
 std::string second_stage(const std::string& P) {
-  return R"([first]
+  return R"gears([first]
 calculator = "gear.pair"
 z_1 = 20
 z_2 = 60
@@ -78,13 +78,12 @@ z_1 = 20
 z_2 = 60
 m_n = "4 mm"
 b = "60 mm"
-P = ")" +
-         P + R"("
 n_1 = "=abs(first.n_2)"
 K_f = 1.5
 sigma_adm_1 = "400 MPa"
 sigma_adm_2 = "400 MPa"
-)";
+P = ")gears" +
+         P + "\"\n";
 }
 
 std::string word(const std::string& text, const char* step, const char* mode) {

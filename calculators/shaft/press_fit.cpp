@@ -1,5 +1,6 @@
 #include "calculators/shaft/press_fit.hpp"
 
+#include "calculators/load/pressed_rings.hpp"
 #include "lib/calculator/calculator_of.hpp"
 #include "lib/quantity/format.hpp"
 
@@ -46,8 +47,8 @@ void pressures(const Input& in, Result& r, Tracer& trace) {
   growth(in, r, trace);
   STEP_TO(r, Q_1, in.d_i / in.d, "bore of the shaft over the fit");
   STEP_TO(r, Q_2, in.d / in.D, "fit over the outer diameter of the hub");
-  STEP(K_1, (1.0 + pow<2>(Q_1)) / (1.0 - pow<2>(Q_1)) - in.nu_1, "shaft under pressure outside, [Lame]");
-  STEP(K_2, (1.0 + pow<2>(Q_2)) / (1.0 - pow<2>(Q_2)) + in.nu_2, "hub under pressure inside, [Lame]");
+  const auto [K_1, K_2] = compliances_of_rings(in, Q_1, Q_2, "shaft under pressure outside, [Lame]",
+                                               "hub under pressure inside, [Lame]", trace);
   const Length U_w_min = r.U_w_min, U_w_max = r.U_w_max;
   if (!is_set(r.U_n)) {
     STEP_TO(r, p_min, U_w_min / (in.d * (K_1 / in.E_1 + K_2 / in.E_2)), "minimum pressure, [Lame]");

@@ -186,6 +186,10 @@ constexpr auto wall_rules() {
                   "delta, c, c_t, f_t", "the wall must be thicker than its allowances"}};
 }
 
+/// Requirement of thick walls: Tresca or von Mises.
+inline constexpr auto radial_stress_needed =
+    "a thick wall needs a radial stress: give hypothesis = \"tresca\" or \"mises\"";
+
 template <class Input>
 constexpr auto liquid_rules() {
   return std::array{Rule<Input>{[](const Input& in) { return is_set(in.rho) == is_set(in.h_l); }, "rho, h_l",

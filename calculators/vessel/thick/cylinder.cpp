@@ -1,5 +1,8 @@
 #include "calculators/vessel/thick/cylinder.hpp"
 
+#include "calculators/vessel/thick/carrying.hpp"
+#include "calculators/vessel/thick/lame_constants.hpp"
+#include "calculators/vessel/thick/plastic.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
@@ -13,43 +16,12 @@ using Input = Thick::Input;
 using Ends = Thick::Ends;
 using Result = Thick::Result;
 
-/// Lamé's constants: the radial stress is A - B/r^2, the hoop stress A + B/r^2.
-struct Lame {
-  Stress A = unset<Stress>;
-  Force B = unset<Force>;
-
-  [[nodiscard]] Stress hoop(Length r) const { return A + B / pow<2>(r); }
-  [[nodiscard]] Stress radial(Length r) const { return A - B / pow<2>(r); }
-};
-
-template <class Tracer>
-Lame constants(const Input& in, const Result& r, Tracer& trace) {
-  STEP(A, (in.p * pow<2>(r.R_i) - in.p_e * pow<2>(r.R_a)) / (pow<2>(r.R_a) - pow<2>(r.R_i)),
-       "mean of hoop and radial stress, the same at every radius, [Lame]");
-  STEP(B, (in.p - in.p_e) * pow<2>(r.R_i * r.R_a) / (pow<2>(r.R_a) - pow<2>(r.R_i)),
-       "their difference, half of it, times the square of the radius, [Lame]");
-  return {A, B};
-}
-
 template <class Tracer>
 Stress axial(const Input& in, const Lame& lame, Tracer& trace) {
   const Stress A = lame.A;
   if (in.ends == Ends::closed) return NAMED_STEP("sigma_z", A, "force on the ends over the section of the wall");
   if (in.ends == Ends::open) return trace.value("sigma_z", 0.0 * MPa, "no ends, no axial force");
   return NAMED_STEP("sigma_z", 2.0 * in.nu * A, "no axial strain, Hooke");
-}
-
-/// Equivalent stress where the radial stress is that of a pressure.
-template <class Tracer>
-Stress at_surface(const char* place, const Input& in, Stress sigma_t, Stress sigma_z, Stress pressure,
-                  const Strength& strength, Tracer& trace) {
-  [[maybe_unused]] const auto scope = trace.scope(place, 0);
-  trace.value("sigma_t", sigma_t, "hoop stress there");
-  trace.value("sigma_z", sigma_z, "axial stress");
-  const Stress p_i = trace.value("p_i", pressure, "pressure there");
-  STEP(s_o, sigma_t / in.z_l, "hoop stress for longitudinal welds");
-  STEP(s_M, sigma_z / in.z_c, "axial stress for circumferential welds");
-  return equivalent(s_o, s_M, p_i, strength.hypothesis, trace);
 }
 
 /// The least thickness: with x = 1/(k^2 - 1), k the ratio of the radii, every stress of both surfaces is linear in x.
@@ -65,17 +37,6 @@ Length least(const Input& in, const Strength& strength, Tracer& trace) {
   return ordered("delta_min", thickness_of_ratio(wall_over_mean<2>(x), mean), in, trace);
 }
 
-/// Radii of what corrosion and mill leave of the wall.
-template <class Tracer>
-void radii(const Input& in, Result& r, Tracer& trace) {
-  r.delta_min = least(in, strength_of(in, r.sigma_all), trace);
-  r.delta = is_set(in.delta) ? in.delta : r.delta_min;
-  r.delta_c = carrying(in, r.delta, trace);
-  const Length R_m = mean_radius(in.R, offset(in, r.delta, r.delta_c, trace), trace);
-  STEP_TO(r, R_i, R_m - 0.5 * r.delta_c, "inside of the carrying wall");
-  STEP_TO(r, R_a, R_m + 0.5 * r.delta_c, "outside of the carrying wall");
-}
-
 /// Both differences of principal stresses and their squares are convex in 1/r^2: a surface governs.
 template <class Tracer>
 void stresses(const Input& in, const Lame& lame, Result& r, Tracer& trace) {
@@ -85,12 +46,9 @@ void stresses(const Input& in, const Lame& lame, Result& r, Tracer& trace) {
   r.sigma_z = axial(in, lame, trace);
   STEP_TO(r, sigma_ti, A + B / pow<2>(r.R_i), "hoop stress at the inner surface, [Lame]");
   STEP_TO(r, sigma_ta, A + B / pow<2>(r.R_a), "hoop stress at the outer surface, [Lame]");
-  r.sigma_vi = at_surface("inner", in, r.sigma_ti, r.sigma_z, in.p, strength, trace);
-  r.sigma_va = at_surface("outer", in, r.sigma_ta, r.sigma_z, in.p_e, strength, trace);
-  trace.value("sigma_vi", r.sigma_vi, "inner surface");
-  trace.value("sigma_va", r.sigma_va, "outer surface");
-  STEP_TO(r, sigma_v, max(r.sigma_vi, r.sigma_va), "the governing surface: between them it is smaller");
-  STEP_TO(r, u_v, r.sigma_v / r.sigma_all, "strength condition");
+  const Stress inner = at_surface("inner", in, r.sigma_ti, r.sigma_z, in.p, strength, trace);
+  const Stress outer = at_surface("outer", in, r.sigma_ta, r.sigma_z, in.p_e, strength, trace);
+  governing_surface(inner, outer, r, trace);
 }
 
 template <class Tracer>
@@ -121,13 +79,8 @@ void plastic(const Input& in, Result& r, Tracer& trace) {
   if (!(r.sigma_v > 0.0 * MPa)) return;  // the same pressure all round: nothing yields
   STEP_TO(r, S_F, in.R_e / r.sigma_v, "first yield at the governing surface");
   if (!is_middle_axial(in, r)) return;
-  if (in.hypothesis == Hypothesis::mises && in.ends != Ends::open) {
-    STEP_TO(r, p_pl, 2.0 / sqrt(3.0) * in.R_e * log(r.R_a / r.R_i),
-            "all of the wall yields by von Mises, without hardening, [Plastic-cylinder]");
-  } else {
-    STEP_TO(r, p_pl, in.R_e * log(r.R_a / r.R_i),
-            "all of the wall yields by Tresca, without hardening, [Plastic-cylinder]");
-  }
+  const Stress Y = yield_difference(in.R_e, in.ends == Ends::open ? Hypothesis::tresca : in.hypothesis, trace);
+  r.p_pl = plastic_pressure(Y, r.R_i, r.R_a, trace);
   if (in.p == in.p_e) return;
   STEP_TO(r, S_pl, r.p_pl / abs(in.p - in.p_e), "safety against full plasticity");
 }
@@ -138,8 +91,8 @@ template <class Tracer>
 Thick::Result Thick::evaluate(const Input& in, Tracer& trace) {
   Result r;
   r.sigma_all = allowable(in, trace);
-  radii(in, r, trace);
-  const Lame lame = constants(in, r, trace);
+  carrying_radii(in, least(in, strength_of(in, r.sigma_all), trace), r, trace);
+  const Lame lame = lame_constants(in.p, in.p_e, r.R_i, r.R_a, trace);
   stresses(in, lame, r, trace);
   at_radius(in, lame, r, trace);
   displacements(in, r, trace);
@@ -154,7 +107,7 @@ std::vector<figure::Figure> Thick::figures(const Input& in, const Result& r) {
   if (!is_set(r.sigma_v)) return {};
   constexpr int count = 60;
   NoTrace off;
-  const Lame lame = constants(in, r, off);
+  const Lame lame = lame_constants(in.p, in.p_e, r.R_i, r.R_a, off);
   figure::Plot plot;
   plot.x = {"r", "radius", "mm"};
   plot.y = {"sigma", "stress", "MPa"};

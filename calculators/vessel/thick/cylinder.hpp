@@ -113,7 +113,7 @@ E = "210 GPa"
            std::array{Rule<Input>{[](const Input& in) { return in.p > 0.0 * MPa || in.p_e > 0.0 * MPa; }, "p, p_e",
                                   "give an internal pressure p or an external pressure p_e"},
                       Rule<Input>{[](const Input& in) { return in.hypothesis != Hypothesis::membrane; }, "hypothesis",
-                                  "a thick wall needs a radial stress: give hypothesis = \"tresca\" or \"mises\""},
+                                  radial_stress_needed},
                       Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
                                   "the wall must be thinner than the radius"}});
 

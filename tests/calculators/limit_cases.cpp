@@ -220,6 +220,23 @@ const Case vessels[] = {
     // thick to thin: the boiler formula on the mean radius
     {"vessel.thick", "delta = \"0.08 mm\"\np = \"0.04 MPa\"\nmeasured = \"mean\"", "sigma_ti",
      0.04e6 * (1000 + 0.25 / 1000)},
+    {"vessel.thick", "delta = \"40 mm\"\nends = \"open\"\nhypothesis = \"mises\"", "p_pl", 355e6 * std::log(1.5)},
+    // tubes of 100, 200, 400 mm: K_1 + K_2 = 10/3; bore pressed by 88.2 MPa
+    {"vessel.compound", "", "p_max", 210e9 * 280e-6 / 0.2 * 0.3},
+    {"vessel.compound", "", "states.rest.sigma_1i", -2 * 88.2e6 / 0.75},
+    {"vessel.compound", "", "states.pressure_loose.sigma_1i", (250e6 * 1.25 - 2 * 125.6e6) / 0.75},
+    {"vessel.compound", "", "states.pressure.sigma_2a", 2 * 138.2e6 * 0.25 / 0.75},
+    {"vessel.compound", "", "q_p", 0.2},
+    {"vessel.compound", "ends = \"closed\"", "q_p", 0.2},  // one tube of one material
+    {"vessel.compound", "ends = \"closed\"", "states.pressure.sigma_z1", 250e6 / 15},
+    {"vessel.compound", "ends = \"closed\"", "states.pressure.sigma_z2", 250e6 / 15},
+    {"vessel.compound", "", "p_opt", 75e6},
+    {"vessel.compound", "", "U_opt", 75e6 / 210e9 / 0.3 * 0.2},
+    {"vessel.compound", "", "p_F", 0.75 * 650e6},
+    {"vessel.compound", "", "d_opt", 0.2},
+    {"vessel.compound", "U_min = \nU_max = \np_c = \"75 MPa\"", "U_w_max", 75e6 / 210e9 / 0.3 * 0.2},
+    {"vessel.compound", "dT_1 = \"0 K\"\ndT_2 = \"20 K\"", "U_w_min", 192e-6},
+    {"vessel.compound", "dT_1 = \"0 K\"\ndT_2 = \"-20 K\"", "U_w_max", 328e-6},
 };
 
 // One cycle, from -40 to 120 MPa, given by any two of its numbers.

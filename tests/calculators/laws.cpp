@@ -157,6 +157,8 @@ const Law vessels[] = {
     {"vessel.compound", "", "p = \"500 MPa\"\nU_min = \"480 um\"\nU_max = \"560 um\"", "sigma_v2", 2},
     {"vessel.compound", "", "d_i = \"200 mm\"\nd = \"400 mm\"\nD = \"800 mm\"\nU_min = \"480 um\"\nU_max = \"560 um\"",
      "u_2", 1},
+    {"vessel.autofrettage", "", "p = \"600 MPa\"\nR_e = \"1700 MPa\"", "sigma_ri", 2},
+    {"vessel.autofrettage", "", "R_i = \"100 mm\"\nR_a = \"200 mm\"\nr_p = \"140 mm\"", "p_A", 1},
 };
 
 const Law drives[] = {
@@ -374,6 +376,7 @@ const Trend trends[] = {
     {"vessel.sphere", "delta_min", falls, "z_l", {"0.7", "0.8", "0.9", "1"}, "delta = \"30 mm\"\nz_c = 1"},
     {"vessel.end", "u_y", falls, "delta", {R"("6 mm")", R"("12 mm")", R"("20 mm")", R"("60 mm")"}},
     {"vessel.compound", "sigma_v1", falls, "U_min", {R"("160 um")", R"("200 um")", R"("240 um")", R"("280 um")"}},
+    {"vessel.autofrettage", "sigma_ri", falls, "r_p", {R"("55 mm")", R"("65 mm")", R"("80 mm")", R"("95 mm")"}},
     {"vessel.thick", "u_v", falls, "delta", {R"("20 mm")", R"("40 mm")", R"("80 mm")", R"("200 mm")"}},
     {"vessel.shell", "p_max", rises, "delta", {R"("4 mm")", R"("6 mm")", R"("8 mm")", R"("10 mm")"}},
     {"fatigue.endurance", "sigma_D", falls, "K_t", {"1.01", "1.2", "1.65", "2.5"}},

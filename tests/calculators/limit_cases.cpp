@@ -237,6 +237,13 @@ const Case vessels[] = {
     {"vessel.compound", "U_min = \nU_max = \np_c = \"75 MPa\"", "U_w_max", 75e6 / 210e9 / 0.3 * 0.2},
     {"vessel.compound", "dT_1 = \"0 K\"\ndT_2 = \"20 K\"", "U_w_min", 192e-6},
     {"vessel.compound", "dT_1 = \"0 K\"\ndT_2 = \"-20 K\"", "U_w_max", 328e-6},
+    {"vessel.autofrettage", "", "p_A", 850e6 * (0.255 + std::log(1.4))},
+    {"vessel.autofrettage", "r_p = \nw = 0.4", "p_A", 850e6 * (0.255 + std::log(1.4))},
+    {"vessel.autofrettage", "r_p = \np_A = \"502.751368 MPa\"", "r_p", 0.07},
+    {"vessel.autofrettage", "r_p = \"100 mm\"", "p_A", 850e6 * std::log(2.0)},  // plastic throughout
+    {"vessel.autofrettage", "hypothesis = \"mises\"", "p_y", 850e6 * 0.75 / std::sqrt(3.0)},
+    {"vessel.autofrettage", "", "r_opt", 0.05 * std::exp(300.0 / 850)},
+    {"vessel.autofrettage", "", "w", 0.4},
 };
 
 // One cycle, from -40 to 120 MPa, given by any two of its numbers.

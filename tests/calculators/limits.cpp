@@ -63,6 +63,10 @@ const Side vessels[] = {
     {"vessel.compound", "u_1", over, "R_e_1", R"("498 MPa")", R"("497 MPa")"},
     {"vessel.compound", "u_2", over, "R_e_2", R"("553 MPa")", R"("552 MPa")"},
     {"vessel.compound", "u_U", over, "dT_2", R"("99 K")", R"("101 K")", R"(dT_1 = "0 K")"},
+    // 850 MPa (1/2 (1 - 0.49) + ln 1.4) = 502.75 MPa
+    {"vessel.autofrettage", "u_p", over, "S", "1.675", "1.676"},
+    {"vessel.autofrettage", "u_B", over, "f_B", "0.578", "0.577"},
+    {"vessel.autofrettage", "x_k", outside, "R_a", R"("250 mm")", R"("251 mm")"},
     {"vessel.shell", "t_R", outside, "delta", R"("49.9 mm")", R"("50 mm")"},
     {"vessel.shell", "u_v", over, "sigma_adm", R"("39 MPa")", R"("38 MPa")", R"(delta = "8 mm")"},
     {"vessel.shell", "x_s", outside, "delta", R"("31.2 mm")", R"("31.3 mm")", R"(measured = "mean")"},

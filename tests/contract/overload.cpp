@@ -103,6 +103,7 @@ constexpr std::array without_load{
     Reason{"shaft.press_fit hub", by_sizes},
     Reason{"shaft.press_fit shaft", by_sizes},
     Reason{"shaft.set_screw safety", "the safety that is asked for is given, not found; slip judges the load with it"},
+    Reason{"vessel.autofrettage reverse", "the autofrettage pressure decides, not that in service"},
     Reason{"vessel.ellipsoid knuckle", "its proof is a bound of the slenderness"},
 };
 

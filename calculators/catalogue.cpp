@@ -15,7 +15,7 @@ namespace section {
   struct Polygon; struct BuiltUp; struct ThinWalled; struct SolidTorsion;
 }
 namespace column { struct Buckling; struct BeamColumn; struct Lightest; struct EffectiveLength; }
-namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; struct Thick; struct Compound; struct Autofrettage; struct End; }
+namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; struct Thick; struct ThickWalledSphere; struct Compound; struct Autofrettage; struct End; }
 namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; struct Life; struct Combined; struct History; struct Multiaxial; struct Staircase; struct Survival; struct Fkm; }
 namespace gear { struct Pair; struct Planetary; struct Rating; }
 namespace chain { struct Roller; }
@@ -78,6 +78,7 @@ static constexpr std::array all{
     Row{&erased<vessel::Ellipsoid>},
     Row{&erased<vessel::Shell>},
     Row{&erased<vessel::Thick>},
+    Row{&erased<vessel::ThickWalledSphere>},
     Row{&erased<vessel::Compound>},
     Row{&erased<vessel::Autofrettage>},
     Row{&erased<vessel::End>},

@@ -221,6 +221,16 @@ const Case vessels[] = {
     {"vessel.thick", "delta = \"0.08 mm\"\np = \"0.04 MPa\"\nmeasured = \"mean\"", "sigma_ti",
      0.04e6 * (1000 + 0.25 / 1000)},
     {"vessel.thick", "delta = \"40 mm\"\nends = \"open\"\nhypothesis = \"mises\"", "p_pl", 355e6 * std::log(1.5)},
+    // radii of 100 and 150 mm: p = 19/8 of the sum of the cubes
+    {"vessel.thick_sphere", "delta = \"50 mm\"", "sigma_ti", 90e6 * (8 + 13.5) / 19},
+    {"vessel.thick_sphere", "delta = \"50 mm\"", "sigma_ta", 90e6 * 12 / 19},
+    {"vessel.thick_sphere", "delta = \"50 mm\"\nr = \"150 mm\"", "sigma_tr", 90e6 * 12 / 19},
+    {"vessel.thick_sphere", "delta = \"50 mm\"\nr = \"120 mm\"", "sigma_rr", 90e6 * 8 / 19 * (1 - 3.375 / 1.728)},
+    {"vessel.thick_sphere", "delta = \"50 mm\"\np_e = \"90 MPa\"", "sigma_ti", -90e6},
+    {"vessel.thick_sphere", "delta = \"50 mm\"\np_e = \"90 MPa\"", "w_a", -90e6 * 0.15 * (1 - 2 * 0.3) / 210e9},
+    {"vessel.thick_sphere", "delta = \"50 mm\"", "p_pl", 2 * 355e6 * std::log(1.5)},
+    {"vessel.thick_sphere", "delta = \"0.1 mm\"\np = \"0.1 MPa\"\nmeasured = \"mean\"", "sigma_ti",
+     0.1e6 * (500 - 0.25 + 1e-3 / 3)},
     // tubes of 100, 200, 400 mm: K_1 + K_2 = 10/3; bore pressed by 88.2 MPa
     {"vessel.compound", "", "p_max", 210e9 * 280e-6 / 0.2 * 0.3},
     {"vessel.compound", "", "states.rest.sigma_1i", -2 * 88.2e6 / 0.75},

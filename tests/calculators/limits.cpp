@@ -59,6 +59,7 @@ const Side vessels[] = {
     {"vessel.end", "x_K", outside, "h_i", R"("450 mm")", R"("449 mm")", "delta = \"12 mm\"\nform = \"ellipsoidal\""},
     // radii of 80 and 120 mm under 40 MPa: 144 MPa by Tresca, over 355 MPa / S
     {"vessel.thick", "u_v", over, "S", "2.465", "2.466", R"(delta = "40 mm")"},
+    {"vessel.thick_sphere", "u_v", over, "S", "3.7", "3.701", "delta = \"50 mm\"\np = \"45 MPa\""},
     // 125.6 MPa at the contact of the loose fit, 138.2 MPa of the tight one
     {"vessel.compound", "u_1", over, "R_e_1", R"("498 MPa")", R"("497 MPa")"},
     {"vessel.compound", "u_2", over, "R_e_2", R"("553 MPa")", R"("552 MPa")"},

@@ -1,0 +1,123 @@
+// A thick-walled sphere under internal and external pressure: Lamé's stresses through the wall.
+//
+// Decides the equivalent stress at both surfaces, the safety factor against first yield, the pressure difference at
+// which the whole wall is plastic, and the radial displacements. Stresses of [Lame], of a wall that corrosion has left;
+// tension is positive. Both stresses in the wall are alike, so Tresca and von Mises agree in a seamless wall. Not
+// covered: supports, nozzles, temperature gradients, liquid, fatigue, buckling under external pressure.
+#pragma once
+
+#include "calculators/load/steel.hpp"
+#include "calculators/vessel/lame.hpp"
+#include "calculators/vessel/modes.hpp"
+#include "lib/calculator/fields.hpp"
+#include "lib/figure/figure.hpp"
+
+#include <vector>
+
+namespace loadpath::vessel {
+
+struct ThickWalledSphere {
+  static constexpr auto id = "vessel.thick_sphere";
+  static constexpr auto title = "Thick-walled sphere";
+  static constexpr auto scope =
+      "Elastic stresses and displacements of a sphere of any wall thickness under internal and external pressure, "
+      "first "
+      "yield and full plasticity; supports, nozzles, temperature gradients, buckling and fatigue are not covered.";
+  static constexpr auto source = "[Lame], [Mises], [Plastic-cylinder]";
+  static constexpr auto headline = "wall {delta}";
+  static constexpr auto subject = "stresses of the wall";
+  static constexpr auto synonyms =
+      "thick-walled sphere, thick sphere, spherical pressure vessel, high-pressure sphere, Lamé equations, plastic "
+      "limit "
+      "pressure, burst pressure, dickwandige Kugel, Hochdruckkugel, толстостенная сфера, толстостенный шар";
+  static constexpr auto example = R"([project]
+title = "High-pressure sphere"
+
+[ball]
+calculator = "vessel.thick_sphere"
+p = "90 MPa"
+R = "100 mm"
+measured = "inner"
+R_e = "355 MPa"
+S = 1.5
+E = "210 GPa"
+)";
+
+  struct Input : WallInput {
+    Length R = unset<Length>;
+    Stress p_e = from_si<Stress>(0.0);
+    Stress E = unset<Stress>;
+    double nu = 0.3;
+    Length r = unset<Length>;
+  };
+  static constexpr Fields inputs = join(
+      Fields{Field<Input, Length>{&Input::R, "R", mm, "radius of the sphere, to the surface given by measured"}
+                 .one_of_body("radius")
+                 .positive()
+                 .usually(2, 5000)},
+      wall_inputs<Input>(),
+      Fields{
+          Field<Input, Stress>{&Input::p_e, "p_e", MPa, "external gauge pressure"}.load().at_least(0).usually(0, 1000),
+          Field<Input, Stress>{&Input::E, "E", GPa, "modulus of elasticity, for the displacements"}
+              .positive()
+              .usually(least_E, most_E)
+              .from("material", "E")
+              .where_it_has()
+              .may_be_missing(),
+          Field<Input, double>{&Input::nu, "nu", ratio, "Poisson's ratio"}.at_least(0).below(0.5).usually(0.2, 0.4),
+          Field<Input, Length>{&Input::r, "r", mm, "radius at which the stresses are shown too"}
+              .positive()
+              .may_be_missing()});
+
+  struct Result {
+    Stress sigma_all = unset<Stress>;
+    Length delta_min = unset<Length>, delta = unset<Length>, delta_c = unset<Length>;
+    Length R_i = unset<Length>, R_a = unset<Length>;
+    Stress sigma_ti = unset<Stress>, sigma_ta = unset<Stress>, sigma_tr = unset<Stress>, sigma_rr = unset<Stress>;
+    Stress sigma_vi = unset<Stress>, sigma_va = unset<Stress>, sigma_v = unset<Stress>;
+    Length w_i = unset<Length>, w_a = unset<Length>;
+    double S_F = unset<double>;
+    Stress p_pl = unset<Stress>;
+    double S_pl = unset<double>;
+    double u_v = unset<double>;
+  };
+  static constexpr Fields results{
+      Field{&Result::sigma_all, "sigma_all", MPa, "allowable stress"},
+      Field{&Result::delta_min, "delta_min", mm, "minimum nominal thickness, allowances included"},
+      Field{&Result::delta, "delta", mm, "nominal wall thickness"},
+      Field{&Result::delta_c, "delta_c", mm, "analysis thickness: corroded, under-tolerance deducted"},
+      Field{&Result::R_i, "R_i", mm, "inside radius of the carrying wall"},
+      Field{&Result::R_a, "R_a", mm, "outside radius of the carrying wall"},
+      Field{&Result::sigma_ti, "sigma_ti", MPa, "stress in the wall at the inner surface"},
+      Field{&Result::sigma_ta, "sigma_ta", MPa, "stress in the wall at the outer surface"},
+      Field{&Result::sigma_tr, "sigma_tr", MPa, "stress in the wall at the radius r"},
+      Field{&Result::sigma_rr, "sigma_rr", MPa, "radial stress at the radius r"},
+      Field{&Result::sigma_vi, "sigma_vi", MPa, "equivalent stress at the inner surface, seams included"},
+      Field{&Result::sigma_va, "sigma_va", MPa, "equivalent stress at the outer surface, seams included"},
+      Field{&Result::sigma_v, "sigma_v", MPa, "equivalent stress at the governing surface, seams included"},
+      Field{&Result::w_i, "w_i", mm, "radial displacement of the inner surface, outward positive"},
+      Field{&Result::w_a, "w_a", mm, "radial displacement of the outer surface, outward positive"},
+      Field{&Result::S_F, "S_F", ratio, "safety factor against first yield"},
+      Field{&Result::p_pl, "p_pl", MPa, "pressure difference at which all of a seamless wall is plastic"},
+      Field{&Result::S_pl, "S_pl", ratio, "fully plastic pressure difference / pressure difference"},
+      Field{&Result::u_v, "u_v", ratio, "strength: equivalent stress / allowable stress"}.check()};
+
+  static constexpr std::array rules =
+      join(wall_rules<Input>(),
+           std::array{Rule<Input>{[](const Input& in) { return in.p > 0.0 * MPa || in.p_e > 0.0 * MPa; }, "p, p_e",
+                                  "give an internal pressure p or an external pressure p_e"},
+                      Rule<Input>{[](const Input& in) { return in.hypothesis != Hypothesis::membrane; }, "hypothesis",
+                                  radial_stress_needed},
+                      Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
+                                  "the wall must be thinner than the radius"}});
+
+  static constexpr std::array meanings = wall_meanings;
+  static constexpr std::array modes =
+      modes_of_wall<Input>(Mode<Input>{"strength", "yielding of the wall", &always<Input>}.judged_by("u_v"));
+
+  template <class Tracer>
+  static Result evaluate(const Input& in, Tracer& trace);
+  static std::vector<figure::Figure> figures(const Input& in, const Result& r);
+};
+
+}  // namespace loadpath::vessel

@@ -26,7 +26,7 @@ namespace dynamics {
   struct ForceOfMotion; struct Throw; struct Impulse; struct SystemMomentum; struct MassCentre;
   struct AngularMomentumChange; struct WorkAndEnergy; struct Lift; struct Motion;
 }
-namespace machine { struct Flywheel; struct RunUp; }
+namespace machine { struct Flywheel; struct RunUp; struct Disc; }
 namespace bearing { struct Rolling; }
 namespace pin { struct Joint; struct Lug; struct En1993; struct Cross; }
 namespace link { struct Member; }
@@ -119,6 +119,7 @@ static constexpr std::array all{
     Row{&erased<dynamics::Lift>},
     Row{&erased<machine::Flywheel>, &machine::make_flywheel_step},
     Row{&erased<machine::RunUp>},
+    Row{&erased<machine::Disc>},
     Row{&erased<bearing::Rolling>},
     Row{&erased<pin::Joint>},
     Row{&erased<pin::Lug>},

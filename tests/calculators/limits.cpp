@@ -400,6 +400,8 @@ const Side motion[] = {
     {"machine.flywheel", "u_delta", over, "delta", "0.0039", "0.0038", R"(J = "8000 kg*m^2")"},
     {"machine.flywheel", "u_P", over, "P_n", R"("377 kW")", R"("376 kW")"},
     {"machine.flywheel", "u_v", over, "v_adm", R"("18.9 m/s")", R"("18.8 m/s")", R"(D = "2 m")"},
+    {"machine.disc", "u_v", over, "S", "2.792", "2.793"},
+    {"machine.disc", "x_b", outside, "b", R"("125 mm")", R"("126 mm")"},
     {"machine.run_up", "u_M", over, "load", R"([["0 rpm", "2 N*m"], ["1400 rpm", "39.9 N*m"]])",
      R"([["0 rpm", "2 N*m"], ["1400 rpm", "40.1 N*m"]])"},
     {"machine.run_up", "u_t", over, "t_adm", R"("3.71 s")", R"("3.7 s")"},

@@ -109,6 +109,25 @@ void flat_ends(const Input& in, Cylinder::Result& r, Tracer& trace) {
   STEP_TO(r, u_e, sigma_e / r.sigma_all, "strength of flat ends");
 }
 
+/// The new wall, not yet corroded, at its test pressure.
+template <class Tracer>
+void hydrostatic_test(const Input& in, Cylinder::Result& r, Tracer& trace) {
+  if (!is_set(in.p_t)) return;
+  NoTrace off;
+  test_requirements(in, true, r, trace);
+  Input fresh = in;
+  fresh.c = 0.0 * mm, fresh.rho = unset<Density>;  // the head of the liquid is in p_t
+  const Length delta = trace.value("delta", r.delta, "nominal");
+  STEP(delta_n, delta * (1.0 - in.f_t) - in.c_t, "wall of the new vessel");
+  const Length R_n = trace.value("R_n", in.R + offset(fresh, delta, delta_n, off), "middle of the new wall");
+  const Strength strength = strength_of(fresh, r.f_test);
+  const CylinderShape shape(fresh, R_n, delta_n, 0.0 * mm);
+  const Stress sigma_vt = trace.value(
+      "sigma_vt", equivalent(membrane(shape.at(0.0, off), in.p_t, delta_n, strength, off), strength.hypothesis, off),
+      "equivalent stress of the new wall in the test, as in service");
+  STEP_TO(r, u_t, sigma_vt / r.f_test, "new wall in the test");
+}
+
 /// What its ends close.
 ShellOfEnds closed_by_ends(const Input& in, const Cylinder::Result& r) {
   return {r.p_i, 2.0 * (r.R_m - 0.5 * r.delta_c - in.c), in.c};
@@ -132,6 +151,7 @@ Cylinder::Result Cylinder::evaluate(const Input& in, Tracer& trace) {
   by_the_book(in, r, trace);
   check_rings(in, r, trace);
   flat_ends(in, r, trace);
+  hydrostatic_test(in, r, trace);
   if (in.ends != Ends::open) r.shell = closed_by_ends(in, r);
   if (in.ends != Ends::ringed) compare(ThickCylinder{in.ends == Ends::closed}, in, r, r.R_m, mean, trace);
   return r;

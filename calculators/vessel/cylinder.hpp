@@ -1,8 +1,9 @@
 // A thin-walled cylinder under internal pressure of gas and liquid, without ends, with ends, or strengthened by rings.
 //
 // Decides the least thickness, the equivalent stress at the lowest place and the allowable gas pressure, Lamé's
-// thick-walled result. Membrane stresses of [B24]; the axis is vertical with a liquid. Tension is positive. Not
-// covered: weight of the wall, nozzles, junctions with the ends, external pressure, temperature, fatigue.
+// thick-walled result, and the new wall at its test pressure. Membrane stresses of [B24]; the axis is vertical with a
+// liquid. Tension is positive. Not covered: weight of the wall, nozzles, junctions with the ends, external pressure,
+// temperature, fatigue.
 #pragma once
 
 #include "calculators/vessel/lame.hpp"
@@ -45,7 +46,7 @@ sigma_adm = "140 MPa"
   enum class Ends { closed, open, ringed };
   enum class Support { bottom, top };
 
-  struct Input : WallInput, Liquid {
+  struct Input : WallInput, Liquid, TestInput {
     Length R = unset<Length>;
     Ends ends = Ends::closed;
     Support support = Support::bottom;
@@ -68,9 +69,10 @@ sigma_adm = "140 MPa"
           Field<Input, Length>{&Input::delta_e, "delta_e", mm, "nominal thickness of flat ends"}
               .positive()
               .usually(0.5, 400)
-              .may_be_missing()});
+              .may_be_missing()},
+      test_inputs<Input>());
 
-  struct Result : WallResult, LameResult {
+  struct Result : WallResult, LameResult, TestResult {
     Length R_m = unset<Length>, delta_o = unset<Length>, delta_M = unset<Length>, a_r = unset<Length>;
     double w_r = unset<double>;
     Stress sigma_e = unset<Stress>;
@@ -84,7 +86,7 @@ sigma_adm = "140 MPa"
              Field{&Result::delta_o, "delta_o", mm, "analysis thickness from the hoop stress only, pR/sigma"},
              Field{&Result::delta_M, "delta_M", mm, "analysis thickness from the meridional stress only, pR/2sigma"},
              Field{&Result::a_r, "a_r", mm, "ring area per length of the vessel"}, thin_by_membrane<Result>()},
-      lame_results<Result>(),
+      lame_results<Result>(), test_results<Result>(),
       Fields{Field{&Result::sigma_e, "sigma_e", MPa, "bending stress of flat ends, at the centre"},
              Field{&Result::u_e, "u_e", ratio, "flat ends: bending stress / allowable stress"}
                  .check("delta_e")
@@ -93,8 +95,10 @@ sigma_adm = "140 MPa"
              Group{&Result::shell, "shell", "the cylinder at its ends, for vessel.end: shell"}.handed_over()});
 
   static constexpr std::array rules = join(
-      wall_rules<Input>(), liquid_rules<Input>(),
-      std::array{Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
+      wall_rules<Input>(), liquid_rules<Input>(), test_rules<Input>(),
+      std::array{Rule<Input>{[](const Input& in) { return in.ends != Ends::ringed || !is_set(in.p_t); }, "p_t, ends",
+                             "the test of a wall between rings is not covered: leave p_t out"},
+                 Rule<Input>{[](const Input& in) { return is_set(in.A_r) == is_set(in.l_r); }, "A_r, l_r",
                              "rings need both the area A_r of their section and their distance l_r"},
                  Rule<Input>{[](const Input& in) { return in.ends == Ends::ringed || !is_set(in.A_r); },
                              "A_r, l_r, ends", "rings require ends = \"ringed\""},
@@ -109,8 +113,8 @@ sigma_adm = "140 MPa"
   static constexpr Applies ringed(const Input& in) { return where(in.ends == Ends::ringed); }
   static constexpr std::array meanings =
       join(wall_meanings, std::array{Meaning{"R", radius_when_open, "ends", "open"}});
-  static constexpr std::array modes = modes_of_wall<Input>(
-      membrane_strength<Input>("u_v, t_R, t_M, w_r").assessed_in("vessel.thick"),
+  static constexpr std::array modes = modes_of_tested_wall<Input>(
+      membrane_strength<Input>("u_v, t_R, t_M, w_r").assessed_in("vessel.thick"), test_mode<Input>(),
       Mode<Input>{"ends", "strength of the ends", &has_ends}
           .judged_by("u_e")
           .left_to("vessel.end", "shell.strength, shell.knuckle")

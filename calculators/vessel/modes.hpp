@@ -17,9 +17,19 @@ constexpr Applies squeezed(const Input& in) {
   return Applies::unseen;
 }
 
-/// `strength`: that of the wall; `own`: the modes that not every wall has.
+template <class Input>
+Applies tested(const Input& in) {
+  return shown_by(is_set(in.p_t));
+}
+
+template <class Input>
+constexpr Mode<Input> test_mode() {
+  return Mode<Input>{"test_pressure", "yielding at test pressure", &tested<Input>}.judged_by("u_t, u_tr").special();
+}
+
+/// `strength`: that of the wall; `test`: its test before service; `own`: the modes that not every wall has.
 template <class Input, class... Own>
-constexpr auto modes_of_wall(const Mode<Input>& strength, Own... own) {
+constexpr auto modes_of_tested_wall(const Mode<Input>& strength, const Mode<Input>& test, Own... own) {
   using M = Mode<Input>;
   return std::array{strength,
                     own...,
@@ -27,9 +37,16 @@ constexpr auto modes_of_wall(const Mode<Input>& strength, Own... own) {
                     M{"vacuum", "buckling under external pressure", &squeezed<Input>}.special(),
                     M{"nozzles", "reinforcement of openings and nozzles", &unseen<Input>}.special(),
                     M{"supports", "local bending at supports, junctions, edges", &unseen<Input>}.special(),
-                    M{"test_pressure", "yielding at test pressure", &unseen<Input>}.special(),
+                    test,
                     M{"low_temperature", "brittle fracture at low temperature", &unseen<Input>}.special(),
                     M{"creep", "creep at elevated temperature", &unseen<Input>}.special()};
+}
+
+/// The same without a test.
+template <class Input, class... Own>
+constexpr auto modes_of_wall(const Mode<Input>& strength, Own... own) {
+  return modes_of_tested_wall<Input>(
+      strength, Mode<Input>{"test_pressure", "yielding at test pressure", &unseen<Input>}.special(), own...);
 }
 
 /// The strength of a thin wall, by these checks and limits of a shape.

@@ -190,6 +190,48 @@ constexpr auto wall_rules() {
 inline constexpr auto radial_stress_needed =
     "a thick wall needs a radial stress: give hypothesis = \"tresca\" or \"mises\"";
 
+/// The hydrostatic test before service.
+struct TestInput {
+  Stress p_t = unset<Stress>, R_e_t = unset<Stress>;
+};
+
+template <class Input>
+constexpr auto test_inputs() {
+  return Fields{
+      Field<Input, Stress>{&Input::p_t, "p_t", MPa, "test pressure, head of the test liquid included"}
+          .positive()
+          .usually(0.01, 200)
+          .may_be_missing(),
+      Field<Input, Stress>{&Input::R_e_t, "R_e_t", MPa, "yield strength at the temperature of the test; R_e if omitted"}
+          .positive()
+          .usually(50, 1100)
+          .customarily_at_most(960)
+          .may_be_missing()};
+}
+
+struct TestResult {
+  Stress f_test = unset<Stress>, p_tr = unset<Stress>;
+  double u_t = unset<double>, u_tr = unset<double>;
+};
+
+template <class Result>
+constexpr auto test_results() {
+  return Fields{
+      Field<Result, Stress>{&Result::f_test, "f_test", MPa, "allowable stress in the test"},
+      Field<Result, Stress>{&Result::p_tr, "p_tr", MPa, "required test pressure, without the head of the liquid"},
+      Field<Result, double>{&Result::u_t, "u_t", ratio, "test: utilisation of the new wall at the test pressure"}.check(
+          "p_t"),
+      Field<Result, double>{&Result::u_tr, "u_tr", ratio, "test: required / given test pressure"}.check("p_t")};
+}
+
+template <class Input>
+constexpr auto test_rules() {
+  return std::array{Rule<Input>{[](const Input& in) { return !is_set(in.p_t) || is_set(in.R_e_t) || is_set(in.R_e); },
+                                "p_t, R_e_t, R_e", "a test needs the yield strength R_e_t, or R_e"},
+                    Rule<Input>{[](const Input& in) { return !is_set(in.R_e_t) || is_set(in.p_t); }, "R_e_t, p_t",
+                                "R_e_t is the yield strength in the test: give its pressure p_t"}};
+}
+
 template <class Input>
 constexpr auto liquid_rules() {
   return std::array{Rule<Input>{[](const Input& in) { return is_set(in.rho) == is_set(in.h_l); }, "rho, h_l",

@@ -98,6 +98,7 @@ constexpr std::array takes_alone{
     Reason{"vessel.shell", of_a_wall},
     Reason{"vessel.thick", of_a_wall},
     Reason{"vessel.end", of_a_wall},
+    Reason{"vessel.flat_end", of_a_wall},
     Reason{"vessel.thick_sphere", of_a_wall},
     Reason{"vessel.compound", of_a_wall},
     Reason{"vessel.autofrettage", of_a_wall},

@@ -1,5 +1,6 @@
 #include "calculators/vessel/ends/end.hpp"
 
+#include "calculators/vessel/assess.hpp"
 #include "calculators/vessel/ends/torisphere.hpp"
 #include "calculators/vessel/section.hpp"
 #include "lib/calculator/calculator_of.hpp"
@@ -113,6 +114,34 @@ void flange(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, u_f, in.p / p_f, "straight flange");
 }
 
+/// Crown, knuckle and flange of the thickness and radii of r, at the allowable stress r.f.
+template <class Tracer>
+void capacities(const Input& in, Result& r, Tracer& trace) {
+  STEP_TO(r, p_s, 2.0 * r.f * in.z * r.e / (r.R_c + 0.5 * r.e), "crown, [EN13445-3], 7.5.3");
+  STEP_TO(r, u_s, in.p / r.p_s, "crown, membrane stress");
+  r.p_max = r.p_s;
+  if (is_bent_at_knuckle(in)) knuckle(in, r, trace);
+  flange(in, r, trace);
+}
+
+/// The new end, not yet corroded, at its test pressure: the same formulas with the stress of the test.
+template <class Tracer>
+void hydrostatic_test(const Input& in, Length delta, Result& r, Tracer& trace) {
+  if (!is_set(in.p_t)) return;
+  NoTrace off;
+  test_requirements(in, !(in.R_e / 1.5 > in.R_m / 2.4), r, trace);
+  Input fresh = in;
+  fresh.p = in.p_t, fresh.c = 0.0 * mm, fresh.R_e = 1.5 * r.f_test;  // the design stress of buckling is R_e/1.5
+  Result n;
+  n.f = r.f_test;
+  n.e = delta * (1.0 - in.f_t) - in.c_t;
+  radii(fresh, delta, n, off);
+  capacities(fresh, n, off);
+  double u = n.u_s;
+  for (const double other : {n.u_y, n.u_b, n.u_f}) u = is_set(other) ? std::max(u, other) : u;
+  r.u_t = trace.value("u_t", u, "crown, knuckle and flange of the new end at f_test, [EN13445-3], 7.5.3");
+}
+
 }  // namespace
 
 template <class Tracer>
@@ -125,13 +154,10 @@ End::Result End::evaluate(const Input& in, Tracer& trace) {
   const Length delta = trace.value("delta", r.delta, "nominal");
   STEP_TO(r, e, delta * (1.0 - in.f_t) - in.c - in.c_t, "less corrosion and under-tolerance");
   radii(in, delta, r, trace);
-  STEP_TO(r, p_s, 2.0 * r.f * in.z * r.e / (r.R_c + 0.5 * r.e), "crown, [EN13445-3], 7.5.3");
-  STEP_TO(r, u_s, in.p / r.p_s, "crown, membrane stress");
-  r.p_max = r.p_s;
-  if (is_bent_at_knuckle(in)) knuckle(in, r, trace);
-  flange(in, r, trace);
+  capacities(in, r, trace);
   STEP_TO(r, x_e, r.e / r.D_a, "ends of 0.001 to 0.08, [EN13445-3], 7.5.3");
   STEP_TO(r, x_R, (r.R_c - in.c) / r.D_a, "crowns no flatter than the diameter, [EN13445-3], 7.5.3");
+  hydrostatic_test(in, delta, r, trace);
   return r;
 }
 

@@ -2,8 +2,9 @@
 //
 // Decides the thickness by [EN13445-3], 7.5: membrane stress of the crown, yielding and plastic buckling of the
 // knuckle; an ellipsoid counts as the torisphere of the same height. The allowable stress is the lesser of R_e/1.5 and
-// R_m/2.4, or sigma_adm. Sizes are those of the corroded end; the radii of Klöpper and Korbbogen ends follow from the
-// outside diameter. Not covered: external pressure, openings, ends of cold-spun austenitic steel, fatigue.
+// R_m/2.4, or sigma_adm. A test loads the new end up to R_e/1.05. Sizes are those of the corroded end; the radii of
+// Klöpper and Korbbogen ends follow from the outside diameter. Not covered: external pressure, openings, ends of
+// cold-spun austenitic steel, fatigue.
 #pragma once
 
 #include "calculators/vessel/modes.hpp"
@@ -45,7 +46,7 @@ R_m = "410 MPa"
 
   enum class Form { kloepper, korbbogen, torispherical, ellipsoidal, hemispherical };
 
-  struct Input {
+  struct Input : TestInput {
     Stress p = unset<Stress>;
     Length D_i = unset<Length>;
     Form form = Form::kloepper;
@@ -55,45 +56,50 @@ R_m = "410 MPa"
     double f_t = 0.0, z = 1.0;
     Stress sigma_adm = unset<Stress>, R_e = unset<Stress>, R_m = unset<Stress>;
   };
-  static constexpr Fields inputs{
-      RecordField<Input>{"shell", "cylindrical vessel: shell = \"=tank.shell\""},
-      Field{&Input::p, "p", MPa, "internal gauge pressure on the end, liquid included"}
-          .load()
-          .at_least_that_of_source(pressure_below)
-          .positive()
-          .usually(0.01, 100),
-      Field{&Input::D_i, "D_i", mm, "inside diameter of the shell, uncorroded"}.positive().usually(50, 20000),
-      Choice{&Input::form, "form", "form of the end; Klöpper if omitted"},
-      Field{&Input::R, "R", mm, "inside radius of the crown, of a torispherical end"}.positive().may_be_missing(),
-      Field{&Input::r, "r", mm, "inside radius of the knuckle, of a torispherical end"}.positive().may_be_missing(),
-      Field{&Input::h_i, "h_i", mm, "inside height of an ellipsoidal end, without flange; D_i/4 if omitted"}
-          .positive()
-          .may_be_missing(),
-      Field{&Input::l_f, "l_f", mm, "length of the straight flange"}.at_least(0).usually(0, 200).may_be_missing(),
-      Field{&Input::delta, "delta", mm, "nominal wall thickness"}
-          .positive()
-          .usually(0.5, 400)
-          .searched("plate")
-          .may_be_missing(),
-      Field{&Input::c, "c", mm, "corrosion allowance on the inside"}.at_least_that_of_source("c").at_least(0).usually(
-          0, 10),
-      Field{&Input::c_t, "c_t", mm, "under-tolerance of the plate and thinning in forming"}.at_least(0).usually(0, 5),
-      Field{&Input::f_t, "f_t", ratio, "under-tolerance and thinning as a share of delta"}.at_least(0).below(0.5),
-      Field{&Input::z, "z", ratio, "efficiency of welds in the crown"}.within(0.3, 1).factor(),
-      Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress (safety factor included)"}
-          .positive()
-          .usually(10, 1000)
-          .customarily_at_most(400)
-          .may_be_missing(),
-      Field{&Input::R_e, "R_e", MPa, "yield strength at the temperature in service"}
-          .positive()
-          .usually(50, 1100)
-          .customarily_at_most(960)
-          .from("material", "R_e", "delta"),
-      Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(100, 1500).from("material", "R_m",
-                                                                                            "delta")};
+  static constexpr Fields inputs = join(
+      Fields{
+          RecordField<Input>{"shell", "cylindrical vessel: shell = \"=tank.shell\""},
+          Field{&Input::p, "p", MPa, "internal gauge pressure on the end, liquid included"}
+              .load()
+              .at_least_that_of_source(pressure_below)
+              .positive()
+              .usually(0.01, 100),
+          Field{&Input::D_i, "D_i", mm, "inside diameter of the shell, uncorroded"}.positive().usually(50, 20000),
+          Choice{&Input::form, "form", "form of the end; Klöpper if omitted"},
+          Field{&Input::R, "R", mm, "inside radius of the crown, of a torispherical end"}.positive().may_be_missing(),
+          Field{&Input::r, "r", mm, "inside radius of the knuckle, of a torispherical end"}.positive().may_be_missing(),
+          Field{&Input::h_i, "h_i", mm, "inside height of an ellipsoidal end, without flange; D_i/4 if omitted"}
+              .positive()
+              .may_be_missing(),
+          Field{&Input::l_f, "l_f", mm, "length of the straight flange"}.at_least(0).usually(0, 200).may_be_missing(),
+          Field{&Input::delta, "delta", mm, "nominal wall thickness"}
+              .positive()
+              .usually(0.5, 400)
+              .searched("plate")
+              .may_be_missing(),
+          Field{&Input::c, "c", mm, "corrosion allowance on the inside"}
+              .at_least_that_of_source("c")
+              .at_least(0)
+              .usually(0, 10),
+          Field{&Input::c_t, "c_t", mm, "under-tolerance of the plate and thinning in forming"}.at_least(0).usually(0,
+                                                                                                                    5),
+          Field{&Input::f_t, "f_t", ratio, "under-tolerance and thinning as a share of delta"}.at_least(0).below(0.5),
+          Field{&Input::z, "z", ratio, "efficiency of welds in the crown"}.within(0.3, 1).factor(),
+          Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress (safety factor included)"}
+              .positive()
+              .usually(10, 1000)
+              .customarily_at_most(400)
+              .may_be_missing(),
+          Field{&Input::R_e, "R_e", MPa, "yield strength at the temperature in service"}
+              .positive()
+              .usually(50, 1100)
+              .customarily_at_most(960)
+              .from("material", "R_e", "delta"),
+          Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(100, 1500).from("material", "R_m",
+                                                                                                "delta")},
+      test_inputs<Input>());
 
-  struct Result {
+  struct Result : TestResult {
     Stress f = unset<Stress>;
     Length delta_min = unset<Length>, delta = unset<Length>, e = unset<Length>;
     Length D_a = unset<Length>, D_c = unset<Length>, R_c = unset<Length>, r_c = unset<Length>;
@@ -102,61 +108,70 @@ R_m = "410 MPa"
     double u_s = unset<double>, u_y = unset<double>, u_b = unset<double>, u_f = unset<double>;
     double x_r = unset<double>, x_k = unset<double>, x_e = unset<double>, x_R = unset<double>, x_K = unset<double>;
   };
-  static constexpr Fields results{
-      Field{&Result::f, "f", MPa, "allowable stress"},
-      Field{&Result::delta_min, "delta_min", mm, "minimum nominal thickness, allowances included"},
-      Field{&Result::delta, "delta", mm, "nominal wall thickness"},
-      Field{&Result::e, "e", mm, "analysis thickness: corroded, under-tolerance deducted"},
-      Field{&Result::D_a, "D_a", mm, "outside diameter"},
-      Field{&Result::D_c, "D_c", mm, "inside diameter, corroded"},
-      Field{&Result::R_c, "R_c", mm, "inside radius of the crown, corroded"},
-      Field{&Result::r_c, "r_c", mm, "inside radius of the knuckle, corroded"},
-      Field{&Result::beta, "beta", ratio, "stress factor of the knuckle"},
-      Field{&Result::p_s, "p_s", MPa, "allowable pressure of the crown"},
-      Field{&Result::p_y, "p_y", MPa, "allowable pressure of the knuckle, yielding"},
-      Field{&Result::p_b, "p_b", MPa, "allowable pressure of the knuckle, plastic buckling"},
-      Field{&Result::p_max, "p_max", MPa, "allowable pressure of the end, straight flange excluded"},
-      Field{&Result::u_s, "u_s", ratio, "crown: pressure / allowable pressure"}.check(),
-      Field{&Result::u_y, "u_y", ratio, "knuckle, yielding: pressure / allowable pressure"}.check().where_it_applies(),
-      Field{&Result::u_b, "u_b", ratio, "knuckle, buckling: pressure / allowable pressure"}
-          .check("R_e")
-          .where_it_applies(),
-      Field{&Result::u_f, "u_f", ratio, "straight flange as a cylinder: pressure / allowable pressure"}.check("l_f"),
-      Field{&Result::x_r, "x_r", ratio, "knuckle radius / inside diameter"}
-          .limit(0.06 * (1 - 1e-9), 0.2 * (1 + 1e-9))
-          .where_it_applies(),
-      Field{&Result::x_k, "x_k", ratio, "knuckle radius / thickness"}.limit(2 * (1 - 1e-9), 1e6).where_it_applies(),
-      Field{&Result::x_e, "x_e", ratio, "thickness / outside diameter"}.limit(0.001 * (1 - 1e-9), 0.08 * (1 + 1e-9)),
-      Field{&Result::x_R, "x_R", ratio, "crown radius of the new end / outside diameter"}.limit(0, 1 + 1e-9),
-      Field{&Result::x_K, "x_K", ratio, "inside diameter / height of two semi-ellipsoids"}
-          .limit(1.7 * (1 - 1e-9), 2.2 * (1 + 1e-9))
-          .where_it_applies()};
+  static constexpr Fields results = join(
+      Fields{
+          Field{&Result::f, "f", MPa, "allowable stress"},
+          Field{&Result::delta_min, "delta_min", mm, "minimum nominal thickness, allowances included"},
+          Field{&Result::delta, "delta", mm, "nominal wall thickness"},
+          Field{&Result::e, "e", mm, "analysis thickness: corroded, under-tolerance deducted"},
+          Field{&Result::D_a, "D_a", mm, "outside diameter"},
+          Field{&Result::D_c, "D_c", mm, "inside diameter, corroded"},
+          Field{&Result::R_c, "R_c", mm, "inside radius of the crown, corroded"},
+          Field{&Result::r_c, "r_c", mm, "inside radius of the knuckle, corroded"},
+          Field{&Result::beta, "beta", ratio, "stress factor of the knuckle"},
+          Field{&Result::p_s, "p_s", MPa, "allowable pressure of the crown"},
+          Field{&Result::p_y, "p_y", MPa, "allowable pressure of the knuckle, yielding"},
+          Field{&Result::p_b, "p_b", MPa, "allowable pressure of the knuckle, plastic buckling"},
+          Field{&Result::p_max, "p_max", MPa, "allowable pressure of the end, straight flange excluded"},
+          Field{&Result::u_s, "u_s", ratio, "crown: pressure / allowable pressure"}.check(),
+          Field{&Result::u_y, "u_y", ratio, "knuckle, yielding: pressure / allowable pressure"}
+              .check()
+              .where_it_applies(),
+          Field{&Result::u_b, "u_b", ratio, "knuckle, buckling: pressure / allowable pressure"}
+              .check("R_e")
+              .where_it_applies(),
+          Field{&Result::u_f, "u_f", ratio, "straight flange as a cylinder: pressure / allowable pressure"}.check(
+              "l_f"),
+          Field{&Result::x_r, "x_r", ratio, "knuckle radius / inside diameter"}
+              .limit(0.06 * (1 - 1e-9), 0.2 * (1 + 1e-9))
+              .where_it_applies(),
+          Field{&Result::x_k, "x_k", ratio, "knuckle radius / thickness"}.limit(2 * (1 - 1e-9), 1e6).where_it_applies(),
+          Field{&Result::x_e, "x_e", ratio, "thickness / outside diameter"}.limit(0.001 * (1 - 1e-9),
+                                                                                  0.08 * (1 + 1e-9)),
+          Field{&Result::x_R, "x_R", ratio, "crown radius of the new end / outside diameter"}.limit(0, 1 + 1e-9),
+          Field{&Result::x_K, "x_K", ratio, "inside diameter / height of two semi-ellipsoids"}
+              .limit(1.7 * (1 - 1e-9), 2.2 * (1 + 1e-9))
+              .where_it_applies()},
+      test_results<Result>());
 
-  static constexpr std::array rules{
-      Rule<Input>{[](const Input& in) { return (in.form == Form::torispherical) == (is_set(in.R) && is_set(in.r)); },
-                  "form, R, r", "the radii R and r are those of form = \"torispherical\", which needs both"},
-      Rule<Input>{[](const Input& in) { return is_set(in.R) == is_set(in.r); }, "R, r",
-                  "give the radii of crown and knuckle, R and r, both"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.R) || (in.R > in.r && 2.0 * in.r < in.D_i); }, "R, r, D_i",
-                  "the knuckle radius must be smaller than the crown radius and half of D_i"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.R) || 2.0 * in.R >= in.D_i; }, "R, D_i",
-                  "the crown radius is at least half of D_i"},
-      Rule<Input>{[](const Input& in) { return in.form == Form::ellipsoidal || !is_set(in.h_i); }, "h_i, form",
-                  "h_i is the height of form = \"ellipsoidal\""},
-      Rule<Input>{[](const Input& in) { return is_set(in.sigma_adm) || (is_set(in.R_e) && is_set(in.R_m)); },
-                  "sigma_adm, R_e, R_m", "give sigma_adm, or R_e and R_m (or a material)"},
-      Rule<Input>{[](const Input& in) { return in.c_t == 0.0 * mm || in.f_t == 0.0; }, "c_t, f_t",
-                  "give the under-tolerance as c_t or as f_t, not both"},
-      Rule<Input>{[](const Input& in) { return !is_set(in.delta) || in.delta * (1.0 - in.f_t) > in.c + in.c_t; },
-                  "delta, c, c_t, f_t", "the wall must be thicker than its allowances"}};
+  static constexpr std::array rules = join(
+      std::array{
+          Rule<Input>{
+              [](const Input& in) { return (in.form == Form::torispherical) == (is_set(in.R) && is_set(in.r)); },
+              "form, R, r", "the radii R and r are those of form = \"torispherical\", which needs both"},
+          Rule<Input>{[](const Input& in) { return is_set(in.R) == is_set(in.r); }, "R, r",
+                      "give the radii of crown and knuckle, R and r, both"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.R) || (in.R > in.r && 2.0 * in.r < in.D_i); },
+                      "R, r, D_i", "the knuckle radius must be smaller than the crown radius and half of D_i"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.R) || 2.0 * in.R >= in.D_i; }, "R, D_i",
+                      "the crown radius is at least half of D_i"},
+          Rule<Input>{[](const Input& in) { return in.form == Form::ellipsoidal || !is_set(in.h_i); }, "h_i, form",
+                      "h_i is the height of form = \"ellipsoidal\""},
+          Rule<Input>{[](const Input& in) { return is_set(in.sigma_adm) || (is_set(in.R_e) && is_set(in.R_m)); },
+                      "sigma_adm, R_e, R_m", "give sigma_adm, or R_e and R_m (or a material)"},
+          Rule<Input>{[](const Input& in) { return in.c_t == 0.0 * mm || in.f_t == 0.0; }, "c_t, f_t",
+                      "give the under-tolerance as c_t or as f_t, not both"},
+          Rule<Input>{[](const Input& in) { return !is_set(in.delta) || in.delta * (1.0 - in.f_t) > in.c + in.c_t; },
+                      "delta, c, c_t, f_t", "the wall must be thicker than its allowances"}},
+      test_rules<Input>());
 
   static constexpr Applies has_knuckle(const Input& in) { return where(in.form != Form::hemispherical); }
   static Applies has_flange(const Input& in) { return shown_by(is_set(in.l_f) && in.l_f > 0.0 * mm); }
   static constexpr std::array meanings = wall_meanings;
-  static constexpr std::array modes = modes_of_wall<Input>(
+  static constexpr std::array modes = modes_of_tested_wall<Input>(
       Mode<Input>{"strength", "yielding of crown and knuckle", &always<Input>}.judged_by(
           "u_s, u_y, x_r, x_k, x_e, x_R, x_K"),
-      Mode<Input>{"knuckle", "plastic buckling of the knuckle", &has_knuckle}.judged_by("u_b"),
+      test_mode<Input>(), Mode<Input>{"knuckle", "plastic buckling of the knuckle", &has_knuckle}.judged_by("u_b"),
       Mode<Input>{"flange", "yielding of the straight flange", &has_flange}.judged_by("u_f").special());
 
   template <class Tracer>

@@ -15,7 +15,7 @@ namespace section {
   struct Polygon; struct BuiltUp; struct ThinWalled; struct SolidTorsion;
 }
 namespace column { struct Buckling; struct BeamColumn; struct Lightest; struct EffectiveLength; }
-namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; struct Thick; struct ThickWalledSphere; struct Compound; struct Autofrettage; struct End; struct FlatEnd; }
+namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; struct Thick; struct ThickWalledSphere; struct Compound; struct Autofrettage; struct External; struct End; struct FlatEnd; }
 namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; struct Life; struct Combined; struct History; struct Multiaxial; struct Staircase; struct Survival; struct Fkm; }
 namespace gear { struct Pair; struct Planetary; struct Rating; }
 namespace chain { struct Roller; }
@@ -81,6 +81,7 @@ static constexpr std::array all{
     Row{&erased<vessel::ThickWalledSphere>},
     Row{&erased<vessel::Compound>},
     Row{&erased<vessel::Autofrettage>},
+    Row{&erased<vessel::External>},
     Row{&erased<vessel::End>},
     Row{&erased<vessel::FlatEnd>},
     Row{&erased<fatigue::Cycle>},

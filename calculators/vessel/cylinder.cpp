@@ -133,6 +133,12 @@ ShellOfEnds closed_by_ends(const Input& in, const Cylinder::Result& r) {
   return {r.p_i, 2.0 * (r.R_m - 0.5 * r.delta_c - in.c), in.c};
 }
 
+/// The nominal wall from outside.
+WallOutside from_outside(const Input& in, Length delta) {
+  const double share = in.measured == Measured::inner ? 1.0 : in.measured == Measured::mean ? 0.5 : 0.0;
+  return {2.0 * (in.R + share * delta), delta, in.c, in.c_t, in.f_t};
+}
+
 }  // namespace
 
 template <class Tracer>
@@ -153,6 +159,7 @@ Cylinder::Result Cylinder::evaluate(const Input& in, Tracer& trace) {
   flat_ends(in, r, trace);
   hydrostatic_test(in, r, trace);
   if (in.ends != Ends::open) r.shell = closed_by_ends(in, r);
+  r.wall = from_outside(in, r.delta);
   if (in.ends != Ends::ringed) compare(ThickCylinder{in.ends == Ends::closed}, in, r, r.R_m, mean, trace);
   return r;
 }

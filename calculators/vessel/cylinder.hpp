@@ -78,6 +78,7 @@ sigma_adm = "140 MPa"
     Stress sigma_e = unset<Stress>;
     double u_e = unset<double>, t_M = unset<double>;
     ShellOfEnds shell;
+    WallOutside wall;
   };
   static Applies has_ends(const Input& in) { return in.ends == Ends::open ? Applies::no : Applies::unseen; }
   static constexpr Fields results = join(
@@ -92,7 +93,8 @@ sigma_adm = "140 MPa"
                  .check("delta_e")
                  .where_it_applies(),
              Field{&Result::w_r, "w_r", ratio, "rings: spacing / effective wall length"}.limit(0, 1, "l_r"),
-             Group{&Result::shell, "shell", "the cylinder at its ends, for vessel.end: shell"}.handed_over()});
+             Group{&Result::shell, "shell", "the cylinder at its ends, for vessel.end: shell"}.handed_over(),
+             Group{&Result::wall, "wall", "the wall from outside, for vessel.external: wall"}.handed_over()});
 
   static constexpr std::array rules = join(
       wall_rules<Input>(), liquid_rules<Input>(), test_rules<Input>(),
@@ -113,13 +115,13 @@ sigma_adm = "140 MPa"
   static constexpr Applies ringed(const Input& in) { return where(in.ends == Ends::ringed); }
   static constexpr std::array meanings =
       join(wall_meanings, std::array{Meaning{"R", radius_when_open, "ends", "open"}});
-  static constexpr std::array modes = modes_of_tested_wall<Input>(
+  static constexpr std::array modes = with_vacuum_assessed(modes_of_tested_wall<Input>(
       membrane_strength<Input>("u_v, t_R, t_M, w_r").assessed_in("vessel.thick"), test_mode<Input>(),
       Mode<Input>{"ends", "strength of the ends", &has_ends}
           .judged_by("u_e")
           .left_to("vessel.end", "shell.strength, shell.knuckle")
           .of_service(),
-      Mode<Input>{"rings", "spacing of reinforcing rings", &ringed}.judged_by("w_r").wanting("A_r, l_r"));
+      Mode<Input>{"rings", "spacing of reinforcing rings", &ringed}.judged_by("w_r").wanting("A_r, l_r")));
 
   static constexpr std::array forms{
       Form{"p, R, delta, sigma_adm", "sigma_o, sigma_M, sigma_v, t_R, delta_min, p_max, u_v, sigma_L, delta_L"}};

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <string_view>
 
 namespace loadpath::vessel {
 
@@ -47,6 +48,15 @@ template <class Input, class... Own>
 constexpr auto modes_of_wall(const Mode<Input>& strength, Own... own) {
   return modes_of_tested_wall<Input>(
       strength, Mode<Input>{"test_pressure", "yielding at test pressure", &unseen<Input>}.special(), own...);
+}
+
+/// The modes of a shell whose wall vessel.external takes: wall = "=tank.wall".
+template <class Modes>
+constexpr Modes with_vacuum_assessed(Modes modes) {
+  for (auto& mode : modes) {
+    if (std::string_view(mode.id) == "vacuum") mode = mode.left_to("vessel.external", "wall.buckling");
+  }
+  return modes;
 }
 
 /// The strength of a thin wall, by these checks and limits of a shape.

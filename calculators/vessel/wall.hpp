@@ -64,6 +64,18 @@ struct ShellOfEnds {
                                  Field{&ShellOfEnds::c, "c", mm, "corrosion allowance on the inside"}};
 };
 
+/// The wall of a cylinder with all its allowances, input record of vessel.external: wall = "=tank.wall".
+struct WallOutside {
+  Length D_a = unset<Length>, delta = unset<Length>, c = unset<Length>, c_t = unset<Length>;
+  double f_t = unset<double>;
+
+  static constexpr Fields fields{Field{&WallOutside::D_a, "D_a", mm, "outside diameter"},
+                                 Field{&WallOutside::delta, "delta", mm, "nominal wall thickness"},
+                                 Field{&WallOutside::c, "c", mm, "corrosion allowance on the inside"},
+                                 Field{&WallOutside::c_t, "c_t", mm, "mill under-tolerance of the plate"},
+                                 Field{&WallOutside::f_t, "f_t", ratio, "mill under-tolerance as a share of delta"}};
+};
+
 /// `pressures`: of a vessel that the wall belongs to. A bottom with a liquid has that of the vessel above it on top.
 template <class Input>
 constexpr auto wall_inputs(const char* pressures = "p") {

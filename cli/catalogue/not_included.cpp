@@ -92,13 +92,13 @@ constexpr std::array all{
                 "link.member, shaft.design, column.effective_length"},
     NotIncluded{"trusses as structures; a statically determinate one is a mechanism of mobility 0",
                 "truss, lattice girder, Fachwerk, ферма", "mechanism.planar, column.buckling"},
-    NotIncluded{"plates, flat vessel ends, flanges and nozzles",
-                "plate, flat plate, flat end, flange, nozzle, manhole, tube sheet, Platte, Flansch, Stutzen, "
+    NotIncluded{"plates, flanges and nozzles",
+                "plate, flat plate, flange, nozzle, manhole, tube sheet, Platte, Flansch, Stutzen, "
                 "пластина, фланец, патрубок",
                 "vessel.cylinder, vessel.end, vessel.shell"},
-    NotIncluded{"vessels under external pressure or vacuum",
-                "external pressure, vacuum vessel, shell buckling, Außendruck, Schalenbeulen, наружное давление",
-                "vessel.cylinder, vessel.sphere"},
+    NotIncluded{"cones, ends and reinforcing rings under external pressure",
+                "cone under external pressure, head under external pressure, stiffening ring, Versteifungsring",
+                "vessel.external"},
     NotIncluded{"plate buckling and lateral torsional buckling",
                 "plate buckling, local buckling, lateral torsional buckling, Beulen, Biegedrillknicken, Kippen, "
                 "местная устойчивость",

@@ -169,6 +169,10 @@ const Law vessels[] = {
      "u_2", 1},
     {"vessel.autofrettage", "", "p = \"600 MPa\"\nR_e = \"1700 MPa\"", "sigma_ri", 2},
     {"vessel.autofrettage", "", "R_i = \"100 mm\"\nR_a = \"200 mm\"\nr_p = \"140 mm\"", "p_A", 1},
+    {"vessel.external", "delta = \"8 mm\"\nc = \"0 mm\"",
+     "delta = \"16 mm\"\nc = \"0 mm\"\nD_a = \"2400 mm\"\nL = \"4800 mm\"", "p_cr", 1},
+    {"vessel.external", "delta = \"8 mm\"\nc = \"0 mm\"",
+     "delta = \"16 mm\"\nc = \"0 mm\"\nD_a = \"2400 mm\"\nL = \"4800 mm\"", "p_a", 1},
 };
 
 const Law drives[] = {
@@ -390,6 +394,7 @@ const Trend trends[] = {
     {"vessel.end", "u_y", falls, "delta", {R"("6 mm")", R"("12 mm")", R"("20 mm")", R"("60 mm")"}},
     {"vessel.compound", "sigma_v1", falls, "U_min", {R"("160 um")", R"("200 um")", R"("240 um")", R"("280 um")"}},
     {"vessel.autofrettage", "sigma_ri", falls, "r_p", {R"("55 mm")", R"("65 mm")", R"("80 mm")", R"("95 mm")"}},
+    {"vessel.external", "p_a", falls, "L", {R"("0.6 m")", R"("1.2 m")", R"("6 m")", R"("30 m")"}, "delta = \"8 mm\""},
     {"vessel.thick_sphere", "u_v", falls, "delta", {R"("20 mm")", R"("40 mm")", R"("80 mm")", R"("200 mm")"}},
     {"vessel.thick", "u_v", falls, "delta", {R"("20 mm")", R"("40 mm")", R"("80 mm")", R"("200 mm")"}},
     {"vessel.shell", "p_max", rises, "delta", {R"("4 mm")", R"("6 mm")", R"("8 mm")", R"("10 mm")"}},

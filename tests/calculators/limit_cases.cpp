@@ -276,6 +276,23 @@ const Case vessels[] = {
     {"vessel.autofrettage", "hypothesis = \"mises\"", "p_y", 850e6 * 0.75 / std::sqrt(3.0)},
     {"vessel.autofrettage", "", "r_opt", 0.05 * std::exp(300.0 / 850)},
     {"vessel.autofrettage", "", "w", 0.4},
+    // shells: limits of the hoop stress computed independently
+    {"vessel.external", "delta = \"8 mm\"", "p_a", 0.28043116028638315e6},
+    {"vessel.external", "delta = \"8 mm\"\nL = \"30 mm\"", "p_a", 1.854629074185163e6},
+    {"vessel.external", "delta = \"8 mm\"\nL = \"200 mm\"", "F_he", 719.2468332698351e6},
+    {"vessel.external", "delta = \"8 mm\"\nL = \"60 m\"", "p_a", 0.036681944444444455e6},
+    {"vessel.external", "delta = \"8 mm\"\nL = \"1e6 m\"", "p_cr",  // an endless tube
+     210e9 / 4 / 0.91 * std::pow(7.0 / 596.5, 3)},
+    {"vessel.external", "delta = \"8 mm\"\nL = \"1e6 m\"", "n", 2.0},
+    {"vessel.external", "delta = \"21 mm\"", "F_ic", 174033927.942618},
+    {"vessel.external", "shape = \"sphere\"\nL = \ndelta = \"3 mm\"", "p_a", 0.175e6},
+    {"vessel.external", "shape = \"sphere\"\nL = \ndelta = \"8 mm\"", "p_a", 1.7941109143372342e6},
+    {"vessel.external", "shape = \"sphere\"\nL = \ndelta = \"21 mm\"", "p_a", 7.507279012269579e6},
+    {"vessel.external",
+     "shape = \"sphere\"\nL = \ndelta = \"60 mm\"\nc = \"0 mm\"\nR_e = \"215 MPa\"\nmaterial = \nE = \"210 GPa\"",
+     "F_ic", 215e6},
+    {"vessel.external", "shape = \"sphere\"\nL = \ndelta = \"8 mm\"", "p_cr",
+     2 * 210e9 / std::sqrt(3 * 0.91) * std::pow(7.0 / 596.5, 2)},
 };
 
 // One cycle, from -40 to 120 MPa, given by any two of its numbers.

@@ -83,6 +83,9 @@ const Side vessels[] = {
     {"vessel.autofrettage", "u_p", over, "S", "1.675", "1.676"},
     {"vessel.autofrettage", "u_B", over, "f_B", "0.578", "0.577"},
     {"vessel.autofrettage", "x_k", outside, "R_a", R"("250 mm")", R"("251 mm")"},
+    // 5 mm of steel, computed independently: 0.11975 MPa
+    {"vessel.external", "u_e", over, "p_e", R"("0.1197 MPa")", R"("0.1198 MPa")", R"(delta = "6 mm")"},
+    {"vessel.external", "x_D", outside, "delta", R"("1.61 mm")", R"("1.59 mm")"},
     {"vessel.shell", "t_R", outside, "delta", R"("49.9 mm")", R"("50 mm")"},
     {"vessel.shell", "u_v", over, "sigma_adm", R"("39 MPa")", R"("38 MPa")", R"(delta = "8 mm")"},
     {"vessel.shell", "x_s", outside, "delta", R"("31.2 mm")", R"("31.3 mm")", R"(measured = "mean")"},

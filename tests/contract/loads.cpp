@@ -102,6 +102,7 @@ constexpr std::array takes_alone{
     Reason{"vessel.thick_sphere", of_a_wall},
     Reason{"vessel.compound", of_a_wall},
     Reason{"vessel.autofrettage", of_a_wall},
+    Reason{"vessel.external", of_a_wall},
 };
 
 using Visit = std::function<void(std::span<const FieldInfo> beside, const FieldInfo& field, const std::string& path)>;

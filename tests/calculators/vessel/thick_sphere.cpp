@@ -72,7 +72,6 @@ TEST_SUITE("vessel.thick_sphere") {
         auto in = ball(p, p_e);
         in.hypothesis = hypothesis, in.z_l = 0.85, in.z_c = 0.9, in.c = 1.0 * mm;
         in.delta = sphere(in).delta_min;
-        CAPTURE(p_e);
         CHECK(std::abs(sphere(in).u_v - 1.0) < 1e-9);
       }
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "calculators/vessel/capacity.hpp"
+#include "calculators/vessel/liquid.hpp"
 
 namespace loadpath::vessel {
 
@@ -75,15 +76,18 @@ double assess(const Input& in, Result& r, Length scale, const Make& make, const 
 }
 
 /// The allowable stress in the test and the pressure that it must have; `by_yield`: the yield strength, if it is given,
-/// decides the allowable stress in service, which rises with it in the cold.
+/// decides the allowable stress in service, which rises with it in the cold. Returns the pressure at the lowest point.
 template <class Input, class Result, class Tracer>
-void test_requirements(const Input& in, bool by_yield, Result& r, Tracer& trace) {
+Stress test_requirements(const Input& in, bool by_yield, Result& r, Tracer& trace) {
   const Stress R_t = trace.value("R_t", is_set(in.R_e_t) ? in.R_e_t : in.R_e, "yield strength in the test");
   STEP_TO(r, f_test, R_t / 1.05, "[EN13445-3], 6.2");
   const double f_r = trace.value("f_r", by_yield && is_set(in.R_e) ? std::max(in_si(R_t) / in_si(in.R_e), 1.0) : 1.0,
                                  "allowable stress at the temperature of the test over that in service");
   STEP_TO(r, p_tr, max(1.25 * f_r * in.p, 1.43 * in.p), "[EN13445-5], 10.2.3.3");
   STEP_TO(r, u_tr, p_tr / in.p_t, "requirement of the test");
+  const Density rho_w = trace.value("rho_w", 1000.0 * kg_per_m3, "water");
+  const Acceleration g_n = trace.value("g_n", gravity, "standard acceleration of free fall");
+  return NAMED_STEP("p_w", in.p_t + rho_w * g_n * in.h_t, "pressure of the test at the lowest point");
 }
 
 }  // namespace loadpath::vessel

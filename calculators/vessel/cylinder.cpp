@@ -114,16 +114,16 @@ template <class Tracer>
 void hydrostatic_test(const Input& in, Cylinder::Result& r, Tracer& trace) {
   if (!is_set(in.p_t)) return;
   NoTrace off;
-  test_requirements(in, true, r, trace);
+  const Stress p_w = test_requirements(in, true, r, trace);
   Input fresh = in;
-  fresh.c = 0.0 * mm, fresh.rho = unset<Density>;  // the head of the liquid is in p_t
+  fresh.c = 0.0 * mm, fresh.rho = unset<Density>;  // the head of the test is in p_w
   const Length delta = trace.value("delta", r.delta, "nominal");
   STEP(delta_n, delta * (1.0 - in.f_t) - in.c_t, "wall of the new vessel");
   const Length R_n = trace.value("R_n", in.R + offset(fresh, delta, delta_n, off), "middle of the new wall");
   const Strength strength = strength_of(fresh, r.f_test);
   const CylinderShape shape(fresh, R_n, delta_n, 0.0 * mm);
   const Stress sigma_vt = trace.value(
-      "sigma_vt", equivalent(membrane(shape.at(0.0, off), in.p_t, delta_n, strength, off), strength.hypothesis, off),
+      "sigma_vt", equivalent(membrane(shape.at(0.0, off), p_w, delta_n, strength, off), strength.hypothesis, off),
       "equivalent stress of the new wall in the test, as in service");
   STEP_TO(r, u_t, sigma_vt / r.f_test, "new wall in the test");
 }

@@ -204,15 +204,22 @@ inline constexpr auto radial_stress_needed =
 
 /// The hydrostatic test before service.
 struct TestInput {
-  Stress p_t = unset<Stress>, R_e_t = unset<Stress>;
+  Stress p_t = unset<Stress>;
+  Length h_t = unset<Length>;
+  Stress R_e_t = unset<Stress>;
 };
 
 template <class Input>
 constexpr auto test_inputs() {
   return Fields{
-      Field<Input, Stress>{&Input::p_t, "p_t", MPa, "test pressure, head of the test liquid included"}
+      Field<Input, Stress>{&Input::p_t, "p_t", MPa, "test pressure at the top of the vessel"}
           .positive()
           .usually(0.01, 200)
+          .may_be_missing(),
+      Field<Input, Length>{&Input::h_t, "h_t", mm,
+                           "height of the test water above the lowest point of the part; 0: gas"}
+          .at_least(0)
+          .usually(0, 50000)
           .may_be_missing(),
       Field<Input, Stress>{&Input::R_e_t, "R_e_t", MPa, "yield strength at the temperature of the test; R_e if omitted"}
           .positive()
@@ -230,7 +237,7 @@ template <class Result>
 constexpr auto test_results() {
   return Fields{
       Field<Result, Stress>{&Result::f_test, "f_test", MPa, "allowable stress in the test"},
-      Field<Result, Stress>{&Result::p_tr, "p_tr", MPa, "required test pressure, without the head of the liquid"},
+      Field<Result, Stress>{&Result::p_tr, "p_tr", MPa, "required test pressure at the top of the vessel"},
       Field<Result, double>{&Result::u_t, "u_t", ratio, "test: utilisation of the new wall at the test pressure"}.check(
           "p_t"),
       Field<Result, double>{&Result::u_tr, "u_tr", ratio, "test: required / given test pressure"}.check("p_t")};
@@ -240,6 +247,8 @@ template <class Input>
 constexpr auto test_rules() {
   return std::array{Rule<Input>{[](const Input& in) { return !is_set(in.p_t) || is_set(in.R_e_t) || is_set(in.R_e); },
                                 "p_t, R_e_t, R_e", "a test needs the yield strength R_e_t, or R_e"},
+                    Rule<Input>{[](const Input& in) { return is_set(in.p_t) == is_set(in.h_t); }, "p_t, h_t",
+                                "a test needs its pressure p_t and the height h_t of its water, 0 for gas"},
                     Rule<Input>{[](const Input& in) { return !is_set(in.R_e_t) || is_set(in.p_t); }, "R_e_t, p_t",
                                 "R_e_t is the yield strength in the test: give its pressure p_t"}};
 }

@@ -57,21 +57,21 @@ const Side vessels[] = {
     {"vessel.end", "x_R", outside, "R", R"("2004 mm")", R"("2005 mm")",
      "delta = \"12 mm\"\nform = \"torispherical\"\nr = \"200 mm\""},
     {"vessel.end", "x_K", outside, "h_i", R"("450 mm")", R"("449 mm")", "delta = \"12 mm\"\nform = \"ellipsoidal\""},
-    {"vessel.end", "u_tr", over, "p_t", R"("1.431 MPa")", R"("1.429 MPa")", R"(delta = "14 mm")"},
+    {"vessel.end", "u_tr", over, "p_t", R"("1.431 MPa")", R"("1.429 MPa")", "delta = \"14 mm\"\nh_t = \"0 mm\""},
     {"vessel.end", "u_t", over, "R_e_t", R"("216 MPa")", R"("215 MPa")",
      R"(delta = "12 mm")"
-     "\np_t = \"1.43 MPa\""},
+     "\np_t = \"1.43 MPa\"\nh_t = \"0 mm\""},
     {"vessel.cylinder", "u_tr", over, "p_t", R"("2.29 MPa")", R"("2.28 MPa")",
-     "delta = \"10 mm\"\nR_e_t = \"235 MPa\""},
+     "delta = \"10 mm\"\nR_e_t = \"235 MPa\"\nh_t = \"0 mm\""},
     // 10 mm on a mean radius of 605 mm, 2.3 MPa inside: 2.3 (60.5/0.85 + 1) = 166.01 MPa, against R_e_t/1.05
     {"vessel.cylinder", "u_t", over, "R_e_t", R"("174.4 MPa")", R"("174.2 MPa")",
-     "delta = \"10 mm\"\np_t = \"2.3 MPa\""},
+     "delta = \"10 mm\"\np_t = \"2.3 MPa\"\nh_t = \"0 mm\""},
     // C = 0.33, 600 mm and 1 mm of corrosion, f = 117.14 MPa
     {"vessel.flat_end", "u_e", over, "delta", R"("33 mm")", R"("32.9 mm")"},
     {"vessel.flat_end", "x_e", outside, "delta", R"("7.1 mm")", R"("7 mm")"},
     {"vessel.flat_end", "u_t", over, "R_e_t", R"("165.6 MPa")", R"("165.4 MPa")",
-     "delta = \"33 mm\"\np_t = \"1.445 MPa\""},
-    {"vessel.flat_end", "u_tr", over, "p_t", R"("1.431 MPa")", R"("1.429 MPa")", R"(delta = "35 mm")"},
+     "delta = \"33 mm\"\np_t = \"1.445 MPa\"\nh_t = \"0 mm\""},
+    {"vessel.flat_end", "u_tr", over, "p_t", R"("1.431 MPa")", R"("1.429 MPa")", "delta = \"35 mm\"\nh_t = \"0 mm\""},
     // radii of 80 and 120 mm under 40 MPa: 144 MPa by Tresca, over 355 MPa / S
     {"vessel.thick", "u_v", over, "S", "2.465", "2.466", R"(delta = "40 mm")"},
     {"vessel.thick_sphere", "u_v", over, "S", "3.7", "3.701", "delta = \"50 mm\"\np = \"45 MPa\""},

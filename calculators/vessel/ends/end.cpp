@@ -129,9 +129,9 @@ template <class Tracer>
 void hydrostatic_test(const Input& in, Length delta, Result& r, Tracer& trace) {
   if (!is_set(in.p_t)) return;
   NoTrace off;
-  test_requirements(in, !(in.R_e / 1.5 > in.R_m / 2.4), r, trace);
+  const Stress p_w = test_requirements(in, !(in.R_e / 1.5 > in.R_m / 2.4), r, trace);
   Input fresh = in;
-  fresh.p = in.p_t, fresh.c = 0.0 * mm, fresh.R_e = 1.5 * r.f_test;  // the design stress of buckling is R_e/1.5
+  fresh.p = p_w, fresh.c = 0.0 * mm, fresh.R_e = 1.5 * r.f_test;  // the design stress of buckling is R_e/1.5
   Result n;
   n.f = r.f_test;
   n.e = delta * (1.0 - in.f_t) - in.c_t;

@@ -38,11 +38,11 @@ template <class Tracer>
 void test_of_plate(const Input& in, Result& r, Tracer& trace) {
   if (!is_set(in.p_t)) return;
   NoTrace off;
-  test_requirements(in, !(in.R_e / 1.5 > in.R_m / 3.5), r, trace);
+  const Stress p_w = test_requirements(in, !(in.R_e / 1.5 > in.R_m / 3.5), r, trace);
   const Length new_end = r.delta - in.c_t;
   const Stress p_n = trace.value("p_n", pressure_of_plate("p_n", r.f_test, in.z, r.C_e, in.D_i, new_end, off),
                                  "pressure that the new end bears at f_test, [UG-34]");
-  STEP_TO(r, u_t, in.p_t / p_n, "new end in the test");
+  STEP_TO(r, u_t, p_w / p_n, "new end in the test");
 }
 
 }  // namespace

@@ -61,13 +61,13 @@ TEST_SUITE("vessel.flat_end") {
 
   TEST_CASE("a test below the required pressure, or beyond the new wall, fails the ends and the shell") {
     FlatEnd::Input in = plate();
-    in.p_t = 1.4 * MPa;
+    in.p_t = 1.4 * MPa, in.h_t = 0.0 * mm;
     CHECK(flat(in).u_tr > 1.0);
     in.p_t = 5.0 * MPa;
     CHECK(flat(in).u_t > 1.0);
     vessel::End::Input end;
     end.p = 1.0 * MPa, end.D_i = 1980.0 * mm, end.delta = 12.0 * mm, end.R_e = 265.0 * MPa, end.R_m = 410.0 * MPa;
-    end.p_t = 1.43 * MPa;
+    end.p_t = 1.43 * MPa, end.h_t = 0.0 * mm;
     // crown, knuckle by yield and by buckling of the new end, computed independently: 215.58/265
     CHECK(rel(solve<vessel::End>(end).u_t, 215.58019975297407 / 265.0) < 1e-9);
     CHECK(rel(solve<vessel::End>(end).u_tr, 1.0) < 1e-12);
@@ -80,22 +80,26 @@ TEST_SUITE("vessel.flat_end") {
   TEST_CASE("the test of the new cylinder: Tresca on the mean radius, no matter how much will corrode") {
     vessel::Cylinder::Input shell;
     shell.p = 1.0 * MPa, shell.R = 600.0 * mm, shell.measured = vessel::Measured::inner, shell.delta = 10.0 * mm;
-    shell.c = 2.0 * mm, shell.z_l = 0.85, shell.R_e = 265.0 * MPa, shell.S = 1.5, shell.p_t = 1.43 * MPa;
+    shell.c = 2.0 * mm, shell.z_l = 0.85, shell.R_e = 265.0 * MPa, shell.S = 1.5;
+    shell.p_t = 1.43 * MPa, shell.h_t = 0.0 * mm;
     CHECK(rel(solve<vessel::Cylinder>(shell).u_t, 1.43 * (60.5 / 0.85 + 1.0) / (265.0 / 1.05)) < 1e-12);
-    shell.rho = 1000.0 * vessel::kg_per_m3, shell.h_l = 3.0 * m;  // the head of the test is in p_t
+    shell.rho = 1000.0 * vessel::kg_per_m3, shell.h_l = 3.0 * m;  // the liquid in service is not there
     CHECK(rel(solve<vessel::Cylinder>(shell).u_t, 1.43 * (60.5 / 0.85 + 1.0) / (265.0 / 1.05)) < 1e-12);
+    shell.h_t = 5.0 * m;
+    CHECK(rel(solve<vessel::Cylinder>(shell).u_t, (1.43 + 0.04903325) * (60.5 / 0.85 + 1.0) / (265.0 / 1.05)) < 1e-9);
   }
 
   TEST_CASE("what it refuses") {
     const std::string step = "calculator = \"vessel.flat_end\"\np = \"1 MPa\"\nD_i = \"600 mm\"\ndelta = \"40 mm\"\n";
     CHECK(says(step, "give sigma_adm, or R_e and R_m"));
-    CHECK(says(step + "sigma_adm = \"110 MPa\"\np_t = \"1.5 MPa\"", "a test needs the yield strength"));
+    CHECK(says(step + "sigma_adm = \"110 MPa\"\np_t = \"1.5 MPa\"\nh_t = \"0 mm\"", "a test needs the yield strength"));
     CHECK(says(step + "material = \"P265GH\"\nR_e_t = \"265 MPa\"", "give its pressure p_t"));
+    CHECK(says(step + "material = \"P265GH\"\np_t = \"1.5 MPa\"", "the height h_t of its water"));
     CHECK(says(step + "material = \"P265GH\"\nC = 0.3\nm_r = 0.8", "give one of them"));
     CHECK(messages(step + "material = \"P265GH\"").empty());
     const std::string ringed =
         "calculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nends = \"ringed\"\nR_e = \"265 MPa\"\nS = "
         "1.5\n";
-    CHECK(says(ringed + "p_t = \"1.5 MPa\"", "is not covered"));
+    CHECK(says(ringed + "p_t = \"1.5 MPa\"\nh_t = \"0 mm\"", "is not covered"));
   }
 }

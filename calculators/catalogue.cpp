@@ -14,7 +14,7 @@ namespace section {
   struct Circle; struct Ellipse; struct Ring; struct Rectangle; struct I; struct Channel; struct Angle; struct Tee; struct Hollow;
   struct Polygon; struct BuiltUp; struct ThinWalled; struct SolidTorsion;
 }
-namespace column { struct Buckling; struct BeamColumn; struct Lightest; struct EffectiveLength; }
+namespace column { struct Buckling; struct BeamColumn; struct Lightest; struct EffectiveLength; struct Stepped; }
 namespace vessel { struct Cylinder; struct Sphere; struct Cone; struct Torus; struct Ellipsoid; struct Shell; struct Thick; struct ThickWalledSphere; struct Compound; struct Autofrettage; struct External; struct End; struct FlatEnd; }
 namespace fatigue { struct Cycle; struct Endurance; struct Wohler; struct Din743; struct Life; struct Combined; struct History; struct Multiaxial; struct Staircase; struct Survival; struct Fkm; }
 namespace gear { struct Pair; struct Planetary; struct Rating; }
@@ -71,6 +71,7 @@ static constexpr std::array all{
     Row{&erased<column::BeamColumn>},
     Row{&erased<column::Lightest>},
     Row{&erased<column::EffectiveLength>},
+    Row{&erased<column::Stepped>},
     Row{&erased<vessel::Cylinder>},
     Row{&erased<vessel::Sphere>},
     Row{&erased<vessel::Cone>},

@@ -67,6 +67,10 @@ const Law bars[] = {
      "I_t = \"60 cm^4\"\nI_w = \"171100 cm^6\"\nM_y_1 = \"120 kN*m\"\nM_y_2 = \"-40 kN*m\"", "u_LT", 2},
     {"column.lightest", "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"",
      "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nl = \"2.25 m\"", "N_cr", 4},
+    {"column.stepped", "parts = [{ l = \"2 m\", d = \"100 mm\", P = \"50 kN\" }]\nrho = ",
+     "parts = [{ l = \"4 m\", d = \"100 mm\", P = \"50 kN\" }]\nrho = ", "alpha_cr", 1.0 / 4},
+    {"column.stepped", "parts = [{ l = \"2 m\", d = \"100 mm\" }]", "parts = [{ l = \"4 m\", d = \"200 mm\" }]",
+     "alpha_cr", 1.0 / 2},  // under its weight: q as d^2, E I as d^4, l^3
     {"column.effective_length", "", "l = \"2.4 m\"\nc_1 = \"20 kN*m/rad\"", "beta", 1},
     // turned about: the ends change places
     {"column.effective_length", "", "end_1 = \"pinned\"\nc_1 = \nend_2 = \"elastic\"\nc_2 = \"40 kN*m/rad\"", "beta",
@@ -368,6 +372,7 @@ const Trend trends[] = {
      R"(d = "70 mm")"},
     {"column.buckling", "sigma_cr", falls, "l", {R"("500 mm")", R"("700 mm")", R"("900 mm")", R"("1200 mm")"}},
     {"column.beam_column", "u_z", rises, "M_z", {R"("0 kN*m")", R"("2 kN*m")", R"("5 kN*m")", R"("40 kN*m")"}},
+    {"column.stepped", "alpha_cr", falls, "rho", {R"("100 kg/m^3")", R"("2700 kg/m^3")", R"("7850 kg/m^3")"}},
     {"column.effective_length",
      "beta",
      falls,

@@ -128,6 +128,9 @@ R_e = "235 MPa")",
     {"column.beam_column", "P = \"0 kN\"\nl = \"1 mm\"\nsection = \"SHS 200x200x8\"", "k_zz", 1.0},
     {"column.beam_column", "M_y_1 = \nM_y_2 = \nM_z = \nl = \"1 mm\"", "u_z", 600e3 / (7808e-6 * 235e6)},  // yields
     {"column.lightest", "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"", "q", 16.7},  // the only one
+    {"column.stepped",  // equal parts without weight are Euler's column
+     "rho = \nparts = [{ l = \"3 m\", d = \"100 mm\" }, { l = \"2 m\", d = \"100 mm\", P = \"1 kN\" }]", "F_cr",
+     pi* pi * 210e9 * (pi / 64 * 1e-4) / (10.0 * 10.0)},
     {"column.effective_length", R"(c_1 = "0 N*m/rad")", "beta", 1.0},                          // a pin
     {"column.effective_length", R"(c_1 = "1e9 kN*m/rad")", "beta",
      0.699155659780},  // built in: pi over the root of tan x = x

@@ -175,6 +175,8 @@ const Side bars[] = {
      "lambda_0 = 60\nE = \"210 GPa\"\nmaterial = \nn_st = 2\ngamma_M1 = \ngamma_F = "},
     {"column.lightest", "r_class", outside, "R_e", R"("2339 MPa")", R"("2340 MPa")",
      "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nE = \"210 GPa\"\nmaterial = "},
+    {"column.stepped", "u", over, "n_st", "6.65", "6.66"},
+    {"column.stepped", "r_P", outside, "sigma_P", R"("56 MPa")", R"("55 MPa")", "R_e = "},
     {"column.effective_length", "u", State::not_available, "c_1", R"("0.1 N*m/rad")", R"("0.001 N*m/rad")",
      R"(k_1 = "0 N/mm")"},
 };

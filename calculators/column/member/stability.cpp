@@ -1,9 +1,9 @@
 #include "calculators/column/member/stability.hpp"
 
+#include "calculators/column/member/stiffness.hpp"
 #include "lib/numerics/magnitude.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -39,76 +39,18 @@ Span span_at(double u, double a) {
           clamped_below(h, f1)};
 }
 
-/// The symmetric stiffness of all nodes, deflection and angle in turn; a band of four next to the diagonal.
-template <std::size_t nodes>
-struct Stiffness {
-  static constexpr std::size_t most = 2 * nodes, band = 4;
-  std::array<std::array<double, band>, most> rows{};  // rows[i][k] = K(i, i + k)
-  std::size_t size = 0;
-
-  void add(std::size_t i, std::size_t j, double k) { rows[std::min(i, j)][std::max(i, j) - std::min(i, j)] += k; }
-
-  void add_span(std::size_t node, const Span& s) {
-    const std::size_t v = 2 * node, t = v + 1, v2 = v + 2, t2 = v + 3;
-    add(v, v, s.shear), add(v2, v2, s.shear), add(v, v2, -s.shear);
-    add(t, t, s.near), add(t2, t2, s.near), add(t, t2, s.far);
-    add(v, t, s.cross), add(v, t2, s.cross), add(t, v2, -s.cross), add(v2, t2, -s.cross);
-  }
-
-  /// Fixed degrees of freedom are removed: row and column are cleared, the pivot is 1.
-  void hold(std::size_t i) {
-    for (std::size_t k = 0; k < band; ++k) {
-      rows[i][k] = 0.0;
-      if (k <= i) rows[i - k][k] = 0.0;
-    }
-    rows[i][0] = 1.0;
-  }
-
-  void support(std::size_t i, double spring) {
-    if (std::isinf(spring)) {
-      hold(i);
-    } else {
-      rows[i][0] += spring;
-    }
-  }
-
-  /// Triangular factors in place; how many pivots are negative.
-  int factor() {
-    int negative = 0;
-    for (std::size_t i = 0; i < size; ++i) {
-      const double pivot = rows[i][0] == 0.0 ? 1e-300 : rows[i][0];
-      negative += pivot < 0.0 ? 1 : 0;
-      for (std::size_t j = 1; j < band && i + j < size; ++j) {
-        const double ratio = rows[i][j] / pivot;
-        for (std::size_t k = j; k < band && i + k < size; ++k) rows[i + j][k - j] -= ratio * rows[i][k];
-        rows[i][j] = ratio;
-      }
-      rows[i][0] = pivot;
-    }
-    return negative;
-  }
-
-  void solve(std::vector<double>& b) const {
-    for (std::size_t i = 0; i < size; ++i) {
-      for (std::size_t k = 1; k < band && i + k < size; ++k) b[i + k] -= rows[i][k] * b[i];
-    }
-    for (std::size_t i = size; i-- > 0;) {
-      b[i] /= rows[i][0];
-      for (std::size_t k = 1; k < band && i + k < size; ++k) b[i] -= rows[i][k] * b[i + k];
-    }
-  }
-};
-
-void add_ends(auto& stiffness, const Bar& bar, std::size_t last) {
-  stiffness.support(0, bar.start.across);
-  stiffness.support(1, bar.start.turning);
-  stiffness.support(2 * last, bar.end.across);
-  stiffness.support(2 * last + 1, bar.end.turning);
+/// Adds a span between a node and the next.
+void add_span(auto& stiffness, std::size_t node, const Span& s) {
+  const std::size_t v = 2 * node, t = v + 1, v2 = v + 2, t2 = v + 3;
+  stiffness.add(v, v, s.shear), stiffness.add(v2, v2, s.shear), stiffness.add(v, v2, -s.shear);
+  stiffness.add(t, t, s.near), stiffness.add(t2, t2, s.near), stiffness.add(t, t2, s.far);
+  stiffness.add(v, t, s.cross), stiffness.add(v, t2, s.cross);
+  stiffness.add(t, v2, -s.cross), stiffness.add(v2, t2, -s.cross);
 }
 
 /// The number of critical forces below u.
 int criticals_below(const Bar& bar, double u) {
-  Stiffness<most_supports + 2> stiffness;
+  BandStiffness<most_supports + 2> stiffness;
   const std::size_t last = bar.supports.size() + 1;
   stiffness.size = 2 * (last + 1);
   int count = 0;
@@ -116,12 +58,12 @@ int criticals_below(const Bar& bar, double u) {
   for (std::size_t node = 0; node < last; ++node) {
     const double next = node + 1 < last ? bar.supports[node] : 1.0;
     const Span span = span_at(u, next - x);
-    stiffness.add_span(node, span);
+    add_span(stiffness, node, span);
     count += span.clamped;
     x = next;
   }
   for (std::size_t node = 1; node < last; ++node) stiffness.hold(2 * node);
-  add_ends(stiffness, bar, last);
+  add_ends(stiffness, bar.start, bar.end, last);
   return count + stiffness.factor();
 }
 
@@ -168,26 +110,18 @@ double buckling_parameter(const Bar& bar) {
 Shape buckled_shape(const Bar& bar, double u) {
   constexpr std::size_t most_nodes = 7 * (most_supports + 1) + 1;
   Shape shape{stations(bar), {}};
-  Stiffness<std::max(most_nodes, parts + 1)> stiffness;
+  BandStiffness<std::max(most_nodes, parts + 1)> stiffness;
   const std::size_t last = shape.x.size() - 1;
   stiffness.size = 2 * (last + 1);
   for (std::size_t node = 0; node < last; ++node)
-    stiffness.add_span(node, span_at(u * (1.0 - 1e-7), shape.x[node + 1] - shape.x[node]));
+    add_span(stiffness, node, span_at(u * (1.0 - 1e-7), shape.x[node + 1] - shape.x[node]));
   for (std::size_t node = 1; node < last; ++node) {
     if (std::find(bar.supports.begin(), bar.supports.end(), shape.x[node]) != bar.supports.end())
       stiffness.hold(2 * node);
   }
-  add_ends(stiffness, bar, last);
+  add_ends(stiffness, bar.start, bar.end, last);
   stiffness.factor();
-  std::vector<double> mode(stiffness.size);
-  for (std::size_t i = 0; i < mode.size(); ++i)
-    mode[i] = 1.0 + 0.01 * static_cast<double>(i);  // no mode is at right angles
-  for (int round = 0; round < 3; ++round) {
-    stiffness.solve(mode);
-    const double size = std::abs(
-        *std::max_element(mode.begin(), mode.end(), [](double a, double b) { return std::abs(a) < std::abs(b); }));
-    for (double& w : mode) w /= size;
-  }
+  const std::vector<double> mode = mode_of(stiffness);
   double largest = 0.0;
   for (std::size_t node = 0; node <= last; ++node) {
     shape.w.push_back(mode[2 * node]);

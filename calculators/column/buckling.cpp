@@ -2,6 +2,7 @@
 
 #include "calculators/column/buckling_parts.hpp"
 #include "calculators/column/codes/aisc.hpp"
+#include "calculators/column/eccentric.hpp"
 #include "calculators/column/member/length_factor.hpp"
 #include "calculators/column/member/methods.hpp"
 #include "lib/calculator/calculator_of.hpp"
@@ -150,7 +151,7 @@ void take_limits(const Input& in, const Material& material, Method by, Result& r
   }
 }
 
-/// Data of each axis for EN 1993-1-1 and the secant formula.
+/// Data of each axis for EN 1993-1-1.
 template <class Tracer>
 void take_curves(const Input& in, const Material& material, AxisName axis, Axis& a, Tracer& trace) {
   if (!is_set(in.R_e)) return;
@@ -160,17 +161,6 @@ void take_curves(const Input& in, const Material& material, AxisName axis, Axis&
     a.chi = ec3_reduction(a.lambda, a.alpha, material, trace);
     a.lambda_bar = a.lambda / (pi * std::sqrt(in.E / in.R_e));
   }
-  if (!is_set(in.e_y) && !is_set(in.e_z)) return;
-  const bool about_y = axis == AxisName::y;
-  const Length given = about_y ? in.e_y : in.e_z;
-  const auto e = trace.value("e", is_set(given) ? given : 0.0 * mm, "eccentricity in the plane of bending");
-  const Length depth = extreme_fibre(in, axis);
-  const auto c = trace.value("c", is_set(depth) ? depth : 0.0 * mm, "extreme fibre from the axis");
-  STEP_TO(a, eta, e * c / pow<2>(a.i), "eccentricity ratio, [Gere]");
-  const auto sigma_s = a.sigma_s = secant_stress(a.lambda, eta, in.E, in.R_e);
-  trace.value("sigma_s", sigma_s, "found so that the extreme fibre yields, or the bar buckles by Euler without e");
-  STEP(sigma_max, sigma_s * (1.0 + eta / cos(0.5 * a.lambda * sqrt(sigma_s / in.E))),
-       "extreme fibre, secant formula, [Gere]");
 }
 
 /// Where the critical stress of the bar comes from.
@@ -246,6 +236,7 @@ Result Buckling::judge(const Input& in, bool is_bent, Tracer& trace) {
     [[maybe_unused]] const auto here = trace.scope("axes", r.axes.size());
     slenderness(in, axis, r, trace);
     take_curves(in, material, axis, r.axes.back(), trace);
+    take_offset(in, axis, r, trace);
   };
   about(AxisName::y);
   about(AxisName::z);
@@ -258,6 +249,7 @@ Result Buckling::judge(const Input& in, bool is_bent, Tracer& trace) {
   }
   const Method by = method_of(in);
   take_limits(in, material, by, r, trace);
+  sum_up_offset(in, r, trace);
   add_methods(in, material, by, r, trace, std::make_index_sequence<most_methods>{});
   conclude(in, by, is_bent, r, trace);
   return r;

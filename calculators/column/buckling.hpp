@@ -1,13 +1,13 @@
 // A compressed bar against buckling, by every method that its inputs allow, side by side.
 //
 // Decides the critical stress and the allowable load about both axes, by Euler, Tetmajer-Yasinsky, Johnson, Rankine,
-// the secant formula, EN 1993-1-1 6.3.1, AISC 360 E3 and SP 16.13330; one of them is chosen for the check. Critical
-// stresses hold no safety; each allowable load holds the safety of its own method. Uniform straight bar, central load
-// (but for the secant formula), flexural buckling about the principal axes y and z. Sign: N is positive in tension, as
-// mechanisms give it; P is positive in compression. Both may be series. In tension the plain stress N/A is held
-// against the yield strength with a safety of its own. Not covered: the net section of a bar in tension, torsional and
-// flexural-torsional buckling (open sections of one symmetry or none), sections of class 4, built-up and tapered bars,
-// transverse loads, biaxial eccentricity.
+// the secant formula (with an eccentricity, a bow or both), EN 1993-1-1 6.3.1, AISC 360 E3 and SP 16.13330; one of them
+// is chosen for the check. Critical stresses hold no safety; each allowable load holds the safety of its own method.
+// Uniform straight bar, central load (but for the secant formula), flexural buckling about the principal axes y and z.
+// Sign: N is positive in tension, as mechanisms give it; P is positive in compression. Both may be series. In tension
+// the plain stress N/A is held against the yield strength with a safety of its own. Not covered: the net section of a
+// bar in tension, torsional and flexural-torsional buckling (open sections of one symmetry or none), sections of class
+// 4, built-up and tapered bars, transverse loads, biaxial eccentricity.
 #pragma once
 
 #include "calculators/column/bounds.hpp"
@@ -32,11 +32,13 @@ struct Buckling {
       "Rankine, secant formula, EN 1993-1-1, AISC 360 and SP 16, and the allowable load of each with its own "
       "safety factor; tension is assessed by N/A on the gross section; torsional buckling, class 4 sections "
       "and transverse loads are not covered.";
-  static constexpr auto source = "[B25], [Johnson], [Rankine], [Gere], [EN1993-1-1-buckling], [AISC360], [SP16]";
+  static constexpr auto source =
+      "[B25], [Johnson], [Rankine], [Gere], [Case-Chilver], [EN1993-1-1-buckling], [AISC360], [SP16]";
   static constexpr auto headline = "{section}|d = {d}|A = {A}";
   static constexpr auto subject = "buckling";
   static constexpr auto synonyms =
-      "column, strut, buckling, Euler, Johnson, Tetmajer, Yasinsky, Rankine, secant formula, slenderness, "
+      "column, strut, buckling, eccentric load, initial bow, crooked bar, Euler, Johnson, Tetmajer, Yasinsky, Rankine, "
+      "secant formula, slenderness, "
       "effective length, EN 1993-1-1, AISC 360, SP 16, compression member, Knickung, Knickstab, Knicklänge, "
       "Schlankheit, Stabilität, flexural buckling, critical load, Euler load, Eulerlast, устойчивость, "
       "продольный изгиб, сжатый стержень, гибкость, Эйлер, Ясинский";
@@ -75,11 +77,13 @@ n_st = 3
   static constexpr auto rules = join(
       held_rules<Input>(), section_rules<Input, &section_given, &section_missing, &radii_fit>(),
       std::array{
-          Rule<Input>{&extreme_fibre_known, "e_y, e_z, c_y, c_z, h, b, d, kind",
-                      "an eccentricity needs the distance of the extreme fibre: c_y (or h) with e_y, c_z (or b) with "
-                      "e_z; of a channel about z, a tee about y and an angle c itself, as it is not half the side"},
+          Rule<Input>{&extreme_fibre_known, "e_y, e_z, e_0y, e_0z, c_y, c_z, h, b, d, kind",
+                      "an eccentricity or a bow needs the distance of the extreme fibre: c_y (or h) with e_y and e_0y, "
+                      "c_z (or b) with e_z and e_0z; of a channel about z, a tee about y and an angle c itself, as it "
+                      "is not half the side"},
           Rule<Input>{&needs_of_method,
-                      "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, "
+                      "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, e_0y, e_0z, n_st, gamma_M1, gamma_F, kind, "
+                      "curve_y, curve_z, "
                       "A, h, b, t_f",
                       "an input of the method is missing", &missing_for_method}},
       method_rules<Input>(), assumption_rules<Input, &factors_given>(), eccentricity_rules<Input>());

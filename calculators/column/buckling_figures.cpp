@@ -11,7 +11,7 @@ namespace {
 /// The curve of a method through the data of the governing axis.
 Stress stress_at(double lambda, const Material& material, const AxisResult& axis, Method method) {
   NoTrace trace;
-  if (method == Method::secant) return secant_stress(lambda, axis.eta, material.E, material.R_e);
+  if (method == Method::secant) return secant_stress(lambda, axis.eta, material.E, material.R_e, axis.eta_0);
   if (method == Method::ec3) return ec3_reduction(lambda, axis.alpha, material, trace) * material.R_e;
   return stress_of_slenderness(method, lambda, material, trace);
 }

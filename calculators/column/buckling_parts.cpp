@@ -25,8 +25,8 @@ Length extreme_fibre(const BucklingInput& in, AxisName axis) {
 }
 
 bool fibre_known(const BucklingInput& in) {
-  const auto known = [&](Length e, AxisName axis) { return !(e > 0.0 * mm) || is_set(extreme_fibre(in, axis)); };
-  return known(in.e_y, AxisName::y) && known(in.e_z, AxisName::z);
+  const auto known = [&](bool offset, AxisName axis) { return !offset || is_set(extreme_fibre(in, axis)); };
+  return known(is_offset_about_y(in), AxisName::y) && known(is_offset_about_z(in), AxisName::z);
 }
 
 Curve curve_of(const BucklingInput& in, AxisName axis) {

@@ -47,7 +47,7 @@ bool is_solid(const BucklingInput& in);
 /// Its distance from the axis: as given, else half the side of a section that is symmetric to the axis; unset of a
 /// channel about z, of a tee about y, of an angle.
 Length extreme_fibre(const BucklingInput& in, AxisName axis);
-/// Whether it is for every eccentricity.
+/// Whether it is for every eccentricity and bow.
 bool fibre_known(const BucklingInput& in);
 /// About an axis: as given, else by the kind of section.
 Curve curve_of(const BucklingInput& in, AxisName axis);

@@ -131,12 +131,13 @@ R_e = "235 MPa")",
     {"column.stepped",  // equal parts without weight are Euler's column
      "rho = \nparts = [{ l = \"3 m\", d = \"100 mm\" }, { l = \"2 m\", d = \"100 mm\", P = \"1 kN\" }]", "F_cr",
      pi* pi * 210e9 * (pi / 64 * 1e-4) / (10.0 * 10.0)},
-    {"column.effective_length", R"(c_1 = "0 N*m/rad")", "beta", 1.0},                          // a pin
+    {"column.effective_length", R"(c_1 = "0 N*m/rad")", "beta", 1.0},  // a pin
     {"column.effective_length", R"(c_1 = "1e9 kN*m/rad")", "beta",
      0.699155659780},  // built in: pi over the root of tan x = x
     {"column.buckling", "d_bore = \"30 mm\"", "N_cr",
      pi* pi * 210e9 * (pi / 64 * (0.045 * 0.045 * 0.045 * 0.045 - 0.03 * 0.03 * 0.03 * 0.03)) / (1.8 * 1.8)},
-    {"column.buckling", "method = \"secant\"\ne_y = \"5 mm\"", "axes[1].sigma_max", 340e6},  // the extreme fibre yields
+    {"column.buckling", "method = \"secant\"\ne_y = \"5 mm\"", "axes[1].sigma_edge",
+     340e6},             // the extreme fibre yields
     {"column.buckling",  // of an angle, the weak principal axis
      "d = \nA = \"100 cm^2\"\nI_y = \"2000 cm^4\"\nI_z = \"1000 cm^4\"\nI_min = \"200 cm^4\"\nl = \"5 m\"", "N_cr",
      pi* pi * 210e9 * 200e-8 / (10.0 * 10.0)},

@@ -32,11 +32,12 @@ double tetmajer_transition(const Material& material) {
   return root_between(0.0, high, difference);
 }
 
-Stress secant_stress(double lambda, double eta, Stress E, Stress R_e) {
+Stress secant_stress(double lambda, double eta, Stress E, Stress R_e, double eta_0) {
   const double modulus = in_si(E), yield = in_si(R_e);
-  const double most = std::min(yield, pi * pi * modulus / (lambda * lambda));
+  const double euler = pi * pi * modulus / (lambda * lambda), most = std::min(yield, euler);
   const auto beyond_yield = [&](double sigma) {
-    return sigma * (1.0 + eta / std::cos(0.5 * lambda * std::sqrt(sigma / modulus))) - yield;
+    const double bow = eta_0 > 0.0 ? eta_0 / (1.0 - sigma / euler) : 0.0;  // a straight bar: not 0/0 at Euler's stress
+    return sigma * (1.0 + eta / std::cos(0.5 * lambda * std::sqrt(sigma / modulus)) + bow) - yield;
   };
   return from_si<Stress>(root_between(0.0, most, beyond_yield));
 }

@@ -30,8 +30,9 @@ struct Material {
 /// The smallest slenderness at which a + b lambda + c lambda^2 meets Euler's hyperbola; NaN where they do not meet.
 double tetmajer_transition(const Material& material);
 
-/// The mean stress at which the extreme fibre of an eccentric bar yields, m = e c/i^2; for m = 0 it yields or buckles.
-Stress secant_stress(double lambda, double eta, Stress E, Stress R_e);
+/// The mean stress at which the extreme fibre of an eccentric bar yields, eta = e c/i^2; of a bowed bar eta_0 = e_0
+/// c/i^2. With neither it yields or buckles.
+Stress secant_stress(double lambda, double eta, Stress E, Stress R_e, double eta_0 = 0.0);
 
 template <class Tracer>
 Stress euler_stress(double lambda, const Material& material, Tracer& trace) {

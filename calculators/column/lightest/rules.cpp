@@ -53,9 +53,9 @@ bool is_open_tube(const TableSection& section) {
   return is_set(s.d) && s.kind == SectionKind::unsaid;
 }
 
-/// The first section without the extreme fibre that the eccentricity needs; null if none.
+/// The first section without the extreme fibre that the eccentricity or the bow needs; null if none.
 const TableSection* fibreless(const Input& in) {
-  if (!(in.e_y > 0.0 * mm) && !(in.e_z > 0.0 * mm)) return nullptr;
+  if (!is_offset_about_y(in) && !is_offset_about_z(in)) return nullptr;
   const auto& all = sections_by_mass();
   const auto found = std::find_if(all.begin(), all.end(),
                                   [&](const TableSection& s) { return belongs(s, in) && !fibre_known(bar_of(in, s)); });
@@ -133,10 +133,14 @@ bool Lightest::fibres_known(const Input& in) { return fibreless(in) == nullptr; 
 
 FieldFault Lightest::no_fibre(const Input& in) {
   return {
-      in.e_y > 0.0 * mm ? "e_y" : "e_z",
+      in.e_y > 0.0 * mm    ? "e_y"
+      : in.e_z > 0.0 * mm  ? "e_z"
+      : in.e_0y > 0.0 * mm ? "e_0y"
+                           : "e_0z",
       say("the extreme fibre of {1} is not at half the side, so the secant formula is not available for these sections",
           fibreless(in)->name()),
-      say("leave out e_y, e_z and take another method, or give column.buckling the section with c_y or c_z")};
+      say("leave out e_y, e_z, e_0y, e_0z and take another method, or give column.buckling the section with c_y or "
+          "c_z")};
 }
 
 bool Lightest::strengths_rise(const Input& in) {

@@ -32,13 +32,21 @@ struct Member {
   Transition transition = Transition::computed;
   Stress sigma_c = unset<Stress>;
   double a_R = unset<double>;
-  Length e_y = unset<Length>, e_z = unset<Length>;
+  Length e_y = unset<Length>, e_z = unset<Length>, e_0y = unset<Length>, e_0z = unset<Length>;
   Grade grade = Grade::to_S420;
   Method method = Method::unsaid;
   double n_st = unset<double>, n_t = unset<double>, gamma_M1 = unset<double>, gamma_F = unset<double>, Omega_c = 1.67;
   Class material_class = Class::unsaid;
   double lambda_max = 200.0;
 };
+
+/// Whether the force acts beside the axis of the bar, or its axis is bowed.
+inline bool is_offset_about_y(const Member& in) { return in.e_y > 0.0 * mm.one || in.e_0y > 0.0 * mm.one; }
+inline bool is_offset_about_z(const Member& in) { return in.e_z > 0.0 * mm.one || in.e_0z > 0.0 * mm.one; }
+/// Whether the input says so of either axis, if only that it does not.
+inline bool offset_is_given(const Member& in) {
+  return is_set(in.e_y) || is_set(in.e_z) || is_set(in.e_0y) || is_set(in.e_0z);
+}
 
 /// The load, and how the bar is held.
 template <class Input>
@@ -146,7 +154,7 @@ constexpr auto tetmajer_inputs() {
           .may_be_missing()};
 }
 
-/// Rankine's constants and the eccentricities of the secant formula.
+/// Rankine's constants, and the eccentricities and bows of the secant formula.
 template <class Input>
 constexpr auto rankine_and_secant_inputs() {
   return Fields{
@@ -160,7 +168,11 @@ constexpr auto rankine_and_secant_inputs() {
           .usually(5e-5, 5e-3)
           .may_be_missing(),
       Field<Input, Length>{&Input::e_y, "e_y", mm, "eccentricity causing bending about y"}.at_least(0).may_be_missing(),
-      Field<Input, Length>{&Input::e_z, "e_z", mm, "eccentricity causing bending about z"}
+      Field<Input, Length>{&Input::e_z, "e_z", mm, "eccentricity causing bending about z"}.at_least(0).may_be_missing(),
+      Field<Input, Length>{&Input::e_0y, "e_0y", mm, "initial bow (half sine wave) causing bending about y"}
+          .at_least(0)
+          .may_be_missing(),
+      Field<Input, Length>{&Input::e_0z, "e_0z", mm, "initial bow (half sine wave) causing bending about z"}
           .at_least(0)
           .may_be_missing()};
 }

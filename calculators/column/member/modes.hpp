@@ -25,7 +25,7 @@ Applies pulled(const Input& in) {
 
 template <class Input>
 bool is_eccentric(const Input& in) {
-  return in.e_y > 0.0 * mm.one || in.e_z > 0.0 * mm.one;
+  return is_offset_about_y(in) || is_offset_about_z(in);
 }
 
 template <class Input>

@@ -21,8 +21,10 @@ struct AxisResult {
   double lambda = unset<double>;
   Force N_cr = unset<Force>;
   double alpha = unset<double>, lambda_bar = unset<double>, chi = unset<double>;
-  double eta = unset<double>;
+  double eta = unset<double>, eta_0 = unset<double>;
   Stress sigma_s = unset<Stress>;
+  Length w = unset<Length>;
+  Stress sigma_max = unset<Stress>;
   static constexpr Fields fields{
       NameField{&AxisResult::name, "name", "buckling axis"},
       Field{&AxisResult::i, "i", mm, "radius of gyration"},
@@ -34,7 +36,10 @@ struct AxisResult {
       Field{&AxisResult::lambda_bar, "lambda_bar", ratio, "non-dimensional slenderness of EN 1993-1-1"},
       Field{&AxisResult::chi, "chi", ratio, "reduction factor of EN 1993-1-1"},
       Field{&AxisResult::eta, "eta", ratio, "eccentricity ratio e c/i^2"},
-      Field{&AxisResult::sigma_s, "sigma_s", MPa, "mean stress at yielding of the extreme fibre"}};
+      Field{&AxisResult::eta_0, "eta_0", ratio, "bow ratio e_0 c/i^2"},
+      Field{&AxisResult::sigma_s, "sigma_s", MPa, "mean stress at yielding of the extreme fibre"},
+      Field{&AxisResult::w, "w", mm, "deflection caused by the force at mid-length of the effective length"},
+      Field{&AxisResult::sigma_max, "sigma_max", MPa, "stress of the extreme fibre under the force"}};
 };
 
 struct MethodResult {
@@ -66,6 +71,9 @@ struct MemberResult {
   Stress sigma_cr = unset<Stress>;
   Force P_all = unset<Force>;
   double spread = unset<double>;
+  Stress sigma_max = unset<Stress>;
+  Length w = unset<Length>;
+  double n_e = unset<double>;
   double u = unset<double>, u_e = unset<double>, u_t = unset<double>, x_t = unset<double>;
   double r_lambda = unset<double>, r_1 = unset<double>, r_0 = unset<double>, r_class = unset<double>,
          x_E = unset<double>;
@@ -101,6 +109,19 @@ constexpr auto stress_results() {
       Field<Result, Force>{&Result::P_all, "P_all", kN, "allowable force of the governing method"},
       Field<Result, double>{&Result::spread, "spread", ratio, "relative spread of the critical stresses of the methods"}
           .beside()};
+}
+
+/// The eccentric or bowed bar under its force, by whatever method it is judged.
+template <class Result>
+constexpr auto eccentric_results() {
+  return Fields{
+      Field<Result, Stress>{&Result::sigma_max, "sigma_max", MPa,
+                            "eccentric or bowed bar: elastic stress of the extreme fibre under the force"},
+      Field<Result, Length>{&Result::w, "w", mm,
+                            "eccentric or bowed bar: deflection caused by the force, at mid-length of the effective "
+                            "length (fixed_free: at the free end)"},
+      Field<Result, double>{&Result::n_e, "n_e", ratio,
+                            "eccentric or bowed bar: safety, force at yielding of the extreme fibre / force"}};
 }
 
 /// Buckling by the method that decides.
@@ -182,9 +203,9 @@ constexpr auto side_by_side() {
 
 template <class Result>
 constexpr auto member_results() {
-  return join(slenderness_results<Result>(), stress_results<Result>(), buckling_check<Result>(),
-              eccentric_check<Result>(), tension_checks<Result>(), slenderness_limits<Result>(),
-              tetmajer_limit<Result>(), wall_limits<Result>(), side_by_side<Result>());
+  return join(slenderness_results<Result>(), stress_results<Result>(), eccentric_results<Result>(),
+              buckling_check<Result>(), eccentric_check<Result>(), tension_checks<Result>(),
+              slenderness_limits<Result>(), tetmajer_limit<Result>(), wall_limits<Result>(), side_by_side<Result>());
 }
 
 }  // namespace loadpath::column

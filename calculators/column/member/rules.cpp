@@ -65,7 +65,7 @@ Message lack_of_stress(const Member& in, Method by, bool curves) {
     return say("the crushing stress sigma_c, or the yield strength R_e");
   }
   if (!yields) return say("the yield strength R_e, or a material");
-  if (by == Method::secant && !is_set(in.e_y) && !is_set(in.e_z)) return say("the eccentricity e_y or e_z");
+  if (by == Method::secant && !offset_is_given(in)) return say("the eccentricity e_y or e_z, or the bow e_0y or e_0z");
   if (by == Method::ec3 && !curves)
     return say(
         "the buckling curves: the kind of section (a rolled or welded I with t_f, h and b), or curve_y, curve_z");

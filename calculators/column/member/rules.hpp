@@ -101,11 +101,12 @@ constexpr auto assumption_rules() {
                                 &of<Input, &assumed_factors>, true, "buckling, bent"}};
 }
 
-/// Rules of a bar with eccentricities.
+/// Rules of a bar with eccentricities or bows.
 template <class Input>
 constexpr auto eccentricity_rules() {
-  return std::array{Rule<Input>{[](const Input& in) { return !(in.e_y > 0.0 * mm && in.e_z > 0.0 * mm); }, "e_y, e_z",
-                                "the secant formula covers an eccentricity about one axis only"}};
+  return std::array{Rule<Input>{[](const Input& in) { return !(is_offset_about_y(in) && is_offset_about_z(in)); },
+                                "e_y, e_z, e_0y, e_0z",
+                                "the secant formula covers an eccentricity or a bow about one axis only"}};
 }
 
 /// Whether sizes, area and second moments are of one section.

@@ -116,8 +116,8 @@ std::optional<Sides> add_section(const BucklingInput& in, Drawing::View& view) {
   }
   if (!(h > 0.0) || !(b > 0.0)) return std::nullopt;
   const bool is_I = in.kind == SectionKind::rolled_I || in.kind == SectionKind::welded_I;
-  const bool is_hollow =
-      in.kind == SectionKind::hot_hollow || in.kind == SectionKind::cold_hollow || in.kind == SectionKind::welded_box;
+  const bool is_hollow = in.kind == SectionKind::hot_hollow || in.kind == SectionKind::cold_hollow ||
+                         in.kind == SectionKind::welded_box || is_walled(in);
   if (is_I && t_f > 0.0 && t_w > 0.0 && 2.0 * t_f < h && t_w < b) {
     const double most = std::min(0.5 * (b - t_w), 0.5 * h - t_f);
     const double r = is_set(in.r) ? std::clamp(in_si(in.r), 0.0, most) : 0.0;

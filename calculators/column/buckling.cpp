@@ -35,15 +35,22 @@ void take_section(const Input& in, Result& r, Tracer& trace) {
     r.A = in.A, r.t = in.t_f;
     return;
   }
+  if (!is_set(in.d) && is_walled(in)) {
+    const auto t_f = trace.value("t_f", flange_of(in), "wall across the height");
+    STEP_TO(r, A, in.b * in.h - (in.b - 2.0 * in.t_w) * (in.h - 2.0 * t_f), "hollow rectangle, sharp corners");
+    r.t = max(in.t_w, t_f);
+    return;
+  }
   if (!is_set(in.d)) {
     STEP_TO(r, A, in.b * in.h, "rectangle");
     r.t = min(in.b, in.h);
     return;
   }
-  const auto d_bore = is_set(in.d_bore) ? in.d_bore : 0.0 * mm;
-  if (!is_set(in.d_bore)) trace.value("d_bore", d_bore, "no bore");
+  const Length bore = bore_of(in);
+  const auto d_bore = is_set(bore) ? bore : 0.0 * mm;
+  if (!is_set(in.d_bore)) trace.value("d_bore", d_bore, is_set(bore) ? "within the wall" : "no bore");
   STEP_TO(r, A, pi / 4.0 * (pow<2>(in.d) - pow<2>(d_bore)), "ring or circle");
-  r.t = is_set(in.d_bore) ? 0.5 * (in.d - d_bore) : in.d;
+  r.t = is_set(bore) ? 0.5 * (in.d - d_bore) : in.d;
 }
 
 template <class Tracer>
@@ -82,11 +89,22 @@ Length radius_of_gyration(const Input& in, Area A, AxisName axis, Tracer& trace)
     // without their names, so that the axes go through the same lines and fold into a table
     return trace.value("i", about_y ? in.i_y : in.i_z, "as given");
   }
+  if (!is_set(in.d) && is_walled(in)) {
+    const auto t_f = trace.value("t_f", flange_of(in), "wall across the height");
+    if (about_y) {
+      return NAMED_STEP("i",
+                        sqrt((in.b * pow<3>(in.h) - (in.b - 2.0 * in.t_w) * pow<3>(in.h - 2.0 * t_f)) / (12.0 * A)),
+                        "hollow rectangle about y");
+    }
+    return NAMED_STEP("i", sqrt((in.h * pow<3>(in.b) - (in.h - 2.0 * t_f) * pow<3>(in.b - 2.0 * in.t_w)) / (12.0 * A)),
+                      "hollow rectangle about z");
+  }
   if (!is_set(in.d)) {
     if (about_y) return NAMED_STEP("i", in.h / sqrt(12.0), "rectangle about y");
     return NAMED_STEP("i", in.b / sqrt(12.0), "rectangle about z");
   }
-  const auto d_bore = is_set(in.d_bore) ? in.d_bore : 0.0 * mm;
+  const Length bore = bore_of(in);
+  const auto d_bore = is_set(bore) ? bore : 0.0 * mm;
   return NAMED_STEP("i", sqrt(pow<2>(in.d) + pow<2>(d_bore)) / 4.0, "ring or circle");
 }
 

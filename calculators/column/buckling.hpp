@@ -73,6 +73,7 @@ n_st = 3
   static FieldFault missing_for_method(const Input& in);
   static bool factors_given(const Input& in);
   static Outline outline_of(const Input& in);
+  static double amount(const Input& in) { return in_si(area_of(in)); }
 
   static constexpr auto rules = join(
       held_rules<Input>(), section_rules<Input, &section_given, &section_missing, &radii_fit>(),

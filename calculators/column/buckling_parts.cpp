@@ -11,8 +11,8 @@ Plates plates_of(const BucklingInput& in) {
 
 bool is_solid(const BucklingInput& in) {
   if (in.kind != SectionKind::unsaid) return in.kind == SectionKind::solid;
-  if (is_set(in.d)) return !is_set(in.A) && !(in.d_bore > 0.0 * mm);
-  return !is_set(in.A) || is_full(in);
+  if (is_set(in.d)) return !is_set(in.A) && !(bore_of(in) > 0.0 * mm);
+  return is_set(in.A) ? is_full(in) : !is_walled(in);
 }
 
 Length extreme_fibre(const BucklingInput& in, AxisName axis) {

@@ -15,12 +15,12 @@ using column::AxisName;
 
 /// Shear area of a section with known plates; unset for others.
 Area web_area(const Input& in, Area A) {
-  const bool two =
-      in.kind == SectionKind::hot_hollow || in.kind == SectionKind::cold_hollow || in.kind == SectionKind::welded_box;
+  const bool two = in.kind == SectionKind::hot_hollow || in.kind == SectionKind::cold_hollow ||
+                   in.kind == SectionKind::welded_box || column::is_walled(in);
   const bool one =
       in.kind == SectionKind::rolled_I || in.kind == SectionKind::welded_I || in.kind == SectionKind::channel;
   if (is_set(in.d)) return two ? 0.5 * A : unset<Area>;
-  const Length t_f = is_set(in.t_f) ? in.t_f : in.t_w;
+  const Length t_f = column::flange_of(in);
   if (one || two) return (two ? 2.0 : 1.0) * (in.h - 2.0 * t_f) * in.t_w;
   return unset<Area>;
 }
@@ -31,13 +31,15 @@ Stress shear_stress(const Input& in, Area A, Tracer& trace) {
   const auto V = trace.value("V", abs(in.V), "magnitude");
   if (is_set(in.A_v)) return NAMED_STEP("tau", V / in.A_v, "even over the area that carries it");
   const bool is_massive = in.kind == SectionKind::solid && (is_set(in.d) || (is_set(in.h) && is_set(in.b)));
-  if (is_set(in.A) && !is_massive) {
+  const bool is_box = column::is_walled(in) && !is_set(in.d);
+  if ((is_set(in.A) || is_box) && !is_massive) {
     const auto A_w = trace.value("A_w", web_area(in, A), "of the webs, between the flanges; of a thin tube half of A");
     if (!is_set(A_w)) return unset<Stress>;
     return NAMED_STEP("tau", V / A_w, "the webs carry the shear");
   }
   if (!is_set(in.d)) return NAMED_STEP("tau", 1.5 * V / A, "neutral axis of a rectangle");
-  const auto d_i = trace.value("d_i", is_set(in.d_bore) ? in.d_bore : 0.0 * mm, "bore");
+  const Length bore = column::bore_of(in);
+  const auto d_i = trace.value("d_i", is_set(bore) ? bore : 0.0 * mm, "bore");
   return NAMED_STEP("tau", 4.0 / 3.0 * V / A * (pow<2>(in.d) + in.d * d_i + pow<2>(d_i)) / (pow<2>(in.d) + pow<2>(d_i)),
                     "neutral axis of a ring or circle");
 }
@@ -139,25 +141,15 @@ bool Member::force_given(const Input& in) { return is_set(in.N) || is_set(in.P);
 
 bool Member::fibre_known(const Input& in) { return is_set(column::extreme_fibre(in, AxisName::y)); }
 
-namespace {
-
-Area area_of(const Input& in) {
-  if (is_set(in.A)) return in.A;
-  const Length bore = is_set(in.d_bore) ? in.d_bore : 0.0 * mm;
-  return is_set(in.d) ? pi / 4.0 * (pow<2>(in.d) - pow<2>(bore)) : in.h * in.b;
-}
-
-}  // namespace
-
 bool Member::shear_inside(const Input& in) {
   constexpr double rounding = 1.01;
-  return !(in.A_v > rounding * area_of(in));
+  return !(in.A_v > rounding * column::area_of(in));
 }
 
 /// Bound: web with its fillets, webs of a box, a tube; otherwise only the full section.
 double Member::most_shear_area(const Input& in) {
   constexpr double rounding = 1.01;
-  const Area A = area_of(in);
+  const Area A = column::area_of(in);
   const Length r = is_set(in.r) ? in.r : 0.0 * mm;
   switch (in.kind) {
     case SectionKind::rolled_I:

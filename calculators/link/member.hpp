@@ -157,6 +157,7 @@ S = 1.5
   static double most_shear_area(const Input& in);
   static double least_moment(const Input& in);
   static Applies without_mass(const Input& in);
+  static double amount(const Input& in) { return in_si(column::area_of(in)); }
   static bool ends_in_plane(const Input& in);
   static bool is_lean(const Input& in);
   static Applies loaded(const Input& in);

@@ -107,6 +107,8 @@ constexpr Calculator calculator_of() {
     detail::loop_of<C>(in, columns, out)(in, columns, out, count);
   };
   if constexpr (requires { C::sized; }) c.sizing = detail::sizing_of<C>();
+  if constexpr (requires(const Input& in) { C::amount(in); })
+    c.sizing.cost = [](const void* in) { return C::amount(*static_cast<const Input*>(in)); };
   if constexpr (requires { C::meanings; }) c.meanings = C::meanings;
   if constexpr (requires { C::senses; }) c.senses = C::senses;
   if constexpr (requires { C::notch_claims; }) c.notches = C::notch_claims;

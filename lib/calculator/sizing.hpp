@@ -28,7 +28,8 @@ struct Sizing {
   bool (*arrange)(const void* input, std::span<Sought> sought, std::size_t way) = nullptr;
   /// Raises each no further than the others and the given inputs require; false if no size is large enough.
   bool (*raise)(const void* input, std::span<Sought> sought) = nullptr;
-  /// The objective that the search minimises, at the current sizes of the input: a volume.
+  /// The objective that the search minimises, at the current sizes of the input: a volume. Without a list: that of
+  /// sizes of the part itself that are searched for together, an area; null: each in turn is the smallest.
   double (*cost)(const void* input) = nullptr;
   /// The element of the list that an element of a result's list refers to, "sections", and with it its checks;
   /// nullptr if there is none. These checks depend only on the sizes of that element and of its neighbours.

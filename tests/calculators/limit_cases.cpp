@@ -136,6 +136,8 @@ R_e = "235 MPa")",
      0.699155659780},  // built in: pi over the root of tan x = x
     {"column.buckling", "d_bore = \"30 mm\"", "N_cr",
      pi* pi * 210e9 * (pi / 64 * (0.045 * 0.045 * 0.045 * 0.045 - 0.03 * 0.03 * 0.03 * 0.03)) / (1.8 * 1.8)},
+    {"column.buckling", "d = \nh = \"60 mm\"\nb = \"40 mm\"\nt_w = \"4 mm\"\nt_f = \"6 mm\"", "N_cr",
+     pi* pi * 210e9 * 188928e-12 / (1.8 * 1.8)},  // the rectangle less its hollow
     {"column.buckling", "method = \"secant\"\ne_y = \"5 mm\"", "axes[1].sigma_edge",
      340e6},             // the extreme fibre yields
     {"column.buckling",  // of an angle, the weak principal axis

@@ -138,7 +138,7 @@ bool BeamColumn::fits_shape(const Input& in) {
   }
   if (is_hollow(kind)) {
     const bool walled = is_set(in.t_w) || is_set(in.d_bore);
-    return walled && (is_set(in.d) || (sides && is_set(in.A)));
+    return walled && (is_set(in.d) || (sides && (is_set(in.A) || is_walled(in))));
   }
   return kind == SectionKind::solid && in.method != Method::aisc && (is_set(in.d) || sides);
 }

@@ -144,6 +144,7 @@ gamma_F = 1
   using Result = BeamColumnResult;
   static constexpr auto results = beam_column_results;
 
+  static double amount(const Input& in) { return in_si(area_of(in)); }
   static bool force_given(const Input& in);
   static bool fits_shape(const Input& in);
   static bool by_a_code(const Input& in);

@@ -31,7 +31,7 @@ Geometry of_I(const Input& in) {
 }
 
 Geometry of_box(const Input& in) {
-  const Length flange = is_set(in.t_f) ? in.t_f : in.t_w;
+  const Length flange = flange_of(in);
   const Length h = in.h - 2.0 * flange, b = in.b - 2.0 * in.t_w;
   const Length h_m = in.h - flange, b_m = in.b - in.t_w;
   Geometry s;
@@ -65,16 +65,10 @@ Geometry of_rectangle(Length h, Length b) {
 Geometry of_plates(const Input& in, SectionKind kind) {
   if (is_I(kind)) return of_I(in);
   if (is_set(in.d)) {
-    const Length bore = is_set(in.d_bore) ? in.d_bore : 0.0 * mm;
+    const Length bore = or_else(bore_of(in), 0.0 * mm.one);
     return of_tube(in.d, is_hollow(kind) ? in.t_w : 0.5 * (in.d - bore));
   }
   return is_hollow(kind) ? of_box(in) : of_rectangle(in.h, in.b);
-}
-
-Area area_of(const Input& in) {
-  if (is_set(in.A)) return in.A;
-  const Length bore = is_set(in.d_bore) ? in.d_bore : 0.0 * mm;
-  return is_set(in.d) ? pi / 4.0 * (pow<2>(in.d) - pow<2>(bore)) : in.h * in.b;
 }
 
 SecondMoment second_moment(const Input& in, AxisName axis) {
@@ -83,9 +77,7 @@ SecondMoment second_moment(const Input& in, AxisName axis) {
     const Length i = about_y ? in.i_y : in.i_z;
     return is_set(about_y ? in.I_y : in.I_z) ? (about_y ? in.I_y : in.I_z) : in.A * i * i;
   }
-  if (!is_set(in.d)) return about_y ? in.b * pow<3>(in.h) / 12.0 : in.h * pow<3>(in.b) / 12.0;
-  const Length bore = is_set(in.d_bore) ? in.d_bore : 0.0 * mm;
-  return pi / 64.0 * (pow<4>(in.d) - pow<4>(bore));
+  return moment_of_sizes(in, about_y);
 }
 
 }  // namespace

@@ -133,8 +133,33 @@ FieldFault two_sections(const Section& in) {
 
 bool is_solid_if_full(const Section& in) {
   const bool outlined = is_set(in.d) || (is_set(in.h) && is_set(in.b));
-  const bool is_bare = outlined && !is_set(in.A) && !(in.d_bore > 0.0 * mm);
-  return !is_bare || in.kind == SectionKind::unsaid || in.kind == SectionKind::solid;
+  if (!outlined || is_set(in.A) || in.kind == SectionKind::unsaid) return true;
+  const bool is_hollow =
+      in.kind == SectionKind::hot_hollow || in.kind == SectionKind::cold_hollow || in.kind == SectionKind::welded_box;
+  return is_walled(in) || in.d_bore > 0.0 * mm ? is_hollow : in.kind == SectionKind::solid;
+}
+
+bool walls_fit(const Section& in) {
+  if (is_set(in.A)) return true;
+  if (is_set(in.t_w) && is_set(in.d_bore)) return false;
+  if (is_set(in.t_f) && (!is_set(in.t_w) || is_set(in.d))) return false;
+  if (!is_set(in.t_w)) return true;
+  if (in.r > 0.0 * mm) return false;
+  if (is_set(in.d)) return 2.0 * in.t_w < in.d;
+  return 2.0 * in.t_w < in.b && 2.0 * flange_of(in) < in.h;
+}
+
+FieldFault unfit_walls(const Section& in) {
+  if (is_set(in.t_w) && is_set(in.d_bore))
+    return {"d_bore", say("d_bore and t_w both give the wall of the tube"), say("give one of them")};
+  if (is_set(in.t_f) && is_set(in.d)) return {"t_f", say("a round bar has no flange"), say("give t_w of a tube")};
+  if (is_set(in.t_f) && !is_set(in.t_w))
+    return {"t_f", say("t_f does not describe a section of b and h without t_w"),
+            say("give t_w of a rectangular hollow section, or A, I_y and I_z")};
+  if (in.r > 0.0 * mm)
+    return {"r", say("a hollow section of b, h and t_w is computed with sharp corners"),
+            say("omit r, or give A, I_y and I_z")};
+  return {"t_w", say("the walls must leave a hollow"), say("2 t_w below d or b, 2 t_f below h")};
 }
 
 bool fibres_reach(const Section& in) {

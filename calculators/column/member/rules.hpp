@@ -115,6 +115,9 @@ FieldFault two_sections(const Section& in);
 
 /// Whether the kind is that of a bar with only its outline given.
 bool is_solid_if_full(const Section& in);
+/// Whether the walls of a section without its area are those of a tube or a rectangular hollow section.
+bool walls_fit(const Section& in);
+FieldFault unfit_walls(const Section& in);
 /// Whether the extreme fibre is farther from the axis than the radius of gyration.
 bool fibres_reach(const Section& in);
 bool is_least_moment(const Section& in);
@@ -123,15 +126,20 @@ bool is_least_moment(const Section& in);
 template <class Input, auto given, auto missing, auto fit>
 constexpr auto section_rules() {
   return std::array{
-      Rule<Input>{&of<Input, given>, "A, I_y, i_y, I_z, i_z, d, d_bore, h, b", "give the section", &of<Input, missing>},
+      Rule<Input>{&of<Input, given>, "A, I_y, i_y, I_z, i_z, d, d_bore, h, b, t_w", "give the section",
+                  &of<Input, missing>},
       Rule<Input>{&of<Input, fit>, "A, I_y, I_z, i_y, i_z",
                   "I and i of an axis must satisfy I = A i^2; give one of them"},
       Rule<Input>{&of<Input, &is_one_section>, "A, I_y, I_z, i_y, i_z, h, b, d, t_f, t_w, kind",
                   "sizes, area and second moments of area must belong to the same section", &of<Input, &two_sections>},
       Rule<Input>{[](const Input& in) { return !is_set(in.d_bore) || (is_set(in.d) && in.d_bore < in.d); }, "d_bore, d",
                   "d_bore requires d and must be smaller"},
-      Rule<Input>{&of<Input, &is_solid_if_full>, "kind, d, h, b, A, d_bore",
-                  "a bar given by d, or by h and b, is solid: omit kind, or give A, I and the wall thicknesses"},
+      Rule<Input>{
+          &of<Input, &is_solid_if_full>, "kind, d, h, b, A, d_bore, t_w",
+          "a bar given by d, or by h and b, is solid, with d_bore or t_w a hollow section: omit kind, or give A, "
+          "I and the wall thicknesses"},
+      Rule<Input>{&of<Input, &walls_fit>, "t_w, t_f, d_bore, r, d, h, b, A", "the walls do not fit the section",
+                  &of<Input, &unfit_walls>},
       Rule<Input>{&of<Input, &fibres_reach>, "c_y, c_z, A, I_y, I_z, i_y, i_z",
                   "the distance to the extreme fibre must exceed the radius of gyration"},
       Rule<Input>{&of<Input, &is_least_moment>, "I_min, I_y, I_z", "I_min cannot exceed I_y or I_z"}};

@@ -17,6 +17,19 @@ struct Section {
   Curve curve_y = Curve::by_kind, curve_z = Curve::by_kind;
 };
 
+/// Whether a section without its area is a tube or a rectangular hollow section, by the thickness of its wall.
+inline bool is_walled(const Section& in) { return !is_set(in.A) && is_set(in.t_w); }
+/// Of a round bar: as given, or by its wall; unset of a solid one.
+inline Length bore_of(const Section& in) {
+  return !is_set(in.d_bore) && is_walled(in) ? in.d - 2.0 * in.t_w : in.d_bore;
+}
+/// Of the walls across the height.
+inline Length flange_of(const Section& in) { return is_set(in.t_f) ? in.t_f : in.t_w; }
+/// As given, or by the sizes: of a round bar, a rectangle, or a rectangle less the one within its walls.
+Area area_of(const Section& in);
+/// By the sizes of a section without its area.
+SecondMoment moment_of_sizes(const Section& in, bool about_y);
+
 /// Whether area and second moments, given without sizes, are those of a full section.
 bool is_full(const Section& in);
 
@@ -34,14 +47,17 @@ constexpr auto section_inputs() {
           .positive()
           .usually(1, 5000)
           .from("section", "h")
-          .where_it_has(),
+          .where_it_has()
+          .findable("R40"),
       Field<Input, Length>{&Input::b, "b", mm, "width of the section, along y"}
           .positive()
           .usually(1, 5000)
           .from("section", "b")
-          .where_it_has(),
-      Field<Input, Area>{&Input::A, "A", mm2, "area; omitted: round bar d or rectangle b h"}.positive().from("section",
-                                                                                                             "A"),
+          .where_it_has()
+          .findable("R40"),
+      Field<Input, Area>{&Input::A, "A", mm2, "area; omitted: round bar d or rectangle b h, hollow with t_w"}
+          .positive()
+          .from("section", "A"),
       Field<Input, SecondMoment>{&Input::I_y, "I_y", mm4, "second moment of area about y"}
           .positive()
           .from("section", "I_y")
@@ -67,10 +83,15 @@ constexpr auto section_inputs() {
           .positive()
           .from("section", "t_f")
           .where_it_has(),
-      Field<Input, Length>{&Input::t_w, "t_w", mm, "thickness of the web or wall"}
+      Field<Input, Length>{
+          &Input::t_w, "t_w", mm,
+          "thickness of the web or wall; without A: of the tube d, or of the hollow section b h with sharp "
+          "corners"}
           .positive()
+          .usually(0.5, 200)
           .from("section", "t_w")
-          .where_it_has(),
+          .where_it_has()
+          .findable("R20"),
       Field<Input, Length>{&Input::r, "r", mm, "root radius"}.at_least(0).from("section", "r").where_it_has()};
 }
 

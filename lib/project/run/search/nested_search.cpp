@@ -4,6 +4,8 @@
 #include "lib/project/run/search/shortfall.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -19,6 +21,11 @@ std::size_t order_of(const Calculator& calculator, const Search& search) {
     return search.leaf ? search.path == field.key : field.provider.table == search.path;
   };
   return static_cast<std::size_t>(std::find_if(fields.begin(), fields.end(), is_of_search) - fields.begin());
+}
+
+/// Whether it says what sizes of the part itself make as small as possible together.
+bool has_amount(const Calculator& calculator) {
+  return *calculator.sizing.list == '\0' && calculator.sizing.cost != nullptr;
 }
 
 }  // namespace
@@ -60,11 +67,27 @@ bool NestedSearch::advance(Choice& choice) const {
 }
 
 bool NestedSearch::find(Choice& choice) {
+  if (has_amount(evaluation_.calculator())) return find_least(choice);
   do {
     take(choice);
     if (passing_.passes()) return true;
   } while (advance(choice));
   return false;
+}
+
+/// All that are less than the least so far are assessed, so that no other passes with less.
+bool NestedSearch::find_least(Choice& choice) {
+  const auto amount_of = evaluation_.calculator().sizing.cost;
+  Choice at = choice;
+  double least = std::numeric_limits<double>::infinity();
+  do {
+    take(at);
+    const double amount = amount_of(evaluation_.inputs().record().data.get());
+    if (!(amount < least) || !passing_.passes()) continue;
+    least = amount;
+    choice = at;
+  } while (advance(at));
+  return std::isfinite(least);
 }
 
 bool NestedSearch::find_nearest(Choice& choice) {
@@ -111,9 +134,13 @@ Message NestedSearch::name(const Choice& choice) const {
 
 /// Reports for each the result, and the check that the candidate before it fails with the others unchanged.
 void NestedSearch::tell(const Choice& found) {
+  const bool is_least = has_amount(evaluation_.calculator());
   for (std::size_t k = 0; k < all_.size(); ++k) {
     Message text =
-        say("smallest of {1} with which no assessed mode fails, in combination with the other sizes", all_[k].source());
+        is_least ? say("of the combination with the smallest area with which no assessed mode fails, sizes of {1}",
+                       all_[k].source())
+                 : say("smallest of {1} with which no assessed mode fails, in combination with the other sizes",
+                       all_[k].source());
     std::optional<account::NextSize> next;
     if (found[k] > 0) {
       Choice less = found;

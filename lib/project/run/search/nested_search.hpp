@@ -1,5 +1,6 @@
 // The search for several inputs of one step that no calculator sizes together: a diameter, the key in it, its length.
-// In the order in which the calculator lists them each is the smallest with which the rest can pass.
+// In the order in which the calculator lists them each is the smallest with which the rest can pass; of a calculator
+// that gives an amount, an area, together they are those of the least amount.
 #pragma once
 
 #include "lib/project/run/search/candidates.hpp"
@@ -24,6 +25,8 @@ class NestedSearch {
   bool keeps_rules_with(const Choice& choice);
   /// The first that passes, from the first candidates on.
   bool find(Choice& choice);
+  /// The one of least amount that passes.
+  bool find_least(Choice& choice);
   /// The one that is nearest to passing; false where none keeps the rules.
   bool find_nearest(Choice& choice);
   /// The next choice, the last search fastest; false behind the last.

@@ -5,6 +5,7 @@
 #include "calculators/column/eccentric.hpp"
 #include "calculators/column/member/length_factor.hpp"
 #include "calculators/column/member/methods.hpp"
+#include "calculators/column/torsional.hpp"
 #include "lib/calculator/calculator_of.hpp"
 
 #include <algorithm>
@@ -269,6 +270,8 @@ Result Buckling::judge(const Input& in, bool is_bent, Tracer& trace) {
   take_limits(in, material, by, r, trace);
   sum_up_offset(in, r, trace);
   add_methods(in, material, by, r, trace, std::make_index_sequence<most_methods>{});
+  buckle_twisting(in, r, trace);
+  judge_twisting(in, material, by, r, trace);
   conclude(in, by, is_bent, r, trace);
   return r;
 }

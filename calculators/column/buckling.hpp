@@ -5,9 +5,10 @@
 // is chosen for the check. Critical stresses hold no safety; each allowable load holds the safety of its own method.
 // Uniform straight bar, central load (but for the secant formula), flexural buckling about the principal axes y and z.
 // Sign: N is positive in tension, as mechanisms give it; P is positive in compression. Both may be series. In tension
-// the plain stress N/A is held against the yield strength with a safety of its own. Not covered: the net section of a
-// bar in tension, torsional and flexural-torsional buckling (open sections of one symmetry or none), sections of class
-// 4, built-up and tapered bars, transverse loads, biaxial eccentricity.
+// the plain stress N/A is held against the yield strength with a safety of its own. Channels, tees and angles of equal
+// legs are held against torsional-flexural buckling too. Not covered: the net section of a bar in tension, torsional
+// buckling of other open sections, sections of class 4, built-up and tapered bars, transverse loads, biaxial
+// eccentricity.
 #pragma once
 
 #include "calculators/column/bounds.hpp"
@@ -30,10 +31,12 @@ struct Buckling {
   static constexpr auto scope =
       "Slenderness of a uniform bar about both axes, critical stress by Euler, Tetmajer-Yasinsky, Johnson, "
       "Rankine, secant formula, EN 1993-1-1, AISC 360 and SP 16, and the allowable load of each with its own "
-      "safety factor; tension is assessed by N/A on the gross section; torsional buckling, class 4 sections "
-      "and transverse loads are not covered.";
+      "safety factor; torsional-flexural buckling of channels, tees and angles of equal legs; tension is assessed by "
+      "N/A on the gross section; torsional buckling of other open sections, class 4 sections and transverse loads are "
+      "not covered.";
   static constexpr auto source =
-      "[B25], [Johnson], [Rankine], [Gere], [Case-Chilver], [EN1993-1-1-buckling], [AISC360], [SP16]";
+      "[B25], [Johnson], [Rankine], [Gere], [Case-Chilver], [EN1993-1-1-buckling], [AISC360], [SP16], [EN1993-1-1-TF], "
+      "[AISC360-E4]";
   static constexpr auto headline = "{section}|d = {d}|A = {A}";
   static constexpr auto subject = "buckling";
   static constexpr auto synonyms =
@@ -59,8 +62,16 @@ n_st = 3
 )";
 
   using Input = BucklingInput;
-  static constexpr auto inputs = join(held_inputs<Input>(), section_inputs<Input>(), material_inputs<Input>(),
-                                      derived_section_inputs<Input>(), method_inputs<Input>());
+  static constexpr auto inputs =
+      join(held_inputs<Input>(), section_inputs<Input>(), material_inputs<Input>(), derived_section_inputs<Input>(),
+           twisting_inputs<Input>(),
+           Fields{Field<Input, Length>{&Input::l_T, "l_T", mm,
+                                       "distance of the supports against twisting; omitted: l, of a bar with a free or "
+                                       "swaying end 2 l"}
+                      .positive()
+                      .usually(10, 1e5)
+                      .may_be_missing()},
+           method_inputs<Input>());
 
   using Result = MemberResult;
   static constexpr auto results = member_results<Result>();
@@ -89,7 +100,16 @@ n_st = 3
                       "an input of the method is missing", &missing_for_method}},
       method_rules<Input>(), assumption_rules<Input, &factors_given>(), eccentricity_rules<Input>());
   static constexpr std::array meanings = member_meanings;
-  static constexpr auto bounds = join(held_bounds<Input>(), curve_bounds<Input>(), tension_bounds<Input>());
+  static double whole_twisting_length(const Input& in);
+  static double most_torsion_constant(const Input& in);
+  static double most_warping_constant(const Input& in);
+  static double least_shear_centre(const Input& in);
+  static constexpr auto bounds =
+      join(held_bounds<Input>(), curve_bounds<Input>(), tension_bounds<Input>(),
+           std::array{Bound<Input>{"l_T", "l", &whole_twisting_length}.least(),
+                      Bound<Input>{"I_t", "1.4 times that of the walls", &most_torsion_constant},
+                      Bound<Input>{"I_w", "1.2 times that of the walls", &most_warping_constant},
+                      Bound<Input>{"y_M", "0.85 times that of the walls", &least_shear_centre}.least()});
   static constexpr auto modes = member_modes<Input, &outline_of>("u, r_1, r_0", "R_e, kind, h, b, t_f, t_w");
 
   static constexpr std::array forms{

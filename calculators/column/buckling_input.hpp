@@ -6,6 +6,8 @@
 
 namespace loadpath::column {
 
-struct BucklingInput : Member, Section {};
+struct BucklingInput : Member, Section {
+  Length l_T = unset<Length>;
+};
 
 }  // namespace loadpath::column

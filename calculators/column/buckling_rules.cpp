@@ -2,6 +2,7 @@
 #include "calculators/column/buckling.hpp"
 #include "calculators/column/buckling_parts.hpp"
 #include "calculators/column/member/rules.hpp"
+#include "calculators/column/torsional.hpp"
 
 #include <cmath>
 
@@ -69,7 +70,7 @@ Outline Buckling::outline_of(const Input& in) {
     case SectionKind::channel:
     case SectionKind::tee:
     case SectionKind::angle:
-      return Outline::open;
+      return twists_about_known_axis(in) ? Outline::one_symmetry : Outline::open;
     case SectionKind::hot_hollow:
     case SectionKind::cold_hollow:
     case SectionKind::welded_box:
@@ -82,5 +83,16 @@ Outline Buckling::outline_of(const Input& in) {
   if (is_solid(in)) return Outline::solid;
   return is_set(in.d) || is_walled(in) ? Outline::closed : Outline::unknown;
 }
+
+double Buckling::whole_twisting_length(const Input& in) {
+  Input between_ends = in;
+  between_ends.l_T = unset<Length>;
+  return in_si(twisting_length(between_ends));
+}
+
+/// Rolled sections have up to 1.35 times that of their walls, and tapered flanges 0.86 times.
+double Buckling::most_torsion_constant(const Input& in) { return 1.4 * in_si(twisting_by_walls(in).I_t); }
+double Buckling::most_warping_constant(const Input& in) { return 1.2 * in_si(twisting_by_walls(in).I_w); }
+double Buckling::least_shear_centre(const Input& in) { return 0.85 * in_si(twisting_by_walls(in).e); }
 
 }  // namespace loadpath::column

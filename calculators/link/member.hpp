@@ -203,7 +203,7 @@ S = 1.5
           .judged_by("r_class, x_E")
           .wanting("kind, h, b, t_f, t_w"),
       Mode<Input>{"torsional", "torsional and torsional-flexural buckling",
-                  &column::twisting<Input, &column::Buckling::outline_of>},
+                  &column::twisting<Input, &column::Buckling::outline_of, true>},
       Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &twisting_when_bent}.judged_by("u_t").wanting("S"),
       Mode<Input>{"net_section", "net section rupture (holes, pins)", &unseen<Input>}.assessed_beside("pin.lug"),
       Mode<Input>{"fatigue", "fatigue (holes, section changes)", &unseen<Input>}

@@ -111,6 +111,10 @@ const Side sections[] = {
     {"section.hollow", "w", outside, "t", R"("20 mm")", R"("20.1 mm")"},
 };
 
+const char* const channel_column =
+    "d = \nsection = \"UPN 200\"\nl = \"6 m\"\nends = \nends_y = \"pinned_pinned\"\nbeta_z = 0.3\nmethod = "
+    "\"ec3\"\nsigma_P = "
+    "\nn_st = \nR_e = \"235 MPa\"\ngamma_M1 = 1\ngamma_F = 1";
 const char* const lone_section = "families = [\"HEA\"]\nh_max = \"100 mm\"";
 
 const Side bars[] = {
@@ -175,6 +179,9 @@ const Side bars[] = {
      "lambda_0 = 60\nE = \"210 GPa\"\nmaterial = \nn_st = 2\ngamma_M1 = \ngamma_F = "},
     {"column.lightest", "r_class", outside, "R_e", R"("2339 MPa")", R"("2340 MPa")",
      "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nE = \"210 GPa\"\nmaterial = "},
+    {"column.buckling", "u_TF", over, "P", R"("425 kN")", R"("426 kN")", channel_column},
+    {"column.lightest", "u_TF", over, "P", R"("223 kN")", R"("224 kN")",
+     "families = [\"UPE\"]\nh_max = \"100 mm\"\nl = \"1 m\""},
     {"column.stepped", "u", over, "n_st", "6.65", "6.66"},
     {"column.stepped", "r_P", outside, "sigma_P", R"("56 MPa")", R"("55 MPa")", "R_e = "},
     {"column.effective_length", "u", State::not_available, "c_1", R"("0.1 N*m/rad")", R"("0.001 N*m/rad")",

@@ -111,9 +111,13 @@ n_t = 2
   }
 
   TEST_CASE("A19: channels and angles twist when they buckle; what is typed without an outline may") {
-    CHECK(of(rolled("UPN 200", "340 kN", "6 m") + "beta_z = 0.3\nends = \nends_y = \"pinned_pinned\"", "torsional") ==
-          "not-judged");
-    CHECK(of(rolled("L 100x100x10", "400 kN", "0.8 m"), "torsional") == "not-judged");
+    const std::string held = "supports_z = [[\"1.5 m\"], [\"3 m\"], [\"4.5 m\"]]";
+    CHECK(of(rolled("UPN 200", "340 kN", "6 m") + held, "torsional_flexural") == "fail");
+    CHECK(of(rolled("UPN 200", "340 kN", "6 m") + held, "buckling") == "pass");
+    CHECK(of(rolled("UPN 200", "300 kN", "6 m") + held, "torsional_flexural") == "pass");
+    CHECK(of(rolled("L 100x100x10", "285 kN", "0.8 m"), "torsional_flexural") == "fail");
+    CHECK(of(rolled("L 100x100x10", "285 kN", "0.8 m"), "buckling") == "pass");
+    CHECK(of(rolled("L 100x100x10", "275 kN", "0.8 m"), "torsional_flexural") == "pass");
     CHECK(of(rolled("HEA 160", "300 kN", "4 m"), "torsional") == "open");
     const std::string typed =
         "ends = \"pinned_pinned\"\nP = \"10 kN\"\nl = \"2 m\"\nE = \"210 GPa\"\nR_e = \"235 MPa\"\nA = \"2000 mm^2\"\n"
@@ -121,7 +125,7 @@ n_t = 2
     CHECK(of(typed, "torsional") == "not-judged");
     CHECK(of(typed, "local") == "not-judged");
     CHECK(of(typed, "buckling") == "pass");
-    CHECK(mode_with("column.lightest", "families = [\"UPN\"]", "torsional") == "not-judged");
+    CHECK(mode_with("column.lightest", "families = [\"UPN\"]", "torsional_flexural") == "pass");
     CHECK(mode_with("column.lightest", "", "torsional") == "open");
   }
 

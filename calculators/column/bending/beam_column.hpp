@@ -118,11 +118,11 @@ gamma_F = 1
                  .positive()
                  .from("section", "W_pl_z")
                  .where_it_has(),
-             Field{&Input::I_t, "I_t", mm4, "torsion constant; omitted: from the plates"}
+             Field<Input, SecondMoment>{&Input::I_t, "I_t", mm4, "torsion constant; omitted: from the plates"}
                  .positive()
                  .from("section", "I_t")
                  .where_it_has(),
-             Field{&Input::I_w, "I_w", mm6, "warping constant; omitted: from the plates"}
+             Field<Input, Warping>{&Input::I_w, "I_w", mm6, "warping constant; omitted: from the plates"}
                  .positive()
                  .from("section", "I_w")
                  .where_it_has()},

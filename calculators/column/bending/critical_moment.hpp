@@ -5,11 +5,9 @@
 #pragma once
 
 #include "calculators/column/bending/moments.hpp"
+#include "calculators/column/member/section.hpp"
 
 namespace loadpath::column {
-
-using Warping = decltype(SecondMoment() * Area());
-inline constexpr Unit<Warping> mm6{"mm^6", from_si<Warping>(1e-18)};
 
 /// Stiffness of the section against moving across and twisting.
 struct Lateral {

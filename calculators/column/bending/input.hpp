@@ -39,8 +39,6 @@ struct BeamColumnInput : BucklingInput {
   Length z_g = unset<Length>, l_LT = unset<Length>;
   double C_1_set = unset<double>;
   SectionModulus W_pl_y = unset<SectionModulus>, W_pl_z = unset<SectionModulus>;
-  SecondMoment I_t = unset<SecondMoment>;
-  Warping I_w = unset<Warping>;
   TwistCurves twist_curves = TwistCurves::general;
   Analysis analysis = Analysis::first_order;
   double gamma_M0 = 1.0, Omega_b = 1.67;

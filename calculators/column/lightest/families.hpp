@@ -15,8 +15,8 @@ namespace loadpath::column {
 struct SectionRow : Section {
   static constexpr auto group = "section";
   LineDensity m = unset<LineDensity>;
-  static constexpr auto fields =
-      join(section_inputs<SectionRow>(), Fields{Field{&SectionRow::m, "m", kg_per_m, "mass per length"}.positive()});
+  static constexpr auto fields = join(section_inputs<SectionRow>(), twisting_inputs<SectionRow>(),
+                                      Fields{Field{&SectionRow::m, "m", kg_per_m, "mass per length"}.positive()});
 };
 using TableSection = table::Typed<SectionRow>;
 

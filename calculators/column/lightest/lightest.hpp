@@ -3,9 +3,8 @@
 // Every row of the section tables of these families is assessed as in column.buckling, by the chosen method; those
 // that pass are ranked by mass, lighter ones list the reason of failure, and the best one is calculated in full. The
 // strength of a material falls with the thickness: all are judged with that of the thickest one up to the section
-// found, which is on the safe side for the others. Not covered: what column.buckling does not cover, and so torsional
-// buckling, which can decide for channels and angles. Sections thicker than the material is given for are not
-// assessed.
+// found, which is on the safe side for the others. Not covered: what column.buckling does not cover. Sections thicker
+// than the material is given for are not assessed.
 #pragma once
 
 #include "calculators/column/bounds.hpp"
@@ -24,7 +23,7 @@ struct Lightest : LightestTypes {
   static constexpr auto scope =
       "Ranking of tabulated sections of the given families by mass per length for an axial force, with the "
       "reason for the rejection of each lighter section and the complete column.buckling calculation of the "
-      "best one; torsional buckling of channels and angles, class 4 sections and holes in tension members are "
+      "best one; class 4 sections and holes in tension members are "
       "not covered.";
   static constexpr auto source = Buckling::source;
   static constexpr auto headline = "{section}";

@@ -21,10 +21,10 @@ struct Bound {
 
 /// In the order of the reported reason.
 constexpr std::array bounds{
-    Bound{&MemberResult::u, Failure::load},      Bound{&MemberResult::x_t, Failure::tension},
-    Bound{&MemberResult::u_t, Failure::tension}, Bound{&MemberResult::r_1, Failure::range},
-    Bound{&MemberResult::r_0, Failure::range},   Bound{&MemberResult::r_lambda, Failure::slenderness},
-    Bound{&MemberResult::r_class, Failure::thin}};
+    Bound{&MemberResult::u, Failure::load},       Bound{&MemberResult::x_t, Failure::tension},
+    Bound{&MemberResult::u_t, Failure::tension},  Bound{&MemberResult::r_1, Failure::range},
+    Bound{&MemberResult::r_0, Failure::range},    Bound{&MemberResult::r_lambda, Failure::slenderness},
+    Bound{&MemberResult::r_class, Failure::thin}, Bound{&MemberResult::u_TF, Failure::twisting}};
 
 /// Why the method gives no force: it ends before this bar, or was not tried for want of a strength or of a buckling
 /// curve.

@@ -11,7 +11,7 @@ namespace loadpath::column {
 
 struct LightestTypes {
   /// Why a section does not carry the bar.
-  enum class Failure { none, load, tension, range, open, strength, beyond, slenderness, thin };
+  enum class Failure { none, load, tension, range, open, strength, beyond, slenderness, thin, twisting };
 
   struct Family {
     Name family;
@@ -77,7 +77,8 @@ constexpr auto choices_of(LightestTypes::Failure) {
                     ChoiceName<Failure>{Failure::strength, "strength", "no strength given for its thickness"},
                     ChoiceName<Failure>{Failure::beyond, "beyond", "slenderness beyond the code table"},
                     ChoiceName<Failure>{Failure::slenderness, "slenderness", "slenderness limit exceeded"},
-                    ChoiceName<Failure>{Failure::thin, "thin", "local buckling"}};
+                    ChoiceName<Failure>{Failure::thin, "thin", "local buckling"},
+                    ChoiceName<Failure>{Failure::twisting, "twisting", "torsional-flexural buckling"}};
 }
 
 }  // namespace loadpath::column

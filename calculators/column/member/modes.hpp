@@ -10,7 +10,7 @@
 namespace loadpath::column {
 
 /// The outline of a section, if the input gives it. For several sections the last of these present in one.
-enum class Outline { solid, closed, unknown, two_flanges, open };
+enum class Outline { solid, closed, unknown, two_flanges, one_symmetry, open };
 
 template <class Input>
 Applies compressed(const Input& in) {
@@ -51,13 +51,19 @@ Applies thin_walled(const Input& in) {
   return compressed(in);
 }
 
-/// Open sections of one symmetry or none twist when they buckle, and unknown sections may be such; sections of two
-/// flanges do so where the ends or the supports about the weak axis restrain them, which no input gives.
-template <class Input, auto outline_of>
+/// Open sections without symmetry twist when they buckle, and unknown sections may be such; sections of two flanges do
+/// so where the ends or the supports about the weak axis restrain them, which no input gives.
+template <class Input, auto outline_of, bool of_one_symmetry = false>
 Applies twisting(const Input& in) {
   const Outline outline = outline_of(in);
-  if (outline <= Outline::closed) return Applies::no;
+  if (outline <= Outline::closed || (outline == Outline::one_symmetry && !of_one_symmetry)) return Applies::no;
   return std::min(outline == Outline::two_flanges ? Applies::unseen : Applies::yes, compressed(in));
+}
+
+/// Open sections of one symmetry whose twisting is known.
+template <class Input, auto outline_of>
+Applies twisting_and_bending(const Input& in) {
+  return outline_of(in) == Outline::one_symmetry ? compressed(in) : Applies::no;
 }
 
 template <class Input, auto outline_of>
@@ -76,6 +82,9 @@ constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
           .judged_by("r_class, x_E")
           .wanting(of_walls),
       Mode<Input>{"torsional", "torsional and torsional-flexural buckling", &twisting<Input, outline_of>},
+      Mode<Input>{"torsional_flexural", "torsional-flexural buckling", &twisting_and_bending<Input, outline_of>}
+          .judged_by("u_TF")
+          .wanting("method"),
       Mode<Input>{"eccentric", "eccentric compression (secant formula)", &bent<Input>}.judged_by("u_e").wanting(
           "method = secant"),
       Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &twisting_when_bent<Input, outline_of>}

@@ -74,6 +74,8 @@ struct MemberResult {
   Stress sigma_max = unset<Stress>;
   Length w = unset<Length>;
   double n_e = unset<double>;
+  Force N_crT = unset<Force>, N_crTF = unset<Force>;
+  double lambda_TF = unset<double>, u_TF = unset<double>;
   double u = unset<double>, u_e = unset<double>, u_t = unset<double>, x_t = unset<double>;
   double r_lambda = unset<double>, r_1 = unset<double>, r_0 = unset<double>, r_class = unset<double>,
          x_E = unset<double>;
@@ -116,12 +118,15 @@ template <class Result>
 constexpr auto eccentric_results() {
   return Fields{
       Field<Result, Stress>{&Result::sigma_max, "sigma_max", MPa,
-                            "eccentric or bowed bar: elastic stress of the extreme fibre under the force"},
+                            "eccentric or bowed bar: elastic stress of the extreme fibre under the force"}
+          .where_it_applies(),
       Field<Result, Length>{&Result::w, "w", mm,
                             "eccentric or bowed bar: deflection caused by the force, at mid-length of the effective "
-                            "length (fixed_free: at the free end)"},
+                            "length (fixed_free: at the free end)"}
+          .where_it_applies(),
       Field<Result, double>{&Result::n_e, "n_e", ratio,
-                            "eccentric or bowed bar: safety, force at yielding of the extreme fibre / force"}};
+                            "eccentric or bowed bar: safety, force at yielding of the extreme fibre / force"}
+          .where_it_applies()};
 }
 
 /// Buckling by the method that decides.
@@ -136,6 +141,22 @@ constexpr auto eccentric_check() {
                                       "eccentric load: force / allowable force of the secant formula, if it governs"}
                     .check("N, P")
                     .where_it_applies()};
+}
+
+/// Open sections that twist when they buckle.
+template <class Result>
+constexpr auto twisting_results() {
+  return Fields{
+      Field<Result, Force>{&Result::N_crT, "N_crT", kN,
+                           "elastic critical force of torsional buckling (channel, tee, angle of equal legs)"}
+          .where_it_applies(),
+      Field<Result, Force>{&Result::N_crTF, "N_crTF", kN, "elastic critical force of torsional-flexural buckling"}
+          .where_it_applies(),
+      Field<Result, double>{&Result::lambda_TF, "lambda_TF", ratio, "slenderness of torsional-flexural buckling"}
+          .where_it_applies(),
+      Field<Result, double>{&Result::u_TF, "u_TF", ratio, "torsional-flexural buckling: force / allowable force"}
+          .check("N, P")
+          .where_it_applies()};
 }
 
 template <class Result>
@@ -204,7 +225,7 @@ constexpr auto side_by_side() {
 template <class Result>
 constexpr auto member_results() {
   return join(slenderness_results<Result>(), stress_results<Result>(), eccentric_results<Result>(),
-              buckling_check<Result>(), eccentric_check<Result>(), tension_checks<Result>(),
+              buckling_check<Result>(), eccentric_check<Result>(), twisting_results<Result>(), tension_checks<Result>(),
               slenderness_limits<Result>(), tetmajer_limit<Result>(), wall_limits<Result>(), side_by_side<Result>());
 }
 

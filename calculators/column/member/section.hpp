@@ -6,6 +6,9 @@
 
 namespace loadpath::column {
 
+using Warping = decltype(SecondMoment() * Area());
+inline constexpr Unit<Warping> mm6{"mm^6", from_si<Warping>(1e-18)};
+
 struct Section {
   Length d = unset<Length>, d_bore = unset<Length>, h = unset<Length>, b = unset<Length>;
   Area A = unset<Area>;
@@ -14,6 +17,9 @@ struct Section {
   SectionKind kind = SectionKind::unsaid;
   Length t_f = unset<Length>, t_w = unset<Length>, r = unset<Length>;
   Length c_y = unset<Length>, c_z = unset<Length>;
+  SecondMoment I_t = unset<SecondMoment>;
+  Warping I_w = unset<Warping>;
+  Length y_M = unset<Length>;
   Curve curve_y = Curve::by_kind, curve_z = Curve::by_kind;
 };
 
@@ -93,6 +99,25 @@ constexpr auto section_inputs() {
           .where_it_has()
           .findable("R20"),
       Field<Input, Length>{&Input::r, "r", mm, "root radius"}.at_least(0).from("section", "r").where_it_has()};
+}
+
+/// What an open section is twisted by.
+template <class Input>
+constexpr auto twisting_inputs() {
+  return Fields{Field<Input, SecondMoment>{&Input::I_t, "I_t", mm4, "torsion constant; omitted: from the walls"}
+                    .positive()
+                    .from("section", "I_t")
+                    .where_it_has(),
+                Field<Input, Warping>{&Input::I_w, "I_w", mm6, "warping constant; omitted: from the walls"}
+                    .at_least(0)
+                    .from("section", "I_w")
+                    .where_it_has(),
+                Field<Input, Length>{&Input::y_M, "y_M", mm,
+                                     "distance of the shear centre from the centroid, on the axis of symmetry of a "
+                                     "channel, tee or angle; omitted: from the walls"}
+                    .positive()
+                    .from("section", "y_M")
+                    .where_it_has()};
 }
 
 /// Defaults derived from the section.

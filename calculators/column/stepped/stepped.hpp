@@ -29,7 +29,7 @@ struct Stepped : SteppedTypes {
       "at the steps, distributed axial loads and its own weight, exact; effective length and critical stress of each "
       "part; eccentric and transverse loads, torsional and local buckling, the other axis and codes are not covered.";
   static constexpr auto source = "[Timoshenko-Gere], [Wittrick], [Anderson-Woodward], [Johnson], [B25]";
-  static constexpr auto headline = "{parts} parts";
+  static constexpr auto headline = "alpha_cr = {alpha_cr}";
   static constexpr auto subject = "buckling";
   static constexpr auto synonyms =
       "stepped column, crane column, mill column, variable section, self-weight buckling, own weight, heavy column, "
@@ -124,7 +124,7 @@ n_st = 2.5
       Mode<Input>{"weight", "own weight", &weighs}.special(),
       Mode<Input>{"lateral", "bending by eccentric and transverse loads", &unseen<Input>}.in_service().by_companions(),
       Mode<Input>{"joint", "strength of the steps and supports", &unseen<Input>},
-      Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service()};
+      Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_beside("fatigue.life, fatigue.history")};
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

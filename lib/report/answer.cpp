@@ -57,7 +57,8 @@ std::vector<const Entry*> sizes_of(const Step& step) {
   const auto& fields = step.input().calculator->input->fields;  // a result may have the same key
   for (const Entry& entry : step.account().inputs) {
     const FieldInfo* const field = find_field_at(fields, entry.path);
-    const bool is_size = field != nullptr && *field->searched_in != '\0' && !entry.origin.searched;
+    const bool is_size =
+        field != nullptr && *field->searched_in != '\0' && !entry.origin.searched && entry.origin.sources.empty();
     if (is_size && is_known(entry)) sizes.push_back(&entry);
   }
   return sizes;

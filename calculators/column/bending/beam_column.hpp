@@ -25,8 +25,9 @@ struct BeamColumn {
   static constexpr auto scope =
       "Interaction of axial force with bending about both axes, of end moments and transverse loads, with flexural "
       "and lateral-torsional buckling, by EN 1993-1-1 6.3.3 with annex B or by AISC 360 H1, for doubly symmetric I "
-      "sections, hollow sections and solid bars; moments of frames that sway are to include the sway of second order; "
-      "class 4 sections, channels, tees, angles and torque are not covered.";
+      "sections, hollow sections and solid bars; moments of sway frames include the second-order sway; class 4 "
+      "sections, "
+      "channels, tees, angles and torque are not covered.";
   static constexpr auto source = "[EN1993-1-1-bending], [EN1993-1-1-buckling], [EN1993-1-1-LTB], [AISC360-bending]";
   static constexpr auto headline = "{section}|d = {d}|A = {A}";
   static constexpr auto subject = "strength and buckling";

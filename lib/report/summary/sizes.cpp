@@ -105,7 +105,8 @@ std::vector<std::string> given_sizes(const Step& step) {
   const auto& fields = step.input().calculator->input->fields;
   for (const Entry& entry : step.account().inputs) {
     const FieldInfo* const field = find_field_at(fields, entry.path);
-    const bool is_size = field != nullptr && *field->searched_in != '\0' && !entry.origin.searched;
+    const bool is_size =
+        field != nullptr && *field->searched_in != '\0' && !entry.origin.searched && entry.origin.sources.empty();
     if (is_size && has_value(entry)) sizes.push_back(unbroken(sized_text(entry)));
   }
   return sizes;

@@ -120,8 +120,7 @@ Table drive_table(const Mechanism::Input& in) {
   table.rows.push_back({say("gravity"), Quantity{in_si(in.gravity), "m/s^2"}});
   if (in_si(in.gravity) != 0.0)
     table.rows.push_back({say("direction of gravity"), Quantity{in.gravity_direction, "deg"}});
-  table.rows.push_back(
-      {say("inertia of the links"), leaves_out_inertia(in) ? say("left out") : say("included")});
+  table.rows.push_back({say("inertia of the links"), leaves_out_inertia(in) ? say("left out") : say("included")});
   return table;
 }
 

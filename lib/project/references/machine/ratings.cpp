@@ -98,7 +98,8 @@ class RatingCheck {
       const Leaf integral = find_leaf(shaft.input().reading.record, prefix_of(record.path) + "integral");
       const std::string key = "material_" + gear.substr(5);
       const Leaf teeth = find_leaf(step_.input().reading.record, key);
-      if (!is_choice(integral) || word_of(integral) != "true" || !is_choice(teeth) || word_of(teeth) != "case") continue;
+      if (!is_choice(integral) || word_of(integral) != "true" || !is_choice(teeth) || word_of(teeth) != "case")
+        continue;
       found_.push_back(
           {key, say("the teeth are one piece with the shaft '{1}' of {2}, which is no case-hardening steel; "
                     "justify it: because.{3} = \"...\"",

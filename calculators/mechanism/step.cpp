@@ -18,6 +18,7 @@
 #include "calculators/mechanism/templates/template.hpp"
 #include "lib/calculator/calculator.hpp"
 #include "lib/calculator/record_of.hpp"
+#include "lib/quantity/format.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -14,7 +14,6 @@
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/mode.hpp"
-#include "lib/calculator/solid.hpp"
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/calculator/trace.hpp"
 #include "lib/quantity/units.hpp"
@@ -144,7 +143,7 @@ tau_adm_1 = "40 MPa"
           "R_m, loading", "the allowable share of R_m depends on the loading type: give loading"}};
 
   static constexpr std::array senses{SenseClaim{"T", "loading", "steady, pulsating", "alternating"}};
-  static constexpr std::array meanings{Meaning{"tau_adm", allowable_in_shear}, Meaning{"d_w", diameter_of_solid}};
+  static constexpr std::array meanings{Meaning{"tau_adm", allowable_in_shear}};
   static constexpr std::array modes{
       Mode<Input>{"shear", "shear of the pin", &loaded}.judged_by("u_tau, x_E"),
       Mode<Input>{"shaft_bore", "bearing pressure, shaft", &loaded}.judged_by("u_1"),

@@ -227,7 +227,7 @@ TEST_SUITE("found routes") {
     CHECK(shaft("R_e") == "not-judged");
     CHECK(shaft("R_m/2") == "not-judged");
     CHECK(shaft("R_e/sqrt(3)/1.01") == "not-judged");
-    CHECK(shaft("R_e/sqrt(3)/1.15") == "pass");
+    CHECK(shaft("R_e/sqrt(3)/1.2") == "pass");
   }
 
   TEST_CASE("a bar under the force of a link is no shorter than the link") {

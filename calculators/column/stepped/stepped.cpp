@@ -154,7 +154,7 @@ Result Stepped::evaluate(const Input& in, Tracer& trace) {
   bool is_round = true;
   Length largest = 0.0 * mm;
   for (std::size_t i = count; i-- > 0;) {
-    [[maybe_unused]] const auto scope = trace.scope("members", i);
+    [[maybe_unused]] const auto inside = trace.scope("members", i);
     r.members[i].name = in.parts[i].name;
     load_part(in, in.parts[i], above, r.members[i], trace);
     above = r.members[i].N_l;
@@ -173,7 +173,7 @@ Result Stepped::evaluate(const Input& in, Tracer& trace) {
                                                  "of the parts, [Timoshenko-Gere], [Wittrick]");
   STEP_TO(r, F_cr, alpha_cr * r.F, "all loads grow alike");
   for (std::size_t i = 0; i < count; ++i) {
-    [[maybe_unused]] const auto scope = trace.scope("members", i);
+    [[maybe_unused]] const auto inside = trace.scope("members", i);
     judge_part(in, in.parts[i], alpha_cr, r, r.members[i], trace);
   }
   if (!is_set(in.n_st)) return r;

@@ -13,7 +13,6 @@ namespace loadpath::planar {
 
 namespace {
 
-using mechanism::Drive;
 using Places = std::vector<double>;
 using By = LawLine::By;
 

@@ -1,6 +1,7 @@
 #include "calculators/mechanism/cycle/cycle.hpp"
 
 #include "calculators/mechanism/cycle/either_way.hpp"
+#include "calculators/mechanism/cycle/equilibria.hpp"
 #include "calculators/mechanism/cycle/schedule.hpp"
 #include "calculators/mechanism/input/law.hpp"
 #include "lib/mechanism/model/spring.hpp"

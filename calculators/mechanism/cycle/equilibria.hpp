@@ -1,28 +1,13 @@
 // The positions at which loads, weights and springs hold a mechanism in equilibrium without its drive.
 #pragma once
 
+#include "calculators/mechanism/cycle/equilibrium.hpp"
 #include "calculators/mechanism/cycle/schedule.hpp"
+#include "lib/text/issue.hpp"
 
-#include <limits>
 #include <vector>
 
 namespace loadpath::planar {
-
-/// Moved a little off its position, the mechanism returns, moves on, does the one or the other, or stays.
-enum class Stability { stable, unstable, one_sided, neutral };
-
-struct Equilibrium {
-  double place = 0.0;      // among the positions, as schedule_of takes it
-  double stiffness = 0.0;  // derivative of the effort that holds it by the coordinate of the drive, N m/rad or N/m
-  Stability stability = Stability::neutral;
-};
-
-struct Equilibria {
-  std::vector<Equilibrium> found;  // in the order of the positions
-  bool everywhere = false;         // nothing moves the mechanism at any position
-  /// The smallest effort that is needed to hold it, N m or N, with its sign, and the place on the axis.
-  double least = std::numeric_limits<double>::quiet_NaN(), least_at = 0.0;
-};
 
 /// Between the first position and the last, wherever the mechanism closes. Its drive is at rest, without inertia.
 Equilibria equilibria_of(const Mechanism::Input& in, const mechanism::Model& model, bool redundant,

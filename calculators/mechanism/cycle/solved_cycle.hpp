@@ -2,7 +2,7 @@
 #pragma once
 
 #include "calculators/mechanism/cycle/between.hpp"
-#include "calculators/mechanism/cycle/equilibria.hpp"
+#include "calculators/mechanism/cycle/equilibrium.hpp"
 #include "lib/mechanism/groups/released_system.hpp"
 #include "lib/mechanism/proof/proof.hpp"
 #include "lib/mechanism/structure/release.hpp"

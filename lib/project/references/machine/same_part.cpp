@@ -1,6 +1,5 @@
 #include "lib/project/references/machine/same_part.hpp"
 
-#include "lib/calculator/solid.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/sources.hpp"
@@ -23,7 +22,6 @@ bool is_outer_diameter(std::string_view key) { return key == "d" || key == "d_w"
 bool is_side_of_plate(std::string_view key) { return key == "h" || key == "b" || key == "t"; }
 bool is_radius(std::string_view key) { return key == "R" || key == "r" || key.starts_with("R_i") || key == "R_a"; }
 bool is_diameter(std::string_view key) { return key.starts_with("D") || key.starts_with("d"); }
-bool is_solid(std::string_view what) { return what == diameter_of_solid; }
 
 std::string_view key_in(std::string_view path) { return path.substr(path.rfind('.') + 1); }
 
@@ -96,7 +94,7 @@ class PartCheck {
     if (!(bore > 0.0)) return;
     const std::string own = own_bore(prefix_of(path)), told = format_quantity(bore, "mm", 4);
     if (own.empty()) {
-      if (means(*step_.input().calculator, path, &is_solid))
+      if (connects(step_))
         add(path, say("'{1}' has a bore of {2}, and a solid shaft is assumed here; justify it: because.{3} = \"...\"",
                       size.source->name(), told, path));
       return;

@@ -260,8 +260,8 @@ std::vector<FieldFault> check_equilibrium(const Mechanism::Input& in, const mech
                                  say("name the joint that the mechanism moves by as a crank, or one cylinder with "
                                      "'from' and 'to'; the other cylinders get a given force F")));
   if (has_law(in))
-    faults.push_back(not_covered("analysis", say("at rest there is no law of motion"),
-                                 say("give the crank alone, or with angles at = [...] to search between them")));
+    faults.push_back(not_covered("analysis", say("a law of motion does not apply at rest"),
+                                 say("give the crank its joint only, or angles at = [...] to search between them")));
   if (moves(in.crank))
     faults.push_back(not_covered("crank.speed", say("in equilibrium the crank is at rest"), say("leave it out")));
   for (const planar::Cylinder& cylinder : in.cylinders) {

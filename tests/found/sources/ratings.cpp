@@ -22,7 +22,7 @@ sigma_adm_2 = "260 MPa"
 
 std::string rated(const std::string& lines, const std::string& mesh = "mesh = \"=gears.mesh\"\n") {
   return "[rating]\ncalculator = \"gear.rating\"\n" + mesh + lines +
-         "grade = 6\nmaterial_1 = \"induction\"\nquality_1 = \"MQ\"\nH_1 = 550\nmaterial_2 = \"case\"\nquality_2 = "
+         "grade = 6\nmaterial_1 = \"case\"\nquality_1 = \"MQ\"\nH_1 = 700\nmaterial_2 = \"case\"\nquality_2 = "
          "\"MQ\"\n"
          "H_2 = 700\nS_Hmin = 1.1\nS_Fmin = 1.5\n";
 }
@@ -31,7 +31,8 @@ std::string rated(const std::string& lines, const std::string& mesh = "mesh = \"
 std::string shaft_with(const std::string& x) {
   return R"([shaft]
 calculator = "shaft.design"
-material = "C45E"
+material = "16MnCr5"
+R_e = "440 MPa"
 group = "carbon-steel"
 pieces = [{ l = "220 mm", d = "50 mm" }]
 supports = [{ name = "left", x = "20 mm", holds = "both" }, { name = "right", x = "140 mm" }]

@@ -100,10 +100,9 @@ class RatingCheck {
       const Leaf teeth = find_leaf(step_.input().reading.record, key);
       if (!is_choice(integral) || word_of(integral) != "true" || !is_choice(teeth) || word_of(teeth) != "case")
         continue;
-      found_.push_back(
-          {key, say("the teeth are one piece with the shaft '{1}' of {2}, which is no case-hardening steel; "
-                    "justify it: because.{3} = \"...\"",
-                    shaft.name(), material, key)});
+      found_.push_back({key, say("the teeth are one piece with the shaft '{1}' of {2}, which cannot be case-hardened; "
+                                 "justify it: because.{3} = \"...\"",
+                                 shaft.name(), material, key)});
     }
   }
 

@@ -7,6 +7,7 @@
 // cold-spun austenitic steel, fatigue.
 #pragma once
 
+#include "calculators/vessel/ends/end_input.hpp"
 #include "calculators/vessel/modes.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/figure/figure.hpp"
@@ -57,13 +58,8 @@ R_m = "410 MPa"
     Stress sigma_adm = unset<Stress>, R_e = unset<Stress>, R_m = unset<Stress>;
   };
   static constexpr Fields inputs = join(
+      pressure_on_end<Input>(),
       Fields{
-          RecordField<Input>{"shell", "cylindrical vessel: shell = \"=tank.shell\""},
-          Field{&Input::p, "p", MPa, "internal gauge pressure on the end, liquid included"}
-              .load()
-              .at_least_that_of_source(pressure_below)
-              .positive()
-              .usually(0.01, 100),
           Field{&Input::D_i, "D_i", mm, "inside diameter of the shell, uncorroded"}.positive().usually(50, 20000),
           Choice{&Input::form, "form", "form of the end; Klöpper if omitted"},
           Field{&Input::R, "R", mm, "inside radius of the crown, of a torispherical end"}.positive().may_be_missing(),
@@ -84,20 +80,8 @@ R_m = "410 MPa"
           Field{&Input::c_t, "c_t", mm, "under-tolerance of the plate and thinning in forming"}.at_least(0).usually(0,
                                                                                                                     5),
           Field{&Input::f_t, "f_t", ratio, "under-tolerance and thinning as a share of delta"}.at_least(0).below(0.5),
-          Field{&Input::z, "z", ratio, "efficiency of welds in the crown"}.within(0.3, 1).factor(),
-          Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress (safety factor included)"}
-              .positive()
-              .usually(10, 1000)
-              .customarily_at_most(400)
-              .may_be_missing(),
-          Field{&Input::R_e, "R_e", MPa, "yield strength at the temperature in service"}
-              .positive()
-              .usually(50, 1100)
-              .customarily_at_most(960)
-              .from("material", "R_e", "delta"),
-          Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(100, 1500).from("material", "R_m",
-                                                                                                "delta")},
-      test_inputs<Input>());
+          Field{&Input::z, "z", ratio, "efficiency of welds in the crown"}.within(0.3, 1).factor()},
+      strength_of_end<Input>(), test_inputs<Input>());
 
   struct Result : TestResult {
     Stress f = unset<Stress>;

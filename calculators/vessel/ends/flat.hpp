@@ -6,6 +6,7 @@
 // gaskets that bend the end, openings, stays, external pressure, fatigue, the junction with the shell.
 #pragma once
 
+#include "calculators/vessel/ends/end_input.hpp"
 #include "calculators/vessel/modes.hpp"
 #include "lib/calculator/fields.hpp"
 
@@ -48,13 +49,8 @@ R_m = "410 MPa"
     Stress sigma_adm = unset<Stress>, R_e = unset<Stress>, R_m = unset<Stress>;
   };
   static constexpr Fields inputs = join(
-      Fields{RecordField<Input>{"shell", "cylindrical vessel: shell = \"=tank.shell\""},
-             Field{&Input::p, "p", MPa, "internal gauge pressure on the end, liquid included"}
-                 .load()
-                 .at_least_that_of_source(pressure_below)
-                 .positive()
-                 .usually(0.01, 100),
-             Field{&Input::D_i, "D_i", mm, "inside diameter of the shell, or diameter of the seal"}.positive().usually(
+      pressure_on_end<Input>(),
+      Fields{Field{&Input::D_i, "D_i", mm, "inside diameter of the shell, or diameter of the seal"}.positive().usually(
                  50, 20000),
              Choice{&Input::attachment, "attachment", "attachment to the shell"}.may_be_missing(),
              Field{&Input::m_r, "m_r", ratio, "required / actual thickness of the shell, of a welded end; 1 if omitted"}
@@ -75,20 +71,8 @@ R_m = "410 MPa"
                  .at_least(0)
                  .usually(0, 10),
              Field{&Input::c_t, "c_t", mm, "under-tolerance of the plate"}.at_least(0).usually(0, 5),
-             Field{&Input::z, "z", ratio, "efficiency of welds in the end"}.within(0.3, 1).factor(),
-             Field{&Input::sigma_adm, "sigma_adm", MPa, "allowable stress (safety factor included)"}
-                 .positive()
-                 .usually(10, 1000)
-                 .customarily_at_most(400)
-                 .may_be_missing(),
-             Field{&Input::R_e, "R_e", MPa, "yield strength at the temperature in service"}
-                 .positive()
-                 .usually(50, 1100)
-                 .customarily_at_most(960)
-                 .from("material", "R_e", "delta"),
-             Field{&Input::R_m, "R_m", MPa, "tensile strength"}.positive().usually(100, 1500).from("material", "R_m",
-                                                                                                   "delta")},
-      test_inputs<Input>());
+             Field{&Input::z, "z", ratio, "efficiency of welds in the end"}.within(0.3, 1).factor()},
+      strength_of_end<Input>(), test_inputs<Input>());
 
   struct Result : TestResult {
     Stress f = unset<Stress>;

@@ -9,6 +9,7 @@
 #include "calculators/load/steel.hpp"
 #include "calculators/vessel/lame.hpp"
 #include "calculators/vessel/modes.hpp"
+#include "calculators/vessel/thick/thick_wall.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/figure/figure.hpp"
 
@@ -86,36 +87,20 @@ E = "210 GPa"
     double S_pl = unset<double>;
     double u_v = unset<double>;
   };
-  static constexpr Fields results{
-      Field{&Result::sigma_all, "sigma_all", MPa, "allowable stress"},
-      Field{&Result::delta_min, "delta_min", mm, "minimum nominal thickness, allowances included"},
-      Field{&Result::delta, "delta", mm, "nominal wall thickness"},
-      Field{&Result::delta_c, "delta_c", mm, "analysis thickness: corroded, under-tolerance deducted"},
-      Field{&Result::R_i, "R_i", mm, "inside radius of the carrying wall"},
-      Field{&Result::R_a, "R_a", mm, "outside radius of the carrying wall"},
-      Field{&Result::sigma_ti, "sigma_ti", MPa, "hoop stress at the inner surface"},
-      Field{&Result::sigma_ta, "sigma_ta", MPa, "hoop stress at the outer surface"},
-      Field{&Result::sigma_z, "sigma_z", MPa, "axial stress, the same through the wall"},
-      Field{&Result::sigma_tr, "sigma_tr", MPa, "hoop stress at the radius r"},
-      Field{&Result::sigma_rr, "sigma_rr", MPa, "radial stress at the radius r"},
-      Field{&Result::sigma_vi, "sigma_vi", MPa, "equivalent stress at the inner surface, seams included"},
-      Field{&Result::sigma_va, "sigma_va", MPa, "equivalent stress at the outer surface, seams included"},
-      Field{&Result::sigma_v, "sigma_v", MPa, "equivalent stress at the governing surface, seams included"},
-      Field{&Result::w_i, "w_i", mm, "radial displacement of the inner surface, outward positive"},
-      Field{&Result::w_a, "w_a", mm, "radial displacement of the outer surface, outward positive"},
-      Field{&Result::S_F, "S_F", ratio, "safety factor against first yield"},
-      Field{&Result::p_pl, "p_pl", MPa, "pressure difference at which all of a seamless wall is plastic"},
-      Field{&Result::S_pl, "S_pl", ratio, "fully plastic pressure difference / pressure difference"},
-      Field{&Result::u_v, "u_v", ratio, "strength: equivalent stress / allowable stress"}.check()};
+  static constexpr Fields results =
+      join(Fields{Field{&Result::sigma_all, "sigma_all", MPa, "allowable stress"},
+                  Field{&Result::delta_min, "delta_min", mm, "minimum nominal thickness, allowances included"},
+                  Field{&Result::delta, "delta", mm, "nominal wall thickness"},
+                  Field{&Result::delta_c, "delta_c", mm, "analysis thickness: corroded, under-tolerance deducted"},
+                  Field{&Result::R_i, "R_i", mm, "inside radius of the carrying wall"},
+                  Field{&Result::R_a, "R_a", mm, "outside radius of the carrying wall"},
+                  Field{&Result::sigma_ti, "sigma_ti", MPa, "hoop stress at the inner surface"},
+                  Field{&Result::sigma_ta, "sigma_ta", MPa, "hoop stress at the outer surface"},
+                  Field{&Result::sigma_z, "sigma_z", MPa, "axial stress, the same through the wall"},
+                  Field{&Result::sigma_tr, "sigma_tr", MPa, "hoop stress at the radius r"}},
+           thick_wall_results<Result>());
 
-  static constexpr std::array rules =
-      join(wall_rules<Input>(),
-           std::array{Rule<Input>{[](const Input& in) { return in.p > 0.0 * MPa || in.p_e > 0.0 * MPa; }, "p, p_e",
-                                  "give an internal pressure p or an external pressure p_e"},
-                      Rule<Input>{[](const Input& in) { return in.hypothesis != Hypothesis::membrane; }, "hypothesis",
-                                  radial_stress_needed},
-                      Rule<Input>{[](const Input& in) { return leaves_room(in, in.R); }, "R, delta",
-                                  "the wall must be thinner than the radius"}});
+  static constexpr std::array rules = thick_wall_rules<Input>();
 
   static constexpr Applies has_ends(const Input& in) { return in.ends == Ends::closed ? Applies::unseen : Applies::no; }
   static constexpr std::array meanings = wall_meanings;

@@ -19,10 +19,10 @@ namespace {
 using mechanism::Status;
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-constexpr double nothing = 1e-9;  // share of the largest effort that counts as none
-constexpr double beside = 1e-3;   // distance to the places beside one, parts of a step
-constexpr double same = 1e-7;     // distance of two places that are one
-constexpr int finest = 52;        // bits of a place
+constexpr double nothing = 1e-9;  // fraction of the largest effort that counts as zero
+constexpr double nearby = 1e-3;   // distance of the neighbouring places that show the slope, fraction of a step
+constexpr double same = 1e-7;     // places closer than this are one position
+constexpr int finest = 52;        // precision of a place, bits
 
 struct Sample {
   double place = 0.0, coordinate = 0.0, effort = unknown;
@@ -131,7 +131,9 @@ class Search {
   }
 
   /// Between a place with an effort forward and one backward; none where the effort jumps or grows without bound.
-  void keep_root(Holding& holding, const Sample& left, const Sample& right) {
+  void keep_root(Holding& holding, const Sample& one, const Sample& other) {
+    const bool ascends = one.place < other.place;  // behind a gap the places fall
+    const Sample &left = ascends ? one : other, &right = ascends ? other : one;
     const auto effort = [&](double place) { return holding.at(place).effort; };
     std::uintmax_t most = 200;
     const auto fine = boost::math::tools::eps_tolerance<double>(finest);
@@ -186,14 +188,14 @@ class Search {
     all_.found.erase(std::unique(all_.found.begin(), all_.found.end(), is_one), all_.found.end());
   }
 
-  /// By the efforts beside it; at an end of the range there is one side.
+  /// From the efforts at neighbouring places; at the end of the range, on one side only.
   void judge(Equilibrium& e) {
     Holding holding = start();
     const Sample middle = holding.at(e.place);
     Sample left = middle, right = middle;
     int rising = 0, falling = 0;  // sides on which the effort rises, or falls, with the coordinate
     for (Sample* const side : {&left, &right}) {
-      const Sample there = holding.at(e.place + (side == &left ? -beside : beside));
+      const Sample there = holding.at(e.place + (side == &left ? -nearby : nearby));
       (void)holding.at(e.place);
       if (!there.is_known() || there.coordinate == middle.coordinate) continue;
       *side = there;

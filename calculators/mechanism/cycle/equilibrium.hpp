@@ -6,7 +6,7 @@
 
 namespace loadpath::planar {
 
-/// Moved a little off its position, the mechanism returns, moves on, does the one or the other, or stays.
+/// After a small displacement the mechanism returns, moves away, moves away to one side only, or stays.
 enum class Stability { stable, unstable, one_sided, neutral };
 
 struct Equilibrium {

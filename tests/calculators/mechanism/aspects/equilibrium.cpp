@@ -38,7 +38,7 @@ springs.S = { links = ["ground", "top"], points = ["C", "A"], k = "200 N/m", fre
 }
 
 std::vector<double> series(const project::Project& project, const std::string& path) {
-  return entry_of(project, path.substr(2)).value.si;
+  return entry_of(project, path.substr(path.find('.') + 1)).value.si;
 }
 
 /// A four-bar linkage with a heavy coupler, a spring and a load, over all its positions.
@@ -125,6 +125,23 @@ F_x = "0 N"
       found += static_cast<int>(at.size());
     }
     CHECK(found > 30);
+  }
+
+  TEST_CASE("a linkage that does not turn round is searched on both sides of its gap") {
+    const std::string bar =
+        replaced(replaced(bar_that_cannot_turn(72), "speed = \"60 rpm\", ", ""), "calculator = \"mechanism.planar\"\n",
+                 "calculator = \"mechanism.planar\"\nanalysis = \"equilibrium\"\n");
+    const std::string heavy =
+        replaced(bar, "D = [\"150 mm\", \"0 mm\"] }\n[bar.joints]",
+                 "D = [\"150 mm\", \"0 mm\"] }\n[[bar.springs]]\nname = \"S\"\nlinks = "
+                 "[\"ground\", \"c\"]\nk_turn = \"30 N*m/rad\"\nfree_angle = \"0 deg\"\n[bar.joints]");
+    const Told found = told(heavy);
+    REQUIRE(found.issues.empty());
+    // The moment of the spring on its link balances the load, 5 N m: at one angle of the link, in each assembly
+    // reached.
+    const auto at = series(found.project, "bar.equilibrium.phi");
+    CHECK(!at.empty());
+    for (const double M : entry_of(found.project, "drive.M").value.si) CHECK(std::abs(M) < 1e-6);
   }
 
   TEST_CASE("no position, no load, friction, a speed, two drives: told, and nothing is solved") {

@@ -5,9 +5,9 @@
 // is chosen for the check. Critical stresses hold no safety; each allowable load holds the safety of its own method.
 // Uniform straight bar, central load (but for the secant formula), flexural buckling about the principal axes y and z.
 // Sign: N is positive in tension, as mechanisms give it; P is positive in compression. Both may be series. In tension
-// the plain stress N/A is held against the yield strength with a safety of its own. Channels, tees and angles of equal
-// legs are held against torsional-flexural buckling too. Not covered: the net section of a bar in tension, torsional
-// buckling of other open sections, sections of class 4, built-up and tapered bars, transverse loads, biaxial
+// the stress N/A is compared with the yield strength, with a safety factor of its own. Channels, tees and angles of
+// equal legs are assessed for torsional-flexural buckling too. Not covered: the net section of a bar in tension,
+// torsional buckling of other open sections, sections of class 4, built-up and tapered bars, transverse loads, biaxial
 // eccentricity.
 #pragma once
 

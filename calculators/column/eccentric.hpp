@@ -1,4 +1,4 @@
-// The bar whose force acts beside its axis, or whose axis is bowed: the mean stress at which its extreme fibre yields,
+// Bars under an eccentric load or with an initial bow: the mean stress at which the extreme fibre yields,
 // and its deflection and stress under the given force.
 //
 // The secant formula for the eccentricity e, [Gere]; a bow in half a sine wave of amplitude e_0 over the effective
@@ -22,7 +22,7 @@ Offset offset_about(const BucklingInput& in, AxisName axis, Tracer& trace) {
   const auto or_none = [](Length given) { return is_set(given) ? given : 0.0 * mm; };
   return {trace.value("e", or_none(about_y ? in.e_y : in.e_z), "eccentricity in the plane of bending"),
           trace.value("e_0", or_none(about_y ? in.e_0y : in.e_0z), "initial bow in the plane of bending"),
-          trace.value("c", or_none(extreme_fibre(in, axis)), "extreme fibre from the axis")};
+          trace.value("c", or_none(extreme_fibre(in, axis)), "distance of the extreme fibre from the axis")};
 }
 
 /// The mean stress that the secant formula allows without safety.
@@ -45,7 +45,7 @@ template <class Tracer>
 void bend_off_axis(const Offset& at, const MemberResult& r, AxisResult& a, Tracer& trace) {
   if (!(r.F > 0.0 * kN) || !is_set(a.N_cr)) return;
   if (!(r.F < a.N_cr)) {
-    a.w = trace.value("w", unset<Length>, "the force is not below the critical force: no deflection bears it");
+    a.w = trace.value("w", unset<Length>, "no equilibrium at or above the critical force");
     return;
   }
   const auto e = at.e, e_0 = at.e_0, c = at.c;

@@ -40,7 +40,7 @@ struct Member {
   double lambda_max = 200.0;
 };
 
-/// Whether the force acts beside the axis of the bar, or its axis is bowed.
+/// Whether the load is eccentric, or the bar has an initial bow.
 inline bool is_offset_about_y(const Member& in) { return in.e_y > 0.0 * mm.one || in.e_0y > 0.0 * mm.one; }
 inline bool is_offset_about_z(const Member& in) { return in.e_z > 0.0 * mm.one || in.e_0z > 0.0 * mm.one; }
 /// Whether the input says so of either axis, if only that it does not.

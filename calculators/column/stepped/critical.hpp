@@ -20,7 +20,7 @@ struct Piece {
 };
 using Pieces = List<Piece, most_pieces>;
 
-/// By how much all loads must grow until the column buckles; infinite if nothing compresses it, NaN if it moves without
+/// The factor on all loads at which the column buckles; infinite if nothing compresses it, NaN if it moves without
 /// a load.
 double critical_factor(const Pieces& pieces, const End& foot, const End& top);
 

@@ -45,8 +45,8 @@ void load_part(const Input& in, const Part& part, Force above, Member& of, Trace
   const auto P = trace.value("P", or_nothing(part.P), "applied at the upper end");
   STEP_TO(of, N_u, N_a + P, "equilibrium at the upper end");
   const auto l = trace.value("l", part.l, "as given");
-  const auto q = trace.value("q", or_nothing(part.q), "along the part, besides its weight");
-  if (!is_set(in.rho) || in.stands == Stepped::Stands::level) {
+  const auto q = trace.value("q", or_nothing(part.q), "along the part, without its weight");
+  if (!is_set(in.rho) || in.orientation == Stepped::Orientation::horizontal) {
     STEP_TO(of, N_l, N_u + q * l, "equilibrium of the part");
     return;
   }
@@ -91,7 +91,7 @@ void judge_part(const Input& in, const Part& part, double alpha_cr, Result& r, M
   }
   if (!is_set(in.n_st)) return;
   const auto sigma_cr = of.sigma_cr;
-  STEP_TO(of, u, in.n_st * sigma / sigma_cr, "stress with its safety over the critical stress");
+  STEP_TO(of, u, in.n_st * sigma / sigma_cr, "stress times the required safety factor / critical stress");
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ FieldFault Stepped::section_missing(const Input& in) {
   return {};
 }
 
-/// I = A i^2 with a radius of gyration that is less than the length: a slip of the unit is more.
+/// I = A i^2 with a radius of gyration that is less than the length: beyond that a unit is wrong.
 bool Stepped::sections_fit(const Input& in) {
   return std::all_of(in.parts.begin(), in.parts.end(), [](const Part& part) {
     return !is_set(part.A) || !is_set(part.I) || in_si(part.I) < in_si(part.A) * in_si(part.l) * in_si(part.l);
@@ -128,7 +128,7 @@ Applies Stepped::loaded(const Input& in) {
   const bool forced = std::any_of(in.parts.begin(), in.parts.end(), [](const Part& part) {
     return part.P > 0.0 * kN.one || part.q > 0.0 * N_per_mm.one;
   });
-  return where(forced || (is_set(in.rho) && in.stands == Stands::upright));
+  return where(forced || (is_set(in.rho) && in.orientation == Orientation::vertical));
 }
 
 /// Sections whose outline is not given may have thin walls, or twist.
@@ -142,7 +142,7 @@ Applies Stepped::about_other_axis(const Input& in) {
 }
 
 Applies Stepped::weighs(const Input& in) {
-  return is_set(in.rho) && in.stands == Stands::upright ? Applies::no : Applies::unseen;
+  return is_set(in.rho) && in.orientation == Orientation::vertical ? Applies::no : Applies::unseen;
 }
 
 template <class Tracer>
@@ -171,7 +171,7 @@ Result Stepped::evaluate(const Input& in, Tracer& trace) {
   const auto alpha_cr = r.alpha_cr = trace.value("alpha_cr", critical_factor(pieces_of(in, r), foot_of(in), top_of(in)),
                                                  "smallest root of the characteristic equation, by the exact stiffness "
                                                  "of the parts, [Timoshenko-Gere], [Wittrick]");
-  STEP_TO(r, F_cr, alpha_cr * r.F, "all loads grow alike");
+  STEP_TO(r, F_cr, alpha_cr * r.F, "all loads increase in proportion");
   for (std::size_t i = 0; i < count; ++i) {
     [[maybe_unused]] const auto inside = trace.scope("members", i);
     judge_part(in, in.parts[i], alpha_cr, r, r.members[i], trace);

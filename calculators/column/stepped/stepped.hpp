@@ -1,9 +1,9 @@
-// A column in parts of different section, with loads at the top and at the steps, and its own weight.
+// A column in parts of different section, with loads at the top and at the steps, and its self-weight.
 //
 // Decides by how much all loads together may grow until the column buckles elastically, exactly (critical.hpp), the
 // effective length of every part under its own force, and with it the critical stress of the part: by Johnson and
 // Euler with the yield strength, by Euler up to a proportional limit. One part alone is the uniform column under its
-// own weight. Straight, central loads that keep their direction, vertical where the weight counts; buckling about one
+// self-weight. Straight, central loads that keep their direction, vertical where the weight counts; buckling about one
 // axis, that of the second moments given. Forces are positive in compression. Not covered: eccentric and transverse
 // loads, buckling about the other axis, torsional and local buckling, elastic ends, codes.
 #pragma once
@@ -26,7 +26,7 @@ struct Stepped : SteppedTypes {
   static constexpr auto title = "Stepped column and column under its own weight";
   static constexpr auto scope =
       "Elastic critical load factor of a column of one or more parts of different section under forces at the top and "
-      "at the steps, distributed axial loads and its own weight, exact; effective length and critical stress of each "
+      "at the steps, distributed axial loads and its self-weight, exact; effective length and critical stress of each "
       "part; eccentric and transverse loads, torsional and local buckling, the other axis and codes are not covered.";
   static constexpr auto source = "[Timoshenko-Gere], [Wittrick], [Anderson-Woodward], [Johnson], [B25]";
   static constexpr auto headline = "alpha_cr = {alpha_cr}";
@@ -56,9 +56,10 @@ n_st = 2.5
       ListField{&Input::parts, "parts", "parts of the column, from its foot to its top"},
       Choice{&Input::foot, "foot", "support of the foot: fixed or pinned"},
       Choice{&Input::top, "top", "support of the top: free, pinned, fixed or guided"},
-      Choice{&Input::stands, "stands", "position, for the own weight: upright or level"}.may_be_missing(),
+      Choice{&Input::orientation, "orientation", "orientation, for the self-weight: vertical or horizontal"}
+          .may_be_missing(),
       Field{&Input::E, "E", GPa, "modulus of elasticity"}.positive().usually(least_E, most_E).from("material", "E"),
-      Field{&Input::rho, "rho", kg_per_m3, "density, for the own weight; omitted: without weight"}
+      Field{&Input::rho, "rho", kg_per_m3, "density, for the self-weight; omitted: without weight"}
           .positive()
           .usually(100, 23000)
           .from("material", "rho")
@@ -121,7 +122,7 @@ n_st = 2.5
       Mode<Input>{"local", "local buckling of walls", &of_walls},
       Mode<Input>{"torsional", "torsional and torsional-flexural buckling", &of_walls},
       Mode<Input>{"other_axis", "buckling about the other axis", &about_other_axis}.special(),
-      Mode<Input>{"weight", "own weight", &weighs}.special(),
+      Mode<Input>{"weight", "self-weight", &weighs}.special(),
       Mode<Input>{"lateral", "bending by eccentric and transverse loads", &unseen<Input>}.in_service().by_companions(),
       Mode<Input>{"joint", "strength of the steps and supports", &unseen<Input>},
       Mode<Input>{"fatigue", "fatigue", &unseen<Input>}.in_service().assessed_beside("fatigue.life, fatigue.history")};

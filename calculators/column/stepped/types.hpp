@@ -12,8 +12,8 @@ namespace loadpath::column {
 struct SteppedTypes {
   enum class Foot { fixed, pinned };
   enum class Top { free, pinned, fixed, guided };
-  /// Whether the own weight acts along the column.
-  enum class Stands { upright, level };
+  /// Whether the self-weight acts along the column.
+  enum class Orientation { vertical, horizontal };
 
   struct Part {
     Name name;
@@ -35,7 +35,7 @@ struct SteppedTypes {
             .positive()
             .may_be_missing(),
         Field{&Part::P, "P", kN, "compressive force applied at its upper end"}.load().at_least(0).may_be_missing(),
-        Field{&Part::q, "q", N_per_mm, "compressive load per length along it, besides its weight"}
+        Field{&Part::q, "q", N_per_mm, "compressive load per length along it, without its weight"}
             .load()
             .at_least(0)
             .may_be_missing()};
@@ -46,7 +46,7 @@ struct SteppedTypes {
     Parts parts;
     Foot foot = Foot::fixed;
     Top top = Top::free;
-    Stands stands = Stands::upright;
+    Orientation orientation = Orientation::vertical;
     Stress E = unset<Stress>;
     Density rho = unset<Density>;
     Stress R_e = unset<Stress>, sigma_P = unset<Stress>;
@@ -102,10 +102,10 @@ constexpr auto choices_of(SteppedTypes::Top) {
                     ChoiceName<T>{T::guided, "guided", "guided: free to translate, fixed against rotation"}};
 }
 
-constexpr auto choices_of(SteppedTypes::Stands) {
-  using S = SteppedTypes::Stands;
-  return std::array{ChoiceName<S>{S::upright, "upright", "upright: the weight compresses it"},
-                    ChoiceName<S>{S::level, "level", "level: the weight bends it"}};
+constexpr auto choices_of(SteppedTypes::Orientation) {
+  using O = SteppedTypes::Orientation;
+  return std::array{ChoiceName<O>{O::vertical, "vertical", "vertical: the weight compresses it"},
+                    ChoiceName<O>{O::horizontal, "horizontal", "horizontal: the weight bends it"}};
 }
 
 }  // namespace loadpath::column

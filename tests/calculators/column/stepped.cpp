@@ -167,9 +167,9 @@ TEST_SUITE("column stepped") {
   TEST_CASE("the weight fades out: towards Euler from below, and twice all loads is half the factor") {
     Stepped::Input in = column_of(Foot::fixed, Top::free, {{3.0, 0.16, 100.0, 0.0}, {2.0, 0.125, 60.0, 0.0}});
     const double with_weight = test::evaluated<Stepped>(in).alpha_cr;
-    in.stands = Stepped::Stands::level;
+    in.orientation = Stepped::Orientation::horizontal;
     const double level = test::evaluated<Stepped>(in).alpha_cr;
-    in.stands = Stepped::Stands::upright;
+    in.orientation = Stepped::Orientation::vertical;
     in.rho = from_si<Density>(1e-6);
     const double light = test::evaluated<Stepped>(in).alpha_cr;
     CHECK(with_weight < level);

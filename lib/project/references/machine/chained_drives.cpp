@@ -11,7 +11,8 @@ namespace loadpath::project {
 
 namespace {
 
-constexpr double least_efficiency = 0.85, most_power = 1.1;  // of one drive; a power beside its losses
+constexpr double least_efficiency = 0.85;  // of one drive
+constexpr double most_power = 1.1;         // over the power of the drive before: rounded values
 
 /// The load of a drive, "P" or "T_1"; empty if it has none.
 std::string load_of(const Step& step, const Project& project) {
@@ -61,9 +62,9 @@ std::vector<ReducedLoad> powers_of_chained(const Step& step, const Project& proj
   const double own = power_of(step, project), given = power_of(*before, project);
   if (load.empty() || std::isnan(own) || !(given > 0.0)) return {};
   if (own >= least_efficiency * given && own <= most_power * given) return {};
-  return {
-      {load, say("{1} makes {2}, and '{3}', whose speed it runs at, passes on {4}; justify it: because.{1} = \"...\"",
-                 load, format_quantity(own, "kW", 4), before->name(), format_quantity(given, "kW", 4))}};
+  return {{load, say("{1} corresponds to {2}, and '{3}', whose output speed is used, transmits {4}; justify it: "
+                     "because.{1} = \"...\"",
+                     load, format_quantity(own, "kW", 4), before->name(), format_quantity(given, "kW", 4))}};
 }
 
 }  // namespace loadpath::project

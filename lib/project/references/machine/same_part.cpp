@@ -7,7 +7,6 @@
 #include "lib/quantity/units.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <string_view>
@@ -72,14 +71,14 @@ class PartCheck {
 
   [[nodiscard]] Leaf leaf(const std::string& path) const { return find_leaf(step_.input().reading.record, path); }
 
-  /// The bore beside a diameter there: of the same element of a list, of the part, or where it was sized.
+  /// The bore of the part whose diameter is taken: of the same element of a list, else of the whole part.
   double bore_of(const TakenSize& size) const {
     const std::string name = size.source->name() + ".";
     const double beside = magnitude_at(project_, name + prefix_of(size.rest) + "d_bore");
     return std::isnan(beside) ? magnitude_at(project_, name + "d_bore") : beside;
   }
 
-  /// The bore of this step beside a diameter, as it calls it; empty if it has none.
+  /// The key of the bore that belongs to a diameter of this step; empty if it has none.
   std::string own_bore(const std::string& beside) const {
     for (const char* const key : {"d_bore", "d_i"}) {
       if (leaf(beside + key)) return beside + key;
@@ -95,13 +94,15 @@ class PartCheck {
     const std::string own = own_bore(prefix_of(path)), told = format_quantity(bore, "mm", 4);
     if (own.empty()) {
       if (connects(step_))
-        add(path, say("'{1}' has a bore of {2}, and a solid shaft is assumed here; justify it: because.{3} = \"...\"",
+        add(path, say("'{1}' has a bore of {2}, and the formulas are those of a solid shaft; justify it: because.{3} = "
+                      "\"...\"",
                       size.source->name(), told, path));
       return;
     }
     if (is_less(own, bore))
-      add(path, say("{1} is that of '{2}', whose bore of {3} is left out: give {4} = \"{3}\", or because.{1} = \"...\"",
-                    path, size.source->name(), told, own));
+      add(path,
+          say("{1} is the diameter of '{2}', which has a bore of {3}: give {4} = \"{3}\", or because.{1} = \"...\"",
+              path, size.source->name(), told, own));
   }
 
   /// A connection is on the shaft whose torque it takes, though it may type the diameter.
@@ -151,15 +152,15 @@ class PartCheck {
     if (connects(step_) || connects(source)) return;
     const std::string own = named_material(step_), theirs = named_material(source);
     if (!own.empty() && !theirs.empty() && own != theirs) {
-      add(path, say("'{2}' is of {3}, and the material here is {4}: because.{1} = \"...\"", path, source.name(), theirs,
-                    own));
+      add(path, say("'{2}' is made of {3}, but this step uses {4} for the same part: because.{1} = \"...\"", path,
+                    source.name(), theirs, own));
       return;
     }
     if (!own.empty()) return;
     for (const char* const key : {"R_e", "R_m"}) {
       const double here = own_value(step_, project_, key), there = magnitude_at(project_, source.name() + "." + key);
       if (here > there * (1.0 + same))
-        add(path, say("{2} = {3} here, and '{4}' has {5}: because.{1} = \"...\"", path, key,
+        add(path, say("{2} = {3}, but '{4}' has {5} for the same part: because.{1} = \"...\"", path, key,
                       format_quantity(here, "MPa", 4), source.name(), format_quantity(there, "MPa", 4)));
     }
   }

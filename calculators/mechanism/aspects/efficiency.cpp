@@ -49,12 +49,12 @@ Efficiency efficiency_of(const Results& results) {
   return efficiency(mean_of(drive), mean_of(use));
 }
 
-constexpr const char* where = "with a crank, and friction or useful loads";
+constexpr const char* of_losses = "with a crank, and friction or useful loads";
 constexpr Declaration forward = declare("drive.efficiency", "useful work over the work of the drive, over a turn",
-                                        ratio, where, {.kind = Kind::efficiency, .tabled = Tabled::always});
+                                        ratio, of_losses, {.kind = Kind::efficiency, .tabled = Tabled::always});
 constexpr Declaration back =
     declare("drive.efficiency_back", "driven by the load: work that the drive takes over the work of the useful loads",
-            ratio, where, {.kind = Kind::efficiency_back, .tabled = Tabled::always});
+            ratio, of_losses, {.kind = Kind::efficiency_back, .tabled = Tabled::always});
 
 /// For a mechanism with a crank and friction or useful loads. If it is not defined there is a reason.
 void add_efficiency(const Mechanism::Input& in, const mechanism::Model& model, std::vector<Output>& out) {

@@ -1,7 +1,6 @@
 // The positions of equilibrium: where they are, whether the mechanism returns to them, how stiffly.
 #include "calculators/mechanism/cycle/equilibria.hpp"
 #include "calculators/mechanism/results/aspect.hpp"
-#include "calculators/mechanism/results/rows.hpp"
 
 #include <algorithm>
 

@@ -20,12 +20,15 @@ column::Buckling::Input offset_bar(double e, double e_0, double P) {
   return in;
 }
 
-/// Deflection of a hinged bar at mid-length: the series of the exact solution in sine waves; a force beside the axis is
+/// Deflection of a hinged bar at mid-length: the series of the exact solution in sine waves; an eccentric force is
 /// the moment of an even offset 4/(pi k) of every odd wave.
 double deflection_by_waves(double e, double e_0, double x) {
   double w = e_0 * x / (1.0 - x);
   double sign = 1.0;
-  for (int k = 1; k < 200001; k += 2, sign = -sign) w += sign * e * 4.0 / (k * pi) * x / (k * k - x);
+  for (int wave = 1; wave < 200001; wave += 2, sign = -sign) {
+    const double k = wave;
+    w += sign * e * 4.0 / (k * pi) * x / (k * k - x);
+  }
   return w;
 }
 

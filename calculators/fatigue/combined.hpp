@@ -13,6 +13,7 @@
 #include "calculators/load/limit_meanings.hpp"
 #include "calculators/load/metal.hpp"
 #include "calculators/load/strength_rules.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/fields.hpp"
 #include "lib/calculator/mode.hpp"
 #include "lib/calculator/strength_bounds.hpp"
@@ -162,6 +163,10 @@ S_F = 1.5
       Rule<Input>{[](const Input& in) { return !(in.tau_D > in.sigma_D); }, "tau_D, sigma_D",
                   "the fatigue limit in shear must not exceed that in normal stress"},
       yields_before_it_breaks<Input>(), safety_has_its_yield<Input>()};
+
+  /// Von Mises gives 0.577, tests of ductile metals up to 0.7 [Gough].
+  static double most_limit_in_shear(const Input& in) { return 0.7 * in_si(in.sigma_D); }
+  static constexpr std::array bounds{Bound<Input>{"tau_D", "0.7 sigma_D", &most_limit_in_shear}.sparing_results()};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal},    Meaning{"tau_D", limit_in_shear},
                                        Meaning{"K_sigma", factor_in_normal},   Meaning{"K_tau", factor_in_shear},

@@ -131,6 +131,7 @@ R_z = "6.3 um"
           .may_be_missing(),
       Field{&Input::P_s, "P_s", ratio, "reliability: share of parts that survive the limit; omitted: 0.5"}
           .within(0.5, 0.999999)
+          .customarily_at_least(0.9)
           .may_be_missing()};
 
   static constexpr Fields results{
@@ -268,6 +269,10 @@ R_z = "6.3 um"
           .of_shape(),
       Mode<Input>{"temperature", "validity: temperature factor", [](const Input& in) { return where(is_set(in.T)); }}
           .judged_by("x_T")
+          .of_shape(),
+      Mode<Input>{"reliability", "validity: reliability of the fatigue limit",
+                  [](const Input& in) { return where(in.school == School::marin && !is_set(in.P_s)); }}
+          .wanting("P_s")
           .of_shape(),
       Mode<Input>{"surroundings", "corrosion, heat and fretting", &unseen<Input>}.special()};
 

@@ -144,4 +144,23 @@ TEST_SUITE("found fatigue limits") {
       CHECK_MESSAGE(std::abs(S_eq(C, "shear") / (C * std::pow(0.02, 0.2)) - 1.0) < 1e-9, C);
     CHECK(std::abs(S_eq(80.0, "shear") - 36.5844) < 1e-4);  // as computed by hand
   }
+
+  TEST_CASE("Marin's method without a reliability counts half of the parts: it is asked for") {
+    const std::string marin = "school = \"marin\"\nR_z = \nfinish = \"machined\"\n";
+    CHECK(mode_with("fatigue.endurance", "", "reliability") == "none");
+    CHECK(mode_with("fatigue.endurance", marin, "reliability") == "not-judged");
+    CHECK(mode_with("fatigue.endurance", marin + "P_s = 0.99\n", "reliability") == "none");
+    CHECK(mode_with("fatigue.endurance", marin + "P_s = 0.99\n", "typed_values") == "none");
+    CHECK(mode_with("fatigue.endurance", marin + "P_s = 0.5\n", "typed_values") == "not-judged");
+    CHECK(mode_with("fatigue.endurance", marin + "P_s = 0.5\nbecause.P_s = \"S_D covers the scatter\"\n",
+                    "typed_values") == "none");
+  }
+
+  TEST_CASE("a fatigue limit in shear as high as in normal stresses wants a reason, not one that is derived") {
+    CHECK(mode_with("fatigue.combined", "tau_D = \"125 MPa\"\n", "typed_values") == "none");
+    CHECK(mode_with("fatigue.combined", "tau_D = \"180 MPa\"\n", "typed_values") == "not-judged");
+    CHECK(mode_with("fatigue.combined", "tau_D = \"=180 MPa\"\n", "typed_values") == "not-judged");
+    CHECK(mode_with("fatigue.combined", "tau_D = \"180 MPa\"\nbecause.tau_D = \"tests\"\n", "typed_values") ==
+          "none");
+  }
 }

@@ -32,6 +32,7 @@ struct Flat {
       "at 5 to 30 m/s (synthetic belts to 100 m/s); belt life and idlers are not covered (idlers: belt.course).";
   static constexpr auto source = "[B40], [Shigley-17]";
   static constexpr auto headline = "b = {b}";
+  static constexpr auto details = "L = {L}, a = {a}, initial tension S_0 = {S_0}, shaft load R = {R}";
   static constexpr auto synonyms =
       "flat belt, belt drive, Euler-Eytelwein, capstan equation, wrap angle, initial tension, crossed belt, "
       "open belt, Flachriemen, Riementrieb, Umschlingungswinkel, Vorspannung, belt, плоскоремённая передача, "

@@ -31,6 +31,7 @@ struct Roller {
       "service life is not covered.";
   static constexpr auto source = "[ASME-B29], [B40], [ISO10823]";
   static constexpr auto headline = "z {z_1}/{z_2}, p {p}";
+  static constexpr auto details = "{X} links, a = {a}, chain speed v = {v}, shaft load F_W = {F_W}";
   static constexpr auto synonyms =
       "roller chain, chain drive, sprocket, ISO 606, ISO 10823, chain pull, chordal action, polygon effect, "
       "Rollenkette, Kettentrieb, Kettenrad, Polygoneffekt, chain, Kette, цепная передача, роликовая цепь, звёздочка";
@@ -257,6 +258,7 @@ P_R = "5.5 kW"
       Mode<Input>{"joints", "joint wear (bearing pressure)", &loaded}.judged_by("u_p"),
       Mode<Input>{"breaking", "static breaking strength of the chain", &loaded}.judged_by("u_S, u_F"),
       Mode<Input>{"plates", "link plate fatigue", &runs_loaded}.judged_by("u_P").in_service(),
+      Mode<Input>{"cranked_link", "strength of the cranked link", [](const Input& in) { return where(in.X % 2 != 0); }},
       Mode<Input>{"rollers", "roller and bush impact fatigue", &runs_loaded}.judged_by("u_P").in_service(),
       Mode<Input>{"speed", "chain speed for the lubrication type",
                   [](const Input& in) { return where(is_set(in.n_1)); }}

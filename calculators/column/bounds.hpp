@@ -41,6 +41,12 @@ double least_length_factor(const Input&) {
   return length_factor(Ends::fixed_fixed, Basis::exact);
 }
 
+/// That of the typed ends, beside a typed factor.
+template <class Input>
+double factor_of_ends(const Input& in) {
+  return in.ends == Ends::unsaid ? unset<double> : length_factor(in.ends, Basis::exact);
+}
+
 /// Residual stresses end the proportional range below yield; books have 0.75 to 0.85 of it for steel.
 template <class Input>
 double most_proportional(const Input& in) {
@@ -56,6 +62,8 @@ constexpr auto held_bounds() {
                     Bound<Input>{"beta_y", of_link, &whole_length<Input>}.least().where_source_has("length"),
                     Bound<Input>{"beta_y", of_ends, &least_length_factor<Input>}.least().sparing_results(),
                     Bound<Input>{"beta_z", of_ends, &least_length_factor<Input>}.least().sparing_results(),
+                    Bound<Input>{"beta_y", "the ends", &factor_of_ends<Input>}.least(),
+                    Bound<Input>{"beta_z", "the ends", &factor_of_ends<Input>}.least(),
                     Bound<Input>{"sigma_P", "0.9 R_e", &most_proportional<Input>}};
 }
 

@@ -57,8 +57,7 @@ void take_section(const Input& in, Result& r, Tracer& trace) {
 template <class Tracer>
 double tension_safety(const Input& in, Tracer& trace) {
   if (method_of(in) != Method::ec3) return NAMED_STEP("n", in.n_t, "safety in tension");
-  const double gamma_F =
-      partial_factor("gamma_F", in.gamma_F, in.method == Method::unsaid, "assumed: the force is a design value", trace);
+  const double gamma_F = partial_factor("gamma_F", in.gamma_F, true, "assumed: the force is a design value", trace);
   return NAMED_STEP("n", gamma_F * in.n_t, "partial factors on the load and on the resistance");
 }
 

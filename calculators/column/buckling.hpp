@@ -38,6 +38,7 @@ struct Buckling {
       "[B25], [Johnson], [Rankine], [Gere], [Case-Chilver], [EN1993-1-1-buckling], [AISC360], [SP16], [EN1993-1-1-TF], "
       "[AISC360-E4]";
   static constexpr auto headline = "{section}|d = {d}|A = {A}";
+  static constexpr auto details = "slenderness lambda = {lambda} about {axis}";
   static constexpr auto subject = "buckling";
   static constexpr auto synonyms =
       "column, strut, buckling, eccentric load, initial bow, crooked bar, Euler, Johnson, Tetmajer, Yasinsky, Rankine, "
@@ -82,7 +83,6 @@ n_st = 3
   static bool extreme_fibre_known(const Input& in);
   static FieldFault section_missing(const Input& in);
   static FieldFault missing_for_method(const Input& in);
-  static bool factors_given(const Input& in);
   static Outline outline_of(const Input& in);
   static double amount(const Input& in) { return in_si(area_of(in)); }
 
@@ -98,7 +98,7 @@ n_st = 3
                       "curve_y, curve_z, "
                       "A, h, b, t_f",
                       "an input of the method is missing", &missing_for_method}},
-      method_rules<Input>(), assumption_rules<Input, &factors_given>(), eccentricity_rules<Input>());
+      method_rules<Input>(), assumption_rules<Input, &method_of>(), eccentricity_rules<Input>());
   static constexpr std::array meanings = member_meanings;
   static double whole_twisting_length(const Input& in);
   static double most_torsion_constant(const Input& in);

@@ -58,8 +58,6 @@ FieldFault Buckling::missing_for_method(const Input& in) {
   return column::missing_for_method(in, method_of(in), curves);
 }
 
-bool Buckling::factors_given(const Input& in) { return column::factors_given(in, method_of(in)); }
-
 bool Buckling::extreme_fibre_known(const Input& in) { return fibre_known(in); }
 
 Outline Buckling::outline_of(const Input& in) {

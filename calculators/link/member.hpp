@@ -187,7 +187,7 @@ S = 1.5
                       "an input of the method is missing", &column::of<Input, &column::Buckling::missing_for_method>}},
       std::array{Rule<Input>{&shear_inside, "A_v, A, d, d_bore, h, b", "the shear area cannot exceed the area"}},
       column::method_rules<Input>(),
-      column::assumption_rules<Input, &column::of<Input, &column::Buckling::factors_given>>());
+      column::assumption_rules<Input, &column::method_of>());
   static constexpr auto bounds =
       join(column::held_bounds<Input>(), column::curve_bounds<Input>(),
            std::array{Bound<Input>{"A_v", "the section, EN 1993-1-1 6.2.6", &most_shear_area},
@@ -198,7 +198,7 @@ S = 1.5
       Mode<Input>{"shear", "shear yielding under N and V", &sheared}.judged_by("u_Q").wanting("S, A_v"),
       Mode<Input>{"buckling", "flexural buckling about y and z", &column::compressed<Input>}.judged_by("u, r_1"),
       Mode<Input>{"bent", "bending and axial compression", &compressed_and_bent}.judged_by("u_p, u_i"),
-      Mode<Input>{"slenderness", "slenderness limit", &column::compressed<Input>}.judged_by("r_lambda"),
+      Mode<Input>{"slenderness", "slenderness limit", &column::compressed<Input>}.judged_by("r_lambda").of_service(),
       Mode<Input>{"local", "local buckling (class 3 limit)", &walls_pressed}
           .judged_by("r_class, x_E")
           .wanting("kind, h, b, t_f, t_w"),

@@ -192,18 +192,30 @@ bool Flywheel::law_repeats(const Input& in) { return law_leap(in).message.empty(
 
 FieldFault Flywheel::law_leap(const Input& in) {
   constexpr double rounding = 1e-6;
+  constexpr std::array shares{0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875};
   const Law* const law = in.M_of_phi.empty() ? nullptr : in.M_of_phi.law();
   if (law == nullptr) return {};
   const double first = law->at(0.0).value, last = law->at(in.period * (1.0 - 1e-12)).value;
   double most = std::max(std::abs(first), std::abs(last));
-  for (const double share : {0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875})
-    most = std::max(most, std::abs(law->at(in.period * share).value));
-  if (!(std::abs(last - first) > rounding * most)) return {};
-  return {"M_of_phi",
-          say("the moment does not repeat after {1}: it leaps there from {2} to {3}",
-              format_quantity(in.period, deg.symbol, 5), format_quantity(last, N_m.symbol, 4),
-              format_quantity(first, N_m.symbol, 4)),
-          say("give the period after which it repeats, as period = \"720 deg\"; a leap that is meant may stay")};
+  for (const double share : shares) most = std::max(most, std::abs(law->at(in.period * share).value));
+  if (!(std::abs(last - first) > rounding * most)) {
+    for (const double share : shares) {
+      const double here = law->at(in.period * share).value, later = law->at(in.period * (1.0 + share)).value;
+      if (!(std::abs(later - here) > rounding * most)) continue;
+      return {"M_of_phi",
+              say("the moment does not repeat after {1}: it is {2} at {3}, and {4} a period later",
+                  format_quantity(in.period, deg.symbol, 5), format_quantity(here, N_m.symbol, 4),
+                  format_quantity(in.period * share, deg.symbol, 4), format_quantity(later, N_m.symbol, 4)),
+              say("give the period after which it repeats, as period = \"720 deg\"")};
+    }
+    return {};
+  }
+  return {
+      "M_of_phi",
+      say("the moment does not repeat after {1}: it leaps there from {2} to {3}",
+          format_quantity(in.period, deg.symbol, 5), format_quantity(last, N_m.symbol, 4),
+          format_quantity(first, N_m.symbol, 4)),
+      say("give the period after which it repeats, as period = \"720 deg\"; a leap that is meant: accept.period = \"...\"")};
 }
 
 bool Flywheel::points_rise(const Input& in) {

@@ -181,6 +181,10 @@ delta = 0.01
       Mode<Input>{"bursting", "rim bursting", [](const Input& in) { return shown_by(is_set(in.D)); }}
           .judged_by("u_v")
           .wanting("D, v_adm"),
+      Mode<Input>{"period", "validity: period of the moment",
+                  [](const Input& in) { return where(!in.M_of_phi.empty() && !law_repeats(in)); }}
+          .advising("give the period after which the moment repeats")
+          .of_shape(),
       Mode<Input>{"overspeed", "rim bursting at load rejection", &unseen<Input>}.special()};
 
   template <class Tracer>

@@ -245,7 +245,10 @@ R_e_k = "420 MPa"
           .in_service(),
       Mode<Input>{"length", "effective key length", &torque_loads<Input>}.judged_by("x_l").of_shape(),
       Mode<Input>{"hub_length", "key length within the hub", &always<Input>}.judged_by("u_n").of_shape(),
-      Mode<Input>{"fit", "key size for the shaft diameter", &always<Input>}.judged_by("x_d, x_b, x_t").of_shape(),
+      Mode<Input>{"fit", "key size for the shaft diameter", &always<Input>}
+          .judged_by("x_d, x_b, x_t")
+          .advising("key = \"?\" finds the key of the table for d")
+          .of_shape(),
       Mode<Input>{"depth", "key height within the keyways", &always<Input>}.judged_by("x_h").of_shape(),
       Mode<Input>{"bore", "shaft wall under the keyway", [](const Input& in) { return where(in.d_bore > 0.0 * mm); }}
           .judged_by("x_w")

@@ -99,6 +99,7 @@ S = 2
           Field{&Input::phi, "phi", ratio,
                 "holding force of two screws / twice that of one, by the angle between them, from tests"}
               .within(0.5, 1)
+              .customarily_at_most(0.9)
               .may_be_missing()
               .factor(),
           Field{&Input::k_H, "k_H", ratio,

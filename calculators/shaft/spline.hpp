@@ -132,7 +132,7 @@ R_e_2 = "300 MPa"
              Field{&Input::p_adm_w, "p_adm_w", MPa,
                    "allowable bearing pressure of a sliding hub (a few MPa if it slides under torque)"}
                  .positive()
-                 .usually(1, 150)
+                 .usually(1, 40)
                  .may_be_missing(),
              Field{&Input::tau_adm, "tau_adm", MPa,
                    "allowable shear stress of a tooth; by von Mises from its allowable pressure if omitted"}

@@ -14,8 +14,8 @@
 
 namespace loadpath::account {
 
-/// The candidate before the one that a search has found, and what it fails.
-struct NextSize {
+/// A candidate that a search did not take, and what it fails.
+struct TriedSize {
   std::string name;                   // "95 mm", a row of a table
   std::optional<double> si = {};      // none of a row
   std::string fails = {};             // a check or a limit, "u_theta", "seats.coupling.x_c"; empty: a rule
@@ -29,11 +29,12 @@ struct NextSize {
 /// The origin of a value, for the report: typed, an expression, a row of a table, a default.
 struct Origin {
   Message text;
-  std::vector<std::string> sources;   // keys of tables/sources.toml
-  bool recalled = false;              // the row's source was not seen: flagged in the report
-  bool searched = false;              // found by a search
-  bool assumed = false;               // default value, not given by the user
-  std::optional<NextSize> next = {};  // for a result of a search
+  std::vector<std::string> sources;    // keys of tables/sources.toml
+  bool recalled = false;               // the row's source was not seen: flagged in the report
+  bool searched = false;               // found by a search
+  bool assumed = false;                // default value, not given by the user
+  std::optional<TriedSize> next = {};  // for a result of a search: the candidate before it
+  std::vector<TriedSize> tried = {};   // for a search without a result: the candidates nearest to passing
 };
 
 /// A named quantity of a step.

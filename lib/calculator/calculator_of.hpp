@@ -76,6 +76,7 @@ constexpr Calculator calculator_of() {
   c.source = C::source;
   c.example = C::example;
   if constexpr (requires { C::headline; }) c.headline = C::headline;
+  if constexpr (requires { C::details; }) c.details = C::details;
   if constexpr (requires { C::subject; }) c.subject = C::subject;
   c.input = &record_type<Input, C::inputs>;
   c.result = &record_type<Result, C::results, Role::result>;

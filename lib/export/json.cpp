@@ -37,19 +37,32 @@ void write_series(const Entry& e, JsonWriter& out) {
   if (!complete) out.member("reason", e.missing.empty() ? "not available where null" : e.missing.text());
 }
 
-/// The candidate before the one that was found, and what it fails.
-void write_next(const account::NextSize& next, JsonWriter& out) {
-  out.key("sizing").open_object();
-  out.key("next").open_object();
-  out.member("name", next.name);
-  if (next.si) out.member("value", *next.si);
-  if (!next.mode.empty()) out.member("mode", next.mode);
-  if (!next.title.empty()) out.member("meaning", next.title.text());
-  if (!next.fails.empty()) out.member("fails", next.fails);
-  if (next.number) out.member("number", *next.number);
-  if (next.number) out.member("shown_in", next.unit);
-  out.member("reason", next.reason.text());
+void write_tried(const account::TriedSize& tried, JsonWriter& out) {
+  out.open_object();
+  out.member("name", tried.name);
+  if (tried.si) out.member("value", *tried.si);
+  if (!tried.mode.empty()) out.member("mode", tried.mode);
+  if (!tried.title.empty()) out.member("meaning", tried.title.text());
+  if (!tried.fails.empty()) out.member("fails", tried.fails);
+  if (tried.number) out.member("number", *tried.number);
+  if (tried.number) out.member("shown_in", tried.unit);
+  out.member("reason", tried.reason.text());
   out.close_object();
+}
+
+/// The candidate before the one that was found, or those nearest to passing, and what they fail.
+void write_sizing(const Entry& e, JsonWriter& out) {
+  if (!e.origin.next && e.origin.tried.empty()) return;
+  out.key("sizing").open_object();
+  if (e.origin.next) {
+    out.key("next");
+    write_tried(*e.origin.next, out);
+  }
+  if (!e.origin.tried.empty()) {
+    out.key("tried").open_array();
+    for (const account::TriedSize& tried : e.origin.tried) write_tried(tried, out);
+    out.close_array();
+  }
   out.close_object();
 }
 
@@ -67,7 +80,7 @@ void write_entry(const Entry& e, JsonWriter& out) {
   out.member("meaning", e.doc);
   if (!e.origin.text.empty()) out.member("from", e.origin.text.text());
   if (e.origin.recalled) out.member("recalled", true);
-  if (e.origin.next) write_next(*e.origin.next, out);
+  write_sizing(e, out);
   out.close_object();
 }
 

@@ -134,7 +134,7 @@ const Side bars[] = {
     {"shaft.design", "u_n", over, "n", R"("76800 rpm")", R"("77000 rpm")"},  // n_F/1.25
     {"shaft.overhung", "u_tau", over, "tau_adm", R"("8.8 MPa")", R"("8.7 MPa")", R"(d = "40 mm")"},
     {"column.buckling", "u", over, "P", R"("42 kN")", R"("43 kN")"},
-    {"column.buckling", "r_lambda", outside, "lambda_max", "160", "159"},
+    {"column.buckling", "r_lambda", over, "lambda_max", "160", "159"},
     {"column.buckling", "r_1", outside, "l", R"("493 mm")", R"("492 mm")"},
     {"column.buckling", "r_0", outside, "l", R"("338 mm")", R"("337 mm")",
      "R_e = \nsigma_P = \nmethod = \"tetmajer\"\na_T = \"310 MPa\"\nb_T = \"1.14 MPa\"\nlambda_0 = 60"},
@@ -152,7 +152,7 @@ const Side bars[] = {
     {"column.beam_column", "u_T", over, "P", R"("1539 kN")", R"("1540 kN")"},
     {"column.beam_column", "u_H", over, "M_z", R"("1.6 kN*m")", R"("1.7 kN*m")",
      "method = \"aisc\"\ngamma_M1 = \ngamma_F = \nP = \"300 kN\""},
-    {"column.beam_column", "r_lambda", outside, "l", R"("10.12 m")", R"("10.13 m")"},
+    {"column.beam_column", "r_lambda", over, "l", R"("10.12 m")", R"("10.13 m")"},
     {"column.beam_column", "r_class", outside, "R_e", R"("1725 MPa")", R"("1726 MPa")"},
     {"column.beam_column", "x_V", outside, "M_y_2", R"("-43 kN*m")", R"("-44 kN*m")", R"(l = "1 m")"},
     {"column.lightest", "u", over, "P", R"("106 kN")", R"("107 kN")", lone_section},
@@ -168,7 +168,7 @@ const Side bars[] = {
      "2\nmaterial = "
      "\ngamma_M1 = \ngamma_F = "},
     {"column.lightest", "carrying", over, "P", R"("106 kN")", R"("107 kN")", lone_section},
-    {"column.lightest", "r_lambda", outside, "l", R"("5.01 m")", R"("5.02 m")",
+    {"column.lightest", "r_lambda", over, "l", R"("5.01 m")", R"("5.02 m")",
      "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\""},
     {"column.lightest", "r_1", outside, "l", R"("2.56 m")", R"("2.55 m")",
      "families = [\"HEA\"]\nh_max = \"100 mm\"\nP = \"1 kN\"\nmethod = \"euler\"\nsigma_P = \"200 MPa\"\nn_st = 2\n"
@@ -391,6 +391,7 @@ const Side v_belts[] = {
     {"belt.v", "u_B", over, "n_1", R"("8500 rpm")", R"("8550 rpm")",
      "d_1 = \"140 mm\"\nd_2 = \"140 mm\"\nL = \"1250 mm\""},
     {"belt.v", "P_N", outside, "n_1", R"("5000 rpm")", R"("5500 rpm")", R"(d_1 = "250 mm")"},
+    {"belt.v", "x_dmin", over, "d_1", R"("140 mm")", R"("139 mm")"},
     {"belt.v", "x_d", outside, "d_1", R"("140 mm")", R"("139 mm")"},
     {"belt.v", "x_d", outside, "d_1", R"("400 mm")", R"("401 mm")", "L = \"4000 mm\"\nd_2 = \"800 mm\""},
     {"belt.v", "x_n", outside, "n_1", R"("100 rpm")", R"("99 rpm")"},
@@ -580,7 +581,7 @@ const Side links[] = {
     {"link.member", "u_p", over, "n_st", "14.80", "14.81"},
     {"link.member", "u_i", over, "n_st", "13.540", "13.541"},
     {"link.member", "u_t", over, "n_st", "13.537", "13.538"},
-    {"link.member", "r_lambda", outside, "lambda_max", "45.1", "45"},
+    {"link.member", "r_lambda", over, "lambda_max", "45.1", "45"},
     {"link.member", "r_1", outside, "l", R"("739 mm")", R"("738 mm")", "method = \"euler\"\nsigma_P = \"300 MPa\""},
     {"link.member", "r_class", outside, "R_e", R"("338 MPa")", R"("339 MPa")",
      "h = \nb = \nsection = \"IPE 300\"\nkind = \"rolled_I\""},

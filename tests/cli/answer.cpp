@@ -82,6 +82,9 @@ TEST_SUITE("cli answer") {
     const Ran ran = Desk().run({"run", "-"}, strut);
     CHECK(ran.code == 1);
     CHECK(ran.out.starts_with("NO SOLUTION  strut: d of R40: none passes\n"));
-    CHECK(contains(ran.out, "\nNo solution: strut: d of R40: none passes, nearest is "));
+    CHECK(contains(ran.out, "\nNo solution: strut: d of R40: none passes, nearest is 37.5 mm"));
+    CHECK(contains(ran.out, "\n  tried    fails\n  33.5 mm  "));
+    CHECK(contains(ran.out, "\n  40 mm    "));
+    CHECK_FALSE(contains(ran.out, "Not assessed"));  // the modes have no result because the search has none
   }
 }

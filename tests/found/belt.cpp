@@ -105,4 +105,10 @@ TEST_SUITE("found belt") {
     CHECK(mode_with("belt.flat", crossed + "a = \"1190 mm\"", "twist") == "not-covered");
     CHECK(mode_with("belt.flat", "", "room") == "pass");
   }
+
+  TEST_CASE("a pulley below the least diameter of its section fails, one above the rated ones is not covered") {
+    CHECK(mode_with("belt.v", "d_1 = \"139 mm\"", "pulley") == "fail");
+    CHECK(mode_with("belt.v", "d_1 = \"140 mm\"", "pulley") == "pass");
+    CHECK(mode_with("belt.v", "d_1 = \"401 mm\"\nL = \"4000 mm\"\nd_2 = \"800 mm\"", "pulley") == "not-covered");
+  }
 }

@@ -57,6 +57,13 @@ TEST_SUITE("found expressions") {
     CHECK(contains(refused(values, fan + "omega = \"=values.v/(2*pi*values.r)\"\n"), "angular velocity"));  // turns
   }
 
+  TEST_CASE("an expression of constants that divides by zero is an error at its place") {
+    const std::string shaft = "[s]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"40 mm\"\nT = ";
+    for (const char* T : {"\"=values.T/0\"", "\"=values.T*sqrt(-1)\"", "\"=1 N*m/(2 - 2)\""})
+      CHECK(
+          contains(refused("T = \"10 N*m\"\n", shaft + T + "\n"), "'T' has no value: its expression divides by zero"));
+  }
+
   TEST_CASE("turns are counted by rev, not by radians") {
     const std::string life = "[b]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"2 m/s\"\n";
     CHECK(contains(refused("", axle + "T = \"20 N*m\"\nK_A = \"=1450 rpm*1 s\"\n"), "divide by rev"));

@@ -51,6 +51,14 @@ TEST_SUITE("found machine") {
       return std::any_of(warnings.begin(), warnings.end(),
                          [](const Message& m) { return m.text().find("does not repeat") != std::string::npos; });
     };
+    const auto state = [](const std::string& lines) {
+      return mode_with("machine.flywheel", lines + "\ndelta = 0.01", "period");
+    };
+    const std::string of_half =
+        "M_of_phi = \"20 kN*m + 9 kN*m*sin(phi/2)\"";  // no leap at 360 deg, and the rest is lost
+    CHECK(state(of_half) == "not-judged");
+    CHECK(state(of_half + "\nperiod = \"720 deg\"") == "none");
+    CHECK(warned("20 kN*m + 9 kN*m*sin(phi/2)"));
     CHECK(warned("20 kN*m + 9 kN*m*phi/(180 deg)"));
     CHECK(warned("20 kN*m + 9 kN*m*cos(phi/2)"));
     CHECK_FALSE(warned("20 kN*m + 9 kN*m*cos(2*phi)"));

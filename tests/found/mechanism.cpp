@@ -146,6 +146,10 @@ TEST_SUITE("found mechanism") {
     CHECK(number_of(bar, "drive.M") == doctest::Approx(number_of(given, "drive.M")).epsilon(1e-5));
     CHECK(contains(messages_of(drawn("mass = \"2 kg\"\nS = \"S\"\n")), "'links.coupler.J' is missing"));
     CHECK(messages_of(drawn("")).empty());
+    const std::string shaft =
+        "[shaft]\ncalculator = \"shaft.torsion\"\nT = \"200 N*m\"\nd = \"40 mm\"\ntau_adm = \"30 MPa\"\n";
+    const auto later = solved_as_found(shaft + drawn("mass = \"=2 kg*shaft.u_tau/shaft.u_tau\"\n"));
+    CHECK(number_of(later, "drive.M") == doctest::Approx(number_of(bar, "drive.M")).epsilon(1e-12));
   }
 
   TEST_CASE("B5: a rolling wheel stands as it is stated, however rough the rod that carries it") {

@@ -19,7 +19,9 @@ struct VSizing : VSizingTypes {
       "and an approximate centre distance, with the complete belt.v calculation of the best one or of the "
       "nearest candidate where none passes.";
   static constexpr auto source = V::source;
-  static constexpr auto headline = "{z} belts {section}";
+  static constexpr auto headline = "{best.section}, z = {z}";
+  static constexpr auto details =
+      "d_1 = {d_1}, d_2 = {d_2}, L = {L}, a = {a}, initial tension F_0 = {F_0} per belt, shaft load R = {R}";
   static constexpr auto synonyms =
       "V-belt selection, V-belt sizing, belt selection, standard pulley, standard belt length, catalogue selection, "
       "Keilriemenauswahl, Riemenauslegung, подбор клинового ремня, подбор ремня";
@@ -132,7 +134,10 @@ a_set = "600 mm"
   static constexpr std::array meanings{Meaning{"P", "mean"}};
 
   static constexpr std::array modes{
-      Mode<Input>{"drives", "availability of a standard drive", &always<Input>}.judged_by("drives").of_shape(),
+      Mode<Input>{"drives", "availability of a standard drive", &always<Input>}
+          .judged_by("drives")
+          .advising("try another centre distance, a speed ratio nearer to 1, or two stages")
+          .of_shape(),
       Mode<Input>{"power", "power rating of the belts", &always<Input>}.judged_by("u_P"),
       Mode<Input>{"grip", "belt slip (Euler-Eytelwein)", [](const Input& in) { return shown_by(is_set(in.mu)); }}
           .judged_by("u_grip"),

@@ -64,7 +64,8 @@ struct VTypes {
     AngularSpeed f_B = unset<AngularSpeed>;
     Time L_h = unset<Time>;
     double u_P = unset<double>, u_grip = unset<double>, u_rim = unset<double>, u_B = unset<double>;
-    double x_d = unset<double>, x_n = unset<double>, x_L = unset<double>, x_alpha = unset<double>;
+    double x_dmin = unset<double>, x_d = unset<double>, x_n = unset<double>, x_L = unset<double>,
+           x_alpha = unset<double>;
     double x_v = unset<double>, x_z = unset<double>, off_d = unset<double>, off_L = unset<double>;
   };
 };

@@ -32,7 +32,9 @@ struct V : VTypes {
       "open V-belt drive, rated by ISO 5292 (GOST 1284.3, classes III and IV) or Optibelt, within the rated "
       "diameters, speeds and lengths; life is given only where the rating states one.";
   static constexpr auto source = "[B40], [GOST1284.3], [Optibelt-V]";
-  static constexpr auto headline = "{z} belts {section}|{z} belts";
+  static constexpr auto headline = "{section}, z = {z}|V-belt, z = {z}";
+  static constexpr auto details =
+      "d_1 = {d_1}, d_2 = {d_2}, L = {L}, a = {a}, initial tension F_0 = {F_0} per belt, shaft load R = {R}";
   static constexpr auto synonyms =
       "V-belt, wedge belt, narrow V-belt, SPZ, SPA, SPB, belt drive, power rating, ISO 5292, GOST 1284.3, Optibelt, "
       "Keilriemen, Schmalkeilriemen, Riementrieb, belt, клиноремённая передача, клиновой ремень";
@@ -170,6 +172,9 @@ L = "2650 mm"
           Field{&Result::u_rim, "u_rim", ratio, "rim: larger rim speed / allowable rim speed"}.check(),
           Field{&Result::u_B, "u_B", ratio, "flexing frequency / maximum flexing frequency"}.check(),
           Field{&Result::P_N, "P_N", kW, "rated power of one belt (positive)"}.limit(1e-3, 1e4),
+          Field{&Result::x_dmin, "x_dmin", ratio, "minimum pulley diameter of the section / smaller pulley"}
+              .limit(0, 1 + 1e-9)
+              .criterion(),
           Field{&Result::x_d, "x_d", ratio, "smaller pulley in the rated diameter range: 0 minimum, 1 maximum"}.limit(
               0, 1),
           Field{&Result::x_n, "x_n", ratio, "speed of the smaller pulley in the rated range: 0 minimum, 1 maximum"}
@@ -218,7 +223,7 @@ L = "2650 mm"
 
   static constexpr std::array modes{
       Mode<Input>{"power", "power rating of the belts", &always<Input>}.judged_by("u_P, P_N, x_n"),
-      Mode<Input>{"pulley", "pulley diameter range", &always<Input>}.judged_by("x_d"),
+      Mode<Input>{"pulley", "pulley diameter range", &always<Input>}.judged_by("x_dmin, x_d"),
       Mode<Input>{"length", "belt length range", &always<Input>}.judged_by("x_L").of_shape(),
       Mode<Input>{"wrap", "wrap angle, smaller pulley", &always<Input>}.judged_by("x_alpha"),
       Mode<Input>{"grip", "belt slip (Euler-Eytelwein)", [](const Input& in) { return shown_by(is_set(in.mu)); }}

@@ -158,6 +158,7 @@ gamma_F = 1
   static Applies walls_pressed(const Input& in);
   static double full_length(const Input& in);
   static double factor_of_moments(const Input& in);
+  static double lower_edge(const Input& in) { return -0.5 * in_si(is_set(in.d) ? in.d : in.h); }
 
   static constexpr auto rules = join(
       held_rules<Input>(),
@@ -190,10 +191,11 @@ gamma_F = 1
           Rule<Input>{&of<Input, &Buckling::needs_of_method>,
                       "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, A, h, b, t_f",
                       "an input of the method is missing", &of<Input, &Buckling::missing_for_method>}},
-      method_rules<Input>(), assumption_rules<Input, &of<Input, &Buckling::factors_given>>());
+      method_rules<Input>(), assumption_rules<Input, &method_of>());
   static constexpr auto bounds =
       join(held_bounds<Input>(), curve_bounds<Input>(),
            std::array{Bound<Input>{"l_LT", "l", &full_length}.least(),
+                      Bound<Input>{"z_g", "the lower edge of the section", &lower_edge}.least(),
                       Bound<Input>{"C_1_set", "the moments along the bar", &factor_of_moments}});
 
   static constexpr std::array modes{
@@ -202,7 +204,7 @@ gamma_F = 1
       Mode<Input>{"bent", "bending and axial compression", &bent}.judged_by("u_y, u_z, u_H"),
       Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &turning_over}.judged_by("u_LT"),
       Mode<Input>{"torsional", "torsional buckling", &twisting}.judged_by("u_T"),
-      Mode<Input>{"slenderness", "slenderness limit", &compressed<Input>}.judged_by("r_lambda"),
+      Mode<Input>{"slenderness", "slenderness limit", &compressed<Input>}.judged_by("r_lambda").of_service(),
       Mode<Input>{"local", "local buckling (class 3 limit)", &walls_pressed}.judged_by("r_class"),
       Mode<Input>{"shear", "shear force in the webs", &bent}.judged_by("x_V"),
       Mode<Input>{"net_section", "net section rupture (holes)", &pulled_at_holes<Input>}.assessed_beside("pin.lug"),

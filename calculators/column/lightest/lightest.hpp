@@ -87,9 +87,10 @@ gamma_F = 1
   static bool strengths_rise(const Input& in);
   static bool one_strength(const Input& in);
   static bool strength_in_tension(const Input& in);
+  /// The method that decides: as named, else by what is given.
+  static Method method_of(const Input& in);
   static bool needs_of_method(const Input& in);
   static FieldFault missing_for_method(const Input& in);
-  static bool factors_given(const Input& in);
   static bool one_carries(const Input& in);
   static FieldFault none_carries(const Input& in);
   static Outline outline_of(const Input& in);
@@ -113,7 +114,7 @@ gamma_F = 1
       std::array{Rule<Input>{&needs_of_method,
                              "method, R_e, sigma_P, a_T, sigma_c, e_y, e_z, e_0y, e_0z, n_st, gamma_M1, gamma_F",
                              "an input of the method is missing", &missing_for_method}},
-      method_rules<Input>(), assumption_rules<Input, &factors_given>(), eccentricity_rules<Input>(),
+      method_rules<Input>(), assumption_rules<Input, &method_of>(), eccentricity_rules<Input>(),
       std::array{Rule<Input>{&one_carries, "families, N, P", "no section of these families carries the bar",
                              &none_carries, true}});
   static constexpr std::array meanings = member_meanings;

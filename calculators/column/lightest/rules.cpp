@@ -77,10 +77,6 @@ Input with_a_strength(Input in) {
   return in;
 }
 
-Method method_of(const Input& in) {
-  return in.method != Method::unsaid ? in.method : default_method(with_a_strength(in), true);
-}
-
 Result quick(const Input& in) {
   NoTrace quiet;
   return Lightest::evaluate(in, quiet);
@@ -159,12 +155,14 @@ bool Lightest::strength_in_tension(const Input& in) {
 }
 
 /// Missing buckling curves and strengths are reported per section.
+Method Lightest::method_of(const Input& in) {
+  return in.method != Method::unsaid ? in.method : default_method(with_a_strength(in), true);
+}
+
 bool Lightest::needs_of_method(const Input& in) { return lack(with_a_strength(in), method_of(in), true).empty(); }
 FieldFault Lightest::missing_for_method(const Input& in) {
   return column::missing_for_method(with_a_strength(in), method_of(in), true);
 }
-bool Lightest::factors_given(const Input& in) { return column::factors_given(in, method_of(in)); }
-
 bool Lightest::one_carries(const Input& in) { return quick(in).carrying > 0.0; }
 
 FieldFault Lightest::none_carries(const Input& in) {

@@ -48,7 +48,7 @@ Stress critical_stress(const Member& in, const Material& material, const MemberR
   return stress_of_slenderness(method, r.lambda, material, trace);
 }
 
-/// As given; 1 where EN 1993-1-1 decides though no method is named.
+/// As given; 1 where EN 1993-1-1 decides.
 template <class Tracer>
 double partial_factor(const char* symbol, double given, bool is_assumed, const char* why, Tracer& trace) {
   return is_set(given) || !is_assumed ? given : trace.value(symbol, 1.0, why);
@@ -58,11 +58,9 @@ double partial_factor(const char* symbol, double given, bool is_assumed, const c
 template <class Tracer>
 double safety(const Member& in, Method method, bool decides, Tracer& trace) {
   if (method == Method::ec3) {
-    const bool is_assumed = decides && in.method == Method::unsaid;
-    const double gamma_M1 = partial_factor("gamma_M1", in.gamma_M1, is_assumed,
-                                           "assumed: the value that EN 1993-1-1, 6.1, recommends", trace);
-    const double gamma_F =
-        partial_factor("gamma_F", in.gamma_F, is_assumed, "assumed: the force is a design value", trace);
+    const double gamma_M1 =
+        partial_factor("gamma_M1", in.gamma_M1, decides, "assumed: the value that EN 1993-1-1, 6.1, recommends", trace);
+    const double gamma_F = partial_factor("gamma_F", in.gamma_F, decides, "assumed: the force is a design value", trace);
     if (!is_set(gamma_M1) || !is_set(gamma_F)) return unset<double>;
     return NAMED_STEP("n", gamma_M1 * gamma_F, "partial factors on the resistance and on the load");
   }

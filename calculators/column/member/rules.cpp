@@ -73,15 +73,10 @@ Message lack_of_stress(const Member& in, Method by, bool curves) {
   return {};
 }
 
-/// Missing input for the allowable force; AISC includes its safety factor.
+/// Missing input for the allowable force; AISC includes its safety factor, and those of EN 1993-1-1 are assumed.
 Message lack_of_safety(const Member& in, Method by) {
-  if (!is_loaded(in) || by == Method::aisc) return {};
-  if (by == Method::ec3 && in.method == Method::unsaid) return {};  // assumed
-  if (by != Method::ec3) return is_set(in.n_st) ? Message{} : say("the required buckling safety factor n_st");
-  const Message M1 = is_set(in.gamma_M1) ? Message{} : say("the partial factor gamma_M1 (1 or by the national annex)");
-  const Message F =
-      is_set(in.gamma_F) ? Message{} : say("the partial factor gamma_F on the load (1 for a design value)");
-  return M1.empty() ? F : F.empty() ? M1 : say("{1}; {2}", M1, F);
+  if (!is_loaded(in) || by == Method::aisc || by == Method::ec3) return {};
+  return is_set(in.n_st) ? Message{} : say("the required buckling safety factor n_st");
 }
 
 /// Without a force there is its slenderness to be had, and without a modulus nothing else; a bar in tension does not
@@ -212,8 +207,12 @@ FieldFault missing_for_method(const Member& in, Method by, bool curves) {
 
 bool factors_given(const Member& in, Method by) {
   const bool is_pressed = in.P > 0.0 * kN.one || in.N < 0.0 * kN.one;
-  if (in.method != Method::unsaid || by != Method::ec3 || !is_pressed) return true;
+  if (by != Method::ec3 || !is_pressed) return true;
   return is_set(in.gamma_M1) && is_set(in.gamma_F);
+}
+
+bool safety_counts(const Member& in, Method by) {
+  return !is_set(in.n_st) || by != Method::ec3 || in.method == Method::ec3;
 }
 
 FieldFault assumed_factors(const Member& in) {
@@ -222,7 +221,7 @@ FieldFault assumed_factors(const Member& in) {
           say("partial factors of EN 1993-1-1 assumed: {1}", both                 ? "gamma_M1 = 1.0, gamma_F = 1"
                                                              : is_set(in.gamma_F) ? "gamma_M1 = 1.0"
                                                                                   : "gamma_F = 1"),
-          say("give gamma_F if the force is not a design value, gamma_M1 if 6.1 or the national annex has another")};
+          say("give gamma_F if the force is not a design value, gamma_M1 if the National Annex gives another value")};
 }
 
 bool method_suits_class(const Member& in) {

@@ -30,9 +30,10 @@ FieldFault method_of_steel(const Member& in);
 Message lack(const Member& in, Method by, bool curves);
 FieldFault missing_for_method(const Member& in, Method by, bool curves);
 
-/// Whether the partial factors of a compressed bar are given, or need not be: where no method is named and ec3 decides,
-/// they are assumed.
+/// Whether the partial factors of a compressed bar are given, or need not be: of ec3 they are assumed.
 bool factors_given(const Member& in, Method by);
+/// Whether a typed n_st has an effect, or a method is named.
+bool safety_counts(const Member& in, Method by);
 FieldFault assumed_factors(const Member& in);
 
 /// A function of the bar as one of an input that derives from it.
@@ -94,11 +95,16 @@ constexpr auto method_rules() {
                   &of<Input, &unusual_safety>, true}};
 }
 
-/// Assumptions if no method is named.
-template <class Input, auto factors_given>
+/// What is assumed, or has no effect, by the method that decides.
+template <class Input, auto method_of>
 constexpr auto assumption_rules() {
-  return std::array{Rule<Input>{factors_given, "method, gamma_M1, gamma_F", "partial factors are assumed",
-                                &of<Input, &assumed_factors>, true, "buckling, bent"}};
+  return std::array{
+      Rule<Input>{[](const Input& in) { return factors_given(in, method_of(in)); }, "method, gamma_M1, gamma_F",
+                  "partial factors are assumed", &of<Input, &assumed_factors>, true, "buckling, bent"},
+      Rule<Input>{[](const Input& in) { return safety_counts(in, method_of(in)); }, "n_st, method",
+                  "n_st has no effect: EN 1993-1-1 decides, with gamma_M1 and gamma_F; to use n_st, name its method, "
+                  "e.g. \"johnson\"",
+                  nullptr, true, "buckling, bent"}};
 }
 
 /// Rules of a bar with eccentricities or bows.

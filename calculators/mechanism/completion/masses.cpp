@@ -90,6 +90,14 @@ std::vector<FieldFault> name_mass_centres(Mechanism::Input& in, const Typed& typ
   return faults;
 }
 
+Mechanism::Input without_named_centres(const Mechanism::Input& given, const Typed& typed) {
+  Mechanism::Input in = given;
+  for (planar::Link& link : in.links) {
+    if (!typed(path_of("links", link.name, "S"))) link.S = {};
+  }
+  return in;
+}
+
 std::vector<FieldFault> check_bars(const Mechanism::Input& in) {
   constexpr double nearly = 0.01;
   std::vector<FieldFault> faults;

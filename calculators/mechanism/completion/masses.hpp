@@ -16,6 +16,9 @@ namespace loadpath::planar {
 
 /// Names the mass centres of links that have a mass and no S, and says which have too little. Needs no values.
 std::vector<FieldFault> name_mass_centres(Mechanism::Input& in, const std::function<bool(const std::string&)>& typed);
+/// Without the mass centres that name_mass_centres has named.
+Mechanism::Input without_named_centres(const Mechanism::Input& given,
+                                       const std::function<bool(const std::string&)>& typed);
 /// Bars with a point beyond their joints: what is there has a mass as well. Needs values, before `with_mass_centres`.
 std::vector<FieldFault> check_bars(const Mechanism::Input& in);
 /// Gives bars whose J is not typed that of a slender bar. Needs values.

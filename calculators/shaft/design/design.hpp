@@ -22,6 +22,7 @@
 #include "calculators/shaft/design/model/result.hpp"
 #include "calculators/shaft/parts/modes.hpp"
 #include "calculators/shaft/parts/ring.hpp"
+#include "lib/calculator/bound.hpp"
 #include "lib/calculator/meaning.hpp"
 #include "lib/calculator/sizing.hpp"
 #include "lib/calculator/strength_bounds.hpp"
@@ -298,6 +299,12 @@ r_T = 0
   static Applies crowds(const Input& in) { return where(asks_fatigue(in) && !notches_apart(in)); }
   static Applies brittle(const Input& in) { return shown_by(in.group == fatigue::Endurance::Group::grey_iron); }
   static constexpr std::array senses{SenseClaim{"seats.T", "r_T"}};
+  static double most_toward_mate(const Input& in, std::size_t seat) {
+    return in.seats[seat].kind == Mounted::gear ? 0.0 : unset<double>;
+  }
+  static constexpr std::array bounds{
+      Bound<Input>{"seats.F_x", "gears, which their tooth force pushes apart", &most_toward_mate}.sparing_results()};
+
   static constexpr std::array meanings{
       Meaning{"sigma_W", fatigue::specimen_in_bending},
       Meaning{"sections.sigma_b, sections.M, sections.M_x, sections.M_y, M_max", reverses_in_turns}};

@@ -13,6 +13,7 @@
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace loadpath::project {
 
@@ -146,7 +147,7 @@ void write_values_out(Project& project, std::vector<Issue>& issues) {
 }
 
 /// Values of expressions that refer to no step: they are known like literals.
-void find_early_values(Step& step, const Project& project) {
+void find_early_values(Step& step, const Project& project, std::vector<Issue>& issues) {
   const auto known = [&](const std::string& path) -> std::optional<Value> {
     if (path.starts_with("values.")) {
       const Value* const value = project.values.fixed(path.substr(7));
@@ -165,6 +166,15 @@ void find_early_values(Step& step, const Project& project) {
       continue;
     const double si =
         operand.expression.evaluate([&](const std::string& path) -> const Value& { return values.at(path); }).si[0];
+    if (!std::isfinite(si)) {
+      issues.push_back(
+          {operand.place,
+           step.name() + "." + operand.path,
+           say("'{1}' has no value: its expression divides by zero, or takes the root of a negative number",
+               operand.path),
+           {},
+           Severity::error});
+    }
     if (operand.leaf.field->bounds.holds(si)) operand.early = si;
   }
 }
@@ -258,7 +268,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
     const Companions companions = [&, referred = references_of(*project.steps[i])](const std::string& path) {
       return companions_of(project, path, referred);
     };
-    find_early_values(*project.steps[i], project);
+    find_early_values(*project.steps[i], project, issues);
     project.steps[i]->prepare(declared, companions, issues);
     check_kinds(*project.steps[i], project, declared, issues);
   }

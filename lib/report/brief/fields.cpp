@@ -95,7 +95,11 @@ Panel accepted_by_user(const Summary& summary) {
 
 Panel not_assessed(const Summary& summary) {
   std::vector<Message> lines;
-  for (const std::string& search : summary.searches) lines.push_back(say("No solution: {1}.", search));
+  for (const FailedSearch& search : summary.searches) {
+    lines.push_back(say("No solution: {1}.", search.text));
+    if (search.tried.size() < 2) continue;
+    for (const account::TriedSize& tried : search.tried) lines.push_back(say("{1}.", failure_text(tried)));
+  }
   for (Message& line : lines_of(summary.gaps)) lines.push_back(std::move(line));
   return field(say("Not assessed"), say("give the input, or the step"), std::move(lines));
 }

@@ -85,7 +85,7 @@ std::vector<Block> next_size_notes(const Summary& summary, std::size_t most) {
   Message all = say("* sized. Next smaller size:");
   const char* separator = "{1} {2}: {3}";
   for (std::size_t i = 0; i < std::min(most, summary.next.size()); ++i) {
-    all = say(separator, all, summary.next[i].name, next_text(summary.next[i].size));
+    all = say(separator, all, summary.next[i].name, failure_text(summary.next[i].size));
     separator = "{1}; {2}: {3}";
   }
   if (summary.next.size() > most) all = say("{1}; {2} more", all, std::to_string(summary.next.size() - most));

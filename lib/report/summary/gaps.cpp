@@ -39,6 +39,14 @@ std::string action_of(const Mode& mode) {
   return account::reason(mode).text();
 }
 
+/// Whether a mode has no result because a search of its step has none, which is stated above.
+bool follows_from_search(const Modes& modes, const Mode& mode) {
+  return mode.state == State::not_available && std::ranges::any_of(modes, [&](const Mode& other) {
+           return other.subject == account::Subject::search && other.step == mode.step &&
+                  other.note.text() == mode.note.text();
+         });
+}
+
 /// Adds a title to those of a step.
 void add_title(Gap& gap, const Mode& mode) {
   const std::string step = spoken(mode.step), title = plain_title(mode);
@@ -129,7 +137,7 @@ std::string modes_text(const Gap& gap) {
 std::vector<Gap> gaps_of(const Modes& modes, Group group) {
   std::vector<Gap> gaps;
   for (const Mode& mode : account::in_order(modes)) {
-    if (mode.subject == account::Subject::search) continue;
+    if (mode.subject == account::Subject::search || follows_from_search(modes, mode)) continue;
     const bool is_check = mode.subject == account::Subject::input && group == Group::needs_input;
     if (!is_check && (mode.subject != account::Subject::mode || account::group_of(mode) != group)) continue;
     const std::string action = group == Group::needs_input ? action_of(mode) : spoken(mode.step);

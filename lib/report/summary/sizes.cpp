@@ -66,8 +66,8 @@ std::string filled(const Step& step, std::string_view text) {
   return all;
 }
 
-std::string headline_of(const Step& step) {
-  std::string_view rest = step.input().calculator->headline;
+/// The first of the phrases whose values are known; empty if there is none.
+std::string phrase_of(const Step& step, std::string_view rest) {
   while (!rest.empty()) {
     const std::size_t end = std::min(rest.find('|'), rest.size());
     if (std::string text = filled(step, rest.substr(0, end)); !text.empty()) return text;
@@ -112,11 +112,13 @@ std::vector<std::string> given_sizes(const Step& step) {
   return sizes;
 }
 
-std::string next_text(const account::NextSize& next) {
-  if (next.title.empty() || !next.number) return next.name + " fails: " + next.reason.text();
-  if (next.unit != "-") return next.name + " fails: " + next.title.text() + " (" + next.reason.text() + ")";
-  return next.name + " fails: " + next.title.text() + " " + utilisation_text(*next.number);
+std::string failed_mode_text(const account::TriedSize& tried) {
+  if (tried.title.empty() || !tried.number) return tried.reason.text();
+  if (tried.unit != "-") return tried.title.text() + " (" + tried.reason.text() + ")";
+  return tried.title.text() + " " + utilisation_text(*tried.number);
 }
+
+std::string failure_text(const account::TriedSize& tried) { return tried.name + " fails: " + failed_mode_text(tried); }
 
 bool is_sized(const Step& step) {
   return std::ranges::any_of(chosen(step.account()), [](const Entry* entry) { return has_value(*entry); });
@@ -128,8 +130,11 @@ std::vector<std::string> short_sizes(const Step& step) {
     if (has_value(*entry)) sizes.push_back(unbroken(sized_text(*entry)));
   }
   if (!sizes.empty()) return sizes;
-  if (std::string text = headline_of(step); !text.empty()) sizes.push_back(unbroken(std::move(text)));
+  if (std::string text = phrase_of(step, step.input().calculator->headline); !text.empty())
+    sizes.push_back(unbroken(std::move(text)));
   return sizes;
 }
+
+std::string details_of(const Step& step) { return phrase_of(step, step.input().calculator->details); }
 
 }  // namespace loadpath::report

@@ -140,14 +140,26 @@ std::string subject_of(const Project& project) {
 namespace {
 
 Component component_of(const Step& step, const Modes& modes) {
-  return {component_name(step), short_sizes(step), is_sized(step), governing_of(modes, step.name())};
+  return {component_name(step), short_sizes(step), is_sized(step), details_of(step), governing_of(modes, step.name())};
+}
+
+/// The candidates nearest to passing, of a search without a result.
+std::vector<account::TriedSize> tried_sizes(const Step& step) {
+  for (const account::Entry& entry : step.account().inputs) {
+    if (!entry.origin.tried.empty()) return entry.origin.tried;
+  }
+  return {};
 }
 
 /// What follows from the modes and the components.
 void conclude(const Project& project, bool several, Summary& all) {
   for (const Mode& mode : all.modes) {
-    if (mode.subject == account::Subject::search) all.searches.push_back(mode.step + ": " + mode.note.text());
+    if (mode.subject != account::Subject::search) continue;
+    const Step* const step = project.find(mode.step);
+    all.searches.push_back({mode.step + ": " + mode.note.text(),
+                            step == nullptr ? std::vector<account::TriedSize>() : tried_sizes(*step)});
   }
+  all.failures = failures_of(project, all.modes);
   all.gaps = gaps_of(all.modes, Group::needs_input);
   all.outside = gaps_of(all.modes, Group::outside_scope);
   all.open = not_considered(project, all.modes, several);

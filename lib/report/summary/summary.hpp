@@ -15,6 +15,7 @@ struct Component {
   std::string name;                // "line shaft"
   std::vector<std::string> sizes;  // "d = 100 mm", "left seat 40 mm"
   bool is_sized = false;           // by a search
+  std::string details;             // "d_1 = 80 mm, L = 1400 mm": what a user expects beside the size
   std::optional<account::Mode> governing;
   [[nodiscard]] double utilisation() const;  // NaN without one
   [[nodiscard]] bool fails() const { return governing && governing->state == account::State::fail; }
@@ -23,7 +24,13 @@ struct Component {
 /// The candidate before a size that was found.
 struct NextOf {
   std::string name;  // "line shaft", "left seat"
-  account::NextSize size;
+  account::TriedSize size;
+};
+
+/// A search without a solution.
+struct FailedSearch {
+  std::string text;                       // what was searched, and the nearest candidate
+  std::vector<account::TriedSize> tried;  // the candidates beside it; empty where sizes are searched together
 };
 
 /// One thing to do, and the modes that it would let be assessed.
@@ -45,7 +52,8 @@ struct Summary {
   std::string title;    // "Line shaft: 2 pass, highest utilisation 0.859"
   std::vector<Component> components;
   std::vector<NextOf> next;
-  std::vector<std::string> searches;  // without a solution: what was tried, and the nearest
+  std::vector<FailedSearch> searches;
+  std::vector<std::string> failures;  // failing modes without a utilisation, with the reason
   std::vector<Gap> gaps;
   std::vector<Gap> outside;  // modes outside the scope; without an action
   NotConsidered open;
@@ -57,6 +65,8 @@ Summary summarise(const project::Project& project, const project::Step& step);
 
 std::vector<Component> components_of(const project::Project& project, const account::Modes& modes);
 std::vector<NextOf> next_sizes(const project::Step& step);
+/// "key, key size for the shaft diameter: ...", for failing modes that no utilisation explains.
+std::vector<std::string> failures_of(const project::Project& project, const account::Modes& modes);
 std::vector<Gap> gaps_of(const account::Modes& modes, account::Group group);
 /// `several`: whether the modes are of several steps, which are named with them.
 NotConsidered not_considered(const project::Project& project, const account::Modes& modes, bool several);
@@ -64,12 +74,16 @@ NotConsidered not_considered(const project::Project& project, const account::Mod
 /// "crankshaft, crank end: fatigue, bending; key: shear"; steps with different modes are separate.
 std::string modes_text(const Gap& gap);
 /// "95 mm fails: angle of twist per length 1.055".
-std::string next_text(const account::NextSize& next);
+std::string failure_text(const account::TriedSize& tried);
+/// "angle of twist per length 1.055".
+std::string failed_mode_text(const account::TriedSize& tried);
 
 /// The subject of the only step's modes; empty if there are several steps, or it is not declared.
 std::string subject_of(const project::Project& project);
 /// The sizes of a step: what a search has found, else the headline that its calculator declares.
 std::vector<std::string> short_sizes(const project::Step& step);
+/// The details that its calculator declares; may be empty.
+std::string details_of(const project::Step& step);
 bool is_sized(const project::Step& step);
 /// The name of a mode where several share a line: its title without parentheses.
 std::string plain_title(const account::Mode& mode);

@@ -111,9 +111,18 @@ Lines next_lines(const Summary& summary, const Limits& limits, const Look& look)
   Lines lines{"* sized; next smaller size:"};
   const std::size_t shown = std::min(limits.of(Limits::next), summary.next.size());
   for (const report::NextOf& next : std::span(summary.next).first(shown))
-    add(lines, "    " + next.name + ": " + report::next_text(next.size), look, 2);
+    add(lines, "    " + next.name + ": " + report::failure_text(next.size), look, 2);
   if (summary.next.size() > shown)
     lines.push_back("    " + std::to_string(summary.next.size() - shown) + " more: --full");
+  return lines;
+}
+
+Lines failure_lines(const Summary& summary, const Limits& limits, const Look& look) {
+  if (summary.failures.empty()) return {};
+  Lines lines{"Fails:"};
+  const std::size_t shown = std::min(limits.of(Limits::fixes), summary.failures.size());
+  for (const std::string& failure : std::span(summary.failures).first(shown)) add(lines, "  " + failure, look, 4);
+  add_rest(summary.failures.size() - shown, lines);
   return lines;
 }
 

@@ -37,6 +37,8 @@ std::string text_of(const Lines& lines);
 std::string fitted(const std::function<std::vector<Lines>(const Limits&)>& blocks, const Look& look);
 
 Lines verdict_lines(const report::Summary& summary, const Look& look);
+/// Failing modes without a utilisation.
+Lines failure_lines(const report::Summary& summary, const Limits& limits, const Look& look);
 Lines next_lines(const report::Summary& summary, const Limits& limits, const Look& look);
 /// Not assessed, and outside the scope.
 Lines gap_lines(const report::Summary& summary, const Limits& limits, const Look& look);

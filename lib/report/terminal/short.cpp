@@ -26,15 +26,37 @@ Lines title_lines(const Summary& summary, const Look& look) {
   return lines;
 }
 
-Lines search_lines(const Summary& summary, const Look& look) {
+Lines rows_as_lines(std::vector<std::vector<std::string>> rows, const Look& look) {
   Lines lines;
-  for (const std::string& search : summary.searches) {
-    for (std::string& line : lines_of("No solution: " + search, look.width, 2)) lines.push_back(std::move(line));
+  const std::string all = columns(rows, look.width);
+  for (std::size_t at = 0; at < all.size();) {
+    const std::size_t end = std::min(all.find('\n', at), all.size());
+    for (std::string& line : lines_of(all.substr(at, end - at), look.width, 4)) lines.push_back(std::move(line));
+    at = end + 1;
   }
   return lines;
 }
 
-/// The components, and the next sizes right below them.
+Lines search_lines(const Summary& summary, const Look& look) {
+  Lines lines;
+  for (const report::FailedSearch& search : summary.searches) {
+    for (std::string& line : lines_of("No solution: " + search.text, look.width, 2)) lines.push_back(std::move(line));
+    std::vector<std::vector<std::string>> rows;
+    for (const account::TriedSize& tried : search.tried)
+      rows.push_back({"  " + tried.name, report::failed_mode_text(tried)});
+    if (rows.size() < 2) continue;
+    rows.insert(rows.begin(), {"  tried", "fails"});
+    for (std::string& line : rows_as_lines(std::move(rows), look)) lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+void add_details(const Component& component, const Look& look, Lines& lines) {
+  if (component.details.empty()) return;
+  for (std::string& line : lines_of("  " + component.details, look.width, 2)) lines.push_back(std::move(line));
+}
+
+/// The components, the details of a single one, and the next sizes right below them.
 Lines part_lines(const Summary& summary, const Limits& limits, const Look& look) {
   const auto shown = most_telling(summary.components, limits.of(Limits::components));
   Lines lines = component_lines(shown, look);
@@ -47,6 +69,7 @@ Lines part_lines(const Summary& summary, const Limits& limits, const Look& look)
     lines.push_back("  " + std::to_string(left) + (left == 1 ? " more component" : " more components") +
                     (most < 0.0 ? "" : ", highest utilisation " + report::utilisation_text(most)));
   }
+  if (summary.components.size() == 1) add_details(summary.components.front(), look, lines);
   for (std::string& line : next_lines(summary, limits, look)) lines.push_back(std::move(line));
   return lines;
 }
@@ -71,23 +94,13 @@ Lines size_lines(const Summary& summary, const Limits& limits, const Look& look)
     for (std::size_t i = 0; i < component.sizes.size(); ++i) {
       std::string line = (component.is_sized ? "* " : "  ") + component.sizes[i];
       if (component.sizes.size() == 1 && summary.next.size() == 1)
-        line += "; " + report::next_text(summary.next.front().size);
+        line += "; " + report::failure_text(summary.next.front().size);
       for (std::string& part : lines_of(line, look.width, 2)) lines.push_back(std::move(part));
     }
+    add_details(component, look, lines);
   }
   if (summary.next.size() < 2) return lines;
   for (std::string& line : next_lines(summary, limits, look)) lines.push_back(std::move(line));
-  return lines;
-}
-
-Lines rows_as_lines(std::vector<std::vector<std::string>> rows, const Look& look) {
-  Lines lines;
-  const std::string all = columns(rows, look.width);
-  for (std::size_t at = 0; at < all.size();) {
-    const std::size_t end = std::min(all.find('\n', at), all.size());
-    for (std::string& line : lines_of(all.substr(at, end - at), look.width, 4)) lines.push_back(std::move(line));
-    at = end + 1;
-  }
   return lines;
 }
 
@@ -130,10 +143,13 @@ Lines result_lines(const project::Step& step, const Limits& limits, const Look& 
 std::string short_answer(const Summary& summary, const Look& look) {
   return fitted(
       [&](const Limits& limits) {
-        return std::vector<Lines>{
-            title_lines(summary, look),        search_lines(summary, look),
-            part_lines(summary, limits, look), gap_lines(summary, limits, look),
-            open_lines(summary, limits, look), more_line("loadpath why FILE " + summary.governing_step, look)};
+        return std::vector<Lines>{title_lines(summary, look),
+                                  search_lines(summary, look),
+                                  part_lines(summary, limits, look),
+                                  failure_lines(summary, limits, look),
+                                  gap_lines(summary, limits, look),
+                                  open_lines(summary, limits, look),
+                                  more_line("loadpath why FILE " + summary.governing_step, look)};
       },
       look);
 }
@@ -153,6 +169,7 @@ std::string short_answer(const Summary& summary, const project::Step& step, cons
                                   size_lines(summary, limits, look),
                                   has_check ? formula_lines(step, *governing, limits.of(Limits::formulas), look)
                                             : result_lines(step, limits, look),
+                                  failure_lines(summary, limits, look),
                                   gap_lines(summary, limits, look),
                                   open_lines(summary, limits, look),
                                   more_line("loadpath describe " + std::string(step.input().calculator->id), look)};
@@ -197,7 +214,10 @@ std::string why_answer(const Summary& summary, const project::Step& step, const 
     blocks.push_back(std::move(lines));
     blocks.push_back(input_lines(step, *governing, look));
     blocks.push_back(passing_lines(summary, *governing, look));
+  } else {
+    blocks.push_back(result_lines(step, Limits{}, look));
   }
+  blocks.push_back(failure_lines(summary, Limits{}, look));
   blocks.push_back(gap_lines(summary, Limits{}, look));
   blocks.push_back(open_lines(summary, Limits{}, look));
   return in_signs_of(text_of(joined(blocks)), look);

@@ -7,6 +7,7 @@
 #include "lib/table/section_shape.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr double rounding_of_rows = 1.005;
 constexpr double beyond_group = 1.5;  // over the largest, or below the least, of the rows of a group
+constexpr double beyond_twins = 1.3;  // over the largest of the rows of one kind and size: ratings of other makers
 
 /// Integer powers of a dimension; none for temperatures and angles.
 struct Powers {
@@ -98,6 +100,28 @@ Span span_of(std::string_view group, std::string_view key, std::string_view size
       const double ratio = searched_value(row, key) / std::pow(searched_value(row, size), power);
       if (!(ratio > 0.0)) continue;
       span.least = std::min(span.least, ratio), span.most = std::max(span.most, ratio);
+    }
+  }
+  return span;
+}
+
+/// Whether a built-in row is of the same kind, bore, outside diameter and width: a bearing of another maker.
+bool is_twin(const Row& row, const Row& own) {
+  constexpr double same = 1e-3;
+  return row.kind == own.kind && std::ranges::all_of(std::array{"d", "D", "B"}, [&](const char* key) {
+           const double here = searched_value(own, key), there = searched_value(row, key);
+           return std::abs(there - here) <= same * here;
+         });
+}
+
+/// The range of the built-in rows of the same kind and size; empty if there are none.
+Span span_of_twins(std::string_view group, std::string_view key, const Row& own) {
+  Span span;
+  for (const Table* table : tables_of(group)) {
+    for (const Row& row : table->rows) {
+      const double value = searched_value(row, key);
+      if (!(value > 0.0) || !is_twin(row, own)) continue;
+      span.least = std::min(span.least, value), span.most = std::max(span.most, value);
     }
   }
   return span;
@@ -240,10 +264,14 @@ void OwnReader::check_group(const RowRead& read, std::vector<std::string>& used)
     const Column& column = *read.table.column(value.key);
     const auto power = growth_of(column.dimension);
     if (!power || value.key == size) continue;
-    const Span span = span_of(read.table.group, value.key, size, *power);
-    const double scale = std::pow(own_size, *power);
+    const Span twins = span_of_twins(read.table.group, value.key, read.row);
+    const bool has_twins = twins.most > 0.0;
+    const Span span = has_twins ? twins : span_of(read.table.group, value.key, size, *power);
+    const double scale = has_twins ? 1.0 : std::pow(own_size, *power);
     const bool may_be_less = is_speed(column.dimension);
-    const double least = may_be_less ? 0.0 : span.least / beyond_group * scale, most = span.most * beyond_group * scale;
+    const double beyond = has_twins && !may_be_less ? beyond_twins : beyond_group;
+    const double least = may_be_less ? 0.0 : span.least / (has_twins ? 2.0 : beyond_group) * scale;
+    const double most = span.most * beyond * scale;
     if (!(span.most > 0.0) || (value.si >= least && value.si <= most)) continue;
     if (std::find(used.begin(), used.end(), value.key) == used.end()) used.push_back(value.key);
     if (read.row.because.contains(value.key)) continue;

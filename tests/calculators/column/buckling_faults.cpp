@@ -72,9 +72,10 @@ TEST_SUITE("column buckling faults") {
     says(rod + "A = \"10 cm^2\"\nI_y = \"100 cm^4\"\nI_z = \"100 cm^4\"\nmethod = \"ec3\"\n",
          "the method 'ec3' needs the buckling curves");
     CHECK(complaints(rod + "d = \"40 mm\"\nd_bore = \"20 mm\"\nmethod = \"ec3\"\n").empty());  // curve c of a tube
-    says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\n", "the partial factor gamma_M1");
+    says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\n",
+         "partial factors of EN 1993-1-1 assumed: gamma_M1 = 1.0, gamma_F = 1");
     says(rod + "d = \"40 mm\"\nmethod = \"ec3\"\nkind = \"solid\"\nP = \"1 kN\"\ngamma_M1 = 1\n",
-         "needs the partial factor gamma_F");
+         "partial factors of EN 1993-1-1 assumed: gamma_F = 1");
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nP = \"1 kN\"\n", "needs the required buckling safety factor n_st");
   }
 

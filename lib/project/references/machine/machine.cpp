@@ -5,6 +5,8 @@
 #include "lib/project/references/machine/other_steps.hpp"
 #include "lib/project/references/machine/ratings.hpp"
 #include "lib/project/references/machine/same_part.hpp"
+#include "lib/project/references/machine/seats.hpp"
+#include "lib/project/references/machine/unlinked.hpp"
 #include "lib/project/references/reductions.hpp"
 
 namespace loadpath::project {
@@ -13,7 +15,7 @@ void check_machine(Step& step, const Project& project) {
   for (const auto& contradicted :
        {values_of_runs(step, project), factors_of_takers(step, project), lives_on_shaft(step, project),
         values_of_ratings(step, project), values_at_middle(step), values_of_same_part(step, project),
-        powers_of_chained(step, project)})
+        powers_of_chained(step, project), values_of_seats(step, project), values_of_unlinked(step, project)})
     hold_unless_justified(step, contradicted);
 }
 

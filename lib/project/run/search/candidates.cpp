@@ -43,12 +43,12 @@ void Candidates::keep_to_body(const BodySize& body) {
   });
 }
 
-void Candidates::leave_open(Inputs& inputs, Message why) const {
+void Candidates::leave_open(Inputs& inputs, Message why, std::vector<account::TriedSize> tried) const {
   if (leaf)
     inputs.leaf(wanted.path).set(std::nan(""));
   else
     inputs.clear_row(wanted.path);
-  inputs.set_origin(wanted.path, {.text = std::move(why), .sources = {}, .searched = true});
+  inputs.set_origin(wanted.path, {.text = std::move(why), .sources = {}, .searched = true, .tried = std::move(tried)});
 }
 
 }  // namespace loadpath::project

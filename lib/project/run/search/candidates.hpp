@@ -22,8 +22,8 @@ struct Candidates {
   void take(Inputs& inputs, std::size_t i) const;
   /// Drops sizes that are smaller than the other steps of the body need, or other than the one that they give.
   void keep_to_body(const BodySize& body);
-  /// The input that was searched for, and what a row would have given, have no value.
-  void leave_open(Inputs& inputs, Message why) const;
+  /// The input that was searched for, and what a row would have given, have no value. `tried`: the nearest ones.
+  void leave_open(Inputs& inputs, Message why, std::vector<account::TriedSize> tried = {}) const;
 };
 Candidates candidates_of(const Evaluation& evaluation, const Search& wanted);
 

@@ -237,17 +237,17 @@ Issue JointSearch::no_sizes() {
 
 /// The check that fails if one of them is a size smaller, with the others unchanged; nothing if no smaller one is
 /// possible with them.
-std::optional<account::NextSize> JointSearch::next_of(const SizeIndices& laid, std::size_t which) {
+std::optional<account::TriedSize> JointSearch::next_of(const SizeIndices& laid, std::size_t which) {
   if (!sizes_.shrink(laid, which)) return std::nullopt;
   const double size = sizes_.at(which).size();
   const std::string less = format_quantity(size, sizes_.search(which).leaf.field->unit);
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
     if (sizes_.at(i).like != sizes_.at(which).like) continue;
     const Message unsound = sizes_.fault(i);
-    if (!unsound.empty()) return next_size(evaluation_.calculator(), less, size, {unsound});
+    if (!unsound.empty()) return tried_size(evaluation_.calculator(), less, size, {unsound});
   }
   if (!sizes_.set_smaller(laid, which)) return std::nullopt;
-  return next_size(evaluation_.calculator(), less, size, fault_of_candidate(evaluation_, passing_));
+  return tried_size(evaluation_.calculator(), less, size, fault_of_candidate(evaluation_, passing_));
 }
 
 /// Ignores checks that no size satisfies: those that fail with both the smallest and the largest sizes within the
@@ -309,7 +309,7 @@ void JointSearch::tell(const SizeIndices& least) {
   for (std::size_t i = 0; i < sizes_.count(); ++i) {
     Message text =
         say("smallest of {1} with which no assessed mode fails, in combination with the other sizes", sizes_.stock(i));
-    std::optional<account::NextSize> next;
+    std::optional<account::TriedSize> next;
     if (sizes_.at(i).at > 0) {
       next = next_of(least, i);
       text = next ? say("{1}; {2}: {3}", text, next->name, next->reason)

@@ -42,7 +42,7 @@ class JointSearch {
   [[nodiscard]] bool elements_pass(std::size_t first) const;
   bool set_largest(SizeIndices& least);
   [[nodiscard]] Issue no_sizes();
-  [[nodiscard]] std::optional<account::NextSize> next_of(const SizeIndices& laid, std::size_t which);
+  [[nodiscard]] std::optional<account::TriedSize> next_of(const SizeIndices& laid, std::size_t which);
   bool excuse_unmoved();
   void leave_open(SizeIndices nearest);
   void tell(const SizeIndices& least);

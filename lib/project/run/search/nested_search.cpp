@@ -141,14 +141,14 @@ void NestedSearch::tell(const Choice& found) {
                        all_[k].source())
                  : say("smallest of {1} with which no assessed mode fails, in combination with the other sizes",
                        all_[k].source());
-    std::optional<account::NextSize> next;
+    std::optional<account::TriedSize> next;
     if (found[k] > 0) {
       Choice less = found;
       --less[k];
       if (keeps_rules_with(less) && !passing_.passes()) {
         const std::optional<double> si = all_[k].leaf ? std::optional(all_[k].sizes[less[k]]) : std::nullopt;
-        next = next_size(evaluation_.calculator(), all_[k].name(less[k]).text(), si,
-                         fault_of_candidate(evaluation_, passing_));
+        next = tried_size(evaluation_.calculator(), all_[k].name(less[k]).text(), si,
+                          fault_of_candidate(evaluation_, passing_));
         text = say("{1}; {2} fails: {3}", text, next->name, next->reason);
       }
     }

@@ -199,14 +199,14 @@ CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing) {
   return fault_of_limits(evaluation, passing);
 }
 
-account::NextSize next_size(const Calculator& calculator, std::string name, std::optional<double> si,
-                            CandidateFault fault) {
-  account::NextSize next{.name = std::move(name),
-                         .si = si,
-                         .fails = std::move(fault.row),
-                         .number = fault.number,
-                         .unit = std::move(fault.unit),
-                         .reason = std::move(fault.text)};
+account::TriedSize tried_size(const Calculator& calculator, std::string name, std::optional<double> si,
+                              CandidateFault fault) {
+  account::TriedSize next{.name = std::move(name),
+                          .si = si,
+                          .fails = std::move(fault.row),
+                          .number = fault.number,
+                          .unit = std::move(fault.unit),
+                          .reason = std::move(fault.text)};
   for (const ModeInfo& mode : calculator.modes) {
     const auto keys = listed_keys(mode.checks);
     const auto names = [&](const std::string& key) { return names_row(key, next.fails); };

@@ -38,8 +38,8 @@ struct CandidateFault {
 /// At the sizes that follow from it.
 CandidateFault fault_of_candidate(Evaluation& evaluation, Passing& passing);
 
-/// The candidate before the one that was found, by its fault.
-account::NextSize next_size(const Calculator& calculator, std::string name, std::optional<double> si,
-                            CandidateFault fault);
+/// A candidate that was not taken, by its fault.
+account::TriedSize tried_size(const Calculator& calculator, std::string name, std::optional<double> si,
+                              CandidateFault fault);
 
 }  // namespace loadpath::project

@@ -20,7 +20,7 @@ Message other_methods(const Evaluation& evaluation) {
   const Leaf leaf = evaluation.inputs().leaf("method");
   std::string others;
   for (std::size_t i = 0; i < method->choices.size(); ++i) {
-    if (static_cast<double>(i) != leaf.get())
+    if (static_cast<double>(i) != leaf.get() && *method->choices[i].key != '\0')
       others += (others.empty() ? "" : ", ") + std::string(method->choices[i].key);
   }
   return say("; another method may cover it: {1}", others);
@@ -150,6 +150,23 @@ Message SizeSearch::what_is_searched() const {
   return wanted_.where.empty() ? all : say("{1} with {2}", std::move(all), wanted_.where);
 }
 
+/// A candidate that does not pass, and what it fails.
+account::TriedSize SizeSearch::tried(std::size_t i) {
+  candidates_.take(evaluation_.inputs(), i);
+  const std::optional<double> si = candidates_.leaf ? std::optional(candidates_.sizes[i]) : std::nullopt;
+  return tried_size(evaluation_.calculator(), candidates_.name(i).text(), si,
+                    fault_of_candidate(evaluation_, passing_));
+}
+
+/// The nearest candidate, and those before and behind it.
+std::vector<account::TriedSize> SizeSearch::tried_around(std::size_t best) {
+  constexpr std::size_t before = 2, most = 4;
+  std::vector<account::TriedSize> all;
+  const std::size_t first = best - std::min(best, before);
+  for (std::size_t i = first; i < std::min(first + most, candidates_.count()); ++i) all.push_back(tried(i));
+  return all;
+}
+
 /// There is no result. Reports the nearest candidate, and its failures.
 void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
   if (candidates_.count() == 0)
@@ -157,13 +174,14 @@ void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
   std::size_t best = nearest(std::min(from, candidates_.count() - 1));
   if (best == candidates_.count()) best = nearest(0);
   if (best == candidates_.count()) return refuse_all(issues);
+  std::vector<account::TriedSize> tried = tried_around(best);
   candidates_.take(evaluation_.inputs(), best);
   evaluation_.settle_sizes();
   const bool uncovered = !(shortfall_of_candidate(evaluation_, passing_).check > 1.0);
   Message fault = say("{1}: none passes, nearest is {2}: {3}", what_is_searched(), candidates_.name(best),
                       fault_of_candidate(evaluation_, passing_).text);
   if (uncovered) fault = say("{1}: the method is not valid there{2}", fault, other_methods(evaluation_));
-  leave_open(std::move(fault));
+  leave_open(std::move(fault), std::move(tried));
 }
 
 /// No candidate keeps the rules, or has a size that settles.
@@ -181,8 +199,8 @@ void SizeSearch::refuse_all(std::vector<Issue>& issues) {
   issues.push_back(std::move(issue));
 }
 
-void SizeSearch::leave_open(Message why) {
-  candidates_.leave_open(evaluation_.inputs(), why);
+void SizeSearch::leave_open(Message why, std::vector<account::TriedSize> tried) {
+  candidates_.leave_open(evaluation_.inputs(), why, std::move(tried));
   evaluation_.inputs().set_unavailable(std::move(why), account::Subject::search);
 }
 
@@ -223,12 +241,9 @@ void SizeSearch::tell_found(std::size_t found) {
                          : say("smallest of {1} with which no assessed mode that depends on it fails", source);
   if (const BodySize* const body = size_of_body())
     text = say("{1}; the body '{2}' has this size: {3}", text, evaluation_.step().input().body.text, body->by);
-  std::optional<account::NextSize> next;
+  std::optional<account::TriedSize> next;
   if (found > 0) {
-    candidates_.take(evaluation_.inputs(), found - 1);
-    const std::optional<double> si = candidates_.leaf ? std::optional(candidates_.sizes[found - 1]) : std::nullopt;
-    next = next_size(evaluation_.calculator(), candidates_.name(found - 1).text(), si,
-                     fault_of_candidate(evaluation_, passing_));
+    next = tried(found - 1);
     text = say("{1}; {2} fails: {3}", text, candidates_.name(found - 1), next->reason);
     candidates_.take(evaluation_.inputs(), found);
     evaluation_.settle_sizes();

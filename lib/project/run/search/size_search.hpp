@@ -29,7 +29,9 @@ class SizeSearch {
   /// No candidate passes.
   void tell_none(std::size_t from, std::vector<Issue>& issues);
   void refuse_all(std::vector<Issue>& issues);
-  void leave_open(Message why);
+  [[nodiscard]] account::TriedSize tried(std::size_t i);
+  [[nodiscard]] std::vector<account::TriedSize> tried_around(std::size_t best);
+  void leave_open(Message why, std::vector<account::TriedSize> tried = {});
   void warn_of_passed_over(std::size_t found, std::vector<Issue>& issues);
   void tell_found(std::size_t found);
   void note_found();

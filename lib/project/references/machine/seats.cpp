@@ -1,0 +1,85 @@
+#include "lib/project/references/machine/seats.hpp"
+
+#include "lib/project/references/origins.hpp"
+#include "lib/project/references/references.hpp"
+#include "lib/project/references/sources.hpp"
+#include "lib/quantity/format.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double rounded = 1e-3;  // of a value: sizes typed with few digits
+
+class SeatCheck {
+ public:
+  SeatCheck(const Step& shaft, const Project& project) : shaft_(shaft), project_(project) {}
+
+  std::vector<ReducedLoad> run() {
+    if (shaft_.input().calculator == nullptr) return {};
+    for (const Taken& record : shaft_.input().reading.records) {
+      if (record.path.ends_with(".load")) compare_width(record);
+      if (record.path.ends_with(".connection")) compare_connection(record);
+    }
+    return std::move(found_);
+  }
+
+ private:
+  void add(const std::string& path, Message message) { found_.push_back({path, std::move(message)}); }
+
+  [[nodiscard]] bool takes_loads() const {
+    const auto& records = shaft_.input().reading.records;
+    return std::any_of(records.begin(), records.end(), [](const Taken& r) { return r.path.ends_with(".load"); });
+  }
+
+  /// The rim of a gear or pulley may reach over its hub a little.
+  void compare_width(const Taken& record) {
+    constexpr double least = 0.8;
+    const std::string path = prefix_of(record.path) + "b";
+    const double rim = magnitude_at(project_, record.source + ".b_r"), b = own_value(shaft_, project_, path);
+    if (!(b < least * rim)) return;
+    add(path, say("{1} = {2}, and the rim of '{3}' is {4} wide; justify it: because.{1} = \"...\"", path,
+                  format_quantity(b, "mm", 4), record.source, format_quantity(rim, "mm", 4)));
+  }
+
+  void compare_connection(const Taken& record) {
+    const Step* const connection = project_.find(split_step(record.source).first);
+    if (connection == nullptr || connection->input().calculator == nullptr) return;
+    compare_hub(prefix_of(record.path) + "b", *connection);
+    compare_factor(*connection);
+  }
+
+  /// The hub of a connection is as wide as the component.
+  void compare_hub(const std::string& path, const Step& connection) {
+    const double b = own_value(shaft_, project_, path), l_n = own_value(connection, project_, "l_n");
+    if (!(l_n > (1.0 + rounded) * b)) return;
+    add(path, say("{1} = {2}, and '{3}' is calculated with a hub of {4}; justify it: because.{1} = \"...\"", path,
+                  format_quantity(b, "mm", 4), connection.name(), format_quantity(l_n, "mm", 4)));
+  }
+
+  /// A connection whose torque is typed has the application factor of its shaft, unless the loads of the shaft
+  /// include it.
+  void compare_factor(const Step& connection) {
+    if (takes_loads() || steps_loading(connection.input().reading).contains(shaft_.name())) return;
+    const double own = own_value(shaft_, project_, "K_A"), of_connection = own_value(connection, project_, "K_A");
+    if (!(of_connection > (1.0 + rounded) * own)) return;
+    add("K_A", say("K_A = {1}, and its connection '{2}' has {3}; justify it: because.K_A = \"...\"",
+                   format_number(own, 4), connection.name(), format_number(of_connection, 4)));
+  }
+
+  const Step& shaft_;
+  const Project& project_;
+  std::vector<ReducedLoad> found_;
+};
+
+}  // namespace
+
+std::vector<ReducedLoad> values_of_seats(const Step& step, const Project& project) {
+  return SeatCheck(step, project).run();
+}
+
+}  // namespace loadpath::project

@@ -1,0 +1,15 @@
+// The seats of a shaft next to the records that they take: the width of a gear, the hub and the application factor of a
+// connection.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+/// Inputs of a shaft that need a reason: a hub narrower than the teeth or the connection on it, an application factor
+/// below that of a connection.
+std::vector<ReducedLoad> values_of_seats(const Step& step, const Project& project);
+
+}  // namespace loadpath::project

@@ -1,0 +1,14 @@
+// Steps that describe parts of one machine and do not refer to each other: an end without its shell, two bearings of a
+// pair, a fatigue limit that is typed beside the step that finds it.
+#pragma once
+
+#include "lib/project/project.hpp"
+
+#include <vector>
+
+namespace loadpath::project {
+
+/// Inputs that another step gives, or contradicts, and that need a reason.
+std::vector<ReducedLoad> values_of_unlinked(const Step& step, const Project& project);
+
+}  // namespace loadpath::project

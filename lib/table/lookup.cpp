@@ -72,7 +72,7 @@ const Column* Table::column(std::string_view key) const {
 
 Fault no_row(std::string_view group, std::string_view name, const std::vector<const Library*>& libraries) {
   const std::u32string wanted = folded(name);
-  const Message message = say("unknown {1} '{2}' in the tables", group, name);
+  const Message message = say("no row '{1}' in the tables of '{2}'", name, group);
   std::vector<std::string> names;
   for (const Library* library : libraries) {
     const Entry close = last_row(*library, group, [&](const Row& row) { return is_among(row.near, wanted); });
@@ -80,8 +80,10 @@ Fault no_row(std::string_view group, std::string_view name, const std::vector<co
       return fault(message, say("'{1}' comes close and is not the same: name it if it will do", close.row->name));
     add_names(*library, group, names);
   }
-  const std::string near = near_name(name, names);
-  return fault(message, near.empty() ? Message{} : say("did you mean '{1}'?", near));
+  const auto near = near_names(name, names);
+  if (near.empty()) return fault(message);
+  return fault(message, near.size() == 1 ? say("did you mean '{1}'?", near[0])
+                                         : say("did you mean '{1}' or '{2}'?", near[0], near[1]));
 }
 
 Outcome<Entry> find_row(const Library& library, std::string_view group, std::string_view name) {

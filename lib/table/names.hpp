@@ -1,4 +1,4 @@
-// Names of rows as users type them: case and spaces are ignored; the nearest name to an unknown one.
+// Names of rows as users type them: case and spaces are ignored; the nearest names to an unknown one.
 #pragma once
 
 #include <string>
@@ -10,8 +10,9 @@ namespace loadpath::table {
 /// A name without its spaces and hyphens, in small letters ("GG 25", "GG-25"): equal for equal names.
 std::u32string folded(std::string_view name);
 
-/// The name that is meant by one that is not there: of the same letters in front the one with the nearest number ("HEA
-/// 155": HEA 160, "S35": S235JR), else the one that is spelt most alike; empty if none is near.
-std::string near_name(std::string_view name, const std::vector<std::string>& names);
+/// The names that may be meant by one that does not exist: the sizes of its series next below and above ("HEA 155": HEA
+/// 140 and HEA 160); of materials the one of the same letters with the nearest number, else the one spelt most alike;
+/// none if no name is near.
+std::vector<std::string> near_names(std::string_view name, const std::vector<std::string>& names);
 
 }  // namespace loadpath::table

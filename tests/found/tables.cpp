@@ -56,14 +56,18 @@ TEST_SUITE("found tables") {
     CHECK(answer("material", "45") == "Steel 45");
     CHECK(answer("material", "17Mn4") == "P295GH");
     CHECK(answer("material", "Ст3") ==
-          "unknown material 'Ст3' in the tables | 'St3sp' comes close and is not the same: name it if it will do");
+          "no row 'Ст3' in the tables of 'material' | 'St3sp' comes close and is not the same: name it if it will do");
     CHECK(answer("material", "SA-516 Gr. 70")
               .ends_with("'P355GH' comes close and is not the same: name it if it will do"));
   }
 
   TEST_CASE("C4: the nearest name is that of the nearest size of the same series") {
-    CHECK(answer("section", "HEA 155").ends_with("did you mean 'HEA 160'?"));
-    CHECK(answer("section", "IPE 205").ends_with("did you mean 'IPE 200'?"));
+    CHECK(answer("section", "HEA 155").ends_with("did you mean 'HEA 140' or 'HEA 160'?"));
+    CHECK(answer("section", "IPE 205").ends_with("did you mean 'IPE 200' or 'IPE 220'?"));
+    CHECK(answer("section", "IPE 210").ends_with("did you mean 'IPE 200' or 'IPE 220'?"));
+    CHECK(answer("section", "RHS 100x50x7").ends_with("did you mean 'RHS 100x50x6.3' or 'RHS 100x50x8'?"));
+    CHECK(answer("key", "14x10").ends_with("did you mean '14x9' or '16x10'?"));
+    CHECK(answer("material", "S999").ends_with("in the tables of 'material' | "));
     CHECK(answer("material", "S35").ends_with("did you mean 'S235'?"));
     CHECK(answer("material", "S235JO").ends_with("did you mean 'S235JR'?"));
     CHECK(answer("material", "42CrMo5").ends_with("did you mean '42CrMo4'?"));
@@ -73,7 +77,8 @@ TEST_SUITE("found tables") {
     const std::string own = "[tables.materials.M]\nsource = \"certificate\"\nR_e = \"291 MPa\"\n";
     const auto project = solved_as_found(own + wall("delta = \"10 mm\"\nmaterial = \"M\""));
     CHECK(project.value("wall.sigma_all")->si[0] == doctest::Approx(291e6 / 1.5));
-    CHECK(first_error_of(wall("delta = \"10 mm\"\nmaterial = \"M\"")).starts_with("unknown material 'M'"));
+    CHECK(first_error_of(wall("delta = \"10 mm\"\nmaterial = \"M\""))
+              .starts_with("no row 'M' in the tables of 'material'"));
     const auto over =
         solved_as_found("[tables.materials.S235]\nsource = \"test\"\nR_e = \"300 MPa\"\nbecause.R_e = \"heat 4711\"\n" +
                         wall("delta = \"10 mm\"\nmaterial = \"S235\""));
@@ -110,7 +115,7 @@ TEST_SUITE("found tables") {
     CHECK(first_error_of(strut("I_y = '=tables.sections.\"IPE 330\".A'\nE = \"210 GPa\"")).find("is a") !=
           std::string::npos);
     CHECK(first_error_of(strut("I_y = '=tables.sections.\"IPE 331\".I_y'\nE = \"210 GPa\"")) ==
-          "unknown section 'IPE 331' in the tables | did you mean 'IPE 330'?");
+          "no row 'IPE 331' in the tables of 'section' | did you mean 'IPE 330' or 'IPE 360'?");
     CHECK(first_error_of(strut("I_y = '=tables.sections.\"IPE 330\".I_yy'\nE = \"210 GPa\""))
               .starts_with("the section 'IPE 330' has no value 'I_yy' | did you mean 'I_y"));
     const auto own = solved_as_found("[tables.materials.M]\nsource = \"certificate\"\nE = \"205 GPa\"\n" +

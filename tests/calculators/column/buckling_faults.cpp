@@ -137,7 +137,8 @@ TEST_SUITE("column buckling faults") {
   }
 
   TEST_CASE("a set that does not exist is told with the nearest") {
-    says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\ntetmajer = \"St38\"\n", "unknown tetmajer 'St38' in the tables");
+    says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\ntetmajer = \"St38\"\n",
+         "no row 'St38' in the tables of 'tetmajer'");
   }
 
   TEST_CASE("Euler below its limit is not covered, and no number is given") {

@@ -44,9 +44,10 @@ FieldFault Buckling::section_missing(const Input& in) {
   if (axis_given(in.I_y, in.i_y) || axis_given(in.I_z, in.i_z))
     return {"", say("I or i is given, but not the area A"), say("give A too, or a round bar d, or a rectangle b, h")};
   if (is_set(in.d)) return {"d", say("d is a round bar, h and b a rectangle: the bar is one of them"), {}};
-  return {"", say("the section is not given"),
-          say("give A with I_y and I_z (or i_y and i_z), or d of a round bar (with d_bore or t_w), or b and h of a "
-              "rectangle (hollow: with t_w)")};
+  return {
+      "", say("the section is not given"),
+      say("give section = \"IPE 200\" (`loadpath tables`), or d of a round bar (with d_bore or t_w), or b and h of a "
+          "rectangle (hollow: with t_w), or A with I_y and I_z (or i_y and i_z)")};
 }
 
 bool Buckling::radii_fit(const Input& in) { return fits(in, in.I_y, in.i_y) && fits(in, in.I_z, in.i_z); }

@@ -125,11 +125,11 @@ end_2 = "pinned"
 
   static constexpr std::array rules{
       Rule<Input>{&ends_or_frame, "end_1, end_2, G_1, G_2",
-                  "state both end conditions, end_1 and end_2, or give G_1 and G_2 of a frame, not both"},
+                  "give both end conditions, end_1 and end_2, or G_1 and G_2 of a frame, not both"},
       Rule<Input>{[](const Input& in) { return in.frame != Frame::sway || is_set(in.G_1); }, "frame, G_1, G_2",
                   "a sway frame needs G_1 and G_2"},
       Rule<Input>{[](const Input& in) { return in.frame != Frame::unsaid || !is_set(in.G_1); }, "frame, G_1",
-                  "state whether the frame is braced or may sway: frame = \"braced\" or frame = \"sway\""},
+                  "give the frame type: frame = \"braced\" or frame = \"sway\""},
       Rule<Input>{&springs_fit_ends, "end_1, end_2, c_1, c_2, k_1, k_2",
                   "springs c and k belong to an elastic end, which needs at least one"},
       Rule<Input>{[](const Input& in) {

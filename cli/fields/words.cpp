@@ -17,7 +17,9 @@ std::string bounds_of(const FieldInfo& field) {
 
 std::string words_of(const FieldInfo& field) {
   std::string all;
-  for (const std::string& word : words_to_type(field)) all += (all.empty() ? "" : " | ") + word;
+  for (const ChoiceInfo& choice : field.choices) {
+    if (!states_nothing(choice)) all += (all.empty() ? "" : " | ") + std::string(choice.key);
+  }
   return all;
 }
 

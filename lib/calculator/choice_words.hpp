@@ -20,6 +20,23 @@ inline std::vector<std::string> words_to_type(const FieldInfo& choice) {
   return words;
 }
 
+/// Whether a word only says that nothing is stated, as an input that is not given does.
+inline bool states_nothing(const ChoiceInfo& choice) {
+  return *choice.key == '\0' || std::string_view(choice.doc).starts_with("not stated") ||
+         std::string_view(choice.key) == "unknown";
+}
+
+/// The words that state something, each with its alias: "pinned_pinned (or pinned)".
+inline std::vector<std::string> words_to_choose(const FieldInfo& choice) {
+  std::vector<std::string> words;
+  for (const ChoiceInfo& c : choice.choices) {
+    if (states_nothing(c)) continue;
+    words.emplace_back(c.key);
+    if (*c.also != '\0') words.back().append(" (or ").append(c.also).append(")");
+  }
+  return words;
+}
+
 /// The aliases of words: accepted, and not shown in lists.
 inline std::vector<std::string> aliases_of_words(const FieldInfo& choice) {
   std::vector<std::string> words;

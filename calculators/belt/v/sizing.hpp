@@ -122,7 +122,7 @@ a_set = "600 mm"
       Rule<Input>{[](const Input& in) { return is_set(in.n_2_set) != is_set(in.i_set); }, "n_2_set, i_set",
                   "give either the speed n_2 of the driven pulley or the ratio i"},
       Rule<Input>{[](const Input& in) { return in.basis != Basis::unstated; }, "basis",
-                  "state the basis, iso or optibelt: their ratings and factors must not be mixed"},
+                  "give the basis, iso or optibelt: their ratings and factors must not be mixed"},
       Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},
       Rule<Input>{&class_fits, "belt_class, basis", "the belt class requires the basis iso", &wrong_class},
       Rule<Input>{&service_is_given, "K_A, duty, motor, h_day",

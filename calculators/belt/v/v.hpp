@@ -205,7 +205,7 @@ L = "2650 mm"
       driven_rules<Input>(),
       std::array{
           Rule<Input>{[](const Input& in) { return in.basis != Basis::unstated; }, "basis",
-                      "state the basis, iso or optibelt: their ratings and factors must not be mixed"},
+                      "give the basis, iso or optibelt: their ratings and factors must not be mixed"},
           Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},
           Rule<Input>{&class_fits, "belt_class, basis", "the belt class requires the basis iso", &wrong_class},
           Rule<Input>{&service_is_given, "K_A, duty, motor, h_day",

@@ -54,11 +54,13 @@ Message lack_of_stress(const Member& in, Method by, bool curves) {
   const bool yields = is_set(in.R_e);
   if (by == Method::euler) {
     if (is_set(in.sigma_P) || is_set(in.a_T)) return {};
-    return say("the proportional limit sigma_P, or a row of tetmajer");
+    return say(
+        "the proportional limit sigma_P, or a Tetmajer set, e.g. tetmajer = \"S235\" (`loadpath tables "
+        "columns/tetmajer`)");
   }
   if (by == Method::tetmajer) {
     if (is_set(in.a_T)) return {};
-    return say("the Tetmajer constants: a row of tetmajer, or a_T and b_T");
+    return say("a Tetmajer set, e.g. tetmajer = \"S235\" (`loadpath tables columns/tetmajer`), or a_T and b_T");
   }
   if (by == Method::rankine) {
     if (yields || is_set(in.sigma_c)) return {};
@@ -91,14 +93,15 @@ FieldFault missing_by_default(const Member& in, bool curves) {
   const bool is_open = !is_set(in.R_e) && !is_set(in.sigma_P) && !is_set(in.a_T);
   if (is_open) {
     const bool asks_safety = !curves && is_loaded(in) && !is_set(in.n_st);
-    return {"R_e",
-            asks_safety
-                ? say("give the yield strength R_e, or a material, and the required buckling safety factor n_st")
-                : say("give the yield strength R_e, or a material"),
-            say("or use a Tetmajer set instead of R_e: 'loadpath tables columns/tetmajer'")};
+    return {
+        "R_e",
+        asks_safety ? say("give the yield strength R_e, or a material, and the required buckling safety factor n_st")
+                    : say("give the yield strength R_e, or a material"),
+        say("or use a Tetmajer set instead of R_e, e.g. tetmajer = \"grey_iron\": `loadpath tables columns/tetmajer`")};
   }
-  return {"n_st", say("give the required buckling safety factor n_st"),
-          is_set(in.R_e) && is_steel(in) ? say("or use a code that includes it: method = \"aisc\"") : Message{}};
+  return {
+      "n_st", say("give the required buckling safety factor n_st"),
+      is_set(in.R_e) && is_steel(in) ? say("or use a code that includes it: method = \"ec3\" or \"aisc\"") : Message{}};
 }
 
 SecondMoment second_moment(Area A, SecondMoment I, Length i) { return is_set(I) ? I : A * i * i; }
@@ -123,7 +126,8 @@ bool is_one_section(const Section& in) { return !is_set(in.A) || !table::misfit_
 FieldFault two_sections(const Section& in) {
   const auto misfit = table::misfit_of(shape_of(in));
   if (!misfit) return {};
-  return {misfit->key, misfit->message, say("check the units, and that all of it is of one section")};
+  return {misfit->key, misfit->message,
+          say("describe one section: by its row, by its sizes, or by A, I_y and I_z; check the units")};
 }
 
 bool is_solid_if_full(const Section& in) {

@@ -222,7 +222,7 @@ S_Fmin = 1.4
       Rule<Input>{&has_line, "material_1, material_2, quality_1, quality_2, H_1, H_2",
                   "ISO 6336-5 has no line for this material, quality and hardness", &missing_line},
       Rule<Input>{&is_laid_out, "a_w, x_1, x_2, z_1, z_2, m_n, beta",
-                  "the centre distance, or the profile shifts, give no working pressure angle"},
+                  "the working pressure angle from a_w, or from x_1 and x_2, must exceed zero"},
       Rule<Input>{[](const Input& in) { return in.rho_fP <= in.h_fP; }, "rho_fP, h_fP",
                   "the root radius must fit into the dedendum"},
       Rule<Input>{[](const Input& in) { return in.finish == Finish::hobbed || (is_set(in.R_z1) && is_set(in.R_z2)); },
@@ -232,7 +232,8 @@ S_Fmin = 1.4
           "place, l, d_sh, s", "a pinion away from the middle needs l, s and d_sh"},
       Rule<Input>{[](const Input& in) { return leaves_middle(in) || !is_set(in.s); }, "place, s",
                   "midway between the bearings s is zero: name the place a to e"},
-      Rule<Input>{[](const Input& in) { return in.place != Place::untold; }, "place", "state the place of the pinion"},
+      Rule<Input>{[](const Input& in) { return in.place != Place::untold; }, "place",
+                  "give the place of the pinion on its shaft: middle, a, b, c, d or e"},
       Rule<Input>{
           &is_in_place, "place, l, s, d_sh, b",
           "an overhung pinion (c) has s above l/2, one between the bearings (a, b, d, e) below; the span is wider "

@@ -1,9 +1,11 @@
 #include "lib/project/read/reader.hpp"
 
+#include "lib/calculator/choice_words.hpp"
 #include "lib/text/meant.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace loadpath::project {
 
@@ -32,6 +34,12 @@ static Message fields_near(const std::string& key, const std::vector<Part>& part
 
 Message one_of(const std::string& word, const std::vector<std::string>& candidates) {
   return did_you_mean(word, candidates, there_is(candidates));
+}
+
+Message word_near(const std::string& word, const FieldInfo& choice) {
+  std::vector<std::string> accepted = words_to_type(choice);
+  for (std::string& alias : aliases_of_words(choice)) accepted.push_back(std::move(alias));
+  return did_you_mean(word, accepted, there_is(words_to_choose(choice)));
 }
 
 static bool takes_several_whole(std::span<const FieldInfo> fields) {

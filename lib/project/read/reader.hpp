@@ -88,5 +88,7 @@ std::string joined(const std::string& path, std::string_view key);
 std::vector<std::string> keys_of(const std::vector<Part>& parts);
 /// The nearest candidate, or all of them.
 Message one_of(const std::string& word, const std::vector<std::string>& candidates);
+/// The nearest word of a choice, or all that state something, with their aliases.
+Message word_near(const std::string& word, const FieldInfo& choice);
 
 }  // namespace loadpath::project

@@ -161,8 +161,8 @@ void Reader::read_choice(const Tree& tree, const FieldInfo& field, void* owner, 
   if (!number) {
     const std::string written =
         tree.type == Tree::Type::text ? "'" + tree.text + "'" : std::string(toml::word_for(tree.type));
-    return say_at(tree.place, path, say("{1} is not a valid word for '{2}'", written, path),
-                  one_of(tree.text, words_to_type(field)));
+    return say_at(tree.place, path, say("{1} is not a valid value of '{2}'", written, path),
+                  word_near(tree.text, field));
   }
   field.set(owner, *number);
 }

@@ -90,20 +90,20 @@ void Reader::read_stock(const Tree& tree, const FieldInfo& field, void* owner, c
 
 void Reader::read_words(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   Varied varied{.path = path, .leaf = {&field, owner}, .place = tree.place, .shared = tree.shared};
-  const std::vector<std::string> words = words_to_type(field);
   std::vector<double> numbers;
   for (const Tree& item : tree.items) {
     const bool is_word = item.type == Tree::Type::text;
     const auto number = is_word ? number_of_word(field, item.text) : std::nullopt;
     if (!number)
       return say_at(item.place, path,
-                    say("{1} is not a valid word for '{2}'",
+                    say("{1} is not a valid value of '{2}'",
                         is_word ? "'" + item.text + "'" : std::string(toml::word_for(item.type)), path),
-                    one_of(item.text, words));
+                    word_near(item.text, field));
     varied.words.emplace_back(field.choices[static_cast<std::size_t>(*number)].key);
     numbers.push_back(*number);
   }
-  if (varied.words.empty()) return say_at(tree.place, path, say("a list of words has one at least"), there_is(words));
+  if (varied.words.empty())
+    return say_at(tree.place, path, say("a list of words has one at least"), there_is(words_to_choose(field)));
   field.set(owner, numbers.front());
   varied.axis = *sweep::Axis::list(std::move(numbers));
   reading_.varied.push_back(std::move(varied));

@@ -132,7 +132,7 @@ TEST_SUITE("rolling bearing") {
                "the shares q sum to 0.9, not to 1");
     check_says("kind = \"deep_groove_ball\"\nC = \"30 kN\"\nF_r = \"3 kN\"\nn = \"0 rpm\"\nL_h = \"100 h\"\n",
                "a bearing at standstill has no life in hours: omit L_h, or give the speed");
-    check_says(loads, "state the bearing type");
+    check_says(loads, "give the bearing type");
     check_says("kind = \"deep_groove_ball\"\nC = \"30 kN\"\nF_r = \"-3 kN\"\nn = \"900 rpm\"\n", "F_r");
   }
 }

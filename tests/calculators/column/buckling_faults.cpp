@@ -39,7 +39,7 @@ TEST_SUITE("column buckling faults") {
     says(
         "calculator = \"column.buckling\"\nl = \"900 mm\"\nE = \"210 GPa\"\nR_e = \"235 MPa\"\nd = \"40 mm\"\n"
         "method = \"johnson\"\n",
-        "state the end conditions");
+        "give the end conditions");
     says(rod + "d = \"40 mm\"\nmethod = \"johnson\"\nends_y = \"fixed_free\"\nbeta_y = 2\n",
          "give the ends of an axis or its factor beta, not both");
     const std::string soft =
@@ -84,7 +84,7 @@ TEST_SUITE("column buckling faults") {
     in.a_T = in.b_T = unset<Stress>, in.n_st = unset<double>, in.P = 10.0 * kN;
     const FieldFault safety = column::Buckling::missing_for_method(in);
     CHECK(safety.message.text() == "give the required buckling safety factor n_st");
-    CHECK(safety.hint.text() == "or use a code that includes it: method = \"aisc\"");
+    CHECK(safety.hint.text() == "or use a code that includes it: method = \"ec3\" or \"aisc\"");
     in.R_e = unset<Stress>;
     const FieldFault strength = column::Buckling::missing_for_method(in);
     CHECK(strength.message.text() ==

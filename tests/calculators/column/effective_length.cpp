@@ -159,8 +159,8 @@ TEST_SUITE("column effective length") {
     const auto says = [&](const std::string& lines, std::string_view words) {
       return complaints(bar + lines).find(words) != std::string::npos;
     };
-    CHECK(says("end_1 = \"pinned\"\n", "state both end conditions"));
-    CHECK(says("G_1 = 1\n", "state both end conditions"));
+    CHECK(says("end_1 = \"pinned\"\n", "give both end conditions"));
+    CHECK(says("G_1 = 1\n", "give both end conditions"));
     CHECK(says("end_1 = \"pinned\"\nend_2 = \"pinned\"\nframe = \"sway\"\n", "a sway frame needs G_1 and G_2"));
     CHECK(says("end_1 = \"pinned\"\nend_2 = \"elastic\"\nE = \"210 GPa\"\nI = \"1 cm^4\"\n",
                "springs c and k belong to an elastic end, which needs at least one"));

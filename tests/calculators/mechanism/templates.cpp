@@ -336,7 +336,7 @@ TEST_SUITE("mechanism template faults") {
           "a.links.rdo.points: 'links.rdo.points' is missing: points in the link's axes; without origin and angle in "
           "global axes; did you mean 'links.rod'?");
     CHECK(said(slider, "r = \"50", "assembly = \"opne\"\nr = \"50") ==
-          "a.assembly: 'opne' is not a valid word for 'assembly'; did you mean 'open'?");
+          "a.assembly: 'opne' is not a valid value of 'assembly'; did you mean 'open'?");
     CHECK(said(axle + "T = \"9 N*m\"\ntau_adm = \"3 MPa\"\n", "T =", "template = \"x\"\nT =") ==
           "axle.template: 'shaft.torsion' has no templates");
   }

@@ -1,5 +1,6 @@
 #include "lib/project/run/evaluation/prepared_step.hpp"
 
+#include "lib/project/run/evaluation/rule_help.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
@@ -9,9 +10,6 @@
 namespace loadpath::project {
 
 namespace {
-
-/// The noun of a field, from its meaning: "yield strength, with S in place of tau_adm".
-std::string noun_of(std::string_view doc) { return std::string(doc.substr(0, doc.find_first_of(",;:"))); }
 
 /// The size for looking up a row: the first given one of those that the provider names.
 double size_of(const Provider& provider, const Record& record) {
@@ -233,6 +231,7 @@ Issue PreparedStep::broken_rule(std::size_t rule, const Record& record, const st
   if (const Provided* lacking = lacking_row(calculator.rules[rule], record, provided))
     return lacking_value(input(), *lacking, record);
   FieldFault fault = calculator.fault_of(rule, record.data.get());
+  if (!calculator.rules[rule].only_warns) add_help(input(), calculator.rules[rule], record, fault);
   for (const std::string& field : listed_keys(calculator.rules[rule].fields)) {
     if (fault.path.empty() && input().reading.typed.count(field) != 0) fault.path = field;
   }

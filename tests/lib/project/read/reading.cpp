@@ -188,7 +188,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 
   TEST_CASE("a word that is none of a choice is told with the nearest one") {
     CHECK(issues_of(axle + "T = \"9 N*m\"\ntau_adm = \"30 MPa\"\nfixed = \"lft\"\n") ==
-          R"(a.toml:5:10: error: 'lft' is not a valid word for 'fixed'
+          R"(a.toml:5:10: error: 'lft' is not a valid value of 'fixed'
 5 | fixed = "lft"
   |          ^^^
   = help: did you mean 'left'?
@@ -201,7 +201,7 @@ a.toml:4:11: error: 'inf' is not a number to calculate with
 3 | T = true
   |     ^^^^
   = help: write a text with a unit, "30 N*m"
-a.toml:5:9: error: a number is not a valid word for 'fixed'
+a.toml:5:9: error: a number is not a valid value of 'fixed'
 5 | fixed = 3
   |         ^
   = help: available: none, left, right

@@ -304,7 +304,7 @@ s_0 = 2
 
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return in.kind != Kind::unstated; }, "kind",
-                  "give the bearing type, kind, or a bearing of the tables: bearing = \"6208\""},
+                  "give the bearing type, kind, or a row of the tables: bearing = \"6208\""},
       Rule<Input>{&ratings_agree, "C, C_0", "C and C_0 must belong to the same bearing", &odd_ratings},
       Rule<Input>{&factors_once, "f_0, e, Y", "give either f_0 (deep groove ball bearing) or e and Y"},
       Rule<Input>{&factors_given, "e, Y, X, Y_1, f_0, C_0, F_a, kind", "this load needs the factors of the bearing",

@@ -6,6 +6,7 @@
 #include "cli/describe/short.hpp"
 #include "cli/describe/templates.hpp"
 #include "lib/export/json_catalogue.hpp"
+#include "lib/project/catalogue.hpp"
 
 #include <iostream>
 
@@ -28,7 +29,7 @@ Message remedy(const std::string& id) {
     for (const Template* t : known->templates) ids.push_back(std::string(known->id) + "." + t->id);
   }
   if (!own.empty()) return say("'{1}' is an element; `loadpath describe` takes one of {2}", id, joined(own));
-  return did_you_mean(id, ids, say("`loadpath list` shows all"));
+  return project::calculator_meant(id, ids);
 }
 
 /// "mechanism.planar.slider_crank": false where there is none of that name.

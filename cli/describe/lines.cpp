@@ -24,17 +24,29 @@ std::string first_of(const std::vector<std::string>& items, std::size_t count, c
   return all;
 }
 
-/// Where the meaning can end: at a byte before which the text is a whole phrase.
+/// Whether the comma is one of an enumeration, "loose, fixed or cantilevered", which ends with its clause.
+bool enumerates(const std::string& meaning, std::size_t comma) {
+  const std::string rest = meaning.substr(comma, meaning.find_first_of(";:(", comma) - comma);
+  return rest.find(" and ") != std::string::npos || rest.find(" or ") != std::string::npos;
+}
+
+/// Where the meaning can end: at a byte before which the text is a complete phrase, of the first clause or of those
+/// before a semicolon.
 std::vector<std::size_t> ends_of(const std::string& meaning) {
   std::vector<std::size_t> ends;
   int depth = 0;
+  bool in_first_clause = true;
   for (std::size_t i = 0; i < meaning.size(); ++i) {
-    const bool opens = meaning[i] == '(', at_end = i + 1 == meaning.size();
-    const bool breaks =
-        (meaning[i] == ',' || meaning[i] == ';' || meaning[i] == ':') && !at_end && meaning[i + 1] == ' ';
-    if (depth == 0 && breaks) ends.push_back(i);
-    if (depth == 0 && opens && i > 0 && meaning[i - 1] == ' ') ends.push_back(i - 1);
-    depth += opens ? 1 : meaning[i] == ')' ? -1 : 0;
+    const char c = meaning[i];
+    const bool is_mark = depth == 0 && i > 0 && i + 1 < meaning.size() && meaning[i + 1] == ' ';
+    const bool divides = is_mark && (c == ':' || c == ';');
+    if (divides && (c == ';' || in_first_clause)) ends.push_back(i);
+    if (divides) in_first_clause = false;
+    if (is_mark && c == ',' && in_first_clause && !enumerates(meaning, i)) ends.push_back(i);
+    const bool opens = c == '(' || c == '[' || c == '{';
+    if (depth == 0 && in_first_clause && c == '(' && i > 1 && meaning[i - 1] == ' ' && meaning[i - 2] != ',')
+      ends.push_back(i - 1);
+    depth += opens ? 1 : c == ')' || c == ']' || c == '}' ? -1 : 0;
   }
   return ends;
 }

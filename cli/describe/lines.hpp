@@ -26,8 +26,8 @@ Lines listed(const std::string& label, const std::vector<std::string>& items, co
 /// The sentences of a text that fit into the lines, one at least.
 Lines sentences(std::string_view text, std::size_t most);
 
-/// The part of a meaning before a comma, a semicolon or a parenthesis that fits into `width`; where none does, whole
-/// words and an ellipsis.
+/// The longest complete phrase of a meaning that fits into `width`: the part before a semicolon, or before a colon, a
+/// comma or a parenthesis of the first clause; if none fits, complete words and an ellipsis.
 std::string shortened(const std::string& meaning, std::size_t width);
 
 }  // namespace loadpath::cli

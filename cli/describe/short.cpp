@@ -18,6 +18,7 @@ using Words = std::vector<std::string>;
 /// How many lines each block may take.
 struct Room {
   std::size_t scope = 6, required = 9, usual = 9, assessed = 4, elsewhere = 3, results = 2;
+  std::size_t named = 4;  // required inputs without a line of their own
 };
 
 /// A block gives way down to `least` lines before the next one does.
@@ -26,9 +27,10 @@ struct Way {
   std::size_t least;
 };
 constexpr std::array ways{Way{&Room::usual, 6},     Way{&Room::assessed, 3}, Way{&Room::scope, 4},
-                          Way{&Room::elsewhere, 2}, Way{&Room::results, 1},  Way{&Room::required, 6},
-                          Way{&Room::usual, 4},     Way{&Room::assessed, 2}, Way{&Room::scope, 3},
-                          Way{&Room::required, 4},  Way{&Room::usual, 2},    Way{&Room::required, 2}};
+                          Way{&Room::elsewhere, 2}, Way{&Room::results, 1},  Way{&Room::usual, 4},
+                          Way{&Room::required, 6},  Way{&Room::assessed, 2}, Way{&Room::scope, 3},
+                          Way{&Room::usual, 2},     Way{&Room::required, 2}, Way{&Room::named, 2},
+                          Way{&Room::usual, 1}};
 
 /// False where nothing can give way.
 bool narrow(Room& room) {
@@ -47,8 +49,8 @@ std::string shown_key(const FieldInfo& field) { return field.key + std::string(f
 
 std::string shown_meaning(const FieldInfo& field) {
   if (field.type != Type::choice) return field.doc;
-  const std::string words = words_of(field);
-  return field.doc + std::string(words.empty() ? "" : ": " + words);
+  const std::string words = words_of(field), doc = field.doc;
+  return words.empty() ? doc : doc.substr(0, doc.find(": ")) + ": " + words;  // the choices once
 }
 
 /// What the inputs of a calculator are to the user.
@@ -141,12 +143,26 @@ Lines rows_of(const char* label, const std::vector<Shown>& rows, std::size_t mos
   return lines;
 }
 
-/// Required inputs that have no line of their own are named at least.
-Lines required_lines(const Inputs& inputs, std::size_t most) {
+/// Required inputs without a line of their own, with their meanings if these fit.
+Lines named_lines(const std::string& label, const Inputs& inputs, const Words& rest, std::size_t most) {
+  constexpr std::size_t enough = 40;
+  if (rest.empty()) return {};
+  std::string all;
+  for (const Shown& row : inputs.required) {
+    if (std::find(rest.begin(), rest.end(), row.key) == rest.end()) continue;
+    all += (all.empty() ? "" : "; ") + row.key + " " + shortened(row.meaning, enough);
+  }
+  Lines lines = labelled(label, all);
+  return lines.size() <= most ? lines : listed(label, rest, ", ", 2, "");
+}
+
+/// Required inputs, and the rules that ask for one of several, while there is room.
+Lines required_lines(const Inputs& inputs, const Room& room) {
+  const std::size_t most = room.required;
   Words rest;
   Lines lines = rows_of("Required", inputs.required, most, rest);
-  append(lines, listed(lines.empty() ? "Required" : "", rest, ", ", 2, ""));
-  std::size_t left = most > inputs.required.size() ? most - inputs.required.size() : 2;
+  append(lines, named_lines(lines.empty() ? "Required" : "", inputs, rest, room.named));
+  std::size_t left = most > inputs.required.size() + 2 ? most - inputs.required.size() : 2;
   for (const std::string& rule : inputs.rules) {
     const Lines text = labelled(lines.empty() ? "Required" : "", rule);
     if (text.size() > left) continue;  // --full tells all
@@ -158,7 +174,7 @@ Lines required_lines(const Inputs& inputs, std::size_t most) {
 
 Lines input_lines(const Calculator& calculator, const Room& room) {
   const Inputs inputs = inputs_of(calculator);
-  Lines lines = required_lines(inputs, room.required);
+  Lines lines = required_lines(inputs, room);
   Words more = inputs.more;
   constexpr std::size_t most_sized = 3;
   append(lines, rows_of("Sized", inputs.sized, most_sized, more));
@@ -188,9 +204,15 @@ Lines result_lines(const Calculator& calculator, std::size_t most) {
 
 /// A title without its explanations.
 std::string short_title(const ModeInfo& mode) {
-  constexpr std::size_t enough = 44;
   const std::string title = mode.title;
-  return shortened(title.substr(0, title.find(" (")), enough);
+  return title.substr(0, title.find(" ("));
+}
+
+/// A title among others that commas divide: "pitting, gear 1" as "pitting (gear 1)".
+std::string listed_title(const ModeInfo& mode) {
+  const std::string title = short_title(mode);
+  const std::size_t comma = title.find(", ");
+  return comma == std::string::npos ? title : title.substr(0, comma) + " (" + title.substr(comma + 2) + ")";
 }
 
 /// The inputs without which the checks of a mode do not exist: "tau_adm".
@@ -237,12 +259,12 @@ Groups groups_elsewhere(const Calculator& calculator) {
   Words outside;
   for (const ModeInfo& mode : calculator.modes) {
     const std::string where = elsewhere(mode);
-    if (!is_assessable(mode)) outside.push_back(short_title(mode));
+    if (!is_assessable(mode)) outside.push_back(listed_title(mode));
     if (where.empty()) continue;
     const auto is_same = [&](const auto& group) { return group.first == where; };
     auto group = std::find_if(groups.begin(), groups.end(), is_same);
     if (group == groups.end()) group = groups.insert(group, {where, {}});
-    group->second.push_back(short_title(mode));
+    group->second.push_back(listed_title(mode));
   }
   if (!outside.empty()) groups.emplace_back("by hand", outside);
   return groups;
@@ -274,7 +296,8 @@ Lines example_lines(const Calculator& calculator) {
       from = end + 1;
     }
   }
-  lines.emplace_back("In a file: --toml prints a project that runs; --full shows all");
+  const std::string id = calculator.id, file = "describe " + id + " --toml prints a project that runs";
+  lines.push_back("In a file: " + std::string(length_of(file) + 20 <= screen_width ? "loadpath " : "") + file);
   return lines;
 }
 

@@ -1,5 +1,6 @@
 #include "cli/program/refusals.hpp"
 
+#include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "lib/text/meant.hpp"
 
@@ -36,6 +37,15 @@ int unknown_option(const CLI::App& command, const std::string& word) {
                 meant(name.substr(2), options, say("`{1} --help` shows what there is", path_of(command)), "--").text());
 }
 
+/// "loadpath mechanism planar --template slider_crank"; empty where no calculator of the element has such a template.
+std::string call_of_template(const std::string& element, const std::string& name) {
+  for (const Calculator* calculator : calculators()) {
+    if (calculator->element() != element || find_template(*calculator, name) == nullptr) continue;
+    return "loadpath " + element + " " + std::string(calculator->id).substr(element.size() + 1) + " --template " + name;
+  }
+  return "";
+}
+
 /// An option of the command that takes one value and was given several; null if there is none.
 const CLI::Option* repeated_option(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
@@ -63,6 +73,8 @@ int unknown_command(const CLI::App& app, const CLI::App& command) {
     names.push_back(sub->get_name());
   }
   const bool top = &app == &command;
+  if (const std::string call = call_of_template(command.get_name(), words[0]); !top && !call.empty())
+    return refuse("'" + words[0] + "' is a template, not a calculator", "`" + call + "`");
   const std::string prefix = top ? "" : command.get_name() + " ";
   return refuse((top ? "unknown command '" : "unknown calculator '") + prefix + words[0] + "'",
                 did_you_mean(words[0], names, there_is(names), prefix).text());

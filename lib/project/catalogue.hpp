@@ -5,7 +5,9 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace loadpath::project {
 
@@ -18,5 +20,8 @@ using Catalogue = std::span<const CatalogueEntry>;
 
 /// The entry of a calculator, by its id; null if there is none.
 const CatalogueEntry* find_entry(Catalogue catalogue, std::string_view id);
+
+/// The calculator that may be meant by an unknown id: of an element that exists, the nearest one of this element.
+Message calculator_meant(const std::string& id, const std::vector<std::string>& ids);
 
 }  // namespace loadpath::project

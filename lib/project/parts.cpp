@@ -37,7 +37,7 @@ const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogu
     std::vector<std::string> ids;
     for (const CatalogueEntry& known : catalogue) ids.emplace_back(known.calculator->id);
     add_error(issues, id->value.place, entry.key + ".calculator", say("unknown calculator '{1}'", text),
-              did_you_mean(text, ids, say("`loadpath list` shows all")));
+              calculator_meant(text, ids));
   }
   return found;
 }

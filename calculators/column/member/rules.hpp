@@ -56,7 +56,7 @@ constexpr auto held_rules() {
                     return y && z;
                   },
                   "ends, ends_y, ends_z, beta_y, beta_z",
-                  "give the end conditions: ends, or ends_y and ends_z, or beta_y and beta_z"},
+                  "give the end conditions ends, or ends_y and ends_z, or beta_y, beta_z"},
       Rule<Input>{[](const Input& in) {
                     return !(is_set(in.beta_y) && in.ends_y != Ends::unsaid) &&
                            !(is_set(in.beta_z) && in.ends_z != Ends::unsaid);
@@ -133,8 +133,7 @@ template <class Input, auto given, auto missing, auto fit>
 constexpr auto section_rules() {
   return std::array{
       Rule<Input>{&of<Input, given>, "A, I_y, i_y, I_z, i_z, d, d_bore, h, b, t_w",
-                  "give the section: section = \"IPE 200\", or d, or h and b, or A with I_y and I_z",
-                  &of<Input, missing>},
+                  "give section = \"IPE 200\", or d, or h and b, or A with I_y and I_z", &of<Input, missing>},
       Rule<Input>{&of<Input, fit>, "A, I_y, I_z, i_y, i_z",
                   "I and i of an axis must satisfy I = A i^2; give one of them"},
       Rule<Input>{&of<Input, &is_one_section>, "A, I_y, I_z, i_y, i_z, h, b, d, t_f, t_w, kind",

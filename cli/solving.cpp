@@ -2,6 +2,7 @@
 
 #include "cli/exit.hpp"
 #include "cli/output.hpp"
+#include "cli/typed_remedies.hpp"
 #include "cli/version.hpp"
 #include "lib/account/conclusion.hpp"
 #include "lib/export/json.hpp"
@@ -21,7 +22,7 @@ namespace {
 void tell(const std::vector<Issue>& issues, const std::vector<terminal::SourceText>& sources,
           const OutputOptions& output) {
   if (output.json && has_errors(issues)) std::cout << exports::json_of(issues);
-  if (!output.quiet || has_errors(issues)) terminal::show_issues(issues, sources);
+  if (!output.quiet || has_errors(issues)) terminal::show_issues(with_flags(issues), sources);
 }
 
 /// Content for viewing is made only if it is viewed: the terminal shows the extremes of every series.

@@ -115,7 +115,7 @@ std::string modes_with(const Calculator& calculator, const std::string& key) {
 
 void add_rules(const Calculator& calculator, const std::string& key, Facts& facts) {
   for (const RuleInfo& rule : calculator.rules) {
-    if (names(rule.fields, key)) facts.add("rule", rule.text);
+    if (names(rule.fields, key)) facts.add(rule.only_warns ? "warning" : "rule", rule.text);
   }
 }
 

@@ -128,7 +128,7 @@ int init(const InitOptions& options) {
   std::vector<std::string> settings = options.settings;
   if (options.starter.empty()) {
     if (isatty(STDIN_FILENO) == 0)
-      return refuse("template?", there_is(names()).text() + "; as in `loadpath init shaft`");
+      return refuse("give a template", there_is(names()).text() + "; as in `loadpath init shaft`");
     const Starter* const starter = ask_for_starter();
     std::string file;
     if (starter == nullptr || !ask_for_file(*starter, file) || !ask_for_values(*starter, file, settings))

@@ -5,6 +5,7 @@
 #include "lib/text/meant.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <iostream>
 
 namespace loadpath::cli {
@@ -31,10 +32,26 @@ int unknown_option(const CLI::App& command, const std::string& word) {
   const auto has = [&](const std::string& option) {
     return std::any_of(options.begin(), options.end(), [&](const Known& one) { return one.word == option; });
   };
+  if ((name == "--accept" || name == "--because") && !has(name.substr(2)))
+    return refuse("unknown option '" + name + "'", "in the step of the file: " + name.substr(2) +
+                                                       (name == "--accept" ? ".MODE" : ".INPUT") + " = \"reason\"");
   if ((name == "--P" || name == "--n") && has("T"))
     return refuse("unknown option '" + name + "'", "a power and a speed are a torque: --T \"=15 kW/(1450 rpm)\"");
   return refuse("unknown option '" + name + "'",
                 meant(name.substr(2), options, say("`{1} --help` shows what there is", path_of(command)), "--").text());
+}
+
+/// "`loadpath diff BEFORE AFTER`", with the arguments that the command requires; empty if it requires none.
+std::string call_of(const CLI::App& command) {
+  std::string call;
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->get_positional() || !option->get_required()) continue;
+    std::string name = option->get_name(true);
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+    call += " " + name;
+  }
+  return call.empty() ? "" : "`" + path_of(command) + call + "`";
 }
 
 /// "loadpath mechanism planar --template slider_crank"; empty where no calculator of the element has such a template.
@@ -88,6 +105,10 @@ int wrong_words(const CLI::App& app, const CLI::ParseError& error) {
   if (!words.empty()) return refuse("'" + words[0] + "' is not expected here", help);
   if (const CLI::Option* option = repeated_option(command)) {
     return refuse("'" + option->get_name() + "' is given more than once", "it takes one value: leave out all but one");
+  }
+  if (error.get_name() == "RequiredError") {
+    if (const std::string call = call_of(command); !call.empty())
+      return refuse("an argument is missing", call + "; " + help);
   }
   const std::string said = error.what();
   if (error.get_name() == "ArgumentMismatch")

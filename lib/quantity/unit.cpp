@@ -92,8 +92,9 @@ class UnitReader {
   bool second_number() {
     const std::size_t from = in_.at;
     while (in_.digit() || ((in_.peek() == '.' || in_.peek() == ',') && in_.digit(1))) ++in_.at;
-    return fail(from, in_.at - from, say("a second number '{1}'", since(from)),
-                say("write one number and one unit; digits are grouped by exactly three"));
+    return fail(
+        from, in_.at - from, say("a second number '{1}'", since(from)),
+        say("write one number and one unit; digits are grouped by exactly three; an expression begins with '='"));
   }
 
   /// The operator here: '*', '/', or '\0' where the product ends.

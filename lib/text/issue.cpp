@@ -149,7 +149,12 @@ std::string render(std::vector<Issue> issues, const std::function<std::string(co
   for (std::size_t i = 0; i < issues.size();) {
     const std::string& file = issues[i].place.file;
     const Lines lines(file.empty() ? std::string() : source(file));
-    for (; i < issues.size() && issues[i].place.file == file; ++i) text += render_one(issues[i], lines);
+    std::string before;
+    for (; i < issues.size() && issues[i].place.file == file; ++i) {
+      const std::string one = render_one(issues[i], lines);
+      if (one != before) text += one;  // two readers of one value say the same
+      before = one;
+    }
   }
   return text;
 }

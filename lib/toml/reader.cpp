@@ -158,6 +158,12 @@ std::string_view what_of(std::string_view description) {
              : description;
 }
 
+/// The key or the table that stands twice: "left" of "cannot redefine existing table 'left'"; empty for other faults.
+std::string redefined(std::string_view what) {
+  const std::size_t from = what.find('\'') + 1, to = what.rfind('\'');
+  return what.starts_with("cannot redefine existing ") && from < to ? std::string(what.substr(from, to - from)) : "";
+}
+
 std::string_view line_of(std::string_view text, int line) {
   for (int i = 1; i < line; ++i) text.remove_prefix(std::min(text.find('\n') + 1, text.size()));
   text = text.substr(0, text.find('\n'));
@@ -214,6 +220,11 @@ Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue
       return {};
     }
     const std::string what = ascii.original(what_of(error.description()));
+    if (const std::string twice = redefined(what); !twice.empty()) {
+      issues.push_back(
+          {place, "", say("'{1}' is given twice", twice), say("rename or remove one of them"), Severity::error});
+      return {};
+    }
     issues.push_back({place, "", say("not valid TOML: {1}", what), hint_for(line), Severity::error});
     return {};
   }

@@ -125,8 +125,9 @@ a_set = "600 mm"
                   "give the basis, iso or optibelt: their ratings and factors must not be mixed"},
       Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},
       Rule<Input>{&class_fits, "belt_class, basis", "the belt class requires the basis iso", &wrong_class},
-      Rule<Input>{&service_is_given, "K_A, duty, motor, h_day",
-                  "give either K_A or, with the basis optibelt, duty, motor and h_day"},
+      Rule<Input>{
+          &service_is_given, "K_A, duty, motor, h_day",
+          "give either K_A or, with the basis optibelt, duty = \"medium\", motor = \"normal\" and h_day = \"16 h\""},
       Rule<Input>{[](const Input& in) { return !(is_set(in.d_1_min) && is_set(in.d_max)) || in.d_1_min <= in.d_max; },
                   "d_1_min, d_max", "the smallest driving pulley must not be larger than the largest pulley"}};
 

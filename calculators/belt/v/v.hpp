@@ -209,7 +209,8 @@ L = "2650 mm"
           Rule<Input>{&section_is_known, "section, basis", "the basis does not rate this section", &unknown_section},
           Rule<Input>{&class_fits, "belt_class, basis", "the belt class requires the basis iso", &wrong_class},
           Rule<Input>{&service_is_given, "K_A, duty, motor, h_day",
-                      "give either K_A or, with the basis optibelt, duty, motor and h_day"},
+                      "give either K_A or, with the basis optibelt, duty = \"medium\", motor = \"normal\" and h_day = "
+                      "\"16 h\""},
           Rule<Input>{[](const Input& in) { return !is_set(in.K_A_1) || in.basis == Basis::iso; }, "K_A_1, basis",
                       "K_A_1 requires the basis iso; the basis optibelt uses K_A for the tension"},
           Rule<Input>{[](const Input& in) { return in.C_K_end == End::low || in.basis == Basis::iso; },

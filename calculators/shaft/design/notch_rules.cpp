@@ -213,6 +213,16 @@ Message fault_of_place(const Input& in, const Notched& notch) {
   return {};
 }
 
+/// "; it changes at 60 mm, 100 mm"; empty for a shaft of one diameter.
+std::string steps_of(const Input& in) {
+  std::string all;
+  find_meeting(in, [&](const Meeting& m) {
+    if (m.steps()) all += (all.empty() ? "; it changes at " : ", ") + format(m.x);
+    return false;
+  });
+  return all;
+}
+
 /// Fault of a notch where segments meet: a shoulder is where their diameters differ, others are not.
 Message fault_of_meeting(const Input& in, const Notched& notch, const Around& there) {
   const bool typed = notch.kind == Notch::given || notch.kind == Notch::beta;
@@ -221,7 +231,7 @@ Message fault_of_meeting(const Input& in, const Notched& notch, const Around& th
   const bool at_edge = find_meeting(in, [&](const Meeting& m) { return here(m) && m.is_hollow(); });
   if (notch.kind == Notch::shoulder) {
     if (!at_step || there.sides.left.d == there.sides.right.d)
-      return say("the diameter does not change at {1}", format(notch.x));
+      return say("the diameter does not change at {1}{2}", format(notch.x), steps_of(in));
     return fault_of_fillet(notch, there);
   }
   if (at_step && !typed)

@@ -198,6 +198,22 @@ bool Design::slopes_of_all(const Input& in) {
   return all_or_none(in.supports) && all_or_none(in.seats);
 }
 
+FieldFault Design::slope_missing(const Input& in) {
+  FieldFault fault;
+  const auto find_in = [&](const char* list, const auto& elements) {
+    const auto has = [](const auto& e) { return is_set(e.beta_adm); };
+    const auto with = std::find_if(elements.begin(), elements.end(), has);
+    const auto without = std::find_if_not(elements.begin(), elements.end(), has);
+    if (with == elements.end() || without == elements.end()) return;
+    fault = {place_of(list, elements, static_cast<std::size_t>(without - elements.begin()), "beta_adm"),
+             say("'{1}' has no beta_adm, but '{2}' has", without->name.view(), with->name.view()),
+             say("give beta_adm of all {1} or of none", list)};
+  };
+  find_in("seats", in.seats);
+  find_in("supports", in.supports);
+  return fault;
+}
+
 bool Design::forces_make_torques(const Input& in) {
   for (std::size_t i = 0; i < positions_of(in); ++i) {
     if (!std::all_of(in.seats.begin(), in.seats.end(), [&](const Seat& s) { return makes_its_torque(s, i); }))

@@ -52,6 +52,14 @@ FieldFault Torsion::two_safeties(const Input& in) {
           say("omit S; or omit tau_adm, and S applies to the yield strength R_e, given or of a material")};
 }
 
+FieldFault Torsion::no_strength(const Input& in) {
+  const bool yields = is_set(in.R_e);
+  return {yields ? "S" : "",
+          yields ? say("give the required safety factor S on the yield strength, or tau_adm")
+                 : say("give tau_adm, or S with the yield strength R_e (or a material), or sigma_adm with behaviour"),
+          say("for the twist only, without the strength: theta_adm, or the diameter and G")};
+}
+
 /// Whether a torque runs through it at all.
 Applies Torsion::loaded(const Input& in) {
   const auto turns = [](Moment T) { return abs(T) > 0.0 * N_m.one; };

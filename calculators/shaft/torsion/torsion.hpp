@@ -69,6 +69,7 @@ theta_adm = "0.004 rad/m"
   static Applies loaded(const Input& in);
   static Length thinnest(const Input& in);
   static FieldFault two_safeties(const Input& in);
+  static FieldFault no_strength(const Input& in);
   static FieldFault open_sum(const Input& in);
   static FieldFault torque_off_shaft(const Input& in);
   static constexpr auto inputs = join(
@@ -153,8 +154,8 @@ theta_adm = "0.004 rad/m"
                                ((is_set(in.theta_adm) || asks_twist(in)) && !is_set(in.S));
                       },
                       "tau_adm, sigma_adm, R_e, S, G",
-                      "give tau_adm, or S with the yield strength R_e (or a material), or sigma_adm with behaviour; or "
-                      "only theta_adm, or the diameter and G for the twist, without assessment of the strength"},
+                      "give tau_adm, or S with the yield strength R_e (or a material), or sigma_adm with behaviour",
+                      &no_strength},
           Rule<Input>{[](const Input& in) {
                         return is_set(in.sigma_adm) == (in.behaviour != Behaviour::unsaid) &&
                                !(is_set(in.sigma_adm) && (is_set(in.tau_adm) || is_set(in.S)));

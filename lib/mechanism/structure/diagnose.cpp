@@ -61,8 +61,7 @@ Finding wrong_number_of_drivers(const Model& model, const Structure& structure) 
   Message message =
       say("mobility {1}, number of drives {2}", std::to_string(structure.mobility), std::to_string(drivers));
   Message hint = structure.mobility > drivers
-                     ? say("add a drive, or remove a degree of freedom: {1} can still move",
-                           names_of(model.links, structure.loose))
+                     ? say("add a drive or a joint: {1} can still move", names_of(model.links, structure.loose))
                      : say("remove a drive: {1}", names_of(model.drivers, all(model.drivers.size())));
   const auto locking = structure.mobility == 0 ? locking_wheels(model) : std::vector<std::size_t>{};
   if (locking.size() > 1) {

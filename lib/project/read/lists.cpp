@@ -102,8 +102,11 @@ void Reader::read_element(const Tree& tree, const Target& target, const std::str
   reading_.typed[inner] = {tree.text, tree.place};
   const std::size_t before = issues_.size();
   read_aggregate(tree, list, element, inner);
+  const std::vector<std::string> names = known == nullptr ? target.given_names() : std::vector<std::string>{};
   for (std::size_t i = before; i < issues_.size() && known == nullptr; ++i) {  // no known element: suggest a given name
-    if (issues_[i].hint.empty()) issues_[i].hint = did_you_mean(written, target.given_names(), {}, path + ".");
+    const bool is_missing = !names.empty() && issues_[i].message.id.find("is missing") != std::string_view::npos;
+    if (issues_[i].hint.empty())
+      issues_[i].hint = did_you_mean(written, names, is_missing ? there_is(names) : Message{}, path + ".");
   }
 }
 

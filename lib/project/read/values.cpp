@@ -32,8 +32,8 @@ void Reader::read_quantity(const Tree& tree, const FieldInfo& field, void* owner
 void Reader::read_text_quantity(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   if (tree.text == "?") return read_search(tree, field, owner, path);
   if (tree.text.starts_with('?'))
-    return say_at(tree.place, path, say("'{1}' is not a search", tree.text),
-                  say("write {1} = \"?\", or {1} = { stock = \"R20\" }", field.key));
+    return say_at(tree.place, path, say("'{1}' is not a value", tree.text),
+                  say("to have it sized: {1} = \"?\", or {1} = { stock = \"R20\" }", field.key));
   if (!tree.text.starts_with('=')) return read_literal(tree.text, tree, field, owner, path);
   read_expression(tree, field, owner, path);
 }

@@ -31,8 +31,9 @@ std::optional<Reversal> reversal_of(const std::string& path, const Value& value)
 std::optional<Reversal> reversal_of_direction(const std::string& path, const Project& project) {
   const Value* const ratio = project.value(path_of_reversal(path));
   if (ratio == nullptr || ratio->si.size() != 1 || !(ratio->si.front() <= -ripple)) return std::nullopt;
-  return Reversal{say("the direction of '{1}', by {2} of its maximum", path, format_number(-ratio->si.front(), 2)),
-                  ratio->si.front()};
+  return Reversal{
+      say("the direction of '{1}', with {2} % of its maximum", path, format_number(-100.0 * ratio->si.front(), 2)),
+      ratio->si.front()};
 }
 
 bool is_moment_or_force(const Dimension& dimension) {

@@ -102,7 +102,7 @@ TEST_SUITE("mechanism faults") {
           R"(a.toml:1:2: error: mobility 1, number of drives 0
 1 | [press]
   |  ^^^^^
-  = help: add a drive, or remove a degree of freedom: 'crank', 'rod', 'slider' can still move
+  = help: add a drive or a joint: 'crank', 'rod', 'slider' can still move
 )");
   }
 
@@ -113,10 +113,10 @@ TEST_SUITE("mechanism faults") {
   = help: available: O, A, B, guide
 )");
     CHECK(with("joint = \"O\"", "joint = \"guide\"") ==
-          R"(a.toml:3:20: error: a crank turns a revolute joint, and 'guide' is none
+          R"(a.toml:3:20: error: a crank needs a revolute joint, and 'guide' is none
 3 | crank = { joint = "guide", speed = "60 rpm", positions = 12 }
   |                    ^^^^^
-  = help: a slide or a slot takes a cylinder
+  = help: drive a slide or a slot by a cylinder: cylinders.C1 = { joint = "guide", ... }
 )");
   }
 

@@ -116,7 +116,8 @@ TEST_SUITE("quantity") {
         {"m*", 2, 1, "a unit is missing at the end", ""},
         {"1/(m*°C)", 0, 9, "'1/(m*°C)': a point on a temperature scale cannot be used in a product",
          "write the temperature difference in K"},
-        {"mm 5", 3, 1, "a second number '5'", "write one number and one unit; digits are grouped by exactly three"},
+        {"mm 5", 3, 1, "a second number '5'",
+         "write one number and one unit; digits are grouped by exactly three; an expression begins with '='"},
     };
     for (const Row& row : rows) {
       CAPTURE(row.text);

@@ -177,8 +177,7 @@ TEST_SUITE("mechanism") {
     model.drivers.clear();
     const auto findings = diagnose(model);
     CHECK(only_message(findings) == "mobility 1, number of drives 0");
-    CHECK(findings[0].hint.text() ==
-          "add a drive, or remove a degree of freedom: 'crank', 'rod', 'piston' can still move");
+    CHECK(findings[0].hint.text() == "add a drive or a joint: 'crank', 'rod', 'piston' can still move");
   }
 
   TEST_CASE("a link that turns idly is the only one that can still move") {
@@ -187,7 +186,7 @@ TEST_SUITE("mechanism") {
     pin(model, "R", roller, {}, 2, {0.3, 0.0});
     const auto findings = diagnose(model);
     CHECK(only_message(findings) == "mobility 2, number of drives 1");
-    CHECK(findings[0].hint.text() == "add a drive, or remove a degree of freedom: 'roller' can still move");
+    CHECK(findings[0].hint.text() == "add a drive or a joint: 'roller' can still move");
   }
 
   TEST_CASE("a driver too many is reported") {

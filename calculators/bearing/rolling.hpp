@@ -116,7 +116,7 @@ s_0 = 2
   static Applies has_axial_bound(const Input& in);
   static constexpr Fields inputs = join(
       Fields{RecordField<Input>{"load", "loads of a shaft bearing: load = \"=shaft.bearings.left\""},
-             RowKind{&Input::kind, "kind", "bearing type (required)", "bearing"},
+             RowKind{&Input::kind, "kind", "bearing type", "bearing"},
              Field{&Input::C, "C", kN, "basic dynamic load rating, manufacturer's value"}
                  .positive()
                  .usually(0.05, 1e5)
@@ -219,7 +219,7 @@ s_0 = 2
           Group{&Input::mate, "mate",
                 "the other bearing of a pair: F_a is then the external axial force, positive to the right"}
               .may_be_missing(),
-          Choice{&Input::carries, "carries", "with mate: the direction of the axial force that this bearing carries"}
+          Choice{&Input::carries, "carries", "direction of the axial force that this bearing carries, with mate"}
               .may_be_missing(),
           Field{&Input::c_i, "c_i", ratio, "induced axial force x Y / F_r: 0.5, of some makers 0.6"}.within(0.5, 0.6)},
       dimension_inputs<Input>(), seat_inputs<Input>());

@@ -15,7 +15,7 @@ namespace loadpath::belt {
 /// Fields of an input that has n_2_set and i_set. Results are called n_2 and i, so a project may call these so, too.
 template <class Input>
 constexpr auto driven_inputs() {
-  return Fields{Field<Input, AngularSpeed>{&Input::n_2_set, "n_2_set", rpm, "wanted speed of the driven pulley"}
+  return Fields{Field<Input, AngularSpeed>{&Input::n_2_set, "n_2_set", rpm, "target speed of the driven pulley"}
                     .also("n_2")
                     .positive()
                     .usually(20, 9000)

@@ -96,7 +96,7 @@ P_R = "5.5 kW"
           .positive()
           .usually(5, 5000)
           .from("chain", "A"),
-      Choice{&Input::edition, "edition", "edition of the breaking load list"}.may_be_missing(),
+      Choice{&Input::edition, "edition", "source of the breaking loads"}.may_be_missing(),
       Field{&Input::F_uM, "F_uM", kN, "breaking load of one strand, manufacturer's value"}
           .positive()
           .usually(1, 1500)
@@ -224,7 +224,7 @@ P_R = "5.5 kW"
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return is_set(in.p); }, "p", "give the pitch p, or a chain: chain = \"16B\""},
       Rule<Input>{[](const Input& in) { return is_set(in.a) != (in.X > 0); }, "a, X",
-                  "give either the centre distance a or the links X"},
+                  "give either the centre distance a or the number of links X"},
       Rule<Input>{&sprockets_apart, "a, p, z_1, z_2", "the sprockets touch at this centre distance", &sprockets_touch},
       Rule<Input>{&links_reach, "X, z_1, z_2", "the chain is too short to go around the sprockets", &too_few_links},
       Rule<Input>{[](const Input& in) { return !(is_set(in.P) && is_set(in.T_1)); }, "P, T_1",

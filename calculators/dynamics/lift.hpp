@@ -81,7 +81,7 @@ wheels = [
     Acceleration g = usual_gravity;
   };
   static constexpr Fields inputs{
-      Field{&Input::s, "s", m, "path that the motion is followed over"}.positive().usually(1e-3, 1e4),
+      Field{&Input::s, "s", m, "travel over which the motion is calculated"}.positive().usually(1e-3, 1e4),
       Field{&Input::v_0, "v_0", m_per_s, "speed of the coordinate at the start"}.at_least(0),
       ListField{&Input::weights, "weights", "bodies that go up and down, or along tracks"}.may_be_missing(),
       ListField{&Input::wheels, "wheels", "drums and pulleys"}.may_be_missing(),

@@ -62,8 +62,9 @@ t_2 = "10 s"
   };
   static constexpr Fields inputs{
       Field{&Input::mass, called("m"), kg, "mass"}.positive().usually(1e-6, 1e6),
-      FormulaField{&Input::F_x, "F_x",
-                   "sum of the forces along x as a formula of x, y, z, v_x, v_y, v_z, v and t: \"-20 N/m*x\""},
+      FormulaField{
+          &Input::F_x, "F_x",
+          "sum of the forces along x as a formula, e.g. \"-20 N/m*x\"; variables: x, y, z, v_x, v_y, v_z, v, t"},
       FormulaField{&Input::F_y, "F_y", "sum of the forces along y; 0 where missing"}.may_be_missing(),
       FormulaField{&Input::F_z, "F_z", "sum of the forces along z; 0 where missing"}.may_be_missing(),
       Field{&Input::x_0, "x_0", m, "coordinate x at the start"},
@@ -74,7 +75,7 @@ t_2 = "10 s"
       Field{&Input::v_z0, "v_z0", m_per_s, "velocity along z at the start"},
       Field{&Input::t_2, "t_2", sec, "time at which the calculation ends, from the start at 0"}.positive(),
       FormulaField{&Input::until, "until",
-                   "the motion ends at the first zero of this formula after the start: \"y\", \"v_x - 2 m/s\""}
+                   "formula whose first zero after the start ends the motion: \"y\", \"v_x - 2 m/s\""}
           .may_be_missing(),
       Count{&Input::rows, "rows", 2, static_cast<int>(most_states), "states in the table, ends included"}
           .may_be_missing()};

@@ -43,8 +43,8 @@ theta = "30 deg"
     Acceleration g = usual_gravity;
   };
   static constexpr Fields inputs{
-      Field{&Input::V_0, "V_0", m_per_s, "speed of the throw"}.positive().usually(0.01, 1000),
-      Field{&Input::theta, "theta", deg, "angle of the throw above the horizontal"}.within(-90, 90),
+      Field{&Input::V_0, "V_0", m_per_s, "launch speed"}.positive().usually(0.01, 1000),
+      Field{&Input::theta, "theta", deg, "launch angle above the horizontal"}.within(-90, 90),
       Field{&Input::h, "h", m, "height of the throw above the landing, negative where it lands higher"},
       Field{&Input::L_req, "L_req", m, "distance that is to be reached at theta; and which angles reach it"}
           .positive()
@@ -66,7 +66,7 @@ theta = "30 deg"
   };
   static constexpr Fields results{
       Field{&Result::V_x, "V_x", m_per_s, "horizontal speed, all the time"},
-      Field{&Result::V_z, "V_z", m_per_s, "vertical speed of the throw"},
+      Field{&Result::V_z, "V_z", m_per_s, "vertical launch speed"},
       Field{&Result::t_H, "t_H", sec, "time to the highest point; 0 where it is thrown level or downwards"},
       Field{&Result::H, "H", m, "height of the highest point above the throw"},
       Field{&Result::t_L, "t_L", sec, "time to the landing"},

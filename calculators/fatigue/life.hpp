@@ -256,10 +256,11 @@ S_F = 1.5
                   "an input of the finite-life line is missing", &lacking_of_line},
       Rule<Input>{
           [](const Input& in) { return is_set(in.sigma_D) || (in.line == Line::basquin && is_set(in.N)); }, "sigma_D",
-          "give the fatigue limit of the part sigma_D; it may be omitted with a required life N by Basquin's line"},
-      Rule<Input>{[](const Input& in) { return is_ferrous(in) || is_set(in.N); }, "group, N",
-                  "without a group of iron or steel the material counts as non-ferrous, which has no endurance limit: "
-                  "give its group, as group = \"carbon-steel\", or the required life N"},
+          "give the fatigue limit of the part sigma_D; omit it only with a required life N and line = \"basquin\""},
+      Rule<Input>{
+          [](const Input& in) { return is_ferrous(in) || is_set(in.N); }, "group, N",
+          "give the group, e.g. group = \"carbon-steel\"; without it the material is taken as non-ferrous, with no "
+          "endurance limit, and needs a required life N"},
       group_of_metal<Input>(),
       lasts_below_tensile<&Input::sigma_D, Input>("sigma_D, R_m"),
       yields_before_it_breaks<Input>(),

@@ -28,7 +28,8 @@ struct Disc {
   static constexpr auto id = "machine.disc";
   static constexpr auto title = "Rotating disc, ring or cylinder of uniform thickness";
   static constexpr auto scope =
-      "Radial and hoop stress by rotation, growth, speeds of first yield and of full plasticity of a solid or hollow "
+      "Radial and hoop stress due to rotation, growth, speeds of first yield and of full plasticity of a solid or "
+      "hollow "
       "disc, "
       "ring or long cylinder; forces at the rim, shrink fits, holes, heat and vibration are not covered.";
   static constexpr auto source = "[Timoshenko-II], [Hearn-2]";
@@ -142,7 +143,7 @@ S = 2
   static constexpr std::array modes{
       Mode<Input>{"strength", "yielding by rotation", &always<Input>}.judged_by("u_v, x_b").wanting("S, R_e"),
       Mode<Input>{"rim", "forces of blades or segments at the rim", &unseen<Input>}.special(),
-      Mode<Input>{"fit", "stress by a shrink fit at the bore", &unseen<Input>}.special(),
+      Mode<Input>{"fit", "stress due to a shrink fit at the bore", &unseen<Input>}.special(),
       Mode<Input>{"notches", "stress concentration at holes and keyways", &unseen<Input>}.special(),
       Mode<Input>{"fatigue", "fatigue by starts and stops", &unseen<Input>}.special(),
       Mode<Input>{"vibration", "vibration of disc and blades", &unseen<Input>}.special(),

@@ -94,8 +94,7 @@ delta = 0.01
             "speed of this shaft over that of the crank over whose angle the series M is given; M is of this shaft"}
           .positive()
           .usually(0.01, 100),
-      Field{&Input::delta, "delta", ratio,
-            "permissible coefficient of speed fluctuation, (omega_max - omega_min)/omega"}
+      Field{&Input::delta, "delta", ratio, "permissible coefficient of speed fluctuation (omega_max - omega_min)/omega"}
           .positive()
           .below(2)
           .usually(1e-4, 0.3)
@@ -159,7 +158,7 @@ delta = 0.01
   static bool points_rise(const Input& in);
   static constexpr std::array rules{
       Rule<Input>{&has_one_moment, "M, M_of_phi, points",
-                  "give the moment once: as a series M, as M_of_phi, or as points"},
+                  "give the torque over the cycle once: as a series M, as M_of_phi, or as points"},
       Rule<Input>{&law_reads, "M_of_phi, period", "M_of_phi must be a moment as a formula of phi", &law_fault},
       Rule<Input>{&law_repeats, "M_of_phi, period", "the moment must repeat after its period", &law_leap, true},
       Rule<Input>{&points_rise, "points, period",

@@ -70,14 +70,14 @@ n_2 = "1400 rpm"
   };
   static constexpr Fields inputs{
       ListField{&Input::parts, "parts", "accelerated inertias, with their speed ratios to the motor"},
-      ListField{&Input::motor, "motor", "moment of the motor over the speed, of a brake negative: [[n, M], ...]"}
+      ListField{&Input::motor, "motor", "torque of the motor over the speed (negative of a brake): [[n, M], ...]"}
           .as_arrays(),
       ListField{&Input::load, "load", "load torque over speed: [[n, M], ...]; omitted: none"}
           .as_arrays()
           .may_be_missing(),
       Field{&Input::n_1, "n_1", rpm, "speed at the start"}.at_least(0),
       Field{&Input::n_2, "n_2", rpm, "speed at the end"}.at_least(0),
-      Field{&Input::t_adm, "t_adm", sec, "time that the motor, or the brake, may take"}.positive().may_be_missing()};
+      Field{&Input::t_adm, "t_adm", sec, "permissible time of run-up or braking"}.positive().may_be_missing()};
 
   struct Result {
     MassMoment J_red = unset<MassMoment>;

@@ -109,16 +109,16 @@ e_c2 = "35 mm"
           .customarily_at_most(960),
       Field{&Input::E, "E", GPa, "modulus of elasticity of pin and plates, for the contact stress"}.positive().usually(
           180, 220),
-      Field{&Input::e_a1, "e_a1", mm, "middle plate: end distance from the hole edge, along the force"}
+      Field{&Input::e_a1, "e_a1", mm, "end distance of the middle plate from the hole edge, along the force"}
           .positive()
           .may_be_missing(),
-      Field{&Input::e_c1, "e_c1", mm, "middle plate: edge distance from the hole edge, transverse to the force"}
+      Field{&Input::e_c1, "e_c1", mm, "edge distance of the middle plate from the hole edge, transverse to the force"}
           .positive()
           .may_be_missing(),
-      Field{&Input::e_a2, "e_a2", mm, "outer plates: end distance from the hole edge, along the force"}
+      Field{&Input::e_a2, "e_a2", mm, "end distance of the outer plates from the hole edge, along the force"}
           .positive()
           .may_be_missing(),
-      Field{&Input::e_c2, "e_c2", mm, "outer plates: edge distance from the hole edge, transverse to the force"}
+      Field{&Input::e_c2, "e_c2", mm, "edge distance of the outer plates from the hole edge, transverse to the force"}
           .positive()
           .may_be_missing()};
 

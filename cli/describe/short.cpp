@@ -48,7 +48,8 @@ struct Shown {
 std::string shown_key(const FieldInfo& field) { return field.key + std::string(field.type == Type::list ? "[]" : ""); }
 
 std::string shown_meaning(const FieldInfo& field) {
-  if (field.type != Type::choice) return field.doc;
+  const std::string also = field.also_called;
+  if (field.type != Type::choice) return field.doc + (also.empty() ? "" : "; or typed: " + also);
   const std::string words = words_of(field), doc = field.doc;
   return words.empty() ? doc : doc.substr(0, doc.find(": ")) + ": " + words;  // the choices once
 }
@@ -198,7 +199,14 @@ Lines result_lines(const Calculator& calculator, std::size_t most) {
       if (field.role == Role::result) keys.push_back(shown_key(field));
     }
   }
-  for (const ResultPattern& pattern : calculator.patterns()) keys.emplace_back(pattern.path);
+  const auto add_patterns = [&](bool loads) {  // the loads on other parts first
+    for (const ResultPattern& pattern : calculator.patterns()) {
+      const bool is_new = std::find(keys.begin(), keys.end(), pattern.path) == keys.end();
+      if (pattern.is_load == loads && is_new) keys.emplace_back(pattern.path);
+    }
+  };
+  add_patterns(true);
+  add_patterns(false);
   return listed("Results", keys, ", ", most, "");
 }
 

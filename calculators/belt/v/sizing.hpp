@@ -62,7 +62,7 @@ a_set = "600 mm"
                  .usually(20, 9000)},
       driven_inputs<Input>(),
       Fields{Field{&Input::tol_n, "tol_n", ratio, "tolerance, relative"}.positive().below(0.5).usually(0.005, 0.1),
-             Field{&Input::a_set, "a_set", mm, "required centre distance"}.also("a").positive().usually(50, 2e4),
+             Field{&Input::a_set, "a_set", mm, "target centre distance"}.also("a").positive().usually(50, 2e4),
              Field{&Input::tol_a, "tol_a", ratio, "tolerance, relative"}.positive().below(0.9).usually(0.01, 0.5),
              Field{&Input::epsilon, "epsilon", ratio, "slip"}.within(0, 0.1).usually(0, 0.03),
              Field{&Input::d_1_min, "d_1_min", mm, "minimum driving pulley, required by the motor"}

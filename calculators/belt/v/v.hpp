@@ -59,7 +59,7 @@ L = "2650 mm"
   static constexpr auto inputs = join(
       Fields{RecordField<Input>{"drive", "drive selected by belt.v_sizing: drive = \"=pick.best\""},
              Choice{&Input::basis, "basis", "system of ratings and factors"}.may_be_missing(),
-             NameField{&Input::section, "section", "belt section: A, SPB"},
+             NameField{&Input::section, "section", "belt section, e.g. A, SPB"},
              Choice{&Input::belt_class, "belt_class", "belt class, with the basis iso"}.may_be_missing(),
              Field{&Input::P, "P", kW, "power, mean over the cycle"}
                  .load()

@@ -71,8 +71,8 @@ theta_adm = "0.5 deg/m"
                       .usually(1, 4)
                       .factor(),
                   ListField{&Input::cells, "cells", "closed cells"}.may_be_missing(),
-                  ListField{&Input::walls, "walls", "walls between the cells, around them and free ones"},
-                  Field{&Input::G, "G", GPa, "shear modulus of what has none of its own, for the twist"}
+                  ListField{&Input::walls, "walls", "outer walls, walls between cells and open branches"},
+                  Field{&Input::G, "G", GPa, "shear modulus of walls without their own, for the twist"}
                       .positive()
                       .usually(least_G, most_G)
                       .from("material", "G")},

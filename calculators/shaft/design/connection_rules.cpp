@@ -48,20 +48,19 @@ Misfit no_room(const Input& in, const Seat& seat) {
   if (!is_set(seat.l_c) || is_taper(piece_at(in, seat.x))) return {};
   const Length slack = one_place * length_of(in), left = seat.x - seat.l_c / 2.0, right = seat.x + seat.l_c / 2.0;
   const auto told = [](Length x) { return format_quantity(in_si(x), mm.symbol, 5); };
+  const std::string name = seat.name.empty() ? "a component" : "'" + std::string(seat.name.view()) + "'";
   const std::string range = told(left) + " to " + told(right);
   if (left < -slack || right > length_of(in) + slack)
-    return {"l_c", say("the connection of '{1}', {2}, reaches beyond the end of the shaft", seat.name.view(), range)};
+    return {"l_c", say("the connection of {1}, {2}, reaches beyond the end of the shaft", name, range)};
   const Length own = diameter_under(in, seat);
   for (const Length& end : {left + 20.0 * slack, right - 20.0 * slack}) {
     if (abs(around(in, end).sides.thinner().d - own) > one_place * own)
-      return {"l_c",
-              say("the connection of '{1}', {2}, reaches beyond its segment of the shaft", seat.name.view(), range)};
+      return {"l_c", say("the connection of {1}, {2}, reaches beyond its segment of the shaft", name, range)};
   }
   const auto covers = [&](const Support& support) { return support.x > left + slack && support.x < right - slack; };
   const auto covered = std::find_if(in.supports.begin(), in.supports.end(), covers);
   if (covered != in.supports.end())
-    return {"l_c", say("the connection of '{1}', {2}, reaches over a bearing at {3}", seat.name.view(), range,
-                       told(covered->x))};
+    return {"l_c", say("the connection of {1}, {2}, reaches over a bearing at {3}", name, range, told(covered->x))};
   return {};
 }
 

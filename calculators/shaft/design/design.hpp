@@ -82,7 +82,7 @@ r_T = 0
       ListField{&Input::seats, "seats", "mounted components with their loads"}.may_be_missing(),
       ListField{&Input::notches, "notches", "notches (stress raisers)"}.may_be_missing(),
       ListField{&Input::orders, "orders", "excitation orders other than one per revolution"}.may_be_missing(),
-      Field{&Input::n, "n", rpm, "speed; omitted: that of a mounted component, else a shaft at rest"}.may_be_missing(),
+      Field{&Input::n, "n", rpm, "speed; omitted: speed of a mounted component, else at rest"}.may_be_missing(),
       Field{&Input::K_A, "K_A", ratio,
             "application factor K_A on all torques and forces, not on weight (1 if they include it)"}
           .at_least(1)

@@ -205,8 +205,11 @@ FieldFault Design::slope_missing(const Input& in) {
     const auto with = std::find_if(elements.begin(), elements.end(), has);
     const auto without = std::find_if_not(elements.begin(), elements.end(), has);
     if (with == elements.end() || without == elements.end()) return;
+    const auto named = [&](const Name& name) {
+      return name.empty() ? std::string("one of the ") + list : "'" + std::string(name.view()) + "'";
+    };
     fault = {place_of(list, elements, static_cast<std::size_t>(without - elements.begin()), "beta_adm"),
-             say("'{1}' has no beta_adm, but '{2}' has", without->name.view(), with->name.view()),
+             say("{1} has no beta_adm, but {2} has", named(without->name), named(with->name)),
              say("give beta_adm of all {1} or of none", list)};
   };
   find_in("seats", in.seats);

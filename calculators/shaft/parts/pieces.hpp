@@ -91,7 +91,8 @@ struct Seat {
       RecordField<Seat>{
           "load",
           "shaft load of the mounted gear, belt, chain or crank: load = \"=gears.gear_2\", \"=press.shafts.O\""},
-      Choice{&Seat::way, "way", "role of the component: takes torque, drives, or balances"}.may_be_missing(),
+      Choice{&Seat::way, "way", "role of the component: takes power off, drives, or balances the torque"}
+          .may_be_missing(),
       Field{&Seat::T, "T", N_m, "torque of the component; negative during part of a revolution if it returns some"}
           .load()
           .may_be_missing(),

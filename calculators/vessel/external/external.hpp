@@ -55,7 +55,7 @@ material = "P265GH"
   };
   static constexpr Fields inputs{
       RecordField<Input>{"wall", "wall of a cylindrical vessel: wall = \"=tank.wall\""},
-      Field{&Input::p_e, "p_e", MPa, "external pressure in excess of the internal one; full vacuum: 0.1 MPa"}
+      Field{&Input::p_e, "p_e", MPa, "external minus internal pressure; full vacuum: 0.1 MPa"}
           .load()
           .positive()
           .usually(0.001, 100),
@@ -128,7 +128,7 @@ material = "P265GH"
       Mode<Input>{"buckling", "buckling under external pressure", &always<Input>}.judged_by("u_e, x_D"),
       Mode<Input>{"ends", "buckling of the ends", &has_ends}.of_service(),
       Mode<Input>{"rings", "strength and stiffness of reinforcing rings", &has_ends}.special(),
-      Mode<Input>{"roundness", "deviation from the circle beyond the tolerance of the code", &unseen<Input>}.special(),
+      Mode<Input>{"roundness", "out-of-roundness beyond the tolerance of the code", &unseen<Input>}.special(),
       Mode<Input>{"axial", "axial compression and bending of the shell", &unseen<Input>}.special(),
       Mode<Input>{"nozzles", "reinforcement of openings and nozzles", &unseen<Input>}.special(),
       Mode<Input>{"inside", "yielding under internal pressure", &unseen<Input>}.special(),

@@ -127,8 +127,8 @@ TEST_SUITE("roller chain") {
 
   TEST_CASE("what a user can get wrong is told") {
     says("a = \"1 m\"\n", "give the pitch p, or a chain");
-    says("p = \"25.4 mm\"\n", "either the centre distance a or the links X");
-    says("p = \"25.4 mm\"\na = \"1 m\"\nX = 120\n", "either the centre distance a or the links X");
+    says("p = \"25.4 mm\"\n", "either the centre distance a or the number of links X");
+    says("p = \"25.4 mm\"\na = \"1 m\"\nX = 120\n", "either the centre distance a or the number of links X");
     says("p = \"25.4 mm\"\na = \"200 mm\"\n", "the sprockets touch each other");
     says("p = \"25.4 mm\"\nX = 50\n", "do not reach around");
     says("p = \"25.4 mm\"\na = \"1 m\"\nP = \"3 kW\"\n", "a power needs the speed");

@@ -278,7 +278,7 @@ TEST_SUITE("fatigue.life") {
     CHECK(says(rod + "rule = \"serensen\"\n", "needs psi"));
     CHECK(says(rod + R_m + "stress = \"shear\"\nrule = \"swt\"\n", "given for normal stresses"));
     CHECK(says(cycle + "sigma_D = \"190 MPa\"\n" + R_m,
-               "without a group of iron or steel the material counts as non-ferrous, which has no endurance limit"));
+               "without it the material is taken as non-ferrous, with no endurance limit"));
     CHECK(says(cycle + "group = \"carbon-steel\"\n" + R_m, "give the fatigue limit"));
     CHECK(says(rod + R_m + "line = \"basquin\"\n", "needs sigma_f, b and K_D"));
     CHECK(says(rod + R_m + "line = \"slope\"\n", "needs its slope k"));

@@ -91,10 +91,10 @@ TEST_SUITE("machine flywheel") {
   TEST_CASE("what is a single value is not a moment over a cycle is refused with its reason") {
     const std::string rest = "omega = \"10 rad/s\"\ndelta = 0.05\n";
     const std::string rows[][2] = {
-        {rest, "give the moment once"},
+        {rest, "give the torque over the cycle once"},
         {rest + "M = \"5 N*m\"\n", "a single value is not a moment over a cycle"},
         {rest + "M_of_phi = \"5 N*m\"\npoints = [[\"0 deg\", \"1 N*m\"], [\"9 deg\", \"2 N*m\"]]\n",
-         "give the moment once"},
+         "give the torque over the cycle once"},
         {rest + "M_of_phi = \"5 N*t\"\n", "t"},
         {rest + "M_of_phi = \"5 N\"\n", "moment"},
         {rest + "M_of_phi = \"5 N*m/sin(phi)\"\n", "no value"},

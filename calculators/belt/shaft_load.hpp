@@ -20,9 +20,9 @@ constexpr auto pull(Force Result::*at, const char* key, const char* doc, const c
 template <class Result, class Tracer>
 void load_shaft(Force N_1, Force N_2, double psi, Result& r, Tracer& trace) {
   trace.angle("psi", psi, "inclination of the tight span, positive where it leaves the line of centres");
-  STEP_TO(r, R_x, (N_1 + N_2) * cos(psi), "shaft load in running along the line of centres");
+  STEP_TO(r, R_x, (N_1 + N_2) * cos(psi), "shaft load in operation along the line of centres");
   STEP_TO(r, R_y, (N_1 - N_2) * sin(psi), "across it, positive to the side of the tight span");
-  STEP_TO(r, R, sqrt(R_x * R_x + R_y * R_y), "shaft load in running; on the driven shaft as large, reversed");
+  STEP_TO(r, R, sqrt(R_x * R_x + R_y * R_y), "shaft load in operation; equal and opposite on the driven shaft");
   STEP_TO(r, theta_R, atan(R_y / R_x), "direction of the shaft load to the line of centres");
 }
 

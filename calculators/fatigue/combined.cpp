@@ -118,7 +118,7 @@ Combined::Result Combined::evaluate(const Input& in, Tracer& trace) {
   first_cycle(in, r, trace);
   if (!varies(in)) return r;
   compare_cycles(in, r, trace);
-  STEP(sigma_t, max(in.sigma_m, 0.0 * MPa), "compression has no benefit");
+  STEP(sigma_t, max(in.sigma_m, 0.0 * MPa), "compressive mean stress is not credited");
   STEP(tau_t, abs(in.tau_m), "shear of either sign");
   serensen(in, sigma_t, tau_t, r, trace);
   gough(in, sigma_t, tau_t, r, trace);
@@ -128,7 +128,7 @@ Combined::Result Combined::evaluate(const Input& in, Tracer& trace) {
   if (by_mises && is_set(in.tau_D)) {
     STEP_TO(r, x_v, in.sigma_D / (sqrt(3.0) * in.tau_D), "tau_D is not below what von Mises makes of sigma_D");
   }
-  STEP_TO(r, u_D, in.S_D / r.n, "required safety over the one that is there");
+  STEP_TO(r, u_D, in.S_D / r.n, "required / actual safety factor");
   return r;
 }
 

@@ -151,7 +151,7 @@ template <class Tracer>
 void strength_for_life(const Input& in, const Haigh& h, Result& r, Tracer& trace) {
   const double N_D = cycles_of_limit(in);
   if (!is_set(in.N) || (in.N >= N_D && is_set(in.sigma_D))) {
-    STEP_TO(r, S_e, in.sigma_D, is_set(in.N) ? "N is at N_D or beyond" : "without end");
+    STEP_TO(r, S_e, in.sigma_D, is_set(in.N) ? "N is at N_D or beyond" : "endurance limit (infinite life)");
   } else {
     const Stress S_N = line_at(in, h, r, trace);
     r.S_e = is_set(in.sigma_D) ? NAMED_STEP("S_e", max(S_N, in.sigma_D), "not below the fatigue limit")
@@ -187,7 +187,7 @@ Stress counted_mean(const Input& in, const Result& r, MeanRule rule, Tracer& tra
   if (in.compression == Life::Compression::counted && rule == MeanRule::fkm && !in_shear(in))
     return trace.value("sigma_m", r.sigma_m, "compression counts, in the fields of FKM");
   const Stress sigma_t = in_shear(in) ? abs(r.sigma_m) : max(r.sigma_m, 0.0 * MPa);
-  trace.value("sigma_t", sigma_t, in_shear(in) ? "shear of either sign" : "compression has no benefit");
+  trace.value("sigma_t", sigma_t, in_shear(in) ? "shear of either sign" : "compressive mean stress is not credited");
   const bool raised = is_set(in.K_m) && rule <= MeanRule::morrow;
   const double K_m = trace.value("K_m", raised ? in.K_m : 1.0, "notch effect on the mean stress");
   return NAMED_STEP("sigma_m", K_m * sigma_t, "as the rule counts it");
@@ -238,7 +238,7 @@ void decide(const Input& in, const Haigh& h, const Row& row, Result& r, Tracer& 
     r.x_m = trace.value("x_m", row.sigma_m / most, "mean stress over the one that leaves no amplitude");
   if (in.mean == MeanStress::proportional) {
     STEP_TO(r, sigma_adm, r.n / in.S_D * r.sigma_a, "amplitude that is allowed, at this ratio");
-    STEP_TO(r, u_D, in.S_D / r.n, "required safety over the one that is there");
+    STEP_TO(r, u_D, in.S_D / r.n, "required / actual safety factor");
     return;
   }
   STEP_TO(r, sigma_adm, sigma_A / in.S_D, "amplitude that is allowed, at this mean stress");

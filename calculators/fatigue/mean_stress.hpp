@@ -174,7 +174,7 @@ double load_factor(MeanRule rule, const Haigh& h, const Swing& s, Stress sigma_a
       return goodman("n", sigma_a, sigma_m, S_e, R_m, "Goodman, [Shigley6] (6-46)", trace);
     case MeanRule::modified_goodman: {
       const double n_G = goodman("n_G", sigma_a, sigma_m, S_e, R_m, "Goodman, [Shigley6] (6-46)", trace);
-      return NAMED_STEP("n", min(n_G, n_y), "or yielding before, [Shigley6] (6-49)");
+      return NAMED_STEP("n", min(n_G, n_y), "limited by first-cycle yielding, [Shigley6] (6-49)");
     }
     case MeanRule::soderberg:
       return soderberg("n", sigma_a, sigma_m, S_e, R_e, "Soderberg, [Shigley6] (6-45)", trace);

@@ -75,7 +75,7 @@ template <class Tracer>
 void fits(const Input& in, Result& r, Tracer& trace) {
   STEP_TO(r, x_l, r.l_tr / in.d, "uniform pressure up to 1.3, [DIN6892]");
   if (is_set(in.l_n)) {
-    STEP_TO(r, u_n, in.l / in.l_n, "inside of the hub");
+    STEP_TO(r, u_n, in.l / in.l_n, "key length / hub length");
   }
   if (is_set(in.d_over)) {
     STEP_TO(r, x_d, (in.d - in.d_over) / (in.d_to - in.d_over), "between the shafts that the key belongs to");

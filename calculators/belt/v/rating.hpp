@@ -54,7 +54,7 @@ void rate(const VSection& section, Length d_k, AngularSpeed n_k, double i_g, VTy
       trace.value("k_i", iso ? iso_increment(k, i_g) : optibelt_increment(k, i_g),
                   iso ? "increment for the ratio, linear between 1, 1.05, 1.20, 1.50, 3.00, [GOST1284.3] 3.5.2"
                       : "increment for the ratio, in steps, [Optibelt-V]");
-  STEP_TO(r, dP, 1000.0 * W * k_i * r_n, "less bending around the larger pulley");
+  STEP_TO(r, dP, 1000.0 * W * k_i * r_n, "increment for the speed ratio: less bending around the larger pulley");
   STEP_TO(r, P_N, P_0 + dP, "rated power of one belt");
 }
 

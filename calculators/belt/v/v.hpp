@@ -149,8 +149,9 @@ L = "2650 mm"
           Field{&Result::f_s_new, "f_s_new", Hz, "natural frequency of the span, new belt"},
           pull(&Result::R_0, "R_0", "shaft load at standstill, along the line of centres"),
           pull(&Result::R_new, "R_new", "shaft load at standstill, new belts"),
-          pull(&Result::R_x, "R_x", "shaft load in running, toward the other pulley", "R_y, shaft_1.T|shaft_2.T"),
-          pull(&Result::R_y, "R_y", "shaft load in running, to the side of the tight span", "R_x, shaft_1.T|shaft_2.T"),
+          pull(&Result::R_x, "R_x", "shaft load in operation, toward the other pulley", "R_y, shaft_1.T|shaft_2.T"),
+          pull(&Result::R_y, "R_y", "shaft load in operation, to the side of the tight span",
+               "R_x, shaft_1.T|shaft_2.T"),
           pull(&Result::R, "R", "shaft load in operation"),
           Field{&Result::theta_R, "theta_R", deg, "direction of the shaft load to the line of centres"},
           Group{&Result::shaft_1, "shaft_1", "maximum shaft load on the driving shaft, new or run-in belts, for load"}

@@ -47,7 +47,7 @@ Stress tetmajer_stress(double lambda, const Material& material, Tracer& trace) {
   const auto &E = material.E, &R_e = material.R_e;
   const auto &a_T = material.a_T, &b_T = material.b_T, &c_T = material.c_T;
   if (!(lambda <= material.lambda_T)) {
-    STEP(sigma_H, pow<2>(pi) * E / pow<2>(lambda), "above lambda_T Euler's hyperbola");
+    STEP(sigma_H, pow<2>(pi) * E / pow<2>(lambda), "above lambda_T: Euler's hyperbola");
     STEP(sigma_cr, is_set(R_e) ? min(sigma_H, R_e) : sigma_H, "never above yielding");
     return is_set(material.lambda_T) ? Stress(sigma_cr) : unset<Stress>;
   }
@@ -111,7 +111,7 @@ Stress sp16_stress(double lambda, const Material& material, Tracer& trace) {
   trace.value("beta_s", beta_s, "for the type of section, table 7 from memory, [SP16]");
   STEP(delta_s, 9.87 * (1.0 - alpha_s + beta_s * lambda_r) + pow<2>(lambda_r), "(9), [SP16]");
   STEP(phi_s, 19.74 / (delta_s + sqrt(pow<2>(delta_s) - 39.48 * pow<2>(lambda_r))),
-       "(8), its root without a difference of near numbers, [SP16]");
+       "(8), rearranged to avoid cancellation, [SP16]");
   STEP(phi, min(phi_s, min(1.0, 7.6 / pow<2>(lambda_r))), "within its bounds, 7.1.3, [SP16]");
   return NAMED_STEP("sigma_cr", phi * R_e, "(7) without its factors, [SP16]");
 }

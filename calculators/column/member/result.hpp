@@ -91,7 +91,7 @@ constexpr auto slenderness_results() {
       Field<Result, Force>{&Result::F, "F", kN, "compressive force"}.one_of_body("compression"),
       Field<Result, Area>{&Result::A, "A", mm2, "area"},
       Field<Result, Length>{&Result::t, "t", mm,
-                            "thickness for the material strength; unknown: the minimum strength of the table"},
+                            "thickness that selects the material strength; unknown: lowest value of the table"},
       Choice<Result, AxisName>{&Result::axis, "axis", "axis of maximum slenderness"},
       Field<Result, double>{&Result::lambda, "lambda", ratio, "maximum slenderness"},
       Field<Result, Force>{&Result::N_cr, "N_cr", kN, "minimum elastic critical force, without slenderness limit"}};

@@ -83,7 +83,7 @@ n_st = 2.5
 
   static constexpr Fields results{
       Field{&Result::t, "t", mm,
-            "thickness for the material strength: largest diameter; unknown: the minimum strength of the table"},
+            "thickness that selects the material strength: largest diameter; unknown: lowest value of the table"},
       Field{&Result::F, "F", kN, "compressive force at the foot"},
       Field{&Result::alpha_cr, "alpha_cr", ratio, "elastic critical load factor of all loads together"},
       Field{&Result::F_cr, "F_cr", kN, "force at the foot when the column buckles elastically"},

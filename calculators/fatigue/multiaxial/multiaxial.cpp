@@ -124,7 +124,7 @@ void decide(const Input& in, Result& r, Tracer& trace) {
         : in.criterion == Criterion::dang_van  ? NAMED_STEP("n", r.n_DV, "Dang Van decides")
         : is_set(r.n_C) ? NAMED_STEP("n", min(min(r.n_F, r.n_M), min(r.n_C, r.n_DV)), "minimum of all four")
                         : NAMED_STEP("n", min(min(r.n_F, r.n_M), r.n_DV), "minimum of the valid criteria");
-  STEP_TO(r, u_D, in.S_D / r.n, "required safety over the one that is there");
+  STEP_TO(r, u_D, in.S_D / r.n, "required / actual safety factor");
 }
 
 figure::Curve circle(const numerics::Ball<2>& ball, double K_A) {

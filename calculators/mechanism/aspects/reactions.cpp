@@ -32,7 +32,7 @@ constexpr std::array joint_rows{
                  {.tabled = Tabled::at_one_position, .detail = true, .is_load = true, .with = "x"},
                  [](const Jointed& j, const Position& p) { return -p.reactions[j.index].force.y; }),
     row<Jointed>(
-        "joints.NAME.M", "couple of the first link on the second at the first link's point", N_m,
+        "joints.NAME.M", "moment of the first link on the second at the first link's point", N_m,
         {.tabled = Tabled::always, .is_load = true},
         [](const Jointed& j, const Position& p) { return -p.reactions[j.index].couple; }, &Jointed::holds_angle,
         "prismatic and rigid joints")};

@@ -77,7 +77,7 @@ TEST_SUITE("cli describe in full") {
     const std::string shown = described("mechanism.planar").out;
     CHECK(contains(shown, "Results, NAME as in the project file\n"));
     CHECK(contains(shown, " N        magnitude of the joint's force\n"));
-    CHECK(contains(shown, " N*m      couple of the first link on the second at the first"));
+    CHECK(contains(shown, " N*m      moment of the first link on the second at the first"));
     for (const char* path : {"drive.M", "drive.P", "cylinders.NAME.F", "joints.NAME.x", "joints.NAME.F",
                              "joints.NAME.N_front", "links.NAME.M_b", "springs.NAME.F", "links.NAME.phi",
                              "links.NAME.omega", "points.NAME.x", "points.NAME.a_y"}) {

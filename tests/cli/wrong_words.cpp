@@ -26,6 +26,28 @@ TEST_SUITE("cli wrong words") {
     CHECK(contains(meaning.error, "'--l' ("));
   }
 
+  TEST_CASE("the remedy of what the shell lacks is a flag") {
+    const Ran lacking = loadpath_with({"shaft", "overhung", "--F", "1 kN"});
+    CHECK(lacking.code == 2);
+    CHECK(contains(lacking.error, "= help: write --a \"... mm\""));
+    const Ran ends =
+        loadpath_with({"column", "buckling", "--P", "1 kN", "--l", "1 m", "--d", "40 mm", "--material", "S235"});
+    CHECK(contains(ends.error, "give the end conditions"));
+    CHECK(contains(ends.error, "--ends \"pinned_pinned\", \"fixed_free\""));
+    CHECK(contains(loadpath_with({"run", "--accept", "a=b", "a.toml"}).error, "accept.MODE = \"reason\""));
+    CHECK(contains(loadpath_with({"mechanism", "slider_crank"}).error,
+                   "`loadpath mechanism planar --template slider_crank`"));
+  }
+
+  TEST_CASE("a wrong word of a choice is told with the near one, else with all and their short forms") {
+    const auto with_ends = [](const char* ends) {
+      return loadpath_with({"column", "buckling", "--P", "1 kN", "--l", "1 m", "--d", "40 mm", "--ends", ends}).error;
+    };
+    CHECK(contains(with_ends("hinged"), "'hinged' is not a valid value of 'ends'"));
+    CHECK(contains(with_ends("hinged"), "did you mean 'pinned'?"));
+    CHECK(contains(with_ends("welded"), "available: pinned_pinned (or pinned), fixed_free (or cantilever), "));
+  }
+
   TEST_CASE("an empty text is no value of an option") {
     for (const char* option : {"--minimise", "--maximise", "--seek", "--pareto", "--results", "--csv", "--out"}) {
       const Ran ran = loadpath_with({"sweep", "none.toml", option, ""});

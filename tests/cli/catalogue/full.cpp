@@ -117,6 +117,8 @@ TEST_SUITE("cli describe in full") {
     const Ran o = loadpath_with({"describe", "shaft.torsoin"});
     CHECK(o.code == 2);
     CHECK(o.error == "loadpath: unknown calculator 'shaft.torsoin'\n  = help: did you mean 'shaft.torsion'?\n");
+    CHECK(loadpath_with({"describe", "shaft.teapot"}).error ==
+          "loadpath: unknown calculator 'shaft.teapot'\n  = help: `loadpath list shaft` shows all\n");
     CHECK(loadpath_with({"describe", "teapot"}).error ==
           "loadpath: unknown calculator 'teapot'\n  = help: `loadpath list` shows all\n");
   }

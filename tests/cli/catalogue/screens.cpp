@@ -49,6 +49,7 @@ TEST_SUITE("cli describe" * by_case) {
       CHECK(lines_of(o.out) <= 30);
       CHECK(width_of(o.out) <= 80);
       CHECK(contains(o.out, "\nSource "));
+      CHECK_FALSE(contains(o.out, " ...\n"));  // complete phrases only
       CHECK(contains(o.out, "--toml prints a project that runs"));
     }
   }

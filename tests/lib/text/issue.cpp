@@ -53,6 +53,11 @@ TEST_SUITE("issue") {
     CHECK(third != std::string::npos);
   }
 
+  TEST_CASE("an issue that is found twice is shown once") {
+    CHECK(render({issue("shaft.toml", 2, 1), issue("shaft.toml", 2, 1)}, shaft_file) ==
+          render({issue("shaft.toml", 2, 1)}, shaft_file));
+  }
+
   TEST_CASE("the caret counts characters, not bytes") {
     CHECK(render({issue("cyrillic.toml", 1, 12, 2)}, shaft_file) ==
           "cyrillic.toml:1:12: error: no good\n"

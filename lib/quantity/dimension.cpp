@@ -35,6 +35,7 @@ constexpr Named names[] = {
     {Dimension::of(1, 1, -1), "momentum"},
     {Dimension::of(2, 1, -2), "moment"},
     {Dimension::of(2, 1, -3), "power"},
+    {Dimension::of(2, 1, -3, 0, 1), "power, as moment times angular velocity"},
     {Dimension::of(-1, 1, -2), "stress"},
     {Dimension::of(0, 1, -2), "stiffness"},
     {Dimension::of(3, 1, -2), "bending stiffness"},

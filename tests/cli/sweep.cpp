@@ -209,7 +209,7 @@ TEST_SUITE("sweep command" * by_case) {
     CHECK(ran.code == 0);
     CHECK_MESSAGE(contains(ran.error, "nothing varies in 'a.toml'"), ran.error);
     CHECK(contains(ran.error, "d = { from = "));
-    CHECK_MESSAGE(contains(ran.out, "1 points: 1 pass"), ran.out);
+    CHECK_MESSAGE(contains(ran.out, "1 point: 1 pass"), ran.out);
     CHECK(contains(ran.out, "Nothing varies"));
     CHECK(desk.run({"sweep", "a.toml", "--quiet"}).error.empty());
   }

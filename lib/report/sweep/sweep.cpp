@@ -208,7 +208,7 @@ Paragraph conclusion(const SweepPlan& plan, const SweepStatistics& found) {
   const std::uint64_t invalid = found.points_of_invalid(), refused = all.refused_points() - invalid;
   const std::uint64_t n = valid_points(found), fails = all.of(State::fail) + refused;
   const std::uint64_t gaps = n - fails - all.passing();
-  std::string text = number(n) + " points: " + number(all.passing()) + " pass, " +
+  std::string text = number(n) + (n == 1 ? " point: " : " points: ") + number(all.passing()) + " pass, " +
                      share_text(all.passing(), n, is_sample(plan)) + "; " + number(fails) + " fail";
   if (gaps > 0) text += "; " + number(gaps) + " are not assessed, have no valid method or no result";
   if (refused > 0) text += ", " + number(refused) + " of them because a sample violates an input rule";

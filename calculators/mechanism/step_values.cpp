@@ -7,6 +7,26 @@
 
 namespace loadpath::planar {
 
+namespace {
+
+/// The links, joints or other parts that a result can be of, if that of the path is none of them, nor near one.
+std::vector<std::string> names_beside(const std::string& path, const std::vector<std::string>& paths) {
+  const std::size_t point = path.find('.');
+  if (point == std::string::npos) return {};
+  const std::string part = path.substr(point + 1, path.find('.', point + 1) - point - 1);
+  std::vector<std::string> names;
+  for (const std::string& known : paths) {
+    const std::size_t end = known.find('.', point + 1);
+    if (end == std::string::npos || known.compare(0, point + 1, path, 0, point + 1) != 0) continue;
+    const std::string one = known.substr(point + 1, end - point - 1);
+    if (std::find(names.begin(), names.end(), one) == names.end()) names.push_back(one);
+  }
+  const bool is_near = std::find(names.begin(), names.end(), part) != names.end() || !nearest(part, names).empty();
+  return is_near ? std::vector<std::string>{} : names;
+}
+
+}  // namespace
+
 Outcome<Signature> MechanismStep::signature(const std::string& path) const {
   if (outputs_.empty()) return Fault{};  // the model has holes, which are reported
   const auto found = std::find_if(outputs_.begin(), outputs_.end(), [&](const auto& o) { return o.path == path; });
@@ -16,8 +36,11 @@ Outcome<Signature> MechanismStep::signature(const std::string& path) const {
   if (const Leaf given = given_at(path)) return Signature{given.field->dimension, nullptr};
   std::vector<std::string> paths;
   for (const auto& o : outputs_) paths.push_back(o.path);
+  const Message unknown = say("'{1}' has no result '{2}'", name(), path);
+  if (const auto parts = names_beside(path, paths); !parts.empty())
+    return Fault{0, path.size(), unknown, there_is(parts)};
   return Fault{
-      0, path.size(), say("'{1}' has no result '{2}'", name(), path),
+      0, path.size(), unknown,
       did_you_mean(path, paths, say("`loadpath describe {1}` lists them", input().calculator->id), name() + ".")};
 }
 

@@ -122,8 +122,8 @@ void add_rules(const Calculator& calculator, const std::string& key, Facts& fact
 std::string choices_of(const FieldInfo& field) {
   std::string all;
   for (const ChoiceInfo& choice : field.choices) {
-    if (*choice.key == '\0') continue;
     const std::string doc = choice.doc;
+    if (*choice.key == '\0' || doc.ends_with("(refused)")) continue;
     const std::string word = std::string(choice.key) + (*choice.also == '\0' ? "" : std::string(" or ") + choice.also);
     all += (all.empty() ? "" : "; ") + word + (doc.empty() ? "" : ": " + doc);
   }

@@ -323,8 +323,7 @@ FieldFault Life::lacking(const Input& in) {
     case MeanRule::elliptic:
       return lacks("R_e", "the mean stress rule needs the yield strength R_e", "give R_e, a material, or another rule");
     case MeanRule::modified_goodman:
-      return lacks("R_e", "the rule needs the tensile and the yield strength",
-                   "give both, a material, or another rule");
+      return lacks("R_e", "the rule needs the tensile and the yield strength", "give them, or a material");
     case MeanRule::morrow:
       return lacks("sigma_f", "Morrow's rule needs the fatigue strength coefficient, or the true fracture stress",
                    "give sigma_f, or sigma_fB; of non-ferrous metals sigma_fB");
@@ -335,8 +334,7 @@ FieldFault Life::lacking(const Input& in) {
     case MeanRule::serensen:
       return lacks("psi", "Serensen's rule needs psi; of steels it follows from R_m", "give psi");
     default:
-      return lacks("R_m", "the mean stress rule needs the tensile strength R_m",
-                   "give R_m, a material, or another rule");
+      return lacks("R_m", "the mean stress rule needs the tensile strength R_m", "give it, or a material");
   }
 }
 

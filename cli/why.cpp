@@ -36,7 +36,9 @@ int why(const WhyOptions& options) {
       read_set(text, name, options.settings, issues, options.point ? Ranges::taken : Ranges::refused);
   take_points(options.points, project.sweep);
   if (options.point && !has_errors(issues)) take_point(project, *options.point, issues);
-  const project::SeriesChoice asked({options.of});
+  // A step as a whole is answered by its results, which may be series.
+  const bool is_path = options.of.find('.') != std::string::npos;
+  const project::SeriesChoice asked = is_path ? project::SeriesChoice({options.of}) : project::SeriesChoice();
   if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = true, .series = asked});
   terminal::show_issues(issues, with_files_of(project, {{name, text}, source_of(options.settings)}));
   if (has_errors(issues)) return wrong_input;

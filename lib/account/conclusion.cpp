@@ -69,12 +69,13 @@ Message of_gaps(const Modes& sorted, const Conclusion& all, std::size_t room) {
   if (needs == 0)
     return first_in(room, {say("{1} of {2} failure modes are outside the scope of loadpath", second, total),
                            say("{1} of {2} failure modes outside the scope", second, total)});
+  const std::string need = needs == 1 ? "needs" : "need";
   if (outside == 0)
-    return first_in(room, {say("{1} of {2} failure modes need input or another step", first, total),
-                           say("{1} of {2} failure modes need input", first, total)});
-  return first_in(room,
-                  {say("{1} of {2} failure modes need input or a step, {3} outside the scope", first, total, second),
-                   say("{1} of {2} need input or a step, {3} outside", first, total, second)});
+    return first_in(room, {say("{1} of {2} failure modes {3} input or another step", first, total, need),
+                           say("{1} of {2} failure modes {3} input", first, total, need)});
+  return first_in(
+      room, {say("{1} of {2} failure modes {4} input or a step, {3} outside the scope", first, total, second, need),
+             say("{1} of {2} {4} input or a step, {3} outside", first, total, second, need)});
 }
 
 /// The strength modes that were not considered: fatigue first, then what a calculator assesses; if there is no such,

@@ -45,7 +45,7 @@ void write_tried(const account::TriedSize& tried, JsonWriter& out) {
   if (!tried.title.empty()) out.member("meaning", tried.title.text());
   if (!tried.fails.empty()) out.member("fails", tried.fails);
   if (tried.number) out.member("number", *tried.number);
-  if (tried.number) out.member("shown_in", tried.unit);
+  if (tried.number && !tried.unit.empty()) out.member("shown_in", tried.unit);
   out.member("reason", tried.reason.text());
   out.close_object();
 }

@@ -158,7 +158,7 @@ gamma_F = 1
   static Applies walls_pressed(const Input& in);
   static double full_length(const Input& in);
   static double factor_of_moments(const Input& in);
-  static double lower_edge(const Input& in) { return -0.5 * in_si(is_set(in.d) ? in.d : in.h); }
+  static bool load_on_section(const Input& in) { return !(in.z_g < -0.5000001 * (is_set(in.d) ? in.d : in.h)); }
 
   static constexpr auto rules = join(
       held_rules<Input>(),
@@ -188,6 +188,8 @@ gamma_F = 1
               &free_end_is_unloaded, "ends_z, ends, beta_z, z_g, q_z, F_z",
               "of a bar with a free or swaying end a load above the shear centre is not covered: z_g = \"0 mm\" "
               "if it acts there"},
+          Rule<Input>{&load_on_section, "z_g, h, d",
+                      "the transverse load acts below the section: z_g is at least -h/2"},
           Rule<Input>{&of<Input, &Buckling::needs_of_method>,
                       "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, A, h, b, t_f",
                       "an input of the method is missing", &of<Input, &Buckling::missing_for_method>}},
@@ -195,7 +197,6 @@ gamma_F = 1
   static constexpr auto bounds =
       join(held_bounds<Input>(), curve_bounds<Input>(),
            std::array{Bound<Input>{"l_LT", "l", &full_length}.least(),
-                      Bound<Input>{"z_g", "the lower edge of the section", &lower_edge}.least(),
                       Bound<Input>{"C_1_set", "the moments along the bar", &factor_of_moments}});
 
   static constexpr std::array modes{

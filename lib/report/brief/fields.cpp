@@ -111,8 +111,9 @@ Panel not_considered(const Summary& summary) {
   std::string text;
   for (std::size_t i = 0; i < std::min(most_names, open.names.size()); ++i)
     text += (i == 0 ? "" : ", ") + open.names[i];
-  if (open.names.size() > most_names)
-    text += "; " + say("{1} more strength modes", std::to_string(open.names.size() - most_names)).text();
+  if (const std::size_t rest = open.names.size() - std::min(most_names, open.names.size()); rest > 0)
+    text +=
+        "; " + (rest == 1 ? say("1 more strength mode") : say("{1} more strength modes", std::to_string(rest))).text();
   const std::string others = std::to_string(open.others);
   if (open.others > 0 && text.empty())
     text = say(open.others == 1 ? "{1} mode" : "{1} modes", others).text();

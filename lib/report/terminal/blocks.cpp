@@ -140,7 +140,8 @@ Lines open_lines(const Summary& summary, const Limits& limits, const Look& look)
   const std::size_t shown = std::min(limits.of(Limits::names), open.names.size());
   std::string text;
   for (std::size_t i = 0; i < shown; ++i) text += (i == 0 ? "" : ", ") + open.names[i];
-  if (open.names.size() > shown) text += "; " + std::to_string(open.names.size() - shown) + " more strength modes";
+  if (const std::size_t rest = open.names.size() - shown; rest > 0)
+    text += "; " + std::to_string(rest) + (rest == 1 ? " more strength mode" : " more strength modes");
   if (open.others > 0 && text.empty())
     text = std::to_string(open.others) + (open.others == 1 ? " mode" : " modes");
   else if (open.others > 0)

@@ -220,9 +220,9 @@ TEST_SUITE("fold") {
     CHECK(explanation({fails}).text() == "part: yield, utilisation 1.27");
     CHECK(explanation({fails, fails}).text() == "part: yield, utilisation 1.27; and 1 more");
     CHECK(explanation({mode_of(State::not_judged), mode_of(State::pass)}).text() ==
-          "1 of 2 failure modes need input or another step");
+          "1 of 2 failure modes needs input or another step");
     CHECK(explanation({mode_of(State::not_judged), mode_of(State::not_judged, false)}).text() ==
-          "1 of 2 failure modes need input or a step, 1 outside the scope");
+          "1 of 2 failure modes needs input or a step, 1 outside the scope");
     CHECK(explanation({mode_of(State::not_judged, false)}).text() ==
           "1 of 1 failure modes are outside the scope of loadpath");
     CHECK(explanation({}).text() == "no failure mode is assessed here");

@@ -25,6 +25,7 @@ class SeatCheck {
       if (record.path.ends_with(".load")) compare_width(record);
       if (record.path.ends_with(".connection")) compare_connection(record);
     }
+    for (const Operand& operand : shaft_.input().reading.operands) compare_component(operand);
     return std::move(found_);
   }
 
@@ -36,14 +37,28 @@ class SeatCheck {
     return std::any_of(records.begin(), records.end(), [](const Taken& r) { return r.path.ends_with(".load"); });
   }
 
-  /// The rim of a gear or pulley may reach over its hub a little.
+  /// The rim of a gear may reach over its hub a little; that of a pulley often does.
   void compare_width(const Taken& record) {
     constexpr double least = 0.8;
     const std::string path = prefix_of(record.path) + "b";
     const double rim = magnitude_at(project_, record.source + ".b_r"), b = own_value(shaft_, project_, path);
-    if (!(b < least * rim)) return;
+    if (std::isnan(magnitude_at(project_, record.source + ".h_t")) || !(b < least * rim)) return;
     add(path, say("{1} = {2}, and the rim of '{3}' is {4} wide; justify it: because.{1} = \"...\"", path,
                   format_quantity(b, "mm", 4), record.source, format_quantity(rim, "mm", 4)));
+  }
+
+  /// The components of a tooth force belong together: their senses are those of the record.
+  void compare_component(const Operand& operand) {
+    const auto& references = operand.expression.references();
+    const std::size_t dot = operand.path.rfind('.');
+    if (!operand.path.starts_with("seats") || operand.expression.is_reference() || references.size() != 1) return;
+    const std::string key = operand.path.substr(dot + 1), source = references.front().path;
+    const std::string gear = source.substr(0, source.rfind('.'));
+    if (!key.starts_with("F_") || !source.ends_with("." + key)) return;
+    if (std::isnan(magnitude_at(project_, gear + ".h_t"))) return;
+    add(operand.path, say("{1} is not the component of '{2}' as it is: take all with load = \"={2}\", or "
+                          "because.{1} = \"...\"",
+                          operand.path, gear));
   }
 
   void compare_connection(const Taken& record) {

@@ -9,7 +9,7 @@
 namespace loadpath::project {
 
 /// Inputs of a shaft that need a reason: a hub narrower than the teeth or the connection on it, an application factor
-/// below that of a connection.
+/// below that of a connection, a component of a tooth force that is changed.
 std::vector<ReducedLoad> values_of_seats(const Step& step, const Project& project);
 
 }  // namespace loadpath::project

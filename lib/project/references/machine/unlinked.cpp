@@ -40,6 +40,21 @@ void compare_shell(const Step& step, const Project& project, std::vector<Reduced
                             shell->name())});
 }
 
+/// The share of its thickness that the shell needs, below which an end may not count on its strength.
+void compare_share(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double alike = 1e-3;
+  const auto& records = step.input().reading.records;
+  const auto shell = std::ranges::find(records, "shell", &Taken::path);
+  if (shell == records.end() || !step.input().reading.typed.contains("m_r")) return;
+  const std::string name = split_step(shell->source).first;
+  const double c = magnitude_at(project, shell->source + ".c"), allowed = std::isnan(c) ? 0.0 : c;
+  const double share =
+      (magnitude_at(project, name + ".delta_min") - allowed) / (magnitude_at(project, name + ".delta") - allowed);
+  if (!(own_value(step, project, "m_r") < share * (1.0 - alike))) return;
+  found.push_back({"m_r", say("m_r = {1}, and '{2}' needs {3} of its thickness; justify it: because.m_r = \"...\"",
+                              format_number(own_value(step, project, "m_r"), 4), name, format_number(share, 4))});
+}
+
 double typed_value(const Step& step, const Project& project, const char* path) {
   return std::abs(own_value(step, project, path));
 }
@@ -91,6 +106,7 @@ std::vector<ReducedLoad> values_of_unlinked(const Step& step, const Project& pro
   std::vector<ReducedLoad> found;
   if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return found;
   compare_shell(step, project, found);
+  compare_share(step, project, found);
   compare_mate(step, project, found);
   compare_limit(step, project, found);
   return found;

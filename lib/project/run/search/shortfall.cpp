@@ -70,8 +70,10 @@ CandidateFault fault_of_check(const std::string& path, double utilisation) {
   return {say("{1} = {2}", path, beyond_one(utilisation)), path, utilisation, "-"};
 }
 
+/// The range of a method is no capacity: its ratio is no utilisation, and has no unit.
 CandidateFault fault_of_limit(const std::string& path, const FieldInfo& limit, double si) {
-  return {say("{1} = {2}: {3}", path, format_quantity(si, limit.unit, 4), bounds_message(limit)), path, si, limit.unit};
+  const std::string unit = limit.unit == std::string("-") && !limit.is_criterion ? "" : limit.unit;
+  return {say("{1} = {2}: {3}", path, format_quantity(si, limit.unit, 4), bounds_message(limit)), path, si, unit};
 }
 
 /// The check in a list that is beyond 1 most, and beyond `most`; empty if none is.

@@ -105,7 +105,7 @@ TEST_SUITE("cli why") {
   }
 
   TEST_CASE("a value that is none says so") {
-    const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\nT = \"=1 N*m / 0\"\ntau_adm = \"30 MPa\"\n";
+    const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\n" + no_torque + "tau_adm = \"30 MPa\"\n" + relay;
     CHECK(contains(why(axle, "axle.T").out, "\n  T  not available"));
     CHECK(why(axle, "axle.T").code == 4);
   }

@@ -154,10 +154,9 @@ n_t = 2
           account::rank(account::worst(project::verdicts(project))));
   }
 
-  TEST_CASE("a slenderness above the one that is allowed fails; without a limit it is not considered") {
+  TEST_CASE("a slenderness above the one that is allowed fails") {
     // l = 0.9 m, fixed and free, d = 45 mm: 2 * 900 / (45/4) = 160
     CHECK(mode_with("column.buckling", "lambda_max = 159", "slenderness") == "fail");
     CHECK(mode_with("column.buckling", "lambda_max = 161", "slenderness") == "pass");
-    CHECK(mode_with("column.buckling", "lambda_max = ", "slenderness") == "open");
   }
 }

@@ -160,7 +160,6 @@ TEST_SUITE("found fatigue limits") {
     CHECK(mode_with("fatigue.combined", "tau_D = \"125 MPa\"\n", "fatigue") == "pass");
     CHECK(mode_with("fatigue.combined", "tau_D = \"180 MPa\"\n", "fatigue") == "not-judged");
     CHECK(mode_with("fatigue.combined", "tau_D = \"=180 MPa\"\n", "fatigue") == "not-judged");
-    CHECK(mode_with("fatigue.combined", "tau_D = \"180 MPa\"\nbecause.tau_D = \"tests\"\n", "fatigue") ==
-          "pass");
+    CHECK(mode_with("fatigue.combined", "tau_D = \"180 MPa\"\nbecause.tau_D = \"tests\"\n", "fatigue") == "pass");
   }
 }

@@ -167,7 +167,7 @@ TEST_SUITE("found sound designs") {
         "[life]\ncalculator = \"fatigue.life\"\nS_D = 1.3\nsigma_max = \"120 MPa\"\nsigma_min = \"0 MPa\"\nsigma_D = "
         "\"150 "
         "MPa\"\nmaterial = \"S355\"\nd_h = \"40 mm\"\n";
-    CHECK(contains(first_error_of(life), "give its group, as group = \"carbon-steel\""));
+    CHECK(contains(first_error_of(life), "give the group, e.g. group = \"carbon-steel\""));
     CHECK(first_error_of(life + "group = \"carbon-steel\"\n") == "");
   }
 

@@ -18,7 +18,7 @@ template <class Tracer>
 void limit_rating(const VSection& section, Length d_k, AngularSpeed n_k, VTypes::Result& r, Tracer& trace) {
   const VRow& row = section.row;
   const bool iso = section.basis == Basis::iso;
-  STEP_TO(r, x_dmin, row.d_low / d_k, "least diameter of the section over that of the smaller pulley");
+  r.x_dmin = trace.value("x_dmin", row.d_low / d_k, "minimum diameter of the section / smaller pulley");
   r.x_d = trace.value("x_d", place_in(d_k, row.d_low, row.d_high), "position of the smaller pulley in the rated range");
   r.x_n = trace.value("x_n", place_in(n_k, row.n_low, row.n_high), "position of its speed in the rated range");
   if (!section.lengths.empty()) r.x_L = place_in(r.L, section.lengths.front().L, section.lengths.back().L);

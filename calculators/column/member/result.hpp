@@ -174,7 +174,8 @@ template <class Result>
 constexpr auto slenderness_limit() {
   return Fields{
       Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness / allowable slenderness; 0 in tension"}
-          .check("lambda_max")};
+          .limit(0, 1, "lambda_max")
+          .criterion()};
 }
 
 /// Slenderness, and where Euler's formula holds.

@@ -67,7 +67,7 @@ TEST_SUITE("column buckling faults") {
 
   TEST_CASE("a method says what it lacks") {
     says(rod + "d = \"40 mm\"\nmethod = \"euler\"\n", "the method 'euler' needs the proportional limit sigma_P");
-    says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\n", "the method 'tetmajer' needs the Tetmajer constants");
+    says(rod + "d = \"40 mm\"\nmethod = \"tetmajer\"\n", "the method 'tetmajer' needs a Tetmajer set");
     says(rod + "d = \"40 mm\"\nmethod = \"secant\"\n", "the method 'secant' needs the eccentricity e_y or e_z");
     says(rod + "A = \"10 cm^2\"\nI_y = \"100 cm^4\"\nI_z = \"100 cm^4\"\nmethod = \"ec3\"\n",
          "the method 'ec3' needs the buckling curves");

@@ -38,7 +38,7 @@ pieces = [{ l = "220 mm", d = "50 mm" }]
 supports = [{ name = "left", x = "20 mm", holds = "both" }, { name = "right", x = "140 mm" }]
 seats = [
   { name = "pinion", x = ")" +
-         x + R"(", load = "=gears.gear_1", b = "30 mm", I_p = "0.0012 kg*m^2", integral = true },
+         x + R"(", load = "=gears.gear_1", b = "45 mm", I_p = "0.0012 kg*m^2", integral = true },
   { name = "coupling", x = "200 mm", way = "balances", b = "20 mm", I_p = "0.002 kg*m^2", integral = true },
 ]
 S_F = 1.5

@@ -77,8 +77,8 @@ TEST_SUITE("project expectations") {
   }
 
   TEST_CASE("what is not available is a miss") {
-    const auto project = told(axle +
-                              "T = \"=1 N*m / 0\"\ntau_adm = \"30 MPa\"\n[[expect]]\nvalue = \"axle.M_max\"\nis = \"1 "
+    const auto project = told(axle + no_torque + "tau_adm = \"30 MPa\"\n" + relay +
+                              "[[expect]]\nvalue = \"axle.M_max\"\nis = \"1 "
                               "N*m\"\ndigits = 3\n" +
                               source)
                              .project;

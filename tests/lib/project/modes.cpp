@@ -106,12 +106,12 @@ TEST_SUITE("project modes") {
           "accept.root_1 has no effect: root_1 fails, and a failure is never accepted\n");
     CHECK(warnings(gears.substr(0, gears.find("T_1")) + "accept.root_1 = \"it holds\"\n") ==
           "accept.root_1 has no effect: root_1 does not apply here\n");
-    CHECK(warnings(axle + "T = \"=1 N*m / 0\"\naccept.yield = \"it holds\"\n") ==
+    CHECK(warnings(axle + test::no_torque + "accept.yield = \"it holds\"\n" + test::relay) ==
           "accept.yield has no effect: yield: no result, which cannot be accepted\n");
   }
 
   TEST_CASE("a step without results for want of an input has not passed") {
-    Solved step(axle + "T = \"=1 N*m / 0\"\n");
+    Solved step(axle + test::no_torque + test::relay);
     CHECK(step.mode("axle.inputs").state == State::not_available);
     CHECK(account::worst(project::modes(step.project)) == State::not_available);
   }

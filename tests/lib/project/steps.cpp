@@ -180,10 +180,10 @@ TEST_SUITE("project steps") {
   }
 
   TEST_CASE("what divides by zero is not available, with the input that it comes from") {
-    const auto project = told(axle + "T = \"=9 N*m / (0 mm / (1 mm))\"\ntau_adm = \"30 MPa\"\n").project;
+    const auto project = told(axle + no_torque + "tau_adm = \"30 MPa\"\n" + relay).project;
     const account::Verdict& v = verdict(project, "axle", "u_tau");
     CHECK(v.state == account::State::not_available);
-    CHECK(v.note.text() == "'T' is not available: = 9 N*m / (0 mm / (1 mm))");
+    CHECK(v.note.text() == "'T' is not available: = 1 N*m/(0*relay.u_tau)");
     CHECK(account::worst(project::verdicts(project)) == account::State::not_available);
   }
 

@@ -24,6 +24,11 @@ links.rod.mass = "1 kg"
 
 inline const std::string axle = "[axle]\ncalculator = \"shaft.torsion\"\n";
 
+/// A torque that exists only once another step is solved, and is none then; with that step, behind the others.
+inline const std::string no_torque = "T = \"=1 N*m/(0*relay.u_tau)\"\n";
+inline const std::string relay =
+    "[relay]\ncalculator = \"shaft.torsion\"\nT = \"1 N*m\"\nd = \"40 mm\"\ntau_adm = \"30 MPa\"\n";
+
 /// A four-bar driven by a link that cannot make a full revolution: open from about 10 to 170 deg.
 inline std::string bar_that_cannot_turn(int positions) {
   return R"([bar]

@@ -270,7 +270,7 @@ TEST_SUITE("cli run") {
     const std::string pin = "[pin]\ncalculator = \"shaft.overhung\"\n";
     const std::string projects[] = {
         not_turning,
-        axle + test::no_torque + "tau_adm = \"30 MPa\"\n" + test::relay,
+        axle + no_torque + "tau_adm = \"30 MPa\"\n" + relay,
         axle + "T = \"0 N*m\"\ntau_adm = \"30 MPa\"\ntheta_adm = \"1 deg/m\"\nG = \"80 GPa\"\n",
         axle + "T = \"1e300 N*m\"\nK_A = 1e300\ntau_adm = \"1e-300 MPa\"\n",
         axle +

@@ -57,7 +57,8 @@ Panel panel_of(const Governing& row, const project::Step& step, const std::vecto
   Panel panel{say("{1}: {2}", capitalised(row.component), mode_name(row.mode)), {}, {}};
   if (!step.account().governing.empty()) panel.remark = say("calculated {1}", step.account().governing);
   if (left > 0) {
-    const Message before = say("{1} lines before: appendix", std::to_string(left));
+    const Message before =
+        left == 1 ? say("1 line before: appendix") : say("{1} lines before: appendix", std::to_string(left));
     panel.remark = panel.remark.empty() ? before : say("{1}; {2}", panel.remark, before);
   }
   Derivation derivation;

@@ -186,8 +186,7 @@ S = 1.5
                       "method, R_e, sigma_P, a_T, n_st, gamma_M1, gamma_F, kind, curve_y, curve_z, A, h, b, t_f",
                       "an input of the method is missing", &column::of<Input, &column::Buckling::missing_for_method>}},
       std::array{Rule<Input>{&shear_inside, "A_v, A, d, d_bore, h, b", "the shear area cannot exceed the area"}},
-      column::method_rules<Input>(),
-      column::assumption_rules<Input, &column::method_of>());
+      column::method_rules<Input>(), column::assumption_rules<Input, &column::method_of>());
   static constexpr auto bounds =
       join(column::held_bounds<Input>(), column::curve_bounds<Input>(),
            std::array{Bound<Input>{"A_v", "the section, EN 1993-1-1 6.2.6", &most_shear_area},

@@ -60,7 +60,8 @@ double safety(const Member& in, Method method, bool decides, Tracer& trace) {
   if (method == Method::ec3) {
     const double gamma_M1 =
         partial_factor("gamma_M1", in.gamma_M1, decides, "assumed: the value that EN 1993-1-1, 6.1, recommends", trace);
-    const double gamma_F = partial_factor("gamma_F", in.gamma_F, decides, "assumed: the force is a design value", trace);
+    const double gamma_F =
+        partial_factor("gamma_F", in.gamma_F, decides, "assumed: the force is a design value", trace);
     if (!is_set(gamma_M1) || !is_set(gamma_F)) return unset<double>;
     return NAMED_STEP("n", gamma_M1 * gamma_F, "partial factors on the resistance and on the load");
   }

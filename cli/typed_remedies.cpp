@@ -20,7 +20,7 @@ std::string with_reasons(const std::string& text) {
 
 /// Inline tables are the same on the shell, and have keys of their own.
 std::string with_values(const std::string& text) {
-  static const std::regex value(R"re((^|[ (])([A-Za-z]\w*) = ("[^"]*"|[-+]?\d[\d.]*))re");
+  static const std::regex value(R"re((^|[ (])([A-Za-z]\w*) = ("[^"]*"))re");
   return text.find('{') != std::string::npos ? text : std::regex_replace(text, value, "$1--$2 $3");
 }
 
@@ -29,7 +29,7 @@ std::string with_values(const std::string& text) {
 std::vector<Issue> with_flags(std::vector<Issue> issues) {
   for (Issue& issue : issues) {
     if (!is_of_flag(issue)) continue;
-    issue.message = say("{1}", with_reasons(issue.message.text()));
+    issue.message = say("{1}", with_values(with_reasons(issue.message.text())));
     if (!issue.hint.empty()) issue.hint = say("{1}", with_values(with_reasons(issue.hint.text())));
   }
   return issues;

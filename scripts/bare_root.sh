@@ -32,7 +32,8 @@ enter() {
 # timed COMMAND: in the root, with nothing of this machine's environment.
 timed() {
   started=$(date +%s)
-  chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin sh -c "cd /loadpath && $1"
+  chroot "$root" /usr/bin/env -i HOME=/root PATH=/usr/sbin:/usr/bin:/sbin:/bin sh -c "cd /loadpath && $1" ||
+    { echo "error: $1 failed" >&2; exit 1; }
   echo "$1: exit 0 after $(($(date +%s) - started)) s"
 }
 
@@ -56,6 +57,9 @@ sources() {
 case "${1:-}" in
   packages) packages ;;
   sources) sources ;;
-  "") packages && sources ;;
+  "")
+    packages
+    sources
+    ;;
   *) echo "usage: sh scripts/bare_root.sh [packages | sources]" >&2; exit 2 ;;
 esac

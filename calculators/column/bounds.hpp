@@ -41,10 +41,11 @@ double least_length_factor(const Input&) {
   return length_factor(Ends::fixed_fixed, Basis::exact);
 }
 
-/// That of the typed ends, beside a typed factor.
+/// That of the ends, where both factors are typed next to them; one alone may be that of a brace in between.
 template <class Input>
 double factor_of_ends(const Input& in) {
-  return in.ends == Ends::unsaid ? unset<double> : length_factor(in.ends, Basis::exact);
+  const bool are_replaced = in.ends != Ends::unsaid && is_set(in.beta_y) && is_set(in.beta_z);
+  return are_replaced ? length_factor(in.ends, Basis::exact) : unset<double>;
 }
 
 /// Residual stresses end the proportional range below yield; books have 0.75 to 0.85 of it for steel.
@@ -62,8 +63,8 @@ constexpr auto held_bounds() {
                     Bound<Input>{"beta_y", of_link, &whole_length<Input>}.least().where_source_has("length"),
                     Bound<Input>{"beta_y", of_ends, &least_length_factor<Input>}.least().sparing_results(),
                     Bound<Input>{"beta_z", of_ends, &least_length_factor<Input>}.least().sparing_results(),
-                    Bound<Input>{"beta_y", "the ends", &factor_of_ends<Input>}.least(),
-                    Bound<Input>{"beta_z", "the ends", &factor_of_ends<Input>}.least(),
+                    Bound<Input>{"beta_y", "the ends", &factor_of_ends<Input>}.least().sparing_results(),
+                    Bound<Input>{"beta_z", "the ends", &factor_of_ends<Input>}.least().sparing_results(),
                     Bound<Input>{"sigma_P", "0.9 R_e", &most_proportional<Input>}};
 }
 

@@ -164,9 +164,10 @@ S_F = 1.5
                   "the fatigue limit in shear must not exceed that in normal stress"},
       yields_before_it_breaks<Input>(), safety_has_its_yield<Input>()};
 
-  /// Von Mises gives 0.577, tests of ductile metals up to 0.7 [Gough].
-  static double most_limit_in_shear(const Input& in) { return 0.7 * in_si(in.sigma_D); }
-  static constexpr std::array bounds{Bound<Input>{"tau_D", "0.7 sigma_D", &most_limit_in_shear}.sparing_results()};
+  /// Of specimens von Mises gives 0.577 of it, tests of ductile metals up to 0.7 [Gough].
+  static double most_limit_in_shear(const Input& in) { return 0.7 * in_si(in.sigma_D) * in.K_sigma / in.K_tau; }
+  static constexpr std::array bounds{
+      Bound<Input>{"tau_D", "0.7 sigma_D K_sigma / K_tau", &most_limit_in_shear}.sparing_results()};
 
   static constexpr std::array meanings{Meaning{"sigma_D", limit_in_normal},    Meaning{"tau_D", limit_in_shear},
                                        Meaning{"K_sigma", factor_in_normal},   Meaning{"K_tau", factor_in_shear},

@@ -200,8 +200,10 @@ FieldFault Flywheel::law_leap(const Input& in) {
   for (const double share : shares) most = std::max(most, std::abs(law->at(in.period * share).value));
   if (!(std::abs(last - first) > rounding * most)) {
     for (const double share : shares) {
-      const double here = law->at(in.period * share).value, later = law->at(in.period * (1.0 + share)).value;
-      if (!(std::abs(later - here) > rounding * most)) continue;
+      // A law that is written for one period alone repeats at no multiple of it.
+      const auto at = [&](double periods) { return law->at(in.period * periods).value; };
+      const double here = at(share), later = at(1.0 + share), twice = at(2.0 + share);
+      if (!(std::abs(later - here) > rounding * most) || std::abs(twice - here) > rounding * most) continue;
       return {"M_of_phi",
               say("the moment does not repeat after {1}: it is {2} at {3}, and {4} a period later",
                   format_quantity(in.period, deg.symbol, 5), format_quantity(here, N_m.symbol, 4),
@@ -210,12 +212,12 @@ FieldFault Flywheel::law_leap(const Input& in) {
     }
     return {};
   }
-  return {
-      "M_of_phi",
-      say("the moment does not repeat after {1}: it leaps there from {2} to {3}",
-          format_quantity(in.period, deg.symbol, 5), format_quantity(last, N_m.symbol, 4),
-          format_quantity(first, N_m.symbol, 4)),
-      say("give the period after which it repeats, as period = \"720 deg\"; a leap that is meant: accept.period = \"...\"")};
+  return {"M_of_phi",
+          say("the moment does not repeat after {1}: it leaps there from {2} to {3}",
+              format_quantity(in.period, deg.symbol, 5), format_quantity(last, N_m.symbol, 4),
+              format_quantity(first, N_m.symbol, 4)),
+          say("give the period after which it repeats, as period = \"720 deg\"; a leap that is meant: accept.period = "
+              "\"...\"")};
 }
 
 bool Flywheel::points_rise(const Input& in) {

@@ -171,7 +171,9 @@ e_c2 = "35 mm"
   static constexpr std::array rules{
       Rule<Input>{[](const Input& in) { return !(in.d_0 < in.d); }, "d_0, d", "the pin must fit into its bores"},
       Rule<Input>{[](const Input& in) { return !(in.d_0 > 1.1 * in.d); }, "d_0, d",
-                  "the bore must not exceed the pin diameter by more than 10 %"},
+                  "the bore is more than 10 % wider than the pin", nullptr, true},
+      Rule<Input>{[](const Input& in) { return !(in.d_0 > 1.5 * in.d); }, "d_0, d",
+                  "the bore must not be wider than 1.5 pin diameters: the pin would bear on a line"},
       Rule<Input>{[](const Input& in) { return in.f_yp <= in.f_up; }, "f_yp, f_up",
                   "the yield strength R_e must not exceed the tensile strength R_m"},
       Rule<Input>{[](const Input& in) { return is_set(in.gamma_M6) <= (in.replaceable == Replaceable::yes); },

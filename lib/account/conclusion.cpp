@@ -67,7 +67,9 @@ Message of_gaps(const Modes& sorted, const Conclusion& all, std::size_t room) {
   const std::string total = std::to_string(all.modes() - all.count(Group::not_considered));
   const std::string first = std::to_string(needs), second = std::to_string(outside);
   if (needs == 0)
-    return first_in(room, {say("{1} of {2} failure modes are outside the scope of loadpath", second, total),
+    return first_in(room, {say(outside == 1 ? "{1} of {2} failure modes is outside the scope of loadpath"
+                                            : "{1} of {2} failure modes are outside the scope of loadpath",
+                               second, total),
                            say("{1} of {2} failure modes outside the scope", second, total)});
   const std::string need = needs == 1 ? "needs" : "need";
   if (outside == 0)

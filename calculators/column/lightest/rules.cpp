@@ -154,11 +154,11 @@ bool Lightest::strength_in_tension(const Input& in) {
   return !(in.N > 0.0 * kN) || is_set(in.R_e) || !in.strengths.empty();
 }
 
-/// Missing buckling curves and strengths are reported per section.
 Method Lightest::method_of(const Input& in) {
   return in.method != Method::unsaid ? in.method : default_method(with_a_strength(in), true);
 }
 
+/// Missing buckling curves and strengths are reported per section.
 bool Lightest::needs_of_method(const Input& in) { return lack(with_a_strength(in), method_of(in), true).empty(); }
 FieldFault Lightest::missing_for_method(const Input& in) {
   return column::missing_for_method(with_a_strength(in), method_of(in), true);

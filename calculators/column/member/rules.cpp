@@ -210,8 +210,10 @@ FieldFault missing_for_method(const Member& in, Method by, bool curves) {
 }
 
 bool factors_given(const Member& in, Method by) {
+  if (by != Method::ec3) return true;
+  if (in.N > 0.0 * kN.one) return !is_set(in.n_t) || is_set(in.gamma_F);
   const bool is_pressed = in.P > 0.0 * kN.one || in.N < 0.0 * kN.one;
-  if (by != Method::ec3 || !is_pressed) return true;
+  if (!is_pressed) return true;
   return is_set(in.gamma_M1) && is_set(in.gamma_F);
 }
 
@@ -220,7 +222,7 @@ bool safety_counts(const Member& in, Method by) {
 }
 
 FieldFault assumed_factors(const Member& in) {
-  const bool both = !is_set(in.gamma_M1) && !is_set(in.gamma_F);
+  const bool both = !is_set(in.gamma_M1) && !is_set(in.gamma_F) && !(in.N > 0.0 * kN.one);
   return {"",
           say("partial factors of EN 1993-1-1 assumed: {1}", both                 ? "gamma_M1 = 1.0, gamma_F = 1"
                                                              : is_set(in.gamma_F) ? "gamma_M1 = 1.0"

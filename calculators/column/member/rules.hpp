@@ -100,7 +100,7 @@ template <class Input, auto method_of>
 constexpr auto assumption_rules() {
   return std::array{
       Rule<Input>{[](const Input& in) { return factors_given(in, method_of(in)); }, "method, gamma_M1, gamma_F",
-                  "partial factors are assumed", &of<Input, &assumed_factors>, true, "buckling, bent"},
+                  "partial factors are assumed", &of<Input, &assumed_factors>, true, "buckling, bent, tension"},
       Rule<Input>{[](const Input& in) { return safety_counts(in, method_of(in)); }, "n_st, method",
                   "n_st has no effect: EN 1993-1-1 decides, with gamma_M1 and gamma_F; to use n_st, name its method, "
                   "e.g. \"johnson\"",

@@ -170,8 +170,10 @@ void find_early_values(Step& step, const Project& project, std::vector<Issue>& i
       issues.push_back(
           {operand.place,
            step.name() + "." + operand.path,
-           say("'{1}' has no value: its expression divides by zero, or takes the root of a negative number",
-               operand.path),
+           std::isinf(si) ? say("'{1}' has no value: its expression divides by zero, or is too large", operand.path)
+                          : say("'{1}' has no value: its expression takes the root or logarithm of a negative number, "
+                                "or divides zero by zero",
+                                operand.path),
            {},
            Severity::error});
     }

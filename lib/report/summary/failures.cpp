@@ -33,9 +33,9 @@ std::string advice_of(const project::Step& step, const Mode& mode) {
 std::vector<std::string> failures_of(const project::Project& project, const Modes& modes) {
   std::vector<std::string> all;
   for (const Mode& mode : account::in_order(modes)) {
-    const bool is_told = mode.state == account::State::fail && mode.subject == account::Subject::mode;
+    const bool is_shown = mode.state == account::State::fail && mode.subject == account::Subject::mode;
     const project::Step* const step = project.find(mode.step);
-    if (!is_told || mode.utilisation || step == nullptr) continue;
+    if (!is_shown || mode.utilisation || step == nullptr) continue;
     std::string text = spoken(mode.step) + ", " + plain_title(mode) + ": ";
     text += mode.note.empty() ? governing_row(*step, mode) : mode.note.text();
     if (const std::string advice = advice_of(*step, mode); !advice.empty()) text += "; " + advice;

@@ -121,7 +121,9 @@ std::string location_of(const Mode& mode) {
 }
 
 std::string plain_title(const Mode& mode) {
+  constexpr std::string_view of_method = "validity: ";
   std::string title = mode.title.text();
+  if (title.starts_with(of_method)) title.erase(0, of_method.size());
   const std::size_t end = std::min({title.find(" ("), title.find(':'), title.find(';')});
   return end == std::string::npos ? title : title.substr(0, end);
 }

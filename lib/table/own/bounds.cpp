@@ -18,6 +18,7 @@ namespace {
 constexpr double rounding_of_rows = 1.005;
 constexpr double beyond_group = 1.5;  // over the largest, or below the least, of the rows of a group
 constexpr double beyond_twins = 1.3;  // over the largest of the rows of one kind and size: ratings of other makers
+constexpr double below_twins = 2.0;   // below the least of these: not a fault of units
 
 /// Integer powers of a dimension; none for temperatures and angles.
 struct Powers {
@@ -270,7 +271,7 @@ void OwnReader::check_group(const RowRead& read, std::vector<std::string>& used)
     const double scale = has_twins ? 1.0 : std::pow(own_size, *power);
     const bool may_be_less = is_speed(column.dimension);
     const double beyond = has_twins && !may_be_less ? beyond_twins : beyond_group;
-    const double least = may_be_less ? 0.0 : span.least / (has_twins ? 2.0 : beyond_group) * scale;
+    const double least = may_be_less ? 0.0 : span.least / (has_twins ? below_twins : beyond_group) * scale;
     const double most = span.most * beyond * scale;
     if (!(span.most > 0.0) || (value.si >= least && value.si <= most)) continue;
     if (std::find(used.begin(), used.end(), value.key) == used.end()) used.push_back(value.key);

@@ -1,7 +1,8 @@
-// Regression tests of seats and of steps that do not refer to each other.
+// Regression tests of the seats of a shaft next to the records that they take.
 #include "tests/found/modes.hpp"
 #include "tests/lib/project/solved.hpp"
 
+#include <algorithm>
 #include <string>
 
 using namespace loadpath;
@@ -9,51 +10,94 @@ using namespace loadpath::test;
 
 namespace {
 
-std::string shell_and(const std::string& end) {
-  return "[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nmeasured = \"inner\"\nc = \"1 "
-         "mm\"\n"
-         "delta = \"8 mm\"\nsigma_adm = \"140 MPa\"\n\n"
-         "[head]\ncalculator = \"vessel.end\"\nform = \"korbbogen\"\ndelta = \"8 mm\"\nR_e = \"265 MPa\"\n"
-         "R_m = \"410 MPa\"\nl_f = \"40 mm\"\n" +
-         end;
+const std::string gears = R"([gears]
+calculator = "gear.pair"
+z_1 = 21
+z_2 = 84
+m_n = "3 mm"
+x_1 = 0.3
+b = "45 mm"
+T_1 = "140 N*m"
+n_1 = "730 rpm"
+
+)";
+
+/// A pinion between two bearings, and a coupling on the end; `pinion` and `coupling` end their seats.
+std::string shaft_with(const std::string& pinion, const std::string& coupling = "integral = true",
+                       const std::string& d = "50 mm") {
+  return R"([shaft]
+calculator = "shaft.design"
+material = "16MnCr5"
+R_e = "440 MPa"
+group = "carbon-steel"
+pieces = [{ l = "220 mm", d = ")" +
+         d + R"(" }]
+supports = [{ name = "left", x = "20 mm", holds = "both" }, { name = "right", x = "140 mm" }]
+seats = [
+  { name = "pinion", x = "80 mm", I_p = "0.0012 kg*m^2", )" +
+         pinion + R"( },
+  { name = "coupling", x = "195 mm", way = "balances", b = "20 mm", I_p = "0.002 kg*m^2", )" +
+         coupling + R"( },
+]
+S_F = 1.5
+S_D = 1.5
+r_T = 0
+
+)";
 }
 
-std::string bearing(const std::string& name, const std::string& carries, const std::string& F_r,
-                    const std::string& mate) {
-  return "[" + name + "]\ncalculator = \"bearing.rolling\"\nbearing = \"30208\"\nF_r = \"" + F_r +
-         "\"\nF_a = \"2 kN\"\ncarries = \"" + carries +
-         "\"\nn = \"900 rpm\"\nL_h = \"10000 h\"\ns_0 = 2\nmate = { F_r = \"" + mate + "\", Y = 1.6 }\n\n";
+const std::string taken = "load = \"=gears.gear_1\", integral = true, ";
+const std::string typed = "T = \"140 N*m\", n = \"730 rpm\", integral = true, b = \"45 mm\", ";
+
+/// Whether a mode of the shaft waits for a reason with these words.
+bool is_doubted(const std::string& text, const std::string& words) {
+  const auto modes = project::modes(solved_as_found(text));
+  return std::any_of(modes.begin(), modes.end(), [&](const account::Mode& mode) {
+    return mode.step == "shaft" && mode.note.text().find(words) != std::string::npos;
+  });
 }
 
-std::string limit_and_life(const std::string& sigma_D) {
-  return "[limit]\ncalculator = \"fatigue.endurance\"\nR_m = \"600 MPa\"\ngroup = \"carbon-steel\"\n"
-         "loading = \"bending\"\nR_z = \"6.3 um\"\nd = \"40 mm\"\n\n"
-         "[life]\ncalculator = \"fatigue.cycle\"\nsigma_max = \"100 MPa\"\nsigma_min = \"-100 MPa\"\nS_D = 1.5\n"
-         "R_e = \"355 MPa\"\nS_F = 1.5\nsigma_D = " +
-         sigma_D + "\n";
+std::string key_with(const std::string& K_A) {
+  return "[key]\ncalculator = \"shaft.key\"\nT = \"140 N*m\"\ntorque = \"one_way\"\nd = \"50 mm\"\nkey = \"14x9\"\n"
+         "l = \"36 mm\"\nR_e_1 = \"440 MPa\"\nR_e_2 = \"250 MPa\"\nR_e_k = \"420 MPa\"\nS_F = 1.5\nK_A = " +
+         K_A + "\n";
 }
 
 }  // namespace
 
 TEST_SUITE("found seats") {
-  TEST_CASE("an end whose pressure is typed beside a shell refers to it, or is of another vessel") {
-    const std::string typed = "p = \"1 MPa\"\nD_i = \"1000 mm\"\nc = \"1 mm\"\n";
-    CHECK(mode_of(solved_as_found(shell_and(typed)), "head", "strength") == "not-judged");
-    CHECK(mode_of(solved_as_found(shell_and("shell = \"=shell.shell\"\n")), "head", "strength") == "pass");
-    CHECK(mode_of(solved_as_found(shell_and(typed + "because.p = \"of the heater\"\n")), "head", "strength") == "pass");
+  TEST_CASE("a seat is not much narrower than the gear that it takes") {
+    CHECK(is_doubted(gears + shaft_with(taken + "b = \"30 mm\""), "the rim of 'gears.gear_1' is 45 mm wide"));
+    CHECK_FALSE(is_doubted(gears + shaft_with(taken + "b = \"40 mm\""), "wide"));
   }
 
-  TEST_CASE("of two mates one carries the axial force in each direction") {
-    const auto state = [](const std::string& other) {
-      return mode_of(solved_as_found(bearing("l", "right", "4 kN", "3 kN") + bearing("r", other, "3 kN", "4 kN")), "l",
-                     "fatigue");
+  TEST_CASE("a component of a tooth force is taken as it is") {
+    const auto with = [](const std::string& F_x) {
+      return gears + shaft_with(typed + "F_x = \"" + F_x + "\", F_y = \"=gears.gear_1.F_y\"");
     };
-    CHECK(state("left") == "pass");
-    CHECK(state("right") == "not-judged");
+    CHECK(is_doubted(with("=-gears.gear_1.F_x"), "is not the component of 'gears.gear_1' as it is"));
+    CHECK_FALSE(is_doubted(with("=gears.gear_1.F_x"), "is not the component"));
   }
 
-  TEST_CASE("a fatigue limit is not typed beside the step that finds it") {
-    CHECK(mode_of(solved_as_found(limit_and_life("\"400 MPa\"")), "life", "fatigue") == "not-judged");
-    CHECK(mode_of(solved_as_found(limit_and_life("\"=limit.sigma_D\"")), "life", "fatigue") == "pass");
+  TEST_CASE("a gear is not pulled towards its mate") {
+    const auto with = [](const std::string& F_x) {
+      return shaft_with(typed + "kind = \"gear\", F_x = \"" + F_x + "\", F_y = \"4 kN\"");
+    };
+    CHECK(is_doubted(with("600 N"), "push apart") != is_doubted(with("-600 N"), "push apart"));
+  }
+
+  TEST_CASE("the shaft has the application factor of its connection, where both are typed") {
+    const auto with = [](const std::string& K_A) {
+      return key_with(K_A) + shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\"", "connection = \"=key.connection\"");
+    };
+    CHECK(is_doubted(with("1.75"), "its connection 'key' has 1.75"));
+    CHECK_FALSE(is_doubted(with("1"), "its connection 'key' has"));
+  }
+
+  TEST_CASE("teeth that are cut into the shaft stand out of it") {
+    const std::string seat = taken + "b = \"45 mm\"";
+    CHECK(first_error_of(gears + shaft_with(seat, "integral = true", "60 mm")).find("lies inside the shaft") !=
+          std::string::npos);  // d_f = 3 (21 - 2.5 + 0.6) = 57.3 mm
+    CHECK(first_error_of(gears + shaft_with(seat, "integral = true", "57 mm")).empty());
   }
 }

@@ -64,16 +64,7 @@ class SeatCheck {
   void compare_connection(const Taken& record) {
     const Step* const connection = project_.find(split_step(record.source).first);
     if (connection == nullptr || connection->input().calculator == nullptr) return;
-    compare_hub(prefix_of(record.path) + "b", *connection);
     compare_factor(*connection);
-  }
-
-  /// The hub of a connection is as wide as the component.
-  void compare_hub(const std::string& path, const Step& connection) {
-    const double b = own_value(shaft_, project_, path), l_n = own_value(connection, project_, "l_n");
-    if (!(l_n > (1.0 + rounded) * b)) return;
-    add(path, say("{1} = {2}, and '{3}' is calculated with a hub of {4}; justify it: because.{1} = \"...\"", path,
-                  format_quantity(b, "mm", 4), connection.name(), format_quantity(l_n, "mm", 4)));
   }
 
   /// A connection whose torque is typed has the application factor of its shaft, unless the loads of the shaft

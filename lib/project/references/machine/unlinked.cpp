@@ -3,6 +3,7 @@
 #include "lib/calculator/strength_bounds.hpp"
 #include "lib/project/references/origins.hpp"
 #include "lib/project/references/references.hpp"
+#include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
@@ -27,14 +28,20 @@ const Step* step_with(const Project& project, std::string_view key) {
   return found == project.steps.end() ? nullptr : found->get();
 }
 
-/// An end whose pressure is typed beside a shell.
+/// Whether a value of the step comes from one that hands over such a record.
+bool takes_from(const Step& step, const Project& project, std::string_view key) {
+  return std::ranges::any_of(steps_named_in(step.input().reading), [&](const std::string& name) {
+    const Step* const source = project.find(name);
+    return source != nullptr && hands_over(*source, key);
+  });
+}
+
+/// An end whose pressure is typed, in a file with a shell that it does not refer to.
 void compare_shell(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   const auto& fields = step.input().calculator->input->fields;
-  const auto& records = step.input().reading.records;
-  const bool takes = std::ranges::any_of(records, [](const Taken& record) { return record.path == "shell"; });
-  if (find_field(fields, "shell") == nullptr || takes || !find_leaf(step.input().reading.record, "p")) return;
+  if (find_field(fields, "shell") == nullptr || !step.input().reading.typed.contains("p")) return;
   const Step* const shell = step_with(project, "shell");
-  if (shell == nullptr) return;
+  if (shell == nullptr || takes_from(step, project, "shell")) return;
   found.push_back({"p", say("the end does not refer to '{1}', whose pressure, diameter and allowance it has: give "
                             "shell = \"={1}.shell\", or because.p = \"...\" if it is of another vessel",
                             shell->name())});
@@ -59,41 +66,65 @@ double typed_value(const Step& step, const Project& project, const char* path) {
   return std::abs(own_value(step, project, path));
 }
 
-/// Of two bearings that are mates one carries the force in each direction.
+/// The two bearings of a pair carry the axial force in opposite directions. Several pairs may have the same loads.
 void compare_mate(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   constexpr double alike = 1e-3;
   const Leaf carries = find_leaf(step.input().reading.record, "carries");
   const double F_r = typed_value(step, project, "F_r"), of_mate = typed_value(step, project, "mate.F_r");
   if (!carries || std::isnan(of_mate)) return;
+  std::vector<const Step*> mates;
   for (const auto& other : project.steps) {
     if (other.get() == &step || other->input().calculator != step.input().calculator) continue;
-    const Leaf theirs = find_leaf(other->input().reading.record, "carries");
-    const bool is_mate = std::abs(typed_value(*other, project, "F_r") - of_mate) <= alike * of_mate &&
-                         std::abs(typed_value(*other, project, "mate.F_r") - F_r) <= alike * F_r;
-    if (!is_mate || carries.get() != theirs.get()) continue;
-    found.push_back({"carries", say("'{1}' carries the force in the same direction, and of a pair each carries one: "
-                                    "justify it: because.carries = \"...\"",
-                                    other->name())});
+    if (std::abs(typed_value(*other, project, "F_r") - of_mate) <= alike * of_mate &&
+        std::abs(typed_value(*other, project, "mate.F_r") - F_r) <= alike * F_r)
+      mates.push_back(other.get());
   }
+  const auto carries_same = [&](const Step* mate) {
+    return find_leaf(mate->input().reading.record, "carries").get() == carries.get();
+  };
+  if (mates.empty() || !std::ranges::all_of(mates, carries_same)) return;
+  found.push_back(
+      {"carries", say("'{1}' carries the axial force in the same direction; the two bearings of a pair carry "
+                      "opposite ones: justify it: because.carries = \"...\"",
+                      mates.front()->name())});
 }
 
 bool is_fatigue_limit(std::string_view what) { return what == limit_in_normal || what == limit_in_shear; }
 
-/// A fatigue limit that is typed, beside a step whose fatigue limit nothing takes.
+/// Whether both are of one material: of the same row, or of the same tensile strength.
+bool is_of_same_material(const Step& one, const Step& other, const Project& project) {
+  constexpr double alike = 0.01;
+  const std::string row = material_of(one);
+  if (!row.empty() && row == material_of(other)) return true;
+  const double R_m = own_value(one, project, "R_m");
+  return std::abs(own_value(other, project, "R_m") - R_m) <= alike * R_m;
+}
+
+/// Whether a step finds such a fatigue limit and takes none: in torsion that of shear stresses.
+bool finds_limit(const Step& step, std::string_view key) {
+  const Calculator* const calculator = step.input().calculator;
+  if (calculator == nullptr || calculator->result == nullptr || step.input().reading.record.data == nullptr)
+    return false;
+  if (find_field(calculator->result->fields, "sigma_D") == nullptr ||
+      find_field(calculator->input->fields, "sigma_D") != nullptr)
+    return false;
+  const Leaf loading = find_leaf(step.input().reading.record, "loading");
+  return loading && (word_of(loading) == "torsion") == (key == "tau_D");
+}
+
+/// A fatigue limit that is typed, in a file with a step that finds it and whose result nothing takes.
 void compare_limit(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const auto& reading = step.input().reading;
   for (const char* const key : {"sigma_D", "tau_D"}) {
-    const auto& typed = step.input().reading.typed;
-    if (!typed.contains(key) || !means(*step.input().calculator, key, &is_fatigue_limit)) continue;
-    const auto& operands = step.input().reading.operands;
-    const auto is_it = [&](const Operand& o) { return o.path == key && !o.expression.references().empty(); };
-    if (std::ranges::any_of(operands, is_it)) continue;
+    const auto is_taken = [&](const Operand& o) { return o.path == key && !o.expression.references().empty(); };
+    if (!reading.typed.contains(key) || std::ranges::any_of(reading.operands, is_taken) ||
+        !means(*step.input().calculator, key, &is_fatigue_limit))
+      continue;
     for (const auto& other : project.steps) {
-      const Calculator* const calculator = other->input().calculator;
-      if (other.get() == &step || calculator == nullptr || calculator->result == nullptr) continue;
       const std::string path = other->name() + ".sigma_D";
-      const bool finds = find_field(calculator->result->fields, "sigma_D") != nullptr &&
-                         find_field(calculator->input->fields, "sigma_D") == nullptr;
-      if (!finds || std::ranges::find(project.references, path) != project.references.end()) continue;
+      const bool is_used = std::ranges::find(project.references, path) != project.references.end();
+      if (other.get() == &step || is_used || !finds_limit(*other, key) || !is_of_same_material(step, *other, project))
+        continue;
       found.push_back({key, say("{1} is typed, and nothing takes '{2}': write {1} = \"={2}\", or because.{1} = \"...\"",
                                 key, path)});
     }

@@ -167,15 +167,13 @@ void find_early_values(Step& step, const Project& project, std::vector<Issue>& i
     const double si =
         operand.expression.evaluate([&](const std::string& path) -> const Value& { return values.at(path); }).si[0];
     if (!std::isfinite(si)) {
-      issues.push_back(
-          {operand.place,
-           step.name() + "." + operand.path,
-           std::isinf(si) ? say("'{1}' has no value: its expression divides by zero, or is too large", operand.path)
-                          : say("'{1}' has no value: its expression takes the root or logarithm of a negative number, "
-                                "or divides zero by zero",
-                                operand.path),
-           {},
-           Severity::error});
+      issues.push_back({operand.place,
+                        step.name() + "." + operand.path,
+                        say("'{1}' has no value: its expression divides by zero, takes the root or logarithm of a "
+                            "negative number, or is too large",
+                            operand.path),
+                        {},
+                        Severity::error});
     }
     if (operand.leaf.field->bounds.holds(si)) operand.early = si;
   }

@@ -224,7 +224,7 @@ TEST_SUITE("fold") {
     CHECK(explanation({mode_of(State::not_judged), mode_of(State::not_judged, false)}).text() ==
           "1 of 2 failure modes needs input or a step, 1 outside the scope");
     CHECK(explanation({mode_of(State::not_judged, false)}).text() ==
-          "1 of 1 failure modes are outside the scope of loadpath");
+          "1 of 1 failure modes is outside the scope of loadpath");
     CHECK(explanation({}).text() == "no failure mode is assessed here");
     account::Mode open = mode_of(State::open);
     open.title = say("fatigue, at shoulders first");

@@ -58,7 +58,9 @@ std::string call_of(const CLI::App& command) {
 std::string call_of_template(const std::string& element, const std::string& name) {
   for (const Calculator* calculator : calculators()) {
     if (calculator->element() != element || find_template(*calculator, name) == nullptr) continue;
-    return "loadpath " + element + " " + std::string(calculator->id).substr(element.size() + 1) + " --template " + name;
+    std::string call = "loadpath ";
+    call.append(element).append(" ").append(std::string(calculator->id).substr(element.size() + 1));
+    return call.append(" --template ").append(name);
   }
   return "";
 }

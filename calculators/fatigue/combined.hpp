@@ -164,7 +164,7 @@ S_F = 1.5
                   "the fatigue limit in shear must not exceed that in normal stress"},
       yields_before_it_breaks<Input>(), safety_has_its_yield<Input>()};
 
-  /// Of specimens von Mises gives 0.577 of it, tests of ductile metals up to 0.7 [Gough].
+  /// Specimens have 0.577 of it by von Mises, and up to 0.7 in tests of ductile metals [Gough].
   static double most_limit_in_shear(const Input& in) { return 0.7 * in_si(in.sigma_D) * in.K_sigma / in.K_tau; }
   static constexpr std::array bounds{
       Bound<Input>{"tau_D", "0.7 sigma_D K_sigma / K_tau", &most_limit_in_shear}.sparing_results()};

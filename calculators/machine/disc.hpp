@@ -29,9 +29,7 @@ struct Disc {
   static constexpr auto title = "Rotating disc, ring or cylinder of uniform thickness";
   static constexpr auto scope =
       "Radial and hoop stress due to rotation, growth, speeds of first yield and of full plasticity of a solid or "
-      "hollow "
-      "disc, "
-      "ring or long cylinder; forces at the rim, shrink fits, holes, heat and vibration are not covered.";
+      "hollow disc, ring or long cylinder; forces at the rim, shrink fits, holes, heat and vibration are not covered.";
   static constexpr auto source = "[Timoshenko-II], [Hearn-2]";
   static constexpr auto headline = "D = {D}, n = {n}";
   static constexpr auto subject = "stresses by rotation";

@@ -6,6 +6,7 @@
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace loadpath::machine {
@@ -188,36 +189,48 @@ FieldFault Flywheel::law_fault(const Input& in) {
           say("it divides by zero there, or takes a root or an arc of what has none")};
 }
 
-bool Flywheel::law_repeats(const Input& in) { return law_leap(in).message.empty(); }
+namespace {
 
-FieldFault Flywheel::law_leap(const Input& in) {
-  constexpr double rounding = 1e-6;
-  constexpr std::array shares{0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875};
-  const Law* const law = in.M_of_phi.empty() ? nullptr : in.M_of_phi.law();
-  if (law == nullptr) return {};
-  const double first = law->at(0.0).value, last = law->at(in.period * (1.0 - 1e-12)).value;
-  double most = std::max(std::abs(first), std::abs(last));
-  for (const double share : shares) most = std::max(most, std::abs(law->at(in.period * share).value));
-  if (!(std::abs(last - first) > rounding * most)) {
-    for (const double share : shares) {
-      // A law that is written for one period alone repeats at no multiple of it.
-      const auto at = [&](double periods) { return law->at(in.period * periods).value; };
-      const double here = at(share), later = at(1.0 + share), twice = at(2.0 + share);
-      if (!(std::abs(later - here) > rounding * most) || std::abs(twice - here) > rounding * most) continue;
-      return {"M_of_phi",
-              say("the moment does not repeat after {1}: it is {2} at {3}, and {4} a period later",
-                  format_quantity(in.period, deg.symbol, 5), format_quantity(here, N_m.symbol, 4),
-                  format_quantity(in.period * share, deg.symbol, 4), format_quantity(later, N_m.symbol, 4)),
-              say("give the period after which it repeats, as period = \"720 deg\"")};
-    }
-    return {};
-  }
+constexpr std::array eighths{0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875};
+/// Multiples of the period after which a law may repeat. One that is written for a single period repeats after none.
+constexpr std::array longer_periods{2, 3, 4, 5, 6, 8};
+
+FieldFault leap_after(double period, double last, double first) {
   return {"M_of_phi",
           say("the moment does not repeat after {1}: it leaps there from {2} to {3}",
-              format_quantity(in.period, deg.symbol, 5), format_quantity(last, N_m.symbol, 4),
+              format_quantity(period, deg.symbol, 5), format_quantity(last, N_m.symbol, 4),
               format_quantity(first, N_m.symbol, 4)),
           say("give the period after which it repeats, as period = \"720 deg\"; a leap that is meant: accept.period = "
               "\"...\"")};
+}
+
+FieldFault change_after(double period, double phi, double here, double later) {
+  return {"M_of_phi",
+          say("the moment does not repeat after {1}: it is {2} at {3}, and {4} a period later",
+              format_quantity(period, deg.symbol, 5), format_quantity(here, N_m.symbol, 4),
+              format_quantity(phi, deg.symbol, 4), format_quantity(later, N_m.symbol, 4)),
+          say("give the period after which it repeats, as period = \"720 deg\"")};
+}
+
+}  // namespace
+
+bool Flywheel::law_repeats(const Input& in) { return law_leap(in).message.empty(); }
+
+FieldFault Flywheel::law_leap(const Input& in) {
+  const Law* const law = in.M_of_phi.empty() ? nullptr : in.M_of_phi.law();
+  if (law == nullptr) return {};
+  const auto at = [&](double periods) { return law->at(in.period * periods).value; };
+  const double first = at(0.0), last = at(1.0 - 1e-12);
+  double most = std::max(std::abs(first), std::abs(last));
+  for (const double share : eighths) most = std::max(most, std::abs(at(share)));
+  const auto differ = [&](double one, double other) { return std::abs(one - other) > 1e-6 * most; };
+  if (differ(first, last)) return leap_after(in.period, last, first);
+  for (const double share : eighths) {
+    const auto repeats = [&](int periods) { return !differ(at(periods + share), at(share)); };
+    if (!repeats(1) && std::ranges::any_of(longer_periods, repeats))
+      return change_after(in.period, in.period * share, at(share), at(1.0 + share));
+  }
+  return {};
 }
 
 bool Flywheel::points_rise(const Input& in) {

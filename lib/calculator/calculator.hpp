@@ -77,7 +77,7 @@ struct Calculator {
   /// The size of its part in a phrase: "C = {C}", "{b#}x{h#}x{l}" where # leaves the unit out; several behind | where
   /// the first has a value that is not known.
   const char* headline = "";
-  /// What a user expects beside the size, in the same notation: "d_1 = {d_1}, L = {L}"; may be empty.
+  /// What a user expects after the size, in the same notation: "d_1 = {d_1}, L = {L}"; may be empty.
   const char* details = "";
   const char* subject = "";  // subject of its modes: "torsion"; may be empty
   /// Keys that a step cites only where it uses them (account::Account::sources).

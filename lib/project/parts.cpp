@@ -83,7 +83,7 @@ void read_rows_in_turn(const Tree::Entry& row, StepInput& input, std::vector<Iss
                        say("unknown table or kind of {1} '{2}'", row.key, each->value.text),
                        did_you_mean(each->value.text, input.tables->names_of(row.key)));
   }
-  if (varied.words.empty()) return add_error(issues, row.value.place, key, say("a list of rows has one at least"));
+  if (varied.words.empty()) return add_error(issues, row.value.place, key, say("a list of rows needs at least one"));
   input.reading.varied.push_back(std::move(varied));
 }
 

@@ -158,7 +158,7 @@ std::string_view what_of(std::string_view description) {
              : description;
 }
 
-/// The key or the table that stands twice: "left" of "cannot redefine existing table 'left'"; empty for other faults.
+/// The key or the table that is given twice: "left" of "cannot redefine existing table 'left'"; empty for other faults.
 std::string redefined(std::string_view what) {
   const std::size_t from = what.find('\'') + 1, to = what.rfind('\'');
   return what.starts_with("cannot redefine existing ") && from < to ? std::string(what.substr(from, to - from)) : "";

@@ -170,7 +170,7 @@ TEST_SUITE("found connections") {
       return first_error_of(replaced_in(text, word, by));
     };
     CHECK(error("x = \"30 mm\"", "x = \"20 mm\"").find("beyond the end of the shaft") != std::string::npos);
-    CHECK(error("x = \"30 mm\"", "x = \"95 mm\"").find("reaches over a bearing") != std::string::npos);
+    CHECK(error("x = \"30 mm\"", "x = \"95 mm\"").find("overlaps the bearing") != std::string::npos);
     const std::string stepped = "{ l = \"50 mm\", d = \"40 mm\" }, { l = \"250 mm\", d = \"45 mm\" }";
     CHECK(error("{ name = \"whole\", l = \"300 mm\", d = \"40 mm\" }", stepped).find("beyond its segment") !=
           std::string::npos);

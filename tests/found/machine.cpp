@@ -58,6 +58,9 @@ TEST_SUITE("found machine") {
         "M_of_phi = \"20 kN*m + 9 kN*m*sin(phi/2)\"";  // no leap at 360 deg, and the rest is lost
     CHECK(state(of_half) == "not-judged");
     CHECK(state(of_half + "\nperiod = \"720 deg\"") == "none");
+    CHECK(state("M_of_phi = \"20 kN*m + 9 kN*m*sin(phi*2/3)^2\"\nperiod = \"540 deg\"") == "none");
+    CHECK(state("M_of_phi = \"20 kN*m + 9 kN*m*sin(phi*4/3 - 60 deg)\"") == "not-judged");      // repeats after 270 deg
+    CHECK(state("M_of_phi = \"20 kN*m + 9 kN*m*phi/(1 rad)*(1 - phi/(360 deg))\"") == "none");  // of one period
     CHECK(warned("20 kN*m + 9 kN*m*sin(phi/2)"));
     CHECK(warned("20 kN*m + 9 kN*m*phi/(180 deg)"));
     CHECK(warned("20 kN*m + 9 kN*m*cos(phi/2)"));

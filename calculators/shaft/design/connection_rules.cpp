@@ -60,7 +60,7 @@ Misfit no_room(const Input& in, const Seat& seat) {
   const auto covers = [&](const Support& support) { return support.x > left + slack && support.x < right - slack; };
   const auto covered = std::find_if(in.supports.begin(), in.supports.end(), covers);
   if (covered != in.supports.end())
-    return {"l_c", say("the connection of {1}, {2}, reaches over a bearing at {3}", name, range, told(covered->x))};
+    return {"l_c", say("the connection of {1}, {2}, overlaps the bearing at {3}", name, range, told(covered->x))};
   return {};
 }
 

@@ -103,7 +103,7 @@ void Reader::read_words(const Tree& tree, const FieldInfo& field, void* owner, c
     numbers.push_back(*number);
   }
   if (varied.words.empty())
-    return say_at(tree.place, path, say("a list of words has one at least"), there_is(words_to_choose(field)));
+    return say_at(tree.place, path, say("a list of words needs at least one"), there_is(words_to_choose(field)));
   field.set(owner, numbers.front());
   varied.axis = *sweep::Axis::list(std::move(numbers));
   reading_.varied.push_back(std::move(varied));

@@ -15,7 +15,7 @@ struct Component {
   std::string name;                // "line shaft"
   std::vector<std::string> sizes;  // "d = 100 mm", "left seat 40 mm"
   bool is_sized = false;           // by a search
-  std::string details;             // "d_1 = 80 mm, L = 1400 mm": what a user expects beside the size
+  std::string details;             // "d_1 = 80 mm, L = 1400 mm": what a user expects after the size
   std::optional<account::Mode> governing;
   [[nodiscard]] double utilisation() const;  // NaN without one
   [[nodiscard]] bool fails() const { return governing && governing->state == account::State::fail; }
@@ -30,7 +30,7 @@ struct NextOf {
 /// A search without a solution.
 struct FailedSearch {
   std::string text;                       // what was searched, and the nearest candidate
-  std::vector<account::TriedSize> tried;  // the candidates beside it; empty where sizes are searched together
+  std::vector<account::TriedSize> tried;  // the candidates next to it; empty where sizes are searched together
 };
 
 /// One thing to do, and the modes that it would let be assessed.

@@ -23,7 +23,7 @@ class SeatCheck {
     if (shaft_.input().calculator == nullptr) return {};
     for (const Taken& record : shaft_.input().reading.records) {
       if (record.path.ends_with(".load")) compare_width(record);
-      if (record.path.ends_with(".connection")) compare_connection(record);
+      if (record.path.ends_with(".connection")) compare_factor(record);
     }
     for (const Operand& operand : shaft_.input().reading.operands) compare_component(operand);
     return std::move(found_);
@@ -61,20 +61,17 @@ class SeatCheck {
                           operand.path, gear));
   }
 
-  void compare_connection(const Taken& record) {
-    const Step* const connection = project_.find(split_step(record.source).first);
-    if (connection == nullptr || connection->input().calculator == nullptr) return;
-    compare_factor(*connection);
-  }
-
   /// A connection whose torque is typed has the application factor of its shaft, unless the loads of the shaft
   /// include it.
-  void compare_factor(const Step& connection) {
-    if (takes_loads() || steps_loading(connection.input().reading).contains(shaft_.name())) return;
-    const double own = own_value(shaft_, project_, "K_A"), of_connection = own_value(connection, project_, "K_A");
+  void compare_factor(const Taken& record) {
+    const Step* const connection = project_.find(split_step(record.source).first);
+    if (connection == nullptr || connection->input().calculator == nullptr || takes_loads() ||
+        steps_loading(connection->input().reading).contains(shaft_.name()))
+      return;
+    const double own = own_value(shaft_, project_, "K_A"), of_connection = own_value(*connection, project_, "K_A");
     if (!(of_connection > (1.0 + rounded) * own)) return;
     add("K_A", say("K_A = {1}, and its connection '{2}' has {3}; justify it: because.K_A = \"...\"",
-                   format_number(own, 4), connection.name(), format_number(of_connection, 4)));
+                   format_number(own, 4), connection->name(), format_number(of_connection, 4)));
   }
 
   const Step& shaft_;

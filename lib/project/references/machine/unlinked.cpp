@@ -15,6 +15,9 @@ namespace loadpath::project {
 
 namespace {
 
+/// Equal but for the digits that are typed.
+bool is_alike(double one, double other, double share = 1e-3) { return std::abs(one - other) <= share * other; }
+
 bool hands_over(const Step& step, std::string_view key) {
   const Calculator* const calculator = step.input().calculator;
   const FieldInfo* const field =
@@ -49,7 +52,6 @@ void compare_shell(const Step& step, const Project& project, std::vector<Reduced
 
 /// The share of its thickness that the shell needs, below which an end may not count on its strength.
 void compare_share(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
-  constexpr double alike = 1e-3;
   const auto& records = step.input().reading.records;
   const auto shell = std::ranges::find(records, "shell", &Taken::path);
   if (shell == records.end() || !step.input().reading.typed.contains("m_r")) return;
@@ -57,9 +59,10 @@ void compare_share(const Step& step, const Project& project, std::vector<Reduced
   const double c = magnitude_at(project, shell->source + ".c"), allowed = std::isnan(c) ? 0.0 : c;
   const double share =
       (magnitude_at(project, name + ".delta_min") - allowed) / (magnitude_at(project, name + ".delta") - allowed);
-  if (!(own_value(step, project, "m_r") < share * (1.0 - alike))) return;
+  const double m_r = own_value(step, project, "m_r");
+  if (!(m_r < share) || is_alike(m_r, share)) return;
   found.push_back({"m_r", say("m_r = {1}, and '{2}' needs {3} of its thickness; justify it: because.m_r = \"...\"",
-                              format_number(own_value(step, project, "m_r"), 4), name, format_number(share, 4))});
+                              format_number(m_r, 4), name, format_number(share, 4))});
 }
 
 double typed_value(const Step& step, const Project& project, const char* path) {
@@ -68,15 +71,14 @@ double typed_value(const Step& step, const Project& project, const char* path) {
 
 /// The two bearings of a pair carry the axial force in opposite directions. Several pairs may have the same loads.
 void compare_mate(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
-  constexpr double alike = 1e-3;
   const Leaf carries = find_leaf(step.input().reading.record, "carries");
   const double F_r = typed_value(step, project, "F_r"), of_mate = typed_value(step, project, "mate.F_r");
   if (!carries || std::isnan(of_mate)) return;
   std::vector<const Step*> mates;
   for (const auto& other : project.steps) {
     if (other.get() == &step || other->input().calculator != step.input().calculator) continue;
-    if (std::abs(typed_value(*other, project, "F_r") - of_mate) <= alike * of_mate &&
-        std::abs(typed_value(*other, project, "mate.F_r") - F_r) <= alike * F_r)
+    if (is_alike(typed_value(*other, project, "F_r"), of_mate) &&
+        is_alike(typed_value(*other, project, "mate.F_r"), F_r))
       mates.push_back(other.get());
   }
   const auto carries_same = [&](const Step* mate) {
@@ -93,11 +95,9 @@ bool is_fatigue_limit(std::string_view what) { return what == limit_in_normal ||
 
 /// Whether both are of one material: of the same row, or of the same tensile strength.
 bool is_of_same_material(const Step& one, const Step& other, const Project& project) {
-  constexpr double alike = 0.01;
   const std::string row = material_of(one);
   if (!row.empty() && row == material_of(other)) return true;
-  const double R_m = own_value(one, project, "R_m");
-  return std::abs(own_value(other, project, "R_m") - R_m) <= alike * R_m;
+  return is_alike(own_value(other, project, "R_m"), own_value(one, project, "R_m"), 0.01);
 }
 
 /// Whether a step finds such a fatigue limit and takes none: in torsion that of shear stresses.
@@ -125,7 +125,7 @@ void compare_limit(const Step& step, const Project& project, std::vector<Reduced
       const bool is_used = std::ranges::find(project.references, path) != project.references.end();
       if (other.get() == &step || is_used || !finds_limit(*other, key) || !is_of_same_material(step, *other, project))
         continue;
-      found.push_back({key, say("{1} is typed, and nothing takes '{2}': write {1} = \"={2}\", or because.{1} = \"...\"",
+      found.push_back({key, say("{1} is typed, and no step uses '{2}': write {1} = \"={2}\", or because.{1} = \"...\"",
                                 key, path)});
     }
   }

@@ -1,5 +1,5 @@
 // Steps that describe parts of one machine and do not refer to each other: an end without its shell, two bearings of a
-// pair, a fatigue limit that is typed beside the step that finds it.
+// pair, a fatigue limit that is typed in a file with a step that finds it.
 #pragma once
 
 #include "lib/project/project.hpp"

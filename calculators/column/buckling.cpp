@@ -221,7 +221,7 @@ void conclude(const Input& in, Method by, bool is_bent, Result& r, Tracer& trace
   if (is_pulled) {
     r.r_lambda = 0.0;
   } else {
-    STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness / permissible slenderness");
+    STEP_TO(r, r_lambda, r.lambda / in.lambda_max, "slenderness / allowable slenderness");
   }
   judge_class(in, !is_pulled || is_bent, r, trace);
   if (!is_set(r.P_all) && !(r.F > 0.0 * kN) && is_set(r.F)) {

@@ -79,8 +79,7 @@ bool agrees(const Step& judge, const std::string& beside, const Step& part, cons
     return !has_field || word.empty() || judge.word(path) == word;
   }
   const Value* const given = part.value(member.path);
-  const bool open =
-      given == nullptr || std::all_of(given->si.begin(), given->si.end(), [](double x) { return std::isnan(x); });
+  const bool open = given == nullptr || std::ranges::all_of(given->si, [](double x) { return std::isnan(x); });
   return !has_field || open || (input != inputs.end() && is_same(input->value.si, given->si));
 }
 

@@ -27,4 +27,14 @@ inline constexpr bool sanitized = false;
 /// Every how many of many alike are tried: fewer with sanitizers, which take ten times as long.
 inline std::size_t one_of(std::size_t number) { return in_full() ? 1 : sanitized ? 5 * number : number; }
 
+/// Of cases that differ in their data alone, with sanitizers one of `of`.
+class Share {
+ public:
+  explicit Share(std::size_t of) : of_(of) {}
+  bool skips() { return sanitized && !in_full() && at_++ % of_ != 0; }
+
+ private:
+  std::size_t of_, at_ = 0;
+};
+
 }  // namespace loadpath::test

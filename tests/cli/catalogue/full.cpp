@@ -1,5 +1,6 @@
 #include "calculators/catalogue.hpp"
 #include "tests/cli/process.hpp"
+#include "tests/tries.hpp"
 
 #include <regex>
 
@@ -36,7 +37,9 @@ std::size_t longest_line(const std::string& shown) {
 
 TEST_SUITE("cli describe in full") {
   TEST_CASE("every calculator is described with all its fields") {
+    Share share(4);
     for (const Calculator* calculator : calculators()) {
+      if (share.skips()) continue;
       CAPTURE(calculator->id);
       const Ran o = described(calculator->id);
       CHECK(o.code == 0);
@@ -87,7 +90,9 @@ TEST_SUITE("cli describe in full") {
   }
 
   TEST_CASE("the example that is shown runs") {
+    Share share(8);
     for (const Calculator* calculator : calculators()) {
+      if (share.skips()) continue;
       const std::string shown = described(calculator->id).out;
       const std::string head = "Example, a project file that runs:\n\n";
       const Ran o = Desk().run({"run", "-"}, shown.substr(shown.find(head) + head.size()));

@@ -174,8 +174,7 @@ template <class Result>
 constexpr auto slenderness_limit() {
   return Fields{
       Field<Result, double>{&Result::r_lambda, "r_lambda", ratio, "slenderness / allowable slenderness; 0 in tension"}
-          .limit(0, 1, "lambda_max")
-          .criterion()};
+          .check("lambda_max")};
 }
 
 /// Slenderness, and where Euler's formula holds.

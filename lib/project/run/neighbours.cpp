@@ -5,6 +5,7 @@
 #include "lib/project/project.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/sources.hpp"
+#include "lib/table/largest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -49,14 +50,6 @@ bool is_of_steps(const Reading& reading, const std::string& path) {
 }
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-/// The largest value of a column, which is that of the least size; NaN if the row has none.
-double largest_in_row(const table::Entry& row, std::string_view column) {
-  if (const auto same = table::property(row, column)) return same->si;
-  double most = unknown;
-  for (const table::SizedProperty& at : table::values_by_size(row, column)) most = std::fmax(most, at.value.si);
-  return most;
-}
 
 /// Whether a typed value may be above the value of a row at one size and below it at another: not if the row is
 /// larger at every size.
@@ -112,7 +105,7 @@ void add_rows_beside(const Evaluation& evaluation, const Results& results, std::
     if (field.is_leaf() && is_typed(step.reading, field.key) && gives(*row, field)) {
       const double size = size_of_row(inputs, results, field);
       double si = look_up({field.key, &field, named->second.text, {}, *row}, size).si;
-      if (std::isnan(si) && std::isnan(size)) si = largest_in_row(*row, from.column);
+      if (std::isnan(si) && std::isnan(size)) si = table::largest_value(*row, from.column);
       all.push_back({field.key, inputs.leaf(field.key), {{field.dimension, nullptr}, {si}}, source, beside_of(field)});
       const bool is_capacity = all.back().kind == Beside::capacity;
       const double typed = largest_magnitude(inputs.value_of(field.key, all.back().leaf));
@@ -123,7 +116,7 @@ void add_rows_beside(const Evaluation& evaluation, const Results& results, std::
     if (!instead || from.unless == std::string_view(field.key) || !is_typed(step.reading, from.unless) ||
         bound_of(evaluation, from.unless) != nullptr || beside_of(*instead.field) != Beside::capacity)
       continue;
-    const double most = largest_in_row(*row, from.column);
+    const double most = table::largest_value(*row, from.column);
     all.push_back({from.unless, instead, {{instead.field->dimension, nullptr}, {most}}, source, Beside::capacity});
   }
 }
@@ -176,7 +169,7 @@ double strength_of_part(const Evaluation& evaluation, const char* key) {
   const std::string material = named_material(inputs);
   if (material.empty()) return unknown;
   const auto row = evaluation.step().input().tables->find_row("material", material);
-  return row ? largest_in_row(*row, key) : unknown;
+  return row ? table::largest_value(*row, key) : unknown;
 }
 
 /// The strength of the material whose row the expression of an input refers to, "=tables.materials.S355.R_e/1.5".

@@ -95,6 +95,25 @@ TEST_SUITE("found seats") {
     CHECK_FALSE(is_doubted(with("1"), "its connection 'key' has"));
   }
 
+  TEST_CASE("a hub is as long on the shaft as in its connection") {
+    const auto with = [](const std::string& l_n) {
+      return key_with("1") + "l_n = \"" + l_n + "\"\n" +
+             shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\"", "connection = \"=key.connection\"");
+    };
+    CHECK(is_doubted(with("80 mm"), "the hub of 'key' is 80 mm long"));
+    CHECK_FALSE(is_doubted(with("20 mm"), "mm long"));
+  }
+
+  TEST_CASE("a body has a mass that fits its moment of inertia") {
+    const auto with = [](const std::string& mass) {
+      return shaft_with(typed + "F_x = \"-1 kN\", F_y = \"3 kN\"",
+                        "integral = true, J = \"0.5 kg*m^2\", mass = \"" + mass + "\"");
+    };
+    // A steel disc 20 mm wide with 0.5 kg m^2 has D = 0.425 m and 22.2 kg.
+    CHECK(is_doubted(with("0.1 kg"), "a steel disc has 22.2 kg"));
+    CHECK_FALSE(is_doubted(with("8 kg"), "a steel disc"));
+  }
+
   TEST_CASE("teeth that are cut into the shaft stand out of it") {
     const std::string seat = taken + "b = \"45 mm\"";
     CHECK(first_error_of(gears + shaft_with(seat, "integral = true", "60 mm")).find("lies inside the shaft") !=

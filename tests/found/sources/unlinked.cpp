@@ -34,6 +34,23 @@ std::string limit_and_life(const std::string& sigma_D, const std::string& materi
          material + of + "sigma_D = " + sigma_D + "\n";
 }
 
+std::string bar_and_life(const std::string& loading) {
+  return "[limit]\ncalculator = \"fatigue.endurance\"\nmaterial = \"C45E\"\nd_h = \"20 mm\"\nd = \"20 mm\"\n"
+         "R_z = \"6.3 um\"\nloading = \"" +
+         loading +
+         "\"\n\n[rod]\ncalculator = \"link.member\"\nN = \"10 kN\"\nl = \"200 mm\"\nd = \"20 mm\"\n"
+         "material = \"C45E\"\nS = 1.5\n\n[life]\ncalculator = \"fatigue.cycle\"\ncycle = \"=rod.cycle\"\nr = -1\n"
+         "S_D = 1.5\nS_F = 1.5\nmaterial = \"C45E\"\nd_h = \"20 mm\"\nsigma_D = \"=limit.sigma_D\"\n";
+}
+
+std::string hoist_and(const std::string& run_up) {
+  return "[hoist]\ncalculator = \"dynamics.lift\"\ns = \"1 m\"\nweights = [{ m = \"900 kg\", i = -1 }]\n"
+         "wheels = [{ J = \"6 kg*m^2\", r = \"250 mm\", M_d = \"2500 N*m\" }]\n\n[run_up]\n"
+         "calculator = \"machine.run_up\"\nparts = [{ J = \"0.012 kg*m^2\" }]\n"
+         "motor = [[\"0 rpm\", \"15 N*m\"], [\"1440 rpm\", \"10 N*m\"]]\nn_2 = \"1440 rpm\"\nt_adm = \"5 s\"\n" +
+         run_up;
+}
+
 }  // namespace
 
 TEST_SUITE("found unlinked steps") {
@@ -57,5 +74,41 @@ TEST_SUITE("found unlinked steps") {
     CHECK(mode_of(solved_as_found(limit_and_life("\"200 MPa\"")), "life", "fatigue") == "not-judged");
     CHECK(mode_of(solved_as_found(limit_and_life("\"200 MPa\"", "42CrMo4")), "life", "fatigue") == "pass");
     CHECK(mode_of(solved_as_found(limit_and_life("\"=limit.sigma_D\"")), "life", "fatigue") == "pass");
+  }
+
+  TEST_CASE("a bar that is pulled has the fatigue limit in tension, not that in bending") {
+    CHECK(mode_of(solved_as_found(bar_and_life("bending")), "life", "fatigue") == "not-judged");
+    CHECK(mode_of(solved_as_found(bar_and_life("tension")), "life", "fatigue") == "pass");
+  }
+
+  TEST_CASE("a motor in a file with a hoist lifts its weights, or somebody says why not") {
+    const auto state = [](const std::string& more) {
+      return mode_of(solved_as_found(hoist_and(more)), "run_up", "time");
+    };
+    CHECK(state("") == "not-judged");
+    CHECK(state("load = [[\"0 rpm\", \"2 N*m\"], [\"1440 rpm\", \"2 N*m\"]]\n") == "pass");
+    CHECK(state("because.motor = \"without the cage\"\n") == "pass");
+  }
+
+  TEST_CASE("an allowable stress by the strength of a thinner part needs a reason") {
+    const auto with = [](const std::string& d) {
+      return "[probe]\ncalculator = \"shaft.torsion\"\nT = \"50 N*m\"\nd = \"16 mm\"\nmaterial = \"C45E\"\nS = 1.5\n\n"
+             "[s]\ncalculator = \"shaft.torsion\"\nT = \"50 N*m\"\nd = \"" +
+             d + "\"\ntau_adm = \"=0.3*probe.R_e\"\n";
+    };
+    CHECK(mode_of(solved_as_found(with("90 mm")), "s", "yield") == "not-judged");
+    CHECK(mode_of(solved_as_found(with("16 mm")), "s", "yield") == "pass");
+  }
+
+  TEST_CASE("a shell has no higher allowable stress than the material of its end allows") {
+    const auto with = [](const std::string& sigma_adm) {
+      return "[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nmeasured = \"inner\"\n"
+             "delta = \"8 mm\"\nsigma_adm = \"" +
+             sigma_adm +
+             "\"\n\n[head]\ncalculator = \"vessel.end\"\nshell = \"=shell.shell\"\nform = \"korbbogen\"\n"
+             "material = \"P265GH\"\nl_f = \"40 mm\"\n";
+    };
+    CHECK(mode_of(solved_as_found(with("300 MPa")), "shell", "strength") == "not-judged");
+    CHECK(mode_of(solved_as_found(with("140 MPa")), "shell", "strength") == "pass");
   }
 }

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 namespace loadpath::project {
@@ -14,6 +15,7 @@ namespace loadpath::project {
 namespace {
 
 constexpr double rounded = 1e-3;  // of a value: sizes typed with few digits
+constexpr int most_seats = 32;    // above the length of any list
 
 class SeatCheck {
  public:
@@ -23,8 +25,10 @@ class SeatCheck {
     if (shaft_.input().calculator == nullptr) return {};
     for (const Taken& record : shaft_.input().reading.records) {
       if (record.path.ends_with(".load")) compare_width(record);
-      if (record.path.ends_with(".connection")) compare_factor(record);
+      if (record.path.ends_with(".connection")) compare_factor(record), compare_hub(record);
     }
+    const Leaf seats = find_leaf(shaft_.input().reading.record, "seats[1].J");
+    for (int i = 1; seats && i <= most_seats; ++i) compare_gyration("seats[" + std::to_string(i) + "].");
     for (const Operand& operand : shaft_.input().reading.operands) compare_component(operand);
     return std::move(found_);
   }
@@ -72,6 +76,32 @@ class SeatCheck {
     if (!(of_connection > (1.0 + rounded) * own)) return;
     add("K_A", say("K_A = {1}, and its connection '{2}' has {3}; justify it: because.K_A = \"...\"",
                    format_number(own, 4), connection->name(), format_number(of_connection, 4)));
+  }
+
+  /// The hub that a key, spline or fit is calculated with is the one on the shaft.
+  void compare_hub(const Taken& record) {
+    const Step* const connection = project_.find(split_step(record.source).first);
+    if (connection == nullptr || connection->input().calculator == nullptr) return;
+    const std::string path = prefix_of(record.path) + "b";
+    const double b = own_value(shaft_, project_, path), l_n = own_value(*connection, project_, "l_n");
+    if (!(b < (1.0 - rounded) * l_n)) return;
+    add(path, say("{1} = {2}, and the hub of '{3}' is {4} long; justify it: because.{1} = \"...\"", path,
+                  format_quantity(b, "mm", 4), connection->name(), format_quantity(l_n, "mm", 4)));
+  }
+
+  /// A body of the width of the seat with this moment of inertia has at least a ninth of the mass of a solid steel
+  /// disc: no rim lies further out than three times its radius of gyration.
+  void compare_gyration(const std::string& seat) {
+    constexpr double steel = 7850.0, least = 1.0 / 9.0;
+    const double mass = own_value(shaft_, project_, seat + "mass"), b = own_value(shaft_, project_, seat + "b");
+    const double J = std::fmax(own_value(shaft_, project_, seat + "J"), own_value(shaft_, project_, seat + "I_p"));
+    // Of a disc J = m D^2 / 8 and m = rho pi D^2 b / 4, so that m^2 = 2 pi rho b J.
+    const double of_disc = std::sqrt(2.0 * std::numbers::pi * steel * b * J);
+    if (!(mass < least * of_disc)) return;
+    add(seat + "mass", say("{1} = {2} is too low for J = {3} and {4} = {5}: a steel disc has {6}; justify it: "
+                           "because.{1} = \"...\"",
+                           seat + "mass", format_quantity(mass, "kg", 3), format_quantity(J, "kg*m^2", 3), seat + "b",
+                           format_quantity(b, "mm", 4), format_quantity(of_disc, "kg", 3)));
   }
 
   const Step& shaft_;

@@ -5,6 +5,7 @@
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
+#include "lib/table/largest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -131,6 +132,91 @@ void compare_limit(const Step& step, const Project& project, std::vector<Reduced
   }
 }
 
+/// A fatigue limit in bending of a stress that is mainly axial: the limit in tension is lower.
+void compare_loading(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const auto& reading = step.input().reading;
+  const auto limit = std::ranges::find(reading.operands, "sigma_D", &Operand::path);
+  const auto cycle = std::ranges::find(reading.records, "cycle", &Taken::path);
+  if (limit == reading.operands.end() || limit->expression.references().size() != 1 || cycle == reading.records.end())
+    return;
+  const Step* const source = project.find(split_step(limit->expression.references().front().path).first);
+  if (source == nullptr || source->input().reading.record.data == nullptr) return;
+  const Leaf loading = find_leaf(source->input().reading.record, "loading");
+  if (!loading || word_of(loading) != "bending") return;
+  const std::string part = split_step(cycle->source).first;
+  const double sigma_N = std::abs(magnitude_at(project, part + ".sigma_N"));
+  const double sigma_M = std::abs(magnitude_at(project, part + ".sigma_M"));
+  if (!(sigma_N > sigma_M)) return;
+  found.push_back(
+      {"sigma_D",
+       say("the stress of '{1}' is mainly axial, {2} of {3}, and sigma_D is the limit in bending: "
+           "{4}.loading = \"tension\", or because.sigma_D = \"...\"",
+           part, format_quantity(sigma_N, "MPa", 4), format_quantity(sigma_N + sigma_M, "MPa", 4), source->name())});
+}
+
+/// A motor that runs up, in a file with a hoist whose weights it does not lift.
+void compare_hoist(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const auto& fields = step.input().calculator->input->fields;
+  const auto& typed = step.input().reading.typed;
+  if (find_field(fields, "motor") == nullptr || find_field(fields, "load") == nullptr || typed.contains("load")) return;
+  const auto lifts = [&](const auto& other) {
+    return other->input().calculator != nullptr &&
+           find_field(other->input().calculator->input->fields, "weights") != nullptr;
+  };
+  const auto hoist = std::ranges::find_if(project.steps, lifts);
+  if (hoist == project.steps.end() || steps_named_in(step.input().reading).contains((*hoist)->name())) return;
+  found.push_back({"motor", say("it runs up without load, and '{1}' has weights: give load, the moment at the motor "
+                                "shaft over the speed, or because.motor = \"...\"",
+                                (*hoist)->name())});
+}
+
+bool is_strength(const std::string& key) { return key == "R_e" || key == "R_m" || key == "R_p02"; }
+
+/// The size that a strength of a table is looked up at.
+double size_of(const Step& step, const Project& project) {
+  for (const char* const key : {"d_h", "d", "t", "h"}) {
+    const double size = own_value(step, project, key);
+    if (!std::isnan(size)) return size;
+  }
+  return std::nan("");
+}
+
+/// An allowable stress by the strength of another part, which is thinner: the strength of this size is lower.
+void compare_size(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double alike = 1.1;
+  for (const Operand& operand : step.input().reading.operands) {
+    const auto& references = operand.expression.references();
+    if (references.size() != 1 || !means(*step.input().calculator, operand.path, &is_allowable)) continue;
+    const auto [name, key] = split_step(references.front().path);
+    const Step* const source = project.find(name);
+    if (source == nullptr || !is_strength(key) || material_of(*source).empty()) continue;
+    const double there = size_of(*source, project), here = size_of(step, project);
+    if (std::isnan(there) || here <= alike * there) continue;
+    found.push_back({operand.path, say("{1} comes from the strength of '{2}', of {3}: give this step the material and "
+                                       "S, or because.{1} = \"...\"",
+                                       operand.path, name, format_quantity(there, "mm", 4))});
+  }
+}
+
+/// The allowable stress of a wall whose material is that of the end that takes its record.
+void compare_wall(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double least = 1.5;  // against yielding, as of every wall
+  const auto& typed = step.input().reading.typed;
+  if (!hands_over(step, "shell") || !typed.contains("sigma_adm") || !material_of(step).empty()) return;
+  const double sigma = own_value(step, project, "sigma_adm");
+  for (const auto& end : project.steps) {
+    if (!steps_named_in(end->input().reading).contains(step.name()) || material_of(*end).empty()) continue;
+    const auto row = project.tables->find_row("material", material_of(*end));
+    const double R_e = row ? table::largest_value(*row, "R_e") : std::nan("");
+    if (!(least * sigma > (1.0 + 1e-3) * R_e)) continue;
+    found.push_back(
+        {"sigma_adm", say("sigma_adm = {1} is above R_e/{2} of '{3}', the material of '{4}'; justify it: "
+                          "because.sigma_adm = \"...\"",
+                          format_quantity(sigma, "MPa", 4), format_number(least, 2), material_of(*end), end->name())});
+    return;
+  }
+}
+
 }  // namespace
 
 std::vector<ReducedLoad> values_of_unlinked(const Step& step, const Project& project) {
@@ -140,6 +226,10 @@ std::vector<ReducedLoad> values_of_unlinked(const Step& step, const Project& pro
   compare_share(step, project, found);
   compare_mate(step, project, found);
   compare_limit(step, project, found);
+  compare_loading(step, project, found);
+  compare_hoist(step, project, found);
+  compare_size(step, project, found);
+  compare_wall(step, project, found);
   return found;
 }
 

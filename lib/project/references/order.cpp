@@ -1,5 +1,6 @@
 #include "lib/project/references/order.hpp"
 
+#include "lib/project/references/circles.hpp"
 #include "lib/project/references/references.hpp"
 
 #include <algorithm>
@@ -152,13 +153,19 @@ class Ordering {
   }
 
   bool name_cycle(std::size_t first) {
-    std::string members;
-    for (auto i = std::find(path_.begin(), path_.end(), first); i != path_.end(); ++i)
+    std::string members, ways;
+    for (auto i = std::find(path_.begin(), path_.end(), first); i != path_.end(); ++i) {
       members += project_.steps[*i]->name() + " -> ";
+      const std::size_t next = i + 1 == path_.end() ? first : *(i + 1);
+      const auto edge = std::find_if(edges_[*i].begin(), edges_[*i].end(),
+                                     [&](const Edge& e) { return e.to == next && !e.path.empty(); });
+      if (edge != edges_[*i].end())
+        ways += (ways.empty() ? "" : ", ") + how_taken(*project_.steps[*i], edge->path).text();
+    }
     const std::string& name = project_.steps[first]->name();
     issues_.push_back({project_.steps[first]->input().place, name,
-                       say("circular reference between steps: {1}", members + name), say("give one of them a value"),
-                       Severity::error});
+                       say("circular reference between steps: {1}", members + name),
+                       say("{1}: write a value instead of one of these references", ways), Severity::error});
     return false;
   }
 

@@ -3,6 +3,7 @@
 #include "lib/project/accept.hpp"
 #include "lib/project/fixes.hpp"
 #include "lib/project/modes.hpp"
+#include "lib/project/references/circles.hpp"
 #include "lib/project/references/factors.hpp"
 #include "lib/project/references/kinds.hpp"
 #include "lib/project/references/machine/machine.hpp"
@@ -111,15 +112,39 @@ bool is_alike(const std::vector<double>& a, const std::vector<double>& b) {
                     [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); });
 }
 
+/// "key1.R_e_1 takes shaft.R_e (line 73)": the inputs that a step was solved without first.
+std::string waiting_inputs(const Step& step, const std::set<std::string>& without) {
+  std::string all;
+  for (const Operand& operand : step.input().reading.operands) {
+    const auto& references = operand.expression.references();
+    if (without.contains(operand.path) && !references.empty())
+      all += (all.empty() ? "" : ", ") + how_taken(step, references.front().path).text();
+  }
+  return all;
+}
+
+/// The step that takes a value of another one, and how.
+Message taker_of(const Project& project, const std::string& path) {
+  for (const auto& step : project.steps) {
+    bool takes = false;
+    for_each_reference(step->input().reading, [&](const std::string& other) { takes = takes || other == path; });
+    if (takes) return how_taken(*step, path);
+  }
+  return say("a step takes {1}", path);
+}
+
 /// A step was solved without some inputs first: values that others have taken from it must not depend on them.
-void refuse_other_values(const Handed& before, const Project& project, const Step& step, std::vector<Issue>& issues) {
+void refuse_other_values(const Handed& before, const Project& project, const Step& step,
+                         const std::set<std::string>& without, std::vector<Issue>& issues) {
   for (const auto& [path, taken] : before) {
     const Value* const value = project.value(path);
     const bool same = is_alike(taken.first, value == nullptr ? std::vector<double>{} : value->si);
     if (same && taken.second == step.word(split_step(path).second)) continue;
-    issues.push_back({step.input().place, step.name(),
-                      say("circular reference: '{1}' depends on its own results", path),
-                      say("give one of them a value"), Severity::error});
+    const std::string input = without.empty() ? "" : *without.begin();
+    Issue issue = issue_at(step.input(), input, say("circular reference: '{1}' depends on its own results", path), {});
+    issue.hint =
+        say("{1}, and {2}: write a value for {3}", waiting_inputs(step, without), taker_of(project, path), input);
+    issues.push_back(std::move(issue));
     return;
   }
 }
@@ -135,11 +160,13 @@ void solve_steps(Project& project, std::vector<Issue>& issues, const Wanted& wan
   for (const auto& step : project.steps) step->forget();
   for (auto& [path, value] : project.beforehand) value = value_beforehand(project, path).value_or(Value{});
   std::map<std::size_t, Handed> provisional;
+  std::map<std::size_t, std::set<std::string>> left_out;
   for (const Pass& pass : project.passes) {
     Step& step = *project.steps[pass.step];
     if (!pass.without.empty()) {
       step.solve_without(pass.without, known);
       provisional[pass.step] = {};
+      left_out[pass.step] = pass.without;
       continue;
     }
     for (auto& [other, taken] : provisional) note_taken(project, step, *project.steps[other], taken);
@@ -152,7 +179,8 @@ void solve_steps(Project& project, std::vector<Issue>& issues, const Wanted& wan
     if (wanted.words) check_kinds(step, project, declared, issues);
     if (!has_errors(issues)) step.solve(known, wanted, issues);
     if (has_errors(issues)) return;
-    if (const auto before = provisional.extract(pass.step)) refuse_other_values(before.mapped(), project, step, issues);
+    if (const auto before = provisional.extract(pass.step))
+      refuse_other_values(before.mapped(), project, step, left_out[pass.step], issues);
     if (has_errors(issues)) return;
   }
 }

@@ -39,7 +39,7 @@ struct Crank {
       NameField{&Crank::to, "to",
                 "point of the driven link that the crank angle is measured to; the link's x axis where missing"}
           .may_be_missing(),
-      Field{&Crank::speed, "speed", rad_per_s, "angular velocity, counter-clockwise positive"},
+      Field{&Crank::speed, "speed", rad_per_s, "angular velocity, counter-clockwise positive"}.also("n"),
       Field{&Crank::acceleration, "acceleration", rad_per_s2, "angular acceleration at every position"},
       Field{&Crank::start, "start", deg, "crank angle of the first position of a revolution"}.within(-3600, 3600),
       Count{&Crank::positions, "positions", 8, 7200, "positions of a cycle"},

@@ -26,6 +26,15 @@ static void keep_first_of_file(std::vector<Issue>& issues, std::size_t before) {
   issues.erase(std::remove_if(first + 1, issues.end(), is_error), issues.end());
 }
 
+/// Whether a table that should hold elements by their names has the keys of one element: { link = "slider", at = "B" }.
+static bool is_one_element(const Tree& tree, const FieldInfo& list) {
+  const auto is_input = [&](const Tree::Entry& entry) {
+    const bool is_value = entry.value.type != Tree::Type::table && entry.value.type != Tree::Type::array;
+    return is_value && find_input(list.fields, entry.key) != nullptr;
+  };
+  return !list.positional && !tree.entries.empty() && std::all_of(tree.entries.begin(), tree.entries.end(), is_input);
+}
+
 void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   const bool has_own = find_field(field.fields, "name") != nullptr || find_field(field.fields, "file") != nullptr;
   if (names_rows_file(tree) && !has_own) {
@@ -42,6 +51,10 @@ void Reader::read_list(const Tree& tree, const FieldInfo& field, void* owner, co
   if (tree.type == Tree::Type::array && tree.items.empty()) {
     return say_at(tree.place, path, say("'{1}' is empty", path),
                   field.optional ? say("give what it lists, or leave it out") : say("give what it lists"));
+  }
+  if (named && is_one_element(tree, field)) {
+    return say_at(tree.place, path, say("'{1}' is a list, and this is a single element of it", path),
+                  say("put it in square brackets: {1} = [{ {2} = ... }]", path, tree.entries.front().key));
   }
   const Target target{field, owner, field.size(owner)};
   std::size_t count = target.given + (tree.type == Tree::Type::array ? tree.items.size() : 1);

@@ -1,6 +1,7 @@
 #include "lib/project/read/reader.hpp"
 
 #include "lib/calculator/choice_words.hpp"
+#include "lib/project/read/elsewhere.hpp"
 #include "lib/text/meant.hpp"
 
 #include <algorithm>
@@ -23,13 +24,16 @@ std::vector<std::string> keys_of(const std::vector<Part>& parts) {
   return keys;
 }
 
-/// The fields that a wrong key can have been meant for, with their meanings.
+/// The fields that a wrong key can have been meant for, with their meanings; or the place where it is valid.
 static Message fields_near(const std::string& key, const std::vector<Part>& parts) {
   std::vector<Known> known;
+  Message otherwise;
   for (const Part& part : parts) {
+    if (Message element = element_called(key, part.fields, part.owner); !element.empty()) return element;
+    if (otherwise.empty()) otherwise = input_within(key, part.fields);
     for (const FieldInfo& field : part.fields) known.push_back({field.key, field.doc});
   }
-  return meant(key, known, there_is(known));
+  return meant(key, known, otherwise.empty() ? there_is(known) : otherwise);
 }
 
 Message one_of(const std::string& word, const std::vector<std::string>& candidates) {
@@ -71,6 +75,14 @@ void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, cons
   for (const Part& part : parts) require(part.fields, part.owner, path, table.place);
 }
 
+/// How to take a record: with a '=' before a path, "=shaft.bearings.left".
+static Message as_reference(const Tree& tree, const std::string& path) {
+  const bool is_path = tree.type == Tree::Type::text && tree.text.find('.') != std::string::npos;
+  const auto parsed = is_path ? Expression::parse(tree.text) : Outcome<Expression>(Fault{});
+  if (parsed && parsed->is_reference()) return say("write {1} = \"={2}\"", path, tree.text);
+  return say("refer to a step of your file and its record: {1} = \"=STEP.RECORD\"", path);
+}
+
 void Reader::read_value(const Tree& tree, const FieldInfo& field, void* owner, const std::string& path) {
   switch (field.type) {
     case Type::quantity:
@@ -89,8 +101,7 @@ void Reader::read_value(const Tree& tree, const FieldInfo& field, void* owner, c
       return read_list(tree, field, owner, path);
     case Type::record:
       if (takes(tree, field, path)) return;
-      return say_at(tree.place, path, say("'{1}' takes the record of another step", path),
-                    say("refer to it: {1} = \"=pick.best\"", path));
+      return say_at(tree.place, path, say("'{1}' takes the record of another step", path), as_reference(tree, path));
   }
 }
 

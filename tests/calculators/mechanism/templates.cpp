@@ -341,6 +341,17 @@ TEST_SUITE("mechanism template faults") {
           "axle.template: 'shaft.torsion' has no templates");
   }
 
+  TEST_CASE("a key at the wrong level is told with the place where it belongs") {
+    CHECK(said(slider, "r = \"50", "slider.mass = \"1 kg\"\nr = \"50") ==
+          "a.slider: 'slider' is not a valid key here; did you mean 'links.slider'?");
+    CHECK(said(slider, "r = \"50", "n = \"60 rpm\"\nr = \"50") ==
+          "a.n: 'n' is not a valid key here; it is an input of crank: write crank = { speed = \"... rad/s\" }");
+    CHECK(
+        said(slider, "r = \"50", "loads = { link = \"slider\", at = \"B\", F_x = \"3 kN\" }\nr = \"50") ==
+        "a.loads: 'loads' is a list, and this is a single element of it; put it in square brackets: loads = [{ link = "
+        "... }]");
+  }
+
   TEST_CASE("a parameter is checked as every field") {
     CHECK(said(slider, "\"50 mm\"", "\"-5 mm\"") == "a.r: r = -5 mm: must be > 0 mm");
     CHECK(said(slider, "\"50 mm\"", "\"5 kg\"") ==

@@ -301,6 +301,8 @@ TEST_SUITE("shaft loads") {
     CHECK(contains(Solved(chain("1.4") + "[belt]\ncalculator = \"belt.v\"\ndrive = \"=chain.shaft_1\"\n").errors(),
                    "provides no input of 'belt'"));
     CHECK(contains(Solved(chain("1.4") + end("load = \"chain\"")).errors(), "'load' takes the record of another step"));
+    CHECK(
+        contains(Solved(chain("1.4") + end("load = \"chain.shaft_1\"")).messages(), "write load = \"=chain.shaft_1\""));
     CHECK(!contains(Solved(chain("1.4") + end("load = \"=chain.F_W\"")).errors(), "is missing"));
     CHECK(!contains(Solved(chain("1.4") + end("load = \"chain\"")).errors(), "is missing"));
   }

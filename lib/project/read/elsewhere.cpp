@@ -1,0 +1,45 @@
+#include "lib/project/read/elsewhere.hpp"
+
+namespace loadpath::project {
+
+namespace {
+
+using Type = FieldInfo::Type;
+
+/// "crank = { speed = "... rad/s" }"
+std::string written(const FieldInfo& outer, const FieldInfo& inner) {
+  const bool in_unit = inner.type == Type::quantity && std::string_view(inner.unit) != "-";
+  const std::string value = in_unit ? "\"... " + std::string(inner.unit) + "\"" : "...";
+  const std::string table = "{ " + std::string(inner.key) + " = " + value + " }";
+  return std::string(outer.key) + " = " + (outer.type == Type::list ? "[" + table + "]" : table);
+}
+
+}  // namespace
+
+Message input_within(std::string_view key, std::span<const FieldInfo> fields) {
+  constexpr int most = 2;
+  std::string names, examples;
+  int count = 0;
+  for (const FieldInfo& outer : fields) {
+    const bool has_inputs = (outer.type == Type::group || outer.type == Type::list) && outer.has_fields();
+    const FieldInfo* const inner = has_inputs ? find_input(outer.fields, key) : nullptr;
+    if (inner == nullptr || inner->type == Type::name || count++ >= most) continue;
+    names += (names.empty() ? "" : " and ") + std::string(outer.key);
+    examples += (examples.empty() ? "" : " or ") + written(outer, *inner);
+  }
+  return count == 0 ? Message{} : say("it is an input of {1}: write {2}", names, examples);
+}
+
+Message element_called(std::string_view name, std::span<const FieldInfo> fields, void* owner) {
+  for (const FieldInfo& list : fields) {
+    const FieldInfo* const own = list.type == Type::list ? find_field(list.fields, "name") : nullptr;
+    if (own == nullptr || own->type != Type::name) continue;
+    for (std::size_t i = 0; i < list.size(owner); ++i) {
+      if (own->text(list.element(owner, i)) == name)
+        return say("did you mean '{1}'?", std::string(list.key).append(".").append(name));
+    }
+  }
+  return {};
+}
+
+}  // namespace loadpath::project

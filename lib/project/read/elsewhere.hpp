@@ -1,0 +1,21 @@
+// A key that is not valid at its place, and is valid elsewhere: an input of a group or of a list's elements, or the
+// name of an element.
+#pragma once
+
+#include "lib/calculator/record.hpp"
+#include "lib/text/issue.hpp"
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace loadpath::project {
+
+/// "speed is an input of crank: write crank = { speed = "... rad/s" }"; of a list "loads = [{ F = "... N" }]". Empty if
+/// no group or list has it; of several the first two.
+Message input_within(std::string_view key, std::span<const FieldInfo> fields);
+
+/// "did you mean 'links.slider'?" for the name of an element that a list has already; empty if none has.
+Message element_called(std::string_view name, std::span<const FieldInfo> fields, void* owner);
+
+}  // namespace loadpath::project

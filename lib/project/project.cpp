@@ -1,5 +1,6 @@
 #include "lib/project/project.hpp"
 
+#include "lib/table/library.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
@@ -42,7 +43,10 @@ const Step* Project::find(std::string_view name) const {
 Fault Project::unknown_step(const std::string& path) const {
   const auto [name, rest] = split_step(path);
   if (unread.contains(name)) return {};  // its error has been reported
-  const std::string near = nearest(name, names_of(*this));
+  std::vector<std::string> names = names_of(*this);
+  names.insert(names.end(), {"values", "tables"});
+  const bool is_table = table::first_table_in(name) != nullptr;
+  const std::string near = is_table ? "tables." + name : nearest(name, names);
   return {
       0, path.size(), say("unknown step '{1}'", name),
       near.empty() ? there_is(names_of(*this)) : say("did you mean '{1}'?", rest.empty() ? near : near + "." + rest)};

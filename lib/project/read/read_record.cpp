@@ -18,6 +18,9 @@ static Reading read_one(const toml::Tree& table, const RecordType& type, const T
     parts.insert(parts.begin(), {from->parameters->fields, reading.parameters.data.get()});
   }
   Reader(reading, issues, prefix).read_fields(table, parts, "", reserved);
+  for (const FieldInfo& field : type.fields) {
+    if (field.type == FieldInfo::Type::record && reading.faulty.contains(field.key)) mark_untyped(reading);
+  }
   return reading;
 }
 
@@ -27,6 +30,12 @@ Reading read_record(const toml::Tree& table, const RecordType& type, const Templ
     return read_one(tree, type, from, prefix, reserved, told);
   };
   return read_in_turn(table, prefix, read, issues);
+}
+
+void mark_untyped(Reading& reading) {
+  for (const FieldInfo& field : reading.record.type->fields) {
+    if (!reading.typed.contains(field.key)) reading.faulty.insert(field.key);
+  }
 }
 
 }  // namespace loadpath::project

@@ -13,4 +13,7 @@ namespace loadpath::project {
 Reading read_record(const toml::Tree& table, const RecordType& type, const Template* from, const std::string& prefix,
                     const std::vector<std::string>& reserved, std::vector<Issue>& issues);
 
+/// Marks the fields that are not typed as faulty: a record with an error might have given them.
+void mark_untyped(Reading& reading);
+
 }  // namespace loadpath::project

@@ -1,5 +1,8 @@
 #include "lib/project/references/references.hpp"
 
+#include "lib/project/read/read_record.hpp"
+#include "lib/project/references/result_paths.hpp"
+
 #include <algorithm>
 #include <cmath>
 
@@ -53,9 +56,13 @@ class Settling {
     take_bodies();
     compare_loads_of_bodies();
     if (refused_ || !reading_.faulty.empty()) return;  // the members of the record are not known
+    bool misses = false;
     for (const Lacking& lacking : reading_.lacking) {
-      if (reading_.typed.count(lacking.path) == 0) issues_.push_back(missing(lacking));
+      if (reading_.typed.count(lacking.path) != 0) continue;
+      issues_.push_back(missing(lacking));
+      misses = true;
     }
+    if (misses) mark_untyped(reading_);
   }
 
  private:
@@ -66,6 +73,9 @@ class Settling {
     const Taken& record = reading_.records.front();
     issue.place = place_in(record.place, record.source, 0, record.source.size());
     issue.message = say("{1}, and '{2}' does not give it", issue.message, record.source);
+    const Step* const source = project_.find(split_step(record.source).first);
+    const std::string other = source == nullptr ? "" : record_with(*source, record.source, lacking.path);
+    if (!other.empty()) issue.hint = say("did you mean '={1}'?", other);
     return issue;
   }
 
@@ -117,9 +127,7 @@ class Settling {
 
   void refuse(const Taken& taken, const Fault& fault) {
     refused_ = true;
-    for (const FieldInfo& field : step_.input().calculator->input->fields) {
-      if (!reading_.typed.contains(field.key)) reading_.faulty.insert(field.key);  // the record might have given it
-    }
+    mark_untyped(reading_);
     if (fault.message.empty()) return;  // errors of the other step, already reported
     issues_.push_back({place_in(taken.place, taken.source, fault.at, fault.length), step_.name() + "." + taken.path,
                        fault.message, fault.hint, Severity::error});

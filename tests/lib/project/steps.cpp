@@ -77,6 +77,31 @@ TEST_SUITE("project steps") {
 )says");
   }
 
+  TEST_CASE("an element of a result list is told by its name") {
+    const auto said = [](const std::string& load) {
+      return issues_of(
+          "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\n"
+          "pieces = [{ l = \"200 mm\", d = \"40 mm\" }]\n"
+          "supports = [{ name = \"left\", x = \"10 mm\" }, { name = \"right\", x = \"190 mm\" }]\n"
+          "seats = [{ name = \"wheel\", x = \"100 mm\", F_y = \"3 kN\" }]\n"
+          "[ball]\ncalculator = \"bearing.rolling\"\nbearing = \"6208\"\nL_h = \"20000 h\"\nload = \"" +
+          load + "\"\n");
+    };
+    CHECK(said("=shaft.bearing.left").find("help: did you mean 'shaft.bearings.left'?") != std::string::npos);
+    CHECK(said("=shaft.left").find("help: did you mean 'shaft.bearings.left'?") != std::string::npos);
+    const std::string supports = said("=shaft.supports.left");
+    CHECK(supports.find("help: did you mean '=shaft.bearings.left'?") != std::string::npos);
+    CHECK(supports.find("standstill") == std::string::npos);
+  }
+
+  TEST_CASE("values and tables that are misspelt are no steps") {
+    const auto said = [](const std::string& T) {
+      return issues_of("[values]\nT = \"9 N*m\"\n" + axle + "T = \"" + T + "\"\ntau_adm = \"30 MPa\"\n");
+    };
+    CHECK(said("=2*value.T").find("help: did you mean 'values.T'?") != std::string::npos);
+    CHECK(said("=1 mm^3*materials.C45E.E").find("help: did you mean 'tables.materials.C45E.E'?") != std::string::npos);
+  }
+
   TEST_CASE("an expression of another dimension is refused when the file is read") {
     CHECK(issues_of(bar + axle + "T = \"=peak(bar.joints.O.F)\"\ntau_adm = \"30 MPa\"\n") ==
           R"says(a.toml:20:7: error: 'T' is a moment, but this expression is a force

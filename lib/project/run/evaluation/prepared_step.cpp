@@ -1,5 +1,6 @@
 #include "lib/project/run/evaluation/prepared_step.hpp"
 
+#include "lib/project/references/result_paths.hpp"
 #include "lib/project/run/evaluation/rule_help.hpp"
 #include "lib/table/tables.hpp"
 
@@ -258,18 +259,6 @@ Fault missing_element(const StepInput& input, const std::string& path) {
   const std::size_t count = list.size(input.reading.record.data.get());
   return {0, path.size(), say("'{1}' has no element '{2}'", input.name, path),
           say("{1} has {2}, counted from 1", list.key, std::to_string(count))};
-}
-
-Fault unknown_path(const StepInput& input, const std::string& path) {
-  std::vector<std::string> known;
-  Record blank(*input.calculator->result);
-  for_each_leaf(blank, [&](const std::string& leaf, const Leaf&) { known.push_back(leaf); });
-  for (const FieldInfo& f : input.calculator->result->fields) {
-    if (f.is_handed_over) known.emplace_back(f.key);
-    for (const FieldInfo& inner : f.fields) known.push_back(std::string(f.key) + "[1]." + inner.key);
-  }
-  return {0, path.size(), say("'{1}' has no result '{2}'", input.name, path),
-          did_you_mean(path, known, say("`loadpath describe {1}` lists them", input.calculator->id), input.name + ".")};
 }
 
 }  // namespace

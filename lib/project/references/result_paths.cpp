@@ -1,0 +1,78 @@
+#include "lib/project/references/result_paths.hpp"
+
+#include <algorithm>
+
+namespace loadpath::project {
+
+namespace {
+
+using Type = FieldInfo::Type;
+
+const FieldInfo* name_in(const FieldInfo& list) {
+  const FieldInfo* const name = list.type == Type::list ? find_field(list.fields, "name") : nullptr;
+  return name != nullptr && name->type == Type::name ? name : nullptr;
+}
+
+std::string_view last_part(std::string_view path) { return path.substr(path.rfind('.') + 1); }
+
+/// The names in a list of the input; of a result list that has no input list of its key those of all others.
+std::vector<std::string> names_for(const FieldInfo& results, const StepInput& input) {
+  std::vector<std::string> names;
+  const auto& fields = input.calculator->input->fields;
+  const bool has_own = find_field(fields, results.key) != nullptr;
+  for (const FieldInfo& list : fields) {
+    const FieldInfo* const name = name_in(list);
+    const bool is_its = has_own ? std::string_view(list.key) == results.key
+                                : find_field(input.calculator->result->fields, list.key) == nullptr;
+    if (name == nullptr || !is_its) continue;
+    void* const data = input.reading.record.data.get();
+    for (std::size_t i = 0; i < list.size(data); ++i) {
+      const std::string_view one = name->text(list.element(data, i));
+      if (!one.empty()) names.emplace_back(one);
+    }
+  }
+  return names;
+}
+
+}  // namespace
+
+std::vector<std::string> named_elements(const StepInput& input) {
+  std::vector<std::string> paths;
+  if (input.calculator->result == nullptr) return paths;
+  for (const FieldInfo& list : input.calculator->result->fields) {
+    if (name_in(list) == nullptr) continue;
+    for (const std::string& name : names_for(list, input)) paths.push_back(std::string(list.key) + "." + name);
+  }
+  return paths;
+}
+
+Fault unknown_path(const StepInput& input, const std::string& path) {
+  std::vector<std::string> known;
+  Record blank(*input.calculator->result);
+  for_each_leaf(blank, [&](const std::string& leaf, const Leaf&) { known.push_back(leaf); });
+  for (const FieldInfo& f : input.calculator->result->fields) {
+    if (f.is_handed_over) known.emplace_back(f.key);
+    for (const FieldInfo& inner : f.fields) known.push_back(std::string(f.key) + "[1]." + inner.key);
+  }
+  Message otherwise = say("`loadpath describe {1}` lists them", input.calculator->id);
+  for (const std::string& element : named_elements(input)) {
+    known.push_back(element);
+    const FieldInfo* const list = find_field(input.calculator->result->fields, element.substr(0, element.find('.')));
+    for (const FieldInfo& inner : list->fields) known.push_back(std::string(element).append(".").append(inner.key));
+    if (last_part(element) == last_part(path)) otherwise = say("did you mean '{1}.{2}'?", input.name, element);
+  }
+  return {0, path.size(), say("'{1}' has no result '{2}'", input.name, path),
+          did_you_mean(path, known, std::move(otherwise), input.name + ".")};
+}
+
+std::string record_with(const Step& step, const std::string& source, const std::string& key) {
+  for (const std::string& element : named_elements(step.input())) {
+    const auto members = step.members(element);
+    const auto has_key = [&](const Member& member) { return member.key == key; };
+    if (last_part(element) == last_part(source) && std::any_of(members.begin(), members.end(), has_key))
+      return step.name() + "." + element;
+  }
+  return {};
+}
+
+}  // namespace loadpath::project

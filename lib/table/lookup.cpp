@@ -1,4 +1,5 @@
 #include "lib/quantity/format.hpp"
+#include "lib/table/library.hpp"
 #include "lib/table/names.hpp"
 #include "lib/table/table.hpp"
 
@@ -70,6 +71,38 @@ const Column* Table::column(std::string_view key) const {
   return found == columns.end() ? nullptr : &*found;
 }
 
+namespace {
+
+/// "6208" of "6208-2RS" or "SKF 6208", "St 52-3" for "St52": the name of a row among the parts of a name, or one that
+/// begins with it.
+std::string part_or_whole(std::string_view name, const std::vector<std::string>& names) {
+  constexpr std::size_t shortest = 3;
+  for (std::size_t from = 0; from < name.size();) {
+    const std::size_t end = std::min(name.find_first_of(" -/+_,", from), name.size());
+    const auto part = folded(name.substr(from, end - from));
+    const auto is_it = [&](const std::string& candidate) { return folded(candidate) == part; };
+    const auto found = part.size() < shortest ? names.end() : std::find_if(names.begin(), names.end(), is_it);
+    if (found != names.end()) return *found;
+    from = end + 1;
+  }
+  const auto begins = [wanted = folded(name)](const std::string& candidate) {
+    return folded(candidate).starts_with(wanted);
+  };
+  if (name.size() < shortest || name.find_first_of("0123456789") == std::string_view::npos) return {};
+  const auto found = std::find_if(names.begin(), names.end(), begins);
+  return found == names.end() ? "" : *found;
+}
+
+/// "`loadpath tables materials` lists them"; empty if no built-in table has rows of the group.
+Message listing(std::string_view group) {
+  const auto tables = tables_of(group);
+  if (tables.empty()) return {};
+  const std::string& first = tables.front()->name;
+  return say("`loadpath tables {1}` lists them", tables.size() == 1 ? first : first.substr(0, first.find('/')));
+}
+
+}  // namespace
+
 Fault no_row(std::string_view group, std::string_view name, const std::vector<const Library*>& libraries) {
   const std::u32string wanted = folded(name);
   const Message message = say("no row '{1}' in the tables of '{2}'", name, group);
@@ -80,8 +113,9 @@ Fault no_row(std::string_view group, std::string_view name, const std::vector<co
       return fault(message, say("'{1}' comes close and is not the same: name it if it will do", close.row->name));
     add_names(*library, group, names);
   }
-  const auto near = near_names(name, names);
-  if (near.empty()) return fault(message);
+  auto near = near_names(name, names);
+  if (std::string part = near.empty() ? part_or_whole(name, names) : ""; !part.empty()) near.push_back(std::move(part));
+  if (near.empty()) return fault(message, listing(group));
   return fault(message, near.size() == 1 ? say("did you mean '{1}'?", near[0])
                                          : say("did you mean '{1}' or '{2}'?", near[0], near[1]));
 }

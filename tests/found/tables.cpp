@@ -67,10 +67,17 @@ TEST_SUITE("found tables") {
     CHECK(answer("section", "IPE 210").ends_with("did you mean 'IPE 200' or 'IPE 220'?"));
     CHECK(answer("section", "RHS 100x50x7").ends_with("did you mean 'RHS 100x50x6.3' or 'RHS 100x50x8'?"));
     CHECK(answer("key", "14x10").ends_with("did you mean '14x9' or '16x10'?"));
-    CHECK(answer("material", "S999").ends_with("in the tables of 'material' | "));
+    CHECK(answer("material", "S999").ends_with("in the tables of 'material' | `loadpath tables materials` lists them"));
     CHECK(answer("material", "S35").ends_with("did you mean 'S235'?"));
     CHECK(answer("material", "S235JO").ends_with("did you mean 'S235JR'?"));
     CHECK(answer("material", "42CrMo5").ends_with("did you mean '42CrMo4'?"));
+  }
+
+  TEST_CASE("a designation with a suffix, a maker, or less than a name is told with the row") {
+    CHECK(answer("bearing", "6208-2RS").ends_with("did you mean '6208'?"));
+    CHECK(answer("bearing", "SKF 6208").ends_with("did you mean '6208'?"));
+    CHECK(answer("material", "42CrMo4+QT").ends_with("did you mean '42CrMo4'?"));
+    CHECK(answer("key", "auto").ends_with("`loadpath tables shaft/keys` lists them"));
   }
 
   TEST_CASE("C4: a material of the project's own is used, and of another project is not") {

@@ -4,6 +4,7 @@
 #include "lib/project/because.hpp"
 #include "lib/project/read/errors.hpp"
 #include "lib/project/read/read_record.hpp"
+#include "lib/project/template_names.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
@@ -36,8 +37,9 @@ const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogu
   if (found == nullptr && !text.empty()) {
     std::vector<std::string> ids;
     for (const CatalogueEntry& known : catalogue) ids.emplace_back(known.calculator->id);
+    Message as_template = template_meant(text, catalogue);
     add_error(issues, id->value.place, entry.key + ".calculator", say("unknown calculator '{1}'", text),
-              calculator_meant(text, ids));
+              as_template.empty() ? calculator_meant(text, ids) : std::move(as_template));
   }
   return found;
 }
@@ -58,7 +60,7 @@ bool read_template(const Tree& table, StepInput& input, std::vector<Issue>& issu
   std::vector<std::string> ids;
   for (const Template* t : input.calculator->templates) ids.emplace_back(t->id);
   add_error(issues, place_in(named->value.place, id, 0, id.size()), key, say("unknown template '{1}'", id),
-            did_you_mean(id, ids, there_is(ids)));
+            template_near(id, ids));
   return false;
 }
 
@@ -297,8 +299,10 @@ std::unique_ptr<Step> read_step(const Tree::Entry& entry, const Project& project
   read_display(entry.value, input, issues);
   read_accepted(entry.value, input, issues);
   read_because(entry.value, input, issues);
+  const std::size_t before = issues.size();
   input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".",
                               keys_beside_fields(*input.calculator), issues);
+  name_templates(input, before, issues);
   read_rows(entry.value, input, issues);
   fill_stocks(input, issues);
   return known->make_step(std::move(input));

@@ -1,5 +1,7 @@
 #include "lib/project/read/elsewhere.hpp"
 
+#include "lib/quantity/literal.hpp"
+
 namespace loadpath::project {
 
 namespace {
@@ -40,6 +42,20 @@ Message element_called(std::string_view name, std::span<const FieldInfo> fields,
     }
   }
   return {};
+}
+
+Message value_within(std::string_view value, const FieldInfo& table, const std::string& path) {
+  std::vector<std::string> keys;
+  for (const FieldInfo& field : table.fields) {
+    keys.emplace_back(field.key);
+    if (field.type != Type::quantity || std::string_view(field.unit) == "-") continue;
+    const auto literal = parse_literal(value, Expected{field.dimension, field.kind, field.unit});
+    if (!literal) continue;
+    const std::string inner = "{ " + std::string(field.key) + " = \"" + std::string(value) + "\" }";
+    return path.ends_with(']') ? say("write {1} = [{2}]", path.substr(0, path.rfind('[')), inner)
+                               : say("write {1} = {2}", path, inner);
+  }
+  return there_is(keys);
 }
 
 }  // namespace loadpath::project

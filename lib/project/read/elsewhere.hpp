@@ -18,4 +18,8 @@ Message input_within(std::string_view key, std::span<const FieldInfo> fields);
 /// "did you mean 'links.slider'?" for the name of an element that a list has already; empty if none has.
 Message element_called(std::string_view name, std::span<const FieldInfo> fields, void* owner);
 
+/// "write crank = { speed = "180 rpm" }" for crank = "180 rpm": the first quantity of a table's inputs that the value
+/// fits; else the inputs there are.
+Message value_within(std::string_view value, const FieldInfo& table, const std::string& path);
+
 }  // namespace loadpath::project

@@ -132,8 +132,9 @@ void Reader::read_aggregate(const Tree& tree, const FieldInfo& field, void* inne
   if (tree.type == Tree::Type::table) return read_fields(tree, {{field.fields, inner}}, path, {});
   if (!field.positional && takes(tree, field, path)) return;
   if (!field.positional) {
-    return say_at(tree.place, path, say("'{1}' is a table of fields, not {2}", path, toml::word_for(tree.type)),
-                  there_is(keys_of({{field.fields, inner}})));
+    const Message hint = tree.type == Tree::Type::text ? value_within(tree.text, field, path)
+                                                       : there_is(keys_of({{field.fields, inner}}));
+    return say_at(tree.place, path, say("'{1}' is a table of fields, not {2}", path, toml::word_for(tree.type)), hint);
   }
   read_array(tree, field, inner, path);
 }

@@ -50,7 +50,9 @@ Tree value_of(const std::string& key, const std::string& text, const FieldInfo* 
   value.place = {flag, 1, 1, 1};
   // { stock = "R20" }, ["0 deg", "90 deg"], or a text in the quotes of a project file
   const bool structured = text.starts_with('{') || text.starts_with('[') || text.starts_with('"');
-  if ((takes_text(field) || text.starts_with('=')) && !structured) return value;
+  const bool is_table =
+      field != nullptr && field->has_fields() && !field->positional;  // its reader says how to write it
+  if ((takes_text(field) || is_table || text.starts_with('=')) && !structured) return value;
   const std::string prefix = "value = ";
   const auto length = static_cast<int>(prefix.size());
   const std::size_t before = issues.size();

@@ -28,14 +28,14 @@ int dispatch(int argc, char** argv) {
     return passed;
   }
   CommandLine line;
-  std::vector<std::string> words = words_of(argc, argv);
-  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  const std::vector<std::string> typed = words_of(argc, argv);
+  std::vector<std::string> words(typed.rbegin(), typed.rend());  // as CLI11 takes them
   try {
     line.app.parse(std::move(words));
   } catch (const CLI::Success& success) {  // --help, --version
     return line.app.exit(success);
   } catch (const CLI::ParseError& error) {
-    return wrong_words(line.app, error);
+    return wrong_words(line.app, error, typed);
   }
   if (line.action && line.app.remaining().empty()) return line.action();
   return unknown_command(line.app, deepest(line.app));

@@ -1,7 +1,12 @@
 #include "cli/program/refusals.hpp"
 
 #include "calculators/catalogue.hpp"
+#include "cli/catalogue/not_included.hpp"
+#include "cli/catalogue/search.hpp"
 #include "cli/commands.hpp"
+#include "cli/typed_remedies.hpp"
+#include "lib/project/read/elsewhere.hpp"
+#include "lib/table/library.hpp"
 #include "lib/text/meant.hpp"
 
 #include <algorithm>
@@ -23,6 +28,32 @@ std::string path_of(const CLI::App& command) {
                                          : path_of(*command.get_parent()) + " " + command.get_name();
 }
 
+std::vector<std::string> subcommands_of(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; }))
+    names.push_back(sub->get_name());
+  return names;
+}
+
+/// The calculator of a command, shaft.torsion of `loadpath shaft torsion`; null for any other command.
+const Calculator* calculator_of(const CLI::App& command) {
+  const CLI::App* const element = command.get_parent();
+  return element == nullptr ? nullptr : find_calculator(calculators(), element->get_name() + "." + command.get_name());
+}
+
+/// An input of a group or of a list's elements that was typed as a flag: --n of the crank, --crank.speed; empty if it
+/// is none.
+std::string input_of_table(const CLI::App& command, const std::string& flag) {
+  const Calculator* const calculator = calculator_of(command);
+  if (calculator == nullptr) return "";
+  const auto fields = calculator->input->fields;
+  const std::size_t point = flag.find('.');
+  if (point == std::string::npos) return as_flags(project::input_within(flag, fields).text());
+  const FieldInfo* const outer = find_input(fields, flag.substr(0, point));
+  if (outer == nullptr || !outer->has_fields()) return "";
+  return as_flags(project::input_within(flag.substr(point + 1), std::span(outer, 1)).text());
+}
+
 int unknown_option(const CLI::App& command, const std::string& word) {
   const std::string name = word.substr(0, word.find('='));
   std::vector<Known> options;
@@ -37,8 +68,13 @@ int unknown_option(const CLI::App& command, const std::string& word) {
                                                        (name == "--accept" ? ".MODE" : ".INPUT") + " = \"reason\"");
   if ((name == "--P" || name == "--n") && has("T"))
     return refuse("unknown option '" + name + "'", "a power and a speed are a torque: --T \"=15 kW/(1450 rpm)\"");
-  return refuse("unknown option '" + name + "'",
-                meant(name.substr(2), options, say("`{1} --help` shows what there is", path_of(command)), "--").text());
+  if (const auto subs = subcommands_of(command); command.get_parent() != nullptr && !subs.empty())
+    return refuse("unknown option '" + name + "'", subs.size() == 1
+                                                       ? "name the calculator: " + path_of(command) + " " + subs[0]
+                                                       : "name the calculator; " + there_is(subs).text());
+  std::string otherwise = name.size() > 2 ? input_of_table(command, name.substr(2)) : "";
+  if (otherwise.empty()) otherwise = "`" + path_of(command) + " --help` shows what there is";
+  return refuse("unknown option '" + name + "'", meant(name.substr(2), options, say("{1}", otherwise), "--").text());
 }
 
 /// "`loadpath diff BEFORE AFTER`", with the arguments that the command requires; empty if it requires none.
@@ -73,6 +109,37 @@ const CLI::Option* repeated_option(const CLI::App& command) {
   return nullptr;
 }
 
+/// The help for a word that is no command: a subject that is not included, a calculator of this name, a table.
+std::string command_meant(const std::string& word, const std::vector<std::string>& commands) {
+  if (const auto subjects = not_included(word, true); !subjects.empty())
+    return "not included: " + std::string(subjects.front()->what) + "; `loadpath list " + word + "` shows the nearest";
+  for (const Calculator* calculator : calculators()) {
+    if (std::string_view(calculator->id).substr(calculator->element().size() + 1) == word)
+      return "did you mean '" + std::string(calculator->element()) + " " + word + "'?";
+  }
+  if (table::first_table_in(word) != nullptr) return "did you mean 'tables " + word + "'?";
+  if (word == "solve" || word == "report" || word == "calculate") return "did you mean 'run' (solves a project file)?";
+  const std::string near = nearest(word, commands);
+  if (near.empty() && !search(word).named.empty()) return "`loadpath list " + word + "` finds calculators";
+  return did_you_mean(word, commands, there_is(commands)).text();
+}
+
+/// "--T "2700 N*m"" where a blank has divided the value of an option before this word; empty if none has.
+std::string divided_value(const CLI::App& command, const std::string& word, const std::vector<std::string>& typed) {
+  const auto takes_value = [&](const std::string& flag) {
+    const CLI::Option* const option = flag.starts_with("--") ? command.get_option_no_throw(flag) : nullptr;
+    return option != nullptr && option->get_items_expected_max() > 0;
+  };
+  for (std::size_t i = 2; i < typed.size(); ++i) {
+    if (typed[i] != word || typed[i - 1].starts_with('-')) continue;
+    if (!takes_value(typed[i - 2])) continue;
+    std::string value = typed[i - 1];
+    for (std::size_t k = i; k < typed.size() && !typed[k].starts_with('-'); ++k) value += " " + typed[k];
+    return typed[i - 2] + " \"" + value + "\"";
+  }
+  return "";
+}
+
 }  // namespace
 
 const CLI::App& deepest(const CLI::App& app) {
@@ -87,24 +154,26 @@ int unknown_command(const CLI::App& app, const CLI::App& command) {
     return wrong_input;
   }
   if (words[0].starts_with('-')) return unknown_option(command, words[0]);
-  std::vector<std::string> names;
-  for (const CLI::App* sub : command.get_subcommands([](const CLI::App*) { return true; })) {
-    names.push_back(sub->get_name());
-  }
+  const std::vector<std::string> names = subcommands_of(command);
   const bool top = &app == &command;
   if (const std::string call = call_of_template(command.get_name(), words[0]); !top && !call.empty())
     return refuse("'" + words[0] + "' is a template, not a calculator", "`" + call + "`");
   const std::string prefix = top ? "" : command.get_name() + " ";
-  return refuse((top ? "unknown command '" : "unknown calculator '") + prefix + words[0] + "'",
+  if (top) return refuse("unknown command '" + words[0] + "'", command_meant(words[0], names));
+  return refuse("unknown calculator '" + prefix + words[0] + "'",
                 did_you_mean(words[0], names, there_is(names), prefix).text());
 }
 
-int wrong_words(const CLI::App& app, const CLI::ParseError& error) {
+int wrong_words(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& typed) {
   const CLI::App& command = deepest(app);
   const auto words = app.remaining(true);
   if (!words.empty() && words[0].starts_with("--")) return unknown_option(command, words[0]);
   const std::string help = "`" + path_of(command) + " --help` shows what there is";
-  if (!words.empty()) return refuse("'" + words[0] + "' is not expected here", help);
+  if (!words.empty()) {
+    const std::string whole = divided_value(command, words[0], typed);
+    return refuse("'" + words[0] + "' is not expected here",
+                  whole.empty() ? help : "a value with a blank needs quotes: " + whole);
+  }
   if (const CLI::Option* option = repeated_option(command)) {
     return refuse("'" + option->get_name() + "' is given more than once", "it takes one value: leave out all but one");
   }

@@ -52,6 +52,26 @@ TEST_SUITE("cli help") {
     CHECK(loadpath_with({"teapot"}).code == 2);
   }
 
+  TEST_CASE("a word that is no command is told with what it is") {
+    CHECK(contains(loadpath_with({"torsion"}).error, "did you mean 'shaft torsion'?"));
+    CHECK(contains(loadpath_with({"bolt"}).error, "not included: bolted joints"));
+    CHECK(contains(loadpath_with({"materials"}).error, "did you mean 'tables materials'?"));
+    CHECK(contains(loadpath_with({"report"}).error, "did you mean 'run'"));
+  }
+
+  TEST_CASE("a value that its blank has divided is told with its quotes") {
+    CHECK(loadpath_with({"shaft", "torsion", "--T", "2700", "N*m", "--tau_adm", "30 MPa"}).error ==
+          "loadpath: 'N*m' is not expected here\n  = help: a value with a blank needs quotes: --T \"2700 N*m\"\n");
+  }
+
+  TEST_CASE("an input of a table is told with its flag") {
+    const auto said = [](const std::string& flag) {
+      return loadpath_with({"mechanism", "planar", "--template", "slider_crank", flag, "180 rpm"}).error;
+    };
+    CHECK(contains(said("--crank.speed"), "write --crank '{ speed = \"... rad/s\" }'"));
+    CHECK(contains(said("--n"), "write --crank '{ speed = \"... rad/s\" }'"));
+  }
+
   TEST_CASE("an unknown calculator is told with the nearest one") {
     const Ran o = loadpath_with({"shaft", "torsoin", "--T", "3 N*m"});
     CHECK(o.code == 2);
@@ -63,8 +83,11 @@ TEST_SUITE("cli help") {
                    "loadpath: unknown option '--rport'\n  = help: did you mean '--report' ("));
     CHECK(contains(loadpath_with({"--versoin"}).error,
                    "loadpath: unknown option '--versoin'\n  = help: did you mean '--version' ("));
-    CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).error ==
-          "loadpath: unknown option '--T'\n  = help: `loadpath shaft --help` shows what there is\n");
+    CHECK(
+        loadpath_with({"shaft", "--T", "3 N*m"})
+            .error.starts_with("loadpath: unknown option '--T'\n  = help: name the calculator; available: torsion, "));
+    CHECK(loadpath_with({"bearing", "--bearing", "6208"}).error ==
+          "loadpath: unknown option '--bearing'\n  = help: name the calculator: loadpath bearing rolling\n");
     CHECK(loadpath_with({"shaft", "--T", "3 N*m"}).code == 2);
   }
 

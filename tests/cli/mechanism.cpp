@@ -153,8 +153,8 @@ TEST_SUITE("cli mechanism") {
           "a.toml: error: the project has no step of 'mechanism.planar'\n");
     CHECK(desk.run({"mechanism", "planar", "--file", "b.toml"}).error == "loadpath: cannot read 'b.toml'\n");
     CHECK(desk.run({"mechanism", "planar", "--template", "scotch_yoke", "--r", "9 mm", "--at", "3 deg"}).error ==
-          "--at: error: crank angles are of a crank, and there is none\n  = help: write its speed: crank = { speed = "
-          "\"60 rpm\" }\n");
+          "--at: error: crank angles are of a crank, and there is none\n  = help: write its speed: --crank '{ speed = "
+          "\"60 rpm\" }'\n");
   }
 
   TEST_CASE("any calculator takes its steps from a file, and what they refer to") {

@@ -3,6 +3,7 @@
 #include "lib/quantity/format.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/table/library.hpp"
+#include "lib/table/names.hpp"
 #include "lib/table/search.hpp"
 #include "lib/table/table.hpp"
 
@@ -30,6 +31,27 @@ std::string listed(const char* what, const std::vector<std::string>& names) {
   return all.empty() ? all : terminal::paragraph(all, 2);
 }
 
+/// "materials/steel_heat_treatable" of "C45E"; empty if no table has a row that answers to the word.
+std::string table_of_row(const Library& library, const std::string& word) {
+  for (const Table& t : library.tables) {
+    const auto entry = table::find_row(Library{{t}, {}, {}}, t.group, word);
+    if (entry) return t.name;
+  }
+  return "";
+}
+
+/// Tables whose name begins with the word behind its folder: "sections/hea" of "HEA".
+std::vector<std::string> tables_beginning(const Library& library, const std::string& word) {
+  std::vector<std::string> names;
+  const std::u32string wanted = table::folded(word);
+  for (const Table& t : library.tables) {
+    const std::u32string last = table::folded(t.name.substr(t.name.find('/') + 1));
+    if (last == wanted) return {t.name};
+    if (last.starts_with(wanted)) names.push_back(t.name);
+  }
+  return names;
+}
+
 int unknown_table(const std::string& word) {
   const Library& library = table::built_in();
   std::vector<std::string> names;
@@ -38,16 +60,29 @@ int unknown_table(const std::string& word) {
     names.push_back(t.name.substr(0, t.name.find('/')));
   }
   for (const table::Series& s : library.series) names.push_back(s.name);
-  std::cerr << "loadpath: unknown table '" << word
-            << "'\n  = help: " << did_you_mean(word, names, say("`loadpath tables` shows all")).text() << "\n";
+  Message hint = did_you_mean(word, names);
+  if (hint.empty()) {
+    const std::string row = table_of_row(library, word);
+    const auto begun = tables_beginning(library, word);
+    hint = !row.empty()     ? say("'{1}' is a row: `loadpath tables {2} \"{1}\"`", word, row)
+           : !begun.empty() ? there_is(begun)
+                            : say("`loadpath tables` shows all");
+  }
+  std::cerr << "loadpath: unknown table '" << word << "'\n  = help: " << hint.text() << "\n";
   return wrong_input;
 }
 
-int show_index(const Library& library) {
+/// All tables and series; `of`: those of this folder, and the series of this name.
+int show_index(const Library& library, const std::string& of = "") {
   Rows rows;
-  for (const Table& t : library.tables) rows.push_back({t.name, std::to_string(t.rows.size()) + " rows", t.title});
-  for (const table::Series& s : library.series)
-    rows.push_back({s.table + " " + s.name, std::to_string(s.members.size()) + " sizes", s.title});
+  for (const Table& t : library.tables) {
+    if (of.empty() || t.name.starts_with(of + "/"))
+      rows.push_back({t.name, std::to_string(t.rows.size()) + " rows", t.title});
+  }
+  for (const table::Series& s : library.series) {
+    if (of.empty() || s.name == of)
+      rows.push_back({s.table + " " + s.name, std::to_string(s.members.size()) + " sizes", s.title});
+  }
   std::cout << terminal::columns(rows);
   return passed;
 }
@@ -221,7 +256,7 @@ int search_tables(const TablesOptions& options) {
 
 /// The series that is named by itself, or in its table; null if none is.
 const table::Series* series_of(const TablesOptions& options) {
-  if (const auto* series = table::series_named(options.table)) return series;
+  if (const auto* series = options.key.empty() ? table::series_named(options.table) : nullptr) return series;
   const auto* series = table::series_named(options.key);
   return series != nullptr && series->table == options.table ? series : nullptr;
 }
@@ -248,6 +283,9 @@ int tables(const TablesOptions& options) {
   const Library& library = table::built_in();
   if (options.audit) return options.json ? print(exports::json_of(table::audit(library))) : show_audit(library);
   if (options.table.empty()) return options.json ? print(exports::json_index(library)) : show_index(library);
+  const bool is_both = options.key.empty() && !options.json && table::series_named(options.table) != nullptr &&
+                       table::first_table_in(options.table) != nullptr;
+  if (is_both) return show_index(library, options.table);  // "bearing": a folder and a series
   if (const auto* series = series_of(options))
     return options.json ? print(exports::json_of(*series)) : show_series(*series);
   const Table* const first = table::first_table_in(options.table);

@@ -36,6 +36,17 @@ TEST_SUITE("cli tables") {
     CHECK(row.error == "loadpath: no row 'C54E' in the tables of 'material'\n  = help: did you mean 'C45E'?\n");
   }
 
+  TEST_CASE("a row, a part of a name, and a folder that is a series too are told apart") {
+    CHECK(
+        contains(loadpath_with({"tables", "C45E"}).error, "`loadpath tables materials/steel_heat_treatable \"C45E\"`"));
+    CHECK(contains(loadpath_with({"tables", "HEA"}).error, "available: sections/hea\n"));
+    CHECK(contains(loadpath_with({"tables", "steel"}).error, "materials/steel_structural"));
+    const Ran both = loadpath_with({"tables", "bearing"});
+    CHECK(contains(both.out, "bearing/62 "));
+    CHECK(contains(both.out, "shaft/diameters bearing"));
+    CHECK(contains(loadpath_with({"tables", "bearing", "6208"}).out, "bearing/62)"));
+  }
+
   TEST_CASE("sections are searched by conditions and sorted") {
     const Ran o = loadpath_with({"tables", "sections/ipe", "--where", "I_min >= 300 cm^4", "--sort", "mass"});
     CHECK(o.code == 0);

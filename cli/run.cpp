@@ -1,4 +1,5 @@
 #include "cli/commands.hpp"
+#include "cli/inputs/missing_file.hpp"
 #include "cli/inputs/projects.hpp"
 #include "cli/output.hpp"
 #include "cli/points.hpp"
@@ -25,7 +26,7 @@ int refuse(const std::string& message, const std::string& hint = {}) {
 int run_one(const std::string& file, const RunOptions& options, OutputOptions output) {
   output.report_of_project = true;
   std::string text;
-  if (!toml::read_file(file, text)) return refuse("cannot read '" + file + "'");
+  if (!toml::read_file(file, text)) return refuse("cannot read '" + file + "'", help_for_file(file));
   const std::string name = file == "-" ? "standard input" : file;
   return solve_and_show(
       [&](std::vector<Issue>& issues) {

@@ -2,6 +2,7 @@
 
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
+#include "cli/inputs/missing_file.hpp"
 #include "lib/export/json_writer.hpp"
 #include "lib/export/unit_name.hpp"
 #include "lib/project/solving/read_project.hpp"
@@ -115,7 +116,8 @@ int verify(const VerifyOptions& options) {
   for (const std::string& path : options.files) {
     std::string text;
     if (!toml::read_file(path, text)) {
-      std::cerr << "loadpath: cannot read '" << path << "'\n";
+      std::cerr << "loadpath: cannot read '" << path << "'\n  = help: " << help_for_file(path)
+                << "; without a file all published cases are verified\n";
       return wrong_input;
     }
     ran = verify_one(path, text, true, true, count, out) && ran;

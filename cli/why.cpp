@@ -1,6 +1,7 @@
 #include "lib/report/terminal/why.hpp"
 
 #include "cli/commands.hpp"
+#include "cli/inputs/missing_file.hpp"
 #include "cli/points.hpp"
 #include "cli/settings/settings.hpp"
 #include "cli/solving.hpp"
@@ -26,7 +27,8 @@ int refuse_step(const project::Project& project, const std::string& name) {
 int why(const WhyOptions& options) {
   std::string text;
   if (!toml::read_file(options.file, text)) {
-    std::cerr << "loadpath: cannot read '" << options.file << "'\n";
+    std::cerr << "loadpath: cannot read '" << options.file << "'\n  = help: " << help_for_file(options.file)
+              << "; the file comes first: `loadpath why FILE STEP`\n";
     return wrong_input;
   }
   const std::string name = options.file == "-" ? "standard input" : options.file;

@@ -94,6 +94,8 @@ int convert(const ConvertOptions& options) {
   if (!fits) {
     std::cerr << "loadpath: '" << text << "' is a " << name_of(literal.dimension) << ", '" << unit << "' is a unit of "
               << name_of(target->dimension) << "\n";
+    if (literal.dimension.is_number() && !expression)
+      std::cerr << "  = help: a value with a blank needs quotes: loadpath convert \"" << text << " " << unit << "\"\n";
     if (literal.dimension != target->dimension &&
         literal.dimension.without_angle() == target->dimension.without_angle())
       std::cerr << "  hint: turns per time times rev, as in \"=rev*50 Hz\"; an angle over rev counts turns\n";

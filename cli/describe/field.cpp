@@ -8,6 +8,7 @@
 #include "cli/fields/words.hpp"
 #include "lib/quantity/format.hpp"
 #include "lib/report/terminal/terminal.hpp"
+#include "lib/table/tables.hpp"
 #include "lib/text/meant.hpp"
 
 #include <algorithm>
@@ -295,6 +296,7 @@ bool show_group(const Calculator& calculator, const std::string& name) {
     if (is_filled) facts.add("fills", std::string(field.key) + ": " + field.doc);
   }
   facts.add("rows", "`loadpath tables`, or [tables." + name + "s] in the file");
+  if (!table::order_of(name).empty()) facts.add("search", name + " = \"?\" finds the first row that passes");
   const toml::Tree step = example_step(calculator);
   const toml::Tree::Entry* const given = step.find(name);
   facts.add("example", given == nullptr ? "" : name + " = " + as_typed(given->value));
@@ -323,6 +325,7 @@ bool show_field(const Calculator& calculator, const std::string& name) {
     if (is_shown) std::cout << "\n";
     is_shown = true;
   };
+  if (show_group(calculator, name)) is_shown = true;
   if (const Leaf leaf = find_declared(input.type->fields, input.data.get(), path))
     part(), show_input(calculator, leaf, path);
   if (calculator.result != nullptr) {
@@ -333,7 +336,7 @@ bool show_field(const Calculator& calculator, const std::string& name) {
   for (const ModeInfo& mode : calculator.modes) {
     if (mode.id == name) part(), show_mode(calculator, mode);
   }
-  return is_shown || show_group(calculator, name) || show_pattern(calculator, name) || show_parameter(calculator, path);
+  return is_shown || show_pattern(calculator, name) || show_parameter(calculator, path);
 }
 
 int refuse_field(const Calculator& calculator, const std::string& name) {

@@ -34,6 +34,11 @@ TEST_SUITE("cli convert") {
     }
   }
 
+  TEST_CASE("a quantity that its blank has divided is told with its quotes") {
+    CHECK(
+        convert({"10", "kN"}).error.ends_with("help: a value with a blank needs quotes: loadpath convert \"10 kN\"\n"));
+  }
+
   TEST_CASE("an expression is computed with its dimension") {
     CHECK(convert({"=2*pi*30 rpm", "rad/s"}).out == "19.7392088 rad/s\n");
     CHECK(convert({"=6 kW / (60 rpm)", "N*m"}).out == "954.9296586 N·m\n");

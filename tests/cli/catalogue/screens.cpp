@@ -157,6 +157,13 @@ TEST_SUITE("cli describe" * by_case) {
     CHECK(contains(loadpath_with({"describe", "mechanism.planar", "e"}).out, "slider_crank"));
   }
 
+  TEST_CASE("a row and a failure mode of one name are both described") {
+    const std::string key = loadpath_with({"describe", "shaft.key", "key"}).out;
+    CHECK(contains(key, "row of a table"));
+    CHECK(contains(key, "key = \"?\" finds the first row that passes"));
+    CHECK(contains(key, "failure mode key"));
+  }
+
   TEST_CASE("a name that is none is told with the near ones and their meanings") {
     const Ran near = loadpath_with({"describe", "shaft.torsion", "thetaadm"});
     CHECK(near.code == 2);

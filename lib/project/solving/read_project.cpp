@@ -9,6 +9,7 @@
 #include "lib/project/references/order.hpp"
 #include "lib/project/references/references.hpp"
 #include "lib/project/solving/bodies.hpp"
+#include "lib/project/solving/causes.hpp"
 #include "lib/project/solving/companions.hpp"
 #include "lib/table/tables.hpp"
 
@@ -164,9 +165,11 @@ void find_early_values(Step& step, const Project& project, std::vector<Issue>& i
     const auto& references = operand.expression.references();
     if (std::any_of(references.begin(), references.end(), [&](const auto& r) { return !values.contains(r.path); }))
       continue;
+    const auto signature = operand.expression.check(
+        [&](const std::string& path) -> Outcome<Signature> { return values.at(path).signature; });
     const double si =
         operand.expression.evaluate([&](const std::string& path) -> const Value& { return values.at(path); }).si[0];
-    if (!std::isfinite(si)) {
+    if (signature && !std::isfinite(si)) {  // another fault of the expression is told when it is checked
       issues.push_back({operand.place,
                         step.name() + "." + operand.path,
                         say("'{1}' has no value: its expression divides by zero, takes the root or logarithm of a "
@@ -279,6 +282,7 @@ Project read_project(const toml::Tree& tree, const std::string& file, Catalogue 
   find_varying_loads(project, declared);
   if (!has_errors(issues)) check_expectations(project, issues);
   project.values.warn_of_unused(issues);
+  keep_first_of_values(project, tree, issues);
   return project;
 }
 

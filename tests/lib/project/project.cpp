@@ -28,6 +28,28 @@ TEST_SUITE("project") {
 )");
   }
 
+  TEST_CASE("a wrong value is told once, at its place") {
+    const std::string rest = "\"\ntau_adm = \"30 MPa\"\n", torsion = "calculator = \"shaft.torsion\"\nT = \"";
+    const auto said = [&](const std::string& T) {
+      return issues_of("[values]\nd = \"60 mm\"\nT = \"" + T + "\"\n[a]\n" + torsion + "=values.T" + rest + "[b]\n" +
+                       torsion + "=values.T" + rest + "[c]\n" + torsion + "=2*values.T" + rest);
+    };
+    const auto errors_in = [](const std::string& text) {
+      int count = 0;
+      for (std::size_t at = text.find("error: "); at != std::string::npos; at = text.find("error: ", at + 1)) ++count;
+      return count;
+    };
+    const std::string step = said("=value.d*3 kN"), dimension = said("=values.d*3 kW"),
+                      sum = said("=max(values.d, 3 N)");
+    for (const std::string& one : {step, dimension, sum}) {
+      CHECK_MESSAGE(errors_in(one) == 1, one);
+      CHECK(one.starts_with("a.toml:3:"));
+    }
+    CHECK(step.find("unknown step 'value'") != std::string::npos);
+    CHECK(dimension.find("'T' is a moment") != std::string::npos);
+    CHECK(sum.find("cannot be compared") != std::string::npos);
+  }
+
   TEST_CASE("the words of a project file cannot name a step, those of the shell can") {
     CHECK(issues_of("[shaft]\ncalculator = \"shaft.torsion\"\nT = \"1 N*m\"\ntau_adm = \"30 MPa\"\n").empty());
     for (const char* word : {"values", "tables"}) {

@@ -1,0 +1,126 @@
+#include "lib/project/solving/causes.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+
+namespace loadpath::project {
+
+namespace {
+
+using toml::Tree;
+using Names = std::set<std::string>;
+
+constexpr std::string_view prefix = "values.";
+
+/// The values that an expression refers to, by their names; none of a text that cannot be read.
+Names values_in(const std::string& text) {
+  Names names;
+  const auto expression = Expression::parse(text);
+  if (!expression) return names;
+  for (const auto& reference : expression->references()) {
+    if (reference.path.starts_with(prefix)) names.insert(reference.path.substr(prefix.size()));
+  }
+  return names;
+}
+
+bool is_expression(const Tree& tree) { return tree.type == Tree::Type::text && tree.text.starts_with('='); }
+
+/// Whether an issue points into the text of a value.
+bool is_at(const Issue& issue, const Tree& value) {
+  const Place& at = issue.place;
+  return value.type == Tree::Type::text && at.file == value.place.file && at.line == value.place.line &&
+         at.column >= value.place.column && at.column <= value.place.column + value.place.length;
+}
+
+bool is_error(const Issue& issue) { return issue.severity == Severity::error; }
+
+class Causes {
+ public:
+  Causes(const Project& project, const std::vector<Tree::Entry>& values, std::vector<Issue>& issues)
+      : project_(project), values_(values), issues_(issues) {}
+
+  void run() {
+    add_unknown_steps();
+    for (const Tree::Entry& value : values_) keep_first_at(value);
+    if (wrong_.empty()) return;
+    spread();
+    std::erase_if(issues_, [&](const Issue& issue) { return is_error(issue) && follows(issue); });
+  }
+
+ private:
+  /// An expression of a value that names no step is told at the value, not where it is taken.
+  void add_unknown_steps() {
+    const auto is_unknown = [](const Issue& issue) { return issue.message.id == "unknown step '{1}'"; };
+    if (std::none_of(issues_.begin(), issues_.end(), is_unknown)) return;
+    for (const Tree::Entry& value : values_) {
+      if (!is_expression(value.value)) continue;
+      const std::string text = value.value.text.substr(1);
+      const auto expression = Expression::parse(text);
+      if (!expression) continue;
+      for (const auto& reference : expression->references()) {
+        const std::string name = split_step(reference.path).first;
+        if (name == "values" || name == "tables" || project_.find(name) != nullptr) continue;
+        const Fault fault = project_.unknown_step(reference.path);
+        Place start = value.value.place;
+        ++start.column;
+        const std::size_t at = std::min(text.find(reference.path), text.size());
+        if (!fault.message.empty())
+          issues_.insert(issues_.begin(),
+                         {place_in(start, text, at, reference.path.size()), std::string(prefix) + value.key,
+                          fault.message, fault.hint, Severity::error});
+        break;
+      }
+    }
+  }
+
+  void keep_first_at(const Tree::Entry& value) {
+    const auto is_here = [&](const Issue& issue) { return is_error(issue) && is_at(issue, value.value); };
+    const auto first = std::find_if(issues_.begin(), issues_.end(), is_here);
+    if (first == issues_.end()) return;
+    wrong_.insert(value.key);
+    issues_.erase(std::remove_if(first + 1, issues_.end(), is_here), issues_.end());
+  }
+
+  /// Values that calculate with a wrong one are wrong too.
+  void spread() {
+    for (bool grows = true; grows;) {
+      grows = false;
+      for (const Tree::Entry& value : values_) {
+        if (!is_expression(value.value) || wrong_.contains(value.key)) continue;
+        if (is_wrong(values_in(value.value.text.substr(1)))) grows = wrong_.insert(value.key).second;
+      }
+    }
+  }
+
+  [[nodiscard]] bool is_wrong(const Names& names) const {
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return wrong_.contains(name); });
+  }
+
+  /// Whether the issue is about an expression of a step that calculates with a wrong value.
+  [[nodiscard]] bool follows(const Issue& issue) const {
+    const auto [name, path] = split_step(issue.key);
+    const Step* const step = project_.find(name);
+    if (step == nullptr) return false;
+    const auto& operands = step->input().reading.operands;
+    return std::any_of(operands.begin(), operands.end(), [&, path = path](const Operand& operand) {
+      return operand.path == path && issue.place.line == operand.place.line && is_wrong(values_in(operand.text));
+    });
+  }
+
+  const Project& project_;
+  const std::vector<Tree::Entry>& values_;
+  std::vector<Issue>& issues_;
+  Names wrong_;
+};
+
+}  // namespace
+
+void keep_first_of_values(const Project& project, const Tree& file, std::vector<Issue>& issues) {
+  const auto* const values = file.find("values");
+  if (values != nullptr && is_shared(*values) && has_errors(issues))
+    Causes(project, values->value.entries, issues).run();
+}
+
+}  // namespace loadpath::project

@@ -226,6 +226,10 @@ bool name_is_free(const Tree::Entry& entry, std::vector<Issue>& issues) {
   } else if (is_reserved(entry.key)) {
     add_error(issues, entry.place, entry.key, say("'{1}' is a word of the program and cannot name a step", entry.key),
               say("call it '{1}_1', or by the part that it describes", entry.key));
+  } else if (entry.value.type == Tree::Type::array && !entry.value.items.empty() &&
+             entry.value.items.front().type == Tree::Type::table) {
+    add_error(issues, entry.place, entry.key, say("'{1}' is a list of tables, and a step is one", entry.key),
+              say("write one pair of brackets: [{1}]", entry.key));
   } else if (entry.value.type != Tree::Type::table) {
     add_error(issues, entry.place, entry.key, say("'{1}' is outside of a step", entry.key),
               say("a project file consists of tables: [crankshaft]"));

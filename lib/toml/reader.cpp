@@ -1,6 +1,7 @@
 #include "lib/text/utf8.hpp"
 #include "lib/toml/ascii.hpp"
 #include "lib/toml/gate.hpp"
+#include "lib/toml/hints.hpp"
 #include "lib/toml/tree.hpp"
 
 // toml++ 3.3 asserts conditions that a text may violate, e.g. that a name follows the bracket of a table, and checks
@@ -94,32 +95,6 @@ class Conversion {
   const std::string& file_;
 };
 
-/// `T = 900 N*m` without quotes is the commonest mistake, and the parser's own message does not help there.
-Message hint_for(std::string_view line) {
-  const auto is_foreign = [](std::string_view text) {
-    return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
-  };
-  const std::size_t equals = line.find('=');
-  if (line.starts_with('[') && is_foreign(line.substr(0, line.find(']'))))
-    return say("a name has Latin letters, digits and '_'");
-  if (equals == std::string_view::npos) return {};
-  std::string_view value = line.substr(equals + 1);
-  value.remove_prefix(std::min(value.find_first_not_of(" \t"), value.size()));
-  value = value.substr(0, value.find('#'));
-  while (!value.empty() && (value.back() == ' ' || value.back() == '\r' || value.back() == '\t'))
-    value.remove_suffix(1);
-  const bool bare = !value.empty() && value.find_first_of("\"'{[") == std::string_view::npos &&
-                    (std::isdigit(static_cast<unsigned char>(value[0])) != 0 || value[0] == '-' || value[0] == '+');
-  if (bare) return say("write a quantity in quotes: \"{1}\"", value);
-  const bool quotes_within = value.starts_with("\"=") && value.find(".\"") != std::string_view::npos;
-  if (quotes_within && value.size() > 2)
-    return say("put an expression that contains quotes in single quotes: '{1}'", value.substr(1, value.size() - 2));
-  const std::string_view key = line.substr(0, equals);
-  return is_foreign(key) && key.find('"') == std::string_view::npos
-             ? say("write a key with other than Latin letters in quotes")
-             : Message{};
-}
-
 /// The quote of a text that is still open where the line ends; nothing if none is, or the text may have several
 /// lines.
 std::optional<char> open_quote(std::string_view line) {
@@ -193,7 +168,7 @@ Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue
     return {};
   }
   if (auto refused = refuse_bare(text, file)) {
-    if (refused->hint.empty()) refused->hint = hint_for(line_of(text, refused->place.line));
+    if (refused->hint.empty()) refused->hint = hint_for(line_of(text, refused->place.line), 0);
     issues.push_back(std::move(*refused));
     return {};
   }
@@ -225,7 +200,9 @@ Tree read_toml(std::string_view text, const std::string& file, std::vector<Issue
           {place, "", say("'{1}' is given twice", twice), say("rename or remove one of them"), Severity::error});
       return {};
     }
-    issues.push_back({place, "", say("not valid TOML: {1}", what), hint_for(line), Severity::error});
+    const bool is_word = what.find("determine value type") != std::string::npos;
+    issues.push_back(
+        {place, "", say("not valid TOML: {1}", what), hint_for(line, is_word ? place.column : 0), Severity::error});
     return {};
   }
 }

@@ -119,7 +119,13 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
     return say_at(place_in(tree.place, text, 0, text.size()), path, say("'{1}' is an expression without its '='", text),
                   say("an expression starts with '=': write \"={1}\"", text));
   }
-  if (!literal) return fault_at(tree.place, text, path, literal.fault());
+  if (!literal) {
+    Fault fault = literal.fault();
+    const bool is_word = text.find_first_of("0123456789") == std::string::npos;
+    if (is_word && (*field.searched_in != '\0' || field.can_be_largest()))  // "auto"
+      fault.hint = say("{1}; to have it found: {2} = \"?\"", fault.hint, field.key);
+    return fault_at(tree.place, text, path, fault);
+  }
   const double si = literal->si;
   if (!field.bounds.holds(si)) {
     return say_at(tree.place, path,

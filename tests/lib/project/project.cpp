@@ -71,6 +71,12 @@ TEST_SUITE("project") {
               .ends_with("  = help: a name has Latin letters, digits and '_'\n"));
   }
 
+  TEST_CASE("a step in two pairs of brackets, and a word for a size that can be found, are told how to write them") {
+    CHECK(issues_of("[[a]]\ncalculator = \"shaft.torsion\"\n").ends_with("help: write one pair of brackets: [a]\n"));
+    CHECK(issues_of("[a]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\nd = \"auto\"\n")
+              .ends_with("; to have it found: d = \"?\"\n"));
+  }
+
   TEST_CASE("a key outside of a step is refused") {
     CHECK(issues_of("T = \"9 N*m\"\n") == R"(a.toml:1:1: error: 'T' is outside of a step
 1 | T = "9 N*m"

@@ -53,6 +53,16 @@ TEST_SUITE("toml") {
 )");
   }
 
+  TEST_CASE("a comment, a word, a name and quotes of another language are told how to write them") {
+    CHECK(issues_of("S = 1.5 ; safety\n").ends_with("help: a comment begins with '#': 1.5 # safety\n"));
+    CHECK(issues_of("a = { d = auto }\n").ends_with("help: a value to be found is written \"?\"\n"));
+    CHECK(issues_of("l = ?\n").ends_with("help: a value to be found is written in quotes: \"?\"\n"));
+    CHECK(issues_of("material = steel\n").ends_with("help: write a text in quotes: \"steel\"\n"));
+    CHECK(issues_of("[left\na = 1\n").ends_with("help: write [left]\n"));
+    CHECK(issues_of("[Left bearing]\na = 1\n").ends_with("help: write [Left_bearing]\n"));
+    CHECK(issues_of("material = \u201CC45E\u201D\n").ends_with("help: these are typographic quotes: write \"C45E\"\n"));
+  }
+
   TEST_CASE("a text that is not closed is told where it would be") {
     CHECK(issues_of("[m]\nmass = \"3 kg\nangle = \"0 deg\"\n") == R"(a.toml:2:13: error: the text is not closed
 2 | mass = "3 kg

@@ -1,6 +1,7 @@
 #include "calculators/shaft/key.hpp"
 
 #include "lib/calculator/calculator_of.hpp"
+#include "lib/quantity/format.hpp"
 
 namespace loadpath::shaft {
 
@@ -94,6 +95,14 @@ void fits(const Input& in, Result& r, Tracer& trace) {
 }  // namespace
 
 bool Key::sizes_given(const Input& in) { return is_set(in.b) && is_set(in.h) && is_set(in.t_1); }
+
+FieldFault Key::other_length(const Input& in) {
+  const auto format = [](Length x) { return format_quantity(in_si(x), mm.symbol); };
+  return {"l",
+          say("the standard has no key of this section and length: l = {1}, and it is made from {2} to {3}",
+              format(in.l), format(in.l_min), format(in.l_max)),
+          {}};
+}
 
 Applies Key::twisted(const Input& in) {
   const Length d = core(in);

@@ -74,6 +74,7 @@ R_e_k = "420 MPa"
     double f_W = unset<double>;
   };
   static bool sizes_given(const Input& in);
+  static FieldFault other_length(const Input& in);
   static Length core(const Input& in) { return in.d - (in.i > 1 ? 2.0 : 1.0) * in.t_1; }
   static Applies twisted(const Input& in);
   static constexpr Fields inputs = join(
@@ -230,7 +231,7 @@ R_e_k = "420 MPa"
           Rule<Input>{[](const Input& in) { return !(is_set(in.p_adm_k) && is_set(in.R_e_k)); }, "p_adm_k, R_e_k",
                       "give p_adm_k or R_e_k, not both"},
           Rule<Input>{[](const Input& in) { return !(in.l < in.l_min) && !(in.l > in.l_max); }, "l, l_min, l_max",
-                      "the standard has no key of this section and length", nullptr, true}});
+                      "the standard has no key of this section and length", &other_length, true}});
 
   static constexpr std::array senses{SenseClaim{"T", "torque", "one_way", "reversing"}};
   static constexpr std::array modes{

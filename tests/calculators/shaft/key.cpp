@@ -116,6 +116,15 @@ TEST_SUITE("key") {
                "not both");
     check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x9\"\ni = 3\n", "k.i: ");
     check_says("d = \"50 mm\"\nl = \"70 mm\"\nkey = \"14x9\"\nf_W = 0.5\n", "torque = \"reversing\"");
-    check_says("d = \"50 mm\"\nl = \"200 mm\"\nkey = \"14x9\"\n", "the standard has no key of this section and length");
+    check_says("d = \"50 mm\"\nl = \"200 mm\"\nkey = \"14x9\"\n",
+               "the standard has no key of this section and length: l = 200 mm, and it is made from 36 mm to 160 mm");
+  }
+
+  TEST_CASE("a length that is found is one of the section in the standard") {
+    const auto p = test::solved_as_found(
+        "[k]\ncalculator = \"shaft.key\"\nT = \"100 N*m\"\nd = \"50 mm\"\nkey = \"14x9\"\nl = \"?\"\nl_n = \"60 mm\"\n"
+        "R_e_1 = \"370 MPa\"\nR_e_2 = \"300 MPa\"\nR_e_k = \"420 MPa\"\nS_F = 1.5\ntorque = \"one_way\"\n");
+    REQUIRE(p.value("k.l") != nullptr);
+    CHECK(rel(p.value("k.l")->si[0], 0.036) < 1e-12);
   }
 }

@@ -11,7 +11,7 @@ std::optional<std::size_t> Passing::first_broken_rule() {
   const Calculator& calculator = evaluation_.calculator();
   const std::size_t count = calculator.rules.size();
   for (std::size_t rule = concerned_.size(); rule < count; ++rule)  // once, not for every candidate
-    concerned_.push_back(!calculator.rules[rule].only_warns && concerns_search(evaluation_.step(), rule));
+    concerned_.push_back(must_hold_in_search(evaluation_.step(), rule));
   for (std::size_t i = 0; i < evaluation_.positions(); ++i) {
     if (!evaluation_.set_position(i)) continue;
     for (std::size_t rule = 0; rule < count; ++rule) {

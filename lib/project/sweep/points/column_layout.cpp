@@ -3,6 +3,7 @@
 #include "lib/project/accept.hpp"
 #include "lib/project/modes.hpp"
 #include "lib/project/references/references.hpp"
+#include "lib/project/run/evaluation/searched_rules.hpp"
 #include "lib/project/sweep/points/column_plan.hpp"
 #include "lib/sweep/nan.hpp"
 
@@ -283,7 +284,7 @@ void ColumnLayout::add_rules_of_search() {
   if (!sought) return;
   sought->rules.assign(calculator.rules.size(), 0);
   for (std::size_t rule = 0; rule < calculator.rules.size(); ++rule) {
-    if (calculator.rules[rule].only_warns || !step.is_about(rule, step.searches().front().path)) continue;
+    if (!must_hold_in_search(step, rule)) continue;
     sought->rules[rule] = 1;
     rules[rule] = static_cast<char>(sought->leaf.field->sought_unasked ? rules[rule] : 0);
   }

@@ -107,7 +107,7 @@ TEST_SUITE("found places on shafts") {
     CHECK(set_at_20.mode("shaft.fatigue").state == account::State::fail);
     CHECK(std::abs(set_at_20.mode("shaft.fatigue").utilisation.value_or(0.0) - 1.37) < 0.01);  // found by attack: 1.37
     CHECK(set_at_55.mode("shaft.fatigue").state == account::State::fail);
-    refuses_shaft(keyed_shaft("x = \"100 mm\", part = \"=key.notch\""), "no mounted component has a key");
+    refuses_shaft(keyed_shaft("x = \"100 mm\", part = \"=key.notch\""), "the nearest component is at ");
     refuses_shaft(keyed_shaft("x = \"20 mm\", kind = \"keyway\""), "the shaft carries no torque at 20 mm");
     CHECK(Solved(keyed_shaft("x = \"55 mm\", kind = \"keyway\"")).errors().empty());
     refuses_shaft(keyed_shaft("x = \"40 mm\", part = \"=key.notch\"",

@@ -196,6 +196,7 @@ r_T = 0
   static FieldFault open_sum(const Input& in);
   static bool speeds_agree(const Input& in);
   static bool thrust_is_held(const Input& in);
+  static FieldFault loose_thrust(const Input& in);
   static bool bores_fit(const Input& in);
   static bool bearings_sit(const Input& in);
   static FieldFault slips(const Input& in);
@@ -228,7 +229,8 @@ r_T = 0
       Rule<Input>{&bearings_sit, "supports, pieces", "bearings must be on cylindrical segments", &slips},
       Rule<Input>{&turn_is_known, "seats", "loads over a revolution must be given at all of its positions", &open_turn},
       Rule<Input>{&torques_close, "seats", "driving and driven torques must balance", &open_sum},
-      Rule<Input>{&thrust_is_held, "seats, supports", "exactly one bearing must take axial forces: holds = \"both\""},
+      Rule<Input>{&thrust_is_held, "seats, supports", "exactly one bearing must take axial forces: holds = \"both\"",
+                  &loose_thrust},
       Rule<Input>{&speeds_agree, "n, seats", "all components of a shaft must have the same speed, not zero"},
       Rule<Input>{&notches_fit, "notches, pieces, r_T, group", "the notches must match the shaft", &misfit},
       Rule<Input>{&connections_match, "seats, pieces", "connections must match the diameter of the shaft",

@@ -35,7 +35,7 @@ Message fault_of_fields(const Notched& notch) {
     return say("beta_b and beta_t are given together, only with kind = \"beta\"");
   if (is_set(notch.h) && kind != Kind::shoulder) return say("h is the minimum height of a shoulder");
   if (is_keyed(kind) && is_set(notch.r))
-    return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give K_t and K_ts of another");
+    return say("K_t of a keyway is that of r = 0.02 d: leave out r, or give kind = \"given\", K_t and K_ts");
   if (const bool rootless = kind == Kind::v_groove || kind == Kind::press_fit; rootless && is_set(notch.r))
     return say("its notch factor is of no radius: leave out r");
   if (kind == Kind::given && notch.K_t > 1.0 && !is_set(notch.r))
@@ -190,6 +190,17 @@ Message fault_of_hub(const Input& in, const Notched& notch, Length d) {
   return {};
 }
 
+/// A key on either side of its end that lies under no component.
+Message fault_of_key_beside(const Input& in, const Notched& notch) {
+  const auto apart = [&](const Seat& seat) { return abs(seat.x - notch.x); };
+  const auto near = std::min_element(in.seats.begin(), in.seats.end(),
+                                     [&](const Seat& a, const Seat& b) { return apart(a) < apart(b); });
+  return say(
+      "no mounted component has a key of {1} that ends at {2}: it lies from {3} to {2} or from {2} to {4}, and the "
+      "nearest component is at {5}; correct x of the notch, or the key length",
+      format(notch.l), format(notch.x), format(notch.x - notch.l), format(notch.x + notch.l), format(near->x));
+}
+
 /// Fault of the place of a key's end, or a hub's; empty if none.
 Message fault_of_place(const Input& in, const Notched& notch) {
   if (notch.kind == Notch::press_fit) return fault_of_hub(in, notch, around(in, notch.x).sides.thinner().d);
@@ -203,8 +214,7 @@ Message fault_of_place(const Input& in, const Notched& notch) {
   }
   if (in.seats.empty()) return {};  // nothing loads it
   const Length end = other_end(in, notch);
-  if (!is_set(end))
-    return say("no mounted component has a key of {1} that ends at {2}", format(notch.l), format(notch.x));
+  if (!is_set(end)) return fault_of_key_beside(in, notch);
   const Length aside = 10.0 * one_place * length_of(in), low = min(notch.x, end) + aside,
                high = max(notch.x, end) - aside;
   if (index_of_piece(in, max(low, 0.0 * mm)) != index_of_piece(in, min(high, length_of(in) - aside)))
@@ -235,9 +245,9 @@ Message fault_of_meeting(const Input& in, const Notched& notch, const Around& th
     return fault_of_fillet(notch, there);
   }
   if (at_step && !typed)
-    return say("at {1} the diameter changes: a notch of both is one given by K_t and K_ts", format(notch.x));
+    return say("at {1} the diameter changes: a notch of both has kind = \"given\", K_t and K_ts", format(notch.x));
   if (at_edge && !typed)
-    return say("at {1} a taper begins: a notch of both is one given by K_t and K_ts", format(notch.x));
+    return say("at {1} a taper begins: a notch of both has kind = \"given\", K_t and K_ts", format(notch.x));
   if (typed && at_step) return fault_of_typed_step(in, notch, there);
   if (notch.kind == Notch::beta && is_set(notch.r)) return say("its notch factor is of no radius: leave out r");
   return {};
@@ -250,12 +260,12 @@ Message fault_of(const Input& in, const Notched& notch) {
   const Around there = around(in, notch.x);
   const Length d = there.sides.right.d;
   if (!typed && !is_keyed(notch.kind) && is_bored(in, notch.x))
-    return say("the charts are of solid shafts: of a bored one give K_t and K_ts");
+    return say("the charts are of solid shafts: of a bored one give kind = \"given\", K_t and K_ts");
   if (is_groove(notch.kind) && !(2.0 * notch.t < d)) return say("the groove is deeper than the shaft");
   if (Message fault = fault_of_width(in, notch); !fault.empty()) return fault;
   if (notch.kind == Notch::cross_hole && !(notch.r < 0.29 * d)) return say("the hole must be smaller than the section");
   if (has_factors(notch.kind) && !typed && in.group > fatigue::Endurance::Group::cast_steel)
-    return say("its notch factor is given for steels only: give K_t and K_ts");
+    return say("its notch factor is given for steels only: give kind = \"given\", K_t and K_ts");
   if (Message fault = fault_of_size(notch, there); !fault.empty()) return fault;
   if (Message fault = fault_of_wall(in, notch, there); !fault.empty()) return fault;
   if (Message fault = fault_of_place(in, notch); !fault.empty()) return fault;
@@ -315,7 +325,7 @@ FieldFault Design::crowd(const Input& in) {
   const auto i = static_cast<std::size_t>(notch - in.notches.data());
   return {place_of("notches", in.notches, i, "x"),
           say("the next notch is nearer than twice the depth or radius: notches are assessed separately"),
-          say("keep them apart, or give K_t and K_ts of both together")};
+          say("keep them apart, or replace both by one notch: kind = \"given\" with K_t and K_ts of both together")};
 }
 
 bool Design::steps_are_notched(const Input& in) { return bare_step(in).path.empty(); }

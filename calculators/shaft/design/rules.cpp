@@ -18,6 +18,28 @@ using Input = Design::Input;
 
 constexpr double apart = 1e-4;  // share of the length: closer bearings are one bearing
 
+/// "'coupling' and 'gear'": components with a torque that drive, or that are driven.
+std::string twisted_by(const Input& in, Way way) {
+  std::string names;
+  for (std::size_t i = 0; i < in.seats.size(); ++i) {
+    if (!is_set(in.seats[i].T) || in.seats[i].way != way) continue;
+    const Name& name = in.seats[i].name;
+    const std::string one = name.empty() ? "seats[" + std::to_string(i + 1) + "]" : std::string(name.view());
+    names += (names.empty() ? "'" : " and '") + one + "'";
+  }
+  return names;
+}
+
+Message how_to_balance(const Input& in) {
+  const std::string drive = twisted_by(in, Way::drives), take = twisted_by(in, Way::takes);
+  if (drive.empty() && !take.empty())
+    return say("no component drives: write way = \"drives\" for one, or way = \"balances\" for a coupling without T");
+  if (take.empty() && !drive.empty())
+    return say("{1}: way = \"drives\"; write way = \"takes\" for what is driven, or way = \"balances\" without T",
+               drive);
+  return say("correct T, or let one component balance the torque: way = \"balances\" without T");
+}
+
 /// Calls with the place of everything that is on the shaft, and what makes its key, until one call is true.
 template <class Found>
 bool find_place(const Input& in, const Found& found) {
@@ -102,7 +124,7 @@ BodyFault fault_of_body(const Seat& s) {
 bool Design::held(const Input& in) {
   for (std::size_t i = 0; i < in.supports.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      if (!(abs(in.supports[i].x - in.supports[k].x) > apart * length_of(in))) return false;
+      if (abs(in.supports[i].x - in.supports[k].x) <= apart * length_of(in)) return false;  // true if it is unknown
     }
   }
   return in.supports.size() > 1;
@@ -166,9 +188,8 @@ FieldFault Design::open_sum(const Input& in) {
                                  [](const Seat& s) { return s.way == Way::balances && is_set(s.T); });
   const double sum = in_si(balance(in));
   if (!typed)
-    return {
-        "seats", say("the torques do not balance: {1} remains", format_quantity(sum, N_m.symbol)),
-        say("state the driving component, way = \"drives\", or let a coupling balance the torque, way = \"balances\"")};
+    return {"seats", say("the torques do not balance: {1} remains", format_quantity(sum, N_m.symbol)),
+            how_to_balance(in)};
   return {"seats", say("a balancing component must not have a given torque"), say("leave out its T")};
 }
 
@@ -187,6 +208,24 @@ bool Design::thrust_is_held(const Input& in) {
       std::count_if(in.supports.begin(), in.supports.end(), [](const Support& s) { return s.holds == Holds::both; });
   const bool pushed = std::any_of(in.seats.begin(), in.seats.end(), [](const Seat& s) { return acts(s.F_z); });
   return fixed == 1 || (fixed == 0 && !pushed);
+}
+
+FieldFault Design::loose_thrust(const Input& in) {
+  std::string names;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < in.supports.size(); ++i) {
+    if (in.supports[i].holds != Holds::both) continue;
+    const Name& name = in.supports[i].name;
+    const std::string one = name.empty() ? "supports[" + std::to_string(i + 1) + "]" : std::string(name.view());
+    names += (names.empty() ? "'" : " and '") + one + "'";
+    last = i;
+  }
+  if (names.empty())
+    return {"supports", say("exactly one bearing must take axial forces: holds = \"both\" is given of none"),
+            say("write holds = \"both\" for one of the supports")};
+  return {place_of("supports", in.supports, last, "holds"),
+          say("exactly one bearing must take axial forces: holds = \"both\" is given of {1}", names),
+          say("leave out holds of all but one")};
 }
 
 bool Design::slopes_of_all(const Input& in) {

@@ -160,7 +160,14 @@ TEST_SUITE("shaft design") {
                             "N\" }]\n"),
                    "exactly one bearing must take axial forces: holds = \"both\""));
     CHECK(contains(messages("supports = [{ x = \"10 mm\", holds = \"both\" }, { x = \"190 mm\", holds = \"both\" }]\n"),
-                   "exactly one bearing must take axial forces: holds = \"both\""));
+                   "exactly one bearing must take axial forces: holds = \"both\" is given of 'supports[1]' and "
+                   "'supports[2]'"));
+    CHECK(contains(messages(two_bearings + "seats = [{ x = \"50 mm\", way = \"drives\", T = \"9 N*m\" }]\n"),
+                   "write way = \"takes\" for what is driven"));
+    std::string negative = bare + two_bearings;
+    negative.replace(negative.find("200 mm"), 6, "-30 mm");
+    CHECK(contains(Solved(negative).errors(), "must be > 0 mm"));
+    CHECK_FALSE(contains(Solved(negative).errors(), "at least two bearings"));
     CHECK(
         contains(messages("supports = [{ x = \"10 mm\", k = \"1e-9 N/mm\" }, { x = \"190 mm\", k = \"1e-9 N/mm\" }]\n"),
                  "the bearings are too compliant to support the shaft"));

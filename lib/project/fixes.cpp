@@ -36,6 +36,15 @@ std::string taken_by(const Step& step, const ModeInfo& info, const Calculator& j
   return input == nullptr ? "" : std::string(input->key) + " = \"=" + step.name() + "." + record + "\"";
 }
 
+/// "=key1.notch", for an element of a list there; empty if the mode leaves no record of its own.
+std::string record_path(const Step& step, const ModeInfo& info) {
+  const std::string key = std::string(info.taken).substr(0, std::string_view(info.taken).find_first_of(".,"));
+  const RecordType* const result = step.input().calculator->result;
+  const FieldInfo* const field = key.empty() || result == nullptr ? nullptr : find_field(result->fields, key);
+  const bool is_record = field != nullptr && field->type == FieldInfo::Type::group && field->is_handed_over;
+  return is_record ? "=" + step.name() + "." + key : "";
+}
+
 }  // namespace
 
 void name_fixes(Project& project) {
@@ -46,6 +55,7 @@ void name_fixes(Project& project) {
       const auto& infos = step->input().calculator->modes;
       const auto info = std::ranges::find_if(infos, [&](const ModeInfo& i) { return mode.id == i.id; });
       if (entry != nullptr && info != infos.end()) mode.takes = taken_by(*step, *info, *entry->calculator);
+      if (entry != nullptr && info != infos.end() && mode.takes.empty()) mode.takes = record_path(*step, *info);
     }
   }
 }

@@ -13,9 +13,15 @@ using account::Mode;
 using account::Modes;
 using account::State;
 
-std::string step_to_add(const Mode& mode) {
+/// The step to add, or that of its calculator which the project has already.
+std::string step_to_add(const project::Project& project, const Mode& mode) {
   const std::string id = mode.judge.empty() ? mode.add : mode.judge;
   if (id.empty()) return {};
+  const auto there = std::ranges::find_if(
+      project.steps, [&](const auto& step) { return step->input().calculator->id == id && step->name() != mode.step; });
+  if (there != project.steps.end())
+    return mode.takes.empty() ? say("assess it by {1}, a step of {2}", (*there)->name(), id).text()
+                              : say("let {1} take {2}", (*there)->name(), mode.takes).text();
   return mode.takes.empty() ? say("add a step of {1}", id).text()
                             : say("add a step of {1} with {2}", id, mode.takes).text();
 }
@@ -23,15 +29,29 @@ std::string step_to_add(const Mode& mode) {
 /// Whether the mode waits for the reason of a value; its note says why the value is doubted.
 bool waits_for_reason(const Mode& mode) { return mode.wants.starts_with("because.") && !mode.note.empty(); }
 
+/// "x_l = 1.4, covered up to 1.3: effective key length / shaft diameter"; empty if no single limit decides.
+std::string out_of_range(const project::Project& project, const Mode& mode) {
+  const project::Step* const step = project.find(mode.step);
+  if (step == nullptr || mode.governs.empty()) return {};
+  const auto& rows = step->account().verdicts;
+  const auto row = std::ranges::find(rows, mode.governs, &account::Verdict::symbol);
+  const auto* const value = row == rows.end() ? nullptr : std::get_if<account::Quantity>(&row->value);
+  if (value == nullptr) return {};
+  return say("{1} = {2}, {3}: {4}", row->symbol, short_quantity(value->si, value->unit), row->bound, row->meaning)
+      .text();
+}
+
 /// The remedy for a mode that is not assessed.
-std::string action_of(const Mode& mode) {
+std::string action_of(const project::Project& project, const Mode& mode) {
   if (mode.state == State::not_covered || mode.state == State::not_available) {
     if (!mode.note.empty()) return mode.note.text();
-    if (!mode.use.empty()) return say("method not valid: replace by a step of {1}", mode.use).text();
-    return say("method not valid").text();
+    const std::string range = mode.state == State::not_covered ? out_of_range(project, mode) : "";
+    const std::string what =
+        range.empty() ? say("method not valid").text() : say("method not valid: {1}", range).text();
+    return mode.use.empty() ? what : say("{1}; replace by a step of {2}", what, mode.use).text();
   }
   if (waits_for_reason(mode)) return mode.note.text();
-  const std::string add = step_to_add(mode);
+  const std::string add = step_to_add(project, mode);
   if (!mode.wants.empty() && add.empty()) return say("give {1}", mode.wants).text();
   if (!mode.wants.empty()) return say("give {1}, or {2}", mode.wants, add).text();
   if (!add.empty()) return add;
@@ -106,8 +126,8 @@ std::vector<std::string> hints_of(const project::Project& project, const Modes& 
   }
   add_hint(replacing(project, sorted), hints);
   for (const Mode& mode : sorted) {
-    if (mode.state != State::open || !mode.wants.empty() || step_to_add(mode).empty()) continue;
-    add_hint(say("{1} ({2})", step_to_add(mode), account::short_title(mode)).text(), hints);
+    if (mode.state != State::open || !mode.wants.empty() || step_to_add(project, mode).empty()) continue;
+    add_hint(say("{1} ({2})", step_to_add(project, mode), account::short_title(mode)).text(), hints);
   }
   return hints;
 }
@@ -134,13 +154,13 @@ std::string modes_text(const Gap& gap) {
   return all;
 }
 
-std::vector<Gap> gaps_of(const Modes& modes, Group group) {
+std::vector<Gap> gaps_of(const project::Project& project, const Modes& modes, Group group) {
   std::vector<Gap> gaps;
   for (const Mode& mode : account::in_order(modes)) {
     if (mode.subject == account::Subject::search || follows_from_search(modes, mode)) continue;
     const bool is_check = mode.subject == account::Subject::input && group == Group::needs_input;
     if (!is_check && (mode.subject != account::Subject::mode || account::group_of(mode) != group)) continue;
-    const std::string action = group == Group::needs_input ? action_of(mode) : spoken(mode.step);
+    const std::string action = group == Group::needs_input ? action_of(project, mode) : spoken(mode.step);
     auto known = std::ranges::find(gaps, action, &Gap::action);
     if (known == gaps.end()) known = gaps.insert(gaps.end(), {{}, action});
     add_title(*known, mode);

@@ -162,8 +162,8 @@ void conclude(const Project& project, bool several, Summary& all) {
                             step == nullptr ? std::vector<account::TriedSize>() : tried_sizes(*step)});
   }
   all.failures = failures_of(project, all.modes);
-  all.gaps = gaps_of(all.modes, Group::needs_input);
-  all.outside = gaps_of(all.modes, Group::outside_scope);
+  all.gaps = gaps_of(project, all.modes, Group::needs_input);
+  all.outside = gaps_of(project, all.modes, Group::outside_scope);
   all.open = not_considered(project, all.modes, several);
 }
 

@@ -67,7 +67,7 @@ std::vector<Component> components_of(const project::Project& project, const acco
 std::vector<NextOf> next_sizes(const project::Step& step);
 /// "key, key size for the shaft diameter: ...", for failing modes that no utilisation explains.
 std::vector<std::string> failures_of(const project::Project& project, const account::Modes& modes);
-std::vector<Gap> gaps_of(const account::Modes& modes, account::Group group);
+std::vector<Gap> gaps_of(const project::Project& project, const account::Modes& modes, account::Group group);
 /// `several`: whether the modes are of several steps, which are named with them.
 NotConsidered not_considered(const project::Project& project, const account::Modes& modes, bool several);
 

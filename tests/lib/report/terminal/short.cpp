@@ -169,4 +169,25 @@ tau_adm = "30 MPa"
     };
     CHECK(std::any_of(driven.gaps.begin(), driven.gaps.end(), adds));
   }
+
+  TEST_CASE("a mode whose method is not valid is told with its limit") {
+    const report::Summary key = report::summarise(solved(R"([key]
+calculator = "shaft.key"
+T = "20 N*m"
+torque = "one_way"
+d = "20 mm"
+key = "6x6"
+l = "40 mm"
+l_n = "45 mm"
+S_F = 1.5
+R_e_1 = "370 MPa"
+R_e_2 = "300 MPa"
+R_e_k = "420 MPa"
+)",
+                                                         "a.toml"));
+    const auto tells = [](const report::Gap& gap) {
+      return gap.action.starts_with("method not valid: x_l = 1.7, covered from 0 to 1.3: effective key length");
+    };
+    CHECK(std::any_of(key.gaps.begin(), key.gaps.end(), tells));
+  }
 }

@@ -2,6 +2,7 @@
 
 #include "lib/numerics/magnitude.hpp"
 #include "lib/project/accept.hpp"
+#include "lib/project/still_wanted.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -198,18 +199,6 @@ void settle(account::Mode& mode, const std::vector<const account::Mode*>& judges
   mode.compared = worst.compared;
   mode.at = worst.at;
   mode.note = say("by {1}.{2}: {3}", worst.step, worst.id, reason(worst));
-}
-
-/// The inputs among "S, A_v" that the step does not give yet.
-std::string still_wanted(const Step& step, const char* wants) {
-  const Reading& reading = step.input().reading;
-  std::string left;
-  for (const std::string& key : listed_keys(wants)) {
-    const bool referred = std::any_of(reading.operands.begin(), reading.operands.end(),
-                                      [&](const Operand& operand) { return operand.path == key; });
-    if (!referred && !reading.typed.contains(key)) left += (left.empty() ? "" : ", ") + key;
-  }
-  return left;
 }
 
 /// The field that a key of a mode names: "u_tau", "segments.u_tau".

@@ -21,7 +21,7 @@ void read_reason(const Tree::Entry& entry, StepInput& input, std::vector<Issue>&
                       Severity::error});
   } else if (!is_reason(entry.value)) {
     issues.push_back({entry.value.place, key, say("an accepted mode needs a reason, a text of one line"),
-                      say("write {1} = \"rated by the manufacturer, drawing 12\"", entry.key), Severity::error});
+                      say("write accept.{1} = \"rated by the manufacturer, drawing 12\"", entry.key), Severity::error});
   } else {
     input.accepted[entry.key] = {entry.value.text, entry.place};
   }

@@ -3,6 +3,7 @@
 #include "lib/project/accept.hpp"
 #include "lib/project/because.hpp"
 #include "lib/project/read/errors.hpp"
+#include "lib/project/read/examples.hpp"
 #include "lib/project/read/read_record.hpp"
 #include "lib/project/template_names.hpp"
 #include "lib/table/tables.hpp"
@@ -24,12 +25,28 @@ constexpr std::array papers{"A4", "letter"};
 const std::vector<std::string> step_keys{"calculator", "template", "title",   "note",
                                          "display",    "accept",   "because", "body"};
 
+/// The calculator that has most of the keys of a step; that of a shaft in torsion if one key is no sign.
+std::string calculator_with(const Tree& step, Catalogue catalogue) {
+  std::string best = "shaft.torsion";
+  std::ptrdiff_t most = 1;
+  for (const CatalogueEntry& entry : catalogue) {
+    const auto known = std::count_if(step.entries.begin(), step.entries.end(), [&](const Tree::Entry& key) {
+      return find_input(entry.calculator->input->fields, key.key) != nullptr;
+    });
+    if (known <= most) continue;
+    most = known;
+    best = entry.calculator->id;
+  }
+  return best;
+}
+
 const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
   const auto* id = entry.value.find("calculator");
   if (id == nullptr) {
     add_error(issues, entry.place, entry.key, say("the step '{1}' has no calculator", entry.key),
               did_you_mean(entry.key, {reserved.begin(), reserved.end()},
-                           say("write calculator = \"shaft.torsion\"; `loadpath list` shows all")));
+                           say("write calculator = \"{1}\"; `loadpath list` shows all",
+                               calculator_with(entry.value, catalogue))));
     return nullptr;
   }
   const std::string text = text_of(*id, entry.key + ".calculator", issues);
@@ -158,6 +175,17 @@ void read_row(const Tree::Entry& row, StepInput& input, std::vector<Issue>& issu
   }
 }
 
+/// "give R_e_1 (yield strength of the shaft), ...": the strengths that are inputs of their own; empty if there are
+/// none.
+Message strengths_of(const Calculator& calculator) {
+  std::string names;
+  for (const FieldInfo& field : calculator.input->fields) {
+    const bool is_strength = std::string_view(field.key).starts_with("R_") && std::string_view(field.unit) == "MPa";
+    if (is_strength) names += (names.empty() ? "" : ", ") + std::string(field.key) + " (" + field.doc + ")";
+  }
+  return names.empty() ? Message{} : say("give {1}", names);
+}
+
 /// Rows that a step names for the tables its providers read: material = "C45E". A material is known to every step.
 void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) {
   for (const std::string& group : table_groups(*input.calculator)) {
@@ -166,7 +194,7 @@ void read_rows(const Tree& table, StepInput& input, std::vector<Issue>& issues) 
   const auto* material = table.find("material");
   if (material == nullptr || input.rows.count("material") != 0) return;
   add_error(issues, material->place, input.name + ".material",
-            say("'{1}' takes nothing from a material", input.calculator->id));
+            say("'{1}' takes nothing from a material", input.calculator->id), strengths_of(*input.calculator));
 }
 
 /// The keys of a step that are no fields of its calculator.
@@ -307,6 +335,7 @@ std::unique_ptr<Step> read_step(const Tree::Entry& entry, const Project& project
   input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".",
                               keys_beside_fields(*input.calculator), issues);
   name_templates(input, before, issues);
+  if (input.from == nullptr) show_missing(*input.calculator, input.name, before, issues);
   read_rows(entry.value, input, issues);
   fill_stocks(input, issues);
   return known->make_step(std::move(input));

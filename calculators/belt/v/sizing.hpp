@@ -137,7 +137,8 @@ a_set = "600 mm"
   static constexpr std::array modes{
       Mode<Input>{"drives", "availability of a standard drive", &always<Input>}
           .judged_by("drives")
-          .advising("try another centre distance, a speed ratio nearer to 1, or two stages")
+          .advising(
+              "divide a power beyond all belts over several drives; else try another centre distance or two stages")
           .of_shape(),
       Mode<Input>{"power", "power rating of the belts", &always<Input>}.judged_by("u_P"),
       Mode<Input>{"grip", "belt slip (Euler-Eytelwein)", [](const Input& in) { return shown_by(is_set(in.mu)); }}

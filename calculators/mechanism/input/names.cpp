@@ -44,10 +44,13 @@ bool NameFaults::require_point(int link, const Name& name, const std::string& pa
   const auto k = static_cast<std::size_t>(link);
   const auto names = fixed ? names_in(in_.ground) : names_in(in_.links[k].points);
   const std::string owner(fixed ? "ground" : in_.links[k].name.view());
+  const std::string known = names.empty() ? "" : there_is(names).text() + "; or ";
+  const bool of_joint = path.starts_with("joints");  // which names its points in two links
   add(path, say("the link '{1}' has no point '{2}'", owner, name.view()),
-      did_you_mean(
-          name.view(), names,
-          say("give '{1}' among the points of '{2}', or name another point with points = [...]", name.view(), owner)));
+      did_you_mean(name.view(), names,
+                   of_joint ? say("{1}give '{2}' among the points of '{3}', or name another point with points = [...]",
+                                  known, name.view(), owner)
+                            : say("{1}give '{2}' among the points of '{3}'", known, name.view(), owner)));
   return false;
 }
 

@@ -68,13 +68,13 @@ TEST_SUITE("mechanism faults") {
     CHECK(with("at = \"B\"", "at = \"E\"") == R"(a.toml:31:7: error: the link 'slider' has no point 'E'
 31 | at = "E"
    |       ^
-   = help: give 'E' among the points of 'slider', or name another point with points = [...]
+   = help: available: B; or give 'E' among the points of 'slider'
 )");
     CHECK(with("links = [\"crank\", \"rod\"] }", "links = [\"crank\", \"rod\"], points = [\"A\", \"Q\"] }") ==
           R"(a.toml:24:68: error: the link 'rod' has no point 'Q'
 24 | A = { type = "revolute", links = ["crank", "rod"], points = ["A", "Q"] }
    |                                                                    ^
-   = help: give 'Q' among the points of 'rod', or name another point with points = [...]
+   = help: available: A, B; or give 'Q' among the points of 'rod', or name another point with points = [...]
 )");
   }
 

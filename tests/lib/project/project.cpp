@@ -71,6 +71,16 @@ TEST_SUITE("project") {
               .ends_with("  = help: a name has Latin letters, digits and '_'\n"));
   }
 
+  TEST_CASE("what is missing is told as an example writes it, and a step by its keys") {
+    CHECK(issues_of("[a]\ncalculator = \"column.lightest\"\nP = \"9 kN\"\nl = \"2 m\"\n")
+              .find("help: for example families = [\"") != std::string::npos);
+    CHECK(issues_of("[a]\npieces = []\nsupports = []\nseats = []\n").find("write calculator = \"shaft.design\"") !=
+          std::string::npos);
+    CHECK(
+        issues_of("[a]\ncalculator = \"shaft.key\"\nmaterial = \"C45E\"\n").find("help: give R_e_1 (yield strength") !=
+        std::string::npos);
+  }
+
   TEST_CASE("a step in two pairs of brackets, and a word for a size that can be found, are told how to write them") {
     CHECK(issues_of("[[a]]\ncalculator = \"shaft.torsion\"\n").ends_with("help: write one pair of brackets: [a]\n"));
     CHECK(issues_of("[a]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\nd = \"auto\"\n")

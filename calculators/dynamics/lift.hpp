@@ -85,7 +85,7 @@ wheels = [
       Field{&Input::v_0, "v_0", m_per_s, "speed of the coordinate at the start"}.at_least(0),
       ListField{&Input::weights, "weights", "bodies that go up and down, or along tracks"}.may_be_missing(),
       ListField{&Input::wheels, "wheels", "drums and pulleys"}.may_be_missing(),
-      Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84)};
+      Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84).customarily_at_least(9.7)};
 
   struct WeightState {
     Name name;

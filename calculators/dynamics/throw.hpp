@@ -49,7 +49,7 @@ theta = "30 deg"
       Field{&Input::L_req, "L_req", m, "distance that is to be reached at theta; and which angles reach it"}
           .positive()
           .may_be_missing(),
-      Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84)};
+      Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84).customarily_at_least(9.7)};
 
   struct Result {
     Speed V_x = unset<Speed>, V_z = unset<Speed>;

@@ -57,7 +57,7 @@ mu = 0.1
       Field{&Input::c, "c", N_per_mm, "stiffness of a spring along the path"}.positive().may_be_missing(),
       Field{&Input::z_1, "z_1", mm, "deformation of the spring at the start"}.may_be_missing(),
       Field{&Input::z_2, "z_2", mm, "deformation of the spring at the end"}.may_be_missing(),
-      Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84)};
+      Field{&Input::g, "g", m_per_s2, "weight per mass"}.positive().usually(9.78, 9.84).customarily_at_least(9.7)};
 
   struct Result {
     Force R = unset<Force>, T = unset<Force>;

@@ -98,6 +98,7 @@ R_e_2 = "300 MPa"
              Choice{&Input::centring, "centring", "centring of the hub, for the share of load-carrying flanks"},
              Field{&Input::phi, "phi", ratio, "share of load-carrying flanks, replaces that of the centring"}
                  .within(0.1, 1)
+                 .customarily_at_most(0.9)
                  .may_be_missing()
                  .factor(),
              Field{&Input::k_l, "k_l", ratio,

@@ -234,8 +234,10 @@ constexpr auto code_inputs() {
           .factor(),
       Choice<Input, Class>{&Input::material_class, "material_class", "material class, for the customary n_st"}
           .may_be_missing(),
-      Field<Input, double>{&Input::lambda_max, "lambda_max", ratio, "allowable slenderness"}.positive().usually(50,
-                                                                                                                400)};
+      Field<Input, double>{&Input::lambda_max, "lambda_max", ratio, "allowable slenderness"}
+          .positive()
+          .usually(50, 400)
+          .customarily_at_most(250)};
 }
 
 /// How it is judged.

@@ -50,6 +50,7 @@ struct Support {
       Field{&Support::beta_adm, "beta_adm", deg, "allowable shaft slope at the bearing"}
           .positive()
           .usually(0.005, 5)
+          .customarily_at_most(0.25)
           .may_be_missing()};
 };
 

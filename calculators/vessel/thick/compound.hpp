@@ -102,10 +102,12 @@ S = 1.5
                                                                                                           "nu"),
       Field{&Input::alpha_1, "alpha_1", per_kelvin, "coefficient of thermal expansion of the inner tube"}
           .positive()
+          .customarily_at_least(4e-6)
           .from("material", "alpha")
           .where_it_has(),
       Field{&Input::alpha_2, "alpha_2", per_kelvin, "coefficient of thermal expansion of the outer tube"}
           .positive()
+          .customarily_at_least(4e-6)
           .from("material", "alpha")
           .where_it_has(),
       Field{&Input::dT_1, "dT_1", kelvin, "temperature rise of the inner tube in service"}

@@ -31,6 +31,7 @@ std::vector<Practice> safeties() {
       {"bearing.rolling", "", "s_0 = 0.45", "s_0 = 0.5", "static"},
       {"bearing.rolling", "", "L_h = \"50 h\"", "L_h = \"500 h\"", "fatigue"},
       {"gear.rating", "", "L_h = \"50 h\"", "L_h = \"5000 h\"", "pitting_1"},
+      {"column.buckling", "", "lambda_max = 350", "lambda_max = 200", "slenderness"},
   };
 }
 

@@ -7,6 +7,7 @@
 #include "lib/project/references/machine/same_part.hpp"
 #include "lib/project/references/machine/seats.hpp"
 #include "lib/project/references/machine/unlinked.hpp"
+#include "lib/project/references/machine/vessels.hpp"
 #include "lib/project/references/reductions.hpp"
 
 namespace loadpath::project {
@@ -15,7 +16,8 @@ void check_machine(Step& step, const Project& project) {
   for (const auto& contradicted :
        {values_of_runs(step, project), factors_of_takers(step, project), lives_on_shaft(step, project),
         values_of_ratings(step, project), values_at_middle(step), values_of_same_part(step, project),
-        powers_of_chained(step, project), values_of_seats(step, project), values_of_unlinked(step, project)})
+        powers_of_chained(step, project), values_of_seats(step, project), values_of_unlinked(step, project),
+        values_of_vessels(step, project)})
     hold_unless_justified(step, contradicted);
 }
 

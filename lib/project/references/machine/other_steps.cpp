@@ -40,6 +40,21 @@ std::string load_taken_by(const Step& taker, const Step& step) {
   return {};
 }
 
+/// The value of [values] that is a load of both; empty if none is.
+std::string load_shared_by(const Step& one, const Step& other) {
+  const auto shared = [](const Operand& operand) {
+    const bool is_value = operand.leaf.field->is_load && operand.expression.is_reference();
+    const std::string path = is_value ? operand.expression.references().front().path : "";
+    return path.starts_with("values.") ? path : "";
+  };
+  std::set<std::string> own;
+  for (const Operand& operand : one.input().reading.operands) own.insert(shared(operand));
+  for (const Operand& operand : other.input().reading.operands) {
+    if (const std::string path = shared(operand); !path.empty() && own.contains(path)) return path;
+  }
+  return {};
+}
+
 bool is_ratio_of_speeds(std::string_view what) { return what == ratio_of_speeds; }
 bool is_speed_of_run(std::string_view what) { return what == speed_of_run; }
 bool is_moment_of_motor(std::string_view what) { return what == moment_of_motor; }
@@ -215,7 +230,8 @@ std::vector<ReducedLoad> factors_of_takers(const Step& step, const Project& proj
       if (taker.get() == &step || !applies_factor(*taker, key)) continue;
       if (has_service_factor(step) != has_service_factor(*taker)) continue;
       const double factor = applied_factor(*taker, project, key);
-      const std::string load = load_taken_by(*taker, step);
+      const std::string taken = load_taken_by(*taker, step);
+      const std::string load = taken.empty() ? load_shared_by(step, *taker) : taken;
       if (load.empty() || !(factor > own * (1.0 + rounding))) continue;
       lower.push_back(
           {key, say("{1} takes '{2}' with {3} = {4}; here {3} is lower: give it, or say why, because.{3} = \"...\"",

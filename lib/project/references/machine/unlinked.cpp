@@ -5,7 +5,6 @@
 #include "lib/project/references/references.hpp"
 #include "lib/project/references/sources.hpp"
 #include "lib/quantity/format.hpp"
-#include "lib/table/largest.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -19,55 +18,25 @@ namespace {
 /// Equal but for the digits that are typed.
 bool is_alike(double one, double other, double share = 1e-3) { return std::abs(one - other) <= share * other; }
 
-bool hands_over(const Step& step, std::string_view key) {
-  const Calculator* const calculator = step.input().calculator;
-  const FieldInfo* const field =
-      calculator == nullptr || calculator->result == nullptr ? nullptr : find_field(calculator->result->fields, key);
-  return field != nullptr && field->is_handed_over;
-}
-
-/// The first step that hands over such a record; null if there is none.
-const Step* step_with(const Project& project, std::string_view key) {
-  const auto found = std::ranges::find_if(project.steps, [&](const auto& step) { return hands_over(*step, key); });
-  return found == project.steps.end() ? nullptr : found->get();
-}
-
-/// Whether a value of the step comes from one that hands over such a record.
-bool takes_from(const Step& step, const Project& project, std::string_view key) {
-  return std::ranges::any_of(steps_named_in(step.input().reading), [&](const std::string& name) {
-    const Step* const source = project.find(name);
-    return source != nullptr && hands_over(*source, key);
-  });
-}
-
-/// An end whose pressure is typed, in a file with a shell that it does not refer to.
-void compare_shell(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
-  const auto& fields = step.input().calculator->input->fields;
-  if (find_field(fields, "shell") == nullptr || !step.input().reading.typed.contains("p")) return;
-  const Step* const shell = step_with(project, "shell");
-  if (shell == nullptr || takes_from(step, project, "shell")) return;
-  found.push_back({"p", say("the end does not refer to '{1}', whose pressure, diameter and allowance it has: give "
-                            "shell = \"={1}.shell\", or because.p = \"...\" if it is of another vessel",
-                            shell->name())});
-}
-
-/// The share of its thickness that the shell needs, below which an end may not count on its strength.
-void compare_share(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
-  const auto& records = step.input().reading.records;
-  const auto shell = std::ranges::find(records, "shell", &Taken::path);
-  if (shell == records.end() || !step.input().reading.typed.contains("m_r")) return;
-  const std::string name = split_step(shell->source).first;
-  const double c = magnitude_at(project, shell->source + ".c"), allowed = std::isnan(c) ? 0.0 : c;
-  const double share =
-      (magnitude_at(project, name + ".delta_min") - allowed) / (magnitude_at(project, name + ".delta") - allowed);
-  const double m_r = own_value(step, project, "m_r");
-  if (!(m_r < share) || is_alike(m_r, share)) return;
-  found.push_back({"m_r", say("m_r = {1}, and '{2}' needs {3} of its thickness; justify it: because.m_r = \"...\"",
-                              format_number(m_r, 4), name, format_number(share, 4))});
-}
-
 double typed_value(const Step& step, const Project& project, const char* path) {
   return std::abs(own_value(step, project, path));
+}
+
+/// The other bearing of the pair: it says so itself, and none has the load that is typed here for it.
+void compare_load_of_mate(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const double F_r = typed_value(step, project, "F_r"), of_mate = typed_value(step, project, "mate.F_r");
+  const Step* mate = nullptr;
+  for (const auto& other : project.steps) {
+    if (other.get() == &step || other->input().calculator != step.input().calculator) continue;
+    const double there = typed_value(*other, project, "F_r");
+    if (is_alike(there, of_mate)) return;
+    if (is_alike(typed_value(*other, project, "mate.F_r"), F_r) && of_mate < there) mate = other.get();
+  }
+  if (mate == nullptr) return;
+  found.push_back({"mate.F_r", say("mate.F_r = {1}, and '{2}', the other bearing of the pair, has {3}; justify it: "
+                                   "because.mate.F_r = \"...\"",
+                                   format_quantity(of_mate, "kN", 4), mate->name(),
+                                   format_quantity(typed_value(*mate, project, "F_r"), "kN", 4))});
 }
 
 /// The two bearings of a pair carry the axial force in opposite directions. Several pairs may have the same loads.
@@ -198,23 +167,16 @@ void compare_size(const Step& step, const Project& project, std::vector<ReducedL
   }
 }
 
-/// The allowable stress of a wall whose material is that of the end that takes its record.
-void compare_wall(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
-  constexpr double least = 1.5;  // against yielding, as of every wall
+/// A density that is typed next to a modulus: no metal is stiffer for its density than this.
+void compare_density(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double most = 4e7;  // m^2/s^2; steel, aluminium and titanium have 2.5e7 to 2.7e7
   const auto& typed = step.input().reading.typed;
-  if (!hands_over(step, "shell") || !typed.contains("sigma_adm") || !material_of(step).empty()) return;
-  const double sigma = own_value(step, project, "sigma_adm");
-  for (const auto& end : project.steps) {
-    if (!steps_named_in(end->input().reading).contains(step.name()) || material_of(*end).empty()) continue;
-    const auto row = project.tables->find_row("material", material_of(*end));
-    const double R_e = row ? table::largest_value(*row, "R_e") : std::nan("");
-    if (!(least * sigma > (1.0 + 1e-3) * R_e)) continue;
-    found.push_back(
-        {"sigma_adm", say("sigma_adm = {1} is above R_e/{2} of '{3}', the material of '{4}'; justify it: "
-                          "because.sigma_adm = \"...\"",
-                          format_quantity(sigma, "MPa", 4), format_number(least, 2), material_of(*end), end->name())});
-    return;
-  }
+  if (!typed.contains("rho") || !typed.contains("E")) return;
+  const double rho = own_value(step, project, "rho"), E = own_value(step, project, "E");
+  if (!(E > most * rho)) return;
+  found.push_back({"rho", say("rho = {1} is too low for a metal of E = {2}: steel has 7850 kg/m^3; justify it: "
+                              "because.rho = \"...\"",
+                              format_quantity(rho, "kg/m^3", 4), format_quantity(E, "GPa", 4))});
 }
 
 }  // namespace
@@ -222,14 +184,13 @@ void compare_wall(const Step& step, const Project& project, std::vector<ReducedL
 std::vector<ReducedLoad> values_of_unlinked(const Step& step, const Project& project) {
   std::vector<ReducedLoad> found;
   if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return found;
-  compare_shell(step, project, found);
-  compare_share(step, project, found);
+  compare_load_of_mate(step, project, found);
   compare_mate(step, project, found);
   compare_limit(step, project, found);
   compare_loading(step, project, found);
   compare_hoist(step, project, found);
   compare_size(step, project, found);
-  compare_wall(step, project, found);
+  compare_density(step, project, found);
   return found;
 }
 

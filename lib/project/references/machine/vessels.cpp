@@ -1,0 +1,124 @@
+#include "lib/project/references/machine/vessels.hpp"
+
+#include "lib/project/references/origins.hpp"
+#include "lib/project/references/references.hpp"
+#include "lib/project/references/sources.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/table/largest.hpp"
+#include "lib/table/tables.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double few_digits = 1e-3;  // of a value that is typed
+
+bool hands_over(const Step& step, std::string_view key) {
+  const Calculator* const calculator = step.input().calculator;
+  const FieldInfo* const field =
+      calculator == nullptr || calculator->result == nullptr ? nullptr : find_field(calculator->result->fields, key);
+  return field != nullptr && field->is_handed_over;
+}
+
+/// The first step that hands over such a record; null if there is none.
+const Step* step_with(const Project& project, std::string_view key) {
+  const auto found = std::ranges::find_if(project.steps, [&](const auto& step) { return hands_over(*step, key); });
+  return found == project.steps.end() ? nullptr : found->get();
+}
+
+/// Whether a value of the step comes from one that hands over such a record.
+bool takes_from(const Step& step, const Project& project, std::string_view key) {
+  return std::ranges::any_of(steps_named_in(step.input().reading), [&](const std::string& name) {
+    const Step* const source = project.find(name);
+    return source != nullptr && hands_over(*source, key);
+  });
+}
+
+/// An end whose pressure is typed, in a file with a shell that it does not refer to.
+void compare_shell(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const auto& fields = step.input().calculator->input->fields;
+  if (find_field(fields, "shell") == nullptr || !step.input().reading.typed.contains("p")) return;
+  const Step* const shell = step_with(project, "shell");
+  if (shell == nullptr || takes_from(step, project, "shell")) return;
+  found.push_back({"p", say("the end does not refer to '{1}', whose pressure, diameter and allowance it has: give "
+                            "shell = \"={1}.shell\", or because.p = \"...\" if it is of another vessel",
+                            shell->name())});
+}
+
+/// The share of its thickness that the shell needs, below which an end may not count on its strength.
+void compare_share(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const auto& records = step.input().reading.records;
+  const auto shell = std::ranges::find(records, "shell", &Taken::path);
+  if (shell == records.end() || !step.input().reading.typed.contains("m_r")) return;
+  const std::string name = split_step(shell->source).first;
+  const double c = magnitude_at(project, shell->source + ".c"), allowed = std::isnan(c) ? 0.0 : c;
+  const double share =
+      (magnitude_at(project, name + ".delta_min") - allowed) / (magnitude_at(project, name + ".delta") - allowed);
+  const double m_r = own_value(step, project, "m_r");
+  if (!(m_r < (1.0 - few_digits) * share)) return;
+  found.push_back({"m_r", say("m_r = {1}, and '{2}' needs {3} of its thickness; justify it: because.m_r = \"...\"",
+                              format_number(m_r, 4), name, format_number(share, 4))});
+}
+
+/// An end is tested with the pressure of the shell whose record it takes.
+void compare_test(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const auto& records = step.input().reading.records;
+  const auto shell = std::ranges::find(records, "shell", &Taken::path);
+  if (shell == records.end()) return;
+  const std::string name = split_step(shell->source).first;
+  const double p_t = own_value(step, project, "p_t"), of_shell = magnitude_at(project, name + ".p_t");
+  if (!(p_t < (1.0 - few_digits) * of_shell)) return;
+  found.push_back({"p_t", say("p_t = {1}, and '{2}' is tested with {3}; justify it: because.p_t = \"...\"",
+                              format_quantity(p_t, "MPa", 4), name, format_quantity(of_shell, "MPa", 4))});
+}
+
+/// A wall under external pressure whose thickness is typed, in a file with the wall of a vessel that it does not take.
+void compare_vacuum(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  const auto& fields = step.input().calculator->input->fields;
+  if (find_field(fields, "wall") == nullptr || find_field(fields, "p_e") == nullptr) return;
+  if (!step.input().reading.typed.contains("delta") || takes_from(step, project, "wall")) return;
+  const Step* const wall = step_with(project, "wall");
+  if (wall == nullptr) return;
+  found.push_back({"delta", say("this step does not refer to '{1}', whose diameter, thickness and allowance it has: "
+                                "give wall = \"={1}.wall\", or because.delta = \"...\" if it is of another vessel",
+                                wall->name())});
+}
+
+/// The allowable stress of a wall whose material is that of the end that takes its record.
+void compare_wall(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
+  constexpr double least = 1.5;  // against yielding, as of every wall
+  const auto& typed = step.input().reading.typed;
+  if (!hands_over(step, "shell") || !typed.contains("sigma_adm") || !material_of(step).empty()) return;
+  const double sigma = own_value(step, project, "sigma_adm");
+  for (const auto& end : project.steps) {
+    if (!steps_named_in(end->input().reading).contains(step.name()) || material_of(*end).empty()) continue;
+    const auto row = project.tables->find_row("material", material_of(*end));
+    const double R_e = row ? table::largest_value(*row, "R_e") : std::nan("");
+    if (!(least * sigma > (1.0 + 1e-3) * R_e)) continue;
+    found.push_back(
+        {"sigma_adm", say("sigma_adm = {1} is above R_e/{2} of '{3}', the material of '{4}'; justify it: "
+                          "because.sigma_adm = \"...\"",
+                          format_quantity(sigma, "MPa", 4), format_number(least, 2), material_of(*end), end->name())});
+    return;
+  }
+}
+
+}  // namespace
+
+std::vector<ReducedLoad> values_of_vessels(const Step& step, const Project& project) {
+  std::vector<ReducedLoad> found;
+  if (step.input().calculator == nullptr || step.input().reading.record.data == nullptr) return found;
+  compare_shell(step, project, found);
+  compare_share(step, project, found);
+  compare_test(step, project, found);
+  compare_vacuum(step, project, found);
+  compare_wall(step, project, found);
+  return found;
+}
+
+}  // namespace loadpath::project

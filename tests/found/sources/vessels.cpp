@@ -1,0 +1,73 @@
+// Regression tests of the parts of a vessel next to each other.
+#include "tests/found/modes.hpp"
+#include "tests/lib/project/solved.hpp"
+
+#include <string>
+
+using namespace loadpath;
+using namespace loadpath::test;
+
+namespace {
+
+std::string shell_and(const std::string& end) {
+  return "[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nmeasured = \"inner\"\nc = \"1 "
+         "mm\"\n"
+         "delta = \"8 mm\"\nsigma_adm = \"140 MPa\"\n\n"
+         "[head]\ncalculator = \"vessel.end\"\nform = \"korbbogen\"\ndelta = \"8 mm\"\nR_e = \"265 MPa\"\n"
+         "R_m = \"410 MPa\"\nl_f = \"40 mm\"\n" +
+         end;
+}
+
+}  // namespace
+
+TEST_SUITE("found vessels") {
+  TEST_CASE("an end whose pressure is typed beside a shell refers to it, or is of another vessel") {
+    const std::string typed = "p = \"1 MPa\"\nD_i = \"1000 mm\"\nc = \"1 mm\"\n";
+    CHECK(mode_of(solved_as_found(shell_and(typed)), "head", "strength") == "not-judged");
+    CHECK(mode_of(solved_as_found(shell_and("shell = \"=shell.shell\"\n")), "head", "strength") == "pass");
+    CHECK(mode_of(solved_as_found(shell_and(typed + "because.p = \"of the heater\"\n")), "head", "strength") == "pass");
+  }
+
+  TEST_CASE("a shell has no higher allowable stress than the material of its end allows") {
+    const auto with = [](const std::string& sigma_adm) {
+      return "[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\nmeasured = \"inner\"\n"
+             "delta = \"8 mm\"\nsigma_adm = \"" +
+             sigma_adm +
+             "\"\n\n[head]\ncalculator = \"vessel.end\"\nshell = \"=shell.shell\"\nform = \"korbbogen\"\n"
+             "material = \"P265GH\"\nl_f = \"40 mm\"\n";
+    };
+    CHECK(mode_of(solved_as_found(with("300 MPa")), "shell", "strength") == "not-judged");
+    CHECK(mode_of(solved_as_found(with("140 MPa")), "shell", "strength") == "pass");
+  }
+
+  TEST_CASE("an end is tested with the pressure of its shell") {
+    const auto state = [](const std::string& p_t) {
+      return mode_of(
+          solved_as_found("[shell]\ncalculator = \"vessel.cylinder\"\np = \"1 MPa\"\nR = \"600 mm\"\n"
+                          "measured = \"inner\"\nc = \"1 mm\"\ndelta = \"9 mm\"\nmaterial = \"P265GH\"\n"
+                          "S = 1.5\np_t = \"1.9 MPa\"\nh_t = \"0 mm\"\n\n[head]\ncalculator = \"vessel.end\"\n"
+                          "shell = \"=shell.shell\"\nform = \"korbbogen\"\nmaterial = \"P265GH\"\n"
+                          "l_f = \"40 mm\"\ndelta = \"9 mm\"\nh_t = \"0 mm\"\np_t = \"" +
+                          p_t + "\"\n"),
+          "head", "test_pressure");
+    };
+    CHECK(state("1.9 MPa") == "pass");
+    CHECK(state("1.43 MPa") == "not-judged");
+  }
+
+  TEST_CASE("a wall under vacuum is that of the vessel in the file, or of another one") {
+    const auto state = [](const std::string& wall) {
+      return mode_of(
+          solved_as_found("[shell]\ncalculator = \"vessel.cylinder\"\np = \"0.5 MPa\"\nR = \"600 mm\"\n"
+                          "measured = \"outer\"\nc = \"1 mm\"\ndelta = \"12 mm\"\nsigma_adm = \"140 MPa\"\n\n"
+                          "[vacuum]\ncalculator = \"vessel.external\"\np_e = \"0.1 MPa\"\nL = \"1 m\"\n"
+                          "material = \"P265GH\"\n" +
+                          wall),
+          "vacuum", "buckling");
+    };
+    const std::string typed = "D_a = \"1200 mm\"\ndelta = \"12 mm\"\n";
+    CHECK(state("wall = \"=shell.wall\"\n") == "pass");
+    CHECK(state(typed) == "not-judged");
+    CHECK(state(typed + "because.delta = \"the jacket\"\n") == "pass");
+  }
+}

@@ -1,6 +1,5 @@
 #include "lib/project/project.hpp"
 
-#include "lib/table/library.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>
@@ -13,6 +12,15 @@ std::vector<std::string> names_of(const Project& project) {
   std::vector<std::string> names;
   for (const auto& step : project.steps) names.push_back(step->name());
   return names;
+}
+
+/// Whether a path names tables without their first word: "materials.S355.E".
+bool names_table(const Project& project, const std::string& path) {
+  if (project.tables == nullptr) return false;
+  const auto referred = project.tables->value_at("tables." + path);
+  const std::string_view fault = referred ? std::string_view() : referred.fault().message.id;
+  return !fault.starts_with("unknown tables") && !fault.starts_with("no row") &&
+         fault.find("is not a value of a table") == std::string_view::npos;
 }
 
 }  // namespace
@@ -45,8 +53,7 @@ Fault Project::unknown_step(const std::string& path) const {
   if (unread.contains(name)) return {};  // its error has been reported
   std::vector<std::string> names = names_of(*this);
   names.insert(names.end(), {"values", "tables"});
-  const bool is_table = table::first_table_in(name) != nullptr;
-  const std::string near = is_table ? "tables." + name : nearest(name, names);
+  const std::string near = names_table(*this, path) ? "tables." + name : nearest(name, names);
   return {
       0, path.size(), say("unknown step '{1}'", name),
       near.empty() ? there_is(names_of(*this)) : say("did you mean '{1}'?", rest.empty() ? near : near + "." + rest)};

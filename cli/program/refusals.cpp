@@ -36,7 +36,7 @@ std::vector<std::string> subcommands_of(const CLI::App& command) {
 }
 
 /// The calculator of a command, shaft.torsion of `loadpath shaft torsion`; null for any other command.
-const Calculator* calculator_of(const CLI::App& command) {
+const Calculator* calculator_named_by(const CLI::App& command) {
   const CLI::App* const element = command.get_parent();
   return element == nullptr ? nullptr : find_calculator(calculators(), element->get_name() + "." + command.get_name());
 }
@@ -44,7 +44,7 @@ const Calculator* calculator_of(const CLI::App& command) {
 /// An input of a group or of a list's elements that was typed as a flag: --n of the crank, --crank.speed; empty if it
 /// is none.
 std::string input_of_table(const CLI::App& command, const std::string& flag) {
-  const Calculator* const calculator = calculator_of(command);
+  const Calculator* const calculator = calculator_named_by(command);
   if (calculator == nullptr) return "";
   const auto fields = calculator->input->fields;
   const std::size_t point = flag.find('.');

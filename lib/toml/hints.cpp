@@ -11,11 +11,11 @@ namespace loadpath::toml {
 
 namespace {
 
-bool is_foreign(std::string_view text) {
+bool has_foreign(std::string_view text) {
   return std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) >= 0x80; });
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view without_blanks(std::string_view text) {
   text.remove_prefix(std::min(text.find_first_not_of(" \t"), text.size()));
   while (!text.empty() && (text.back() == ' ' || text.back() == '\r' || text.back() == '\t')) text.remove_suffix(1);
   return text;
@@ -44,9 +44,10 @@ std::string with_straight_quotes(std::string_view text) {
 
 /// Of the name of a table: [left, [Left bearing], [вал].
 Message hint_for_name(std::string_view line) {
-  if (is_foreign(line.substr(0, line.find(']')))) return say("a name has Latin letters, digits and '_'");
-  const std::string_view open = trimmed(line.substr(0, line.find('#')));
-  std::string name(trimmed(open.substr(1, open.find(']') == std::string_view::npos ? open.npos : open.find(']') - 1)));
+  if (has_foreign(line.substr(0, line.find(']')))) return say("a name has Latin letters, digits and '_'");
+  const std::string_view open = without_blanks(line.substr(0, line.find('#')));
+  std::string name(
+      without_blanks(open.substr(1, open.find(']') == std::string_view::npos ? open.npos : open.find(']') - 1)));
   const bool is_plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == ' ' || c == '-';
   });
@@ -61,7 +62,7 @@ Message hint_for_bare(std::string_view value) {
   if (comment == std::string_view::npos) return say("write a quantity in quotes: \"{1}\"", value);
   std::string_view rest = value.substr(comment);
   rest.remove_prefix(std::min(rest.find_first_not_of(";/"), rest.size()));
-  return say("a comment begins with '#': {1} # {2}", trimmed(value.substr(0, comment)), trimmed(rest));
+  return say("a comment begins with '#': {1} # {2}", without_blanks(value.substr(0, comment)), without_blanks(rest));
 }
 
 /// Of a word without quotes: auto, ?.
@@ -87,7 +88,8 @@ Message hint_for(std::string_view line, int column) {
     if (Message hint = hint_for_name(line); !hint.empty()) return hint;
   }
   if (equals == std::string_view::npos) return {};
-  const std::string_view value = trimmed(line.substr(equals + 1)), head = trimmed(value.substr(0, value.find('#')));
+  const std::string_view value = without_blanks(line.substr(equals + 1)),
+                         head = without_blanks(value.substr(0, value.find('#')));
   if (std::string straight = with_straight_quotes(head); !straight.empty())
     return say("these are typographic quotes: write {1}", straight);
   const bool bare = !head.empty() && head.find_first_of("\"'{[") == std::string_view::npos &&
@@ -97,7 +99,7 @@ Message hint_for(std::string_view line, int column) {
   if (quotes_within && head.size() > 2)
     return say("put an expression that contains quotes in single quotes: '{1}'", head.substr(1, head.size() - 2));
   const std::string_view key = line.substr(0, equals);
-  if (is_foreign(key) && key.find('"') == std::string_view::npos)
+  if (has_foreign(key) && key.find('"') == std::string_view::npos)
     return say("write a key with other than Latin letters in quotes");
   return hint_for_word(line, column);
 }

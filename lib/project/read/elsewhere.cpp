@@ -9,7 +9,7 @@ namespace {
 using Type = FieldInfo::Type;
 
 /// "crank = { speed = "... rad/s" }"
-std::string written(const FieldInfo& outer, const FieldInfo& inner) {
+std::string written_within(const FieldInfo& outer, const FieldInfo& inner) {
   const bool in_unit = inner.type == Type::quantity && std::string_view(inner.unit) != "-";
   const std::string value = in_unit ? "\"... " + std::string(inner.unit) + "\"" : "...";
   const std::string table = "{ " + std::string(inner.key) + " = " + value + " }";
@@ -27,7 +27,7 @@ Message input_within(std::string_view key, std::span<const FieldInfo> fields) {
     const FieldInfo* const inner = has_inputs ? find_input(outer.fields, key) : nullptr;
     if (inner == nullptr || inner->type == Type::name || count++ >= most) continue;
     names += (names.empty() ? "" : " and ") + std::string(outer.key);
-    examples += (examples.empty() ? "" : " or ") + written(outer, *inner);
+    examples += (examples.empty() ? "" : " or ") + written_within(outer, *inner);
   }
   return count == 0 ? Message{} : say("it is an input of {1}: write {2}", names, examples);
 }

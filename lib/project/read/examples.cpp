@@ -11,10 +11,10 @@ namespace {
 
 using toml::Tree;
 
-constexpr std::size_t longest = 90;  // characters of a value that a line of help holds
+constexpr std::size_t longest_value = 90;  // characters of a value that a line of help holds
 
 /// A value of the example in one line.
-std::string written(const Tree& tree) {
+std::string in_one_line(const Tree& tree) {
   switch (tree.type) {
     case Tree::Type::number:
       return format_exact(tree.number);
@@ -23,11 +23,11 @@ std::string written(const Tree& tree) {
     case Tree::Type::boolean:
       return tree.text;
     case Tree::Type::array:
-      return tree.items.empty() ? "[]" : "[" + written(tree.items.front()) + "]";
+      return tree.items.empty() ? "[]" : "[" + in_one_line(tree.items.front()) + "]";
     case Tree::Type::table: {
       std::string all;
       for (const Tree::Entry& entry : tree.entries)
-        all += (all.empty() ? " " : ", ") + entry.key + " = " + written(entry.value);
+        all += (all.empty() ? " " : ", ") + entry.key + " = " + in_one_line(entry.value);
       return "{" + all + " }";
     }
   }
@@ -57,8 +57,8 @@ void show_missing(const Calculator& calculator, const std::string& step, std::si
   if (own == example.entries.end()) return;
   for (auto issue = begin; issue != issues.end(); ++issue) {
     const Tree::Entry* const entry = lacks_help(*issue) ? own->value.find(issue->key.substr(step.size() + 1)) : nullptr;
-    const std::string value = entry == nullptr ? "" : written(entry->value);
-    if (!value.empty() && value.size() <= longest && !refers(value))
+    const std::string value = entry == nullptr ? "" : in_one_line(entry->value);
+    if (!value.empty() && value.size() <= longest_value && !refers(value))
       issue->hint = say("for example {1} = {2}", entry->key, value);
   }
 }

@@ -12,7 +12,7 @@ Message of_input(const Step& step, const std::string& input, const std::string& 
                         : say("{1} takes {2}", name, source);
 }
 
-bool is_within(const std::string& path, const std::string& whole) {
+bool is_part_of(const std::string& path, const std::string& whole) {
   return path == whole || path.starts_with(whole + ".") || path.starts_with(whole + "[");
 }
 
@@ -22,7 +22,7 @@ Message how_taken(const Step& step, const std::string& path) {
   const Reading& reading = step.input().reading;
   for (const auto* all : {&reading.records, &reading.taken}) {
     for (const Taken& taken : *all) {
-      if (!taken.of_record && is_within(path, taken.source))
+      if (!taken.of_record && is_part_of(path, taken.source))
         return of_input(step, taken.path, taken.source, taken.place);
     }
   }

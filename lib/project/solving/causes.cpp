@@ -10,22 +10,22 @@ namespace loadpath::project {
 namespace {
 
 using toml::Tree;
-using Names = std::set<std::string>;
+using ValueNames = std::set<std::string>;
 
-constexpr std::string_view prefix = "values.";
+constexpr std::string_view values_prefix = "values.";
 
 /// The values that an expression refers to, by their names; none of a text that cannot be read.
-Names values_in(const std::string& text) {
-  Names names;
+ValueNames values_in(const std::string& text) {
+  ValueNames names;
   const auto expression = Expression::parse(text);
   if (!expression) return names;
   for (const auto& reference : expression->references()) {
-    if (reference.path.starts_with(prefix)) names.insert(reference.path.substr(prefix.size()));
+    if (reference.path.starts_with(values_prefix)) names.insert(reference.path.substr(values_prefix.size()));
   }
   return names;
 }
 
-bool is_expression(const Tree& tree) { return tree.type == Tree::Type::text && tree.text.starts_with('='); }
+bool is_computed(const Tree& tree) { return tree.type == Tree::Type::text && tree.text.starts_with('='); }
 
 /// Whether an issue points into the text of a value.
 bool is_at(const Issue& issue, const Tree& value) {
@@ -55,7 +55,7 @@ class Causes {
     const auto is_unknown = [](const Issue& issue) { return issue.message.id == "unknown step '{1}'"; };
     if (std::none_of(issues_.begin(), issues_.end(), is_unknown)) return;
     for (const Tree::Entry& value : values_) {
-      if (!is_expression(value.value)) continue;
+      if (!is_computed(value.value)) continue;
       const std::string text = value.value.text.substr(1);
       const auto expression = Expression::parse(text);
       if (!expression) continue;
@@ -68,7 +68,7 @@ class Causes {
         const std::size_t at = std::min(text.find(reference.path), text.size());
         if (!fault.message.empty())
           issues_.insert(issues_.begin(),
-                         {place_in(start, text, at, reference.path.size()), std::string(prefix) + value.key,
+                         {place_in(start, text, at, reference.path.size()), std::string(values_prefix) + value.key,
                           fault.message, fault.hint, Severity::error});
         break;
       }
@@ -88,13 +88,13 @@ class Causes {
     for (bool grows = true; grows;) {
       grows = false;
       for (const Tree::Entry& value : values_) {
-        if (!is_expression(value.value) || wrong_.contains(value.key)) continue;
+        if (!is_computed(value.value) || wrong_.contains(value.key)) continue;
         if (is_wrong(values_in(value.value.text.substr(1)))) grows = wrong_.insert(value.key).second;
       }
     }
   }
 
-  [[nodiscard]] bool is_wrong(const Names& names) const {
+  [[nodiscard]] bool is_wrong(const ValueNames& names) const {
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return wrong_.contains(name); });
   }
 
@@ -112,7 +112,7 @@ class Causes {
   const Project& project_;
   const std::vector<Tree::Entry>& values_;
   std::vector<Issue>& issues_;
-  Names wrong_;
+  ValueNames wrong_;
 };
 
 }  // namespace

@@ -128,8 +128,9 @@ void Reader::read_literal(const std::string& text, const Tree& tree, const Field
   }
   const double si = literal->si;
   if (!field.bounds.holds(si)) {
-    return say_at(tree.place, path,
-                  say("{1} = {2}: {3}", path, format_quantity(si, field.unit), bounds_message(field)));
+    const bool is_of_sign = field.is_load && field.bounds.low == 0.0 && field.bounds.holds(-si);  // a compressive force
+    return say_at(tree.place, path, say("{1} = {2}: {3}", path, format_quantity(si, field.unit), bounds_message(field)),
+                  is_of_sign ? say("{1}: {2}; write it without the sign", field.key, field.doc) : Message{});
   }
   if (is_out_of_proportion(si)) {
     return say_at(tree.place, path, say("{1} = {2} is implausible", path, format_quantity(si, field.unit)),

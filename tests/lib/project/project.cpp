@@ -81,6 +81,11 @@ TEST_SUITE("project") {
         std::string::npos);
   }
 
+  TEST_CASE("a load that is positive by its meaning is told to lose its sign") {
+    CHECK(issues_of("[a]\ncalculator = \"column.buckling\"\nl = \"2 m\"\nP = \"-1 kN\"\n")
+              .find("help: P: compressive force, replaces N; write it without the sign") != std::string::npos);
+  }
+
   TEST_CASE("a step in two pairs of brackets, and a word for a size that can be found, are told how to write them") {
     CHECK(issues_of("[[a]]\ncalculator = \"shaft.torsion\"\n").ends_with("help: write one pair of brackets: [a]\n"));
     CHECK(issues_of("[a]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\nd = \"auto\"\n")

@@ -117,6 +117,7 @@ TEST_SUITE("references") {
     const Solved both("[pick]\n" + bar + "section = \"?\"\nA = \"10 cm^2\"\nmaterial = \"S235JR\"\n");
     CHECK_MESSAGE(contains(both.messages(), "'A' is given, and the section that is searched for gives it too"),
                   both.messages());
+    CHECK_MESSAGE(contains(both.messages(), "search by it: section = { where = \"A = 10 cm^2\" }"), both.messages());
     const Solved more("[pick]\n" + bar + "section = { stock = \"sections/ipe\", max = 3 }\nmaterial = \"S235JR\"\n");
     CHECK_MESSAGE(contains(more.messages(), "'max' is not a valid key here"), more.messages());
     const Solved none("[pick]\n" + bar + "section = { stock = \"sections/ip\" }\nmaterial = \"S235JR\"\n");

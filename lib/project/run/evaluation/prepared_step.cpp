@@ -117,6 +117,16 @@ bool PreparedStep::sizes_together() const {
          });
 }
 
+/// How to search for the rows with a value that is typed: bearing = { where = "d = 40 mm" }.
+static Message search_by(const Search& search, const FieldInfo& field, const std::string& typed) {
+  const bool is_value = field.type == FieldInfo::Type::quantity && !typed.empty() && !typed.starts_with('=');
+  if (!is_value || !search.where.empty())
+    return say("leave out {1}, name the {2}, or search in a table without {1}", field.key, search.path);
+  const std::string stock = search.stock.empty() ? "" : "stock = \"" + search.stock + "\", ";
+  return say("leave out {1} and search by it: {2} = { {3}where = \"{4} = {5}\" }", field.key, search.path, stock,
+             field.provider.column, typed);
+}
+
 /// Whether there is anything to search in.
 void PreparedStep::check_stock(const Search& search, std::vector<Issue>& issues) const {
   const auto refuse = [&](Message message, Message hint) {
@@ -142,7 +152,7 @@ void PreparedStep::check_stock(const Search& search, std::vector<Issue>& issues)
       if (field.is_number() ||
           std::any_of(rows.begin(), rows.end(), [&](const table::Entry& row) { return gives(row, field); }))
         return refuse(say("'{1}' is given, and the {2} that is searched for gives it too", field.key, search.path),
-                      say("leave out {1}, name the {2}, or search in a table without {1}", field.key, search.path));
+                      search_by(search, field, input().reading.typed.at(field.key).text));
     }
   } else if (!search.stock.empty() && stock_values(*input().tables, search.stock).empty()) {
     refuse(say("unknown stock '{1}'", search.stock), did_you_mean(search.stock, input().tables->series_names()));

@@ -191,7 +191,8 @@ theta_adm = "0.004 rad/m"
       Mode<Input>{"twist", "angle of twist per length", &loaded}.judged_by("u_theta").of_service(),
       Mode<Input>{"bending", "bending by transverse forces", [](const Input& in) { return shown_by(is_set(in.F)); }}
           .judged_by("F_bend")
-          .wanting("F")
+          .assessed_in("shaft.design")
+          .advising("replace by a step of shaft.design")
           .in_service(),
       within_root<Input, &thinnest>(), fatigue_of_shaft<Input>().left_to("fatigue.cycle", "cycle.fatigue")});
 

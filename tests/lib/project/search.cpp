@@ -47,7 +47,9 @@ TEST_SUITE("project search") {
     CHECK(account::worst(project::verdicts(project)) == account::State::not_available);
     const std::string largest = "none passes, nearest is 630 mm: u_tau = ";
     for (const account::Entry& e : project.find("axle")->account().inputs) {
-      if (e.path == "d") CHECK_MESSAGE(e.origin.text.text().find(largest) != std::string::npos, e.origin.text.text());
+      if (e.path != "d") continue;
+      CHECK_MESSAGE(e.origin.text.text().find(largest) != std::string::npos, e.origin.text.text());
+      CHECK_MESSAGE(e.origin.text.text().find(", with T = ") != std::string::npos, e.origin.text.text());
     }
   }
 

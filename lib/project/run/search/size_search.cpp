@@ -26,6 +26,18 @@ Message other_methods(const Evaluation& evaluation) {
   return say("; another method may cover it: {1}", others);
 }
 
+constexpr double far_from_passing = 20.0;  // utilisation: a load in a wrong unit rather than a part that is too small
+
+/// "T = 1056 kN*m": the first load that is given.
+Message first_load(const Evaluation& evaluation) {
+  for (const FieldInfo& field : evaluation.calculator().input->fields) {
+    if (!field.is_load || field.type != FieldInfo::Type::quantity) continue;
+    const double si = evaluation.inputs().leaf(field.key).get();
+    if (std::isfinite(si) && si != 0.0) return say("{1} = {2}", field.key, format_quantity(si, field.unit, 4));
+  }
+  return {};
+}
+
 }  // namespace
 
 SizeSearch::SizeSearch(Evaluation& evaluation, const Search& wanted, bool in_words)
@@ -177,9 +189,12 @@ void SizeSearch::tell_none(std::size_t from, std::vector<Issue>& issues) {
   std::vector<account::TriedSize> tried = tried_around(best);
   candidates_.take(evaluation_.inputs(), best);
   evaluation_.settle_sizes();
-  const bool uncovered = !(shortfall_of_candidate(evaluation_, passing_).check > 1.0);
+  const double check = shortfall_of_candidate(evaluation_, passing_).check;
+  const bool uncovered = !(check > 1.0);
   Message fault = say("{1}: none passes, nearest is {2}: {3}", what_is_searched(), candidates_.name(best),
                       fault_of_candidate(evaluation_, passing_).text);
+  if (const Message load = check > far_from_passing ? first_load(evaluation_) : Message{}; !load.empty())
+    fault = say("{1}, with {2}: check this load", std::move(fault), load);
   if (uncovered) fault = say("{1}: the method is not valid there{2}", fault, other_methods(evaluation_));
   leave_open(std::move(fault), std::move(tried));
 }

@@ -2,6 +2,7 @@
 
 #include "lib/project/accept.hpp"
 #include "lib/project/because.hpp"
+#include "lib/project/other_calculator.hpp"
 #include "lib/project/read/errors.hpp"
 #include "lib/project/read/examples.hpp"
 #include "lib/project/read/read_record.hpp"
@@ -24,21 +25,6 @@ constexpr std::array keys_of_heading{"title",    "company", "project", "load_cas
 constexpr std::array papers{"A4", "letter"};
 const std::vector<std::string> step_keys{"calculator", "template", "title",   "note",
                                          "display",    "accept",   "because", "body"};
-
-/// The calculator that has most of the keys of a step; that of a shaft in torsion if one key is no sign.
-std::string calculator_with(const Tree& step, Catalogue catalogue) {
-  std::string best = "shaft.torsion";
-  std::ptrdiff_t most = 1;
-  for (const CatalogueEntry& entry : catalogue) {
-    const auto known = std::count_if(step.entries.begin(), step.entries.end(), [&](const Tree::Entry& key) {
-      return find_input(entry.calculator->input->fields, key.key) != nullptr;
-    });
-    if (known <= most) continue;
-    most = known;
-    best = entry.calculator->id;
-  }
-  return best;
-}
 
 const CatalogueEntry* entry_of_step(const Tree::Entry& entry, Catalogue catalogue, std::vector<Issue>& issues) {
   const auto* id = entry.value.find("calculator");
@@ -335,6 +321,7 @@ std::unique_ptr<Step> read_step(const Tree::Entry& entry, const Project& project
   input.reading = read_record(entry.value, *input.calculator->input, input.from, entry.key + ".",
                               keys_beside_fields(*input.calculator), issues);
   name_templates(input, before, issues);
+  name_calculator(entry.value, input, catalogue, before, issues);
   if (input.from == nullptr) show_missing(*input.calculator, input.name, before, issues);
   read_rows(entry.value, input, issues);
   fill_stocks(input, issues);

@@ -81,6 +81,15 @@ TEST_SUITE("project") {
         std::string::npos);
   }
 
+  TEST_CASE("keys of another calculator are told once, with it") {
+    const std::string said = issues_of(
+        "[a]\ncalculator = \"shaft.torsion\"\npieces = [{ l = \"20 mm\", d = \"9 mm\" }]\n"
+        "supports = [{ x = \"1 mm\" }]\nseats = [{ x = \"9 mm\" }]\nnotches = []\n");
+    CHECK_MESSAGE(
+        said.starts_with("a.toml:2:15: error: 'shaft.torsion' has no inputs pieces, supports, seats, notches\n"), said);
+    CHECK_MESSAGE(said.ends_with("help: did you mean calculator = \"shaft.design\"?\n"), said);
+  }
+
   TEST_CASE("a load that is positive by its meaning is told to lose its sign") {
     CHECK(issues_of("[a]\ncalculator = \"column.buckling\"\nl = \"2 m\"\nP = \"-1 kN\"\n")
               .find("help: P: compressive force, replaces N; write it without the sign") != std::string::npos);

@@ -22,8 +22,10 @@ bool holds_throughout(Evaluation& evaluation, std::size_t rule) {
 Issue aimless_search(const PreparedStep& step, const Search& wanted) {
   std::vector<std::string> asking;
   const auto ask = [&](const FieldInfo& f) {
-    if (f.role != Role::check || *f.asked_by == '\0') return;
-    if (std::find(asking.begin(), asking.end(), f.asked_by) == asking.end()) asking.emplace_back(f.asked_by);
+    if (f.role != Role::check) return;
+    for (const std::string& input : listed_keys(f.asked_by)) {
+      if (std::find(asking.begin(), asking.end(), input) == asking.end()) asking.push_back(input);
+    }
   };
   for (const FieldInfo& f : step.input().calculator->result->fields) {
     ask(f);

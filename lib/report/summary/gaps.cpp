@@ -2,6 +2,7 @@
 #include "lib/report/summary/summary.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 namespace loadpath::report {
@@ -41,6 +42,37 @@ std::string out_of_range(const project::Project& project, const Mode& mode) {
       .text();
 }
 
+/// Whether an input activates a check: a limit that results are compared with.
+bool is_limit(const Calculator& calculator, const std::string& key) {
+  return calculator.result != nullptr && std::ranges::any_of(calculator.result->fields, [&](const FieldInfo& field) {
+           const auto asking = listed_keys(field.asked_by);
+           return field.role == Role::check && std::ranges::find(asking, key) != asking.end();
+         });
+}
+
+/// " (L_nh = 75300 h)": the result that a wanted input would be compared with, the only value in its unit; else empty.
+std::string result_without(const project::Project& project, const Mode& mode) {
+  const project::Step* const step = project.find(mode.step);
+  if (step == nullptr) return {};
+  for (const std::string& key : listed_keys(mode.wants)) {
+    const FieldInfo* const wanted = find_field(step->input().calculator->input->fields, key);
+    const bool in_unit =
+        wanted != nullptr && wanted->type == FieldInfo::Type::quantity && std::string_view(wanted->unit) != "-";
+    if (!in_unit || !is_limit(*step->input().calculator, key)) continue;
+    const account::Entry* found = nullptr;
+    bool is_only = true;
+    for (const account::Entry& entry : step->account().results) {
+      const bool is_like = entry.unit == wanted->unit && entry.value.signature.dimension == wanted->dimension;
+      if (!is_like || entry.value.si.size() != 1 || std::isnan(entry.value.si[0])) continue;
+      is_only = is_only && (found == nullptr || found->value.si == entry.value.si);
+      found = &entry;
+    }
+    if (found != nullptr && is_only)
+      return say(" ({1} = {2})", found->path, short_quantity(found->value.si[0], found->unit)).text();
+  }
+  return {};
+}
+
 /// The remedy for a mode that is not assessed.
 std::string action_of(const project::Project& project, const Mode& mode) {
   if (mode.state == State::not_covered || mode.state == State::not_available) {
@@ -52,7 +84,7 @@ std::string action_of(const project::Project& project, const Mode& mode) {
   }
   if (waits_for_reason(mode)) return mode.note.text();
   const std::string add = step_to_add(project, mode);
-  if (!mode.wants.empty() && add.empty()) return say("give {1}", mode.wants).text();
+  if (!mode.wants.empty() && add.empty()) return say("give {1}{2}", mode.wants, result_without(project, mode)).text();
   if (!mode.wants.empty()) return say("give {1}, or {2}", mode.wants, add).text();
   if (!add.empty()) return add;
   if (!mode.use.empty()) return say("replace by a step of {1}", mode.use).text();

@@ -170,6 +170,18 @@ tau_adm = "30 MPa"
     CHECK(std::any_of(driven.gaps.begin(), driven.gaps.end(), adds));
   }
 
+  TEST_CASE("a wanted limit is told with the result that it would limit") {
+    const report::Summary bearing = report::summarise(solved(R"([ball]
+calculator = "bearing.rolling"
+bearing = "6208"
+F_r = "2 kN"
+n = "950 rpm"
+)",
+                                                             "a.toml"));
+    const auto tells = [](const report::Gap& gap) { return gap.action.starts_with("give L_h, L_m (L_nh = "); };
+    CHECK(std::any_of(bearing.gaps.begin(), bearing.gaps.end(), tells));
+  }
+
   TEST_CASE("a mode whose method is not valid is told with its limit") {
     const report::Summary key = report::summarise(solved(R"([key]
 calculator = "shaft.key"

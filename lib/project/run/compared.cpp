@@ -34,13 +34,20 @@ std::optional<account::Compared> compared_in(const Line& line, const Names& name
   return account::Compared{{demand, unit, digits}, {capacity, unit, digits}};
 }
 
+/// Whether a limit that is a criterion is not kept: the values behind it say by how much.
+bool is_failing(const ResultSeries& series) {
+  const FieldInfo& field = *series.field;
+  return field.role == Role::limit && field.is_criterion && !field.bounds.holds(series.value.si[0]);
+}
+
 }  // namespace
 
 std::map<std::size_t, Checks> checks_by_position(const Evaluation& evaluation, const Results& results) {
   std::map<std::size_t, Checks> all;
   for (const ResultSeries& series : results.series) {
-    if (series.field->role != Role::check || series.value.si.empty() || !is_reported(evaluation, series)) continue;
+    if (series.value.si.empty() || !is_reported(evaluation, series)) continue;
     const bool is_single = evaluation.axis() == nullptr || !series.value.is_series();
+    if (series.field->role != Role::check && !(is_single && is_failing(series))) continue;
     const Extreme most = is_single ? Extreme{series.value.si[0], 0.0, 0} : maximum(series.value);
     if (!std::isnan(most.value)) all[most.nearest][series.path] = most.value;
   }

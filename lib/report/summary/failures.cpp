@@ -18,7 +18,11 @@ std::string governing_row(const project::Step& step, const Mode& mode) {
   const auto row = std::ranges::find(results, mode.governs, &account::Entry::path);
   if (row == results.end()) return account::reason(mode).text();
   if (row->value.si.empty()) return row->doc;
-  return say("{1} ({2} = {3})", row->doc, row->path, short_quantity(largest(row->value).value, row->unit)).text();
+  const std::string value = short_quantity(largest(row->value).value, row->unit);
+  if (!mode.compared) return say("{1} ({2} = {3})", row->doc, row->path, value).text();
+  return say("{1} ({2} = {3}: {4})", row->doc, row->path, value,
+             short_pair(mode.compared->demand, mode.compared->capacity))
+      .text();
 }
 
 /// What the calculator advises where the mode fails.

@@ -182,6 +182,22 @@ n = "950 rpm"
     CHECK(std::any_of(bearing.gaps.begin(), bearing.gaps.end(), tells));
   }
 
+  TEST_CASE("a limit that fails is told with the values behind it") {
+    const report::Summary seat = report::summarise(solved(R"([ball]
+calculator = "bearing.rolling"
+bearing = "6208"
+F_r = "2 kN"
+n = "950 rpm"
+L_h = "20000 h"
+d_f = "42 mm"
+)",
+                                                          "a.toml"));
+    const auto tells = [](const std::string& failure) {
+      return failure.find("least diameter / diameter of the shoulder (x_a = 1.119: 47 / 42 mm)") != std::string::npos;
+    };
+    CHECK(std::any_of(seat.failures.begin(), seat.failures.end(), tells));
+  }
+
   TEST_CASE("a mode whose method is not valid is told with its limit") {
     const report::Summary key = report::summarise(solved(R"([key]
 calculator = "shaft.key"

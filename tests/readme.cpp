@@ -1,5 +1,5 @@
 // The commands of README.md and docs work as stated.
-#include "lib/project/parts.hpp"
+#include "lib/project/parts/parts.hpp"
 #include "lib/toml/tree.hpp"
 #include "tests/pages.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "cli/describe/rows.hpp"
 #include "cli/describe/templates.hpp"
-#include "lib/project/parts.hpp"
+#include "lib/project/parts/parts.hpp"
 #include "lib/report/appendix.hpp"
 #include "lib/report/terminal/terminal.hpp"
 #include "lib/table/library.hpp"

@@ -20,7 +20,7 @@ std::string help_for_file(const std::string& file) {
   }
   std::string near = nearest(path.filename().string(), names);
   if (near.empty() && !path.has_extension()) near = nearest(path.filename().string() + ".toml", names);
-  if (near.empty()) return "there is no such file";
+  if (near.empty()) return "no such file";
   return "did you mean '" + (path.parent_path() / near).string() + "'?";
 }
 

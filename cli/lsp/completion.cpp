@@ -6,7 +6,7 @@
 #include "cli/lsp/target.hpp"
 #include "cli/lsp/words.hpp"
 #include "lib/calculator/choice_words.hpp"
-#include "lib/project/parts.hpp"
+#include "lib/project/parts/parts.hpp"
 #include "lib/table/library.hpp"
 #include "lib/table/tables.hpp"
 

@@ -2,7 +2,7 @@
 
 #include "cli/lsp/target.hpp"
 #include "cli/lsp/words.hpp"
-#include "lib/project/parts.hpp"
+#include "lib/project/parts/parts.hpp"
 #include "lib/quantity/format.hpp"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "cli/catalogue/search.hpp"
 #include "cli/commands.hpp"
 #include "cli/typed_remedies.hpp"
-#include "lib/project/read/elsewhere.hpp"
+#include "lib/project/read/meant/elsewhere.hpp"
 #include "lib/table/library.hpp"
 #include "lib/text/meant.hpp"
 

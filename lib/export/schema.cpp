@@ -1,7 +1,7 @@
 #include "lib/export/json.hpp"
 #include "lib/export/json_text.hpp"
 #include "lib/export/schema_fields.hpp"
-#include "lib/project/parts.hpp"
+#include "lib/project/parts/parts.hpp"
 
 #include <boost/json.hpp>
 

@@ -1,5 +1,4 @@
 #include "lib/quantity/format.hpp"
-#include "lib/table/library.hpp"
 #include "lib/table/names.hpp"
 #include "lib/table/table.hpp"
 
@@ -93,11 +92,14 @@ std::string part_or_whole(std::string_view name, const std::vector<std::string>&
   return found == names.end() ? "" : *found;
 }
 
-/// "`loadpath tables materials` lists them"; empty if no built-in table has rows of the group.
-Message listing(std::string_view group) {
-  const auto tables = tables_of(group);
+/// "`loadpath tables materials` lists them"; empty if the library has no table of the group, or one without a folder.
+Message listing(const Library& library, std::string_view group) {
+  std::vector<std::string> tables;
+  for (const Table& table : library.tables) {
+    if (table.group == group && table.name.find('/') != std::string::npos) tables.push_back(table.name);
+  }
   if (tables.empty()) return {};
-  const std::string& first = tables.front()->name;
+  const std::string& first = tables.front();
   return say("`loadpath tables {1}` lists them", tables.size() == 1 ? first : first.substr(0, first.find('/')));
 }
 
@@ -115,7 +117,7 @@ Fault no_row(std::string_view group, std::string_view name, const std::vector<co
   }
   auto near = near_names(name, names);
   if (std::string part = near.empty() ? part_or_whole(name, names) : ""; !part.empty()) near.push_back(std::move(part));
-  if (near.empty()) return fault(message, listing(group));
+  if (near.empty()) return fault(message, listing(*libraries.back(), group));
   return fault(message, near.size() == 1 ? say("did you mean '{1}'?", near[0])
                                          : say("did you mean '{1}' or '{2}'?", near[0], near[1]));
 }

@@ -38,9 +38,6 @@ constexpr auto din743_section_rules() {
                   "a shoulder or a groove needs the larger diameter D > d"},
       Rule<Input>{[](const Input& in) { return !needs_radius(in.notch) || is_set(in.r); }, "r, notch",
                   "this notch needs its radius r"},
-      Rule<Input>{
-          [](const Input& in) { return in.notch != Notch::shoulder || !(2.0 * in.r > 1.000001 * (in.D - in.d)); },
-          "r, D, d", "the fillet is higher than its shoulder: r must not exceed (D - d)/2"},
       Rule<Input>{[](const Input& in) { return in.notch != Notch::smooth || !is_set(in.r); }, "r, notch",
                   "a smooth section has no radius; for a shoulder give notch = \"shoulder\" with D"},
       Rule<Input>{[](const Input& in) { return in.notch != Notch::rectangular_groove || is_set(in.w); }, "w, notch",

@@ -1,7 +1,7 @@
 #include "lib/project/layout/layout.hpp"
 
 #include "lib/project/layout/same.hpp"
-#include "lib/project/parts.hpp"
+#include "lib/project/parts/parts.hpp"
 #include "lib/text/utf8.hpp"
 #include "lib/toml/text/pieces.hpp"
 #include "lib/toml/text/values.hpp"

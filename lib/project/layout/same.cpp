@@ -1,6 +1,6 @@
 #include "lib/project/layout/same.hpp"
 
-#include "lib/project/parts.hpp"
+#include "lib/project/parts/parts.hpp"
 #include "lib/quantity/literal.hpp"
 
 #include <algorithm>

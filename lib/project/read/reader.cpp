@@ -1,7 +1,7 @@
 #include "lib/project/read/reader.hpp"
 
 #include "lib/calculator/choice_words.hpp"
-#include "lib/project/read/elsewhere.hpp"
+#include "lib/project/read/meant/elsewhere.hpp"
 #include "lib/text/meant.hpp"
 
 #include <algorithm>

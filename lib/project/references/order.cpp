@@ -1,6 +1,6 @@
 #include "lib/project/references/order.hpp"
 
-#include "lib/project/references/circles.hpp"
+#include "lib/project/references/paths/circles.hpp"
 #include "lib/project/references/references.hpp"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 #include "lib/project/references/references.hpp"
 
 #include "lib/project/read/read_record.hpp"
-#include "lib/project/references/result_paths.hpp"
+#include "lib/project/references/paths/result_paths.hpp"
 
 #include <algorithm>
 #include <cmath>

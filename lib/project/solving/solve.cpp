@@ -3,7 +3,7 @@
 #include "lib/project/accept.hpp"
 #include "lib/project/fixes.hpp"
 #include "lib/project/modes.hpp"
-#include "lib/project/references/circles.hpp"
+#include "lib/project/references/paths/circles.hpp"
 #include "lib/project/references/factors.hpp"
 #include "lib/project/references/kinds.hpp"
 #include "lib/project/references/machine/machine.hpp"

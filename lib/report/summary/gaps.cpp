@@ -14,15 +14,25 @@ using account::Mode;
 using account::Modes;
 using account::State;
 
-/// The step to add, or that of its calculator which the project has already.
+/// The record that a step takes there, "lever.cycle" of cycle = "=lever.cycle"; empty if none.
+std::string taken_by(const project::Step& step, const std::string& key) {
+  const auto& records = step.input().reading.records;
+  const auto taken = std::ranges::find(records, key, &project::Taken::path);
+  return taken == records.end() ? "" : taken->source;
+}
+
+/// The step to add, or that of its calculator which the project has already: not one that assesses another part.
 std::string step_to_add(const project::Project& project, const Mode& mode) {
   const std::string id = mode.judge.empty() ? mode.add : mode.judge;
   if (id.empty()) return {};
-  const auto there = std::ranges::find_if(
-      project.steps, [&](const auto& step) { return step->input().calculator->id == id && step->name() != mode.step; });
-  if (there != project.steps.end())
-    return mode.takes.empty() ? say("assess it by {1}, a step of {2}", (*there)->name(), id).text()
-                              : say("let {1} take {2}", (*there)->name(), mode.takes).text();
+  const std::string key = mode.takes.substr(0, mode.takes.find(' '));
+  for (const auto& step : project.steps) {
+    if (step->input().calculator->id != id || step->name() == mode.step) continue;
+    if (mode.takes.empty()) return say("assess it by {1}, a step of {2}", step->name(), id).text();
+    const std::string taken = taken_by(*step, key);
+    if (taken.empty()) return say("let {1} take {2}", step->name(), mode.takes).text();
+    if (mode.takes.find("\"=" + taken + "\"") != std::string::npos) return say("see {1}", step->name()).text();
+  }
   return mode.takes.empty() ? say("add a step of {1}", id).text()
                             : say("add a step of {1} with {2}", id, mode.takes).text();
 }

@@ -27,9 +27,10 @@ std::string limit_and_life(const std::string& sigma_D, const std::string& materi
 
 std::string bar_and_life(const std::string& loading) {
   return "[limit]\ncalculator = \"fatigue.endurance\"\nmaterial = \"C45E\"\nd_h = \"20 mm\"\nd = \"20 mm\"\n"
-         "R_z = \"6.3 um\"\nloading = \"" +
+         "finish = \"machined\"\nrule = \"shigley\"\nschool = \"marin\"\nP_s = 0.99\nloading = \"" +
          loading +
-         "\"\n\n[rod]\ncalculator = \"link.member\"\nN = \"10 kN\"\nl = \"200 mm\"\nd = \"20 mm\"\n"
+         "\"\n\n[rod]\ncalculator = \"link.member\"\nN = \"10 kN\"\nV = \"0 N\"\nM_b = \"0 N*m\"\nends = "
+         "\"pinned_pinned\"\nl = \"200 mm\"\nd = \"20 mm\"\n"
          "material = \"C45E\"\nS = 1.5\n\n[life]\ncalculator = \"fatigue.cycle\"\ncycle = \"=rod.cycle\"\nr = -1\n"
          "S_D = 1.5\nS_F = 1.5\nmaterial = \"C45E\"\nd_h = \"20 mm\"\nsigma_D = \"=limit.sigma_D\"\n";
 }

@@ -43,7 +43,7 @@ TEST_SUITE("project") {
                       sum = said("=max(values.d, 3 N)");
     for (const std::string& one : {step, dimension, sum}) {
       CHECK_MESSAGE(errors_in(one) == 1, one);
-      CHECK(one.starts_with("a.toml:3:"));
+      CHECK(one.find("a.toml:3:") != std::string::npos);
     }
     CHECK(step.find("unknown step 'value'") != std::string::npos);
     CHECK(dimension.find("'T' is a moment") != std::string::npos);

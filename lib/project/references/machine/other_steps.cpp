@@ -40,19 +40,21 @@ std::string load_taken_by(const Step& taker, const Step& step) {
   return {};
 }
 
-/// The value of [values] that is a load of both; empty if none is.
-std::string load_shared_by(const Step& one, const Step& other) {
-  const auto shared = [](const Operand& operand) {
-    const bool is_value = operand.leaf.field->is_load && operand.expression.is_reference();
-    const std::string path = is_value ? operand.expression.references().front().path : "";
-    return path.starts_with("values.") ? path : "";
-  };
-  std::set<std::string> own;
-  for (const Operand& operand : one.input().reading.operands) own.insert(shared(operand));
-  for (const Operand& operand : other.input().reading.operands) {
-    if (const std::string path = shared(operand); !path.empty() && own.contains(path)) return path;
+/// The values of [values] that are loads of a step as they are: "values.P".
+std::set<std::string> shared_loads(const Step& step) {
+  std::set<std::string> shared;
+  for (const auto& [key, typed] : step.input().reading.typed) {
+    const FieldInfo* const field = find_field(step.input().calculator->input->fields, key);
+    if (field != nullptr && field->is_load && !typed.shared.empty()) shared.insert(typed.shared);
   }
-  return {};
+  return shared;
+}
+
+/// The first that is a load of both; empty if none is.
+std::string load_shared_by(const Step& one, const Step& other) {
+  const std::set<std::string> own = shared_loads(one), there = shared_loads(other);
+  const auto both = std::find_if(own.begin(), own.end(), [&](const std::string& path) { return there.contains(path); });
+  return both == own.end() ? "" : *both;
 }
 
 bool is_ratio_of_speeds(std::string_view what) { return what == ratio_of_speeds; }

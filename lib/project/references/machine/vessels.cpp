@@ -71,7 +71,9 @@ void compare_test(const Step& step, const Project& project, std::vector<ReducedL
   const auto shell = std::ranges::find(records, "shell", &Taken::path);
   if (shell == records.end()) return;
   const std::string name = split_step(shell->source).first;
-  const double p_t = own_value(step, project, "p_t"), of_shell = magnitude_at(project, name + ".p_t");
+  const Step* const tested = project.find(name);
+  if (tested == nullptr || tested->input().calculator == nullptr) return;
+  const double p_t = own_value(step, project, "p_t"), of_shell = own_value(*tested, project, "p_t");
   if (!(p_t < (1.0 - few_digits) * of_shell)) return;
   found.push_back({"p_t", say("p_t = {1}, and '{2}' is tested with {3}; justify it: because.p_t = \"...\"",
                               format_quantity(p_t, "MPa", 4), name, format_quantity(of_shell, "MPa", 4))});

@@ -1,6 +1,6 @@
 #include "lib/project/run/evaluation/prepared_step.hpp"
 
-#include "lib/project/references/result_paths.hpp"
+#include "lib/project/references/paths/result_paths.hpp"
 #include "lib/project/run/evaluation/rule_help.hpp"
 #include "lib/table/tables.hpp"
 

@@ -74,7 +74,7 @@ TEST_SUITE("project reading") {
           R"(a.toml:3:6: error: 'nan' is not a number to calculate with
 3 | T = "nan N*m"
   |      ^^^
-  = help: write a number and a unit, as in '30 N*m'
+  = help: write a number and a unit, as in '30 N*m'; to have it found: T = "?"
 a.toml:4:11: error: 'inf' is not a number to calculate with
 4 | tau_adm = inf
   |           ^^^

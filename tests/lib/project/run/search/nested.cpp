@@ -46,7 +46,7 @@ TEST_SUITE("nested searches") {
     const double l = value(found, "k.l") * 1000.0;
     const auto length = [](double mm) { return std::to_string(static_cast<int>(std::lround(mm))) + " mm"; };
     CHECK(is_sound(key_with("50 mm", "14x9", length(l))));
-    for (const int shorter : {16, 18, 20, 22, 25, 28, 32, 36, 40, 45, 50, 56, 63}) {
+    for (const int shorter : {36, 40, 45, 50, 56, 63}) {  // a key 14x9 is made from 36 mm on
       if (shorter < l) CHECK_FALSE(is_sound(key_with("50 mm", "14x9", length(shorter))));
     }
   }

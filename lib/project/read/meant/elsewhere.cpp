@@ -1,4 +1,4 @@
-#include "lib/project/read/elsewhere.hpp"
+#include "lib/project/read/meant/elsewhere.hpp"
 
 #include "lib/quantity/literal.hpp"
 

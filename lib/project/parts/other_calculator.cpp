@@ -1,4 +1,4 @@
-#include "lib/project/other_calculator.hpp"
+#include "lib/project/parts/other_calculator.hpp"
 
 #include "lib/project/read/read_record.hpp"
 

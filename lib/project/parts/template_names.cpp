@@ -1,4 +1,4 @@
-#include "lib/project/template_names.hpp"
+#include "lib/project/parts/template_names.hpp"
 
 #include <algorithm>
 #include <sstream>

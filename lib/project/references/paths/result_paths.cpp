@@ -1,4 +1,4 @@
-#include "lib/project/references/result_paths.hpp"
+#include "lib/project/references/paths/result_paths.hpp"
 
 #include <algorithm>
 
@@ -59,7 +59,9 @@ Fault unknown_path(const StepInput& input, const std::string& path) {
     known.push_back(element);
     const FieldInfo* const list = find_field(input.calculator->result->fields, element.substr(0, element.find('.')));
     for (const FieldInfo& inner : list->fields) known.push_back(std::string(element).append(".").append(inner.key));
-    if (last_part(element) == last_part(path)) otherwise = say("did you mean '{1}.{2}'?", input.name, element);
+    const bool is_first = otherwise.text().find("did you mean") == std::string::npos;
+    if (last_part(element) == last_part(path) && (is_first || list->is_handed_over))
+      otherwise = say("did you mean '{1}.{2}'?", input.name, element);
   }
   return {0, path.size(), say("'{1}' has no result '{2}'", input.name, path),
           did_you_mean(path, known, std::move(otherwise), input.name + ".")};

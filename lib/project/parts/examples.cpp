@@ -1,4 +1,4 @@
-#include "lib/project/read/examples.hpp"
+#include "lib/project/parts/examples.hpp"
 
 #include "lib/quantity/format.hpp"
 #include "lib/toml/tree.hpp"

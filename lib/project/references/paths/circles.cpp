@@ -1,4 +1,4 @@
-#include "lib/project/references/circles.hpp"
+#include "lib/project/references/paths/circles.hpp"
 
 #include <algorithm>
 

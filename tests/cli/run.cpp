@@ -74,8 +74,7 @@ TEST_SUITE("cli run") {
     const Desk desk;
     desk.put("shaft.toml", wrong);
     CHECK(desk.run({"run", "shaft.toml"}).error.starts_with("shaft.toml:4:15: error: unknown unit 'mpa'\n"));
-    CHECK(desk.run({"run", "nothing.toml"}).error ==
-          "loadpath: cannot read 'nothing.toml'\n  = help: no such file\n");
+    CHECK(desk.run({"run", "nothing.toml"}).error == "loadpath: cannot read 'nothing.toml'\n  = help: no such file\n");
     CHECK(desk.run({"run", "shfat.toml"}).error ==
           "loadpath: cannot read 'shfat.toml'\n  = help: did you mean 'shaft.toml'?\n");
     CHECK(desk.run({"run", "nothing.toml"}).code == 2);

@@ -67,7 +67,11 @@ constexpr auto fkm_steel() {
 
 template <class Input>
 constexpr auto fkm_gradient(Twist Input::*at, const char* key, const char* doc) {
-  return Field<Input, Twist>{at, key, per_m, doc}.at_least(0).usually(0, 10e3).customarily_at_most(10e3).may_be_missing();
+  return Field<Input, Twist>{at, key, per_m, doc}
+      .at_least(0)
+      .usually(0, 10e3)
+      .customarily_at_most(10e3)
+      .may_be_missing();
 }
 /// At least that of minor consequence, `least`.
 template <class Input>

@@ -2,11 +2,11 @@
 
 #include "lib/project/accept.hpp"
 #include "lib/project/because.hpp"
-#include "lib/project/parts/other_calculator.hpp"
-#include "lib/project/read/errors.hpp"
 #include "lib/project/parts/examples.hpp"
-#include "lib/project/read/read_record.hpp"
+#include "lib/project/parts/other_calculator.hpp"
 #include "lib/project/parts/template_names.hpp"
+#include "lib/project/read/errors.hpp"
+#include "lib/project/read/read_record.hpp"
 #include "lib/table/tables.hpp"
 
 #include <algorithm>

@@ -46,8 +46,8 @@ std::string with_straight_quotes(std::string_view text) {
 Message hint_for_name(std::string_view line) {
   if (has_foreign(line.substr(0, line.find(']')))) return say("a name has Latin letters, digits and '_'");
   const std::string_view open = without_blanks(line.substr(0, line.find('#')));
-  std::string name(
-      without_blanks(open.substr(1, open.find(']') == std::string_view::npos ? open.npos : open.find(']') - 1)));
+  const std::size_t end = open.find(']');
+  std::string name(without_blanks(open.substr(1, end == std::string_view::npos ? end : end - 1)));
   const bool is_plain = !name.empty() && std::all_of(name.begin(), name.end(), [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '_' || c == ' ' || c == '-';
   });

@@ -79,7 +79,7 @@ std::string line_of(const std::string& title, const Counts& counts) {
   return line + " |";
 }
 
-/// Its place among the counts; 0 where it is no state.
+/// Its index among the counts; 0 if it is not a state.
 std::size_t place_of(const std::string& state) {
   if (state == "yes") return 1;
   if (state.starts_with("part: ")) return 2;

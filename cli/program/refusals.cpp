@@ -109,7 +109,7 @@ const CLI::Option* repeated_option(const CLI::App& command) {
   return nullptr;
 }
 
-/// The help for a word that is no command: a subject that is not included, a calculator of this name, a table.
+/// The help for an unknown command: a subject that is not included, a calculator of this name, a table.
 std::string command_meant(const std::string& word, const std::vector<std::string>& commands) {
   if (const auto subjects = not_included(word, true); !subjects.empty())
     return "not included: " + std::string(subjects.front()->what) + "; `loadpath list " + word + "` shows the nearest";

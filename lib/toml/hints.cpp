@@ -56,7 +56,7 @@ Message hint_for_name(std::string_view line) {
   return say("write [{1}]", name);
 }
 
-/// Of a value that is no number: a comment behind it, or a quantity without its quotes.
+/// Of a value that is not a number: a comment after it, or a quantity without its quotes.
 Message hint_for_bare(std::string_view value) {
   const std::size_t comment = std::min(value.find(';'), value.find("//"));
   if (comment == std::string_view::npos) return say("write a quantity in quotes: \"{1}\"", value);

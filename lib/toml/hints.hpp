@@ -8,7 +8,7 @@
 namespace loadpath::toml {
 
 /// The remedy for the commonest mistakes of a line, a quantity without quotes above all; empty for any other. `column`:
-/// of a word that is no value, from 1; else 0.
+/// of a word that is not a value, from 1; else 0.
 Message hint_for(std::string_view line, int column);
 
 }  // namespace loadpath::toml

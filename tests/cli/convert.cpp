@@ -34,7 +34,7 @@ TEST_SUITE("cli convert") {
     }
   }
 
-  TEST_CASE("a quantity that its blank has divided is told with its quotes") {
+  TEST_CASE("a quantity divided by its blank is reported with the quotes it needs") {
     CHECK(
         convert({"10", "kN"}).error.ends_with("help: a value with a blank needs quotes: loadpath convert \"10 kN\"\n"));
   }

@@ -52,19 +52,19 @@ TEST_SUITE("cli help") {
     CHECK(loadpath_with({"teapot"}).code == 2);
   }
 
-  TEST_CASE("a word that is no command is told with what it is") {
+  TEST_CASE("an unknown command is reported with what the word means") {
     CHECK(contains(loadpath_with({"torsion"}).error, "did you mean 'shaft torsion'?"));
     CHECK(contains(loadpath_with({"bolt"}).error, "not included: bolted joints"));
     CHECK(contains(loadpath_with({"materials"}).error, "did you mean 'tables materials'?"));
     CHECK(contains(loadpath_with({"report"}).error, "did you mean 'run'"));
   }
 
-  TEST_CASE("a value that its blank has divided is told with its quotes") {
+  TEST_CASE("a value divided by its blank is reported with the quotes it needs") {
     CHECK(loadpath_with({"shaft", "torsion", "--T", "2700", "N*m", "--tau_adm", "30 MPa"}).error ==
           "loadpath: 'N*m' is not expected here\n  = help: a value with a blank needs quotes: --T \"2700 N*m\"\n");
   }
 
-  TEST_CASE("an input of a table is told with its flag") {
+  TEST_CASE("an input of a table is reported with its flag") {
     const auto said = [](const std::string& flag) {
       return loadpath_with({"mechanism", "planar", "--template", "slider_crank", flag, "180 rpm"}).error;
     };

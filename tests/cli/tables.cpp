@@ -36,7 +36,7 @@ TEST_SUITE("cli tables") {
     CHECK(row.error == "loadpath: no row 'C54E' in the tables of 'material'\n  = help: did you mean 'C45E'?\n");
   }
 
-  TEST_CASE("a row, a part of a name, and a folder that is a series too are told apart") {
+  TEST_CASE("a row, a part of a name, and a folder that is also a series are distinguished") {
     CHECK(
         contains(loadpath_with({"tables", "C45E"}).error, "`loadpath tables materials/steel_heat_treatable \"C45E\"`"));
     CHECK(contains(loadpath_with({"tables", "HEA"}).error, "available: sections/hea\n"));

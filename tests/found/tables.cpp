@@ -73,7 +73,7 @@ TEST_SUITE("found tables") {
     CHECK(answer("material", "42CrMo5").ends_with("did you mean '42CrMo4'?"));
   }
 
-  TEST_CASE("a designation with a suffix, a maker, or less than a name is told with the row") {
+  TEST_CASE("a designation with a suffix, a maker or only part of the name leads to the row") {
     CHECK(answer("bearing", "6208-2RS").ends_with("did you mean '6208'?"));
     CHECK(answer("bearing", "SKF 6208").ends_with("did you mean '6208'?"));
     CHECK(answer("material", "42CrMo4+QT").ends_with("did you mean '42CrMo4'?"));

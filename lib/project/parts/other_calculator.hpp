@@ -10,7 +10,7 @@
 
 namespace loadpath::project {
 
-/// The calculator that has most of the keys of a step; that of a shaft in torsion if one key is no sign.
+/// The calculator that has most of the keys of a step; shaft.torsion if at most one key matches.
 std::string calculator_with(const toml::Tree& step, Catalogue catalogue);
 
 /// Several keys that the calculator of a step does not have and another one has: one error names that, in place of

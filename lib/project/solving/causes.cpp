@@ -50,7 +50,7 @@ class Causes {
   }
 
  private:
-  /// An expression of a value that names no step is told at the value, not where it is taken.
+  /// An expression of a value that names no step is reported at the value, not where it is used.
   void add_unknown_steps() {
     const auto is_unknown = [](const Issue& issue) { return issue.message.id == "unknown step '{1}'"; };
     if (std::none_of(issues_.begin(), issues_.end(), is_unknown)) return;

@@ -169,7 +169,7 @@ void find_early_values(Step& step, const Project& project, std::vector<Issue>& i
         [&](const std::string& path) -> Outcome<Signature> { return values.at(path).signature; });
     const double si =
         operand.expression.evaluate([&](const std::string& path) -> const Value& { return values.at(path); }).si[0];
-    if (signature && !std::isfinite(si)) {  // another fault of the expression is told when it is checked
+    if (signature && !std::isfinite(si)) {  // another fault of the expression is reported when it is checked
       issues.push_back({operand.place,
                         step.name() + "." + operand.path,
                         say("'{1}' has no value: its expression divides by zero, takes the root or logarithm of a "

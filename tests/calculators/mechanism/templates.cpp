@@ -341,7 +341,7 @@ TEST_SUITE("mechanism template faults") {
           "axle.template: 'shaft.torsion' has no templates");
   }
 
-  TEST_CASE("parameters without a template, and a template as a calculator, are told with the template") {
+  TEST_CASE("parameters without a template, and a template as a calculator, are reported with the template") {
     const std::string none = issues_of(replaced(slider, "template = \"slider_crank\"\n", ""));
     CHECK(none.find("'r' is a parameter of templates, and no template is named") != std::string::npos);
     CHECK(none.find("with one of slider_crank") != std::string::npos);
@@ -351,12 +351,12 @@ TEST_SUITE("mechanism template faults") {
     CHECK(issues_of(replaced(slider, "slider_crank", "crank_slider")).ends_with("did you mean 'slider_crank'?\n"));
   }
 
-  TEST_CASE("a table that is written as one of its values is told with the input") {
+  TEST_CASE("a table that is written as one of its values is reported with the input") {
     CHECK(said(slider, "r = \"50", "loads = [\"3 kN\"]\nr = \"50") ==
           "a.loads[1]: 'loads[1]' is a table of fields, not a text; write loads = [{ F = \"3 kN\" }]");
   }
 
-  TEST_CASE("a key at the wrong level is told with the place where it belongs") {
+  TEST_CASE("a key at the wrong level is reported with the place where it belongs") {
     CHECK(said(slider, "r = \"50", "slider.mass = \"1 kg\"\nr = \"50") ==
           "a.slider: 'slider' is not a valid key here; did you mean 'links.slider'?");
     CHECK(said(slider, "r = \"50", "n = \"60 rpm\"\nr = \"50") ==

@@ -35,10 +35,10 @@ std::string bar_and_life(const std::string& loading) {
          "S_D = 1.5\nS_F = 1.5\nmaterial = \"C45E\"\nd_h = \"20 mm\"\nsigma_D = \"=limit.sigma_D\"\n";
 }
 
-std::string post(const std::string& name, const std::string& more) {
-  return "[" + name +
-         "]\ncalculator = \"column.buckling\"\nP = \"=values.P\"\nl = \"2 m\"\nends = \"pinned_pinned\"\n" +
-         "section = \"HEA 140\"\nmaterial = \"S235\"\nmethod = \"ec3\"\ngamma_M1 = 1\n" + more + "\n";
+std::string post(const std::string& name, const std::string& P, const std::string& gamma_F) {
+  return "[" + name + "]\ncalculator = \"column.buckling\"\nP = \"" + P +
+         "\"\nl = \"2 m\"\nends = \"pinned_pinned\"\n" +
+         "section = \"HEA 140\"\nmaterial = \"S235\"\nmethod = \"ec3\"\ngamma_M1 = 1\ngamma_F = " + gamma_F + "\n";
 }
 
 std::string hoist_and(const std::string& run_up) {
@@ -71,11 +71,13 @@ TEST_SUITE("found unlinked steps") {
   }
 
   TEST_CASE("a factor of one load is the same in all steps that share it") {
-    const auto with = [](const std::string& gamma_F) {
-      return "[values]\nP = \"100 kN\"\n" + post("a", "gamma_F = " + gamma_F) + post("b", "gamma_F = 1.5");
+    const auto state = [](const std::string& P, const std::string& gamma_F) {
+      const std::string text = "[values]\nP = \"100 kN\"\n" + post("a", P, gamma_F) + post("b", "=values.P", "1.5");
+      return mode_of(solved_as_found(text), "a", "buckling");
     };
-    CHECK(mode_of(solved_as_found(with("1")), "a", "buckling") == "not-judged");
-    CHECK(mode_of(solved_as_found(with("1.5")), "a", "buckling") == "pass");
+    CHECK(state("=values.P", "1") == "not-judged");
+    CHECK(state("=1*values.P", "1") == "not-judged");
+    CHECK(state("=values.P", "1.5") == "pass");
   }
 
   TEST_CASE("a density belongs to the modulus of the same metal") {
@@ -97,7 +99,7 @@ TEST_SUITE("found unlinked steps") {
     CHECK(mode_of(solved_as_found(bar_and_life("tension")), "life", "fatigue") == "pass");
   }
 
-  TEST_CASE("a motor in a file with a hoist lifts its weights, or somebody says why not") {
+  TEST_CASE("a motor in a file with a hoist lifts its weights, or a reason is given") {
     const auto state = [](const std::string& more) {
       return mode_of(solved_as_found(hoist_and(more)), "run_up", "time");
     };

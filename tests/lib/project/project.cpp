@@ -28,7 +28,7 @@ TEST_SUITE("project") {
 )");
   }
 
-  TEST_CASE("a wrong value is told once, at its place") {
+  TEST_CASE("a wrong value is reported once, at its place") {
     const std::string rest = "\"\ntau_adm = \"30 MPa\"\n", torsion = "calculator = \"shaft.torsion\"\nT = \"";
     const auto said = [&](const std::string& T) {
       return issues_of("[values]\nd = \"60 mm\"\nT = \"" + T + "\"\n[a]\n" + torsion + "=values.T" + rest + "[b]\n" +
@@ -71,7 +71,7 @@ TEST_SUITE("project") {
               .ends_with("  = help: a name has Latin letters, digits and '_'\n"));
   }
 
-  TEST_CASE("what is missing is told as an example writes it, and a step by its keys") {
+  TEST_CASE("a missing input is shown as in the example, and a calculator is suggested by the keys") {
     CHECK(issues_of("[a]\ncalculator = \"column.lightest\"\nP = \"9 kN\"\nl = \"2 m\"\n")
               .find("help: for example families = [\"") != std::string::npos);
     CHECK(issues_of("[a]\npieces = []\nsupports = []\nseats = []\n").find("write calculator = \"shaft.design\"") !=
@@ -81,7 +81,7 @@ TEST_SUITE("project") {
         std::string::npos);
   }
 
-  TEST_CASE("keys of another calculator are told once, with it") {
+  TEST_CASE("keys of another calculator are reported once, with its name") {
     const std::string said = issues_of(
         "[a]\ncalculator = \"shaft.torsion\"\npieces = [{ l = \"20 mm\", d = \"9 mm\" }]\n"
         "supports = [{ x = \"1 mm\" }]\nseats = [{ x = \"9 mm\" }]\nnotches = []\n");
@@ -90,12 +90,12 @@ TEST_SUITE("project") {
     CHECK_MESSAGE(said.ends_with("help: did you mean calculator = \"shaft.design\"?\n"), said);
   }
 
-  TEST_CASE("a load that is positive by its meaning is told to lose its sign") {
+  TEST_CASE("for a load that is positive by definition the value without its sign is suggested") {
     CHECK(issues_of("[a]\ncalculator = \"column.buckling\"\nl = \"2 m\"\nP = \"-1 kN\"\n")
               .find("help: P: compressive force, replaces N; write it without the sign") != std::string::npos);
   }
 
-  TEST_CASE("a step in two pairs of brackets, and a word for a size that can be found, are told how to write them") {
+  TEST_CASE("two pairs of brackets and a word in place of a size are reported with the right form") {
     CHECK(issues_of("[[a]]\ncalculator = \"shaft.torsion\"\n").ends_with("help: write one pair of brackets: [a]\n"));
     CHECK(issues_of("[a]\ncalculator = \"shaft.torsion\"\nT = \"9 N*m\"\ntau_adm = \"30 MPa\"\nd = \"auto\"\n")
               .ends_with("; to have it found: d = \"?\"\n"));

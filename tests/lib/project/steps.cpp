@@ -77,7 +77,7 @@ TEST_SUITE("project steps") {
 )says");
   }
 
-  TEST_CASE("an element of a result list is told by its name") {
+  TEST_CASE("an element of a result list is suggested by its name") {
     const auto said = [](const std::string& load) {
       return issues_of(
           "[shaft]\ncalculator = \"shaft.design\"\nmaterial = \"C45E\"\n"

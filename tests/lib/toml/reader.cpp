@@ -53,7 +53,7 @@ TEST_SUITE("toml") {
 )");
   }
 
-  TEST_CASE("a comment, a word, a name and quotes of another language are told how to write them") {
+  TEST_CASE("foreign comments, words, names and quotes are reported with the right form") {
     CHECK(issues_of("S = 1.5 ; safety\n").ends_with("help: a comment begins with '#': 1.5 # safety\n"));
     CHECK(issues_of("a = { d = auto }\n").ends_with("help: a value to be found is written \"?\"\n"));
     CHECK(issues_of("l = ?\n").ends_with("help: a value to be found is written in quotes: \"?\"\n"));

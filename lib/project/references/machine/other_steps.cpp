@@ -40,12 +40,18 @@ std::string load_taken_by(const Step& taker, const Step& step) {
   return {};
 }
 
-/// The values of [values] that are loads of a step as they are: "values.P".
+/// The values of [values] that are loads of a step, as they are or in an expression: "values.P".
 std::set<std::string> shared_loads(const Step& step) {
   std::set<std::string> shared;
   for (const auto& [key, typed] : step.input().reading.typed) {
     const FieldInfo* const field = find_field(step.input().calculator->input->fields, key);
     if (field != nullptr && field->is_load && !typed.shared.empty()) shared.insert(typed.shared);
+  }
+  for (const Operand& operand : step.input().reading.operands) {
+    if (!operand.leaf.field->is_load) continue;
+    for (const auto& reference : operand.expression.references()) {
+      if (reference.path.starts_with("values.")) shared.insert(reference.path);
+    }
   }
   return shared;
 }

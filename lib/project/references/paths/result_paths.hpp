@@ -14,8 +14,8 @@ std::vector<std::string> named_elements(const StepInput& input);
 /// The fault that a step has no such result, with the nearest path, or the element of that name.
 Fault unknown_path(const StepInput& input, const std::string& path);
 
-/// "shaft.bearings.left" for "shaft.supports.left", where the latter lacks the key: the record of the same element that
-/// has it; empty if none has.
+/// "shaft.bearings.left" for "shaft.supports.left", where the latter does not have the key: the record of the same
+/// element that has it; empty if none has.
 std::string record_with(const Step& step, const std::string& source, const std::string& key);
 
 }  // namespace loadpath::project

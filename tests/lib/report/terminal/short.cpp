@@ -170,7 +170,7 @@ tau_adm = "30 MPa"
     CHECK(std::any_of(driven.gaps.begin(), driven.gaps.end(), adds));
   }
 
-  TEST_CASE("a wanted limit is told with the result that it would limit") {
+  TEST_CASE("a missing limit is shown with the result that it would limit") {
     const report::Summary bearing = report::summarise(solved(R"([ball]
 calculator = "bearing.rolling"
 bearing = "6208"
@@ -182,7 +182,7 @@ n = "950 rpm"
     CHECK(std::any_of(bearing.gaps.begin(), bearing.gaps.end(), tells));
   }
 
-  TEST_CASE("a limit that fails is told with the values behind it") {
+  TEST_CASE("a limit that fails is shown with the values compared") {
     const report::Summary seat = report::summarise(solved(R"([ball]
 calculator = "bearing.rolling"
 bearing = "6208"
@@ -202,7 +202,7 @@ d_f = "42 mm"
     CHECK_MESSAGE(tells(seat.failures.front()), seat.failures.front());
   }
 
-  TEST_CASE("a mode whose method is not valid is told with its limit") {
+  TEST_CASE("a mode whose method is not valid is shown with its limit") {
     const report::Summary key = report::summarise(solved(R"([key]
 calculator = "shaft.key"
 T = "20 N*m"

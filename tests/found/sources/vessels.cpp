@@ -68,6 +68,7 @@ TEST_SUITE("found vessels") {
     const std::string typed = "D_a = \"1200 mm\"\ndelta = \"12 mm\"\n";
     CHECK(state("wall = \"=shell.wall\"\n") == "pass");
     CHECK(state(typed) == "not-judged");
+    CHECK(state("D_a = \"=2*shell.R\"\ndelta = \"12 mm\"\n") == "not-judged");
     CHECK(state(typed + "because.delta = \"the jacket\"\n") == "pass");
   }
 }

@@ -31,12 +31,9 @@ const Step* step_with(const Project& project, std::string_view key) {
   return found == project.steps.end() ? nullptr : found->get();
 }
 
-/// Whether a value of the step comes from one that hands over such a record.
-bool takes_from(const Step& step, const Project& project, std::string_view key) {
-  return std::ranges::any_of(steps_named_in(step.input().reading), [&](const std::string& name) {
-    const Step* const source = project.find(name);
-    return source != nullptr && hands_over(*source, key);
-  });
+/// Whether the step takes this record as a whole: a size alone leaves out the allowance and the pressure.
+bool takes_record(const Step& step, std::string_view key) {
+  return std::ranges::find(step.input().reading.records, key, &Taken::path) != step.input().reading.records.end();
 }
 
 /// An end whose pressure is typed, in a file with a shell that it does not refer to.
@@ -44,7 +41,7 @@ void compare_shell(const Step& step, const Project& project, std::vector<Reduced
   const auto& fields = step.input().calculator->input->fields;
   if (find_field(fields, "shell") == nullptr || !step.input().reading.typed.contains("p")) return;
   const Step* const shell = step_with(project, "shell");
-  if (shell == nullptr || takes_from(step, project, "shell")) return;
+  if (shell == nullptr || takes_record(step, "shell")) return;
   found.push_back({"p", say("the end does not refer to '{1}', whose pressure, diameter and allowance it has: give "
                             "shell = \"={1}.shell\", or because.p = \"...\" if it is of another vessel",
                             shell->name())});
@@ -83,7 +80,7 @@ void compare_test(const Step& step, const Project& project, std::vector<ReducedL
 void compare_vacuum(const Step& step, const Project& project, std::vector<ReducedLoad>& found) {
   const auto& fields = step.input().calculator->input->fields;
   if (find_field(fields, "wall") == nullptr || find_field(fields, "p_e") == nullptr) return;
-  if (!step.input().reading.typed.contains("delta") || takes_from(step, project, "wall")) return;
+  if (!step.input().reading.typed.contains("delta") || takes_record(step, "wall")) return;
   const Step* const wall = step_with(project, "wall");
   if (wall == nullptr) return;
   found.push_back({"delta", say("this step does not refer to '{1}', whose diameter, thickness and allowance it has: "

@@ -89,12 +89,16 @@ struct FieldFault {
 
 enum class Severity { error, warning };
 
+/// What is wrong with a key itself. Others look for it: a step with several unknown keys may be that of another calculator.
+enum class KeyFault { none, missing, unknown };
+
 struct Issue {
   Place place;
   std::string key;  // the path of the field, "crankshaft.tau_adm"; empty if there is none
   Message message;
   Message hint;
   Severity severity = Severity::error;
+  KeyFault key_fault = KeyFault::none;
 };
 
 /// Whether one of them is an error, not only a warning.

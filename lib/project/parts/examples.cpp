@@ -42,8 +42,7 @@ bool refers(const std::string& text) { return text.find("\"=") != std::string::n
 void show_missing(const Calculator& calculator, const std::string& step, std::size_t before,
                   std::vector<Issue>& issues) {
   const auto lacks_help = [&](const Issue& issue) {
-    return issue.hint.empty() && issue.message.id.starts_with("'{1}' is missing: ") &&
-           issue.key.starts_with(step + ".");
+    return issue.hint.empty() && issue.key_fault == KeyFault::missing && issue.key.starts_with(step + ".");
   };
   const auto begin = issues.begin() + static_cast<std::ptrdiff_t>(before);
   if (std::none_of(begin, issues.end(), lacks_help)) return;

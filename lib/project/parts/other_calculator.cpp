@@ -40,11 +40,11 @@ void name_calculator(const Tree& step, StepInput& input, Catalogue catalogue, st
   constexpr std::ptrdiff_t several = 3;
   const std::string prefix = input.name + ".";
   const auto is_unknown = [&](const Issue& issue) {
-    return issue.severity == Severity::error && issue.message.id.starts_with("'{1}' is not a valid key") &&
-           issue.key.starts_with(prefix) && step.find(issue.key.substr(prefix.size())) != nullptr;
+    return issue.key_fault == KeyFault::unknown && issue.key.starts_with(prefix) &&
+           step.find(issue.key.substr(prefix.size())) != nullptr;
   };
   const auto is_missing = [&](const Issue& issue) {
-    return issue.key.starts_with(prefix) && issue.message.id.starts_with("'{1}' is missing");
+    return issue.key_fault == KeyFault::missing && issue.key.starts_with(prefix);
   };
   const auto begin = issues.begin() + static_cast<std::ptrdiff_t>(before);
   if (std::count_if(begin, issues.end(), is_unknown) < several) return;

@@ -38,8 +38,8 @@ std::string templates_with(const Calculator& calculator, std::string_view key) {
   return ids;
 }
 
-bool is_error_of(const Issue& issue, const std::string& step, std::string_view what) {
-  return issue.severity == Severity::error && issue.key.starts_with(step) && issue.message.id.starts_with(what);
+bool is_fault_of(const Issue& issue, const std::string& step, KeyFault fault) {
+  return issue.key_fault == fault && issue.key.starts_with(step);
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ void name_templates(const StepInput& input, std::size_t before, std::vector<Issu
   const auto begin = issues.begin() + static_cast<std::ptrdiff_t>(before);
   const std::string step = input.name + ".";
   const auto is_parameter = [&](const Issue& issue) {
-    return is_error_of(issue, step, "'{1}' is not a valid key") &&
+    return is_fault_of(issue, step, KeyFault::unknown) &&
            !templates_with(*input.calculator, issue.key.substr(step.size())).empty();
   };
   const auto first = std::find_if(begin, issues.end(), is_parameter);
@@ -75,9 +75,7 @@ void name_templates(const StepInput& input, std::size_t before, std::vector<Issu
   const std::string key = named.key.substr(step.size());
   named.message = say("'{1}' is a parameter of templates, and no template is named", key);
   named.hint = say("write template = \"...\" with one of {1}", templates_with(*input.calculator, key));
-  const auto follows = [&](const Issue& one) {
-    return is_parameter(one) || is_error_of(one, step, "'{1}' is missing");
-  };
+  const auto follows = [&](const Issue& one) { return is_parameter(one) || is_fault_of(one, step, KeyFault::missing); };
   issues.erase(std::remove_if(begin, issues.end(), follows), issues.end());
   issues.push_back(std::move(named));
 }

@@ -117,7 +117,7 @@ void Reader::read_element(const Tree& tree, const Target& target, const std::str
   read_aggregate(tree, list, element, inner);
   const std::vector<std::string> names = known == nullptr ? target.given_names() : std::vector<std::string>{};
   for (std::size_t i = before; i < issues_.size() && known == nullptr; ++i) {  // no known element: suggest a given name
-    const bool is_missing = !names.empty() && issues_[i].message.id.find("is missing") != std::string_view::npos;
+    const bool is_missing = !names.empty() && issues_[i].key_fault == KeyFault::missing;
     if (issues_[i].hint.empty())
       issues_[i].hint = did_you_mean(written, names, is_missing ? there_is(names) : Message{}, path + ".");
   }

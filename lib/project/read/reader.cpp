@@ -59,7 +59,8 @@ void Reader::read_fields(const Tree& table, const std::vector<Part>& parts, cons
     const FieldInfo* const field = part == parts.end() ? nullptr : find_input(part->fields, entry.key);
     const std::string inner = joined(path, field == nullptr ? entry.key : std::string(field->key));
     if (field == nullptr) {
-      say_at(entry.place, inner, say("'{1}' is not a valid key here", entry.key), fields_near(entry.key, parts));
+      say_at(entry.place, inner, say("'{1}' is not a valid key here", entry.key), fields_near(entry.key, parts),
+             Severity::error, KeyFault::unknown);
       if (path.empty()) reading_.faulty.insert(nearest(entry.key, keys_of(parts)));
       continue;
     }
@@ -189,7 +190,8 @@ void Reader::require(std::span<const FieldInfo> fields, void* owner, const std::
         continue;
       }
       Issue issue = missing_field(lacking, prefix_);
-      say_at(issue.place, lacking.path, std::move(issue.message), std::move(issue.hint));
+      say_at(issue.place, lacking.path, std::move(issue.message), std::move(issue.hint), issue.severity,
+             issue.key_fault);
     }
   }
 }

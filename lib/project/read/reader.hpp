@@ -69,8 +69,8 @@ class Reader {
   void check_names(const FieldInfo& list, void* owner, const std::string& path, const Place& place);
 
   void say_at(const Place& place, const std::string& path, Message message, Message hint = {},
-              Severity severity = Severity::error) {
-    issues_.push_back({place, prefix_ + path, std::move(message), std::move(hint), severity});
+              Severity severity = Severity::error, KeyFault key_fault = KeyFault::none) {
+    issues_.push_back({place, prefix_ + path, std::move(message), std::move(hint), severity, key_fault});
     if (severity == Severity::error) reading_.faulty.insert(path.substr(0, path.find_first_of(".[")));
   }
   void fault_at(const Place& start, std::string_view text, const std::string& path, const Fault& fault) {

@@ -355,6 +355,15 @@ Meant Values::kind(const std::string& name) const {
   return tree->type == Tree::Type::text ? kind_of_literal(tree->text) : Meant::nothing;
 }
 
+std::vector<std::pair<std::string, Value>> Values::unused() const {
+  std::vector<std::pair<std::string, Value>> quantities;
+  for (const auto& [name, shared] : all_) {
+    const bool is_one = !shared.several && (shared.is_literal || shared.is_constant);
+    if (!shared.is_used && is_one && !shared.literal.si.empty()) quantities.emplace_back(name, shared.literal);
+  }
+  return quantities;
+}
+
 void Values::warn_of_unused(std::vector<Issue>& issues) const {
   if (!told_.empty()) return;  // a name that was mistyped may have meant it
   for (const auto& [name, shared] : all_) {

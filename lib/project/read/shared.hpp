@@ -13,6 +13,7 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace loadpath::project {
@@ -56,6 +57,8 @@ class Values {
   [[nodiscard]] std::vector<Several> several() const;
   /// Sets such a value to one of its values.
   void set(const std::string& name, double si);
+  /// Quantities that nothing refers to, by name.
+  [[nodiscard]] std::vector<std::pair<std::string, Value>> unused() const;
   /// A warning for every value that nothing refers to.
   void warn_of_unused(std::vector<Issue>& issues) const;
 

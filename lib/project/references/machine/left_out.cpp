@@ -1,0 +1,60 @@
+#include "lib/project/references/machine/left_out.hpp"
+
+#include "lib/project/references/origins.hpp"
+#include "lib/quantity/format.hpp"
+#include "lib/quantity/kinds.hpp"
+
+#include <cmath>
+#include <string>
+
+namespace loadpath::project {
+
+namespace {
+
+constexpr double most_likely =
+    10.0;  // times the load of the step: beyond, it is another quantity of the same dimension
+
+/// A stress is no load that another one of [values] could be meant for: that may be a strength.
+bool is_comparable(const FieldInfo& field) {
+  const Meant kind = kind_of_field({field.key, field.doc, field.unit, field.dimension, field.kind});
+  const bool is_stress = kind == Meant::normal_stress || kind == Meant::shear_stress ||
+                         kind == Meant::equivalent_stress || kind == Meant::uniaxial_stress;
+  return field.is_load && field.is_number() && !is_stress;
+}
+
+/// The input with the largest load of a dimension, and that load.
+struct LargestLoad {
+  std::string path;
+  double si = 0.0;
+  const char* unit = "";
+};
+
+LargestLoad largest_load(const Step& step, const Project& project, const Dimension& dimension) {
+  LargestLoad largest;
+  for_each_leaf(step.input().reading.record, [&](const std::string& path, const Leaf& leaf) {
+    if (!is_comparable(*leaf.field) || !(leaf.field->dimension == dimension)) return;
+    const double si = std::abs(own_value(step, project, path));
+    if (si > largest.si) largest = {path, si, leaf.field->unit};
+  });
+  return largest;
+}
+
+}  // namespace
+
+std::vector<ReducedLoad> loads_left_out(const Step& step, const Project& project) {
+  std::vector<ReducedLoad> found;
+  if (step.input().calculator == nullptr) return found;
+  for (const auto& [name, value] : project.values.unused()) {
+    const LargestLoad own = largest_load(step, project, value.signature.dimension);
+    const double si = std::abs(value.si.front());
+    if (own.path.empty() || !(si > own.si) || si > most_likely * own.si) continue;
+    const std::string key = own.path.substr(0, own.path.find_first_of(".["));
+    found.push_back(
+        {key, say("values.{1} = {2} acts on no step, and {3} is {4}: refer to it, delete it, or justify it: "
+                  "because.{5} = \"...\"",
+                  name, format_quantity(si, own.unit, 4), own.path, format_quantity(own.si, own.unit, 4), key)});
+  }
+  return found;
+}
+
+}  // namespace loadpath::project

@@ -57,6 +57,36 @@ TEST_SUITE("found expressions") {
     CHECK(contains(refused(values, fan + "omega = \"=values.v/(2*pi*values.r)\"\n"), "angular velocity"));  // turns
   }
 
+  TEST_CASE("conversions that are made twice, or for a diameter in place of a radius") {
+    const std::string values =
+        "n = \"1450 rpm\"\nf = \"24 Hz\"\nd = \"40 mm\"\nr = \"20 mm\"\nP = \"5 kW\"\nF = \"10 kN\"\n"
+        "T = \"20 N*m\"\n";
+    const auto said = [&](const std::string& t) { return refused(values, axle + "T = \"=" + t + "\"\n"); };
+    CHECK(contains(said("values.P/(2*pi*values.n)"), "leave out 2*pi"));
+    CHECK(contains(said("values.P/values.n/2/pi"), "leave out 2*pi"));
+    CHECK(contains(said("values.P/(2*pi*1450 rpm)"), "leave out 2*pi"));
+    CHECK(said("values.P/values.n").empty());
+    CHECK(said("values.P/(2*pi*values.f)").empty());
+    CHECK(said("pi/16*values.d^3*30 MPa").empty());
+    CHECK(contains(refused(values, fan + "omega = \"=2*pi*values.n\"\n"), "leave out 2*pi"));
+    CHECK(contains(refused(values, fan + "omega = \"=values.n*pi/(30)\"\n"), "leave out 2*pi"));
+    CHECK(
+        contains(refused(values, fan + "omega = \"=30/pi*values.n\"\n"), "'omega' takes a value of angular velocity"));
+    CHECK(refused(values, fan + "omega = \"=2*pi*values.f\"\n").empty());
+    const std::string slide = "[b]\ncalculator = \"motion.compound\"\nxi = \"1 m\"\nv_eta = \"=";
+    CHECK(contains(refused(values, slide + "values.n*values.d\"\n"), "write d/2"));
+    CHECK(contains(refused(values, slide + "pi*values.d*values.n\"\n"), "write d/2 in place of pi*d"));
+    CHECK(contains(refused(values, slide + "2*pi*values.r*values.n\"\n"), "leave out 2*pi"));
+    CHECK_FALSE(contains(refused(values, slide + "values.n*values.d/2\"\n"), "v_eta"));
+    CHECK_FALSE(contains(refused(values, slide + "pi*values.d*values.f\"\n"), "v_eta"));
+    const std::string cycle = "[c]\ncalculator = \"fatigue.cycle\"\nr = -1\nsigma_max = \"=";
+    CHECK(contains(refused(values, cycle + "values.F/(pi*values.d^2)\"\n"), "write pi*d^2/4"));
+    CHECK(contains(refused(values, cycle + "values.F/pi/values.d/values.d\"\n"), "write pi*d^2/4"));
+    for (const char* sigma : {"4*values.F/(pi*values.d^2)", "values.F/(pi*values.d^2/4)", "values.F/(pi/4*values.d^2)",
+                              "values.F/(pi*values.r^2)", "32*values.T/(pi*values.d^3)"})
+      CHECK_MESSAGE(!contains(refused(values, cycle + sigma + "\"\n"), "area of a circle"), sigma);
+  }
+
   TEST_CASE("an expression of constants that divides by zero is an error at its place") {
     const std::string shaft = "[s]\ncalculator = \"shaft.torsion\"\ntau_adm = \"30 MPa\"\nd = \"40 mm\"\nT = ";
     for (const char* T : {"\"=values.T/0\"", "\"=values.T*sqrt(-1)\"", "\"=1 N*m/(2 - 2)\""})

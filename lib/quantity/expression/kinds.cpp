@@ -1,4 +1,5 @@
 // The kind of an expression's value (lib/quantity/kinds.hpp): sums, choices and multiples keep it.
+#include "lib/quantity/expression/conversions.hpp"
 #include "lib/quantity/expression/expression.hpp"
 #include "lib/quantity/expression/tree.hpp"
 
@@ -137,6 +138,7 @@ class KindWalk {
 
   Meant quotient(const Node& node) {
     const Meant a = of_node(node.kids[0]), b = of_node(node.kids[1]);
+    if (a == Meant::angular_speed && is_number(node.kids[1]) && holds_pi(node.kids[1])) return Meant::frequency;
     if (is_number(node.kids[1])) return multiple(a, node.kids[1]);
     const bool of_turns = holds_pi(node.kids[1]);
     if (is(node.kids[0], of_speed) && is(node.kids[1], Dimension::of(1, 0, 0)))
@@ -177,6 +179,8 @@ class KindWalk {
 }  // namespace
 
 Outcome<Meant> Expression::kind(const KindOf& of, const Declared& declared) const {
+  Fault fault = expression::wrong_conversion(*tree_, of, declared);
+  if (!fault.message.empty()) return fault;
   return KindWalk(*tree_, of, declared).run();
 }
 

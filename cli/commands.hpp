@@ -108,7 +108,8 @@ int convert(const ConvertOptions& options);
 struct VerifyOptions {
   std::vector<std::string> files;
   bool json = false;
-  bool full = false;  // every value of the built-in cases too
+  bool full = false;                 // every value of the built-in cases too
+  std::vector<std::string> reports;  // .html, .md, .tex, .pdf
 };
 int verify(const VerifyOptions& options);
 

@@ -3,17 +3,19 @@
 #include "calculators/catalogue.hpp"
 #include "cli/commands.hpp"
 #include "cli/inputs/missing_file.hpp"
+#include "cli/output.hpp"
+#include "cli/version.hpp"
 #include "lib/export/json_writer.hpp"
 #include "lib/export/unit_name.hpp"
 #include "lib/project/solving/read_project.hpp"
 #include "lib/project/solving/solve.hpp"
-#include "lib/quantity/format.hpp"
 #include "lib/report/terminal/terminal.hpp"
+#include "lib/report/verification.hpp"
 #include "lib/text/embedded.hpp"
 #include "lib/toml/tree.hpp"
 
-#include <cmath>
 #include <iostream>
+#include <utility>
 
 namespace loadpath::cli {
 
@@ -24,20 +26,10 @@ struct Count {
   int misses = 0;
 };
 
-/// Whether the result is the published value but for rounding.
-bool is_same(const project::Comparison& c) { return std::abs(c.deviation) <= 1e-12; }
-
-/// A part of the value; where it is zero, or has a tolerance in its own unit, the difference.
-std::string deviation_of(const project::Comparison& c) {
-  const project::Expectation& e = *c.expectation;
-  if (std::isnan(c.deviation)) return "not available";
-  const bool absolute = e.within_si || e.is.si == 0.0;
-  if (is_same(c)) return format_quantity(0.0, absolute ? e.unit : "%", 2);
-  return absolute ? format_quantity(c.ours - e.is.si, e.unit, 2) : format_quantity(c.deviation, "%", 2);
-}
-
 /// The lines of one case; in brief, its name and count, and of its values those that miss.
-void show(const project::Project& project, const std::vector<project::Comparison>& values, bool in_full) {
+void show(const report::VerifiedFile& file, bool in_full) {
+  const project::Project& project = file.project;
+  const std::vector<project::Comparison>& values = file.values;
   std::vector<project::Comparison> all = values;
   if (!in_full) {
     std::erase_if(all, [](const project::Comparison& c) { return c.holds; });
@@ -48,20 +40,17 @@ void show(const project::Project& project, const std::vector<project::Comparison
   std::cout << project.file << (project.title.empty() ? "" : ": " + project.title) << "\n";
   std::vector<std::vector<std::string>> rows{{"  ", "quantity", "published", "ours", "deviation", "source"}};
   for (const project::Comparison& c : all) {
-    const project::Expectation& e = *c.expectation;
-    const int digits = e.digits ? std::max(*e.digits, 6) : 6;
-    rows.push_back({c.holds ? "  ok" : "  MISS", e.text, e.is_text,
-                    format_quantity(is_same(c) ? e.is.si : c.ours, e.unit, digits), deviation_of(c),
-                    e.source + (e.note.empty() ? "" : "; " + e.note)});
+    rows.push_back({c.holds ? "  ok" : "  MISS", c.expectation->text, c.expectation->is_text, report::computed_text(c),
+                    report::deviation_text(c), report::source_text(c)});
   }
   std::cout << terminal::columns(rows) << "\n";
 }
 
-void write(const project::Project& project, const std::vector<project::Comparison>& all, exports::JsonWriter& out) {
-  for (const project::Comparison& c : all) {
+void write(const report::VerifiedFile& file, exports::JsonWriter& out) {
+  for (const project::Comparison& c : file.values) {
     const project::Expectation& e = *c.expectation;
     out.open_object();
-    out.member("file", project.file);
+    out.member("file", file.project.file);
     out.member("quantity", e.text);
     out.member("holds", c.holds);
     out.member("unit", exports::unit_name(e.is.dimension));
@@ -74,43 +63,80 @@ void write(const project::Project& project, const std::vector<project::Compariso
   }
 }
 
-/// One case: its lines, or its objects where JSON is written, and how many hold. False where it cannot be run, or
-/// expects nothing though it was asked for.
-bool verify_one(const std::string& file, std::string_view text, bool asked_for, bool in_full, Count& count,
-                exports::JsonWriter* out) {
-  std::vector<Issue> issues;
-  project::Project project = project::read_project(text, file, catalogue(), issues);
-  if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = false, .unused = false});
-  if (has_errors(issues)) {
-    terminal::show_issues(issues, {{file, std::string(text)}});
-    return false;
+/// Runs the cases, shows each as it comes, and keeps what a report is made of.
+class Verification {
+ public:
+  /// `is_streamed`: a report goes to standard output, where no lines are shown then.
+  Verification(const VerifyOptions& options, bool is_streamed) : options_(options), is_streamed_(is_streamed) {
+    if (!options.json) return;
+    writer_.open_object();
+    writer_.key("cases").open_array();
   }
-  if (project.expectations.empty()) {
-    if (asked_for) std::cerr << "loadpath: '" << file << "' has no [[expect]] entry\n";
-    return !asked_for;
+
+  /// False where it cannot be run, or expects nothing though it was asked for.
+  bool run(const std::string& file, std::string_view text, bool asked_for) {
+    std::vector<Issue> issues;
+    project::Project project = project::read_project(text, file, catalogue(), issues);
+    if (!has_errors(issues)) project::solve(project, issues, {.pictures = false, .formulas = false, .unused = false});
+    if (has_errors(issues)) {
+      terminal::show_issues(issues, {{file, std::string(text)}});
+      return false;
+    }
+    if (project.expectations.empty()) {
+      if (asked_for) std::cerr << "loadpath: '" << file << "' has no [[expect]] entry\n";
+      return !asked_for;
+    }
+    report::VerifiedFile verified{std::move(project), {}};
+    verified.values = project::compare(verified.project);
+    for (const project::Comparison& c : verified.values) ++(c.holds ? count_.holds : count_.misses);
+    if (options_.json)
+      write(verified, writer_);
+    else if (!is_streamed_)
+      show(verified, asked_for || options_.full);
+    if (!options_.reports.empty()) files_.push_back(std::move(verified));
+    return true;
   }
-  const auto all = project::compare(project);
-  for (const project::Comparison& c : all) ++(c.holds ? count.holds : count.misses);
-  out != nullptr ? write(project, all, *out) : show(project, all, in_full);
-  return true;
-}
+
+  /// The counts, and the reports; the exit code.
+  int finish() {
+    const int code = count_.misses == 0 ? passed : not_passed;
+    if (options_.json) {
+      writer_.close_array();
+      writer_.member("hold", count_.holds);
+      writer_.member("miss", count_.misses);
+      writer_.close_object();
+      std::cout << writer_.take();
+    } else if (!is_streamed_) {
+      std::cout << count_.holds << " hold, " << count_.misses << " miss\n";
+    }
+    if (options_.reports.empty()) return code;
+    const bool is_written =
+        write_reports(report::verification(files_, program()), options_.reports, project::Project(), false);
+    return is_written ? code : wrong_input;
+  }
+
+ private:
+  const VerifyOptions& options_;
+  bool is_streamed_;
+  Count count_;
+  exports::JsonWriter writer_;
+  std::vector<report::VerifiedFile> files_;
+};
 
 }  // namespace
 
 int verify(const VerifyOptions& options) {
-  Count count;
+  OutputOptions output;
+  output.reports = options.reports;
+  output.json = options.json;
+  if (!can_write(output)) return wrong_input;
+  Verification verification(options, takes_standard_output(output));
   bool ran = true;
-  exports::JsonWriter writer;
-  exports::JsonWriter* const out = options.json ? &writer : nullptr;
-  if (out != nullptr) {
-    out->open_object();
-    out->key("cases").open_array();
-  }
   if (options.files.empty()) {
     for (const embedded::File& file : embedded::reference()) {
       // The others may need further files, which are not built in.
       if (file.text.find("[[expect]]") == std::string_view::npos) continue;
-      ran = verify_one(std::string(file.name), file.text, false, options.full, count, out) && ran;
+      ran = verification.run(std::string(file.name), file.text, false) && ran;
     }
   }
   for (const std::string& path : options.files) {
@@ -120,19 +146,9 @@ int verify(const VerifyOptions& options) {
                 << "; without a file all published cases are verified\n";
       return wrong_input;
     }
-    ran = verify_one(path, text, true, true, count, out) && ran;
+    ran = verification.run(path, text, true) && ran;
   }
-  if (!ran) return wrong_input;
-  if (out != nullptr) {
-    out->close_array();
-    out->member("hold", count.holds);
-    out->member("miss", count.misses);
-    out->close_object();
-    std::cout << out->take();
-    return count.misses == 0 ? passed : not_passed;
-  }
-  std::cout << count.holds << " hold, " << count.misses << " miss\n";
-  return count.misses == 0 ? passed : not_passed;
+  return ran ? verification.finish() : wrong_input;
 }
 
 }  // namespace loadpath::cli

@@ -93,6 +93,12 @@ void setup_verify(CLI::App& app, VerifyOptions& options, Action& action) {
   sub->add_option("file", options.files, "project files with [[expect]] entries; the built-in manual where missing");
   sub->add_flag("--full", options.full, "print every value of the built-in cases, not only the misses and the counts");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
+  sub->add_option("--report", options.reports,
+                  "write a report of every value: FILE.html, FILE.md, FILE.tex or FILE.pdf")
+      ->type_name("FILE")
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false);
   sub->callback([&] { action = [&] { return verify(options); }; });
 }
 

@@ -1,4 +1,5 @@
 #include "tests/cli/process.hpp"
+#include "tests/pages.hpp"
 
 using namespace loadpath::test;
 
@@ -24,6 +25,26 @@ TEST_SUITE("cli verify") {
     const Ran full = loadpath_with({"verify", "--full"});
     CHECK(contains(full.out, "published"));
     CHECK(full.out.size() > 4 * o.out.size());
+  }
+
+  TEST_CASE("docs/verification.md is the report of the built-in cases") {
+    const Desk desk;
+    const Ran ran = desk.run({"verify", "--report", "verification.md"});
+    CHECK(ran.code == 0);
+    CHECK(ran.error == "report: verification.md\n");
+    CHECK_MESSAGE(desk.get("verification.md") == text_of(LOADPATH_ROOT "/docs/verification.md"),
+                  "run `loadpath verify --report docs/verification.md`");
+  }
+
+  TEST_CASE("a report of a file's own expectations names what misses") {
+    const Desk desk;
+    desk.put("a.toml", expecting("77.20 mm"));
+    const Ran ran = desk.run({"verify", "a.toml", "--report", "md:-"});
+    CHECK(ran.code == 1);
+    CHECK(ran.out.starts_with("# Verification\n"));
+    CHECK(contains(ran.out, "0 hold, 1 miss."));
+    CHECK(contains(ran.out, "| axle.d_min | 77.20 mm | 77.1029 mm | MISS: -0.13 % | by hand |"));
+    CHECK(desk.run({"verify", "a.toml", "--report", "a.txt"}).code == 2);
   }
 
   TEST_CASE("a file is compared with its own expectations") {

@@ -74,8 +74,8 @@ struct Calculator {
   const char* synonyms = "";  // search words in English, German and Russian: "feather key, Passfeder, шпонка"
   const char* source = "";    // keys of tables/sources.toml: "[B19]"
   const char* example = "";   // a project file that runs
-  /// The size of its part in a phrase: "C = {C}", "{b#}x{h#}x{l}" where # leaves the unit out; several behind | where
-  /// the first has a value that is not known.
+  /// The size of its part in a phrase: "C = {C}", "{b#}x{h#}x{l}" where # leaves the unit out, "torque {drive.M!}"
+  /// where a zero counts as unknown; several behind | where the first has a value that is not known.
   const char* headline = "";
   /// What a user expects after the size, in the same notation: "d_1 = {d_1}, L = {L}"; may be empty.
   const char* details = "";

@@ -28,7 +28,9 @@ struct Mechanism {
       "prismatic and slot joints, gears, belts, cams, rolling wheels and friction, over a cycle or at given "
       "positions; clearance enters as an error of the outputs; elasticity is not covered.";
   static constexpr auto source = "[A10], [B29], [B31], [D3]";
-  static constexpr auto headline = "stable at {equilibrium.stable}|torque {drive.M}|force {cylinders.*.F}";
+  static constexpr auto headline =
+      "stable at {equilibrium.stable}|torque {drive.M!}|force {cylinders.*.F!}|joint force {joints.*.F!}|no forces: "
+      "motion only";
   static constexpr auto synonyms =
       "mechanism, linkage, four-bar linkage, slider-crank, crank mechanism, slotted lever, scotch yoke, "
       "toggle press, cam, follower, kinematics, kinetostatics, inverse dynamics, joint reaction, driving torque, "

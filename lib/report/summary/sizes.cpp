@@ -27,10 +27,11 @@ double largest_of(const Entry& entry) {
   return std::abs(largest(entry.value).value);
 }
 
-/// The value of a placeholder, of results before inputs; empty where it is not known.
+/// The value of a placeholder, of results before inputs; empty where it is not known. "{b#}": without its unit;
+/// "{drive.M!}": where it is not zero.
 std::string value_of(const Step& step, std::string_view key) {
-  const bool bare = key.ends_with('#');
-  if (bare) key.remove_suffix(1);
+  const bool bare = key.ends_with('#'), nonzero = key.ends_with('!');
+  if (bare || nonzero) key.remove_suffix(1);
   const Entry* best = nullptr;
   double most = NAN;
   for (const auto* entries : {&step.account().results, &step.account().inputs}) {
@@ -44,6 +45,7 @@ std::string value_of(const Step& step, std::string_view key) {
     }
     if (best != nullptr) break;
   }
+  if (best != nullptr && nonzero && most == 0.0) return {};
   if (best != nullptr && bare) return format_number(in_unit(most, best->unit), 5);
   if (best != nullptr && best->role == Role::input) return format_quantity(most, best->unit, 5);
   if (best != nullptr) return short_quantity(most, best->unit);

@@ -83,8 +83,8 @@ struct CalculateOptions {
 int calculate(const CalculateOptions& options);
 
 struct ListOptions {
-  std::string word;  // an element, or words that are searched for; empty: all
-  bool all = false;  // those found by failure mode or scope as well
+  std::vector<std::string> words;  // an element, or what is searched for; none: all
+  bool all = false;                // those found by failure mode or scope as well
   bool json = false;
 };
 int list(const ListOptions& options);

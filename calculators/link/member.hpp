@@ -197,7 +197,7 @@ S = 1.5
       Mode<Input>{"shear", "shear yielding under N and V", &sheared}.judged_by("u_Q").wanting("S, A_v"),
       Mode<Input>{"buckling", "flexural buckling about y and z", &column::compressed<Input>}.judged_by("u, r_1"),
       Mode<Input>{"bent", "bending and axial compression", &compressed_and_bent}.judged_by("u_p, u_i"),
-      Mode<Input>{"slenderness", "slenderness limit", &column::compressed<Input>}.judged_by("r_lambda"),
+      Mode<Input>{"slenderness", "slenderness limit", &column::compressed<Input>}.judged_by("r_lambda").at_any_load(),
       Mode<Input>{"local", "local buckling (class 3 limit)", &walls_pressed}
           .judged_by("r_class, x_E")
           .wanting("kind, h, b, t_f, t_w"),

@@ -117,6 +117,7 @@ sigma_adm = "140 MPa"
       join(wall_meanings, std::array{Meaning{"R", radius_when_open, "ends", "open"}});
   static constexpr std::array modes = with_vacuum_assessed(modes_of_tested_wall<Input>(
       membrane_strength<Input>("u_v, t_R, t_M, w_r").assessed_in("vessel.thick"), test_mode<Input>(),
+      test_level_mode<Input>(),
       Mode<Input>{"ends", "strength of the ends", &has_ends}
           .judged_by("u_e")
           .left_to("vessel.end", "shell.strength, shell.knuckle")

@@ -127,15 +127,15 @@ int refuse(const std::string& word) {
   return wrong_input;
 }
 
-void print(const Answer& answer, const ListOptions& options) {
+void print(const Answer& answer, const std::string& searched, bool lists_all) {
   for (const NotIncluded* one : answer.beyond)
     std::cout << terminal::paragraph("Not included: " + std::string(one->what) + ".", 0, screen_width);
   if (!answer.beyond.empty() && !answer.named.empty()) std::cout << "\nNearest:\n";
   show(answer.element);
-  if (!answer.element.empty() && !answer.named.empty()) std::cout << "\nOthers that match '" << options.word << "':\n";
+  if (!answer.element.empty() && !answer.named.empty()) std::cout << "\nOthers that match '" << searched << "':\n";
   show(answer.named);
   const bool alone = answer.element.empty() && answer.named.empty();
-  const bool all = options.all || (alone && answer.beyond.empty());
+  const bool all = lists_all || (alone && answer.beyond.empty());
   all ? show(answer.mentioned) : count(answer.mentioned);
   std::cout << "\n`loadpath describe ID` shows one on a screen, with an example that runs.\n";
 }
@@ -143,14 +143,16 @@ void print(const Answer& answer, const ListOptions& options) {
 }  // namespace
 
 int list(const ListOptions& options) {
-  if (options.word.empty() && !options.json) {
+  std::string searched;
+  for (const std::string& word : options.words) searched += (searched.empty() ? "" : " ") + word;
+  if (searched.empty() && !options.json) {
     show_elements();
     return passed;
   }
-  const Answer answer = answer_to(options.word);
+  const Answer answer = answer_to(searched);
   if (answer.element.empty() && answer.named.empty() && answer.mentioned.empty() && answer.beyond.empty())
-    return refuse(options.word);
-  options.json ? print_json(answer, options.all) : print(answer, options);
+    return refuse(searched);
+  options.json ? print_json(answer, options.all) : print(answer, searched, options.all);
   return passed;
 }
 

@@ -44,10 +44,11 @@ bool describe_template(const DescribeOptions& options, const std::string& id) {
   return true;
 }
 
-/// A part, a field or a mode; "rules" of fatigue.life is a part and an input.
-int describe_part(const Calculator& calculator, const std::string& name) {
+/// A part, a field, a mode or a template; "rules" of fatigue.life is a part and an input.
+int describe_part(const DescribeOptions& options, const Calculator& calculator, const std::string& name) {
   const bool is_part = show_part(calculator, name), is_field = show_field(calculator, name);
-  return is_part || is_field ? passed : refuse_field(calculator, name);
+  if (is_part || is_field || describe_template(options, std::string(calculator.id) + "." + name)) return passed;
+  return refuse_field(calculator, name);
 }
 
 int describe_calculator(const DescribeOptions& options, const Calculator& calculator, const std::string& part) {
@@ -56,7 +57,7 @@ int describe_calculator(const DescribeOptions& options, const Calculator& calcul
   else if (options.toml)
     std::cout << calculator.example;
   else if (!part.empty())
-    return describe_part(calculator, part);
+    return describe_part(options, calculator, part);
   else if (options.full)
     show_in_full(calculator);
   else

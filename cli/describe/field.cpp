@@ -339,9 +339,19 @@ bool show_field(const Calculator& calculator, const std::string& name) {
   return is_shown || show_pattern(calculator, name) || show_parameter(calculator, path);
 }
 
+/// "seats.way" of "way": the first field of that key in a list or a group; empty if there is none.
+static std::string nested_field(const Calculator& calculator, const std::string& name) {
+  for (const FieldInfo& outer : calculator.input->fields) {
+    if (outer.has_fields() && find_field(outer.fields, name) != nullptr) return std::string(outer.key) + "." + name;
+  }
+  return {};
+}
+
 int refuse_field(const Calculator& calculator, const std::string& name) {
-  const Message hint =
-      meant(name, known_names(calculator), say("`loadpath describe {1} --full` shows all", calculator.id));
+  const std::string nested = nested_field(calculator, name);
+  const Message hint = !nested.empty() ? say("did you mean '{1}'?", nested)
+                                       : meant(name, known_names(calculator),
+                                               say("`loadpath describe {1} --full` shows all", calculator.id));
   std::cerr << "loadpath: '" << calculator.id << "' has no input, result, failure mode or part '" << name
             << "'\n  = help: " << hint.text() << "\n";
   return wrong_input;

@@ -69,7 +69,7 @@ void setup_describe(CLI::App& app, DescribeOptions& options, Action& action) {
 
 void setup_list(CLI::App& app, ListOptions& options, Action& action) {
   CLI::App* sub = app.add_subcommand("list", "all calculators, those of an element, or those that words find");
-  sub->add_option("word", options.word, "an element, e.g. shaft, or a search word: buckling, S-N, Passfeder");
+  sub->add_option("word", options.words, "an element, e.g. shaft, or a search word: buckling, S-N, Passfeder");
   sub->add_flag("--all", options.all, "those found by a failure mode or the scope, too");
   sub->add_flag("--json", options.json, "print it as one JSON object, numbers in SI");
   sub->callback([&] { action = [&] { return list(options); }; });

@@ -159,7 +159,9 @@ std::size_t Conclusion::modes() const { return std::accumulate(counts.begin(), c
 Conclusion conclude(const Modes& modes) {
   Conclusion all;
   for (const Mode& mode : modes) {
-    if (mode.subject == Subject::mode) ++all.counts[static_cast<std::size_t>(group_of(mode))];
+    const bool is_counted_there =
+        is_assessed_elsewhere(mode) && (mode.state == State::pass || mode.state == State::fail);
+    if (mode.subject == Subject::mode && !is_counted_there) ++all.counts[static_cast<std::size_t>(group_of(mode))];
   }
   const State state = worst(modes);
   if (state == State::fail)
@@ -176,7 +178,9 @@ bool is_assessed_elsewhere(const Mode& mode) {
   return !waits && !mode.judge.empty() && mode.governs.empty();
 }
 
-bool is_ranked(const Mode& mode) { return mode.kind != ModeKind::shape || mode.state == State::fail; }
+bool is_ranked(const Mode& mode) {
+  return mode.state == State::fail || (mode.kind != ModeKind::shape && !mode.is_limit);
+}
 
 std::string short_title(const Mode& mode) {
   const std::string title = mode.title.text();

@@ -23,6 +23,7 @@ struct Mode {
   std::string id;    // "root_1": the key of `accept`
   Message title;     // "tooth root of gear 1 in bending"
   ModeKind kind = ModeKind::strength;
+  bool is_limit = false;  // governs where it fails, or where nothing else does
   State state = State::not_judged;
   std::optional<double> utilisation;  // utilisation of the governing row
   std::string governs;                // the check or limit that decides: "u_F1", "segments[2].u_tau"

@@ -33,8 +33,10 @@ struct ModeInfo {
   const char* advice = "";   // other remedy if no input is missing
   const char* use = "";      // the calculator that assesses it when it takes the place of this one: "shaft.design"
   const char* add = "";      // calculators of which an additional step assesses it: "shaft.key, shaft.spline"
-  bool by_service = false;   // unseen, it applies if the source of the load rotates or the load varies
-  bool by_rest = false;      // unseen, it applies where a load has companions that the step does not take
+  bool is_limit =
+      false;  // the same at any load, as a slenderness: it governs where it fails, or where nothing else does
+  bool by_service = false;  // unseen, it applies if the source of the load rotates or the load varies
+  bool by_rest = false;     // unseen, it applies where a load has companions that the step does not take
 };
 
 /// Whether anything in the catalogue assesses the mode: this calculator, or another one.
@@ -111,6 +113,12 @@ struct Mode : ModeInfo {
   [[nodiscard]] constexpr Mode by_companions() const {
     Mode mode = *this;
     mode.by_rest = true;
+    return mode;
+  }
+  /// Of a ratio that the load does not change, against a limit: shown as governing where it fails, or alone.
+  [[nodiscard]] constexpr Mode at_any_load() const {
+    Mode mode = *this;
+    mode.is_limit = true;
     return mode;
   }
   [[nodiscard]] constexpr Mode of_service() const { return of(ModeKind::service); }

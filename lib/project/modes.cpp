@@ -365,6 +365,7 @@ std::optional<account::Mode> judged(const Step& step, const ModeInfo& info, Appl
   mode.id = info.id;
   mode.title = say(info.title);
   mode.kind = info.kind;
+  mode.is_limit = info.is_limit;
   const account::Judged came =
       account::judged(folded(rows), static_cast<double>(static_cast<int>(applies)), unjudged_of(step, info, needs));
   if (came.state == account::absent_state) return std::nullopt;

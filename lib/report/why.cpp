@@ -197,8 +197,10 @@ std::optional<account::Mode> deciding(const account::Modes& modes) {
 std::optional<account::Mode> telling(const account::Modes& modes) {
   const auto worst = deciding(modes);
   if (worst && worst->state == account::State::fail) return worst;
-  const account::Mode* const most = most_utilised(modes);
-  return most == nullptr ? std::nullopt : std::optional(*most);
+  if (const account::Mode* const most = most_utilised(modes); most != nullptr) return *most;
+  const auto is_alone = [](const account::Mode& mode) { return mode.is_limit && mode.utilisation; };
+  const auto limit = std::ranges::find_if(modes, is_alone);
+  return limit == modes.end() ? std::nullopt : std::optional(*limit);
 }
 
 }  // namespace loadpath::report

@@ -205,7 +205,7 @@ gamma_F = 1
       Mode<Input>{"bent", "bending and axial compression", &bent}.judged_by("u_y, u_z, u_H"),
       Mode<Input>{"lateral_torsional", "lateral-torsional buckling", &turning_over}.judged_by("u_LT"),
       Mode<Input>{"torsional", "torsional buckling", &twisting}.judged_by("u_T"),
-      Mode<Input>{"slenderness", "slenderness limit", &compressed<Input>}.judged_by("r_lambda"),
+      Mode<Input>{"slenderness", "slenderness limit", &compressed<Input>}.judged_by("r_lambda").at_any_load(),
       Mode<Input>{"local", "local buckling (class 3 limit)", &walls_pressed}.judged_by("r_class"),
       Mode<Input>{"shear", "shear force in the webs", &bent}.judged_by("x_V"),
       Mode<Input>{"net_section", "net section rupture (holes)", &pulled_at_holes<Input>}.assessed_beside("pin.lug"),

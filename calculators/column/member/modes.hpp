@@ -77,7 +77,7 @@ template <class Input, auto outline_of>
 constexpr auto member_modes(const char* of_buckling, const char* of_walls) {
   return std::array{
       Mode<Input>{"buckling", "flexural buckling about y and z", &compressed<Input>}.judged_by(of_buckling),
-      Mode<Input>{"slenderness", "slenderness limit", &compressed<Input>}.judged_by("r_lambda"),
+      Mode<Input>{"slenderness", "slenderness limit", &compressed<Input>}.judged_by("r_lambda").at_any_load(),
       Mode<Input>{"local", "local buckling (class 3 limit)", &thin_walled<Input, outline_of>}
           .judged_by("r_class, x_E")
           .wanting(of_walls),

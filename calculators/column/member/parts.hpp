@@ -36,12 +36,13 @@ bool has_modulus_of_steel(const Member& in);
 /// Whether the codes for steel structures apply to the material.
 bool is_steel(const Member& in);
 
-/// Default method: tetmajer with the constants of a set; ec3 for a steel section with a buckling curve; Johnson's
-/// parabola, and Euler above it, for any other bar with known yield strength; Euler if only a proportional limit is
-/// known.
+/// Default method: tetmajer with the constants of a set; ec3 for a steel section with a buckling curve, unless a safety
+/// factor n_st is given, which it does not use; Johnson's parabola, and Euler above it, for any other bar with known
+/// yield strength; Euler if only a proportional limit is known.
 inline Method default_method(const Member& in, bool is_structural) {
   if (is_set(in.a_T)) return Method::tetmajer;
-  if (is_set(in.R_e)) return is_structural && is_steel(in) ? Method::ec3 : Method::johnson;
+  const bool by_factor = is_set(in.n_st) && !is_set(in.gamma_M1) && !is_set(in.gamma_F);
+  if (is_set(in.R_e)) return is_structural && is_steel(in) && !by_factor ? Method::ec3 : Method::johnson;
   return is_set(in.sigma_P) ? Method::euler : Method::unsaid;
 }
 

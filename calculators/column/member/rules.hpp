@@ -102,9 +102,8 @@ constexpr auto assumption_rules() {
       Rule<Input>{[](const Input& in) { return factors_given(in, method_of(in)); }, "method, gamma_M1, gamma_F",
                   "partial factors are assumed", &of<Input, &assumed_factors>, true, "buckling, bent, tension"},
       Rule<Input>{[](const Input& in) { return safety_counts(in, method_of(in)); }, "n_st, method",
-                  "n_st has no effect: EN 1993-1-1 decides, with gamma_M1 and gamma_F; to use n_st, name its method, "
-                  "e.g. \"johnson\"",
-                  nullptr, true, "buckling, bent"}};
+                  "EN 1993-1-1 takes gamma_M1 and gamma_F and no n_st: omit n_st, or name the method that takes it, "
+                  "e.g. \"johnson\""}};
 }
 
 /// Rules of a bar with eccentricities or bows.

@@ -155,7 +155,8 @@ R_m = "410 MPa"
   static constexpr std::array modes = modes_of_tested_wall<Input>(
       Mode<Input>{"strength", "yielding of crown and knuckle", &always<Input>}.judged_by(
           "u_s, u_y, x_r, x_k, x_e, x_R, x_K"),
-      test_mode<Input>(), Mode<Input>{"knuckle", "plastic buckling of the knuckle", &has_knuckle}.judged_by("u_b"),
+      test_mode<Input>(), test_level_mode<Input>(),
+      Mode<Input>{"knuckle", "plastic buckling of the knuckle", &has_knuckle}.judged_by("u_b"),
       Mode<Input>{"flange", "yielding of the straight flange", &has_flange}.judged_by("u_f").special());
 
   template <class Tracer>

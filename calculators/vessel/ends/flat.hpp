@@ -108,7 +108,7 @@ R_m = "410 MPa"
   static Applies is_bolted(const Input& in) { return shown_by(in.attachment == Attachment::bolted); }
   static constexpr std::array modes = modes_of_tested_wall<Input>(
       Mode<Input>{"strength", "bending of the end", &always<Input>}.judged_by("u_e, x_e"), test_mode<Input>(),
-      Mode<Input>{"bolts", "bolts, and their bending of the end", &is_bolted}.special());
+      test_level_mode<Input>(), Mode<Input>{"bolts", "bolts, and their bending of the end", &is_bolted}.special());
 
   template <class Tracer>
   static Result evaluate(const Input& in, Tracer& trace);

@@ -33,6 +33,10 @@ std::optional<Mode> governing_of(const Modes& modes, const std::string& step) {
     if (mode.step != step || !is_told(mode) || !is_assessed) continue;
     if (best == nullptr || is_worse(mode, *best)) best = &mode;
   }
+  if (best != nullptr && best->utilisation) return *best;
+  const auto limit =
+      std::ranges::find_if(modes, [&](const Mode& m) { return m.step == step && m.is_limit && m.utilisation; });
+  if (limit != modes.end()) return *limit;
   if (best != nullptr) return *best;
   const auto proved = std::ranges::find_if(
       modes, [&](const Mode& m) { return m.step == step && m.state == State::pass && !m.utilisation; });
@@ -116,7 +120,8 @@ std::string component_name(const Step& step) {
 
 std::string location_of(const Mode& mode) {
   if (mode.at) return short_quantity(mode.at->si, mode.at->unit);
-  const std::string owner = owner_of(mode.governs);
+  const bool is_of_list = std::ranges::count(mode.governs, '.') > 1;  // "safeties.key_end.u_D"
+  const std::string owner = is_of_list ? owner_of(mode.governs) : std::string();
   return owner.find('[') == std::string::npos ? owner : std::string();
 }
 

@@ -79,9 +79,10 @@ std::string capitalised(std::string text) {
   return text;
 }
 
-/// "Yielding in torsion, utilisation 0.895 (26.9 / 30 MPa)"
+/// "Yielding in torsion at key end, utilisation 0.895 (26.9 / 30 MPa)"
 std::string governing_text(const account::Mode& mode) {
-  std::string text = capitalised(mode.title.text());
+  const std::string location = report::location_of(mode);
+  std::string text = capitalised(mode.title.text()) + (location.empty() ? "" : " at " + location);
   if (mode.utilisation) text += ", utilisation " + report::utilisation_text(*mode.utilisation);
   if (mode.compared) text += " (" + report::short_pair(mode.compared->demand, mode.compared->capacity) + ")";
   return text;
@@ -189,15 +190,27 @@ Lines input_lines(const project::Step& step, const account::Mode& mode, const Lo
   return lines;
 }
 
-/// "Passes: shear yielding 0.506, yielding in pure torsion 0.388"
+/// "Passes: shear yielding 0.506, yielding in pure torsion 0.388", what other steps assess, and the limits that no load
+/// changes, each by itself: a larger number among these does not govern.
 Lines passing_lines(const Summary& summary, const account::Mode& governing, const Look& look) {
-  std::string text;
+  std::string own, elsewhere, limits;
   for (const account::Mode& mode : account::in_order(summary.modes)) {
     if (mode.state != account::State::pass || mode.id == governing.id) continue;
-    text += (text.empty() ? "Passes: " : ", ") + report::plain_title(mode);
+    const bool is_elsewhere = account::is_assessed_elsewhere(mode);
+    std::string& text = is_elsewhere ? elsewhere : account::is_ranked(mode) ? own : limits;
+    text += (text.empty() ? "" : ", ") + report::plain_title(mode);
     if (mode.utilisation) text += " " + report::utilisation_text(*mode.utilisation);
+    if (is_elsewhere) text += " (" + mode.judge + ")";
   }
-  return text.empty() ? Lines{} : lines_of(text, look.width, 2);
+  Lines lines;
+  const auto add = [&](const char* head, const std::string& text) {
+    if (text.empty()) return;
+    for (std::string& line : lines_of(head + text, look.width, 2)) lines.push_back(std::move(line));
+  };
+  add("Passes: ", own);
+  add("Passes in other steps: ", elsewhere);
+  add("Geometry and limits: ", limits);
+  return lines;
 }
 
 }  // namespace

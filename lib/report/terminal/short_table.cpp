@@ -61,7 +61,8 @@ Widths widths_of(std::span<const Component> components, const Look& look) {
 }
 
 std::string place_of(const account::Mode& mode) {
-  return mode.at ? ", " + report::short_quantity(mode.at->si, mode.at->unit) : "";
+  const std::string location = report::location_of(mode);
+  return location.empty() ? "" : ", " + location;
 }
 
 /// The title with its place, without it, without parentheses: the first that fits; else in lines.

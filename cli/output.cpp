@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <ctime>
 #include <filesystem>
 #include <iostream>
@@ -158,6 +159,18 @@ bool add_drawings(const project::Project& project, const std::string& path, std:
   return true;
 }
 
+/// Whether it is a file of that kind, standard output, or a folder: a file of another kind would become a folder.
+bool is_of_kind(const std::string& path, const char* kind, const char* what) {
+  const std::string end = ending(path);
+  std::error_code error;
+  if (end.size() < 2 || end == kind || std::isdigit(static_cast<unsigned char>(end[1])) != 0 ||
+      is_standard_output(path) || fs::is_directory(path, error))
+    return true;
+  std::cerr << "loadpath: " << what << " as FILE" << kind << " or into a folder, not as '" << path
+            << "'\n  = help: name a file that ends in " << kind << ", or a folder\n";
+  return false;
+}
+
 bool refuse_output(const fs::path& path, const char* why) {
   std::cerr << "loadpath: '" << path.string() << "' " << why << ": nothing is written\n  = help: name another file\n";
   return true;
@@ -196,6 +209,10 @@ bool can_write(const OutputOptions& options) {
                  "--csv PATH or --json\n";
     return false;
   }
+  if (!is_of_kind(options.svg, ".svg", "figures are written") ||
+      !is_of_kind(options.dxf, ".dxf", "drawings are written") ||
+      !is_of_kind(options.csv, ".csv", "series are written"))
+    return false;
   for (const std::string& path : options.reports) {
     const std::string kind = ending(path);
     if (kind != ".html" && kind != ".md" && kind != ".tex" && kind != ".pdf") {
@@ -259,10 +276,15 @@ void sort_reports(const report::Document& document, const std::vector<std::strin
   }
 }
 
+/// "figures: out": what was written there.
+void tell(const char* what, const std::string& path, bool quiet) {
+  std::error_code error;
+  if (!quiet && !path.empty() && !is_standard_output(path) && fs::exists(path, error))
+    std::cerr << what << ": " << path << "\n";
+}
+
 void tell_reports(const std::vector<std::string>& paths, bool quiet) {
-  for (const std::string& path : paths) {
-    if (!quiet && !is_standard_output(path)) std::cerr << "report: " << path << "\n";
-  }
+  for (const std::string& path : paths) tell("report", path, quiet);
 }
 
 }  // namespace
@@ -314,6 +336,9 @@ bool write(const project::Project& project, const OutputOptions& options, const 
   if (!add_figures(project, options.svg, files) || !add_drawings(project, options.dxf, files)) return false;
   if (!put(files, prints, document, project)) return false;
   tell_reports(options.reports, options.quiet);
+  tell("series", options.csv, options.quiet);
+  tell("figures", options.svg, options.quiet);
+  tell("drawings", options.dxf, options.quiet);
   return true;
 }
 

@@ -21,6 +21,19 @@ TEST_SUITE("cli first try") {
     CHECK(holds(o.out + o.error, "gamma_M1 = 1.0, gamma_F = 1"));
   }
 
+  TEST_CASE("buckling is shown before the limit of slenderness, which stands alone where no force is given") {
+    const std::vector<std::string> words{"column", "buckling", "--section", "HEB 160", "--l", "4 m", "--ends",
+                                         "pinned_pinned", "--material", "S235"};
+    std::vector<std::string> loaded = words;
+    loaded.insert(loaded.end(), {"--P", "300 kN"});
+    CHECK(holds(loadpath_with(loaded).out, "Flexural buckling about y and z, utilisation 0.461 (300 / 651 kN)"));
+    CHECK(holds(loadpath_with(words).out, "Slenderness limit, utilisation 0.494 (98.8 / 200)"));
+    loaded.insert(loaded.end(), {"--n_st", "3"});
+    CHECK(holds(loadpath_with(loaded).out, "utilisation 0.976"));  // by the method that takes a safety factor
+    loaded.insert(loaded.end(), {"--method", "ec3"});
+    CHECK(loadpath_with(loaded).code == 0);  // asked for
+  }
+
   TEST_CASE("a rod without a strength asks for it in two lines at most") {
     const Ran o = loadpath_with(
         {"column", "buckling", "--l", "1 m", "--d", "?", "--ends", "pinned_pinned", "--P", "20 kN", "--E", "210 GPa"});

@@ -227,7 +227,12 @@ TEST_SUITE("cli outputs") {
     CHECK(one.error.find("steps are drawn") != std::string::npos);
     CHECK(!desk.has("b.svg"));
     const auto before = desk.files().size();
-    CHECK(desk.run({"run", gearbox, "--quiet", "--svg", "figures"}).code != 2);
+    CHECK(with({"--svg", "a.png"}).error.starts_with(
+        "loadpath: figures are written as FILE.svg or into a folder, not as 'a.png'\n"));
+    CHECK(with({"--dxf", "a.dwg"}).code == 2);
+    CHECK(with({"--csv", "a.txt"}).code == 2);
+    CHECK(desk.files().size() == before);
+    CHECK(desk.run({"run", gearbox, "--svg", "figures"}).error.ends_with("figures: figures\n"));
     CHECK(desk.files().size() > before + 1);
   }
 }

@@ -82,6 +82,11 @@ TEST_SUITE("cli list") {
     }
   }
 
+  TEST_CASE("several words need no quotation marks") {
+    CHECK(loadpath_with({"list", "press", "fit"}).out == loadpath_with({"list", "press fit"}).out);
+    CHECK(loadpath_with({"list", "press", "fit"}).code == 0);
+  }
+
   TEST_CASE("what is not included is said, with the nearest calculators") {
     const Desk desk;
     for (const std::string word : {"bolt", "Schraube", "worm", "spring", "пружина", "weld"}) {

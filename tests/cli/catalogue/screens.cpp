@@ -164,6 +164,13 @@ TEST_SUITE("cli describe" * by_case) {
     CHECK(contains(key, "failure mode key"));
   }
 
+  TEST_CASE("a template behind its calculator, and a field of a list with the list") {
+    CHECK(loadpath_with({"describe", "mechanism.planar", "slider_crank"}).out ==
+          loadpath_with({"describe", "mechanism.planar.slider_crank"}).out);
+    CHECK(loadpath_with({"describe", "shaft.design", "way"}).error.find("did you mean 'seats.way'?") !=
+          std::string::npos);
+  }
+
   TEST_CASE("a name that is none is told with the near ones and their meanings") {
     const Ran near = loadpath_with({"describe", "shaft.torsion", "thetaadm"});
     CHECK(near.code == 2);
